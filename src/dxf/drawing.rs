@@ -1,0 +1,164 @@
+//! What the reader hands on: shapes in millimetres, layers, units and their source, findings.
+
+use crate::finding::Finding;
+use crate::geometry::Path;
+use serde::{Deserialize, Serialize};
+
+/// Units of a drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Unit {
+    /// 25.4 mm.
+    In,
+    /// 304.8 mm.
+    Ft,
+    /// 914.4 mm.
+    Yd,
+    /// 0.0254 mm.
+    Mil,
+    /// A millionth of an inch.
+    Microinch,
+    /// 0.001 mm.
+    Um,
+    /// 1 mm.
+    Mm,
+    /// 10 mm.
+    Cm,
+    /// 100 mm.
+    Dm,
+    /// 1000 mm.
+    M,
+}
+
+/// Where the units come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum UnitsSource {
+    /// $INSUNITS.
+    Header,
+    /// Guessed from size and $MEASUREMENT: see `reason`.
+    Guessed,
+    /// By the person.
+    Given,
+}
+
+/// The units taken, and why.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Units {
+    /// The unit taken.
+    pub unit: Unit,
+    /// From where.
+    pub source: UnitsSource,
+    /// One sentence for people: why this unit.
+    pub reason: String,
+    /// Whether a person should be asked: guessed without evidence, or the size speaks against the header.
+    pub doubtful: bool,
+}
+
+/// A layer of the drawing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Layer {
+    /// Name, decoded.
+    pub name: String,
+    /// AutoCAD colour index (absolute value).
+    pub color: i16,
+    /// Neither frozen nor off.
+    pub visible: bool,
+}
+
+/// One entity as a chain of lines and arcs in mm, in sheet coordinates, blocks expanded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// The geometry.
+    pub path: Path,
+    /// Index into [`Drawing::layers`].
+    pub layer: u32,
+    /// AutoCAD colour index as resolved (by layer, by block).
+    pub color: i16,
+    /// Handle as written in the file, for reports only.
+    pub handle: Option<String>,
+    /// DXF name of the entity (`LINE`, `LWPOLYLINE`, ...).
+    pub kind: &'static str,
+    /// Read through a break in the file; only present when asked for.
+    pub damaged: bool,
+}
+
+/// How many entities of a kind the file holds, blocks expanded or not.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct EntityKindCount {
+    /// DXF name.
+    pub kind: String,
+    /// In model space, as written (an INSERT counts once).
+    pub count: u32,
+    /// Whether it becomes geometry.
+    pub supported: bool,
+}
+
+/// A drawing in millimetres.
+#[derive(Clone, Debug)]
+pub struct Drawing {
+    /// $ACADVER, when given (`AC1015`).
+    pub version: Option<String>,
+    /// Units taken.
+    pub units: Units,
+    /// Layers, in order of the file; those not in the table but used follow.
+    pub layers: Vec<Layer>,
+    /// Geometry of model space, visible layers only.
+    pub shapes: Vec<Shape>,
+    /// Entities by kind, most frequent first.
+    pub entities: Vec<EntityKindCount>,
+    /// Everything worth knowing.
+    pub findings: Vec<Finding>,
+}
+
+/// Bounds against hostile files. Past one of them the file is refused with a sentence that names it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Limits {
+    /// Bytes of the file.
+    pub bytes: usize,
+    /// Elements (lines and arcs) after blocks are expanded.
+    pub elements: usize,
+    /// Depth of nested blocks.
+    pub depth: usize,
+    /// Largest coordinate, mm.
+    pub coordinate: f64,
+}
+
+/// How to read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReadOptions {
+    /// Units given by the person; otherwise header or guess.
+    pub unit: Option<Unit>,
+    /// Largest distance between a spline or ellipse and its lines and arcs, mm.
+    pub tolerance: f64,
+    /// Keep entities read through a break in the file.
+    pub keep_damaged: bool,
+    /// Bounds.
+    pub limits: Limits,
+}
+
+impl Default for ReadOptions {
+    fn default() -> Self {
+        Self {
+            unit: None,
+            tolerance: 0.005,
+            keep_damaged: false,
+            limits: Limits { bytes: 256 << 20, elements: 2_000_000, depth: 16, coordinate: 1e6 },
+        }
+    }
+}
+
+/// Why a file cannot be used: one sentence for people.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReadError {
+    /// Not a DXF: names the format found when known, and what to do.
+    #[error("{0}")]
+    NotDxf(String),
+    /// Nothing to cut in it.
+    #[error("{0}")]
+    Empty(String),
+    /// A limit was passed.
+    #[error("{0}")]
+    Limit(String),
+}

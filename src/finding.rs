@@ -1,0 +1,182 @@
+//! Findings: everything about a drawing that a person should know, with its place.
+//!
+//! Nothing is dropped in silence. Whatever a stage leaves out, changes, guesses or doubts becomes a finding with a
+//! code for programs, a sentence for people, and the layer, handle and place it concerns.
+
+use glam::DVec2;
+use serde::Serialize;
+
+/// How much a finding matters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Severity {
+    /// Worth knowing; nothing to do.
+    Info,
+    /// Something was left out, changed or guessed: look at it.
+    Warning,
+    /// Something cannot be cut as drawn.
+    Error,
+}
+
+/// What a finding is about. Written in kebab case in JSON (`unsupported-entity`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Code {
+    // Reading
+    /// An entity kind that holds no outline to cut (text, dimension, image, ...), counted by kind and layer.
+    UnsupportedEntity,
+    /// An entity that was read through a break in the file: left out unless asked for.
+    DamagedEntity,
+    /// The reader lost step and found it again.
+    Resynchronised,
+    /// The file ends before it should.
+    Truncated,
+    /// A number that is none, or not finite.
+    BadNumber,
+    /// An entity whose values make no geometry (radius 0, too few points, bad knots, ...).
+    InvalidGeometry,
+    /// A block that is inserted but not defined.
+    MissingBlock,
+    /// A block that contains itself.
+    CyclicBlock,
+    /// Entities in paper space, invisible, or on frozen or off layers: not cut.
+    HiddenEntity,
+    /// Units are missing from the file and were guessed, with the reason.
+    UnitsGuessed,
+    /// Units are given but the size speaks against them.
+    UnitsDoubtful,
+    /// Characters could not be decoded.
+    Encoding,
+    /// A three-dimensional entity was projected on the sheet.
+    Projected,
+    /// Filled areas and points: their outline is taken, or not, and said.
+    OutlineTaken,
+    // Contours
+    /// Ends joined over a gap.
+    GapClosed,
+    /// Ends close to each other, but farther than the tolerance: left open.
+    GapLeft,
+    /// More than two ends meet.
+    Branch,
+    /// Exact or near copies removed, also reversed ones.
+    DuplicateRemoved,
+    /// Collinear or co-circular overlap removed.
+    OverlapRemoved,
+    /// Elements without length dropped.
+    ZeroLength,
+    /// A contour crosses itself.
+    SelfCrossing,
+    /// Two contours cross each other.
+    Crossing,
+    /// A contour does not close: kept as an open path.
+    OpenContour,
+    /// One contour over several layers.
+    SeveralLayers,
+    /// A lone border around everything: probably the sheet, not a cut.
+    SheetOutline,
+    /// A layer that by its name is probably not to be cut.
+    LayerSuggestion,
+    /// A layer that is not cut, with what it holds.
+    LayerIgnored,
+    /// More findings of one code than are listed one by one.
+    More,
+}
+
+/// One finding. Places in mm.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Finding {
+    /// For programs.
+    pub code: Code,
+    /// How much it matters.
+    pub severity: Severity,
+    /// For people: what, where, what to do. Plain words, no exception names.
+    pub message: String,
+    /// Layer it concerns.
+    pub layer: Option<String>,
+    /// Handle of the entity in the file, as written there. Never a key: handles repeat in real files.
+    pub handle: Option<String>,
+    /// Where on the sheet, mm.
+    #[serde(serialize_with = "place")]
+    pub at: Option<DVec2>,
+    /// How many it stands for.
+    pub count: u32,
+}
+
+impl Finding {
+    /// A finding of one, without layer, handle or place.
+    pub fn new(code: Code, severity: Severity, message: impl Into<String>) -> Self {
+        Self { code, severity, message: message.into(), layer: None, handle: None, at: None, count: 1 }
+    }
+
+    /// With its place.
+    pub fn at(mut self, p: DVec2) -> Self {
+        self.at = Some(p);
+        self
+    }
+
+    /// With its layer.
+    pub fn on_layer(mut self, layer: impl Into<String>) -> Self {
+        self.layer = Some(layer.into());
+        self
+    }
+
+    /// With the handle of its entity.
+    pub fn of_handle(mut self, handle: Option<impl Into<String>>) -> Self {
+        self.handle = handle.map(Into::into);
+        self
+    }
+
+    /// Standing for `n`.
+    pub fn times(mut self, n: u32) -> Self {
+        self.count = n;
+        self
+    }
+}
+
+/// Findings listed one by one before the rest of one code is only counted: a list people can still read, and a
+/// bound on memory for files that are wrong everywhere.
+const LISTED_PER_CODE: u32 = 200;
+
+/// Collects findings; past [`LISTED_PER_CODE`] of one code the rest are counted in one finding of code `More`.
+#[derive(Clone, Debug, Default)]
+pub struct Findings {
+    list: Vec<Finding>,
+    seen: std::collections::BTreeMap<Code, (u32, u32)>,
+}
+
+impl Findings {
+    /// Adds one.
+    pub fn push(&mut self, f: Finding) {
+        let (listed, rest) = self.seen.entry(f.code).or_default();
+        if *listed < LISTED_PER_CODE {
+            *listed += 1;
+            self.list.push(f);
+        } else {
+            *rest = rest.saturating_add(f.count);
+        }
+    }
+
+    /// The list, with a closing `More` for each code that overflowed.
+    pub fn into_list(mut self) -> Vec<Finding> {
+        for (code, (_, rest)) in self.seen {
+            if rest > 0 {
+                let name = serde_json::to_value(code).ok();
+                let name = name.as_ref().and_then(|v| v.as_str()).unwrap_or("finding").to_owned();
+                self.list.push(
+                    Finding::new(
+                        Code::More,
+                        Severity::Info,
+                        format!("{rest} more of the kind {name}, not listed one by one."),
+                    )
+                    .times(rest),
+                );
+            }
+        }
+        self.list
+    }
+}
+
+fn place<S: serde::Serializer>(p: &Option<DVec2>, s: S) -> Result<S::Ok, S::Error> {
+    p.map(|p| [p.x, p.y]).serialize(s)
+}

@@ -1,0 +1,105 @@
+//! A chain of elements joined end to end: the shape of a contour, or of one entity of a drawing.
+//!
+//! A place on a path is its arc length from the start in mm, as entries of the search slide continuously.
+
+use super::aabb::Aabb;
+use super::segment::Segment;
+use glam::DVec2;
+
+/// Elements joined end to end: `segments[i].end() == segments[i + 1].start()`, bit for bit; when `closed`, also
+/// the last end is the first start.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Path {
+    /// The elements in order of travel.
+    pub segments: Vec<Segment>,
+    /// Comes back to its start.
+    pub closed: bool,
+}
+
+impl Path {
+    /// A path from elements.
+    pub fn new(segments: Vec<Segment>, closed: bool) -> Self {
+        Self { segments, closed }
+    }
+
+    /// First point; `None` for a path without elements.
+    pub fn start(&self) -> Option<DVec2> {
+        self.segments.first().map(Segment::start)
+    }
+
+    /// Last point; `None` for a path without elements.
+    pub fn end(&self) -> Option<DVec2> {
+        self.segments.last().map(Segment::end)
+    }
+
+    /// Length, mm.
+    pub fn length(&self) -> f64 {
+        self.segments.iter().map(Segment::length).sum()
+    }
+
+    /// Signed area of a closed path, mm2, counter-clockwise positive.
+    pub fn area(&self) -> f64 {
+        0.5 * self.segments.iter().map(Segment::doubled_area).sum::<f64>()
+    }
+
+    /// The smallest box around the path.
+    pub fn bounds(&self) -> Aabb {
+        self.segments.iter().fold(Aabb::EMPTY, |b, s| b.union(s.bounds()))
+    }
+
+    /// The same path run the other way.
+    pub fn reversed(&self) -> Self {
+        Self { segments: self.segments.iter().rev().map(Segment::reversed).collect(), closed: self.closed }
+    }
+
+    /// The largest distance between one element's end and the next one's start, mm; 0 when joined bit for bit.
+    pub fn largest_gap(&self) -> f64 {
+        let inner = self.segments.windows(2).map(|w| w[0].end().distance(w[1].start()));
+        let last = match (self.closed, self.start(), self.end()) {
+            (true, Some(a), Some(b)) => a.distance(b),
+            _ => 0.0,
+        };
+        inner.fold(last, f64::max)
+    }
+
+    /// The point `s` mm along the path (held inside its length).
+    pub fn at(&self, s: f64) -> Option<DVec2> {
+        let (i, f) = self.locate(s)?;
+        self.segments.get(i).map(|g| g.at(f))
+    }
+
+    /// The element `s` mm along the path, and the fraction along it.
+    pub fn locate(&self, s: f64) -> Option<(usize, f64)> {
+        let mut rest = s.max(0.0);
+        for (i, g) in self.segments.iter().enumerate() {
+            let len = g.length();
+            if rest < len || i + 1 == self.segments.len() {
+                return Some((i, if len > 0.0 { (rest / len).min(1.0) } else { 0.0 }));
+            }
+            rest -= len;
+        }
+        None
+    }
+
+    /// A closed path re-cut to start `s` mm along it, in its own direction; an open path as it is.
+    pub fn starting_at(&self, s: f64) -> Self {
+        let Some((i, f)) = self.locate(s) else { return self.clone() };
+        if !self.closed {
+            return self.clone();
+        }
+        let mut out = Vec::with_capacity(self.segments.len() + 1);
+        let cut = self.segments[i];
+        if f > 0.0 && f < 1.0 {
+            out.push(cut.piece(f, 1.0));
+        } else if f <= 0.0 {
+            out.push(cut);
+        }
+        out.extend(self.segments[i + 1..].iter().chain(&self.segments[..i]).copied());
+        if f > 0.0 && f < 1.0 {
+            out.push(cut.piece(0.0, f));
+        } else if f >= 1.0 {
+            out.push(cut);
+        }
+        Self { segments: out, closed: true }
+    }
+}

@@ -1,0 +1,239 @@
+//! The two kinds of element that every stage after the reader knows: a straight line and a circular arc.
+//!
+//! Both keep their end points exactly as given, so chains join bit for bit. An arc keeps its centre and its
+//! signed sweep besides; a full circle is an arc whose ends coincide and whose sweep is +-2 pi. Lengths in mm,
+//! angles in rad, counter-clockwise positive. A place on a segment is given by its arc length from the start.
+
+use super::aabb::Aabb;
+use super::math;
+use glam::DVec2;
+use std::f64::consts::TAU;
+
+/// A straight element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// First end, mm.
+    pub start: DVec2,
+    /// Second end, mm.
+    pub end: DVec2,
+}
+
+/// A circular element. Build it with [`Arc::new`], [`Arc::from_angles`], [`Arc::from_bulge`] or [`Arc::circle`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    /// First end, mm.
+    pub start: DVec2,
+    /// Second end, mm.
+    pub end: DVec2,
+    /// Centre, mm.
+    pub center: DVec2,
+    /// Signed angle from start to end, rad, in [-2 pi, 2 pi], positive counter-clockwise, never 0.
+    pub sweep: f64,
+}
+
+/// One element of a contour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Segment {
+    /// Straight.
+    Line(Line),
+    /// Circular.
+    Arc(Arc),
+}
+
+impl Arc {
+    /// The arc from `start` to `end` around `center`, counter-clockwise or not. Coincident ends make a circle.
+    pub fn new(start: DVec2, end: DVec2, center: DVec2, ccw: bool) -> Self {
+        let turn = math::turn(start - center, end - center);
+        let sweep = if start == end {
+            if ccw { TAU } else { -TAU }
+        } else if ccw {
+            if turn <= 0.0 { turn + TAU } else { turn }
+        } else if turn >= 0.0 {
+            turn - TAU
+        } else {
+            turn
+        };
+        Self { start, end, center, sweep }
+    }
+
+    /// The arc around `center` from angle `from` over the signed angle `sweep` (rad).
+    pub fn from_angles(center: DVec2, radius: f64, from: f64, sweep: f64) -> Self {
+        let sweep = sweep.clamp(-TAU, TAU);
+        let start = center + radius * math::unit(from);
+        let full = sweep.abs() >= TAU;
+        let end = if full { start } else { center + radius * math::unit(from + sweep) };
+        Self { start, end, center, sweep }
+    }
+
+    /// A full circle, counter-clockwise, starting at angle 0.
+    pub fn circle(center: DVec2, radius: f64) -> Self {
+        Self::from_angles(center, radius, 0.0, TAU)
+    }
+
+    /// The arc between two points with DXF bulge `b` = tan(sweep / 4); `None` when straight or degenerate.
+    pub fn from_bulge(start: DVec2, end: DVec2, b: f64) -> Option<Self> {
+        let chord = end - start;
+        let finite = b.is_finite() && chord.length_squared() > 0.0;
+        // Below 1e-9 the sagitta of a 1 m chord is half a picometre: a line.
+        if !finite || b.abs() < 1e-9 {
+            return None;
+        }
+        // Centre = middle of the chord, moved along its left normal by c/2 * (1 - b^2) / (2 b).
+        let center = (start + end) * 0.5 + chord.perp() * ((1.0 - b * b) / (4.0 * b));
+        Some(Self { start, end, center, sweep: 4.0 * math::atan(b) })
+    }
+
+    /// Radius in mm.
+    pub fn radius(&self) -> f64 {
+        (self.start - self.center).length()
+    }
+
+    /// Angle of the start as seen from the centre, rad.
+    pub fn start_angle(&self) -> f64 {
+        math::angle_of(self.start - self.center)
+    }
+
+    /// Runs counter-clockwise.
+    pub fn ccw(&self) -> bool {
+        self.sweep > 0.0
+    }
+
+    /// Whether the arc is a full circle.
+    pub fn is_circle(&self) -> bool {
+        self.sweep.abs() >= TAU
+    }
+
+    /// Fraction of the sweep, in [0, 1], at which direction `v` from the centre is met; `None` outside the arc.
+    pub fn fraction_of(&self, v: DVec2) -> Option<f64> {
+        let from = self.start - self.center;
+        let turn = math::turn(from, v);
+        let along = if self.ccw() { math::wrap_tau(turn) } else { math::wrap_tau(-turn) };
+        let f = along / self.sweep.abs();
+        (f <= 1.0).then_some(f)
+    }
+}
+
+impl Segment {
+    /// A line.
+    pub fn line(start: DVec2, end: DVec2) -> Self {
+        Self::Line(Line { start, end })
+    }
+
+    /// First end, mm.
+    pub fn start(&self) -> DVec2 {
+        match self {
+            Self::Line(l) => l.start,
+            Self::Arc(a) => a.start,
+        }
+    }
+
+    /// Second end, mm.
+    pub fn end(&self) -> DVec2 {
+        match self {
+            Self::Line(l) => l.end,
+            Self::Arc(a) => a.end,
+        }
+    }
+
+    /// Length, mm.
+    pub fn length(&self) -> f64 {
+        match self {
+            Self::Line(l) => (l.end - l.start).length(),
+            Self::Arc(a) => a.radius() * a.sweep.abs(),
+        }
+    }
+
+    /// The same element run the other way.
+    pub fn reversed(&self) -> Self {
+        match *self {
+            Self::Line(l) => Self::line(l.end, l.start),
+            Self::Arc(a) => Self::Arc(Arc { start: a.end, end: a.start, center: a.center, sweep: -a.sweep }),
+        }
+    }
+
+    /// The point at fraction `f` of the length; the ends come back exactly.
+    pub fn at(&self, f: f64) -> DVec2 {
+        if f <= 0.0 {
+            return self.start();
+        }
+        if f >= 1.0 {
+            return self.end();
+        }
+        match self {
+            Self::Line(l) => l.start + (l.end - l.start) * f,
+            Self::Arc(a) => a.center + math::rotate(a.start - a.center, a.sweep * f),
+        }
+    }
+
+    /// Unit direction of travel at fraction `f` of the length (zero for a zero-length line).
+    pub fn tangent(&self, f: f64) -> DVec2 {
+        match self {
+            Self::Line(l) => (l.end - l.start).normalize_or_zero(),
+            Self::Arc(a) => {
+                let r = math::rotate(a.start - a.center, a.sweep * f.clamp(0.0, 1.0)).normalize_or_zero();
+                if a.ccw() { r.perp() } else { -r.perp() }
+            }
+        }
+    }
+
+    /// The piece between fractions `from` < `to` of the length.
+    pub fn piece(&self, from: f64, to: f64) -> Self {
+        let (from, to) = (from.clamp(0.0, 1.0), to.clamp(0.0, 1.0));
+        match *self {
+            Self::Line(_) => Self::line(self.at(from), self.at(to)),
+            Self::Arc(a) => Self::Arc(Arc {
+                start: self.at(from),
+                end: self.at(to),
+                center: a.center,
+                sweep: a.sweep * (to - from),
+            }),
+        }
+    }
+
+    /// The smallest box around the element, exact for arcs.
+    pub fn bounds(&self) -> Aabb {
+        let mut b = Aabb::of(self.start()).with(self.end());
+        if let Self::Arc(a) = self {
+            let r = a.radius();
+            for v in [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y] {
+                if a.fraction_of(v).is_some() {
+                    b = b.with(a.center + v * r);
+                }
+            }
+        }
+        b
+    }
+
+    /// Nearest place to `p`: fraction of the length, and squared distance.
+    pub fn nearest(&self, p: DVec2) -> (f64, f64) {
+        let f = match self {
+            Self::Line(l) => {
+                let d = l.end - l.start;
+                let len2 = d.length_squared();
+                if len2 > 0.0 { ((p - l.start).dot(d) / len2).clamp(0.0, 1.0) } else { 0.0 }
+            }
+            Self::Arc(a) => match a.fraction_of(p - a.center) {
+                Some(f) if p != a.center => f,
+                _ => {
+                    let to_start = p.distance_squared(a.start);
+                    if to_start <= p.distance_squared(a.end) { 0.0 } else { 1.0 }
+                }
+            },
+        };
+        (f, p.distance_squared(self.at(f)))
+    }
+
+    /// Twice the signed area swept from the origin along the element: chord cross product, plus twice the
+    /// circular segment for arcs. Summed over a closed contour: twice its signed area.
+    pub fn doubled_area(&self) -> f64 {
+        let chord = self.start().perp_dot(self.end());
+        match self {
+            Self::Line(_) => chord,
+            Self::Arc(a) => {
+                let r2 = (a.start - a.center).length_squared();
+                let sin = if a.is_circle() { 0.0 } else { math::sin(a.sweep) };
+                chord + r2 * (a.sweep - sin)
+            }
+        }
+    }
+}

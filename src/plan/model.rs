@@ -1,0 +1,70 @@
+//! The plan as data: what the head does, in order, and what it adds up to.
+
+use crate::geometry::{DVec2, Segment};
+
+/// One thing the head does. It starts where the last one ended, the first at home.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Move {
+    /// Beam off, straight or per axis as the machine moves.
+    Air {
+        /// Where to, mm.
+        to: DVec2,
+    },
+    /// Piercing at the spot.
+    Pierce,
+    /// Beam on along a contour.
+    Cut {
+        /// The contour's id.
+        contour: u32,
+        /// Its elements from entry on, in the direction of travel.
+        path: Vec<Segment>,
+        /// Marks instead of cutting through.
+        mark: bool,
+    },
+}
+
+/// What a plan adds up to. Lengths mm, times s.
+#[derive(Clone, Debug, PartialEq, Default, serde::Serialize)]
+pub struct Summary {
+    /// Contours worked.
+    pub contours: u32,
+    /// Of them open.
+    pub open_contours: u32,
+    /// Parts.
+    pub parts: u32,
+    /// Piercings.
+    pub pierces: u32,
+    /// Pre-cuts.
+    pub pre_cuts: u32,
+    /// Length of cuts and marks.
+    pub cut_length: f64,
+    /// Length of air moves.
+    pub air_length: f64,
+    /// Seconds along contours, by look-ahead over corners and acceleration.
+    pub cut_time: f64,
+    /// Seconds of air moves.
+    pub air_time: f64,
+    /// Seconds of piercing, with beam delays.
+    pub pierce_time: f64,
+    /// Seconds of pre-cuts.
+    pub pre_cut_time: f64,
+    /// Seconds of sharp-corner macros.
+    pub macro_time: f64,
+    /// All of it.
+    pub total_time: f64,
+    /// Total no plan can be under, s; 0 when not computed.
+    pub lower_bound: f64,
+    /// (total - bound) / bound; `None` when there is no bound.
+    pub gap: Option<f64>,
+    /// Box of everything worked: xmin, ymin, xmax, ymax.
+    pub bounds: [f64; 4],
+}
+
+/// Moves and what they add up to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// In order.
+    pub moves: Vec<Move>,
+    /// Sums.
+    pub summary: Summary,
+}

@@ -1,0 +1,57 @@
+//! The problem: items (contours), nodes (entries), travel costs in seconds, precedence.
+//!
+//! An item is entered at one of its nodes and left at that node's exit: the same point for closed contours, the
+//! other end for open ones. The tour starts at home and, when `closed`, comes back.
+
+use crate::machine::Profile;
+use glam::DVec2;
+
+/// Index of an item; for sheets, the contour's id.
+pub type ItemId = u32;
+/// Index of a node.
+pub type NodeId = u32;
+
+/// A place where an item may be entered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node {
+    /// The item it belongs to.
+    pub item: ItemId,
+    /// Where the head arrives, mm.
+    pub entry: DVec2,
+    /// Where the head leaves, mm.
+    pub exit: DVec2,
+    /// Place on the contour: arc length from its start, mm.
+    pub along: f64,
+    /// Runs the contour against its stored direction.
+    pub reversed: bool,
+    /// The node that runs the same item the other way between the same two points (itself for closed contours).
+    pub twin: NodeId,
+}
+
+/// Something to be visited once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Item {
+    /// Its nodes: a range of [`Problem::nodes`].
+    pub nodes: std::ops::Range<NodeId>,
+    /// The item it must be finished before (the contour around it).
+    pub before: Option<ItemId>,
+    /// Items of a lower rank come first, all of them (order by layer; marks before cuts).
+    pub rank: u32,
+    /// Seconds it costs wherever it is entered: pierce, cut.
+    pub fixed: f64,
+}
+
+/// Items, nodes, travel, precedence.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    /// What is to be visited.
+    pub items: Vec<Item>,
+    /// Where.
+    pub nodes: Vec<Node>,
+    /// Start, mm.
+    pub home: DVec2,
+    /// Comes back home.
+    pub closed: bool,
+    /// The machine whose air time is the cost of travel.
+    pub machine: Profile,
+}

@@ -1,0 +1,125 @@
+//! What the sheet stage hands on: contours, their nesting, parts, layers with operations, findings.
+
+use crate::finding::Finding;
+use crate::geometry::{Aabb, Path};
+use serde::{Deserialize, Serialize};
+
+/// What is done with a layer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Operation {
+    /// Cut through.
+    Cut,
+    /// Engrave a line: before the cuts, at marking speed and power.
+    Mark,
+    /// Leave out.
+    Ignore,
+}
+
+/// How to build a sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SheetOptions {
+    /// Ends nearer than this are joined, mm.
+    pub join_tolerance: f64,
+    /// Elements nearer than this everywhere are copies of each other, mm.
+    pub copy_tolerance: f64,
+    /// Operations given by the person, by layer name; the order given is the order by layer when `order_by_layer`.
+    pub layers: Vec<(String, Operation)>,
+    /// Work layer after layer, in the order of `layers`, then of the file.
+    pub order_by_layer: bool,
+    /// Leave out the lone border around everything.
+    pub ignore_outline: bool,
+}
+
+impl Default for SheetOptions {
+    fn default() -> Self {
+        Self {
+            join_tolerance: 0.05,
+            copy_tolerance: 0.01,
+            layers: Vec::new(),
+            order_by_layer: false,
+            ignore_outline: false,
+        }
+    }
+}
+
+/// One contour: a closed or open chain that is cut (or marked) in one go.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contour {
+    /// Geometry in mm. Closed ones are counter-clockwise when outer (even depth) and clockwise when holes.
+    pub path: Path,
+    /// Index into [`Sheet::layers`]: the layer most of its length is on.
+    pub layer: u32,
+    /// Cut or mark.
+    pub operation: Operation,
+    /// The smallest closed cut contour around it.
+    pub inside: Option<u32>,
+    /// How many closed cut contours lie around it.
+    pub depth: u32,
+    /// Length, mm.
+    pub length: f64,
+    /// Unsigned area of a closed one, mm2; 0 for open ones.
+    pub area: f64,
+    /// The smallest box around it.
+    pub bounds: Aabb,
+    /// Crosses itself: its inside is in doubt.
+    pub self_crossing: bool,
+    /// Smallest index of the shapes it was made of: drawing order.
+    pub first_shape: u32,
+}
+
+/// A part: an outer contour with its holes (contours at depth + 1 inside it) and what is marked on it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Part {
+    /// Contour index of the outer contour.
+    pub outer: u32,
+    /// Contour indices of its holes, and of open cuts and marks on it.
+    pub holes: Vec<u32>,
+    /// Index of the part in whose hole this part lies.
+    pub inside: Option<u32>,
+}
+
+/// A layer and what is done with it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LayerUse {
+    /// Name.
+    pub name: String,
+    /// AutoCAD colour index.
+    pub color: i16,
+    /// What is done with it.
+    pub operation: Operation,
+    /// What its name suggests, where that differs.
+    pub suggestion: Option<Operation>,
+    /// Place in the order by layer; equal for all when not ordered.
+    pub rank: u32,
+    /// Contours on it.
+    pub contours: u32,
+}
+
+/// Geometry that is shown but not cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ignored {
+    /// Geometry, mm.
+    pub path: Path,
+    /// Index into [`Sheet::layers`].
+    pub layer: u32,
+}
+
+/// Contours with their nesting, ready to be planned.
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    /// Contours to cut and mark; the index is the contour's id everywhere. In drawing order.
+    pub contours: Vec<Contour>,
+    /// Parts, in drawing order of their outer contours.
+    pub parts: Vec<Part>,
+    /// Layers.
+    pub layers: Vec<LayerUse>,
+    /// Shown, not cut.
+    pub ignored: Vec<Ignored>,
+    /// The contour that looks like the sheet's border, when there is one and it is not ignored yet.
+    pub outline: Option<u32>,
+    /// Box around all contours to cut and mark.
+    pub bounds: Aabb,
+    /// Everything worth knowing.
+    pub findings: Vec<Finding>,
+}

@@ -1,0 +1,87 @@
+//! The two traits every method goes through.
+//!
+//! The core neither reads a clock nor decides when to stop: the caller hands out work in moves and looks at what
+//! came of it. A search cut into slices of any size gives the same bytes as one long run.
+
+use crate::problem::{NodeId, Problem};
+use serde::Serialize;
+
+/// A method, for lists and citations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct SolverInfo {
+    /// Name on the command line.
+    pub name: &'static str,
+    /// For people.
+    pub title: &'static str,
+    /// One sentence: what it does.
+    pub about: &'static str,
+    /// Paper, when it comes from one.
+    pub source: Option<&'static str>,
+}
+
+/// One visit of a route.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stop {
+    /// The node at which its item is entered.
+    pub node: NodeId,
+}
+
+/// An order of all items with their entries, and what it costs.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Solution {
+    /// In order of visit.
+    pub stops: Vec<Stop>,
+    /// Seconds of travel: what the search minimises.
+    pub cost: f64,
+}
+
+/// What became of a slice of work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// More work may help.
+    Running,
+    /// Nothing more can be gained by this method.
+    Exhausted,
+}
+
+/// Result of [`Search::step`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Goes on or not.
+    pub status: Status,
+    /// Moves done in this slice; never more than asked for.
+    pub done: u64,
+    /// The best solution changed in this slice.
+    pub improved: bool,
+}
+
+/// Numbers for charts and comparisons.
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize)]
+pub struct Telemetry {
+    /// Moves so far.
+    pub moves: u64,
+    /// Moves at which the best was found.
+    pub best_at: u64,
+    /// Cost of the best, s.
+    pub best: f64,
+}
+
+/// A method.
+pub trait Solver: Sync {
+    /// Name, citation.
+    fn info(&self) -> SolverInfo;
+    /// Starts a search; `warm` is a feasible solution to start from.
+    fn start<'p>(&self, problem: &'p Problem, seed: u64, warm: Option<&Solution>) -> Box<dyn Search + 'p>;
+}
+
+/// A search under way. It always has a feasible best solution, from its start on.
+pub trait Search {
+    /// Works for at most `work` moves (priced candidate moves, whether taken or not).
+    fn step(&mut self, work: u64) -> Step;
+    /// The best solution so far.
+    fn best(&self) -> &Solution;
+    /// Numbers.
+    fn telemetry(&self) -> Telemetry;
+    /// A solution found elsewhere; taken when better.
+    fn offer(&mut self, _other: &Solution) {}
+}

@@ -1,0 +1,220 @@
+/**
+ * The worker protocol and the data that crosses it: one file, typed, used by the worker, the package and the page.
+ *
+ * Units: mm, s, rad. Geometry and paths travel as transferable typed arrays; options and reports as plain objects.
+ */
+
+export type Unit = 'in' | 'ft' | 'yd' | 'mil' | 'microinch' | 'um' | 'mm' | 'cm' | 'dm' | 'm';
+export type Operation = 'cut' | 'mark' | 'ignore';
+export type Severity = 'info' | 'warning' | 'error';
+
+/** How a drawing is read and arranged. Everything is optional; nothing given means: header or guess, all layers cut. */
+export interface LoadOptions {
+  /** Units given by the person; otherwise the file's header or a guess. */
+  units?: Unit;
+  /** Largest distance between a spline or ellipse and its lines and arcs, mm. Default 0.005. */
+  tolerance?: number;
+  /** Keep entities that were read through a break in the file. Default false. */
+  keepDamaged?: boolean;
+  /** Ends nearer than this are joined, mm. Default 0.05. */
+  joinTolerance?: number;
+  /** What is done with each layer, by name; the order of the list is the order by layer. */
+  layers?: { name: string; operation: Operation }[];
+  /** Work layer after layer. Default false. */
+  orderByLayer?: boolean;
+  /** Leave out the lone border around everything. Default false. */
+  ignoreOutline?: boolean;
+}
+
+/** Something a person should know about the drawing, with its place. */
+export interface Finding {
+  /** Kebab-case code, e.g. `gap-closed`. */
+  code: string;
+  severity: Severity;
+  message: string;
+  layer: string | null;
+  handle: string | null;
+  at: [number, number] | null;
+  count: number;
+}
+
+export interface LayerUse {
+  name: string;
+  /** AutoCAD colour index. */
+  color: number;
+  operation: Operation;
+  /** What its name suggests, where that differs. */
+  suggestion: Operation | null;
+  rank: number;
+  contours: number;
+}
+
+export interface UnitsTaken {
+  unit: Unit;
+  source: 'header' | 'guessed' | 'given';
+  reason: string;
+  doubtful: boolean;
+}
+
+export interface ContourInfo {
+  id: number;
+  closed: boolean;
+  layer: string;
+  operation: Operation;
+  /** The contour around it. */
+  inside: number | null;
+  length: number;
+  area: number;
+}
+
+/** Elements of contours. */
+export interface Geometry {
+  /** Seven numbers an element: x0, y0, x1, y1, centre x, centre y, sweep (0: a line). */
+  segments: Float64Array;
+  /** Element index at which each contour starts; one more at the end. */
+  offsets: Uint32Array;
+}
+
+/** What a drawing turned out to hold. */
+export interface Loaded {
+  name: string;
+  sha256: string;
+  version: string | null;
+  units: UnitsTaken;
+  /** Entities of model space by kind. */
+  entities: { kind: string; count: number; supported: boolean }[];
+  layers: LayerUse[];
+  contours: ContourInfo[];
+  /** Part of each contour (index into parts), parts as outer contour, holes, and the part around. */
+  parts: { outer: number; holes: number[]; inside: number | null }[];
+  /** The contour that looks like the sheet's border. */
+  outline: number | null;
+  /** xmin, ymin, xmax, ymax in mm. */
+  bounds: [number, number, number, number];
+  findings: Finding[];
+  /** Contours, by id. */
+  geometry: Geometry;
+  /** Shown, not cut: one entry a chain, with its layer index. */
+  ignored: { geometry: Geometry; layers: Uint32Array };
+}
+
+/** A machine with a material on it; see `machine/profile.rs`. */
+export interface MachineProfile {
+  version: 1;
+  name: string;
+  title: string;
+  home: [number, number];
+  return_home: boolean;
+  travel: 'straight' | 'per-axis';
+  rapid: { speed: [number, number]; accel: [number, number] | null };
+  cut: { speed: number; accel: number | null; power: number };
+  mark: { speed: number; accel: number | null; power: number };
+  junction_deviation: number | null;
+  pierce_time: number;
+  beam_on_delay: number;
+  beam_off_delay: number;
+  dialect: 'grbl-m4';
+  max_s: number;
+}
+
+export interface PlanOptions {
+  /** A preset's name or a whole profile. Default `co2-100w`. */
+  machine?: string | MachineProfile;
+  /** A method's name. Default: the first of `methods()`. */
+  method?: string;
+  /** Decides every random choice. Default: invented, and told in the result. */
+  seed?: number;
+  /** Stop after this many seconds. Default 10 unless `moves` is given. */
+  seconds?: number;
+  /** Stop after this many moves: the same seed and moves give the same bytes everywhere. */
+  moves?: number;
+}
+
+/** What a plan adds up to, mm and s; see `plan/model.rs`. */
+export interface Summary {
+  contours: number;
+  open_contours: number;
+  parts: number;
+  pierces: number;
+  pre_cuts: number;
+  cut_length: number;
+  air_length: number;
+  cut_time: number;
+  air_time: number;
+  pierce_time: number;
+  pre_cut_time: number;
+  macro_time: number;
+  total_time: number;
+  lower_bound: number;
+  gap: number | null;
+  bounds: [number, number, number, number];
+}
+
+/** The order of the head, for drawing: stop k cuts `contours[k]`. */
+export interface BestPath {
+  contours: Uint32Array;
+  /** Entry x, y and exit x, y of each stop. */
+  points: Float64Array;
+  /** Arc length from the contour's stored start to the entry, mm. */
+  along: Float64Array;
+  /** 1 where a stop runs its contour against the stored direction. */
+  reversed: Uint8Array;
+  /** Seconds from the start of the job at which each stop's cut begins and ends: 2 a stop. */
+  times: Float64Array;
+}
+
+export interface Progress {
+  /** Moves the search has done. */
+  moves: number;
+  /** Seconds since the search began (of work, pauses left out). */
+  seconds: number;
+  /** Moves a second, of late. */
+  rate: number;
+  /** Sums of the best plan so far. */
+  summary: Summary;
+  /** Set when the best changed since the last message. */
+  path: BestPath | null;
+}
+
+export interface MethodInfo {
+  name: string;
+  title: string;
+  about: string;
+  source: string | null;
+}
+
+/** How the job would run without a search. */
+export interface Baselines {
+  /** As drawn: drawing order, first point of each contour. */
+  drawing: Summary;
+  /** Always the nearest allowed contour. */
+  greedy: Summary;
+}
+
+export type OutputKind = 'gcode' | 'svg' | 'dxf' | 'json' | 'png';
+
+/** Why a plan ended. */
+export type DoneReason = 'budget' | 'stopped' | 'exhausted';
+
+export type ToWorker =
+  | { type: 'load'; id: number; bytes: ArrayBuffer; name: string; options: LoadOptions }
+  /** Reads the bytes of the last load again with other options. */
+  | { type: 'reload'; id: number; options: LoadOptions }
+  | { type: 'plan'; id: number; options: PlanOptions }
+  /** Goes on with the plan that is done, for another budget. */
+  | { type: 'continue'; id: number; seconds?: number; moves?: number }
+  | { type: 'pause' }
+  | { type: 'resume' }
+  | { type: 'stop' }
+  | { type: 'output'; id: number; kind: OutputKind; width?: number };
+
+export type FromWorker =
+  | { type: 'ready'; methods: MethodInfo[]; machines: MachineProfile[] }
+  | { type: 'loaded'; id: number; loaded: Loaded }
+  | { type: 'started'; id: number; seed: number; method: string; baselines: Baselines }
+  | { type: 'progress'; id: number; progress: Progress }
+  | { type: 'bound'; id: number; lowerBound: number }
+  | { type: 'done'; id: number; reason: DoneReason; progress: Progress }
+  | { type: 'output'; id: number; kind: OutputKind; data: string | Uint8Array }
+  /** One sentence for people. */
+  | { type: 'failed'; id: number; message: string };
