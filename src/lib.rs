@@ -17,3 +17,6 @@ pub mod plan;
 pub mod problem;
 pub mod sheet;
 pub mod solve;
+
+#[cfg(target_arch = "wasm32")]
+pub mod wasm;

@@ -1,0 +1,92 @@
+// Builds everything into dist: the wasm files, the npm package (dist/sdk) and the page (dist/app), then weighs them.
+
+import { createHash } from 'node:crypto';
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { gzipSync } from 'node:zlib';
+import { setup } from './setup.mjs';
+import { DIST, main, ROOT, run, Stop } from './tools.mjs';
+
+const SDK = join(DIST, 'sdk');
+const APP = join(DIST, 'app');
+/** Where wasm-pack writes: beside the sources of the package, whose types refer to it. */
+const WASM = join(ROOT, 'www', 'sdk', 'pkg');
+
+/** kB gzip. The wasm of the planner, without the PNG renderer; what a first visit to the page loads in all. */
+const BUDGETS = { wasm: 300, page: 450 };
+
+/** Builds; each wasm file only when something it is made of changed. */
+export function build() {
+  mkdirSync(WASM, { recursive: true });
+  wasm('kerfway', ['planner']);
+  sdk();
+  if (existsSync(join(ROOT, 'www', 'app', 'index.html'))) run('vite', ['build', '--logLevel', 'warn', join(ROOT, 'www', 'app')]);
+  weigh();
+}
+
+function wasm(name, features) {
+  const stamp = join(WASM, `${name}.stamp`);
+  const made = digest([join(ROOT, 'Cargo.toml'), join(ROOT, 'Cargo.lock'), ...filesIn(join(ROOT, 'src'))]);
+  if (existsSync(stamp) && readFileSync(stamp, 'utf8') === made) return;
+  console.log(`build: ${name}.wasm`);
+  run('wasm-pack', [
+    ...['build', ROOT, '--release', '--target', 'web', '--mode', 'no-install', '--no-pack'],
+    ...['--out-dir', WASM, '--out-name', name],
+    ...['--', '--locked', '--no-default-features', '--features', features.join(',')],
+  ]);
+  rmSync(join(WASM, '.gitignore'), { force: true });
+  writeFileSync(stamp, made);
+}
+
+function sdk() {
+  console.log('build: the npm package');
+  run('tsc', ['-p', join(ROOT, 'www', 'sdk')]);
+  const schema = join(ROOT, 'www', 'sdk', 'plan.schema.json');
+  if (existsSync(schema)) cpSync(schema, join(SDK, 'plan.schema.json'));
+  cpSync(WASM, join(SDK, 'pkg'), { recursive: true, filter: (f) => !f.endsWith('.stamp') });
+  const bytes = readFileSync(join(WASM, 'kerfway_bg.wasm')).toString('base64');
+  writeFileSync(join(SDK, 'inline-bytes.js'), `export default '${bytes}';\n`);
+}
+
+function weigh() {
+  const rows = [
+    ['planner wasm', [join(WASM, 'kerfway_bg.wasm')], BUDGETS.wasm],
+  ];
+  let over = false;
+  console.log('');
+  for (const [what, files, budget] of rows) {
+    const raw = files.reduce((sum, f) => sum + statSync(f).size, 0) / 1000;
+    const gzip = files.reduce((sum, f) => sum + gzipSync(readFileSync(f), { level: 9 }).length, 0) / 1000;
+    const limit = budget === null ? '' : `   budget ${budget} kB gzip${gzip > budget ? '   OVER' : ''}`;
+    over ||= budget !== null && gzip > budget;
+    console.log(`${what.padEnd(28)}${kB(raw)} kB raw${kB(gzip)} kB gzip${limit}`);
+  }
+  if (over) throw new Stop('The build is over its size budget.');
+}
+
+/** Not loaded before somebody asks for it: the PNG renderer, source maps, samples past the first. */
+function firstVisit(file) {
+  return !/kerfway_png|\.map$|samples[\\/]/.test(file);
+}
+
+const kB = (n) => n.toFixed(1).padStart(9);
+
+function filesIn(folder) {
+  return readdirSync(folder, { withFileTypes: true })
+    .flatMap((e) => (e.isDirectory() ? filesIn(join(folder, e.name)) : [join(folder, e.name)]))
+    .sort();
+}
+
+function digest(files) {
+  const hash = createHash('sha256');
+  for (const f of files) hash.update(f.slice(ROOT.length)).update('\0').update(readFileSync(f)).update('\0');
+  return hash.digest('hex');
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+  main(() => {
+    setup();
+    build();
+  });
+}

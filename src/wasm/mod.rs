@@ -1,0 +1,10 @@
+//! Bindings to JavaScript, and nothing else: options and reports as plain objects, geometry as typed arrays.
+//!
+//! The types of the objects are those of `www/sdk/protocol.ts`. A panic aborts the instance and leaves it unusable;
+//! whoever holds it replaces the worker it runs in.
+
+#[cfg(feature = "planner")]
+mod planner;
+
+#[cfg(feature = "planner")]
+pub use planner::*;
