@@ -13,6 +13,7 @@ pub mod geometry;
 pub mod dxf;
 pub mod finding;
 pub mod machine;
+pub mod output;
 pub mod plan;
 pub mod problem;
 pub mod sheet;

@@ -1,0 +1,59 @@
+//! Arcs cut into pieces: no format takes every arc as it is.
+//!
+//! A full circle is ambiguous wherever an arc is given by its ends, and an arc given by ends and radius (SVG) is ill
+//! conditioned near half a turn. Every format states the largest sweep it writes well.
+
+use crate::geometry::{Arc, Segment, math};
+
+/// Slack when the number of pieces is counted, in pieces: half a turn over half a turn is one piece, whatever the
+/// last bit says.
+const COUNT_SLACK: f64 = 1e-9;
+
+/// The arc in equal pieces of at most `largest` rad, in order; the ends of the arc are kept bit for bit.
+pub(super) fn split(arc: &Arc, largest: f64) -> impl Iterator<Item = Arc> + use<> {
+    let arc = *arc;
+    let pieces = (arc.sweep.abs() / largest - COUNT_SLACK).ceil().max(1.0);
+    let at = move |i: f64| Segment::Arc(arc).at(i / pieces);
+    // A sweep is at most 2 pi, so this counts to a few.
+    std::iter::successors(Some(0.0), |i| Some(i + 1.0)).take_while(move |i| *i < pieces).map(move |i| Arc {
+        start: at(i),
+        end: at(i + 1.0),
+        center: arc.center,
+        sweep: arc.sweep / pieces,
+    })
+}
+
+/// Largest distance between an arc of at most half a turn and its chord, mm: r (1 - cos(sweep / 2)), written so that
+/// small sweeps keep their digits.
+pub(super) fn sagitta(arc: &Arc) -> f64 {
+    let s = math::sin(arc.sweep * 0.25);
+    2.0 * arc.radius() * s * s
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::DVec2;
+    use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+    #[test]
+    fn pieces_join_bit_for_bit_and_keep_the_ends() {
+        let circle = Arc::circle(DVec2::new(3.0, 4.0), 2.0);
+        let halves: Vec<Arc> = split(&circle, PI).collect();
+        assert_eq!(halves.len(), 2);
+        assert_eq!((halves[0].start, halves[1].end), (circle.start, circle.end));
+        assert_eq!(halves[0].end, halves[1].start);
+        assert!((halves[0].end - DVec2::new(1.0, 4.0)).length() < 1e-12);
+
+        assert_eq!(split(&circle, TAU / 3.0).count(), 3);
+        let quarter = Arc::from_angles(DVec2::ZERO, 1.0, 0.3, -FRAC_PI_2);
+        assert_eq!(split(&quarter, PI).collect::<Vec<_>>(), [quarter]);
+    }
+
+    #[test]
+    fn sagitta_of_a_half_turn_is_the_radius_and_of_a_small_sweep_keeps_its_digits() {
+        assert!((sagitta(&Arc::from_angles(DVec2::ZERO, 5.0, 0.0, PI)) - 5.0).abs() < 1e-12);
+        let flat = sagitta(&Arc::from_angles(DVec2::ZERO, 1e5, 0.0, 1e-6));
+        assert!((flat / 1.25e-8 - 1.0).abs() < 1e-6, "{flat}");
+    }
+}

@@ -1,0 +1,119 @@
+//! G-code for GRBL 1.1 in laser mode (setting 32 at 1), from a plan. mm, mm/min, seconds.
+//!
+//! **Dark on the way.** M4 (dynamic power) is chosen once, at the head of the program, and stays; between contours the
+//! S word goes to 0 on the very line of the rapid. Two independent things keep the beam off there: the power is 0, and
+//! in laser mode GRBL passes no power to any motion but G1, G2 and G3. Switching M5 and M4 around every contour would
+//! add nothing to that, and each switch empties the planner's buffer.
+//!
+//! **Piercing.** Under M4 the power follows the speed, so at standstill the beam is off and a dwell pierces nothing.
+//! A pierce therefore is, at the entry: `G1 M3 S.. F..` (constant power; G1 on the same line because in the motion
+//! mode G0, left by the rapid, GRBL would hold the beam off), `G4 P..` with the beam on, and `M4` back to dynamic
+//! power. The settling time of the beam before a cut is part of that dwell; the one after a cut is a dwell at S0.
+//!
+//! **Comments** begin with a semicolon, which nests in nothing and needs no closing. GRBL picks its real-time commands
+//! (`?`, `!`, `~`, and every byte from 0x80) out of the stream before it knows of comments, so names are written in
+//! plain letters, digits and a few marks. Lines are short of the 80 characters GRBL holds.
+//!
+//! Source: GRBL 1.1, gcode.c (steps 4 and 7 of the block), spindle_control.c, protocol.c, wiki "Grbl v1.1 Laser Mode".
+
+mod pen;
+
+use super::number::fixed;
+use crate::geometry::Segment;
+use crate::machine::{Dialect, Process, Profile};
+use crate::plan::{Move, Plan};
+use crate::sheet::Sheet;
+use pen::Pen;
+
+/// Longest comment, in characters: with the semicolon well short of GRBL's 80.
+const COMMENT: usize = 66;
+
+/// The program of a plan for a machine; `name` of the job for its head comment. mm, absolute, in the work coordinates
+/// that are active on the machine. The head may stand anywhere: it goes to the plan's home first.
+pub fn gcode(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
+    match profile.dialect {
+        Dialect::GrblM4 => grbl(plan, sheet, profile, name),
+    }
+}
+
+fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
+    let mut pen = Pen::new(profile.home());
+    head(&mut pen, plan, profile, name);
+
+    // The way home is run with the laser switched off.
+    let (work, way_home) = match plan.moves.split_last() {
+        Some((Move::Air { to }, work)) => (work, Some(*to)),
+        _ => (plan.moves.as_slice(), None),
+    };
+    let (mut order, mut pierce) = (0, 0.0);
+    for step in work {
+        match step {
+            Move::Air { to } => pen.rapid(*to),
+            Move::Pierce => pierce += profile.pierce_time,
+            Move::Cut { contour, path, mark } => {
+                order += 1;
+                let layer = sheet
+                    .contours
+                    .get(*contour as usize)
+                    .and_then(|c| sheet.layers.get(c.layer as usize))
+                    .map_or("", |l| l.name.as_str());
+                let verb = if *mark { "mark" } else { "cut" };
+                comment(
+                    &mut pen,
+                    &format!("{order} of {}: {verb} contour {contour}, layer {layer}", plan.summary.contours),
+                );
+                let process = if *mark { &profile.mark } else { &profile.cut };
+                work_contour(&mut pen, profile, process, path, std::mem::take(&mut pierce));
+            }
+        }
+    }
+
+    pen.command("M5 S0");
+    if let Some(home) = way_home {
+        pen.rapid(home);
+    }
+    pen.command("M2");
+    pen.into_program()
+}
+
+/// One contour: the dwell with the beam on, the path, the dwell after it.
+fn work_contour(pen: &mut Pen, profile: &Profile, process: &Process, path: &[Segment], pierce: f64) {
+    pen.set_process(process.speed * 60.0, process.power * profile.max_s);
+    pen.pierce(pierce + profile.beam_on_delay);
+    for segment in path {
+        pen.cut(segment);
+    }
+    pen.settle_dark(profile.beam_off_delay);
+}
+
+fn head(pen: &mut Pen, plan: &Plan, profile: &Profile, name: &str) {
+    let sums = &plan.summary;
+    let version = env!("CARGO_PKG_VERSION");
+    comment(pen, &format!("Kerfway {version}, {name}"));
+    comment(pen, &format!("machine {}: {}", profile.name, profile.title));
+    comment(
+        pen,
+        &format!(
+            "{} contours, {} pierces, cut {} mm, air {} mm, about {} s",
+            sums.contours,
+            sums.pierces,
+            fixed(sums.cut_length, 1),
+            fixed(sums.air_length, 1),
+            fixed(sums.total_time, 1)
+        ),
+    );
+    let [x0, y0, x1, y1] = sums.bounds.map(|v| fixed(v, 1).to_string());
+    comment(pen, &format!("mm, x {x0} to {x1}, y {y0} to {y1}"));
+    comment(pen, "GRBL 1.1, laser mode on (setting 32 at 1)");
+    pen.command("M5 S0");
+    pen.command("G21 G90 G91.1 G17 G94");
+    pen.command("M4 S0");
+    pen.find_start();
+}
+
+/// A comment line of plain characters that no controller acts upon.
+fn comment(pen: &mut Pen, text: &str) {
+    let plain = |c: char| if c.is_ascii_alphanumeric() || " .,:;_+-=()/".contains(c) { c } else { '_' };
+    let line: String = text.chars().map(plain).take(COMMENT).collect();
+    pen.command(&format!("; {}", line.trim_end()));
+}

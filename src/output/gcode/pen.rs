@@ -1,0 +1,179 @@
+//! The head as the controller sees it: where it stands after rounding, which feed and power are in force, and the
+//! lines that take it further.
+//!
+//! Coordinates are rounded to 0.001 mm from their absolute values, so errors never add up. An arc goes out in pieces of
+//! at most half a turn, as G2 or G3 with I and J: a full circle is two halves, as controllers differ on arcs that end
+//! where they start. I and J are computed from the rounded ends: the centre is moved onto the perpendicular bisector
+//! of the rounded chord, so both radii agree but for the rounding of I and J itself, 0.0001 mm, where GRBL refuses
+//! beyond 0.005 mm and 0.1 % of the radius. What cannot be told from its chord after rounding is a line, and what
+//! rounds to one point is left out; so no short arc can come out as a full circle, which is what GRBL makes of an arc
+//! under 5e-7 rad.
+//!
+//! Every motion lies within 0.002 mm of the element it stands for.
+
+use super::super::arcs;
+use super::super::number::fixed;
+use crate::geometry::{Arc, DVec2, Segment};
+use std::f64::consts::PI;
+use std::fmt::Write as _;
+
+/// Decimals of X and Y: a micrometre, ten times finer than the step of any such machine.
+const DECIMALS: usize = 3;
+/// The grid these decimals make, 1/mm.
+const GRID: f64 = 1000.0;
+/// Decimals of I and J: one more, so that the two radii of an arc agree to a tenth of the grid.
+const CENTER_DECIMALS: usize = 4;
+/// An arc flatter than half the grid is a line: rounding its ends moves it as far.
+const FLAT: f64 = 0.5 / GRID;
+
+/// Writes the program and knows what is in force.
+pub(super) struct Pen {
+    program: String,
+    /// Where the head stands, rounded, mm.
+    at: DVec2,
+    /// Feed to work at, mm/min, and the F word in force.
+    feed: String,
+    feed_in_force: String,
+    /// Power to work at, and the S word in force.
+    power: String,
+    power_in_force: String,
+}
+
+impl Pen {
+    /// At `home`, dark, nothing written yet.
+    pub(super) fn new(home: DVec2) -> Self {
+        let dark = || "0".to_owned();
+        Self {
+            program: String::new(),
+            at: rounded(home),
+            feed: String::new(),
+            feed_in_force: String::new(),
+            power: dark(),
+            power_in_force: dark(),
+        }
+    }
+
+    /// Brings the head, wherever it stands, to where the pen believes it is.
+    pub(super) fn find_start(&mut self) {
+        let line = format!("G0{}", Words(self.at));
+        self.command(&line);
+    }
+
+    /// The whole program, one command a line.
+    pub(super) fn into_program(self) -> String {
+        self.program
+    }
+
+    /// A line as it is.
+    pub(super) fn command(&mut self, line: &str) {
+        self.program.push_str(line);
+        self.program.push('\n');
+    }
+
+    /// Feed (mm/min) and power (S) of the work that follows.
+    pub(super) fn set_process(&mut self, feed: f64, power: f64) {
+        self.feed = fixed(feed, DECIMALS).to_string();
+        self.power = fixed(power, DECIMALS).to_string();
+    }
+
+    /// To a place with the beam off.
+    pub(super) fn rapid(&mut self, to: DVec2) {
+        let to = rounded(to);
+        let mut line = String::new();
+        if !same(self.at, to) {
+            let _ = write!(line, "G0{}", Words(to));
+        }
+        if self.power_in_force != "0" {
+            line.push_str(if line.is_empty() { "S0" } else { " S0" });
+            "0".clone_into(&mut self.power_in_force);
+        }
+        if !line.is_empty() {
+            self.command(&line);
+        }
+        self.at = to;
+    }
+
+    /// Stands for `seconds` with the beam on; nothing when that rounds to no time.
+    pub(super) fn pierce(&mut self, seconds: f64) {
+        let seconds = fixed(seconds, DECIMALS).to_string();
+        if seconds == "0" {
+            return;
+        }
+        let line = format!("G1 M3 S{} F{}", self.power, self.feed);
+        self.command(&line);
+        self.command(&format!("G4 P{seconds}"));
+        self.command("M4");
+        self.power_in_force.clone_from(&self.power);
+        self.feed_in_force.clone_from(&self.feed);
+    }
+
+    /// Stands for `seconds` with the beam off; nothing when that rounds to no time.
+    pub(super) fn settle_dark(&mut self, seconds: f64) {
+        let seconds = fixed(seconds, DECIMALS).to_string();
+        if seconds == "0" {
+            return;
+        }
+        self.command("S0");
+        self.command(&format!("G4 P{seconds}"));
+        "0".clone_into(&mut self.power_in_force);
+    }
+
+    /// Along an element with the beam on.
+    pub(super) fn cut(&mut self, segment: &Segment) {
+        match segment {
+            Segment::Line(l) => self.straight(rounded(l.end)),
+            Segment::Arc(a) => arcs::split(a, PI).for_each(|piece| self.turn(&piece)),
+        }
+    }
+
+    fn straight(&mut self, to: DVec2) {
+        if !same(self.at, to) {
+            self.motion(format!("G1{}", Words(to)), to);
+        }
+    }
+
+    fn turn(&mut self, arc: &Arc) {
+        let to = rounded(arc.end);
+        if same(self.at, to) || arcs::sagitta(arc) <= FLAT {
+            return self.straight(to);
+        }
+        let middle = (self.at + to) * 0.5;
+        let across = (to - self.at).perp().normalize_or_zero();
+        let offset = middle + across * (arc.center - middle).dot(across) - self.at;
+        let word = if arc.ccw() { "G3" } else { "G2" };
+        let (i, j) = (fixed(offset.x, CENTER_DECIMALS), fixed(offset.y, CENTER_DECIMALS));
+        self.motion(format!("{word}{} I{i} J{j}", Words(to)), to);
+    }
+
+    /// A motion with the beam on, with the feed and power words it needs.
+    fn motion(&mut self, mut line: String, to: DVec2) {
+        if self.feed != self.feed_in_force {
+            let _ = write!(line, " F{}", self.feed);
+            self.feed_in_force.clone_from(&self.feed);
+        }
+        if self.power != self.power_in_force {
+            let _ = write!(line, " S{}", self.power);
+            self.power_in_force.clone_from(&self.power);
+        }
+        self.command(&line);
+        self.at = to;
+    }
+}
+
+/// The X and Y words of a place.
+struct Words(DVec2);
+
+impl std::fmt::Display for Words {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, " X{} Y{}", fixed(self.0.x, DECIMALS), fixed(self.0.y, DECIMALS))
+    }
+}
+
+fn rounded(p: DVec2) -> DVec2 {
+    (p * GRID).round() / GRID
+}
+
+/// Whether two rounded places are one.
+fn same(a: DVec2, b: DVec2) -> bool {
+    (a - b).abs().max_element() < FLAT
+}

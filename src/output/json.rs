@@ -1,0 +1,221 @@
+//! The plan as JSON, format `kerfway.plan/1`, for other programs. mm, mm2, s.
+//!
+//! Everything needed to check or repeat the plan is in it: the drawing's hash, units and their source, the method, seed
+//! and budget, the machine, the options, the moves, the findings. `www/sdk/plan.schema.json` is the published schema.
+//!
+//! Numbers are written in full (the shortest text that reads back to the same `f64`), so moves join bit for bit and
+//! the same plan gives the same bytes everywhere. An arc that ends exactly where it starts is a full circle.
+
+use crate::dxf::{Drawing, ReadOptions, Unit, UnitsSource};
+use crate::finding::Finding;
+use crate::geometry::{DVec2, Segment};
+use crate::machine::Profile;
+use crate::plan::{Move, Plan, Summary};
+use crate::sheet::{Operation, Sheet, SheetOptions};
+use serde::{Serialize, Serializer};
+
+/// The name of the format.
+const SCHEMA: &str = "kerfway.plan/1";
+
+/// The drawing a plan is for.
+#[derive(Clone, Copy, Debug)]
+pub struct Input<'a> {
+    /// File name, for people.
+    pub name: &'a str,
+    /// SHA-256 of the file's bytes, lower-case hexadecimal.
+    pub sha256: &'a str,
+}
+
+/// What the search was given, and what it did with it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Budget {
+    /// Moves asked for.
+    pub moves: Option<u64>,
+    /// Seconds asked for.
+    pub seconds: Option<f64>,
+    /// Moves done.
+    pub done: u64,
+}
+
+/// A plan with all it came from.
+#[derive(Clone, Copy, Debug)]
+pub struct Document<'a> {
+    /// The file.
+    pub input: Input<'a>,
+    /// What was read from it: units and findings.
+    pub drawing: &'a Drawing,
+    /// The contours planned.
+    pub sheet: &'a Sheet,
+    /// How the drawing was read.
+    pub read: &'a ReadOptions,
+    /// How it was arranged.
+    pub arrange: &'a SheetOptions,
+    /// The machine.
+    pub machine: &'a Profile,
+    /// Name of the method.
+    pub method: &'a str,
+    /// Decided every random choice.
+    pub seed: u64,
+    /// What the search was given.
+    pub budget: Budget,
+    /// The plan.
+    pub plan: &'a Plan,
+}
+
+/// The text of a document, in one line.
+pub fn json(document: &Document) -> String {
+    // Writing to memory cannot fail, and the format has no maps with keys other than text.
+    serde_json::to_string(&View::of(document)).unwrap_or_default()
+}
+
+#[derive(Serialize)]
+struct View<'a> {
+    schema: &'static str,
+    units: Unit,
+    method: &'a str,
+    seed: u64,
+    budget: Budget,
+    input: InputView<'a>,
+    machine: &'a Profile,
+    options: OptionsView<'a>,
+    summary: &'a Summary,
+    contours: Vec<ContourView<'a>>,
+    moves: Vec<MoveView<'a>>,
+    findings: Vec<&'a Finding>,
+}
+
+#[derive(Serialize)]
+struct InputView<'a> {
+    sha256: &'a str,
+    name: &'a str,
+    units: Unit,
+    units_source: UnitsSource,
+}
+
+#[derive(Serialize)]
+struct OptionsView<'a> {
+    units: Option<Unit>,
+    tolerance: f64,
+    keep_damaged: bool,
+    join_tolerance: f64,
+    copy_tolerance: f64,
+    layers: Vec<LayerView<'a>>,
+    order_by_layer: bool,
+    ignore_outline: bool,
+}
+
+#[derive(Serialize)]
+struct LayerView<'a> {
+    name: &'a str,
+    operation: Operation,
+}
+
+#[derive(Serialize)]
+struct ContourView<'a> {
+    id: usize,
+    closed: bool,
+    layer: &'a str,
+    operation: Operation,
+    inside: Option<u32>,
+    length: f64,
+    area: f64,
+}
+
+#[derive(Serialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+enum MoveView<'a> {
+    Air { to: Place },
+    Pierce,
+    Cut { contour: u32, path: PathView<'a> },
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum ElementView {
+    Line { line: Place },
+    Arc { arc: Place, center: Place, ccw: bool },
+}
+
+/// A point as `[x, y]`, without minus zeros.
+struct Place(DVec2);
+
+/// Elements, turned into their views as they are written.
+struct PathView<'a>(&'a [Segment]);
+
+impl Serialize for Place {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        [self.0.x + 0.0, self.0.y + 0.0].serialize(serializer)
+    }
+}
+
+impl Serialize for PathView<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.iter().map(|segment| match segment {
+            Segment::Line(l) => ElementView::Line { line: Place(l.end) },
+            Segment::Arc(a) => ElementView::Arc { arc: Place(a.end), center: Place(a.center), ccw: a.ccw() },
+        }))
+    }
+}
+
+impl<'a> View<'a> {
+    fn of(document: &Document<'a>) -> Self {
+        let &Document { input, drawing, sheet, read, arrange, machine, method, seed, budget, plan } =
+            document;
+        let layer_name = |i: u32| sheet.layers.get(i as usize).map_or("", |l| l.name.as_str());
+        Self {
+            schema: SCHEMA,
+            units: Unit::Mm,
+            method,
+            seed,
+            budget,
+            input: InputView {
+                sha256: input.sha256,
+                name: input.name,
+                units: drawing.units.unit,
+                units_source: drawing.units.source,
+            },
+            machine,
+            options: OptionsView {
+                units: read.unit,
+                tolerance: read.tolerance,
+                keep_damaged: read.keep_damaged,
+                join_tolerance: arrange.join_tolerance,
+                copy_tolerance: arrange.copy_tolerance,
+                layers: arrange
+                    .layers
+                    .iter()
+                    .map(|(name, operation)| LayerView { name, operation: *operation })
+                    .collect(),
+                order_by_layer: arrange.order_by_layer,
+                ignore_outline: arrange.ignore_outline,
+            },
+            summary: &plan.summary,
+            contours: sheet
+                .contours
+                .iter()
+                .enumerate()
+                .map(|(id, c)| ContourView {
+                    id,
+                    closed: c.path.closed,
+                    layer: layer_name(c.layer),
+                    operation: c.operation,
+                    inside: c.inside,
+                    length: c.length,
+                    area: c.area,
+                })
+                .collect(),
+            moves: plan
+                .moves
+                .iter()
+                .map(|step| match step {
+                    Move::Air { to } => MoveView::Air { to: Place(*to) },
+                    Move::Pierce => MoveView::Pierce,
+                    Move::Cut { contour, path, .. } => {
+                        MoveView::Cut { contour: *contour, path: PathView(path) }
+                    }
+                })
+                .collect(),
+            findings: drawing.findings.iter().chain(&sheet.findings).collect(),
+        }
+    }
+}

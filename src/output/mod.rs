@@ -1,0 +1,14 @@
+//! Outputs: what a plan looks like to a machine, to another program and to a person.
+//!
+//! Each format is one file that turns a plan into text, knowing no solver and no clock: [`gcode()`] for the machine,
+//! [`svg()`] for looking and printing, [`json()`] for programs. Lengths in mm.
+
+mod arcs;
+mod gcode;
+mod json;
+mod number;
+mod svg;
+
+pub use gcode::gcode;
+pub use json::{Budget, Document, Input, json};
+pub use svg::svg;

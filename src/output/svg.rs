@@ -1,0 +1,181 @@
+//! The plan as a picture: SVG in millimetres, y up turned into y down, no script, readable on light and dark.
+//!
+//! Contours stand in cutting order as exact arcs, each with a title that names it; air moves are dashed; entries are
+//! dots with the number of the contour in the order of cutting. Widths and letters follow the size of the sheet, so
+//! the picture reads the same on a tag and on a three-metre plate.
+//!
+//! An SVG arc is given by its ends and radius: near half a turn its centre hangs on the last digit, so arcs go out in
+//! pieces of at most a third of a turn, where an error in the ends moves the arc by no more than itself.
+
+use super::arcs;
+use super::number::{Fixed, fixed};
+use crate::geometry::{Aabb, DVec2, Segment};
+use crate::machine::Profile;
+use crate::plan::{Move, Plan};
+use crate::sheet::Sheet;
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+
+/// Decimals of a coordinate, mm.
+const DECIMALS: usize = 3;
+/// Largest sweep of one arc command, rad.
+const LARGEST_SWEEP: f64 = TAU / 3.0;
+/// Line width as a fraction of the sheet's longer side: a hairline when the sheet fills a screen.
+const LINE: f64 = 1.0 / 1000.0;
+/// Free rim around everything, in line widths.
+const RIM: f64 = 20.0;
+/// Height of the numbers, in line widths.
+const LETTERS: f64 = 12.0;
+/// Numbers are left out beyond this many contours: they would cover the picture. The titles remain.
+const NUMBERED: usize = 1000;
+
+/// The picture of a plan. The head starts at the home of `profile`.
+pub fn svg(plan: &Plan, sheet: &Sheet, profile: &Profile) -> String {
+    let bounds = reach(plan, profile.home());
+    let width = (bounds.size().max_element() * LINE).max(1e-3);
+    let view = bounds.grown(width * RIM);
+    let (corner, size) = (Point(DVec2::new(view.min.x, view.max.y)), view.size());
+    let (w, h) = (number(size.x), number(size.y));
+
+    let mut out = String::new();
+    let _ = writeln!(
+        out,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}mm\" height=\"{h}mm\" viewBox=\"{corner} {w} {h}\">"
+    );
+    let sums = &plan.summary;
+    let _ = writeln!(out, "<title>{} contours, about {} s</title>", sums.contours, fixed(sums.total_time, 1));
+    style(&mut out, width);
+    contours(&mut out, plan, sheet);
+    air(&mut out, plan, profile.home());
+    entries(&mut out, plan, width);
+    out.push_str("</svg>\n");
+    out
+}
+
+/// The box of everything the head visits.
+fn reach(plan: &Plan, home: DVec2) -> Aabb {
+    plan.moves.iter().fold(Aabb::of(home), |b, step| match step {
+        Move::Air { to } => b.with(*to),
+        Move::Pierce => b,
+        Move::Cut { path, .. } => path.iter().fold(b, |b, s| b.union(s.bounds())),
+    })
+}
+
+/// Ink for cuts, blue for marks, orange for air: told apart without red and green, on white and on black.
+fn style(out: &mut String, width: f64) {
+    let [line, dash, dot, letters] = [width, width * 4.0, width * 5.0, width * LETTERS].map(number);
+    let _ = writeln!(
+        out,
+        "<style>path{{fill:none;stroke-width:{line};stroke-linejoin:round}}.cut{{stroke:#1b1f24}}.mark{{stroke:#2563c9}}\
+         .air{{stroke:#c2571a;stroke-dasharray:{dash}}}.entry{{stroke:#c2571a;stroke-width:{dot};stroke-linecap:round}}\
+         text{{font:{letters}px sans-serif;fill:#1b1f24}}\
+         @media(prefers-color-scheme:dark){{.cut{{stroke:#e6e9ee}}.mark{{stroke:#7fb0ff}}.air,.entry{{stroke:#ff9a5c}}\
+         text{{fill:#e6e9ee}}}}</style>"
+    );
+}
+
+fn contours(out: &mut String, plan: &Plan, sheet: &Sheet) {
+    for (order, (contour, path, mark)) in cuts(plan).enumerate() {
+        let Some(first) = path.first() else { continue };
+        let class = if mark { "mark" } else { "cut" };
+        let _ = write!(out, "<path class=\"{class}\" d=\"M{}", Point(first.start()));
+        for segment in path {
+            element(out, segment);
+        }
+        let known = sheet.contours.get(contour as usize);
+        if known.is_some_and(|c| c.path.closed) {
+            out.push('Z');
+        }
+        let layer = known.and_then(|c| sheet.layers.get(c.layer as usize)).map_or("", |l| l.name.as_str());
+        let _ = writeln!(
+            out,
+            "\"><title>{}: contour {contour}, layer {}</title></path>",
+            order + 1,
+            Escaped(layer)
+        );
+    }
+}
+
+fn element(out: &mut String, segment: &Segment) {
+    match segment {
+        Segment::Line(l) => {
+            let _ = write!(out, "L{}", Point(l.end));
+        }
+        Segment::Arc(a) => {
+            let r = number(a.radius());
+            // Counter-clockwise with y up is the direction SVG, with y down, calls 0.
+            let sweep = u8::from(!a.ccw());
+            for piece in arcs::split(a, LARGEST_SWEEP) {
+                let _ = write!(out, "A{r} {r} 0 0 {sweep} {}", Point(piece.end));
+            }
+        }
+    }
+}
+
+fn air(out: &mut String, plan: &Plan, home: DVec2) {
+    let mut at = home;
+    out.push_str("<path class=\"air\" d=\"");
+    for step in &plan.moves {
+        match step {
+            Move::Air { to } => {
+                let _ = write!(out, "M{}L{}", Point(at), Point(*to));
+                at = *to;
+            }
+            Move::Pierce => {}
+            Move::Cut { path, .. } => at = path.last().map_or(at, Segment::end),
+        }
+    }
+    out.push_str("\"/>\n");
+}
+
+fn entries(out: &mut String, plan: &Plan, width: f64) {
+    let places: Vec<DVec2> = cuts(plan).filter_map(|(_, path, _)| path.first()).map(Segment::start).collect();
+    out.push_str("<path class=\"entry\" d=\"");
+    for p in &places {
+        let _ = write!(out, "M{}h0", Point(*p));
+    }
+    out.push_str("\"/>\n");
+    if places.len() <= NUMBERED {
+        for (order, p) in places.iter().enumerate() {
+            let beside = *p + DVec2::splat(width * 4.0);
+            let (x, y) = (number(beside.x), number(-beside.y));
+            let _ = writeln!(out, "<text x=\"{x}\" y=\"{y}\">{}</text>", order + 1);
+        }
+    }
+}
+
+/// The cuts and marks of a plan in order: contour, path, whether it marks.
+fn cuts(plan: &Plan) -> impl Iterator<Item = (u32, &[Segment], bool)> {
+    plan.moves.iter().filter_map(|step| match step {
+        Move::Cut { contour, path, mark } => Some((*contour, path.as_slice(), *mark)),
+        Move::Air { .. } | Move::Pierce => None,
+    })
+}
+
+fn number(v: f64) -> Fixed {
+    fixed(v, DECIMALS)
+}
+
+/// A place of the sheet in the picture's coordinates, y down.
+struct Point(DVec2);
+
+impl std::fmt::Display for Point {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} {}", number(self.0.x), number(-self.0.y))
+    }
+}
+
+/// Text as XML takes it; characters XML forbids become the replacement character.
+struct Escaped<'a>(&'a str);
+
+impl std::fmt::Display for Escaped<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.chars().try_for_each(|c| match c {
+            '&' => f.write_str("&amp;"),
+            '<' => f.write_str("&lt;"),
+            '>' => f.write_str("&gt;"),
+            '\u{0}'..='\u{1f}' | '\u{7f}'..='\u{9f}' | '\u{fffe}' | '\u{ffff}' => f.write_str("\u{fffd}"),
+            c => write!(f, "{c}"),
+        })
+    }
+}
