@@ -4,11 +4,21 @@
 //! biarc fitting within a stated tolerance, so later stages know two kinds only.
 
 mod aabb;
+mod affine;
+mod biarc;
+mod ellipse;
+mod fit;
 pub mod math;
+mod nurbs;
 mod path;
+mod sample;
 mod segment;
+mod through;
 
 pub use aabb::Aabb;
+pub use affine::Affine;
+pub use ellipse::Ellipse;
 pub use glam::DVec2;
+pub use nurbs::{CurveError, MAX_DEGREE, Nurbs};
 pub use path::Path;
 pub use segment::{Arc, Line, Segment};

@@ -1,0 +1,134 @@
+//! Biarcs: two arcs joined with one direction, from a point and direction to another.
+//!
+//! K. M. Bolton, "Biarc curves", Computer-Aided Design 7 (1975), doi:10.1016/0010-4485(75)90086-X; the error of a
+//! biarc of length `h` on a curve whose curvature changes at rate `k` is `k h^3 / 324` (D. S. Meek, D. J. Walton,
+//! "Approximating smooth planar curves by arc splines", J. Comput. Appl. Math. 59 (1995),
+//! doi:10.1016/0377-0427(94)00029-Z). Of the one-parameter family we take the member whose two control legs have the
+//! same length: it has no inner turn of its own, and its joint lies near the curve.
+
+use super::math;
+use super::sample::Sample;
+use super::segment::{Arc, Segment};
+use glam::DVec2;
+
+/// An arc known by its start, the unit direction there, and its end. No angles yet: cheap to build and to measure.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bow {
+    start: DVec2,
+    tangent: DVec2,
+    end: DVec2,
+    /// Centre and radius; `None` when straight.
+    circle: Option<(DVec2, f64)>,
+}
+
+/// A bow whose middle lies nearer than this part of its chord to the chord is a line: below 1e-9 the centre is
+/// lost in rounding.
+const FLAT: f64 = 1e-9;
+
+/// Largest angle between a sample's direction and the fitted one: cosine of 37 degrees. Keeps the measure honest
+/// (curve and fit run side by side, so near points match in order) and rejects loops smaller than the tolerance.
+const ALONG: f64 = 0.8;
+
+impl Bow {
+    /// The arc that leaves `start` along the unit direction `tangent` and ends in `end`; `None` when it would turn by
+    /// more than half a circle or has no length.
+    pub(super) fn new(start: DVec2, tangent: DVec2, end: DVec2) -> Option<Self> {
+        let chord = end - start;
+        let (along, across) = (tangent.dot(chord), tangent.perp_dot(chord));
+        if along <= 0.0 || !along.is_finite() {
+            return None;
+        }
+        let length2 = chord.length_squared();
+        // The middle of the bow rises by about a quarter of `across` over the chord.
+        let circle = (across.abs() > 4.0 * FLAT * length2.sqrt()).then(|| {
+            let to_center = tangent.perp() * (length2 / (2.0 * across));
+            (start + to_center, to_center.length())
+        });
+        Some(Self { start, tangent, end, circle })
+    }
+
+    /// The unit direction at the start.
+    pub(super) fn start_tangent(&self) -> DVec2 {
+        self.tangent
+    }
+
+    /// The unit direction at the end.
+    pub(super) fn end_tangent(&self) -> DVec2 {
+        // The direction at the start, mirrored at the chord's middle normal.
+        let chord = (self.end - self.start).normalize_or_zero();
+        (chord * (2.0 * chord.dot(self.tangent)) - self.tangent).normalize_or_zero()
+    }
+
+    /// How far the middle of the bow stands from its chord, mm.
+    fn rise(&self) -> f64 {
+        self.tangent.perp_dot(self.end - self.start).abs() * 0.25
+    }
+
+    /// Distance from a sample to the bow's circle or line; `None` when it runs another way.
+    pub(super) fn distance(&self, s: &Sample) -> Option<f64> {
+        match self.circle {
+            None => {
+                let d = (self.end - self.start).normalize_or_zero();
+                (d.dot(s.tangent) > ALONG).then(|| d.perp_dot(s.point - self.start).abs())
+            }
+            Some((center, radius)) => {
+                let v = s.point - center;
+                let distance = v.length();
+                let ccw = self.tangent.perp_dot(center - self.start) > 0.0;
+                let direction = if ccw { v.perp() } else { -v.perp() };
+                (direction.dot(s.tangent) > ALONG * distance).then(|| (distance - radius).abs())
+            }
+        }
+    }
+
+    /// The element; a bow that rises by less than `flat` mm is a line.
+    pub(super) fn segment(&self, flat: f64) -> Segment {
+        match self.circle {
+            Some((center, _)) if self.rise() > flat => {
+                let chord = self.end - self.start;
+                let half = math::turn(self.tangent, chord);
+                Segment::Arc(Arc { start: self.start, end: self.end, center, sweep: 2.0 * half })
+            }
+            _ => Segment::line(self.start, self.end),
+        }
+    }
+}
+
+/// Two bows joined with one direction.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Biarc {
+    pub(super) first: Bow,
+    pub(super) second: Bow,
+}
+
+impl Biarc {
+    /// The biarc with equal control legs between two places and directions; `None` where no biarc exists whose
+    /// arcs both turn by less than half a circle.
+    pub(super) fn new(from: Sample, to: Sample) -> Option<Self> {
+        let v = to.point - from.point;
+        let sum = from.tangent + to.tangent;
+        let b = v.dot(sum);
+        // Leg d of d^2 * 2 (1 - t0.t1) + 2 d (v.(t0 + t1)) - v.v = 0, in the form that survives t0 = t1.
+        let bent = 2.0 * (1.0 - from.tangent.dot(to.tangent)).max(0.0);
+        let leg = v.length_squared() / (b + (b * b + bent * v.length_squared()).sqrt());
+        if !(leg.is_finite() && leg > 0.0) {
+            return None;
+        }
+        let joint = (from.point + to.point + (from.tangent - to.tangent) * leg) * 0.5;
+        let first = Bow::new(from.point, from.tangent, joint)?;
+        let second = Bow::new(joint, first.end_tangent(), to.point)?;
+        Some(Self { first, second })
+    }
+
+    /// The largest distance of samples in order of travel from the biarc, mm; `None` when one of them runs
+    /// another way.
+    pub(super) fn deviation(&self, samples: &[Sample]) -> Option<f64> {
+        let (joint, across) = (self.second.start, self.second.tangent);
+        let mut worst = 0.0_f64;
+        for s in samples {
+            let bow = if (s.point - joint).dot(across) < 0.0 { &self.first } else { &self.second };
+            worst = worst.max(bow.distance(s)?);
+        }
+        Some(worst)
+    }
+}

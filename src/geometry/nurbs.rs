@@ -1,0 +1,354 @@
+//! Rational B-splines, as a SPLINE entity holds them.
+//!
+//! Evaluation is de Boor's algorithm on homogeneous coordinates (C. de Boor, "On calculating with B-splines", J.
+//! Approx. Theory 6 (1972), doi:10.1016/0021-9045(72)90080-9; L. Piegl, W. Tiller, "The NURBS Book", 2nd ed.,
+//! chapters 3 and 4). What real files hold and we take: knots that are not clamped, knot vectors without their two
+//! useless outer knots, none at all, knots that step back by rounding, closed splines whose first control points are
+//! not repeated at the end.
+
+use super::affine::Affine;
+use super::fit;
+use super::sample::Curve;
+use super::segment::Segment;
+use glam::DVec2;
+
+/// Highest degree taken; the highest any known program writes.
+pub const MAX_DEGREE: usize = 15;
+
+/// Knots may step back by this part of their range: rounding of printed numbers.
+const KNOT_ROUNDING: f64 = 1e-6;
+
+/// Why a spline is no curve.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CurveError {
+    /// The degree is 0 or above [`MAX_DEGREE`].
+    #[error("its degree is {0}; 1 to 15 can be read")]
+    Degree(usize),
+    /// Fewer points than a curve needs.
+    #[error("it has {points} points, its degree {degree} needs {}", degree + 1)]
+    TooFewPoints {
+        /// Control points given.
+        points: usize,
+        /// Degree given.
+        degree: usize,
+    },
+    /// Fewer than two distinct fit points.
+    #[error("it has fewer than two fit points that differ")]
+    TooFewFitPoints,
+    /// A coordinate, weight or knot is infinite or not a number.
+    #[error("it holds a value that is not a number")]
+    NotFinite,
+    /// A weight is zero or negative.
+    #[error("it has a weight of {0}; weights must be above 0")]
+    Weight(f64),
+    /// Not one weight per control point.
+    #[error("it has {weights} weights for {points} points")]
+    WeightCount {
+        /// Weights given.
+        weights: usize,
+        /// Control points given.
+        points: usize,
+    },
+    /// The number of knots does not go with points and degree.
+    #[error("it has {knots} knots for {points} points of degree {degree}")]
+    KnotCount {
+        /// Knots given.
+        knots: usize,
+        /// Control points given.
+        points: usize,
+        /// Degree given.
+        degree: usize,
+    },
+    /// Knots step back, or all are equal.
+    #[error("its knots do not ascend")]
+    KnotOrder,
+}
+
+/// A rational B-spline in the plane, valid by construction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Nurbs {
+    degree: usize,
+    /// Control points, mm.
+    control: Vec<DVec2>,
+    /// One per control point, all above 0.
+    weights: Vec<f64>,
+    /// `control.len() + degree + 1` ascending values; the curve runs over `knots[degree]..knots[control.len()]`.
+    knots: Vec<f64>,
+    /// The distinct knots in the range of the curve.
+    breaks: Vec<f64>,
+    /// Index of the knot each piece between breaks starts at.
+    spans: Vec<usize>,
+}
+
+impl Nurbs {
+    /// A spline of `degree` 1 to 15 from control points (mm), weights (none: all 1) and knots.
+    ///
+    /// Knots may be `points + degree + 1` as usual, or lack the two outer ones, or be none at all (then uniform
+    /// with clamped ends).
+    ///
+    /// # Errors
+    /// Counts that do not match, values that are not finite, weights of 0 or less, knots that do not ascend.
+    pub fn new(
+        degree: usize,
+        control: Vec<DVec2>,
+        weights: Vec<f64>,
+        knots: Vec<f64>,
+    ) -> Result<Self, CurveError> {
+        let points = control.len();
+        if degree == 0 || degree > MAX_DEGREE {
+            return Err(CurveError::Degree(degree));
+        }
+        if points <= degree {
+            return Err(CurveError::TooFewPoints { points, degree });
+        }
+        let weights = if weights.is_empty() { vec![1.0; points] } else { weights };
+        if weights.len() != points {
+            return Err(CurveError::WeightCount { weights: weights.len(), points });
+        }
+        let finite = control.iter().all(|p| p.is_finite());
+        if !(finite && weights.iter().chain(&knots).all(|v| v.is_finite())) {
+            return Err(CurveError::NotFinite);
+        }
+        if let Some(w) = weights.iter().find(|w| **w <= 0.0) {
+            return Err(CurveError::Weight(*w));
+        }
+        let knots = ascending(complete(knots, points, degree)?)?;
+        let (mut breaks, mut spans) = (Vec::new(), Vec::new());
+        for i in degree..points {
+            if knots[i] < knots[i + 1] {
+                breaks.push(knots[i]);
+                spans.push(i);
+            }
+        }
+        breaks.push(knots[points]);
+        if spans.is_empty() {
+            return Err(CurveError::KnotOrder);
+        }
+        Ok(Self { degree, control, weights, knots, breaks, spans })
+    }
+
+    /// A closed spline. Control points that already lead back to the start are taken as they are; otherwise, unless
+    /// the knots are clamped (an open curve whose flag says otherwise), the first `degree` of them are repeated and
+    /// the knots continued periodically, as drawing programs do on reading the closed flag.
+    ///
+    /// # Errors
+    /// As [`Nurbs::new`].
+    pub fn closed(
+        degree: usize,
+        control: Vec<DVec2>,
+        weights: Vec<f64>,
+        knots: Vec<f64>,
+    ) -> Result<Self, CurveError> {
+        let points = control.len();
+        let periodic = knots.is_empty() || (points >= 2 && knots.len() == points + 1);
+        if !periodic {
+            let open = Self::new(degree, control, weights, knots)?;
+            let clamped = open.clamped_start() && open.clamped_end();
+            let (a, b) = (open.start(), open.end());
+            if clamped || a.distance(b) <= 1e-6 * open.extent() {
+                return Ok(open);
+            }
+            let Self { control, weights, knots, .. } = open;
+            let period = knots.get(degree..=points).map(<[f64]>::to_vec).unwrap_or_default();
+            // `points - degree` spans are known; the wrapped curve has `points`: the rest continues uniformly.
+            return Self::wrapped(degree, &control, &weights, &period);
+        }
+        Self::wrapped(degree, &control, &weights, &knots)
+    }
+
+    /// Control points wrapped around; `period` holds the knots of one turn, continued uniformly where too few.
+    fn wrapped(
+        degree: usize,
+        control: &[DVec2],
+        weights: &[f64],
+        period: &[f64],
+    ) -> Result<Self, CurveError> {
+        let points = control.len();
+        if degree == 0 || degree > MAX_DEGREE {
+            return Err(CurveError::Degree(degree));
+        }
+        if points < 2 || points < degree {
+            return Err(CurveError::TooFewPoints { points, degree });
+        }
+        let period = ascending(period.to_vec()).unwrap_or_default();
+        let (first, last) = (period.first().copied().unwrap_or(0.0), period.last().copied().unwrap_or(0.0));
+        let step = if period.len() > 1 { (last - first) / (period.len() - 1) as f64 } else { 1.0 };
+        let mut steps: Vec<f64> = period.windows(2).map(|w| w[1] - w[0]).collect();
+        steps.resize(points, step);
+        // degree + points + degree steps, periodic, so that the curve runs over exactly one period.
+        let mut knots = Vec::with_capacity(points + 2 * degree + 1);
+        let mut at = first - (0..degree).map(|i| steps[(points * degree + i - degree) % points]).sum::<f64>();
+        knots.push(at);
+        for i in 0..points + 2 * degree {
+            at += steps[(points * degree + i - degree) % points];
+            knots.push(at);
+        }
+        let wrap = |i: usize| i % points;
+        let wrapped_control = (0..points + degree).filter_map(|i| control.get(wrap(i)).copied()).collect();
+        let wrapped_weights = if weights.is_empty() {
+            Vec::new()
+        } else {
+            (0..points + degree).filter_map(|i| weights.get(wrap(i)).copied()).collect()
+        };
+        Self::new(degree, wrapped_control, wrapped_weights, knots)
+    }
+
+    /// Degree, 1 to 15.
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// Control points, mm.
+    pub fn control(&self) -> &[DVec2] {
+        &self.control
+    }
+
+    /// The range of the parameter.
+    pub fn domain(&self) -> (f64, f64) {
+        (self.breaks[0], self.breaks[self.breaks.len() - 1])
+    }
+
+    /// First point, mm.
+    pub fn start(&self) -> DVec2 {
+        if self.clamped_start() { self.control[0] } else { self.homogeneous(0, self.breaks[0]).0 }
+    }
+
+    /// Last point, mm.
+    pub fn end(&self) -> DVec2 {
+        let last = self.control.len() - 1;
+        let piece = self.spans.len() - 1;
+        if self.clamped_end() {
+            self.control[last]
+        } else {
+            self.homogeneous(piece, self.breaks[piece + 1]).0
+        }
+    }
+
+    /// The point at parameter `t`, held inside the domain.
+    pub fn point(&self, t: f64) -> DVec2 {
+        self.at(self.piece(t), t).0
+    }
+
+    /// The derivative by the parameter at `t`; at a kink that of the later side.
+    pub fn derivative(&self, t: f64) -> DVec2 {
+        self.at(self.piece(t), t).1
+    }
+
+    /// The image under a map: exact, since the control points carry the curve.
+    pub fn transformed(&self, map: &Affine) -> Self {
+        Self { control: self.control.iter().map(|p| map.point(*p)).collect(), ..self.clone() }
+    }
+
+    /// The curve as lines and arcs, nowhere farther than `tolerance` mm from it (unless that takes more than some
+    /// ten thousand elements, as hostile input does). Kinks are kept; between them the direction is continuous.
+    /// The ends are exact, and a curve that ends where it started closes bit for bit. Empty when it has no length.
+    pub fn to_segments(&self, tolerance: f64) -> Vec<Segment> {
+        fit::fit(self, tolerance)
+    }
+
+    fn clamped_start(&self) -> bool {
+        self.knots[0] >= self.knots[self.degree]
+    }
+
+    fn clamped_end(&self) -> bool {
+        self.knots[self.knots.len() - 1] <= self.knots[self.control.len()]
+    }
+
+    /// The piece between breaks that holds `t`.
+    fn piece(&self, t: f64) -> usize {
+        self.breaks.partition_point(|b| *b <= t).clamp(1, self.spans.len()) - 1
+    }
+
+    /// Point and derivative by de Boor's algorithm.
+    fn homogeneous(&self, piece: usize, t: f64) -> (DVec2, DVec2) {
+        let (p, k) = (self.degree, self.spans[piece]);
+        let mut d = [(DVec2::ZERO, 0.0); MAX_DEGREE + 1];
+        for (j, slot) in d.iter_mut().enumerate().take(p + 1) {
+            let i = k - p + j;
+            *slot = (self.control[i] * self.weights[i], self.weights[i]);
+        }
+        let mut before = (d[0], d[0]);
+        for r in 1..=p {
+            if r == p {
+                before = (d[p - 1], d[p]);
+            }
+            for j in (r..=p).rev() {
+                let (low, high) = (self.knots[j + k - p], self.knots[j + 1 + k - r]);
+                let a = (t - low) / (high - low);
+                d[j] = (d[j - 1].0 * (1.0 - a) + d[j].0 * a, d[j - 1].1 * (1.0 - a) + d[j].1 * a);
+            }
+        }
+        let (point, weight) = d[p];
+        let rate = p as f64 / (self.knots[k + 1] - self.knots[k]);
+        let (dp, dw) = ((before.1.0 - before.0.0) * rate, (before.1.1 - before.0.1) * rate);
+        let at = point / weight;
+        (at, (dp - at * dw) / weight)
+    }
+}
+
+impl Curve for Nurbs {
+    fn breaks(&self) -> &[f64] {
+        &self.breaks
+    }
+
+    fn at(&self, piece: usize, t: f64) -> (DVec2, DVec2) {
+        let (from, to) = self.domain();
+        let t = t.clamp(from, to);
+        let (mut point, derivative) = self.homogeneous(piece, t);
+        if t <= from {
+            point = self.start();
+        } else if t >= to {
+            let (start, end) = (self.start(), self.end());
+            // Closed but for rounding: closed.
+            point = if start.distance(end) <= 1e-9 * self.extent() { start } else { end };
+        }
+        (point, derivative)
+    }
+
+    fn intervals(&self) -> usize {
+        // A piece of degree p bends at most p - 1 times; every interval carries five samples.
+        self.degree.div_ceil(2)
+    }
+
+    fn extent(&self) -> f64 {
+        let (low, high) = self
+            .control
+            .iter()
+            .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| (low.min(*p), high.max(*p)));
+        (high - low).length()
+    }
+}
+
+/// The knot vector in full: as given, with its outer knots added, or made up.
+fn complete(mut knots: Vec<f64>, points: usize, degree: usize) -> Result<Vec<f64>, CurveError> {
+    let full = points + degree + 1;
+    if knots.is_empty() {
+        let spans = points - degree;
+        return Ok((0..full).map(|i| i.saturating_sub(degree).min(spans) as f64).collect());
+    }
+    if knots.len() + 2 == full {
+        let (first, last) = (knots[0], knots[knots.len() - 1]);
+        knots.insert(0, first);
+        knots.push(last);
+    }
+    if knots.len() == full {
+        Ok(knots)
+    } else {
+        Err(CurveError::KnotCount { knots: knots.len(), points, degree })
+    }
+}
+
+/// Knots that step back by rounding are lifted; others are refused.
+fn ascending(mut knots: Vec<f64>) -> Result<Vec<f64>, CurveError> {
+    let (low, high) =
+        knots.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), k| (l.min(*k), h.max(*k)));
+    for i in 1..knots.len() {
+        if knots[i] < knots[i - 1] {
+            if knots[i - 1] - knots[i] > KNOT_ROUNDING * (high - low) {
+                return Err(CurveError::KnotOrder);
+            }
+            knots[i] = knots[i - 1];
+        }
+    }
+    Ok(knots)
+}
