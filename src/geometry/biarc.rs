@@ -25,6 +25,9 @@ pub(super) struct Bow {
 /// lost in rounding.
 const FLAT: f64 = 1e-9;
 
+/// Sine of the angle a line may miss a direction by: 0.06 degrees, no joint to see or to slow down for.
+const STRAIGHT: f64 = 1e-3;
+
 /// Largest angle between a sample's direction and the fitted one: cosine of 37 degrees. Keeps the measure honest
 /// (curve and fit run side by side, so near points match in order) and rejects loops smaller than the tolerance.
 const ALONG: f64 = 0.8;
@@ -59,11 +62,6 @@ impl Bow {
         (chord * (2.0 * chord.dot(self.tangent)) - self.tangent).normalize_or_zero()
     }
 
-    /// How far the middle of the bow stands from its chord, mm.
-    fn rise(&self) -> f64 {
-        self.tangent.perp_dot(self.end - self.start).abs() * 0.25
-    }
-
     /// Distance from a sample to the bow's circle or line; `None` when it runs another way.
     pub(super) fn distance(&self, s: &Sample) -> Option<f64> {
         match self.circle {
@@ -81,11 +79,13 @@ impl Bow {
         }
     }
 
-    /// The element; a bow that rises by less than `flat` mm is a line.
+    /// The element; a bow that rises by less than `flat` mm over its chord and turns by less than [`STRAIGHT`] is a line.
     pub(super) fn segment(&self, flat: f64) -> Segment {
+        let chord = self.end - self.start;
+        let across = self.tangent.perp_dot(chord).abs();
+        let straight = across <= 4.0 * flat && across <= STRAIGHT * chord.length();
         match self.circle {
-            Some((center, _)) if self.rise() > flat => {
-                let chord = self.end - self.start;
+            Some((center, _)) if !straight => {
                 let half = math::turn(self.tangent, chord);
                 Segment::Arc(Arc { start: self.start, end: self.end, center, sweep: 2.0 * half })
             }

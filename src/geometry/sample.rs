@@ -30,7 +30,7 @@ pub(super) struct Sample {
 
 /// Share of the tolerance to which an interval must equal its own biarc.
 const RESOLUTION: f64 = 0.05;
-/// An interval shorter than this share of the tolerance is a point: a turn inside it is a kink.
+/// An interval shorter than this share of the tolerance is not cut further: a sharp turn inside it is a kink.
 const POINT: f64 = 0.02;
 /// Largest sum of sines of the turns inside one interval: 45 degrees.
 const TURN: f64 = 0.75;
@@ -130,15 +130,11 @@ impl Sampler<'_> {
         self.run.extend_from_slice(&samples[1..]);
     }
 
-    /// Takes an interval too short to matter: its ends become one sample, with a kink if it turns.
+    /// Takes an interval too short to matter that turns much: a kink. One without any length is left out.
     fn point(&mut self, samples: &[Sample; 5]) {
-        let Some(last) = self.run.last().copied() else {
-            self.run.push(samples[0]);
-            return self.point(samples);
-        };
-        if !aligned(last.tangent, samples[4].tangent) {
-            self.finish();
-            self.run.push(Sample { point: last.point, tangent: samples[4].tangent });
+        if samples[4].tangent != DVec2::ZERO {
+            self.join(samples[0]);
+            self.join(Sample { point: samples[0].point, tangent: samples[4].tangent });
         }
     }
 
@@ -204,13 +200,12 @@ fn judge(samples: &[Sample; 5], tolerance: f64) -> Shape {
         turn += w[0].tangent.perp_dot(w[1].tangent).abs();
         forward &= w[0].tangent.dot(w[1].tangent) > 0.0;
     }
-    if length <= POINT * tolerance {
-        return Shape::Point;
-    }
+    let short = length <= POINT * tolerance;
     if !forward || turn > TURN {
-        return Shape::Open;
+        return if short { Shape::Point } else { Shape::Open };
     }
-    let fits = Biarc::new(samples[0], samples[4])
-        .is_some_and(|b| b.deviation(&samples[1..4]).is_some_and(|d| d <= RESOLUTION * tolerance));
+    let fits = short
+        || Biarc::new(samples[0], samples[4])
+            .is_some_and(|b| b.deviation(&samples[1..4]).is_some_and(|d| d <= RESOLUTION * tolerance));
     if fits { Shape::Smooth } else { Shape::Open }
 }
