@@ -6,6 +6,10 @@ use super::aabb::Aabb;
 use super::segment::Segment;
 use glam::DVec2;
 
+/// Places nearer than this to an element's end are that end, mm: a sum of lengths is off by its last bits, and an
+/// element shorter than this has no direction worth anything.
+const SNAP: f64 = 1e-9;
+
 /// Elements joined end to end: `segments[i].end() == segments[i + 1].start()`, bit for bit; when `closed`, also
 /// the last end is the first start.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -68,17 +72,20 @@ impl Path {
         self.segments.get(i).map(|g| g.at(f))
     }
 
-    /// The element `s` mm along the path, and the fraction along it.
+    /// The element `s` mm along the path, and the fraction along it; 0 within [`SNAP`] of an element's start.
     pub fn locate(&self, s: f64) -> Option<(usize, f64)> {
         let mut rest = s.max(0.0);
         for (i, g) in self.segments.iter().enumerate() {
             let len = g.length();
-            if rest < len || i + 1 == self.segments.len() {
-                return Some((i, if len > 0.0 { (rest / len).min(1.0) } else { 0.0 }));
+            if rest <= SNAP && len > 0.0 {
+                return Some((i, 0.0));
             }
-            rest -= len;
+            if rest < len - SNAP {
+                return Some((i, rest / len));
+            }
+            rest = (rest - len).max(0.0);
         }
-        None
+        Some((self.segments.len().checked_sub(1)?, 1.0))
     }
 
     /// A closed path re-cut to start `s` mm along it, in its own direction; an open path as it is.

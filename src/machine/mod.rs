@@ -1,5 +1,11 @@
-//! The machine: what it can do ([`Profile`]), and the seconds that follow from it.
+//! The machine: what it can do ([`Profile`]), and the seconds that follow from it ([`air_time`], [`cut_time`]).
 
+mod lookahead;
+mod motion;
+mod presets;
 mod profile;
 
-pub use profile::{Axes, Dialect, Process, Profile, Travel};
+pub use lookahead::cut_time;
+pub use motion::{AirTime, air_time};
+pub use presets::{preset, presets};
+pub use profile::{Axes, Dialect, Process, Profile, ProfileError, Travel};

@@ -1,6 +1,11 @@
 //! What a solver sees: items, the nodes where each may be entered, the cost of travel, and what must come before
 //! what. Solvers know nothing else.
 
+mod buckets;
+mod entries;
+mod from_sheet;
 mod model;
 
+pub use buckets::Buckets;
+pub use from_sheet::from_sheet;
 pub use model::{Item, ItemId, Node, NodeId, Problem};

@@ -1,5 +1,19 @@
 //! Solvers behind two traits, and the registry that names them.
 
+mod as_drawn;
+mod greedy;
 mod traits;
 
+pub use as_drawn::drawing_order;
+pub use greedy::greedy;
 pub use traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
+
+/// Every method, the default first.
+pub fn methods() -> &'static [&'static dyn Solver] {
+    &[&greedy::Greedy]
+}
+
+/// The method of that name.
+pub fn method(name: &str) -> Option<&'static dyn Solver> {
+    methods().iter().copied().find(|m| m.info().name == name)
+}

@@ -3,6 +3,7 @@
 //! The core neither reads a clock nor decides when to stop: the caller hands out work in moves and looks at what
 //! came of it. A search cut into slices of any size gives the same bytes as one long run.
 
+use crate::machine::AirTime;
 use crate::problem::{NodeId, Problem};
 use serde::Serialize;
 
@@ -84,4 +85,21 @@ pub trait Search {
     fn telemetry(&self) -> Telemetry;
     /// A solution found elsewhere; taken when better.
     fn offer(&mut self, _other: &Solution) {}
+}
+
+impl Solution {
+    /// Stops with the seconds of travel they take: from home, from exit to entry, and home again when closed.
+    pub fn new(problem: &Problem, stops: Vec<Stop>) -> Self {
+        let air = AirTime::new(&problem.machine);
+        let mut cost = 0.0;
+        let mut head = problem.home;
+        for node in stops.iter().filter_map(|s| problem.nodes.get(s.node as usize)) {
+            cost += air.seconds(head, node.entry);
+            head = node.exit;
+        }
+        if problem.closed {
+            cost += air.seconds(head, problem.home);
+        }
+        Self { stops, cost }
+    }
 }

@@ -105,7 +105,7 @@ export interface MachineProfile {
   title: string;
   home: [number, number];
   return_home: boolean;
-  travel: 'straight' | 'per-axis';
+  travel: 'straight' | 'vector' | 'per-axis';
   rapid: { speed: [number, number]; accel: [number, number] | null };
   cut: { speed: number; accel: number | null; power: number };
   mark: { speed: number; accel: number | null; power: number };

@@ -1,0 +1,93 @@
+//! Seconds along a contour: from rest at the entry to rest at the exit, no faster than the process, the bends and
+//! the corners allow.
+//!
+//! Speed limits: the process speed everywhere; on an arc of radius r the speed v with v^2 = a r, where the pull
+//! towards the centre is all the acceleration there is; at a corner between two elements GRBL's junction speed.
+//! Between these the speed changes by at most the acceleration a. The fastest run is found in two passes over the
+//! squares of the speeds at the junctions, which change by at most 2 a L along an element of length L: forward,
+//! what can be reached, backward, what can be braked. Then each element is a trapezoid in closed form.
+//!
+//! Junction speed: S. K. Jeon, "Improving Grbl: Cornering Algorithm" (2011), and `planner.c` of GRBL 1.1: a circle
+//! that touches both elements and passes the corner at the distance `junction_deviation` (delta), run at
+//! v^2 = a R, with R = delta sin(t/2) / (1 - sin(t/2)), t the angle between the elements as seen from the corner
+//! (pi: straight on, 0: back the same way).
+
+use super::profile::{Process, Profile};
+use crate::geometry::{DVec2, Segment};
+
+/// Seconds to run `path` (elements joined end to end) with `process` on this machine, at rest at both ends.
+/// Without an acceleration: length by speed.
+pub fn cut_time(profile: &Profile, process: &Process, path: &[Segment]) -> f64 {
+    let Some(accel) = process.accel else {
+        return path.iter().map(Segment::length).sum::<f64>() / process.speed;
+    };
+    let runs: Vec<Run> =
+        path.iter().map(|s| Run::new(s, process.speed, accel)).filter(|r| r.length > 0.0).collect();
+
+    // Squares of the speeds at the junctions; both ends at rest.
+    let mut speed2 = vec![0.0; runs.len() + 1];
+    for (i, pair) in runs.windows(2).enumerate() {
+        let corner = junction_speed2(profile.junction_deviation, accel, pair[0].leaves, pair[1].enters);
+        speed2[i + 1] = corner.min(pair[0].top2).min(pair[1].top2);
+    }
+    for (i, run) in runs.iter().enumerate() {
+        speed2[i + 1] = speed2[i + 1].min(speed2[i] + 2.0 * accel * run.length);
+    }
+    for (i, run) in runs.iter().enumerate().rev() {
+        speed2[i] = speed2[i].min(speed2[i + 1] + 2.0 * accel * run.length);
+    }
+    runs.iter().zip(speed2.windows(2)).map(|(run, v2)| run.seconds(v2[0], v2[1], accel)).sum()
+}
+
+/// One element as the look-ahead sees it.
+struct Run {
+    length: f64,
+    /// Square of the highest speed along it.
+    top2: f64,
+    /// Unit direction at its start and end.
+    enters: DVec2,
+    leaves: DVec2,
+}
+
+impl Run {
+    fn new(element: &Segment, speed: f64, accel: f64) -> Self {
+        let top2 = match element {
+            Segment::Line(_) => speed * speed,
+            Segment::Arc(a) => (speed * speed).min(accel * a.radius()),
+        };
+        Self { length: element.length(), top2, enters: element.tangent(0.0), leaves: element.tangent(1.0) }
+    }
+
+    /// Seconds between two speeds (given as squares) that are within reach of each other.
+    fn seconds(&self, from2: f64, to2: f64, accel: f64) -> f64 {
+        // Without a limit the speed would rise to the peak where the ramp up meets the ramp down.
+        let peak2 = accel * self.length + 0.5 * (from2 + to2);
+        let (from, to) = (from2.sqrt(), to2.sqrt());
+        if peak2 <= self.top2 {
+            return (2.0 * peak2.sqrt() - from - to) / accel;
+        }
+        let top = self.top2.sqrt();
+        // The peak is above the limit: cut off, the flat part is what the ramps leave of the length.
+        let flat = (peak2 - self.top2) / accel;
+        (2.0 * top - from - to) / accel + flat / top
+    }
+}
+
+/// Square of the speed at the corner between two directions; infinite where they agree or corners do not count.
+fn junction_speed2(deviation: Option<f64>, accel: f64, leaves: DVec2, enters: DVec2) -> f64 {
+    let Some(deviation) = deviation else { return f64::INFINITY };
+    // The angle between the elements is measured at the corner: straight on is pi.
+    let cos = -leaves.dot(enters);
+    // Within 1.4 mrad of straight, or of a reversal: GRBL's own thresholds.
+    if cos < -0.999_999 {
+        return f64::INFINITY;
+    }
+    if cos > 0.999_999 {
+        return 0.0;
+    }
+    let sin_half = (0.5 * (1.0 - cos)).sqrt();
+    accel * deviation * sin_half / (1.0 - sin_half)
+}
+
+#[cfg(test)]
+mod tests;

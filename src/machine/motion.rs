@@ -1,0 +1,137 @@
+//! Seconds of an air move: from rest, as fast as the axes allow, to rest.
+//!
+//! One motion over a distance d with top speed v and acceleration a is a trapezoid of speed over time, or a
+//! triangle when d is too short to reach v. Two times say it all: `run` = d / v, the time at top speed, and
+//! `ramp2` = d / a, a time squared. The ramps add v / a = `ramp2` / `run`; the triangle takes 2 sqrt(`ramp2`).
+//! Written so, the limits of a direction come without dividing by its components: the axis that binds is the one
+//! with the larger |dx| / v, and likewise for the acceleration.
+
+use super::profile::{Profile, Travel};
+use glam::DVec2;
+
+/// The air moves of one machine, ready to be priced many times.
+#[derive(Clone, Copy, Debug)]
+pub struct AirTime {
+    travel: Travel,
+    /// Seconds at top speed for one mm, by axis.
+    per_speed: DVec2,
+    /// Seconds squared for one mm, by axis; 0 when the machine is at speed at once.
+    per_accel: DVec2,
+}
+
+impl AirTime {
+    /// The air moves of a machine.
+    pub fn new(profile: &Profile) -> Self {
+        let per_speed = 1.0 / DVec2::from_array(profile.rapid.speed);
+        let per_accel = profile.rapid.accel.map_or(DVec2::ZERO, |a| 1.0 / DVec2::from_array(a));
+        match profile.travel {
+            Travel::Vector => Self {
+                travel: Travel::Vector,
+                per_speed: DVec2::splat(per_speed.max_element()),
+                per_accel: DVec2::splat(per_accel.max_element()),
+            },
+            travel => Self { travel, per_speed, per_accel },
+        }
+    }
+
+    /// Seconds from `from` to `to`, mm. The same both ways, 0 on the spot, and never less for a longer way along
+    /// either axis.
+    pub fn seconds(&self, from: DVec2, to: DVec2) -> f64 {
+        let d = (to - from).abs();
+        match self.travel {
+            Travel::Straight => {
+                ramped((d * self.per_speed).max_element(), (d * self.per_accel).max_element())
+            }
+            Travel::Vector => {
+                let d = d.length();
+                ramped(d * self.per_speed.x, d * self.per_accel.x)
+            }
+            Travel::PerAxis => {
+                let (run, ramp2) = (d * self.per_speed, d * self.per_accel);
+                ramped(run.x, ramp2.x).max(ramped(run.y, ramp2.y))
+            }
+        }
+    }
+}
+
+/// Seconds of an air move of a machine, mm to s.
+pub fn air_time(profile: &Profile, from: DVec2, to: DVec2) -> f64 {
+    AirTime::new(profile).seconds(from, to)
+}
+
+/// Seconds of a motion from rest to rest: see the head of this file.
+fn ramped(run: f64, ramp2: f64) -> f64 {
+    if ramp2 >= run * run { 2.0 * ramp2.sqrt() } else { run + ramp2 / run }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::presets;
+
+    fn machine(travel: Travel, speed: [f64; 2], accel: Option<[f64; 2]>) -> Profile {
+        let mut p = presets().swap_remove(0);
+        p.travel = travel;
+        p.rapid.speed = speed;
+        p.rapid.accel = accel;
+        p
+    }
+
+    fn seconds(p: &Profile, x: f64, y: f64) -> f64 {
+        air_time(p, DVec2::new(3.0, -2.0), DVec2::new(3.0 + x, -2.0 + y))
+    }
+
+    #[track_caller]
+    fn near(a: f64, b: f64) {
+        assert!((a - b).abs() <= 1e-12 * b.abs().max(1.0), "{a} is not {b}");
+    }
+
+    #[test]
+    fn trapezoid_and_triangle_by_hand() {
+        let p = machine(Travel::Vector, [100.0, 100.0], Some([1000.0, 1000.0]));
+        // 0.1 s and 5 mm to reach 100 mm/s, 5 mm to stop, 90 mm at speed.
+        near(seconds(&p, 100.0, 0.0), 1.1);
+        near(seconds(&p, 60.0, 80.0), 1.1);
+        // 4 mm: 2 mm up at 1000 mm/s2 take sqrt(2 * 2 / 1000).
+        near(seconds(&p, 0.0, 4.0), 2.0 * (4.0_f64 / 1000.0).sqrt());
+        // Both formulas meet where top speed is just reached.
+        near(seconds(&p, 10.0, 0.0), 0.2);
+        near(seconds(&p, 0.0, 0.0), 0.0);
+    }
+
+    #[test]
+    fn at_once_without_acceleration() {
+        near(seconds(&machine(Travel::Vector, [50.0, 100.0], None), 30.0, 40.0), 1.0);
+        near(seconds(&machine(Travel::Straight, [50.0, 100.0], None), 30.0, 40.0), 0.6);
+        near(seconds(&machine(Travel::PerAxis, [50.0, 100.0], None), 30.0, 100.0), 1.0);
+        near(seconds(&machine(Travel::PerAxis, [50.0, 100.0], None), 0.0, 0.0), 0.0);
+    }
+
+    #[test]
+    fn straight_is_bound_by_one_axis_each_for_speed_and_acceleration() {
+        // Along (3, 4)/5: speed bound by y (200 / 0.8 = 250 < 300 / 0.6), acceleration by x (600 / 0.6 = 1000).
+        let p = machine(Travel::Straight, [300.0, 200.0], Some([600.0, 2000.0]));
+        let (d, v, a) = (500.0, 250.0, 1000.0);
+        near(seconds(&p, 300.0, 400.0), d / v + v / a);
+        near(seconds(&p, -300.0, 400.0), d / v + v / a);
+        // An axis that stands still binds nothing.
+        near(seconds(&p, 0.0, 400.0), 400.0 / 200.0 + 200.0 / 2000.0);
+    }
+
+    #[test]
+    fn per_axis_takes_the_slower_axis() {
+        let p = machine(Travel::PerAxis, [100.0, 100.0], Some([1000.0, 100.0]));
+        // x alone 1.1 s; y alone 2 sqrt(30 / 100) = 1.095 s, and 1.1 s just above 30.25 mm.
+        near(seconds(&p, 100.0, 30.0), 1.1);
+        near(seconds(&p, 100.0, 36.0), 2.0 * 0.6);
+    }
+
+    #[test]
+    fn straight_is_never_faster_than_per_axis() {
+        for (x, y) in [(1.0, 2.0), (50.0, 3.0), (700.0, 400.0), (0.1, 900.0)] {
+            let at = |t| seconds(&machine(t, [300.0, 200.0], Some([600.0, 2000.0])), x, y);
+            assert!(at(Travel::Straight) >= at(Travel::PerAxis) - 1e-12);
+            assert!(at(Travel::Vector) >= at(Travel::Straight) - 1e-12);
+        }
+    }
+}

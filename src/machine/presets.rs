@@ -1,0 +1,205 @@
+//! Machines with a material on them, as data. The figures are plausible middle values for their class, not those
+//! of one product: good enough to compare paths and to quote roughly, to be replaced by one's own.
+//!
+//! Sources: GRBL 1.1 settings `$110`/`$111` (top rates), `$120`/`$121` (accelerations), `$11` (junction deviation,
+//! 0.010 mm by default) and `$30` (full power, 1000) in the GRBL wiki; data sheets and cutting tables that makers
+//! of such machines publish. Each figure has its own reason beside it.
+
+use super::profile::{Axes, Dialect, Process, Profile, Travel, VERSION};
+
+/// Every preset, the default first.
+pub fn presets() -> Vec<Profile> {
+    vec![
+        co2_100w(),
+        diode_hobby(),
+        fibre_3kw_thin(),
+        fibre_6kw_thick(),
+        length("length", "Length only: air moves in mm along straight lines", Travel::Vector),
+        length("length-chebyshev", "Length only: air moves in mm of the longer axis", Travel::PerAxis),
+    ]
+}
+
+/// The preset of that name.
+pub fn preset(name: &str) -> Option<Profile> {
+    presets().into_iter().find(|p| p.name == name)
+}
+
+/// A gantry CO2 laser of 1300 x 900 mm run by GRBL, 3 mm acrylic.
+fn co2_100w() -> Profile {
+    Profile {
+        version: VERSION,
+        name: "co2-100w".to_owned(),
+        title: "CO2 laser, 100 W, GRBL, 3 mm acrylic".to_owned(),
+        home: [0.0, 0.0],
+        return_home: true,
+        // GRBL runs rapids as straight lines, each axis within its own limit.
+        travel: Travel::Straight,
+        rapid: Axes {
+            // Belt-driven optics head: 24 m/min for the light x, 18 m/min for the whole gantry in y.
+            speed: [400.0, 300.0],
+            // A third of g for the head, less for the gantry: where belts still hold 0.1 mm.
+            accel: Some([3000.0, 2000.0]),
+        },
+        // 3 mm acrylic at 100 W: 30 to 45 mm/s in published tables for a clean edge.
+        cut: Process { speed: 35.0, accel: Some(2000.0), power: 0.85 },
+        // Vector engraving, well below what burns through.
+        mark: Process { speed: 200.0, accel: Some(2000.0), power: 0.15 },
+        // GRBL's default.
+        junction_deviation: Some(0.01),
+        // Acrylic is pierced while the tube comes up.
+        pierce_time: 0.1,
+        // Rise and fall of a high-voltage CO2 supply: a few ms.
+        beam_on_delay: 0.005,
+        beam_off_delay: 0.005,
+        dialect: Dialect::GrblM4,
+        max_s: 1000.0,
+    }
+}
+
+/// An open-frame diode laser, 3 mm plywood.
+fn diode_hobby() -> Profile {
+    Profile {
+        version: VERSION,
+        name: "diode-hobby".to_owned(),
+        title: "Diode laser, 10 W, GRBL, 3 mm plywood".to_owned(),
+        home: [0.0, 0.0],
+        return_home: true,
+        travel: Travel::Straight,
+        rapid: Axes {
+            // 10,000 mm/min in x and y: the usual `$110` and `$111` of such machines.
+            speed: [10_000.0 / 60.0, 10_000.0 / 60.0],
+            // 500 to 1,000 mm/s2 as shipped.
+            accel: Some([800.0, 800.0]),
+        },
+        // 3 mm plywood through in one pass at 10 W optical power: about 300 mm/min.
+        cut: Process { speed: 5.0, accel: Some(800.0), power: 1.0 },
+        // Line engraving: 3,000 mm/min.
+        mark: Process { speed: 50.0, accel: Some(800.0), power: 0.4 },
+        junction_deviation: Some(0.01),
+        // With M4 the head starts at once; at 5 mm/s the beam pierces on the way.
+        pierce_time: 0.0,
+        beam_on_delay: 0.0,
+        beam_off_delay: 0.0,
+        dialect: Dialect::GrblM4,
+        max_s: 1000.0,
+    }
+}
+
+/// A 3 kW fibre laser on thin sheet: 1 mm stainless steel with nitrogen.
+fn fibre_3kw_thin() -> Profile {
+    Profile {
+        version: VERSION,
+        name: "fibre-3kw-thin".to_owned(),
+        title: "Fibre laser, 3 kW, 1 mm stainless steel, nitrogen".to_owned(),
+        home: [0.0, 0.0],
+        return_home: true,
+        // Positioning runs each drive at its own limit ("simultaneous" speeds in data sheets are sqrt 2 higher).
+        travel: Travel::PerAxis,
+        rapid: Axes {
+            // 100 m/min an axis: the common class of rack-and-pinion tables.
+            speed: [100_000.0 / 60.0, 100_000.0 / 60.0],
+            // 1 g.
+            accel: Some([9810.0, 9810.0]),
+        },
+        // 24 to 30 m/min in cutting tables for 1 mm and 3 kW.
+        cut: Process { speed: 400.0, accel: Some(5000.0), power: 1.0 },
+        // Marking with the same beam at low power.
+        mark: Process { speed: 500.0, accel: Some(5000.0), power: 0.1 },
+        // Such controls round corners within a few hundredths of a millimetre.
+        junction_deviation: Some(0.02),
+        // Thin sheet is pierced in one pulse.
+        pierce_time: 0.1,
+        // Gas and height control settle.
+        beam_on_delay: 0.05,
+        beam_off_delay: 0.02,
+        dialect: Dialect::GrblM4,
+        max_s: 1000.0,
+    }
+}
+
+/// A 6 kW fibre laser on plate: 12 mm mild steel with oxygen.
+fn fibre_6kw_thick() -> Profile {
+    Profile {
+        name: "fibre-6kw-thick".to_owned(),
+        title: "Fibre laser, 6 kW, 12 mm mild steel, oxygen".to_owned(),
+        // About 2 m/min for 12 mm in cutting tables: oxygen sets the pace, not power.
+        cut: Process { speed: 33.0, accel: Some(3000.0), power: 0.7 },
+        mark: Process { speed: 250.0, accel: Some(3000.0), power: 0.1 },
+        // Staged piercing of 12 mm: half a second to a second.
+        pierce_time: 0.8,
+        // Oxygen builds up and is blown off again.
+        beam_on_delay: 0.2,
+        beam_off_delay: 0.1,
+        ..fibre_3kw_thin()
+    }
+}
+
+/// Unit speed, no acceleration, no charges: seconds are millimetres of air, as in published comparisons.
+fn length(name: &str, title: &str, travel: Travel) -> Profile {
+    Profile {
+        version: VERSION,
+        name: name.to_owned(),
+        title: title.to_owned(),
+        home: [0.0, 0.0],
+        return_home: true,
+        travel,
+        rapid: Axes { speed: [1.0, 1.0], accel: None },
+        cut: Process { speed: 1.0, accel: None, power: 1.0 },
+        mark: Process { speed: 1.0, accel: None, power: 0.1 },
+        junction_deviation: None,
+        pierce_time: 0.0,
+        beam_on_delay: 0.0,
+        beam_off_delay: 0.0,
+        dialect: Dialect::GrblM4,
+        max_s: 1000.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn presets_are_valid_named_once_and_found() {
+        let all = presets();
+        assert_eq!(all[0].name, "co2-100w");
+        for p in &all {
+            p.validate().unwrap();
+            assert_eq!(all.iter().filter(|q| q.name == p.name).count(), 1);
+            assert_eq!(preset(&p.name).as_ref(), Some(p));
+        }
+        assert_eq!(preset("abacus"), None);
+    }
+
+    #[test]
+    fn faults_are_named() {
+        let says = |change: fn(&mut Profile)| {
+            let mut p = co2_100w();
+            change(&mut p);
+            p.validate().unwrap_err().to_string()
+        };
+        assert_eq!(
+            says(|p| p.rapid.speed[1] = 0.0),
+            "the machine profile \"co2-100w\" says rapid.speed[1] = 0; it must be a number above 0"
+        );
+        assert_eq!(
+            says(|p| p.cut.accel = Some(f64::NAN)),
+            "the machine profile \"co2-100w\" says cut.accel = NaN; it must be a number above 0"
+        );
+        assert_eq!(
+            says(|p| p.mark.power = 1.5),
+            "the machine profile \"co2-100w\" says mark.power = 1.5; it must be a number from 0 to 1"
+        );
+        assert!(says(|p| p.home[0] = f64::INFINITY).contains("home[0]"));
+        assert!(says(|p| p.pierce_time = -0.1).contains("pierce_time = -0.1"));
+        assert!(says(|p| p.version = 2).contains("is of version 2"));
+    }
+
+    #[test]
+    fn profiles_survive_json() {
+        for p in presets() {
+            let text = serde_json::to_string(&p).unwrap();
+            assert_eq!(serde_json::from_str::<Profile>(&text).unwrap(), p);
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! What a list of moves adds up to on a machine, from the moves alone.
+
+use super::model::{Move, Summary};
+use crate::geometry::{Aabb, Segment};
+use crate::machine::{AirTime, Profile, cut_time};
+
+/// Sums over moves that start at the machine's home. `parts`, bound and gap are not in the moves: 0 and `None`.
+///
+/// Every cut and mark is charged the beam delays, every pierce the pierce time; both are in `pierce_time`.
+pub fn evaluate(moves: &[Move], machine: &Profile) -> Summary {
+    let air = AirTime::new(machine);
+    let mut sum = Summary::default();
+    let mut bounds = Aabb::EMPTY;
+    let mut head = machine.home();
+    for step in moves {
+        match step {
+            Move::Air { to } => {
+                sum.air_length += head.distance(*to);
+                sum.air_time += air.seconds(head, *to);
+                head = *to;
+            }
+            Move::Pierce => {
+                sum.pierces += 1;
+                sum.pierce_time += machine.pierce_time;
+            }
+            Move::Cut { path, mark, .. } => {
+                let (Some(first), Some(last)) = (path.first(), path.last()) else { continue };
+                let process = if *mark { &machine.mark } else { &machine.cut };
+                sum.contours += 1;
+                sum.open_contours += u32::from(first.start() != last.end());
+                sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
+                sum.cut_time += cut_time(machine, process, path);
+                sum.pierce_time += machine.beam_on_delay + machine.beam_off_delay;
+                bounds = path.iter().fold(bounds, |b, s| b.union(s.bounds()));
+                head = last.end();
+            }
+        }
+    }
+    sum.total_time = sum.air_time + sum.cut_time + sum.pierce_time + sum.pre_cut_time + sum.macro_time;
+    if !bounds.is_empty() {
+        sum.bounds = [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y];
+    }
+    sum
+}

@@ -1,0 +1,137 @@
+//! Nodes by place, in square cells: searched outwards ring by ring, filled and emptied as a construction goes.
+
+use super::model::NodeId;
+use crate::geometry::{Aabb, DVec2};
+
+/// Nodes to a cell, on average: a ring of 8 cells then holds the nearest few contours.
+const NODES_PER_CELL: f64 = 8.0;
+/// Cells along an axis at most, so that a long thin sheet needs no more memory than its nodes.
+const MOST_CELLS: f64 = 2048.0;
+
+/// A grid of nodes.
+#[derive(Clone, Debug)]
+pub struct Buckets {
+    corner: DVec2,
+    /// Side of a cell, mm.
+    side: f64,
+    columns: usize,
+    rows: usize,
+    cells: Vec<Vec<NodeId>>,
+}
+
+impl Buckets {
+    /// An empty grid for about `count` nodes in `bounds`.
+    pub fn new(bounds: Aabb, count: usize) -> Self {
+        let size = bounds.size();
+        let cells = (count as f64 / NODES_PER_CELL).max(1.0);
+        let square = (size.x * size.y / cells).sqrt();
+        // A sheet without width or height is cut along its length; a single point gets one cell.
+        let longest = size.max_element();
+        let side = square.max(longest / cells.min(MOST_CELLS));
+        let side = if side > 0.0 && side.is_finite() { side } else { 1.0 };
+        let along = |length: f64| cell_index(length, side).saturating_add(1);
+        let (columns, rows) = (along(size.x), along(size.y));
+        let corner = if bounds.is_empty() { DVec2::ZERO } else { bounds.min };
+        Self { corner, side, columns, rows, cells: vec![Vec::new(); columns * rows] }
+    }
+
+    /// Puts a node in at its place.
+    pub fn insert(&mut self, node: NodeId, place: DVec2) {
+        let cell = self.cell(place);
+        self.cells[cell.1 * self.columns + cell.0].push(node);
+    }
+
+    /// Takes a node out; `place` is where it was put in.
+    pub fn remove(&mut self, node: NodeId, place: DVec2) {
+        let cell = self.cell(place);
+        let list = &mut self.cells[cell.1 * self.columns + cell.0];
+        if let Some(i) = list.iter().position(|&n| n == node) {
+            list.swap_remove(i);
+        }
+    }
+
+    /// How many rings around `place` it takes to see every cell.
+    pub fn rings(&self, place: DVec2) -> usize {
+        let (x, y) = self.cell(place);
+        x.max(self.columns - 1 - x).max(y).max(self.rows - 1 - y) + 1
+    }
+
+    /// Whatever lies in ring `r` or beyond is at least this far from the place along x or along y, mm.
+    pub fn distance_of_ring(&self, r: usize) -> f64 {
+        self.side * r.saturating_sub(1) as f64
+    }
+
+    /// The nodes in ring `r` around the cell of `place` (0: the cell itself).
+    pub fn ring(&self, place: DVec2, r: usize) -> impl Iterator<Item = NodeId> {
+        let (x, y) = self.cell(place);
+        let (left, right) = (x.checked_sub(r), Some(x + r).filter(|&c| c < self.columns));
+        let columns = x.saturating_sub(r)..(x + r + 1).min(self.columns);
+        let rows = y.saturating_sub(r)..(y + r + 1).min(self.rows);
+        rows.flat_map(move |row| {
+            let whole = row + r == y || row == y + r;
+            let (from, to) = if whole { (columns.start, columns.end) } else { (0, 0) };
+            let sides = if whole || r == 0 { [None, None] } else { [left, right] };
+            (from..to).chain(sides.into_iter().flatten()).map(move |column| (row, column))
+        })
+        .flat_map(|(row, column)| self.cells[row * self.columns + column].iter().copied())
+    }
+
+    fn cell(&self, place: DVec2) -> (usize, usize) {
+        let d = (place - self.corner).max(DVec2::ZERO);
+        (cell_index(d.x, self.side).min(self.columns - 1), cell_index(d.y, self.side).min(self.rows - 1))
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a float cast to an integer saturates; lengths are not negative"
+)]
+fn cell_index(length: f64, side: f64) -> usize {
+    (length / side) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn filled(bounds: Aabb, places: &[DVec2]) -> Buckets {
+        let mut b = Buckets::new(bounds, places.len());
+        for (p, i) in places.iter().zip(0..) {
+            b.insert(i, *p);
+        }
+        b
+    }
+
+    #[test]
+    fn rings_hold_every_node_once_and_as_far_as_they_say() {
+        let places: Vec<DVec2> =
+            (0..700).map(|k| DVec2::new(f64::from(k * 37 % 101), f64::from(k * 53 % 47))).collect();
+        let b = filled(places.iter().fold(Aabb::EMPTY, |b, p| b.with(*p)), &places);
+        for from in [DVec2::ZERO, DVec2::new(50.0, 20.0), DVec2::new(-30.0, 900.0)] {
+            let mut seen = Vec::new();
+            for r in 0..b.rings(from) {
+                for n in b.ring(from, r) {
+                    let d = (places[n as usize] - from).abs().max_element();
+                    assert!(d >= b.distance_of_ring(r));
+                    seen.push(n);
+                }
+            }
+            seen.sort_unstable();
+            assert_eq!(seen, (0..700).collect::<Vec<_>>());
+        }
+    }
+
+    #[test]
+    fn flat_empty_and_single() {
+        let line: Vec<DVec2> = (0..90).map(|k| DVec2::new(f64::from(k) * 1e4, 5.0)).collect();
+        let b = filled(line.iter().fold(Aabb::EMPTY, |b, p| b.with(*p)), &line);
+        assert!(b.cells.len() < 100);
+        assert_eq!(b.ring(line[0], 0).chain(b.ring(line[0], 1)).count(), 16);
+        assert_eq!(Buckets::new(Aabb::EMPTY, 0).rings(DVec2::ONE), 1);
+        let mut one = filled(Aabb::of(DVec2::ONE), &[DVec2::ONE]);
+        assert_eq!(one.ring(DVec2::ZERO, 0).collect::<Vec<_>>(), [0]);
+        one.remove(0, DVec2::ONE);
+        assert_eq!(one.ring(DVec2::ZERO, 0).count(), 0);
+    }
+}

@@ -1,0 +1,83 @@
+//! From contours to a problem: one item a contour, entries along it, precedence from the nesting, order by rank.
+
+use super::entries::entries;
+use super::model::{Item, ItemId, Node, NodeId, Problem};
+use crate::machine::{Process, Profile, cut_time};
+use crate::sheet::{Contour, Operation, Sheet};
+
+/// The problem of cutting a sheet on a machine. The item of a contour has the contour's index.
+///
+/// * Nodes: see `entries.rs` for where a contour may be entered.
+/// * Precedence: a contour is cut after everything inside it, as what is cut free may shift.
+/// * Rank: by layer when the sheet is ordered by layer, and within it marks before cuts. A contour around another
+///   one has at least that one's rank: where the order by layer would cut an outer contour first, the nesting wins.
+/// * Fixed seconds: piercing (cuts only), beam delays, and the run along the contour from its stored start.
+pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
+    let ranks = ranks(sheet);
+    let mut items = Vec::with_capacity(sheet.contours.len());
+    let mut nodes: Vec<Node> = Vec::new();
+    for ((contour, &rank), item) in sheet.contours.iter().zip(&ranks).zip(0..) {
+        let first = count(&nodes);
+        push_nodes(&mut nodes, item, contour);
+        items.push(Item {
+            nodes: first..count(&nodes),
+            before: contour.inside.filter(|&outer| outer != item && (outer as usize) < sheet.contours.len()),
+            rank,
+            fixed: fixed_seconds(machine, contour),
+        });
+    }
+    Problem { items, nodes, home: machine.home(), closed: machine.return_home, machine: machine.clone() }
+}
+
+fn push_nodes(nodes: &mut Vec<Node>, item: ItemId, contour: &Contour) {
+    let path = &contour.path;
+    if !path.closed
+        && let (Some(start), Some(end)) = (path.start(), path.end())
+    {
+        let (ahead, back) = (count(nodes), count(nodes) + 1);
+        let node = |entry, exit, reversed, twin| Node { item, entry, exit, along: 0.0, reversed, twin };
+        nodes.push(node(start, end, false, back));
+        nodes.push(node(end, start, true, ahead));
+        return;
+    }
+    for (along, entry) in entries(path) {
+        let twin = count(nodes);
+        nodes.push(Node { item, entry, exit: entry, along, reversed: false, twin });
+    }
+}
+
+fn count(nodes: &[Node]) -> NodeId {
+    // The reader's limit of 2,000,000 elements leaves at most 32,000,000 nodes.
+    NodeId::try_from(nodes.len()).unwrap_or(NodeId::MAX)
+}
+
+fn fixed_seconds(machine: &Profile, contour: &Contour) -> f64 {
+    let (process, pierce): (&Process, f64) = match contour.operation {
+        Operation::Cut => (&machine.cut, machine.pierce_time),
+        Operation::Mark | Operation::Ignore => (&machine.mark, 0.0),
+    };
+    let delays = machine.beam_on_delay + machine.beam_off_delay;
+    pierce + delays + cut_time(machine, process, &contour.path.segments)
+}
+
+/// Rank of each contour: by layer, marks before cuts, never below that of anything inside it.
+fn ranks(sheet: &Sheet) -> Vec<u32> {
+    let mut ranks: Vec<u32> = sheet
+        .contours
+        .iter()
+        .map(|c| {
+            let layer = sheet.layers.get(c.layer as usize).map_or(0, |l| l.rank);
+            2 * layer + u32::from(c.operation == Operation::Cut)
+        })
+        .collect();
+    // Innermost first, so that a raised rank goes on outwards.
+    let mut inwards: Vec<usize> = (0..ranks.len()).collect();
+    inwards.sort_by_key(|&c| std::cmp::Reverse(sheet.contours[c].depth));
+    for c in inwards {
+        let rank = ranks[c];
+        if let Some(outer) = sheet.contours[c].inside.and_then(|o| ranks.get_mut(o as usize)) {
+            *outer = rank.max(*outer);
+        }
+    }
+    ranks
+}
