@@ -1,0 +1,204 @@
+//! Whether a cut runs along its contour: from anywhere, either way round, exactly once and wholly.
+//!
+//! The cut is walked along the contour: its first point is looked for on every element, and from each place where
+//! it lies the walk is tried in both directions, cut element by cut element, compared at five points each. A walk
+//! never turns back, so when its length is the contour's, each place has been passed once.
+
+use super::SAME;
+use crate::geometry::{DVec2, Path, Segment};
+
+/// How a cut fails to be its contour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Fault {
+    /// It leaves the contour about here.
+    Strays(DVec2),
+    /// It ends too early or runs on.
+    Length {
+        /// mm cut.
+        worked: f64,
+        /// mm there are.
+        length: f64,
+    },
+}
+
+/// Follows `cut` along `contour`.
+pub(super) fn follows(contour: &Path, cut: &[Segment]) -> Result<(), Fault> {
+    let elements: Vec<Element> =
+        contour.segments.iter().filter(|s| s.length() > 0.0).map(Element::new).collect();
+    let length: f64 = elements.iter().map(|e| e.length).sum();
+    let Some(first) = cut.first() else { return Err(Fault::Length { worked: 0.0, length }) };
+
+    let mut farthest: Option<(f64, Fault)> = None;
+    for (index, element) in elements.iter().enumerate() {
+        let (fraction, distance2) = element.shape.nearest(first.start());
+        if distance2.sqrt() > SAME + element.slack {
+            continue;
+        }
+        for direction in [1.0, -1.0] {
+            let mut walk = Walk {
+                elements: &elements,
+                closed: contour.closed,
+                index,
+                at: fraction * element.length,
+                direction,
+                worked: 0.0,
+            };
+            let fault = match walk.along(cut) {
+                Ok(()) if (walk.worked - length).abs() <= SAME => return Ok(()),
+                Ok(()) => Fault::Length { worked: walk.worked, length },
+                Err(fault) => fault,
+            };
+            if farthest.is_none_or(|(worked, _)| walk.worked > worked) {
+                farthest = Some((walk.worked, fault));
+            }
+        }
+    }
+    Err(farthest.map_or(Fault::Strays(first.start()), |(_, fault)| fault))
+}
+
+/// An element of the contour.
+struct Element<'s> {
+    shape: &'s Segment,
+    length: f64,
+    /// How far its ends are off its own circle, mm: ends that were joined over a gap are.
+    slack: f64,
+}
+
+impl<'s> Element<'s> {
+    fn new(shape: &'s Segment) -> Self {
+        let slack = match shape {
+            Segment::Line(_) => 0.0,
+            Segment::Arc(a) => (a.start.distance(a.center) - a.end.distance(a.center)).abs(),
+        };
+        Self { shape, length: shape.length(), slack }
+    }
+}
+
+/// A place on the contour, going one way.
+struct Walk<'e> {
+    elements: &'e [Element<'e>],
+    closed: bool,
+    index: usize,
+    /// mm along the element.
+    at: f64,
+    /// 1 with the contour, -1 against it.
+    direction: f64,
+    /// mm walked.
+    worked: f64,
+}
+
+impl Walk<'_> {
+    fn along(&mut self, cut: &[Segment]) -> Result<(), Fault> {
+        for piece in cut {
+            let length = piece.length();
+            if length <= SAME * SAME {
+                continue;
+            }
+            self.enter_next().ok_or(Fault::Strays(piece.start()))?;
+            let element = &self.elements[self.index];
+            for t in [0.0, 0.25, 0.5, 0.75, 1.0] {
+                let there = (self.at + self.direction * t * length) / element.length;
+                // A place past the element's end is compared with that end.
+                if element.shape.at(there).distance(piece.at(t)) > SAME + element.slack {
+                    return Err(Fault::Strays(piece.at(t)));
+                }
+            }
+            self.at += self.direction * length;
+            self.worked += length;
+        }
+        Ok(())
+    }
+
+    /// At the end of an element: on to the next; `None` at the end of an open contour.
+    fn enter_next(&mut self) -> Option<()> {
+        let element = &self.elements[self.index];
+        let last = self.elements.len() - 1;
+        if self.direction > 0.0 && self.at >= element.length - SAME {
+            self.index = if self.index < last { self.index + 1 } else { self.closed.then_some(0)? };
+            self.at = 0.0;
+        } else if self.direction < 0.0 && self.at <= SAME {
+            self.index = if self.index > 0 { self.index - 1 } else { self.closed.then_some(last)? };
+            self.at = self.elements[self.index].length;
+        }
+        Some(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Arc;
+
+    fn slot() -> Path {
+        let p = DVec2::new;
+        Path::new(
+            vec![
+                Segment::line(p(0.0, 0.0), p(10.0, 0.0)),
+                Segment::Arc(Arc::new(p(10.0, 0.0), p(10.0, 4.0), p(10.0, 2.0), true)),
+                Segment::line(p(10.0, 4.0), p(0.0, 4.0)),
+                Segment::Arc(Arc::new(p(0.0, 4.0), p(0.0, 0.0), p(0.0, 2.0), true)),
+            ],
+            true,
+        )
+    }
+
+    #[test]
+    fn any_start_and_direction_follow() {
+        let length = slot().length();
+        for k in 0..50 {
+            let cut = slot().starting_at(length * f64::from(k) / 50.0);
+            assert_eq!(follows(&slot(), &cut.segments), Ok(()));
+            assert_eq!(follows(&slot(), &cut.reversed().segments), Ok(()));
+            assert_eq!(follows(&slot().reversed(), &cut.segments), Ok(()));
+        }
+    }
+
+    #[test]
+    fn parts_and_repeats_are_told() {
+        let whole = slot().starting_at(3.0).segments;
+        let length = slot().length();
+        assert!(matches!(
+            follows(&slot(), &whole[..3]),
+            Err(Fault::Length { worked, length: l }) if worked < length - 1.0 && (l - length).abs() < 1e-9
+        ));
+        let twice: Vec<Segment> = whole.iter().chain(&whole).copied().collect();
+        assert!(
+            matches!(follows(&slot(), &twice), Err(Fault::Length { worked, .. }) if worked > length * 1.9)
+        );
+        // Out and back over half of it has the right length and is not the contour.
+        let half = slot().starting_at(0.0).segments[..2].to_vec();
+        let back: Vec<Segment> = half.iter().rev().map(Segment::reversed).collect();
+        let there_and_back: Vec<Segment> = half.into_iter().chain(back).collect();
+        assert!(matches!(follows(&slot(), &there_and_back), Err(Fault::Strays(_))));
+    }
+
+    #[test]
+    fn other_shapes_stray() {
+        let mut cut = slot().segments;
+        cut[1] = Segment::line(DVec2::new(10.0, 0.0), DVec2::new(10.0, 4.0));
+        assert!(matches!(follows(&slot(), &cut), Err(Fault::Strays(_))));
+        let moved: Vec<Segment> = slot()
+            .segments
+            .iter()
+            .map(|s| Segment::line(s.start() + DVec2::X * 1e-4, s.end() + DVec2::X * 1e-4))
+            .collect();
+        assert!(matches!(follows(&slot(), &moved), Err(Fault::Strays(_))));
+    }
+
+    #[test]
+    fn open_contours_are_run_from_end_to_end() {
+        let open = Path::new(slot().segments[..3].to_vec(), false);
+        assert_eq!(follows(&open, &open.segments), Ok(()));
+        assert_eq!(follows(&open, &open.reversed().segments), Ok(()));
+        assert!(matches!(follows(&open, &open.segments[1..]), Err(Fault::Length { .. })));
+    }
+
+    #[test]
+    fn circles_follow_from_any_point() {
+        let circle = Path::new(vec![Segment::Arc(Arc::circle(DVec2::ONE, 5.0))], true);
+        let turned = |a: f64, sweep: f64| vec![Segment::Arc(Arc::from_angles(DVec2::ONE, 5.0, a, sweep))];
+        assert_eq!(follows(&circle, &circle.starting_at(11.0).reversed().segments), Ok(()));
+        assert!(follows(&circle, &turned(0.0, 3.0)).is_err());
+        assert!(follows(&circle, &turned(1.0, 3.0)).is_err());
+    }
+}

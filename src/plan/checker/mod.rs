@@ -1,0 +1,132 @@
+//! Whether a plan does what the sheet asks for: checked from the moves and the geometry alone.
+//!
+//! The checker trusts nobody. It shares no code with the solvers nor with the making of a plan; it finds out by
+//! itself what lies inside what (`nesting.rs`), follows every cut along its contour (`coverage.rs`) and adds lengths
+//! and times up again with a trapezoid formula of its own (`sums.rs`). What it does share is geometry (points and
+//! lengths of elements) and the look-ahead along a contour, which has its own oracle.
+
+mod coverage;
+mod nesting;
+mod order;
+mod sums;
+mod violation;
+
+pub use violation::Violation;
+
+use super::model::{Move, Plan};
+use crate::geometry::Segment;
+use crate::machine::Profile;
+use crate::sheet::{Operation, Sheet};
+
+/// Moves are joined within this, mm: far below any machine's step, far above the last bits of a coordinate.
+const JOIN: f64 = 1e-9;
+/// Places on a contour agree within this, mm: sums of lengths and turned points are off by some 1e-12 of a metre.
+const SAME: f64 = 1e-6;
+
+/// Checks that every contour is worked exactly once and wholly, inner before outer, by rank, with moves joined end
+/// to end from home (and back, if the machine goes back), piercing where it belongs, and sums that add up.
+///
+/// # Errors
+/// All violations found, in order of the moves where they have one.
+pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Violation>> {
+    let mut found = Vec::new();
+    follow(sheet, machine, plan, &mut found);
+    let visits = visits(sheet, plan, &mut found);
+    order::check(sheet, &visits, &mut found);
+    sums::check(sheet, machine, plan, &mut found);
+    if found.is_empty() { Ok(()) } else { Err(found) }
+}
+
+/// Follows the head: joined, finite, the beam on only along contours and after piercing, home at the end.
+fn follow(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+    let mut head = machine.home();
+    let mut pierced = false;
+    for (step, m) in plan.moves.iter().enumerate() {
+        match m {
+            Move::Air { to } => {
+                if !to.is_finite() {
+                    found.push(Violation::NotFinite { step });
+                }
+                if pierced {
+                    found.push(Violation::Beam { step, what: "moves away from where it pierced" });
+                }
+                pierced = false;
+                head = *to;
+            }
+            Move::Pierce => {
+                if pierced {
+                    found.push(Violation::Beam { step, what: "pierces twice" });
+                }
+                pierced = true;
+            }
+            Move::Cut { contour, path, mark } => {
+                if *mark && pierced {
+                    found.push(Violation::Beam { step, what: "pierces for a mark" });
+                }
+                if !*mark && !pierced {
+                    found.push(Violation::Beam { step, what: "cuts without piercing" });
+                }
+                pierced = false;
+                if let Some(c) = sheet.contours.get(*contour as usize)
+                    && *mark != (c.operation == Operation::Mark)
+                {
+                    found.push(Violation::Operation { step, contour: *contour });
+                }
+                for s in path {
+                    let gap = s.start().distance(head);
+                    if !gap.is_finite() || !s.length().is_finite() {
+                        found.push(Violation::NotFinite { step });
+                    } else if gap > JOIN {
+                        found.push(Violation::NotJoined { step, gap });
+                    }
+                    head = s.end();
+                }
+                if path.is_empty() {
+                    found.push(Violation::Beam { step, what: "cuts nothing" });
+                }
+            }
+        }
+    }
+    if pierced {
+        found.push(Violation::Beam { step: plan.moves.len(), what: "pierces and ends" });
+    }
+    let left = head.distance(machine.home());
+    if machine.return_home && left > JOIN {
+        found.push(Violation::NotHome { left });
+    }
+}
+
+/// When each contour is worked: the index among the cuts, `None` for those that are not. Every cut is compared with
+/// its contour on the way.
+fn visits(sheet: &Sheet, plan: &Plan, found: &mut Vec<Violation>) -> Vec<Option<usize>> {
+    let mut visits = vec![None; sheet.contours.len()];
+    for (step, m) in plan.moves.iter().enumerate() {
+        let Move::Cut { contour, path, .. } = m else { continue };
+        let (Some(c), Some(visit)) =
+            (sheet.contours.get(*contour as usize), visits.get_mut(*contour as usize))
+        else {
+            found.push(Violation::Unknown { step, contour: *contour });
+            continue;
+        };
+        if visit.is_some() {
+            found.push(Violation::Again { step, contour: *contour });
+            continue;
+        }
+        *visit = Some(step);
+        if let Err(fault) = coverage::follows(&c.path, path) {
+            found.push(match fault {
+                coverage::Fault::Strays(at) => Violation::Strays { step, contour: *contour, at },
+                coverage::Fault::Length { worked, length } => {
+                    Violation::Partly { step, contour: *contour, worked, length }
+                }
+            });
+        }
+    }
+    for ((contour, visit), c) in (0..).zip(&visits).zip(&sheet.contours) {
+        let nothing_to_do = c.path.segments.iter().all(|s: &Segment| s.length() <= SAME);
+        if visit.is_none() && !nothing_to_do {
+            found.push(Violation::Missing { contour });
+        }
+    }
+    visits
+}

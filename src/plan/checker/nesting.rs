@@ -1,0 +1,156 @@
+//! What lies inside what, found again from the geometry: by winding numbers, exact for arcs.
+
+use super::SAME;
+use crate::geometry::{Aabb, DVec2, Path, Segment, math};
+use crate::sheet::{Contour, Operation, Sheet};
+use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};
+use std::f64::consts::TAU;
+
+/// Points of a contour that are looked at: enough to see one that sticks out where two contours cross.
+const SAMPLES: usize = 16;
+
+/// Every pair of a contour (first) and a closed cut contour that it lies inside of (second), at any depth.
+///
+/// Inside means: of sample points spread over the contour none outside, and at least one inside and not on the
+/// outline. So copies lie in neither, and what crosses an outline does not lie inside it.
+pub(super) fn pairs(sheet: &Sheet) -> Vec<(u32, u32)> {
+    let outers: Vec<u32> = (0..)
+        .zip(&sheet.contours)
+        .filter(|(_, c)| c.path.closed && c.operation == Operation::Cut)
+        .map(|(id, _)| id)
+        .collect();
+    let Some(index) = index(&outers, sheet) else { return Vec::new() };
+    let mut pairs = Vec::new();
+    for (inner, contour) in (0..).zip(&sheet.contours) {
+        let bounds = contour.path.bounds();
+        if bounds.is_empty() {
+            continue;
+        }
+        for hit in index.query(bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y) {
+            let Some(&outer) = outers.get(hit) else { continue };
+            if outer != inner && lies_inside(contour, bounds, &sheet.contours[outer as usize].path) {
+                pairs.push((inner, outer));
+            }
+        }
+    }
+    pairs
+}
+
+fn index(outers: &[u32], sheet: &Sheet) -> Option<StaticAABB2DIndex<f64>> {
+    let mut builder = StaticAABB2DIndexBuilder::new(outers.len());
+    for &id in outers {
+        let b = sheet.contours.get(id as usize)?.path.bounds();
+        builder.add(b.min.x, b.min.y, b.max.x, b.max.y);
+    }
+    builder.build().ok()
+}
+
+fn lies_inside(contour: &Contour, bounds: Aabb, outer: &Path) -> bool {
+    if !outer.bounds().grown(SAME).contains_box(&bounds) {
+        return false;
+    }
+    let segments = &contour.path.segments;
+    let stride = segments.len().div_ceil(SAMPLES / 2).max(1);
+    let mut some_inside = false;
+    for segment in segments.iter().step_by(stride) {
+        for point in [segment.at(0.0), segment.at(0.5)] {
+            if on(outer, point) {
+                continue;
+            }
+            if winding(outer, point) == 0.0 {
+                return false;
+            }
+            some_inside = true;
+        }
+    }
+    some_inside
+}
+
+fn on(path: &Path, point: DVec2) -> bool {
+    path.segments.iter().any(|s| s.bounds().grown(SAME).contains(point) && s.nearest(point).1 <= SAME * SAME)
+}
+
+/// How often a closed path winds around a point that is not on it.
+fn winding(path: &Path, point: DVec2) -> f64 {
+    (path.segments.iter().map(|s| angle_seen(s, point)).sum::<f64>() / TAU).round()
+}
+
+/// The signed angle that an element covers as seen from a point: that of its chord, and a whole turn more where the
+/// point lies between chord and arc.
+fn angle_seen(segment: &Segment, point: DVec2) -> f64 {
+    let (from, to) = (segment.start() - point, segment.end() - point);
+    let chord = math::turn(from, to);
+    let Segment::Arc(arc) = segment else { return chord };
+    let whole = if arc.ccw() { TAU } else { -TAU };
+    let in_disc = point.distance(arc.center) < arc.radius();
+    if arc.is_circle() {
+        return if in_disc { whole } else { 0.0 };
+    }
+    // A counter-clockwise arc runs on the right of its chord.
+    let right = -(arc.end - arc.start).perp_dot(point - arc.start);
+    let side = if arc.ccw() { right } else { -right };
+    if side == 0.0 && in_disc {
+        // On the chord: half a turn, the way the arc goes.
+        chord.abs().copysign(whole)
+    } else if side > 0.0 && in_disc {
+        chord + whole
+    } else {
+        chord
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Arc;
+    use std::f64::consts::PI;
+
+    /// A disc with a bite: three quarters of a circle of radius 2 around the origin, closed by two lines at right
+    /// angles through the point (0.5, 0.5).
+    fn bitten(ccw: bool) -> Path {
+        let arc = Arc::from_angles(DVec2::ZERO, 2.0, PI / 2.0, 1.5 * PI);
+        let notch = DVec2::new(0.5, 0.5);
+        let path = Path::new(
+            vec![Segment::Arc(arc), Segment::line(arc.end, notch), Segment::line(notch, arc.start)],
+            true,
+        );
+        if ccw { path } else { path.reversed() }
+    }
+
+    #[test]
+    fn winding_is_exact_for_arcs() {
+        for (path, turns) in [(bitten(true), 1.0), (bitten(false), -1.0)] {
+            for k in 0..4000_i32 {
+                let p = DVec2::new(f64::from(k % 63) / 12.0 - 2.6, f64::from(k / 63) / 12.0 - 2.6);
+                if on(&path, p) {
+                    continue;
+                }
+                // Outside the three-quarter disc, or in the quarter and beyond both lines.
+                let quarter = p.x > 0.0 && p.y > 0.0;
+                let under = (p.x - 0.5) * 1.5 + (p.y - 0.5) * 0.5 < 0.0
+                    || (p.y - 0.5) * 1.5 + (p.x - 0.5) * 0.5 < 0.0;
+                let inside = if quarter { under && p.x + p.y < 2.0 } else { p.length() < 2.0 };
+                assert_eq!(winding(&path, p) != 0.0, inside, "{p}");
+                assert!(!inside || (winding(&path, p) - turns).abs() < 0.5);
+            }
+        }
+        let circle = Path::new(vec![Segment::Arc(Arc::circle(DVec2::ONE, 1.0))], true);
+        assert!((winding(&circle, DVec2::new(1.9, 1.0)) - 1.0).abs() < 0.5);
+        assert!(winding(&circle, DVec2::new(1.9, 1.9)).abs() < 0.5);
+    }
+
+    #[test]
+    fn points_on_the_chord_of_an_arc() {
+        let half = Path::new(
+            vec![
+                Segment::Arc(Arc::from_angles(DVec2::ZERO, 1.0, PI, PI)),
+                Segment::Arc(Arc::from_angles(DVec2::ZERO, 1.0, 0.0, PI)),
+            ],
+            true,
+        );
+        for p in [DVec2::ZERO, DVec2::new(0.5, 0.0), DVec2::new(-0.5, 0.0)] {
+            assert!((winding(&half, p) - 1.0).abs() < 0.5);
+            assert!((winding(&half.reversed(), p) + 1.0).abs() < 0.5);
+        }
+    }
+}

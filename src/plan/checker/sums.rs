@@ -1,0 +1,104 @@
+//! Lengths, counts and times added up again.
+//!
+//! The trapezoid of an air move stands here a second time on purpose, in the plain form of the textbooks: speed,
+//! acceleration, distance. A slip in `machine/motion.rs` would otherwise pass unseen.
+
+use super::violation::Violation;
+use crate::geometry::{Aabb, DVec2};
+use crate::machine::{Profile, Travel, cut_time};
+use crate::plan::model::{Move, Plan};
+use crate::sheet::Sheet;
+
+/// Sums agree within this part of their size: thousands of additions in another order.
+const RELATIVE: f64 = 1e-9;
+
+pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+    let mut head = machine.home();
+    let (mut contours, mut open, mut pierces) = (0u32, 0u32, 0u32);
+    let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
+    let mut bounds = Aabb::EMPTY;
+    for m in &plan.moves {
+        match m {
+            Move::Air { to } => {
+                air_length += (*to - head).length();
+                air_seconds += air_time(machine, *to - head);
+                head = *to;
+            }
+            Move::Pierce => pierces += 1,
+            Move::Cut { contour, path, mark } => {
+                contours += 1;
+                if let Some(c) = sheet.contours.get(*contour as usize) {
+                    open += u32::from(!c.path.closed);
+                    bounds = bounds.union(c.path.bounds());
+                }
+                cut_length += path.iter().map(|s| s.length()).sum::<f64>();
+                cut_seconds += cut_time(machine, if *mark { &machine.mark } else { &machine.cut }, path);
+                head = path.last().map_or(head, |s| s.end());
+            }
+        }
+    }
+    let delays = machine.beam_on_delay + machine.beam_off_delay;
+    let pierce_seconds = f64::from(pierces) * machine.pierce_time + f64::from(contours) * delays;
+    let s = &plan.summary;
+    let parts = u32::try_from(sheet.parts.len()).unwrap_or(u32::MAX);
+    let total = air_seconds + cut_seconds + pierce_seconds;
+    let mut sums = vec![
+        ("the number of contours", f64::from(s.contours), f64::from(contours)),
+        ("the number of open contours", f64::from(s.open_contours), f64::from(open)),
+        ("the number of parts", f64::from(s.parts), f64::from(parts)),
+        ("the number of piercings", f64::from(s.pierces), f64::from(pierces)),
+        ("the number of pre-cuts", f64::from(s.pre_cuts), 0.0),
+        ("the length of air moves", s.air_length, air_length),
+        ("the length of cuts", s.cut_length, cut_length),
+        ("the time of air moves", s.air_time, air_seconds),
+        ("the time of cuts", s.cut_time, cut_seconds),
+        ("the time of piercing", s.pierce_time, pierce_seconds),
+        ("the time of pre-cuts", s.pre_cut_time, 0.0),
+        ("the time of macros", s.macro_time, 0.0),
+        ("the total time", s.total_time, total),
+    ];
+    if !bounds.is_empty() {
+        let names = ["the least x", "the least y", "the greatest x", "the greatest y"];
+        let all = [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y];
+        sums.extend(
+            names.into_iter().zip(s.bounds).zip(all).map(|((name, says), found)| (name, says, found)),
+        );
+    }
+    if s.lower_bound > 0.0 {
+        sums.push(("the lower bound", s.lower_bound, s.lower_bound.min(total)));
+        sums.push(("the gap", s.gap.unwrap_or(f64::NAN), (total - s.lower_bound) / s.lower_bound));
+    }
+    for (what, says, adds_up) in sums {
+        // Written so that a number that is none is a violation too.
+        let agrees = (says - adds_up).abs() <= RELATIVE * (1.0 + adds_up.abs());
+        if !agrees {
+            found.push(Violation::Sum { what, says, found: adds_up });
+        }
+    }
+}
+
+/// Seconds of an air move along `way`, mm.
+fn air_time(machine: &Profile, way: DVec2) -> f64 {
+    let [vx, vy] = machine.rapid.speed;
+    let [ax, ay] = machine.rapid.accel.unwrap_or([f64::INFINITY; 2]);
+    let distance = way.length();
+    if distance == 0.0 {
+        return 0.0;
+    }
+    let (ux, uy) = (way.x.abs() / distance, way.y.abs() / distance);
+    match machine.travel {
+        Travel::Vector => trapezoid(distance, vx.min(vy), ax.min(ay)),
+        Travel::Straight => trapezoid(distance, (vx / ux).min(vy / uy), (ax / ux).min(ay / uy)),
+        Travel::PerAxis => trapezoid(way.x.abs(), vx, ax).max(trapezoid(way.y.abs(), vy, ay)),
+    }
+}
+
+/// Seconds over `distance` from rest to rest with top speed `v` and acceleration `a`.
+fn trapezoid(distance: f64, v: f64, a: f64) -> f64 {
+    let to_reach_speed = v * v / (2.0 * a);
+    if distance < 2.0 * to_reach_speed {
+        2.0 * (distance / a).sqrt()
+    } else {
+        2.0 * (v / a) + (distance - 2.0 * to_reach_speed) / v
+    }
+}
