@@ -1,14 +1,17 @@
 //! Outputs: what a plan looks like to a machine, to another program and to a person.
 //!
 //! Each format is one file that turns a plan into text, knowing no solver and no clock: [`gcode()`] for the machine,
-//! [`svg()`] for looking and printing, [`json()`] for programs. Lengths in mm.
+//! [`dxf()`] for other cutting software, [`svg()`] for looking and printing, [`json()`] for programs, and [`png`]
+//! (feature `png`) draws the picture of such a JSON document. Lengths in mm.
 
 mod arcs;
+mod dxf;
 mod gcode;
 mod json;
 mod number;
 mod svg;
 
+pub use dxf::dxf;
 pub use gcode::gcode;
 pub use json::{Budget, Document, Input, json};
 pub use svg::svg;

@@ -24,6 +24,7 @@ use crate::machine::{Dialect, Process, Profile};
 use crate::plan::{Move, Plan};
 use crate::sheet::Sheet;
 use pen::Pen;
+use std::mem;
 
 /// Longest comment, in characters: with the semicolon well short of GRBL's 80.
 const COMMENT: usize = 66;
@@ -63,12 +64,12 @@ fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
                     &format!("{order} of {}: {verb} contour {contour}, layer {layer}", plan.summary.contours),
                 );
                 let process = if *mark { &profile.mark } else { &profile.cut };
-                work_contour(&mut pen, profile, process, path, std::mem::take(&mut pierce));
+                work_contour(&mut pen, profile, process, path, mem::take(&mut pierce));
             }
         }
     }
 
-    pen.command("M5 S0");
+    pen.off();
     if let Some(home) = way_home {
         pen.rapid(home);
     }
@@ -104,16 +105,17 @@ fn head(pen: &mut Pen, plan: &Plan, profile: &Profile, name: &str) {
     );
     let [x0, y0, x1, y1] = sums.bounds.map(|v| fixed(v, 1).to_string());
     comment(pen, &format!("mm, x {x0} to {x1}, y {y0} to {y1}"));
-    comment(pen, "GRBL 1.1, laser mode on (setting 32 at 1)");
-    pen.command("M5 S0");
+    comment(pen, "GRBL 1.1, laser mode on, setting 32 at 1");
+    pen.off();
     pen.command("G21 G90 G91.1 G17 G94");
     pen.command("M4 S0");
     pen.find_start();
 }
 
-/// A comment line of plain characters that no controller acts upon.
+/// A comment line of plain characters that no controller acts upon; parentheses, which some take for the comments they
+/// are in other dialects, are left out.
 fn comment(pen: &mut Pen, text: &str) {
-    let plain = |c: char| if c.is_ascii_alphanumeric() || " .,:;_+-=()/".contains(c) { c } else { '_' };
-    let line: String = text.chars().map(plain).take(COMMENT).collect();
+    let plain = |c: char| if c.is_ascii_alphanumeric() || " .,:_+-=/".contains(c) { c } else { '_' };
+    let line: String = text.chars().filter(|c| !"()".contains(*c)).map(plain).take(COMMENT).collect();
     pen.command(&format!("; {}", line.trim_end()));
 }

@@ -70,6 +70,12 @@ impl Pen {
         self.program.push('\n');
     }
 
+    /// Switches the laser off.
+    pub(super) fn off(&mut self) {
+        self.command("M5 S0");
+        "0".clone_into(&mut self.power_in_force);
+    }
+
     /// Feed (mm/min) and power (S) of the work that follows.
     pub(super) fn set_process(&mut self, feed: f64, power: f64) {
         self.feed = fixed(feed, DECIMALS).to_string();

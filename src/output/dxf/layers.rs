@@ -1,0 +1,94 @@
+//! Layers of the sheet under names that every DXF reader takes.
+
+use crate::sheet::Sheet;
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+/// Characters AutoCAD refuses in a name, from R2000 on.
+const FORBIDDEN: &str = "<>/\\\":;?*|,=`";
+/// Longest name AutoCAD takes, in characters as written.
+const LONGEST: usize = 255;
+/// White on black, black on white: for layers without a colour of their own.
+const DEFAULT_COLOR: i16 = 7;
+
+/// Names and colours, by the sheet's layer index.
+pub(super) struct Layers {
+    list: Vec<(String, i16)>,
+}
+
+impl Layers {
+    /// The layers of a sheet. Names that would fall together (case does not count in DXF) get a number.
+    pub(super) fn of(sheet: &Sheet) -> Self {
+        let mut taken = BTreeSet::new();
+        let list = sheet
+            .layers
+            .iter()
+            .map(|layer| {
+                let name = written(&layer.name);
+                let mut unique = name.clone();
+                let mut n = 2;
+                while !taken.insert(unique.to_ascii_uppercase()) {
+                    unique = format!("{name}_{n}");
+                    n += 1;
+                }
+                let color = if (1..=255).contains(&layer.color) { layer.color } else { DEFAULT_COLOR };
+                (unique, color)
+            })
+            .collect();
+        Self { list }
+    }
+
+    /// The name of a layer by its index in the sheet.
+    pub(super) fn name(&self, layer: u32) -> &str {
+        self.list.get(layer as usize).map_or("0", |(name, _)| name)
+    }
+
+    /// Names and colours to be defined: layer 0, which every drawing has, and the rest.
+    pub(super) fn defined(&self) -> Vec<(&str, i16)> {
+        let zero = ("0", DEFAULT_COLOR);
+        let named = self.list.iter().map(|(name, color)| (name.as_str(), *color));
+        if self.list.iter().any(|(name, _)| name == "0") {
+            named.collect()
+        } else {
+            std::iter::once(zero).chain(named).collect()
+        }
+    }
+}
+
+/// A name as it stands in the file: forbidden and control characters replaced, others than ASCII escaped.
+fn written(name: &str) -> String {
+    let mut out = String::new();
+    for c in name.trim().chars() {
+        let mut one = String::new();
+        match c {
+            c if c.is_control() || FORBIDDEN.contains(c) => one.push('_'),
+            c if c.is_ascii() => one.push(c),
+            c => {
+                for unit in c.encode_utf16(&mut [0; 2]) {
+                    let _ = write!(one, "\\U+{unit:04X}");
+                }
+            }
+        }
+        if out.len() + one.len() > LONGEST {
+            break;
+        }
+        out.push_str(&one);
+    }
+    if out.is_empty() { "0".to_owned() } else { out }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::written;
+
+    #[test]
+    fn names_are_ascii_without_forbidden_characters() {
+        assert_eq!(written("Cut outer 3mm"), "Cut outer 3mm");
+        assert_eq!(written(" a/b:c\n "), "a_b_c");
+        assert_eq!(written("au\u{df}en"), "au\\U+00DFen");
+        assert_eq!(written("\u{1f525}"), "\\U+D83D\\U+DD25");
+        assert_eq!(written(""), "0");
+        assert!(written(&"\u{df}".repeat(300)).len() <= 255);
+        assert!(written(&"\u{df}".repeat(300)).ends_with("\\U+00DF"));
+    }
+}

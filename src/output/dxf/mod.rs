@@ -1,0 +1,84 @@
+//! The plan as DXF for other cutting software: contours in cutting order, each one polyline that begins at its entry
+//! and runs in the direction of the cut. mm.
+//!
+//! Software that cuts "in drawing order, as drawn" then cuts the plan. Layers keep their names and colours. Air moves
+//! are not in the file: they would be cut.
+//!
+//! **Why R2000 (AC1015), ASCII.** It is the oldest version that can say its unit ($INSUNITS; R12 cannot, and AutoCAD
+//! refuses header variables it does not know), that keeps layer names as they are (R12 has 31 upper-case letters), and
+//! that has LWPOLYLINE, one record with bulges a contour. Everything that reads DXF at all reads it. The frame around
+//! the entities is the least that AutoCAD accepts, see [`frame`].
+//!
+//! An arc is a bulge, tan(sweep / 4); arcs over half a turn go out in pieces, so no bulge exceeds 1 and a circle is two
+//! halves from its entry. Characters outside ASCII are written `\U+XXXX`, as readers of every code page know them.
+
+mod frame;
+mod layers;
+mod tags;
+
+use super::arcs;
+use super::number::fixed;
+use crate::geometry::{Arc, DVec2, Segment, math};
+use crate::plan::{Move, Plan};
+use crate::sheet::Sheet;
+use layers::Layers;
+use std::f64::consts::PI;
+use tags::Tags;
+
+/// Decimals of a coordinate, mm: a nanometre, far below any joining tolerance.
+const DECIMALS: usize = 6;
+/// Decimals of a bulge: on a chord of 1 km the last one moves the arc by half a nanometre.
+const BULGE_DECIMALS: usize = 12;
+
+/// The contours of a plan as a DXF drawing.
+pub fn dxf(plan: &Plan, sheet: &Sheet) -> String {
+    let layers = Layers::of(sheet);
+    let cuts = plan.moves.iter().filter_map(|step| match step {
+        Move::Cut { contour, path, .. } if !path.is_empty() => Some((*contour as usize, path.as_slice())),
+        _ => None,
+    });
+
+    let mut tags = Tags::default();
+    frame::before_entities(&mut tags, plan.summary.bounds, &layers, cuts.clone().count());
+    for (contour, path) in cuts {
+        let known = sheet.contours.get(contour);
+        let layer = known.map_or("0", |c| layers.name(c.layer));
+        polyline(&mut tags, layer, path, known.is_some_and(|c| c.path.closed));
+    }
+    frame::after_entities(&mut tags);
+    tags.into_text()
+}
+
+fn polyline(tags: &mut Tags, layer: &str, path: &[Segment], closed: bool) {
+    let mut vertices: Vec<(DVec2, f64)> = Vec::with_capacity(path.len() + 1);
+    for segment in path {
+        match segment {
+            Segment::Line(l) => vertices.push((l.start, 0.0)),
+            Segment::Arc(a) => vertices.extend(arcs::split(a, PI).map(|piece| (piece.start, bulge(&piece)))),
+        }
+    }
+    if !closed {
+        vertices.extend(path.last().map(|s| (s.end(), 0.0)));
+    }
+
+    tags.put(0, "LWPOLYLINE");
+    tags.put_new_handle(5);
+    tags.put(330, frame::MODEL_SPACE);
+    tags.put(100, "AcDbEntity");
+    tags.put(8, layer);
+    tags.put(100, "AcDbPolyline");
+    tags.put(90, vertices.len());
+    tags.put(70, u8::from(closed));
+    for (at, bulge) in vertices {
+        tags.put(10, fixed(at.x, DECIMALS));
+        tags.put(20, fixed(at.y, DECIMALS));
+        if bulge != 0.0 {
+            tags.put(42, fixed(bulge, BULGE_DECIMALS));
+        }
+    }
+}
+
+/// The bulge of an arc of at most half a turn, positive counter-clockwise.
+fn bulge(arc: &Arc) -> f64 {
+    math::tan(arc.sweep * 0.25)
+}

@@ -1,0 +1,208 @@
+//! Plans made by hand: known geometry, known order, no reader and no solver involved.
+
+#![allow(dead_code, reason = "each test takes the plans it needs")]
+
+use glam::DVec2;
+use kerfway::dxf::{Drawing, Unit, Units, UnitsSource};
+use kerfway::finding::{Code, Finding, Severity};
+use kerfway::geometry::{Arc, Path, Segment, math};
+use kerfway::machine::{Axes, Dialect, Process, Profile, Travel};
+use kerfway::plan::{Move, Plan, Summary};
+use kerfway::sheet::{Contour, LayerUse, Operation, Sheet};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_xoshiro::Xoshiro256PlusPlus;
+use std::f64::consts::{PI, TAU};
+
+/// A CO2 laser: 1500 mm/min to cut at 80 %, 6000 mm/min to mark at 20 %, 0.5 s to pierce.
+pub(crate) fn machine() -> Profile {
+    Profile {
+        version: 1,
+        name: "test".into(),
+        title: "Test (100 W)".into(),
+        home: [0.0, 0.0],
+        return_home: true,
+        travel: Travel::Straight,
+        rapid: Axes { speed: [400.0; 2], accel: Some([4000.0; 2]) },
+        cut: Process { speed: 25.0, accel: Some(1000.0), power: 0.8 },
+        mark: Process { speed: 100.0, accel: Some(1000.0), power: 0.2 },
+        junction_deviation: Some(0.02),
+        pierce_time: 0.5,
+        beam_on_delay: 0.0,
+        beam_off_delay: 0.0,
+        dialect: Dialect::GrblM4,
+        max_s: 1000.0,
+    }
+}
+
+/// A contour to be planned: layer index, mark or cut, path as it is run.
+pub(crate) struct Stop {
+    pub(crate) layer: u32,
+    pub(crate) operation: Operation,
+    pub(crate) path: Path,
+}
+
+/// The sheet and plan that run `stops` in this order from home (and back, if the machine returns), each cut pierced.
+pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profile) -> (Sheet, Plan) {
+    let bounds = stops.iter().fold(kerfway::geometry::Aabb::EMPTY, |b, s| b.union(s.path.bounds()));
+    let mut summary = Summary {
+        contours: stops.len() as u32,
+        bounds: [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y],
+        total_time: 12.5,
+        ..Summary::default()
+    };
+    let (mut moves, mut contours) = (Vec::new(), Vec::new());
+    let mut at = profile.home();
+    for (id, stop) in stops.into_iter().enumerate() {
+        let (from, to) = (stop.path.start().unwrap(), stop.path.end().unwrap());
+        let mark = stop.operation == Operation::Mark;
+        summary.air_length += at.distance(from);
+        summary.cut_length += stop.path.length();
+        summary.pierces += u32::from(!mark);
+        summary.open_contours += u32::from(!stop.path.closed);
+        moves.push(Move::Air { to: from });
+        if !mark {
+            moves.push(Move::Pierce);
+        }
+        moves.push(Move::Cut { contour: id as u32, path: stop.path.segments.clone(), mark });
+        at = to;
+        contours.push(Contour {
+            layer: stop.layer,
+            operation: stop.operation,
+            inside: None,
+            depth: 0,
+            length: stop.path.length(),
+            area: if stop.path.closed { stop.path.area().abs() } else { 0.0 },
+            bounds: stop.path.bounds(),
+            self_crossing: false,
+            first_shape: id as u32,
+            path: stop.path,
+        });
+    }
+    if profile.return_home {
+        summary.air_length += at.distance(profile.home());
+        moves.push(Move::Air { to: profile.home() });
+    }
+    let layers = layers
+        .iter()
+        .map(|(name, color)| LayerUse {
+            name: (*name).into(),
+            color: *color,
+            operation: Operation::Cut,
+            suggestion: None,
+            rank: 0,
+            contours: 0,
+        })
+        .collect();
+    let sheet =
+        Sheet { contours, parts: vec![], layers, ignored: vec![], outline: None, bounds, findings: vec![] };
+    (sheet, Plan { moves, summary })
+}
+
+/// Three stops: a marked open line, a circle of radius 5 inside a 40 x 30 plate with one round corner, the plate.
+pub(crate) fn small() -> (Sheet, Plan) {
+    let p = |x: f64, y: f64| DVec2::new(x, y);
+    let line = |a, b| Segment::line(a, b);
+    let mark = Path::new(vec![line(p(12.0, 11.0), p(38.0, 11.0))], false);
+    // A hole is run clockwise, entered at its left.
+    let hole = Path::new(vec![Segment::Arc(Arc::from_angles(p(30.0, 25.0), 5.0, PI, -TAU))], true);
+    let corner = Arc::from_angles(p(46.0, 36.0), 4.0, 0.0, PI / 2.0);
+    let plate = Path::new(
+        vec![
+            line(p(10.0, 10.0), p(50.0, 10.0)),
+            line(p(50.0, 10.0), corner.start),
+            Segment::Arc(corner),
+            line(corner.end, p(10.0, 40.0)),
+            line(p(10.0, 40.0), p(10.0, 10.0)),
+        ],
+        true,
+    );
+    let stop = |layer, operation, path| Stop { layer, operation, path };
+    let stops =
+        vec![stop(1, Operation::Mark, mark), stop(0, Operation::Cut, hole), stop(0, Operation::Cut, plate)];
+    let (mut sheet, plan) = plan_of(stops, &[("Cut 3mm", 1), ("Gravur <\u{df}>", 5)], &machine());
+    sheet.contours[1].inside = Some(2);
+    sheet.findings.push(
+        Finding::new(Code::GapClosed, Severity::Warning, "A gap of 0.02 mm was closed.")
+            .at(p(10.0, 40.0))
+            .on_layer("Cut 3mm"),
+    );
+    (sheet, plan)
+}
+
+/// A drawing in inches by its header, without shapes: what a document needs besides sheet and plan.
+pub(crate) fn drawing() -> Drawing {
+    Drawing {
+        version: Some("AC1015".into()),
+        units: Units {
+            unit: Unit::In,
+            source: UnitsSource::Header,
+            reason: "The file says inches.".into(),
+            doubtful: false,
+        },
+        layers: vec![],
+        shapes: vec![],
+        entities: vec![],
+        findings: vec![
+            Finding::new(Code::UnsupportedEntity, Severity::Info, "2 texts are not cut.")
+                .on_layer("Notes")
+                .times(2),
+        ],
+    }
+}
+
+/// A plan of random stops: chains of lines and arcs of every sweep, direction and size, circles, and contours far
+/// smaller than a machine's grid.
+pub(crate) fn random(seed: u64) -> (Sheet, Plan) {
+    let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
+    let stops = (0..rng.random_range(1..12))
+        .map(|_| Stop {
+            layer: rng.random_range(0..2),
+            operation: if rng.random_bool(0.2) { Operation::Mark } else { Operation::Cut },
+            path: random_path(&mut rng),
+        })
+        .collect();
+    plan_of(stops, &[("0", 7), ("B", 3)], &machine())
+}
+
+fn random_path(rng: &mut impl Rng) -> Path {
+    let mut at = DVec2::new(rng.random_range(-500.0..500.0), rng.random_range(-500.0..500.0));
+    if rng.random_bool(0.25) {
+        let sweep = if rng.random_bool(0.5) { TAU } else { -TAU };
+        let radius = random_size(rng);
+        let from = rng.random_range(-PI..PI);
+        let circle = Arc::from_angles(at, radius, from, sweep);
+        return Path::new(vec![Segment::Arc(circle)], true);
+    }
+    let mut segments = Vec::new();
+    for _ in 0..rng.random_range(1..9) {
+        let size = random_size(rng);
+        let heading = math::unit(rng.random_range(-PI..PI));
+        let segment = if rng.random_bool(0.5) {
+            Segment::line(at, at + heading * size.min(1e3))
+        } else {
+            Segment::Arc(random_arc(rng, at, heading, size))
+        };
+        at = segment.end();
+        segments.push(segment);
+    }
+    Path::new(segments, false)
+}
+
+/// An arc from `start` with a radius `radius`; the sweep is spread over all magnitudes, the length held under 10 m.
+fn random_arc(rng: &mut impl Rng, start: DVec2, heading: DVec2, radius: f64) -> Arc {
+    let sweep = match rng.random_range(0..4) {
+        0 => rng.random_range(0.0..TAU),
+        1 => PI + rng.random_range(-1e-6..1e-6),
+        2 => TAU - math::pow(10.0, rng.random_range(-12.0..-1.0)),
+        _ => math::pow(10.0, rng.random_range(-9.0..0.0)),
+    };
+    let sweep = sweep.min(1e4 / radius).max(1e-12);
+    let sweep = if rng.random_bool(0.5) { sweep } else { -sweep };
+    let center = start + heading * radius;
+    Arc { start, end: center + math::rotate(start - center, sweep), center, sweep }
+}
+
+/// From a micrometre to a hundred metres, every magnitude alike.
+fn random_size(rng: &mut impl Rng) -> f64 {
+    math::pow(10.0, rng.random_range(-3.0..5.0))
+}
