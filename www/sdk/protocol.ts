@@ -117,17 +117,23 @@ export interface MachineProfile {
   max_s: number;
 }
 
-export interface PlanOptions {
+/** When a plan stops; with both, whichever comes first. */
+export interface Budget {
+  /** After this many seconds of work. */
+  seconds?: number;
+  /** After this many moves: the same seed and moves give the same bytes everywhere. */
+  moves?: number;
+}
+
+export interface PlanOptions extends Budget {
   /** A preset's name or a whole profile. Default `co2-100w`. */
   machine?: string | MachineProfile;
   /** A method's name. Default: the first of `methods()`. */
   method?: string;
   /** Decides every random choice. Default: invented, and told in the result. */
   seed?: number;
-  /** Stop after this many seconds. Default 10 unless `moves` is given. */
-  seconds?: number;
-  /** Stop after this many moves: the same seed and moves give the same bytes everywhere. */
-  moves?: number;
+  /** A path to start from. */
+  warm?: Pick<BestPath, 'contours' | 'along' | 'reversed'>;
 }
 
 /** What a plan adds up to, mm and s; see `plan/model.rs`. */
@@ -191,18 +197,29 @@ export interface Baselines {
   greedy: Summary;
 }
 
+/** What came of a slice of work, as the core tells the worker. */
+export interface Slice {
+  /** Moves done in it. */
+  done: number;
+  /** The best changed in it. */
+  improved: boolean;
+  end: 'running' | 'budget' | 'exhausted';
+}
+
 export type OutputKind = 'gcode' | 'svg' | 'dxf' | 'json' | 'png';
 
-/** Why a plan ended. */
-export type DoneReason = 'budget' | 'stopped' | 'exhausted';
+/** Why a plan ended; `replaced`: its worker died, what it had told is kept. */
+export type DoneReason = 'budget' | 'stopped' | 'exhausted' | 'replaced';
 
 export type ToWorker =
+  /** Comes first: the compiled planner, shared by all workers. */
+  | { type: 'init'; planner: WebAssembly.Module }
   | { type: 'load'; id: number; bytes: ArrayBuffer; name: string; options: LoadOptions }
   /** Reads the bytes of the last load again with other options. */
   | { type: 'reload'; id: number; options: LoadOptions }
   | { type: 'plan'; id: number; options: PlanOptions }
   /** Goes on with the plan that is done, for another budget. */
-  | { type: 'continue'; id: number; seconds?: number; moves?: number }
+  | { type: 'continue'; id: number; budget: Budget }
   | { type: 'pause' }
   | { type: 'resume' }
   | { type: 'stop' }
@@ -217,4 +234,6 @@ export type FromWorker =
   | { type: 'done'; id: number; reason: DoneReason; progress: Progress }
   | { type: 'output'; id: number; kind: OutputKind; data: string | Uint8Array }
   /** One sentence for people. */
-  | { type: 'failed'; id: number; message: string };
+  | { type: 'failed'; id: number; message: string }
+  /** The planner died and this worker is of no more use: one sentence for people. */
+  | { type: 'broken'; message: string };

@@ -1,0 +1,140 @@
+//! One drawing through the whole flow: what the wasm bindings, native tests and benches hold on to.
+//!
+//! A [`Job`] owns the bytes of one file and everything made of them. It can be loaded again with other options
+//! without the bytes being sent again, planned, planned again, and written out. A search runs in slices of moves:
+//! the caller, who has a clock and a person to listen to, says how many each time. Slices of any size give the same
+//! bytes.
+
+mod options;
+mod path;
+mod report;
+mod run;
+mod warm;
+mod written;
+
+pub use options::{Budget, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
+pub use path::BestPath;
+pub use report::{Baselines, ContourInfo, Geometry, Loaded};
+pub use run::{Run, Slice, SliceEnd};
+pub use warm::Warm;
+pub use written::OutputKind;
+
+use crate::machine::ProfileError;
+use crate::dxf::{self, Drawing, ReadError, ReadOptions};
+use crate::sheet::{self, Sheet, SheetOptions};
+use sha2::{Digest, Sha256};
+
+/// Why a job cannot go on: one sentence for people.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum JobError {
+    /// The file is unusable.
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    /// An option is.
+    #[error("{0}")]
+    Options(String),
+    /// Nothing on the sheet is to be cut or marked.
+    #[error("There is nothing to cut: {0}")]
+    NothingToCut(String),
+    /// Asked for a plan before there was one.
+    #[error("There is no plan yet. Start one first.")]
+    NoPlan,
+    /// The machine is.
+    #[error(transparent)]
+    Machine(#[from] ProfileError),
+    /// A plan did not pass the independent checker: a fault of this program.
+    #[error("The plan does not pass its own check, nothing was written: {0}. Please report this with the drawing.")]
+    Unsound(String),
+}
+
+/// One drawing through the whole flow.
+pub struct Job {
+    name: String,
+    bytes: Vec<u8>,
+    sha256: String,
+    read_options: ReadOptions,
+    sheet_options: SheetOptions,
+    drawing: Drawing,
+    sheet: Sheet,
+    run: Option<Run>,
+}
+
+impl Job {
+    /// Reads a DXF file and arranges its contours.
+    pub fn load(bytes: Vec<u8>, name: &str, options: &LoadOptions) -> Result<Self, JobError> {
+        let read_options = options.read_options()?;
+        let sheet_options = options.sheet_options()?;
+        let drawing = dxf::read(&bytes, &read_options)?;
+        let sheet = sheet::build(&drawing, &sheet_options);
+        let sha256 = Sha256::digest(&bytes).iter().map(|b| format!("{b:02x}")).collect();
+        Ok(Self { name: name.to_owned(), bytes, sha256, read_options, sheet_options, drawing, sheet, run: None })
+    }
+
+    /// The same file with other options; the file is read again only when they concern its reading. A plan under way
+    /// is dropped. After an error everything is as before.
+    pub fn reload(&mut self, options: &LoadOptions) -> Result<(), JobError> {
+        let read_options = options.read_options()?;
+        let sheet_options = options.sheet_options()?;
+        if read_options != self.read_options {
+            self.drawing = dxf::read(&self.bytes, &read_options)?;
+            self.read_options = read_options;
+        }
+        self.sheet = sheet::build(&self.drawing, &sheet_options);
+        self.sheet_options = sheet_options;
+        self.run = None;
+        Ok(())
+    }
+
+    /// What the drawing holds.
+    pub fn report(&self) -> Loaded<'_> {
+        report::loaded(&self.name, &self.sha256, &self.drawing, &self.sheet)
+    }
+
+    /// The contours, by id.
+    pub fn geometry(&self) -> Geometry {
+        Geometry::of(self.sheet.contours.iter().map(|c| &c.path))
+    }
+
+    /// What is shown but not cut.
+    pub fn ignored(&self) -> Geometry {
+        Geometry::of(self.sheet.ignored.iter().map(|i| &i.path))
+    }
+
+    /// The drawing as read.
+    pub fn drawing(&self) -> &Drawing {
+        &self.drawing
+    }
+
+    /// The contours as arranged.
+    pub fn sheet(&self) -> &Sheet {
+        &self.sheet
+    }
+
+    /// Starts a plan; one under way is dropped.
+    pub fn start(&mut self, options: &PlanOptions) -> Result<&Run, JobError> {
+        if self.sheet.contours.is_empty() {
+            return Err(JobError::NothingToCut(self.why_empty()));
+        }
+        self.run = None;
+        Ok(self.run.insert(Run::start(&self.sheet, options)?))
+    }
+
+    /// The plan under way or done.
+    pub fn run(&self) -> Result<&Run, JobError> {
+        self.run.as_ref().ok_or(JobError::NoPlan)
+    }
+
+    /// The same, to go on with it.
+    pub fn run_mut(&mut self) -> Result<&mut Run, JobError> {
+        self.run.as_mut().ok_or(JobError::NoPlan)
+    }
+
+    fn why_empty(&self) -> String {
+        if self.sheet.ignored.is_empty() {
+            "the drawing holds no outlines.".into()
+        } else {
+            format!("all {} outlines are on layers that are left out.", self.sheet.ignored.len())
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! What a caller may ask for: how a drawing is read and arranged, and how it is planned.
+//!
+//! The structs mirror `www/sdk/protocol.ts` (camel case there); what is left out takes the default.
+
+use super::{JobError, Warm};
+use crate::dxf::{ReadOptions, Unit};
+use crate::machine::{self, Profile};
+use crate::sheet::{Operation, SheetOptions};
+use serde::{Deserialize, Serialize};
+
+/// What is done with one layer.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LayerChoice {
+    /// Its name.
+    pub name: String,
+    /// Cut, mark or leave out.
+    pub operation: Operation,
+}
+
+/// How a drawing is read and arranged.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub struct LoadOptions {
+    /// Units given by the person; otherwise header or guess.
+    pub units: Option<Unit>,
+    /// Largest distance between a spline or ellipse and its lines and arcs, mm.
+    pub tolerance: f64,
+    /// Keep entities that were read through a break in the file.
+    pub keep_damaged: bool,
+    /// Ends nearer than this are joined, mm.
+    pub join_tolerance: f64,
+    /// What is done with each layer; the order of the list is the order by layer.
+    pub layers: Vec<LayerChoice>,
+    /// Work layer after layer.
+    pub order_by_layer: bool,
+    /// Leave out the lone border around everything.
+    pub ignore_outline: bool,
+}
+
+impl Default for LoadOptions {
+    fn default() -> Self {
+        let (read, sheet) = (ReadOptions::default(), SheetOptions::default());
+        Self {
+            units: read.unit,
+            tolerance: read.tolerance,
+            keep_damaged: read.keep_damaged,
+            join_tolerance: sheet.join_tolerance,
+            layers: Vec::new(),
+            order_by_layer: sheet.order_by_layer,
+            ignore_outline: sheet.ignore_outline,
+        }
+    }
+}
+
+/// Tolerance of curves, mm: below a nanometre `f64` has nothing left for sheets of metres, above a millimetre a
+/// curve is no longer the curve that was drawn.
+const TOLERANCE: std::ops::RangeInclusive<f64> = 1e-6..=1.0;
+/// Distance over which ends are joined, mm: more than this would join what was drawn apart.
+const JOIN_TOLERANCE: std::ops::RangeInclusive<f64> = 0.0..=5.0;
+
+impl LoadOptions {
+    /// For the reader.
+    pub fn read_options(&self) -> Result<ReadOptions, JobError> {
+        within("tolerance", self.tolerance, TOLERANCE)?;
+        Ok(ReadOptions {
+            unit: self.units,
+            tolerance: self.tolerance,
+            keep_damaged: self.keep_damaged,
+            ..ReadOptions::default()
+        })
+    }
+
+    /// For the sheet.
+    pub fn sheet_options(&self) -> Result<SheetOptions, JobError> {
+        within("join tolerance", self.join_tolerance, JOIN_TOLERANCE)?;
+        Ok(SheetOptions {
+            join_tolerance: self.join_tolerance,
+            layers: self.layers.iter().map(|l| (l.name.clone(), l.operation)).collect(),
+            order_by_layer: self.order_by_layer,
+            ignore_outline: self.ignore_outline,
+            ..SheetOptions::default()
+        })
+    }
+}
+
+fn within(what: &str, mm: f64, range: std::ops::RangeInclusive<f64>) -> Result<(), JobError> {
+    if range.contains(&mm) {
+        return Ok(());
+    }
+    let (low, high) = range.into_inner();
+    Err(JobError::Options(format!("The {what} is {mm} mm. Give one from {low} to {high} mm.")))
+}
+
+/// A preset by name, or a whole profile.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum MachineChoice {
+    /// Name of a preset.
+    Preset(String),
+    /// Everything given.
+    Profile(Box<Profile>),
+}
+
+impl Default for MachineChoice {
+    fn default() -> Self {
+        Self::Preset("co2-100w".into())
+    }
+}
+
+impl MachineChoice {
+    /// The profile meant, if it can be planned with.
+    pub fn profile(&self) -> Result<Profile, JobError> {
+        match self {
+            Self::Profile(p) => {
+                p.validate()?;
+                Ok((**p).clone())
+            }
+            Self::Preset(name) => machine::preset(name).ok_or_else(|| {
+                let names: Vec<_> = machine::presets().into_iter().map(|p| p.name).collect();
+                JobError::Options(format!("There is no machine named {name}. Choose one of: {}.", names.join(", ")))
+            }),
+        }
+    }
+}
+
+/// When to stop. The core counts moves itself; seconds are the caller's, who has a clock, and only told on.
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
+pub struct Budget {
+    /// Seconds of work.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seconds: Option<f64>,
+    /// Moves of the search: the same seed and moves give the same bytes everywhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moves: Option<u64>,
+}
+
+/// How a loaded drawing is planned.
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct PlanOptions {
+    /// The machine.
+    pub machine: MachineChoice,
+    /// A method's name; the first of [`crate::solve::methods`] when left out.
+    pub method: Option<String>,
+    /// Decides every random choice.
+    pub seed: u64,
+    /// A path to start from.
+    pub warm: Option<Warm>,
+    /// When to stop: seconds of work.
+    pub seconds: Option<f64>,
+    /// When to stop: moves of the search.
+    pub moves: Option<u64>,
+}
+
+impl PlanOptions {
+    /// When to stop.
+    pub fn budget(&self) -> Budget {
+        Budget { seconds: self.seconds, moves: self.moves }
+    }
+}

@@ -1,0 +1,128 @@
+//! A plan under way: the problem, the search that works on it, its budget and what it has found.
+
+use super::options::{Budget, PlanOptions};
+use super::{Baselines, JobError, warm};
+use crate::machine::Profile;
+use crate::plan::{self, Plan};
+use crate::problem::{self, Problem};
+use crate::sheet::Sheet;
+use crate::solve::{self, Search, Solution, SolverInfo, Status, Telemetry};
+
+type Searching<'p> = Box<dyn Search + 'p>;
+
+// The search borrows its problem; both live as long as the run.
+self_cell::self_cell!(
+    struct Running {
+        owner: Problem,
+        #[covariant]
+        dependent: Searching,
+    }
+);
+
+/// Why a slice ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SliceEnd {
+    /// Its work is done; more may help.
+    Running,
+    /// All the moves of the budget are done.
+    Budget,
+    /// The method can gain nothing more.
+    Exhausted,
+}
+
+/// What came of a slice of work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct Slice {
+    /// Moves done in it.
+    pub done: u64,
+    /// The best plan changed in it.
+    pub improved: bool,
+    /// Why it ended.
+    pub end: SliceEnd,
+}
+
+/// A plan under way or done.
+pub struct Run {
+    /// The machine it is for.
+    pub machine: Profile,
+    /// The method at work.
+    pub method: SolverInfo,
+    /// What decides its random choices.
+    pub seed: u64,
+    /// When it stops.
+    pub budget: Budget,
+    /// How the job would run without it.
+    pub baselines: Baselines,
+    running: Running,
+}
+
+impl Run {
+    pub(super) fn start(sheet: &Sheet, options: &PlanOptions) -> Result<Self, JobError> {
+        let machine = options.machine.profile()?;
+        let method = match &options.method {
+            None => solve::methods().first().copied(),
+            Some(name) => solve::method(name),
+        };
+        let method = method.ok_or_else(|| unknown_method(options.method.as_deref().unwrap_or_default()))?;
+        let problem = problem::from_sheet(sheet, &machine);
+        let summary = |s: &Solution| plan::from_solution(sheet, &problem, s).summary;
+        let greedy = solve::greedy(&problem);
+        let baselines = Baselines {
+            drawing: summary(&solve::drawing_order(sheet, &problem)),
+            greedy: summary(&greedy),
+        };
+        let seed = options.seed;
+        let warm = options.warm.as_ref().map(|w| warm::solution(w, &problem)).transpose()?;
+        let running = Running::new(problem, |p| method.start(p, seed, Some(warm.as_ref().unwrap_or(&greedy))));
+        Ok(Self { machine, method: method.info(), seed, budget: options.budget(), baselines, running })
+    }
+
+    /// Works for at most `work` moves, and never past the budget.
+    pub fn step(&mut self, work: u64) -> Slice {
+        let before = self.telemetry().moves;
+        let left = self.budget.moves.map_or(u64::MAX, |all| all.saturating_sub(before));
+        if left == 0 {
+            return Slice { done: 0, improved: false, end: SliceEnd::Budget };
+        }
+        let step = self.running.with_dependent_mut(|_, search| search.step(work.min(left)));
+        let end = match step.status {
+            Status::Exhausted => SliceEnd::Exhausted,
+            Status::Running if step.done >= left => SliceEnd::Budget,
+            Status::Running => SliceEnd::Running,
+        };
+        Slice { done: step.done, improved: step.improved, end }
+    }
+
+    /// Grants another budget on top of what is done.
+    pub fn extend(&mut self, more: Budget) {
+        let done = self.telemetry().moves;
+        self.budget = Budget { seconds: more.seconds, moves: more.moves.map(|m| done.saturating_add(m)) };
+    }
+
+    /// Numbers of the search.
+    pub fn telemetry(&self) -> Telemetry {
+        self.running.borrow_dependent().telemetry()
+    }
+
+    /// The problem the search works on.
+    pub fn problem(&self) -> &Problem {
+        self.running.borrow_owner()
+    }
+
+    /// The best solution so far.
+    pub fn best(&self) -> &Solution {
+        self.running.borrow_dependent().best()
+    }
+
+    /// The best solution so far as moves of the head, with times.
+    pub fn plan(&self, sheet: &Sheet) -> Plan {
+        plan::from_solution(sheet, self.problem(), self.best())
+    }
+}
+
+fn unknown_method(name: &str) -> JobError {
+    let names: Vec<_> = solve::methods().iter().map(|m| m.info().name).collect();
+    JobError::Options(format!("There is no method named {name}. Choose one of: {}.", names.join(", ")))
+}
+

@@ -1,0 +1,114 @@
+//! A path that comes from outside, to start a search from: what a worker had found before it was replaced.
+
+use super::JobError;
+use crate::problem::Problem;
+use crate::solve::{Solution, Stop};
+use serde::{Deserialize, Serialize};
+
+/// The order of contours, where each is entered and which way it is run; as in [`super::BestPath`].
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
+pub struct Warm {
+    /// Contour of each stop.
+    pub contours: Vec<u32>,
+    /// Arc length from the contour's stored start to the entry, mm.
+    pub along: Vec<f64>,
+    /// 1 where a stop runs its contour against the stored direction.
+    pub reversed: Vec<u8>,
+}
+
+/// Entries nearer to each other than this are one, mm. Paths come back bit for bit; this leaves room for those that
+/// were written down with six digits, and is far below the distance of two entries.
+const SAME_PLACE: f64 = 1e-6;
+
+/// The nodes a path names, when it visits every contour of the problem once, in an allowed order.
+pub(super) fn solution(warm: &Warm, problem: &Problem) -> Result<Solution, JobError> {
+    let stops = warm.contours.iter().zip(&warm.along).zip(&warm.reversed).map(|((&item, &along), &reversed)| {
+        let nodes = problem.items.get(item as usize)?.nodes.clone();
+        nodes.map(|node| Stop { node }).find(|stop| {
+            let node = &problem.nodes[stop.node as usize];
+            node.reversed == (reversed != 0) && (node.along - along).abs() <= SAME_PLACE
+        })
+    });
+    stops
+        .collect::<Option<Vec<Stop>>>()
+        .filter(|stops| allowed(stops, problem))
+        .map(|stops| Solution::new(problem, stops))
+        .ok_or_else(|| JobError::Options("The path to start from is not one of this drawing.".into()))
+}
+
+/// Every item that can be visited is, once; none before what lies inside it or what has a lower rank.
+fn allowed(stops: &[Stop], problem: &Problem) -> bool {
+    let mut place = vec![None; problem.items.len()];
+    let mut rank = 0;
+    for (k, stop) in stops.iter().enumerate() {
+        let item = problem.nodes[stop.node as usize].item as usize;
+        if place[item].replace(k).is_some() || problem.items[item].rank < rank {
+            return false;
+        }
+        rank = problem.items[item].rank;
+    }
+    problem.items.iter().zip(&place).all(|(item, at)| match at {
+        None => item.nodes.is_empty(),
+        Some(_) => item.before.is_none_or(|outer| place[outer as usize].is_none_or(|o| Some(o) > *at)),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::DVec2;
+    use crate::machine;
+    use crate::problem::{Item, Node};
+
+    /// Three items with two entries each, the first inside the last.
+    fn problem() -> Problem {
+        let entry = |item, x: f64, along| Node {
+            item,
+            entry: DVec2::new(x, 0.0),
+            exit: DVec2::new(x, 0.0),
+            along,
+            reversed: false,
+            twin: 0,
+        };
+        let nodes = (0..3).flat_map(|i| [entry(i, f64::from(i), 0.0), entry(i, f64::from(i) + 0.5, 10.0)]);
+        let mut nodes: Vec<Node> = nodes.collect();
+        for (node, id) in nodes.iter_mut().zip(0..) {
+            node.twin = id;
+        }
+        let item = |i: u32, before| Item { nodes: 2 * i..2 * i + 2, before, rank: 0, fixed: 1.0 };
+        let machine = machine::preset("length").unwrap();
+        Problem {
+            items: vec![item(0, Some(2)), item(1, None), item(2, None)],
+            nodes,
+            home: DVec2::ZERO,
+            closed: false,
+            machine,
+        }
+    }
+
+    fn warm(contours: &[u32], along: &[f64]) -> Warm {
+        Warm { contours: contours.to_vec(), along: along.to_vec(), reversed: vec![0; contours.len()] }
+    }
+
+    #[test]
+    fn a_path_of_this_drawing_becomes_the_nodes_it_names() {
+        let found = solution(&warm(&[1, 0, 2], &[10.0, 0.0, 10.0]), &problem()).unwrap();
+        assert_eq!(found.stops, [Stop { node: 3 }, Stop { node: 0 }, Stop { node: 5 }]);
+        // From home at 0 to 1.5, back to 0, on to 2.5, at unit speed.
+        assert!((found.cost - 5.5).abs() < 1e-12, "{}", found.cost);
+    }
+
+    #[test]
+    fn a_path_of_another_drawing_is_refused() {
+        let cases = [
+            ("too short", warm(&[1, 0], &[0.0, 0.0])),
+            ("twice the same", warm(&[0, 0, 2], &[0.0, 0.0, 0.0])),
+            ("no such contour", warm(&[0, 1, 7], &[0.0, 0.0, 0.0])),
+            ("no such entry", warm(&[0, 1, 2], &[0.0, 3.0, 0.0])),
+            ("outer before inner", warm(&[2, 0, 1], &[0.0, 0.0, 0.0])),
+        ];
+        for (what, path) in cases {
+            assert!(solution(&path, &problem()).is_err(), "{what}");
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! The best plan of a job, written out. Nothing is written that does not pass the independent checker.
+
+use super::{Job, JobError};
+use crate::output::{self, Budget, Document, Input};
+use crate::plan::{self, Plan};
+use std::str::FromStr;
+
+/// What can be written. Pictures are made of the JSON, by the PNG renderer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OutputKind {
+    /// For the machine.
+    Gcode,
+    /// For looking at.
+    Svg,
+    /// Contours in cutting order, entry first.
+    Dxf,
+    /// `kerfway.plan/1`.
+    Json,
+}
+
+impl FromStr for OutputKind {
+    type Err = JobError;
+
+    fn from_str(name: &str) -> Result<Self, JobError> {
+        match name {
+            "gcode" => Ok(Self::Gcode),
+            "svg" => Ok(Self::Svg),
+            "dxf" => Ok(Self::Dxf),
+            "json" => Ok(Self::Json),
+            _ => Err(JobError::Options(format!(
+                "There is no output named {name}. Choose one of: gcode, svg, dxf, json."
+            ))),
+        }
+    }
+}
+
+impl Job {
+    /// The best plan so far, checked.
+    pub fn plan(&self) -> Result<Plan, JobError> {
+        let run = self.run()?;
+        let plan = run.plan(&self.sheet);
+        match plan::check(&self.sheet, &run.machine, &plan) {
+            Ok(()) => Ok(plan),
+            Err(violations) => {
+                let first = violations.first().map(ToString::to_string).unwrap_or_default();
+                Err(JobError::Unsound(first))
+            }
+        }
+    }
+
+    /// The best plan so far, checked and written out.
+    pub fn output(&self, kind: OutputKind) -> Result<String, JobError> {
+        let plan = self.plan()?;
+        let run = self.run()?;
+        Ok(match kind {
+            OutputKind::Gcode => output::gcode(&plan, &self.sheet, &run.machine, &self.name),
+            OutputKind::Svg => output::svg(&plan, &self.sheet, &run.machine),
+            OutputKind::Dxf => output::dxf(&plan, &self.sheet),
+            OutputKind::Json => output::json(&Document {
+                input: Input { name: &self.name, sha256: &self.sha256 },
+                drawing: &self.drawing,
+                sheet: &self.sheet,
+                read: &self.read_options,
+                arrange: &self.sheet_options,
+                machine: &run.machine,
+                method: run.method.name,
+                seed: run.seed,
+                budget: Budget {
+                    moves: run.budget.moves,
+                    seconds: run.budget.seconds,
+                    done: run.telemetry().moves,
+                },
+                plan: &plan,
+            }),
+        })
+    }
+}

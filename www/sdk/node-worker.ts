@@ -1,0 +1,18 @@
+/** The planner in a worker thread of Node. */
+
+import { readFile } from 'node:fs/promises';
+import { parentPort } from 'node:worker_threads';
+import type { ToWorker } from './protocol.js';
+import { type Host, Session } from './session.js';
+
+const host: Host = {
+  post: (message, transfer = []) => parentPort?.postMessage(message, transfer),
+  png: async () => {
+    const renderer = await import('./pkg/kerfway_png.js');
+    renderer.initSync({ module: await readFile(new URL('./pkg/kerfway_png_bg.wasm', import.meta.url)) });
+    return renderer.render;
+  },
+};
+
+const session = new Session(host);
+parentPort?.on('message', (message: ToWorker) => session.receive(message));

@@ -1,0 +1,134 @@
+/** A plan under way, as its caller holds it, and what is known of it. */
+
+import type { Baselines, BestPath, DoneReason, FromWorker, PlanOptions, Progress } from './protocol.js';
+
+/** What a plan started with. */
+export interface Started {
+  seed: number;
+  method: string;
+  baselines: Baselines;
+}
+
+/** What a plan came to; `progress.path` is always set. */
+export interface PlanResult extends Started {
+  reason: DoneReason;
+  progress: Progress;
+}
+
+/** A plan under way. */
+export interface PlanHandle {
+  /** Resolves when the search begins, with the job as it would run without it. */
+  readonly started: Promise<Started>;
+  /** Resolves when the plan ends, however it does; rejects with one sentence when there can be none. */
+  readonly done: Promise<PlanResult>;
+  pause(): void;
+  resume(): void;
+  /** Ends the plan at once; the best found is kept. */
+  stop(): void;
+}
+
+/** The messages that concern a plan. */
+export type PlanMessage = Extract<FromWorker, { type: 'started' | 'progress' | 'done' | 'failed' }>;
+
+/** A plan from its start to its end. */
+export class RunningPlan {
+  readonly handle: PlanHandle;
+  paused = false;
+  ended = false;
+  begun: Started | null = null;
+  /** The best path told so far: what a new worker starts from. */
+  path: BestPath | null = null;
+
+  private last: Progress | null = null;
+  private readonly started = deferred<Started>();
+  private readonly done = deferred<PlanResult>();
+
+  constructor(
+    readonly id: number,
+    readonly options: PlanOptions,
+    private readonly onProgress: (progress: Progress) => void,
+    post: (message: { type: 'pause' | 'resume' | 'stop' }) => void,
+  ) {
+    // Whoever waits for the end alone hears of a failure there.
+    this.started.promise.catch(() => {});
+    this.handle = {
+      started: this.started.promise,
+      done: this.done.promise,
+      pause: () => this.steer(post, 'pause'),
+      resume: () => this.steer(post, 'resume'),
+      stop: () => this.steer(post, 'stop'),
+    };
+  }
+
+  /** Goes on where another plan ended. */
+  follow(before: RunningPlan): void {
+    this.path = before.path;
+    if (before.begun !== null) this.begin(before.begun);
+  }
+
+  hear(message: PlanMessage): void {
+    switch (message.type) {
+      case 'started':
+        this.begin({ seed: message.seed, method: message.method, baselines: message.baselines });
+        return;
+      case 'progress':
+        this.keep(message.progress);
+        this.onProgress(message.progress);
+        return;
+      case 'done':
+        this.keep(message.progress);
+        this.end(message.reason);
+        return;
+      case 'failed':
+        this.fail(message.message);
+        return;
+    }
+  }
+
+  /** The worker is gone: what was told is what there is. */
+  interrupt(message: string): void {
+    if (this.path === null) this.fail(message);
+    else this.end('replaced');
+  }
+
+  fail(message: string): void {
+    this.ended = true;
+    this.started.reject(new Error(message));
+    this.done.reject(new Error(message));
+  }
+
+  private begin(started: Started): void {
+    this.begun = started;
+    this.started.resolve(started);
+  }
+
+  private keep(progress: Progress): void {
+    this.last = progress;
+    this.path = progress.path ?? this.path;
+  }
+
+  private end(reason: DoneReason): void {
+    this.ended = true;
+    if (this.begun === null || this.last === null) return;
+    this.done.resolve({ ...this.begun, reason, progress: { ...this.last, path: this.path } });
+  }
+
+  private steer(post: (message: { type: 'pause' | 'resume' | 'stop' }) => void, type: 'pause' | 'resume' | 'stop') {
+    if (this.ended) return;
+    this.paused = type === 'pause';
+    post({ type });
+  }
+}
+
+interface Deferred<T> {
+  promise: Promise<T>;
+  resolve: (value: T) => void;
+  reject: (error: Error) => void;
+}
+
+function deferred<T>(): Deferred<T> {
+  let resolve!: Deferred<T>['resolve'];
+  let reject!: Deferred<T>['reject'];
+  const promise = new Promise<T>((yes, no) => ((resolve = yes), (reject = no)));
+  return { promise, resolve, reject };
+}

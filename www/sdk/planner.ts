@@ -1,0 +1,251 @@
+/**
+ * The planner as a page or a program sees it: load a drawing, plan it, watch it improve, write it out. The work runs
+ * in a worker. One that dies or hangs is replaced: the drawing is loaded again and the best plan found is put back, so
+ * nothing that was reached is lost.
+ */
+
+import { Line, PATIENCE, type StartWorker } from './line.js';
+import { RunningPlan, type PlanHandle, type PlanMessage } from './plan-handle.js';
+import type {
+  Budget,
+  FromWorker,
+  LoadOptions,
+  Loaded,
+  MachineProfile,
+  MethodInfo,
+  OutputKind,
+  PlanOptions,
+  Progress,
+  ToWorker,
+} from './protocol.js';
+
+export interface PlannerOptions {
+  /** The compiled planner, or its bytes; otherwise it is read from beside this module. */
+  wasm?: WebAssembly.Module | BufferSource;
+  /** Told in one sentence when a worker had to be replaced. */
+  onReplaced?: (message: string) => void;
+}
+
+/** What a planner is made of. */
+export interface Parts {
+  module: WebAssembly.Module;
+  start: StartWorker;
+  onReplaced?: ((message: string) => void) | undefined;
+  /** Seconds after which a silent worker counts as hung. */
+  patience?: typeof PATIENCE;
+}
+
+/** The answers to requests, by what was asked. */
+interface Answers {
+  load: Extract<FromWorker, { type: 'loaded' }>;
+  output: Extract<FromWorker, { type: 'output' }>;
+  restore: Extract<FromWorker, { type: 'done' }>;
+}
+
+/** The messages that answer a request for good. */
+const FINAL = new Set(['loaded', 'output', 'done', 'failed']);
+
+interface Drawing {
+  bytes: ArrayBuffer;
+  name: string;
+  options: LoadOptions;
+}
+
+interface Request {
+  resolve: (answer: never) => void;
+  reject: (error: Error) => void;
+}
+
+export class Planner {
+  /** The methods there are, the default first. */
+  methods: readonly MethodInfo[] = [];
+  /** The machines there are, the default first. */
+  machines: readonly MachineProfile[] = [];
+
+  private line!: Line;
+  private lastId = 0;
+  private readonly requests = new Map<number, Request>();
+  /** Plans under way: one, and for a moment the one it takes the place of. */
+  private readonly plans = new Map<number, RunningPlan>();
+  /** The drawing in the worker. */
+  private drawing: Drawing | null = null;
+  /** The last plan, under way or ended. */
+  private current: RunningPlan | null = null;
+  /** Messages wait for this: a worker that is there, with the drawing in it. */
+  private ready: Promise<void> = Promise.resolve();
+  private greeting: { resolve: () => void; reject: (error: Error) => void } | null = null;
+  /** Whether the present worker has ever spoken. */
+  private greeted = false;
+  private restoring = false;
+
+  private constructor(private readonly parts: Parts) {}
+
+  /** A planner whose worker is ready. */
+  static async open(parts: Parts): Promise<Planner> {
+    const planner = new Planner(parts);
+    planner.ready = planner.openLine();
+    await planner.ready;
+    return planner;
+  }
+
+  /** Reads a DXF file. A plan under way ends. Rejects with one sentence when the file is unusable. */
+  async load(bytes: ArrayBuffer | Uint8Array, name: string, options: LoadOptions = {}): Promise<Loaded> {
+    const drawing = { bytes: ownCopy(bytes), name, options };
+    await this.ready;
+    const { loaded } = await this.ask<'load'>((id) => ({ type: 'load', id, ...drawing }));
+    this.drawing = drawing;
+    this.current = null;
+    return loaded;
+  }
+
+  /** Reads the same file with other options. A plan under way ends. */
+  async reload(options: LoadOptions): Promise<Loaded> {
+    await this.ready;
+    const { loaded } = await this.ask<'load'>((id) => ({ type: 'reload', id, options }));
+    if (this.drawing !== null) this.drawing = { ...this.drawing, options };
+    this.current = null;
+    return loaded;
+  }
+
+  /** Plans the loaded drawing. One plan runs at a time; one under way ends. */
+  plan(options: PlanOptions = {}, onProgress: (progress: Progress) => void = () => {}): PlanHandle {
+    const plan = this.newPlan(options, onProgress);
+    return this.begin(plan, { type: 'plan', id: plan.id, options });
+  }
+
+  /** Goes on with the last plan, for another budget. */
+  continue(budget: Budget, onProgress: (progress: Progress) => void = () => {}): PlanHandle {
+    const plan = this.newPlan({ ...this.current?.options, ...budget }, onProgress);
+    if (this.current !== null) plan.follow(this.current);
+    return this.begin(plan, { type: 'continue', id: plan.id, budget });
+  }
+
+  /** The best plan so far, checked and written out; `width` is that of the picture, in pixels. */
+  async output(kind: 'png', width?: number): Promise<Uint8Array>;
+  async output(kind: Exclude<OutputKind, 'png'>): Promise<string>;
+  async output(kind: OutputKind, width?: number): Promise<string | Uint8Array>;
+  async output(kind: OutputKind, width?: number): Promise<string | Uint8Array> {
+    await this.ready;
+    const size = width === undefined ? {} : { width };
+    return (await this.ask<'output'>((id) => ({ type: 'output', id, kind, ...size }))).data;
+  }
+
+  /** Ends the worker; whatever was under way is told so. */
+  close(): void {
+    this.line.close();
+    this.abandon('The planner was closed.');
+  }
+
+  private newPlan(options: PlanOptions, onProgress: (progress: Progress) => void): RunningPlan {
+    return new RunningPlan(++this.lastId, options, onProgress, (message) => this.whenReady(message));
+  }
+
+  private begin(plan: RunningPlan, message: ToWorker): PlanHandle {
+    this.current = plan;
+    this.plans.set(plan.id, plan);
+    this.whenReady(message);
+    return plan.handle;
+  }
+
+  private whenReady(message: ToWorker): void {
+    void this.ready.then(() => {
+      this.line.post(message);
+      this.attend();
+    });
+  }
+
+  private ask<K extends keyof Answers>(message: (id: number) => ToWorker): Promise<Answers[K]> {
+    return new Promise((resolve, reject) => {
+      const id = ++this.lastId;
+      this.requests.set(id, { resolve, reject });
+      this.line.post(message(id));
+      this.attend();
+    });
+  }
+
+  private openLine(): Promise<void> {
+    return new Promise((resolve, reject) => {
+      this.greeted = false;
+      this.greeting = { resolve, reject };
+      const { start, module, patience } = this.parts;
+      this.line = new Line(start, module, (m) => this.hear(m), (why) => void this.replace(why), patience);
+      this.line.expect('working');
+    });
+  }
+
+  private hear(message: FromWorker): void {
+    if (message.type === 'ready') {
+      this.methods = message.methods;
+      this.machines = message.machines;
+      this.greeted = true;
+      this.greeting?.resolve();
+    } else if ('id' in message) {
+      this.deliver(message);
+    }
+    this.attend();
+  }
+
+  private deliver(message: Extract<FromWorker, { id: number }>): void {
+    const plan = this.plans.get(message.id);
+    const request = this.requests.get(message.id);
+    if (plan !== undefined) {
+      plan.hear(message as PlanMessage);
+      if (plan.ended) this.plans.delete(message.id);
+    } else if (request !== undefined && FINAL.has(message.type)) {
+      this.requests.delete(message.id);
+      if (message.type === 'failed') request.reject(new Error(message.message));
+      else request.resolve(message as never);
+    }
+  }
+
+  // Judges the silence of the worker by what it has to do.
+  private attend(): void {
+    const plans = [...this.plans.values()].filter((p) => !p.paused);
+    const searching = plans.length > 0 && plans.every((p) => p.begun !== null) && this.requests.size === 0;
+    const busy = plans.length > 0 || this.requests.size > 0;
+    this.line.expect(searching ? 'searching' : busy ? 'working' : 'idle');
+  }
+
+  // A worker died. What it was reading is not read again: it may be what killed it. What was there before comes back,
+  // once: a worker that dies of that is replaced by an empty one.
+  private async replace(why: string): Promise<void> {
+    const kept = this.restoring ? null : this.drawing;
+    const message = `${why} It was started again${kept === null ? '.' : ' and the drawing loaded again.'}`;
+    this.abandon(message);
+    if (!this.greeted) {
+      this.greeting?.reject(new Error(`The planner could not be started. ${why}`));
+      return;
+    }
+    const plan = kept === null ? null : this.current;
+    [this.drawing, this.current] = [null, null];
+    this.ready = this.openLine().then(() => (kept === null ? undefined : this.restore(kept, plan)));
+    await this.ready;
+    this.parts.onReplaced?.(message);
+  }
+
+  private async restore(drawing: Drawing, plan: RunningPlan | null): Promise<void> {
+    this.restoring = true;
+    try {
+      await this.ask<'load'>((id) => ({ type: 'load', id, ...drawing }));
+      this.drawing = drawing;
+      if (plan === null || plan.path === null) return;
+      const options = { ...plan.options, ...plan.begun, warm: plan.path, seconds: undefined, moves: 0 };
+      await this.ask<'restore'>((id) => ({ type: 'plan', id, options }));
+      this.current = plan;
+    } finally {
+      this.restoring = false;
+    }
+  }
+
+  private abandon(message: string): void {
+    for (const request of this.requests.values()) request.reject(new Error(message));
+    for (const plan of this.plans.values()) plan.interrupt(message);
+    this.requests.clear();
+    this.plans.clear();
+  }
+}
+
+/** The caller may go on using its bytes, and a worker that is replaced needs them again. */
+function ownCopy(bytes: ArrayBuffer | Uint8Array): ArrayBuffer {
+  return new Uint8Array(bytes).slice().buffer;
+}

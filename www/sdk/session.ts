@@ -1,0 +1,151 @@
+/**
+ * The worker's side of the protocol: one drawing, one plan at a time. It knows neither Web Workers nor worker threads;
+ * a `Host` sends its messages and finds the PNG renderer.
+ */
+
+import { initSync, Job, machines, methods } from './pkg/kerfway.js';
+import type { FromWorker, LoadOptions, OutputKind, PlanOptions, ToWorker } from './protocol.js';
+import { Search } from './search.js';
+
+/** What a session needs of the place it runs in. */
+export interface Host {
+  post(message: FromWorker, transfer?: ArrayBuffer[]): void;
+  /** The PNG renderer, loaded when first asked for: plan JSON and width in pixels to a picture. */
+  png(): Promise<(planJson: string, width: number) => Uint8Array>;
+}
+
+/** Pixels across when nobody says how wide a picture should be. */
+const PNG_WIDTH = 1600;
+
+/** Answers messages, each `load`, `plan` and `output` with one final message of the same id. */
+export class Session {
+  private job: Job | null = null;
+  private search: Search | null = null;
+
+  constructor(private readonly host: Host) {}
+
+  receive(message: ToWorker): void {
+    try {
+      this.answer(message);
+    } catch (error) {
+      this.fail('id' in message ? message.id : -1, error);
+    }
+  }
+
+  private answer(message: ToWorker): void {
+    switch (message.type) {
+      case 'init':
+        initSync({ module: message.planner });
+        this.host.post({ type: 'ready', methods: methods(), machines: machines() });
+        return;
+      case 'load':
+        this.search?.stop();
+        this.search = null;
+        this.job?.free();
+        this.job = null;
+        this.job = new Job(new Uint8Array(message.bytes), message.name, given(message.options));
+        this.tellLoaded(message.id);
+        return;
+      case 'reload':
+        this.search?.stop();
+        this.search = null;
+        this.loaded().reload(given(message.options));
+        this.tellLoaded(message.id);
+        return;
+      case 'plan':
+        this.search?.stop();
+        this.search = null;
+        this.plan(message.id, message.options);
+        return;
+      case 'continue':
+        if (this.search === null) throw new Error('There is no plan to go on with. Start one first.');
+        this.search.stop();
+        this.search.extend(message.id, message.budget);
+        return;
+      case 'pause':
+        this.search?.pause();
+        return;
+      case 'resume':
+        this.search?.resume();
+        return;
+      case 'stop':
+        this.search?.stop();
+        return;
+      case 'output':
+        void this.output(message.id, message.kind, message.width);
+        return;
+    }
+  }
+
+  private loaded(): Job {
+    if (this.job === null) throw new Error('No drawing is loaded yet. Load one first.');
+    return this.job;
+  }
+
+  private tellLoaded(id: number): void {
+    const job = this.loaded();
+    const loaded = { ...job.report(), geometry: job.geometry(), ignored: job.ignored() };
+    const arrays = [loaded.geometry, loaded.ignored.geometry].flatMap((g) => [g.segments, g.offsets]);
+    this.host.post({ type: 'loaded', id, loaded }, buffers([...arrays, loaded.ignored.layers]));
+  }
+
+  private plan(id: number, options: PlanOptions): void {
+    const job = this.loaded();
+    const budget = options.moves === undefined && options.seconds === undefined ? { seconds: DEFAULT_SECONDS } : {};
+    const seed = options.seed ?? inventSeed();
+    const started = job.start({ ...given(options), ...budget, seed });
+    this.host.post({ type: 'started', id, ...started });
+    this.search = new Search(job, {
+      progress: (progress) => this.host.post({ type: 'progress', ...progress }, pathBuffers(progress.progress)),
+      done: (done) => this.host.post({ type: 'done', ...done }, pathBuffers(done.progress)),
+      failed: (of, error) => this.fail(of, error),
+    });
+    this.search.run(id, { ...options, ...budget });
+  }
+
+  private async output(id: number, kind: OutputKind, width = PNG_WIDTH): Promise<void> {
+    try {
+      if (kind === 'png') {
+        const json = this.loaded().output('json');
+        const data = (await this.host.png())(json, width);
+        this.host.post({ type: 'output', id, kind, data }, buffers([data]));
+      } else {
+        this.host.post({ type: 'output', id, kind, data: this.loaded().output(kind) });
+      }
+    } catch (error) {
+      this.fail(id, error);
+    }
+  }
+
+  // Errors of ours carry one sentence for people. Anything that comes from the wasm machine itself (a trap, memory
+  // that ran out) has left the instance unusable.
+  private fail(id: number, error: unknown): void {
+    if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) {
+      this.search = null;
+      this.host.post({ type: 'broken', message: `The planner broke down (${error.message}).` });
+      return;
+    }
+    this.host.post({ type: 'failed', id, message: error instanceof Error ? error.message : String(error) });
+  }
+}
+
+/** A person who says nothing waits this long. */
+const DEFAULT_SECONDS = 10;
+
+/** Any of 2^32, from the system's source of randomness; told in the result, so that the plan can be made again. */
+function inventSeed(): number {
+  return crypto.getRandomValues(new Uint32Array(1))[0] ?? 0;
+}
+
+/** Options without those that are `undefined`: to the core they are not given. */
+function given<T extends LoadOptions | PlanOptions>(options: T): T {
+  return Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined)) as T;
+}
+
+function pathBuffers({ path }: { path: import('./protocol.js').BestPath | null }): ArrayBuffer[] {
+  return path === null ? [] : buffers([path.contours, path.points, path.along, path.reversed, path.times]);
+}
+
+function buffers(arrays: ArrayBufferView[]): ArrayBuffer[] {
+  return arrays.map((a) => a.buffer as ArrayBuffer);
+}

@@ -1,0 +1,24 @@
+/** The planner in a Web Worker. */
+
+import type { ToWorker } from './protocol.js';
+import { type Host, Session } from './session.js';
+
+/** What is used of a dedicated worker's global scope, whose types clash with those of a page. */
+interface WorkerScope {
+  postMessage(message: unknown, transfer: ArrayBuffer[]): void;
+  onmessage: (event: MessageEvent<ToWorker>) => void;
+}
+
+const scope = self as unknown as WorkerScope;
+
+const host: Host = {
+  post: (message, transfer = []) => scope.postMessage(message, transfer),
+  png: async () => {
+    const renderer = await import('./pkg/kerfway_png.js');
+    await renderer.default();
+    return renderer.render;
+  },
+};
+
+const session = new Session(host);
+scope.onmessage = ({ data }) => session.receive(data);
