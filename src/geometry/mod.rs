@@ -6,8 +6,12 @@
 mod aabb;
 mod affine;
 mod biarc;
+mod boxes;
 mod ellipse;
 mod fit;
+mod grid;
+mod inside;
+mod intersect;
 pub mod math;
 mod nurbs;
 mod path;
@@ -17,8 +21,12 @@ mod through;
 
 pub use aabb::Aabb;
 pub use affine::Affine;
+pub use boxes::BoxIndex;
 pub use ellipse::Ellipse;
 pub use glam::DVec2;
+pub use grid::Grid;
+pub use inside::{Winding, interior_point, winding};
+pub use intersect::{Intersections, Meeting, Overlap, intersect};
 pub use nurbs::{CurveError, MAX_DEGREE, Nurbs};
 pub use path::Path;
 pub use segment::{Arc, Line, Segment};

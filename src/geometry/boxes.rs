@@ -1,0 +1,51 @@
+//! Which boxes meet a box: a packed Hilbert R-tree, for overlaps, containment and crossings over many segments.
+
+use super::aabb::Aabb;
+use static_aabb2d_index::{Control, StaticAABB2DIndex, StaticAABB2DIndexBuilder};
+
+/// An index of boxes that is built once and asked often.
+#[derive(Debug)]
+pub struct BoxIndex {
+    /// `None` when there is no box to find.
+    tree: Option<StaticAABB2DIndex<f64>>,
+    /// Index given by the caller for each box in the tree: empty boxes and those that are not finite are left out.
+    ids: Vec<usize>,
+}
+
+impl BoxIndex {
+    /// An index of boxes; each is known by its place in the order given.
+    pub fn new(boxes: impl IntoIterator<Item = Aabb>) -> Self {
+        let (ids, kept): (Vec<usize>, Vec<Aabb>) = boxes
+            .into_iter()
+            .enumerate()
+            .filter(|(_, b)| !b.is_empty() && b.min.is_finite() && b.max.is_finite())
+            .unzip();
+        let mut builder = StaticAABB2DIndexBuilder::new(kept.len());
+        for b in &kept {
+            builder.add(b.min.x, b.min.y, b.max.x, b.max.y);
+        }
+        Self { tree: builder.build().ok().filter(|_| !kept.is_empty()), ids }
+    }
+
+    /// Boxes that share a point with `area`, ascending.
+    pub fn query(&self, area: Aabb) -> Vec<usize> {
+        let mut out = Vec::new();
+        self.visit(area, |i| {
+            out.push(i);
+            true
+        });
+        out.sort_unstable();
+        out
+    }
+
+    /// Calls `visit` with every box that shares a point with `area`, in no particular (but always the same) order,
+    /// until it returns `false`.
+    pub fn visit(&self, area: Aabb, mut visit: impl FnMut(usize) -> bool) {
+        let Some(tree) = &self.tree else { return };
+        let mut each = |place: usize| match self.ids.get(place) {
+            Some(id) if !visit(*id) => Control::Break(()),
+            _ => Control::Continue,
+        };
+        let _: Control<()> = tree.visit_query(area.min.x, area.min.y, area.max.x, area.max.y, &mut each);
+    }
+}
