@@ -1,0 +1,89 @@
+/** From words to options. Whatever cannot be understood is wrong usage and says what would be right. */
+
+import { parseArgs, type ParseArgsConfig } from 'node:util';
+import type { LoadOptions, Operation, Unit } from '../protocol.js';
+import { WrongUse } from './io.js';
+
+const UNITS: readonly Unit[] = ['mm', 'cm', 'dm', 'm', 'um', 'in', 'ft', 'yd', 'mil', 'microinch'];
+const OPERATIONS: readonly Operation[] = ['cut', 'mark', 'ignore'];
+
+/** The options of reading, which `plan` and `inspect` share. */
+export const READING = { units: { type: 'string' }, layer: { type: 'string', multiple: true } } as const;
+
+type Values = Record<string, string | boolean | string[] | undefined>;
+
+/** Parsed words: one file and the options given. */
+export interface Words {
+  file: string;
+  values: Values;
+}
+
+export function words(args: string[], options: NonNullable<ParseArgsConfig['options']>): Words {
+  const { values, positionals } = parsed(args, options);
+  const [file, second] = positionals;
+  if (file === undefined) throw new WrongUse('Name a DXF file.');
+  if (second !== undefined) throw new WrongUse(`One file at a time: ${second} is one too many.`);
+  return { file, values };
+}
+
+function parsed(args: string[], options: NonNullable<ParseArgsConfig['options']>) {
+  try {
+    return parseArgs({ args, options, allowPositionals: true, strict: true }) as {
+      values: Values;
+      positionals: string[];
+    };
+  } catch (error) {
+    const { code, message } = error as NodeJS.ErrnoException;
+    const name = /--?[\w-]+/.exec(message)?.[0] ?? 'An option';
+    if (code === 'ERR_PARSE_ARGS_UNKNOWN_OPTION') throw new WrongUse(`There is no option ${name}.`);
+    const flag = options[name.slice(2)]?.type === 'boolean';
+    throw new WrongUse(flag ? `${name} takes no value.` : `${name} needs a value.`);
+  }
+}
+
+export function loadOptions(values: Values): LoadOptions {
+  const options: LoadOptions = {};
+  const units = text(values, 'units');
+  if (units !== undefined) options.units = oneOf('--units', units, UNITS);
+  const layers = (values['layer'] as string[] | undefined) ?? [];
+  if (layers.length > 0) options.layers = layers.map(layerChoice);
+  return options;
+}
+
+function layerChoice(word: string): { name: string; operation: Operation } {
+  // The last equals sign: a layer's name may hold others.
+  const at = word.lastIndexOf('=');
+  if (at < 1) throw new WrongUse(`--layer ${word}: write NAME=cut, NAME=mark or NAME=ignore.`);
+  return { name: word.slice(0, at), operation: oneOf('--layer', word.slice(at + 1), OPERATIONS) };
+}
+
+export function text(values: Values, name: string): string | undefined {
+  return values[name] as string | undefined;
+}
+
+/** A whole number from 0 on, as far as JavaScript counts. */
+export function whole(values: Values, name: string): number | undefined {
+  const word = text(values, name);
+  if (word === undefined) return undefined;
+  const n = Number(word);
+  if (!/^\d+$/.test(word) || !Number.isSafeInteger(n)) {
+    throw new WrongUse(`--${name} ${word}: give a whole number from 0 to ${Number.MAX_SAFE_INTEGER}.`);
+  }
+  return n;
+}
+
+export function seconds(values: Values): number | undefined {
+  const word = text(values, 'seconds');
+  if (word === undefined) return undefined;
+  const n = Number(word);
+  if (word.trim() === '' || !Number.isFinite(n) || n < 0) {
+    throw new WrongUse(`--seconds ${word}: give a number of seconds, 0 or more.`);
+  }
+  return n;
+}
+
+export function oneOf<T extends string>(what: string, word: string, choices: readonly T[]): T {
+  const found = choices.find((c) => c === word);
+  if (found === undefined) throw new WrongUse(`${what} ${word}: choose one of ${choices.join(', ')}.`);
+  return found;
+}

@@ -1,0 +1,40 @@
+/** What the command line says about itself. */
+
+import { readFile } from 'node:fs/promises';
+
+export const HELP = `Kerfway plans the path of a laser cutter.
+
+kerfway plan FILE.dxf [options]      plan the path and write it
+kerfway inspect FILE.dxf [options]   tell what the drawing holds, without planning
+kerfway methods                      list the methods of planning
+
+Outputs of plan; - is standard output:
+  --gcode OUT          G-code for the machine
+  --json OUT           the plan (kerfway.plan/1)
+  --svg OUT            picture with order and direction
+  --dxf OUT            contours in cutting order
+  --png OUT            picture as pixels
+
+How to plan:
+  --machine NAME|FILE  a preset's name, or a machine profile as JSON
+  --method NAME        see kerfway methods
+  --seconds S          how long to search (default 10)
+  --moves N            how many moves to search: the same result everywhere
+  --seed N             decides every random choice
+  --no-return          stay where the last cut ends
+
+How to read, for plan and inspect:
+  --units UNIT         mm, in, cm, m, ... when the file says nothing or lies
+  --layer NAME=cut|mark|ignore   what to do with a layer; may be repeated
+
+Of inspect:
+  --json OUT           the whole report
+
+Exit code: 0 done, 1 the input is unusable, 2 wrong usage.
+`;
+
+/** Version of this package. */
+export async function version(): Promise<string> {
+  const file = await readFile(new URL('../../../package.json', import.meta.url), 'utf8');
+  return (JSON.parse(file) as { version: string }).version;
+}

@@ -1,0 +1,22 @@
+/** Numbers as people read them. */
+
+/** A length given in mm, in metres. */
+export function meters(mm: number): string {
+  return `${(mm / 1000).toFixed(3)} m`;
+}
+
+/** Seconds, with minutes beyond two of them. */
+export function duration(s: number): string {
+  if (s < 120) return `${s.toFixed(1)} s`;
+  const minutes = Math.floor(Math.round(s) / 60);
+  return `${minutes} min ${String(Math.round(s) - 60 * minutes).padStart(2, '0')} s`;
+}
+
+/** Width and height of a box in mm. */
+export function size([x0, y0, x1, y1]: [number, number, number, number]): string {
+  return `${(x1 - x0).toFixed(1)} x ${(y1 - y0).toFixed(1)} mm`;
+}
+
+export function plural(n: number, word: string): string {
+  return `${n} ${word}${n === 1 ? '' : 's'}`;
+}
