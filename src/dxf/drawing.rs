@@ -30,6 +30,63 @@ pub enum Unit {
     M,
 }
 
+impl Unit {
+    /// How many millimetres one of it is.
+    pub const fn millimetres(self) -> f64 {
+        match self {
+            Self::In => 25.4,
+            Self::Ft => 304.8,
+            Self::Yd => 914.4,
+            Self::Mil => 0.0254,
+            Self::Microinch => 0.000_025_4,
+            Self::Um => 0.001,
+            Self::Mm => 1.0,
+            Self::Cm => 10.0,
+            Self::Dm => 100.0,
+            Self::M => 1000.0,
+        }
+    }
+
+    /// Its name in a sentence.
+    pub const fn plural(self) -> &'static str {
+        match self {
+            Self::In => "inches",
+            Self::Ft => "feet",
+            Self::Yd => "yards",
+            Self::Mil => "mils",
+            Self::Microinch => "microinches",
+            Self::Um => "micrometres",
+            Self::Mm => "millimetres",
+            Self::Cm => "centimetres",
+            Self::Dm => "decimetres",
+            Self::M => "metres",
+        }
+    }
+
+    /// Metric or imperial.
+    pub const fn is_metric(self) -> bool {
+        matches!(self, Self::Um | Self::Mm | Self::Cm | Self::Dm | Self::M)
+    }
+
+    /// The unit of an $INSUNITS code; `None` for 0 and for those no drawing to cut is in (miles, parsecs, ...).
+    pub const fn of_insert_units(code: i64) -> Option<Self> {
+        // 21 to 23 are survey feet, inches and yards: 2 parts in a million longer.
+        Some(match code {
+            1 | 22 => Self::In,
+            2 | 21 => Self::Ft,
+            4 => Self::Mm,
+            5 => Self::Cm,
+            6 => Self::M,
+            8 => Self::Microinch,
+            9 => Self::Mil,
+            10 | 23 => Self::Yd,
+            13 => Self::Um,
+            14 => Self::Dm,
+            _ => return None,
+        })
+    }
+}
+
 /// Where the units come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]

@@ -1,7 +1,150 @@
 //! Reading DXF without loss: bytes in, a [`Drawing`] in millimetres out, every oddity a finding.
+//!
+//! ```text
+//! bytes -> sniff      another format? a sentence that names it
+//!       -> tokens     group code and value, ASCII or binary, borrowed from the bytes; finds its step again
+//!       -> file       sections, layers, blocks; records become typed entities (entities/), in drawing units
+//!       -> measure    how much, how deep, how large, before anything is expanded
+//!       -> units      header, guess or the person's word; doubt is said
+//!       -> expand     blocks, layers, colours, hidden ones; trace: lines and arcs in mm
+//! ```
+//!
+//! Source: "DXF Reference" (Autodesk, 2012 and later). What it leaves open is read as drawing programs read it.
 
+mod ascii;
+mod binary;
+mod breaks;
 mod drawing;
+mod encoding;
+mod entities;
+mod entity;
+mod expand;
+mod file;
+mod header;
+mod layers;
+mod measure;
+mod number;
+mod ocs;
+mod placement;
+mod record;
+mod report;
+mod sniff;
+mod tag;
+mod tokens;
+mod trace;
+mod units;
 
 pub use drawing::{
     Drawing, EntityKindCount, Layer, Limits, ReadError, ReadOptions, Shape, Unit, Units, UnitsSource,
 };
+
+use crate::finding::{Code, Finding, Severity};
+use encoding::Decoder;
+use entity::{Form, Hidden};
+use file::File;
+use std::collections::BTreeMap;
+
+/// Reads a drawing from the bytes of a DXF file, ASCII or binary.
+///
+/// # Errors
+/// The file is no DXF, holds nothing to cut, or passes a limit of `options`: one sentence for people.
+pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadError> {
+    if bytes.len() > options.limits.bytes {
+        return Err(ReadError::Limit(format!(
+            "The file has {} MB; up to {} MB can be read. Delete what is not to be cut, or split the drawing.",
+            bytes.len() >> 20,
+            options.limits.bytes >> 20
+        )));
+    }
+    if let Some(sentence) = sniff::other_format(bytes) {
+        return Err(ReadError::NotDxf(sentence.to_owned()));
+    }
+    let mut file = File::read(bytes);
+    if !file.recognised {
+        return Err(ReadError::NotDxf(
+            "This is not a DXF file, or one damaged beyond reading. Save the drawing as DXF and drop it again.".to_owned(),
+        ));
+    }
+    let size = measure::size(&file, &options.limits)?;
+    let (units, units_finding) = units::decide(&file.header, options.unit, size.max_element());
+    let mut notes = std::mem::take(&mut file.notes);
+    let shapes = expand::shapes(&file, units.unit.millimetres(), options, &mut notes)?;
+    let mut decoder = Decoder::new(&file.header);
+    let layers = layers(&file, &mut decoder);
+    let mut findings: Vec<Finding> = units_finding.into_iter().collect();
+    findings.extend(notes.into_findings(&mut decoder, &layers));
+    if decoder.replaced() > 0 {
+        let message = format!(
+            "{} names hold characters that are not in {}, the encoding the file says; they are shown as well as possible.",
+            decoder.replaced(),
+            decoder.name()
+        );
+        findings.push(Finding::new(Code::Encoding, Severity::Info, message).times(decoder.replaced()));
+    }
+    let entities = counts(&file, &mut decoder);
+    if shapes.is_empty() {
+        return Err(ReadError::Empty(nothing_to_cut(&entities, &findings)));
+    }
+    let version = file.header.version.map(|v| decoder.text(v).into_owned());
+    Ok(Drawing { version, units, layers, shapes, entities, findings })
+}
+
+fn layers(file: &File<'_>, decoder: &mut Decoder) -> Vec<Layer> {
+    let one = |l: &layers::RawLayer<'_>| Layer {
+        name: decoder.text(l.name).into_owned(),
+        color: l.color,
+        visible: !(l.frozen || l.off),
+    };
+    file.layers.list().iter().map(one).collect()
+}
+
+/// Entities of the model by kind, most frequent first.
+fn counts(file: &File<'_>, decoder: &mut Decoder) -> Vec<EntityKindCount> {
+    let mut by_name: BTreeMap<(&[u8], bool), u32> = BTreeMap::new();
+    for entity in file.model.iter().filter(|e| e.hidden != Some(Hidden::Paper)) {
+        let key = match entity.form {
+            Form::Other(name, _) => (file.other_name(name), false),
+            _ => (entity.kind.as_bytes(), true),
+        };
+        *by_name.entry(key).or_default() += 1;
+    }
+    let mut counts: Vec<EntityKindCount> = by_name
+        .into_iter()
+        .map(|((kind, supported), count)| EntityKindCount {
+            kind: decoder.text(kind).into_owned(),
+            count,
+            supported,
+        })
+        .collect();
+    counts.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.kind.cmp(&b.kind)));
+    counts
+}
+
+/// Why a drawing without shapes has none.
+fn nothing_to_cut(entities: &[EntityKindCount], findings: &[Finding]) -> String {
+    let count = |code: Code| -> u32 { findings.iter().filter(|f| f.code == code).map(|f| f.count).sum() };
+    let mut reasons: Vec<String> = Vec::new();
+    let mut say = |n: u32, what: &str| {
+        if n > 0 {
+            reasons.push(format!("{n} {what}"));
+        }
+    };
+    say(count(Code::HiddenEntity), "hidden (frozen or off layers, paper layouts)");
+    say(count(Code::DamagedEntity), "damaged");
+    say(count(Code::UnsupportedEntity), "without an outline (text, dimensions, pictures, ...)");
+    say(count(Code::InvalidGeometry), "without a usable geometry");
+    say(count(Code::MissingBlock), "blocks that are not in the file");
+    let truncated = count(Code::Truncated) > 0;
+    match (entities.is_empty(), reasons.is_empty()) {
+        (true, _) | (_, true) if truncated => {
+            "The file ends before anything to cut: it was probably not copied whole. Save or download it again.".to_owned()
+        }
+        (true, _) | (_, true) => {
+            "The drawing holds nothing to cut. Check that the outlines were exported, and drop it again.".to_owned()
+        }
+        _ => format!(
+            "The drawing holds nothing that can be cut: {}. Show or explode it in the drawing program and save again.",
+            reasons.join(", ")
+        ),
+    }
+}

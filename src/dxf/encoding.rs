@@ -1,0 +1,138 @@
+//! Text of a DXF: layer, block and program names.
+//!
+//! Up to AC1018 (R2004) text is in the code page of $DWGCODEPAGE, from AC1021 (R2007) in UTF-8; in both, `\U+XXXX`
+//! stands for a Unicode character and `\M+nXXXX` for one of an East Asian code page. Programs that write UTF-8 under
+//! a Western code page are common: bytes that are valid UTF-8 beyond ASCII are taken as such there, since such text
+//! in a one-byte code page is next to impossible by chance.
+
+use super::header::Header;
+use encoding_rs::{
+    BIG5, EUC_KR, Encoding, GB18030, GBK, IBM866, ISO_8859_2, ISO_8859_3, ISO_8859_4, ISO_8859_5, ISO_8859_6,
+    ISO_8859_7, ISO_8859_8, MACINTOSH, SHIFT_JIS, UTF_8, WINDOWS_874, WINDOWS_1250, WINDOWS_1251,
+    WINDOWS_1252, WINDOWS_1253, WINDOWS_1254, WINDOWS_1255, WINDOWS_1256, WINDOWS_1257, WINDOWS_1258,
+};
+use std::borrow::Cow;
+
+/// Turns bytes of a file into text.
+#[derive(Debug)]
+pub(super) struct Decoder {
+    encoding: &'static Encoding,
+    replaced: u32,
+}
+
+impl Decoder {
+    /// The decoder that goes with a header.
+    pub(super) fn new(header: &Header<'_>) -> Self {
+        // Versions are AC and four digits: byte order is the order of releases.
+        let utf8 = header.version.is_some_and(|v| v.starts_with(b"AC") && v >= b"AC1021".as_slice());
+        let declared = header.code_page.and_then(code_page);
+        Self { encoding: if utf8 { UTF_8 } else { declared.unwrap_or(WINDOWS_1252) }, replaced: 0 }
+    }
+
+    /// Name of the encoding, for messages.
+    pub(super) fn name(&self) -> &'static str {
+        self.encoding.name()
+    }
+
+    /// How many texts held bytes that could not be decoded.
+    pub(super) fn replaced(&self) -> u32 {
+        self.replaced
+    }
+
+    /// The text of `bytes`.
+    pub(super) fn text<'b>(&mut self, bytes: &'b [u8]) -> Cow<'b, str> {
+        let text = self.decode(bytes);
+        if text.contains("\\U+") || text.contains("\\M+") { Cow::Owned(unescape(&text)) } else { text }
+    }
+
+    fn decode<'b>(&mut self, bytes: &'b [u8]) -> Cow<'b, str> {
+        if (bytes.is_ascii() || self.encoding.is_single_byte() || self.encoding == UTF_8)
+            && let Ok(text) = std::str::from_utf8(bytes)
+        {
+            return Cow::Borrowed(text);
+        }
+        // A file that says UTF-8 and is not was written in the code page of the writer's computer.
+        let encoding = if self.encoding == UTF_8 { WINDOWS_1252 } else { self.encoding };
+        let (text, wrong) = encoding.decode_without_bom_handling(bytes);
+        self.replaced = self.replaced.saturating_add(u32::from(wrong || self.encoding == UTF_8));
+        text
+    }
+}
+
+/// The encoding of a $DWGCODEPAGE value such as `ANSI_1252`.
+fn code_page(name: &[u8]) -> Option<&'static Encoding> {
+    let name = name.to_ascii_uppercase();
+    let number = name.rsplit(|b| *b == b'_').next().unwrap_or(&name);
+    let number = number.strip_prefix(b"DOS").unwrap_or(number);
+    Some(match number {
+        b"874" => WINDOWS_874,
+        b"932" => SHIFT_JIS,
+        b"936" => GBK,
+        b"949" | b"1361" => EUC_KR,
+        b"950" => BIG5,
+        b"1250" | b"852" => WINDOWS_1250,
+        b"1251" => WINDOWS_1251,
+        b"866" => IBM866,
+        b"1252" | b"437" | b"850" => WINDOWS_1252,
+        b"1253" => WINDOWS_1253,
+        b"1254" => WINDOWS_1254,
+        b"1255" => WINDOWS_1255,
+        b"1256" => WINDOWS_1256,
+        b"1257" => WINDOWS_1257,
+        b"1258" => WINDOWS_1258,
+        b"GB18030" | b"54936" => GB18030,
+        b"ROMAN" => MACINTOSH,
+        b"8859-2" | b"ISO8859-2" => ISO_8859_2,
+        b"8859-3" | b"ISO8859-3" => ISO_8859_3,
+        b"8859-4" | b"ISO8859-4" => ISO_8859_4,
+        b"8859-5" | b"ISO8859-5" => ISO_8859_5,
+        b"8859-6" | b"ISO8859-6" => ISO_8859_6,
+        b"8859-7" | b"ISO8859-7" => ISO_8859_7,
+        b"8859-8" | b"ISO8859-8" => ISO_8859_8,
+        b"UTF-8" | b"UTF8" | b"65001" => UTF_8,
+        _ => return None,
+    })
+}
+
+/// Replaces `\U+XXXX` and `\M+nXXXX`; what is malformed stays as it is.
+fn unescape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(start) = rest.find('\\') {
+        let (before, escape) = rest.split_at(start);
+        out.push_str(before);
+        let (c, length) = match (unicode_escape(escape), multibyte_escape(escape)) {
+            (Some(c), _) => (c, 7),
+            (_, Some(c)) => (c, 8),
+            _ => ('\\', 1),
+        };
+        out.push(c);
+        rest = escape.get(length..).unwrap_or_default();
+    }
+    out.push_str(rest);
+    out
+}
+
+fn unicode_escape(text: &str) -> Option<char> {
+    char::from_u32(hex4(text.strip_prefix("\\U+")?)?)
+}
+
+fn multibyte_escape(text: &str) -> Option<char> {
+    let digits = text.strip_prefix("\\M+")?;
+    let encoding = match digits.bytes().next()? {
+        b'1' => SHIFT_JIS,
+        b'2' => BIG5,
+        b'3' | b'4' => EUC_KR,
+        b'5' => GBK,
+        _ => return None,
+    };
+    let code = u16::try_from(hex4(digits.get(1..)?)?).ok()?;
+    let bytes = code.to_be_bytes();
+    let (text, wrong) = encoding.decode_without_bom_handling(&bytes);
+    if wrong { None } else { text.chars().next() }
+}
+
+fn hex4(text: &str) -> Option<u32> {
+    let digits = text.get(..4)?;
+    digits.bytes().all(|b| b.is_ascii_hexdigit()).then(|| u32::from_str_radix(digits, 16).ok())?
+}

@@ -1,0 +1,107 @@
+//! From a record to a typed entity, one file a family.
+//!
+//! Which kinds hold an outline, and what is said of those that do not.
+
+mod curve;
+mod face;
+mod hatch;
+mod insert;
+mod polyline;
+mod spline;
+
+pub(super) use polyline::{Gathering, begin as begin_polyline};
+
+use super::entity::Form;
+use super::record::Record;
+
+/// A kind of entity whose outline can be cut.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Kind {
+    /// DXF name.
+    pub(super) name: &'static str,
+    read: for<'a> fn(&Record<'a>) -> Form<'a>,
+}
+
+const KINDS: [Kind; 13] = [
+    Kind { name: "LINE", read: curve::line },
+    Kind { name: "CIRCLE", read: curve::circle },
+    Kind { name: "ARC", read: curve::arc },
+    Kind { name: "LWPOLYLINE", read: polyline::light },
+    Kind { name: "SPLINE", read: spline::spline },
+    Kind { name: "INSERT", read: insert::insert },
+    Kind { name: "ELLIPSE", read: curve::ellipse },
+    Kind { name: "SOLID", read: face::solid },
+    Kind { name: "TRACE", read: face::solid },
+    Kind { name: "3DFACE", read: face::face },
+    Kind { name: "HATCH", read: hatch::hatch },
+    // A HELIX is a SPLINE with the numbers it was made from behind it.
+    Kind { name: "HELIX", read: spline::spline },
+    // POLYLINE spans several records: see `begin_polyline`.
+    Kind { name: "POLYLINE", read: |_| Form::Invalid("its vertices are missing", None) },
+];
+
+/// The kind of this name, when its outline can be cut.
+pub(super) fn kind(name: &[u8]) -> Option<Kind> {
+    KINDS.into_iter().find(|k| k.name.as_bytes() == name)
+}
+
+/// The geometry of a record of `kind`.
+pub(super) fn form<'a>(kind: Kind, record: &Record<'a>) -> Form<'a> {
+    (kind.read)(record)
+}
+
+/// A group that an entity of this kind has once stands there twice: two entities ran into one, because the start of
+/// the second was lost.
+pub(super) fn ran_into_another(record: &Record<'_>) -> bool {
+    let once: &[i32] = match record.name {
+        b"LINE" => &[10, 20, 30, 11, 21, 31],
+        b"CIRCLE" | b"ARC" => &[10, 20, 30, 40, 50, 51],
+        b"ELLIPSE" => &[10, 20, 30, 11, 21, 31, 40, 41, 42],
+        b"INSERT" => &[2, 10, 20, 30, 41, 42, 43, 44, 45, 50, 70, 71],
+        b"SOLID" | b"TRACE" | b"3DFACE" => &[10, 20, 11, 21, 12, 22, 13, 23],
+        b"LWPOLYLINE" => &[70, 90],
+        b"SPLINE" => &[70, 71, 72, 73, 74],
+        b"VERTEX" => &[10, 20, 30, 42],
+        _ => &[],
+    };
+    record.repeats(once)
+}
+
+/// Kinds known to be entities although they have no outline to cut.
+pub(super) fn is_known(name: &[u8]) -> bool {
+    const UNKNOWN: &str = "";
+    std::str::from_utf8(name).is_ok_and(|name| advice(name) != advice(UNKNOWN))
+}
+
+/// What an entity without an outline to cut is, and what a person can do about it.
+pub(super) fn advice(name: &str) -> &'static str {
+    match name {
+        "TEXT" | "MTEXT" | "ATTRIB" | "ATTDEF" | "ARCALIGNEDTEXT" | "RTEXT" | "SHAPE" => {
+            "text has no outline to cut; turn it into curves in the drawing program if it is to be cut or marked"
+        }
+        "DIMENSION"
+        | "ARC_DIMENSION"
+        | "LARGE_RADIAL_DIMENSION"
+        | "LEADER"
+        | "MULTILEADER"
+        | "MLEADER"
+        | "TOLERANCE"
+        | "ACAD_TABLE" => "dimensions and notes are not cut",
+        "REGION" | "BODY" | "3DSOLID" | "SURFACE" | "EXTRUDEDSURFACE" | "LOFTEDSURFACE"
+        | "REVOLVEDSURFACE" | "SWEPTSURFACE" | "PLANESURFACE" | "NURBSURFACE" | "MESH" | "POLYMESH"
+        | "POLYFACE" => {
+            "a region or solid has no outline that can be read; explode it in the drawing program"
+        }
+        "IMAGE" | "WIPEOUT" | "OLEFRAME" | "OLE2FRAME" | "PDFUNDERLAY" | "DWFUNDERLAY" | "DGNUNDERLAY"
+        | "PDFREFERENCE" | "UNDERLAY" => "pictures are not cut",
+        "POINT" => "a point has no length to cut",
+        "RAY" | "XLINE" => "a construction line without end is not cut",
+        "MLINE" => "explode it into lines in the drawing program if it is to be cut",
+        "VIEWPORT" | "LIGHT" | "SUN" | "CAMERA" | "SECTIONOBJECT" | "GEOPOSITIONMARKER" => {
+            "it belongs to the view"
+        }
+        "ACAD_PROXY_ENTITY" | "ACAD_PROXY" => "it was made by a program add-on; explode it there to cut it",
+        "VERTEX" => "a vertex without its polyline",
+        _ => "this kind cannot be read; explode it in the drawing program if it is to be cut",
+    }
+}

@@ -1,0 +1,109 @@
+//! LWPOLYLINE, and POLYLINE with the VERTEX records after it.
+
+use crate::dxf::entity::{Chain, Form, Vertex};
+use crate::dxf::record::Record;
+use glam::{DVec2, DVec3};
+
+pub(super) fn light<'a>(record: &Record<'a>) -> Form<'a> {
+    let count = record.int(90).and_then(|n| usize::try_from(n).ok()).unwrap_or(0);
+    // The count is the file's word: memory follows the tags that are really there.
+    let mut vertices: Vec<Vertex> = Vec::with_capacity(count.min(record.tags.len()));
+    let mut elevation = 0.0;
+    for tag in &record.tags {
+        let (Some(value), last) = (tag.real(), vertices.last_mut()) else { continue };
+        match (tag.code, last) {
+            (10, _) => vertices.push(Vertex { at: DVec2::new(value, 0.0), bulge: 0.0 }),
+            (20, Some(v)) => v.at.y = value,
+            (42, Some(v)) => v.bulge = value,
+            (38, _) => elevation = value,
+            _ => {}
+        }
+    }
+    flat(vertices, record.flag(1), elevation, record.normal)
+}
+
+fn flat<'a>(vertices: Vec<Vertex>, closed: bool, elevation: f64, normal: DVec3) -> Form<'a> {
+    if vertices.len() < 2 {
+        let place = vertices.first().map(|v| v.at.extend(elevation));
+        return Form::Invalid("it has fewer than two vertices", place);
+    }
+    Form::Polyline { vertices, closed, elevation, normal }
+}
+
+/// What kind of POLYLINE it is (group 70).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Style {
+    Flat,
+    Spatial,
+    Mesh,
+    Polyface,
+}
+
+/// A POLYLINE whose vertices are being gathered. It ends at SEQEND, or at whatever is no VERTEX.
+#[derive(Debug)]
+pub(in crate::dxf) struct Gathering {
+    style: Style,
+    closed: bool,
+    elevation: f64,
+    normal: DVec3,
+    flat: Vec<Vertex>,
+    spatial: Vec<DVec3>,
+    first: Option<DVec3>,
+}
+
+/// Starts a POLYLINE.
+pub(in crate::dxf) fn begin(record: &Record<'_>) -> Gathering {
+    let style = if record.flag(64) {
+        Style::Polyface
+    } else if record.flag(16) {
+        Style::Mesh
+    } else if record.flag(8) {
+        Style::Spatial
+    } else {
+        Style::Flat
+    };
+    Gathering {
+        style,
+        closed: record.flag(1),
+        // Group 10 and 20 of the POLYLINE itself are always 0; 30 is its elevation.
+        elevation: record.real(30).unwrap_or(0.0),
+        normal: record.normal,
+        flat: Vec::new(),
+        spatial: Vec::new(),
+        first: None,
+    }
+}
+
+impl Gathering {
+    /// Adds a VERTEX. Those of the frame of a spline fit only carry it and are no part of the outline.
+    pub(in crate::dxf) fn add(&mut self, vertex: &Record<'_>) {
+        const FRAME: i64 = 16;
+        const MESH: i64 = 64;
+        const POLYFACE: i64 = 128;
+        if vertex.flag(FRAME) || (vertex.flag(POLYFACE) && !vertex.flag(MESH)) {
+            return;
+        }
+        let Some(at) = vertex.point(10) else { return };
+        self.first = self.first.or(Some(at));
+        match self.style {
+            Style::Flat => {
+                self.flat.push(Vertex { at: at.truncate(), bulge: vertex.real(42).unwrap_or(0.0) });
+            }
+            Style::Spatial => self.spatial.push(at),
+            Style::Mesh | Style::Polyface => {}
+        }
+    }
+
+    /// The geometry; or the name of the kind that has none to cut, and its place.
+    pub(in crate::dxf) fn end<'a>(self) -> Result<Form<'a>, (&'static str, Option<DVec3>)> {
+        match self.style {
+            Style::Flat => Ok(flat(self.flat, self.closed, self.elevation, self.normal)),
+            Style::Spatial if self.spatial.len() < 2 => {
+                Ok(Form::Invalid("it has fewer than two vertices", self.spatial.first().copied()))
+            }
+            Style::Spatial => Ok(Form::Chains(vec![Chain { points: self.spatial, closed: self.closed }])),
+            Style::Mesh => Err(("POLYMESH", self.first)),
+            Style::Polyface => Err(("POLYFACE", self.first)),
+        }
+    }
+}

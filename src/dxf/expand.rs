@@ -1,0 +1,262 @@
+//! Blocks expanded: every entity that is seen, where it is seen, with the layer and colour it is seen in.
+//!
+//! An entity on layer "0" in a block takes the layer of the insert; colour BYBLOCK takes that of the insert. A
+//! frozen layer hides an insert with all it holds; a layer that is off hides only what is on it.
+
+use super::drawing::{ReadError, ReadOptions, Shape};
+use super::entity::{BY_BLOCK, BY_LAYER, Entity, Form, Hidden, Insert};
+use super::file::File;
+use super::report::{Note, Notes, Subject};
+use super::{placement, trace};
+use crate::finding::{Code, Severity};
+use glam::{DAffine3, DVec2, DVec3};
+
+/// Expands the model of `file` onto the sheet; `scale` is mm per unit of the drawing.
+///
+/// # Errors
+/// More elements than the limits of `options` allow.
+pub(super) fn shapes<'a>(
+    file: &File<'a>,
+    scale: f64,
+    options: &ReadOptions,
+    notes: &mut Notes<'a>,
+) -> Result<Vec<Shape>, ReadError> {
+    let mut walk =
+        Walk { file, options, notes, shapes: Vec::new(), visited: 0, elements: 0, open: Vec::new(), far: 0 };
+    let root = Place {
+        to_sheet: DAffine3::from_scale(DVec3::splat(scale)),
+        layer: None,
+        color: BY_LAYER,
+        layer_zero: 0,
+    };
+    walk.entities(&file.model, &root)?;
+    if walk.shapes.is_empty() && walk.far > 0 {
+        return Err(ReadError::Limit(format!(
+            "Everything in the drawing lies more than {} m from its origin. Check the units, or move the drawing to the origin and save again.",
+            options.limits.coordinate / 1000.0
+        )));
+    }
+    Ok(walk.shapes)
+}
+
+/// Where a block, or the model, is put.
+struct Place {
+    to_sheet: DAffine3,
+    /// Layer of the insert; `None` in the model.
+    layer: Option<u32>,
+    /// Colour of the insert, resolved.
+    color: i16,
+    /// Index of layer "0".
+    layer_zero: u32,
+}
+
+struct Walk<'f, 'a, 'n> {
+    file: &'f File<'a>,
+    options: &'f ReadOptions,
+    notes: &'n mut Notes<'a>,
+    shapes: Vec<Shape>,
+    visited: usize,
+    elements: usize,
+    /// Blocks around the entity at hand.
+    open: Vec<usize>,
+    far: usize,
+}
+
+impl<'a> Walk<'_, 'a, '_> {
+    fn entities(&mut self, entities: &[Entity<'a>], place: &Place) -> Result<(), ReadError> {
+        entities.iter().try_for_each(|e| self.entity(e, place))
+    }
+
+    fn entity(&mut self, entity: &Entity<'a>, place: &Place) -> Result<(), ReadError> {
+        self.visited += 1;
+        self.check()?;
+        let layer = match place.layer {
+            Some(of_insert) if entity.layer == place.layer_zero => of_insert,
+            _ => entity.layer,
+        };
+        let at = || first_point(&entity.form).map(|p| place.to_sheet.transform_point3(p).truncate());
+        if let Some(why) = self.hidden(entity, layer) {
+            self.notes.count(Subject::Hidden(why), layer, entity.handle, at());
+            return Ok(());
+        }
+        if let Form::Other(name, _) = entity.form {
+            self.notes.count(Subject::Unsupported(self.file.other_name(name)), layer, entity.handle, at());
+            return Ok(());
+        }
+        if entity.damaged {
+            self.damaged(entity, layer, at());
+            if !self.options.keep_damaged {
+                return Ok(());
+            }
+        }
+        let color = match entity.color {
+            BY_BLOCK if place.layer.is_some() => place.color,
+            BY_BLOCK | BY_LAYER => self.file.layers.get(layer).map_or(7, |l| l.color),
+            color => color,
+        };
+        match &entity.form {
+            Form::Insert(insert) => {
+                self.insert(entity, insert, &Place { layer: Some(layer), color, ..*place })
+            }
+            Form::Invalid(why, _) => {
+                self.invalid(entity, layer, at(), why);
+                Ok(())
+            }
+            form => {
+                match trace::outline(form, &place.to_sheet, self.options.tolerance) {
+                    Err(why) => self.invalid(entity, layer, at(), &why),
+                    Ok(outline) => {
+                        if outline.tilted {
+                            self.notes.count(Subject::Projected(entity.kind), layer, entity.handle, at());
+                        }
+                        if matches!(entity.kind, "SOLID" | "TRACE" | "3DFACE" | "HATCH") {
+                            self.notes.count(Subject::Outline(entity.kind), layer, entity.handle, at());
+                        }
+                        for path in outline.paths {
+                            self.shape(entity, layer, color, path);
+                        }
+                    }
+                }
+                self.check()
+            }
+        }
+    }
+
+    fn shape(&mut self, entity: &Entity<'a>, layer: u32, color: i16, path: crate::geometry::Path) {
+        if path.segments.is_empty() {
+            return self.invalid(entity, layer, None, "it has no length");
+        }
+        let bounds = path.bounds();
+        let limit = self.options.limits.coordinate;
+        let near = |p: DVec2| p.is_finite() && p.abs().max_element() <= limit;
+        if !(near(bounds.min) && near(bounds.max)) {
+            self.far += 1;
+            let why = format!("it reaches farther than {} m from the origin", limit / 1000.0);
+            return self.invalid(entity, layer, path.start(), &why);
+        }
+        self.elements += path.segments.len();
+        self.shapes.push(Shape {
+            path,
+            layer,
+            color,
+            handle: entity.handle.map(|h| String::from_utf8_lossy(h).into_owned()),
+            kind: entity.kind,
+            damaged: entity.damaged,
+        });
+    }
+
+    fn insert(&mut self, entity: &Entity<'a>, insert: &Insert<'a>, place: &Place) -> Result<(), ReadError> {
+        let layer = place.layer.unwrap_or(entity.layer);
+        let at = place.to_sheet.transform_point3(insert.at).truncate();
+        let file = self.file;
+        let found = file.block(insert.block).and_then(|i| file.blocks.get(i).map(|b| (i, b)));
+        let Some((index, block)) = found else {
+            self.notes.count(Subject::MissingBlock(insert.block), layer, entity.handle, Some(at));
+            return Ok(());
+        };
+        if self.open.contains(&index) {
+            self.notes.count(Subject::CyclicBlock(insert.block), layer, entity.handle, Some(at));
+            return Ok(());
+        }
+        if block.entities.is_empty() {
+            if block.external {
+                self.notes.count(Subject::ExternalBlock(insert.block), layer, entity.handle, Some(at));
+            }
+            return Ok(());
+        }
+        self.open.push(index);
+        let [columns, rows] = insert.counts;
+        for row in 0..rows {
+            for column in 0..columns {
+                let to_sheet = place.to_sheet * placement::cell(insert, block.base, column, row);
+                self.entities(&block.entities, &Place { to_sheet, ..*place })?;
+            }
+        }
+        self.open.pop();
+        Ok(())
+    }
+
+    fn hidden(&self, entity: &Entity<'a>, layer: u32) -> Option<Hidden> {
+        let layer = self.file.layers.get(layer);
+        let is_insert = matches!(entity.form, Form::Insert(_));
+        match layer {
+            _ if entity.hidden.is_some() => entity.hidden,
+            Some(l) if l.frozen => Some(Hidden::Frozen),
+            Some(l) if l.off && !is_insert => Some(Hidden::Off),
+            _ => None,
+        }
+    }
+
+    fn damaged(&mut self, entity: &Entity<'a>, layer: u32, at: Option<DVec2>) {
+        let fate = if self.options.keep_damaged {
+            "It is cut all the same, as was asked for"
+        } else {
+            "It is left out; compare it with the original"
+        };
+        let message = format!("{} was read where the file is broken and may be wrong. {fate}.", name(entity));
+        self.notes.push(Note {
+            layer: Some(layer),
+            handle: entity.handle,
+            at,
+            ..Note::new(Code::DamagedEntity, Severity::Warning, message)
+        });
+    }
+
+    fn invalid(&mut self, entity: &Entity<'a>, layer: u32, at: Option<DVec2>, why: &str) {
+        self.notes.push(Note {
+            layer: Some(layer),
+            handle: entity.handle,
+            at,
+            ..Note::new(
+                Code::InvalidGeometry,
+                Severity::Warning,
+                format!("{} cannot be cut: {why}.", name(entity)),
+            )
+        });
+    }
+
+    /// The measure taken before is an estimate; this is the count.
+    fn check(&self) -> Result<(), ReadError> {
+        let limit = self.options.limits.elements;
+        if self.elements.max(self.visited) <= limit {
+            return Ok(());
+        }
+        Err(ReadError::Limit(format!(
+            "The drawing makes more than {limit} elements with all blocks expanded and curves turned into lines and arcs. Delete what is not to be cut."
+        )))
+    }
+}
+
+fn name(entity: &Entity<'_>) -> &'static str {
+    if entity.kind.is_empty() { "An entity" } else { entity.kind }
+}
+
+/// A point of an entity, in the space it stands in.
+fn first_point(form: &Form<'_>) -> Option<DVec3> {
+    match form {
+        Form::Line(a, _) => Some(*a),
+        Form::Arc { center, normal, .. } => Some(super::ocs::axes(*normal) * *center),
+        Form::Polyline { vertices, elevation, normal, .. } => {
+            vertices.first().map(|v| super::ocs::axes(*normal) * v.at.extend(*elevation))
+        }
+        Form::Chains(chains) => chains.first().and_then(|c| c.points.first()).copied(),
+        Form::Ellipse { center, .. } => Some(*center),
+        Form::Spline(s) => s.control.first().or(s.fit.first()).copied(),
+        Form::Insert(i) => Some(super::ocs::axes(i.normal) * i.at),
+        Form::Hatch { loops, elevation, normal } => {
+            let p = loops.first().and_then(|l| match l {
+                super::entity::Loop::Polyline(vertices, _) => vertices.first().map(|v| v.at),
+                super::entity::Loop::Edges(edges) => edges.first().and_then(|e| match e {
+                    super::entity::Edge::Line(a, _) => Some(*a),
+                    super::entity::Edge::Arc(c, ..) => Some(*c),
+                    super::entity::Edge::Ellipse(e) => Some(e.center),
+                    super::entity::Edge::Spline(s) => {
+                        s.control.first().or(s.fit.first()).map(|p| p.truncate())
+                    }
+                }),
+            })?;
+            Some(super::ocs::axes(*normal) * p.extend(*elevation))
+        }
+        Form::Other(_, p) | Form::Invalid(_, p) => *p,
+    }
+}

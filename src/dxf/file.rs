@@ -1,0 +1,326 @@
+//! From tags to typed entities: sections, tables, blocks.
+//!
+//! The keyword of a group 0 decides what comes, not the section it stands in: sections, ENDSEC, EOF and the whole
+//! header may be missing. Sections that hold no geometry are passed over. Nothing is ever looked up by handle:
+//! handles repeat in real files.
+
+use super::breaks::BreakKind;
+use super::entities::{self, Gathering};
+use super::entity::{BY_LAYER, Entity, Form, Hidden};
+use super::header::Header;
+use super::layers::Layers;
+use super::record::Record;
+use super::report::{Note, Notes};
+use super::tag::Tag;
+use super::tokens::Tokens;
+use crate::finding::{Code, Severity};
+use glam::DVec3;
+use rustc_hash::FxHashMap;
+
+/// A block definition.
+#[derive(Debug)]
+pub(super) struct Block<'a> {
+    /// Name as written.
+    pub(super) name: &'a [u8],
+    /// The point of it that an insert puts in place.
+    pub(super) base: DVec3,
+    /// Refers to another file; holds nothing itself.
+    pub(super) external: bool,
+    /// What it holds.
+    pub(super) entities: Vec<Entity<'a>>,
+}
+
+/// Everything read from a file, in the units of the drawing.
+#[derive(Debug, Default)]
+pub(super) struct File<'a> {
+    /// Header variables.
+    pub(super) header: Header<'a>,
+    /// Layers.
+    pub(super) layers: Layers<'a>,
+    /// Blocks in order of the file.
+    pub(super) blocks: Vec<Block<'a>>,
+    /// Entities outside blocks.
+    pub(super) model: Vec<Entity<'a>>,
+    /// Names of kinds without an outline, see [`Form::Other`].
+    pub(super) other_names: Vec<&'a [u8]>,
+    /// What was noticed while reading.
+    pub(super) notes: Notes<'a>,
+    /// A SECTION, a TABLE or a known entity was met: it is a DXF.
+    pub(super) recognised: bool,
+    blocks_by_name: FxHashMap<Vec<u8>, usize>,
+    other_index: FxHashMap<&'a [u8], u32>,
+}
+
+impl<'a> File<'a> {
+    /// Reads all of `bytes`.
+    pub(super) fn read(bytes: &'a [u8]) -> Self {
+        let mut file = Self::default();
+        file.layers.zero();
+        Reader {
+            tokens: Tokens::new(bytes),
+            section: Section::Unknown,
+            block: None,
+            polyline: None,
+            ended: false,
+        }
+        .run(&mut file);
+        file
+    }
+
+    /// The block of this name.
+    pub(super) fn block(&self, name: &[u8]) -> Option<usize> {
+        self.blocks_by_name.get(&name.to_ascii_uppercase()).copied()
+    }
+
+    /// The name behind [`Form::Other`].
+    pub(super) fn other_name(&self, index: u32) -> &'a [u8] {
+        self.other_names.get(index as usize).copied().unwrap_or_default()
+    }
+
+    fn other(&mut self, name: &'a [u8]) -> u32 {
+        let next = u32::try_from(self.other_names.len()).unwrap_or(u32::MAX);
+        let index = *self.other_index.entry(name).or_insert(next);
+        if index == next {
+            self.other_names.push(name);
+        }
+        index
+    }
+
+    fn open_block(&mut self, record: &Record<'a>) -> usize {
+        const EXTERNAL: i64 = 4;
+        let name = record.text(2).or(record.text(3)).unwrap_or_default();
+        let index = self.blocks.len();
+        self.blocks.push(Block {
+            name,
+            base: record.point(10).unwrap_or(DVec3::ZERO),
+            external: record.flag(EXTERNAL),
+            entities: Vec::new(),
+        });
+        let first = *self.blocks_by_name.entry(name.to_ascii_uppercase()).or_insert(index);
+        if first != index {
+            self.notes.push(Note {
+                handle: record.handle,
+                name,
+                ..Note::new(
+                    Code::InvalidGeometry,
+                    Severity::Warning,
+                    "The block \"{}\" is defined twice; the first definition is used.",
+                )
+            });
+        }
+        index
+    }
+}
+
+/// What kind of section the reader is in.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Section {
+    /// Outside, or the line that opened it is missing.
+    Unknown,
+    Header,
+    Tables,
+    /// BLOCKS and ENTITIES.
+    Entities,
+    /// Holds no geometry.
+    Other,
+}
+
+struct Reader<'a> {
+    tokens: Tokens<'a>,
+    section: Section,
+    block: Option<usize>,
+    polyline: Option<(Entity<'a>, Gathering)>,
+    ended: bool,
+}
+
+impl<'a> Reader<'a> {
+    fn run(mut self, file: &mut File<'a>) {
+        let mut record = Record::default();
+        let mut variable: &[u8] = b"";
+        let mut next = self.tokens.next();
+        while let Some(tag) = next.take() {
+            match tag.keyword() {
+                Some(b"SECTION") => {
+                    self.close_polyline(file, false);
+                    self.block = None;
+                    variable = b"";
+                    file.recognised = true;
+                    next = self.tokens.next();
+                    self.section = next.as_ref().map_or(Section::Unknown, section_of);
+                }
+                Some(b"ENDSEC") => {
+                    self.close_polyline(file, false);
+                    self.block = None;
+                    self.section = Section::Unknown;
+                }
+                Some(b"EOF") => {
+                    self.close_polyline(file, false);
+                    self.ended = true;
+                    break;
+                }
+                Some(_) if self.section == Section::Other => {}
+                Some(_) => {
+                    next = record.gather(tag, &mut self.tokens);
+                    self.note_breaks(file, Some(&record));
+                    self.take(&record, file);
+                }
+                None if tag.code == 9 => variable = tag.text().unwrap_or_default(),
+                None => file.header.take(variable, &tag),
+            }
+            self.note_breaks(file, None);
+            if next.is_none() {
+                next = self.tokens.next();
+            }
+        }
+        self.close_polyline(file, !self.ended);
+        self.note_breaks(file, None);
+        self.note_end(file);
+    }
+
+    /// Takes one record, whatever it is.
+    fn take(&mut self, record: &Record<'a>, file: &mut File<'a>) {
+        match record.name {
+            b"VERTEX" if self.polyline.is_some() => {
+                if let Some((head, gathering)) = &mut self.polyline {
+                    head.damaged |= record.damaged;
+                    gathering.add(record);
+                }
+                return;
+            }
+            b"SEQEND" => return self.close_polyline(file, record.damaged && self.polyline.is_some()),
+            _ => self.close_polyline(file, false),
+        }
+        match record.name {
+            b"LAYER" if self.section != Section::Entities => {
+                file.recognised = true;
+                file.layers.define(record);
+            }
+            b"BLOCK" => {
+                file.recognised = true;
+                self.block = Some(file.open_block(record));
+            }
+            b"ENDBLK" => self.block = None,
+            _ if self.section == Section::Tables || self.section == Section::Header => {}
+            b"POLYLINE" => {
+                file.recognised = true;
+                let head = head(record, file, "POLYLINE", Form::Invalid("", None));
+                self.polyline = Some((head, entities::begin_polyline(record)));
+            }
+            name => {
+                let Some(form) = self.form(record, file) else { return };
+                let kind = entities::kind(name).map_or("", |k| k.name);
+                let entity = head(record, file, kind, form);
+                self.push(file, entity);
+            }
+        }
+    }
+
+    /// The geometry of a record; `None` when it is no entity.
+    fn form(&self, record: &Record<'a>, file: &mut File<'a>) -> Option<Form<'a>> {
+        if let Some(kind) = entities::kind(record.name) {
+            file.recognised = true;
+            return Some(entities::form(kind, record));
+        }
+        // Outside its section a keyword nobody knows may be anything.
+        if self.section != Section::Entities && !entities::is_known(record.name) {
+            return None;
+        }
+        let name: &[u8] = if record.name.is_empty() { b"?" } else { record.name };
+        Some(Form::Other(file.other(name), record.point(10)))
+    }
+
+    fn close_polyline(&mut self, file: &mut File<'a>, cut_off: bool) {
+        let Some((mut entity, gathering)) = self.polyline.take() else { return };
+        entity.damaged |= cut_off;
+        entity.form = match gathering.end() {
+            Ok(form) => form,
+            Err((name, place)) => {
+                entity.kind = "";
+                Form::Other(file.other(name.as_bytes()), place)
+            }
+        };
+        self.push(file, entity);
+    }
+
+    fn push(&self, file: &mut File<'a>, entity: Entity<'a>) {
+        let block = self.block.and_then(|i| file.blocks.get_mut(i));
+        match block {
+            // Model space as a block of its own is empty in most files; where it is not, it is the model.
+            Some(b) if b.name.eq_ignore_ascii_case(b"*MODEL_SPACE") => file.model.push(entity),
+            Some(b) => b.entities.push(entity),
+            None => file.model.push(entity),
+        }
+    }
+
+    fn note_breaks(&mut self, file: &mut File<'a>, record: Option<&Record<'a>>) {
+        for b in self.tokens.take_breaks() {
+            let (word, place) = (self.tokens.place_word(), b.place);
+            let (code, text) = match b.kind {
+                BreakKind::LostStep => (
+                    Code::Resynchronised,
+                    format!(
+                        "The file is broken near {word} {place}: lines are missing, doubled or swapped. Reading went on at the next sound place."
+                    ),
+                ),
+                BreakKind::BadValue => {
+                    (Code::BadNumber, format!("Near {word} {place} there is no number where one must be."))
+                }
+                BreakKind::MergeConflict => (
+                    Code::Resynchronised,
+                    format!(
+                        "The file holds an unresolved merge conflict at {word} {place}: both versions are read. Resolve it and load the file again."
+                    ),
+                ),
+            };
+            file.notes.push(Note {
+                layer: record.and_then(|r| r.layer).map(|name| file.layers.index(name)),
+                handle: record.and_then(|r| r.handle),
+                ..Note::new(code, Severity::Warning, text)
+            });
+        }
+    }
+
+    fn note_end(&self, file: &mut File<'a>) {
+        let text = if self.ended {
+            if !self.tokens.has_more() {
+                return;
+            }
+            "Text after the end mark of the file was not read."
+        } else if self.tokens.cut_off() {
+            "The file ends in the middle: it was probably not copied whole. What comes after is missing."
+        } else {
+            "The file ends without its end mark: it may not have been copied whole. Check that nothing is missing."
+        };
+        let severity = if self.ended { Severity::Info } else { Severity::Warning };
+        file.notes.push(Note::new(Code::Truncated, severity, text));
+    }
+}
+
+/// The section whose name tag is `tag`.
+fn section_of(tag: &Tag<'_>) -> Section {
+    match tag.text() {
+        Some(b"HEADER") => Section::Header,
+        Some(b"TABLES") => Section::Tables,
+        Some(b"BLOCKS" | b"ENTITIES") => Section::Entities,
+        Some(_) if tag.code == 2 => Section::Other,
+        _ => Section::Unknown,
+    }
+}
+
+/// What every entity has.
+fn head<'a>(record: &Record<'a>, file: &mut File<'a>, kind: &'static str, form: Form<'a>) -> Entity<'a> {
+    let hidden = match (record.paper, record.invisible) {
+        (true, _) => Some(Hidden::Paper),
+        (_, true) => Some(Hidden::Invisible),
+        _ => None,
+    };
+    Entity {
+        kind,
+        handle: record.handle,
+        layer: file.layers.index(record.layer.unwrap_or(b"0")),
+        color: record.color.and_then(|c| i16::try_from(c).ok()).unwrap_or(BY_LAYER),
+        damaged: record.damaged || entities::ran_into_another(record),
+        hidden,
+        form,
+    }
+}

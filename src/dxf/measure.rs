@@ -1,0 +1,220 @@
+//! How much there is to expand, how deep, and how large, before anything is expanded.
+//!
+//! Ten blocks that hold the one before ten times are a file of a kilobyte and 10^10 entities. Every block is
+//! measured once, so this takes time proportional to the file, whatever the number of inserts; what is past a limit
+//! is refused here with a sentence that names the block.
+
+use super::drawing::{Limits, ReadError};
+use super::entity::{Edge, Entity, Form, Hidden, Loop};
+use super::file::File;
+use super::{ocs, placement};
+use glam::{DAffine3, DVec2, DVec3};
+
+/// An extent in space; empty when `min` exceeds `max`.
+#[derive(Clone, Copy, Debug)]
+struct Extent {
+    min: DVec3,
+    max: DVec3,
+}
+
+impl Extent {
+    const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
+
+    fn add(&mut self, p: DVec3) {
+        self.min = self.min.min(p);
+        self.max = self.max.max(p);
+    }
+
+    fn corners(&self) -> impl Iterator<Item = DVec3> + '_ {
+        let corner = |i: u32| {
+            let pick = |bit: u32, min: f64, max: f64| if i & bit == 0 { min } else { max };
+            DVec3::new(
+                pick(1, self.min.x, self.max.x),
+                pick(2, self.min.y, self.max.y),
+                pick(4, self.min.z, self.max.z),
+            )
+        };
+        let empty = self.min.x > self.max.x;
+        (0..8).filter(move |_| !empty).map(corner)
+    }
+}
+
+/// What is known of a block once it is measured.
+#[derive(Clone, Copy, Debug)]
+struct Measure {
+    /// Entities to visit and elements they make, whichever is more, all nested inserts expanded.
+    elements: u64,
+    /// Blocks below it, one within the other.
+    height: usize,
+    extent: Extent,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum State {
+    New,
+    /// Being measured: an insert of it now is one within itself.
+    Open,
+    Done(Measure),
+}
+
+/// The size of the model on the sheet, in units of the drawing (blocks expanded).
+///
+/// # Errors
+/// More elements or deeper nesting than `limits` allow.
+pub(super) fn size(file: &File<'_>, limits: &Limits) -> Result<DVec2, ReadError> {
+    let mut walk = Walk { file, limits, states: vec![State::New; file.blocks.len()] };
+    let model = walk.entities(&file.model, 0)?;
+    walk.check(model.elements, None)?;
+    let size = model.extent.max - model.extent.min;
+    Ok(if size.x >= 0.0 { size.truncate() } else { DVec2::ZERO })
+}
+
+struct Walk<'f, 'a> {
+    file: &'f File<'a>,
+    limits: &'f Limits,
+    states: Vec<State>,
+}
+
+impl Walk<'_, '_> {
+    fn entities(&mut self, entities: &[Entity<'_>], depth: usize) -> Result<Measure, ReadError> {
+        let mut total = Measure { elements: 0, height: 0, extent: Extent::EMPTY };
+        for entity in entities {
+            let seen = !self.is_hidden(entity);
+            match &entity.form {
+                Form::Insert(insert) if !matches!(entity.hidden, Some(Hidden::Paper | Hidden::Invisible)) => {
+                    total.elements = total.elements.saturating_add(1);
+                    let Some(block) = self.file.block(insert.block) else { continue };
+                    let Some(inner) = self.block(block, depth + 1)? else { continue };
+                    let [columns, rows] = insert.counts;
+                    let cells = u64::from(columns) * u64::from(rows);
+                    let elements = inner.elements.saturating_mul(cells);
+                    self.check(elements, Some((insert.block, insert.counts)))?;
+                    total.elements = total.elements.saturating_add(elements);
+                    total.height = total.height.max(inner.height + 1);
+                    let base = self.file.blocks.get(block).map_or(DVec3::ZERO, |b| b.base);
+                    if seen {
+                        for (column, row) in placement::corner_cells(insert) {
+                            let map = placement::cell(insert, base, column, row);
+                            inner.extent.corners().for_each(|p| total.extent.add(map.transform_point3(p)));
+                        }
+                    }
+                }
+                form => {
+                    total.elements = total.elements.saturating_add(elements(form));
+                    if seen {
+                        each_point(form, |p| total.extent.add(p));
+                    }
+                }
+            }
+        }
+        Ok(total)
+    }
+
+    /// The measure of a block; `None` when it is within itself.
+    fn block(&mut self, index: usize, depth: usize) -> Result<Option<Measure>, ReadError> {
+        let Some(block) = self.file.blocks.get(index) else { return Ok(None) };
+        let state = self.states.get(index).copied().unwrap_or(State::Open);
+        let height = if let State::Done(m) = state { m.height } else { 0 };
+        if depth + height > self.limits.depth {
+            return Err(ReadError::Limit(format!(
+                "Blocks are nested more than {} deep at \"{}\". Explode the blocks in the drawing program and save again.",
+                self.limits.depth,
+                String::from_utf8_lossy(block.name)
+            )));
+        }
+        match state {
+            State::Done(measure) => Ok(Some(measure)),
+            State::Open => Ok(None),
+            State::New => {
+                self.states[index] = State::Open;
+                let measure = self.entities(&block.entities, depth)?;
+                self.states[index] = State::Done(measure);
+                Ok(Some(measure))
+            }
+        }
+    }
+
+    fn check(&self, elements: u64, insert: Option<(&[u8], [u32; 2])>) -> Result<(), ReadError> {
+        let limit = self.limits.elements as u64;
+        if elements <= limit {
+            return Ok(());
+        }
+        let what = match insert {
+            Some((name, [columns, rows])) => format!(
+                "The block \"{}\", inserted {columns} x {rows} times, makes",
+                String::from_utf8_lossy(name)
+            ),
+            None => "The drawing makes".to_owned(),
+        };
+        Err(ReadError::Limit(format!(
+            "{what} {elements} elements with all blocks expanded; up to {limit} can be read. Cut fewer copies at once, or delete what is not to be cut."
+        )))
+    }
+
+    fn is_hidden(&self, entity: &Entity<'_>) -> bool {
+        let layer = self.file.layers.get(entity.layer);
+        entity.hidden.is_some() || layer.is_some_and(|l| l.frozen || l.off)
+    }
+}
+
+/// Elements an entity makes, about: enough to compare with a limit.
+fn elements(form: &Form<'_>) -> u64 {
+    // A spline within a hundredth of a millimetre takes a few elements a knot, an ellipse about eight.
+    const PER_CONTROL_POINT: usize = 4;
+    const PER_ELLIPSE: usize = 8;
+    let n = match form {
+        Form::Polyline { vertices, .. } => vertices.len(),
+        Form::Chains(chains) => chains.iter().map(|c| c.points.len()).sum(),
+        Form::Ellipse { .. } => PER_ELLIPSE,
+        Form::Spline(s) => PER_CONTROL_POINT * s.control.len().max(s.fit.len()),
+        Form::Hatch { loops, .. } => loops
+            .iter()
+            .map(|l| match l {
+                Loop::Polyline(vertices, _) => vertices.len(),
+                Loop::Edges(edges) => PER_ELLIPSE * edges.len(),
+            })
+            .sum(),
+        _ => 1,
+    };
+    n.max(1) as u64
+}
+
+/// Points that show how large an entity is; curves by a few points on them.
+fn each_point(form: &Form<'_>, mut f: impl FnMut(DVec3)) {
+    match form {
+        Form::Line(a, b) => [*a, *b].into_iter().for_each(f),
+        Form::Arc { center, radius, start, end, normal } => {
+            let plane = ocs::axes(*normal);
+            let sweep = end.map_or(360.0, |end| (end - start).rem_euclid(360.0));
+            for i in 0..=8 {
+                let v = ocs::unit_at_degrees(start + sweep * f64::from(i) / 8.0) * *radius;
+                f(plane * (*center + v.extend(0.0)));
+            }
+        }
+        Form::Polyline { vertices, elevation, normal, .. } => {
+            let plane = ocs::plane(*normal, *elevation);
+            vertices.iter().for_each(|v| f(plane.transform_point3(v.at.extend(0.0))));
+        }
+        Form::Chains(chains) => chains.iter().flat_map(|c| &c.points).for_each(|p| f(*p)),
+        Form::Ellipse { center, major, minor, .. } => {
+            [*major, -*major, *minor, -*minor].into_iter().for_each(|v| f(*center + v));
+        }
+        Form::Spline(s) => s.control.iter().chain(&s.fit).for_each(|p| f(*p)),
+        Form::Hatch { loops, elevation, normal } => {
+            let plane: DAffine3 = ocs::plane(*normal, *elevation);
+            let mut flat = |p: DVec2| f(plane.transform_point3(p.extend(0.0)));
+            for l in loops {
+                match l {
+                    Loop::Polyline(vertices, _) => vertices.iter().for_each(|v| flat(v.at)),
+                    Loop::Edges(edges) => edges.iter().for_each(|e| match e {
+                        Edge::Line(a, b) => [*a, *b].into_iter().for_each(&mut flat),
+                        Edge::Arc(center, ..) => flat(*center),
+                        Edge::Ellipse(e) => flat(e.center),
+                        Edge::Spline(s) => s.control.iter().chain(&s.fit).for_each(|p| flat(p.truncate())),
+                    }),
+                }
+            }
+        }
+        Form::Insert(_) | Form::Other(..) | Form::Invalid(..) => {}
+    }
+}

@@ -1,0 +1,201 @@
+//! Findings of the reader, gathered in the units and the bytes of the file, handed on in mm and decoded.
+
+use super::encoding::Decoder;
+use super::entity::Hidden;
+use crate::finding::{Code, Finding, Findings, Severity};
+use glam::DVec2;
+use std::collections::BTreeMap;
+
+/// A finding whose texts are not decoded yet.
+#[derive(Clone, Debug)]
+pub(super) struct Note<'a> {
+    /// For programs.
+    pub(super) code: Code,
+    /// How much it matters.
+    pub(super) severity: Severity,
+    /// For people; `{}` stands for `name`.
+    pub(super) message: String,
+    /// Name in the message, as written in the file.
+    pub(super) name: &'a [u8],
+    /// Index of its layer.
+    pub(super) layer: Option<u32>,
+    /// Handle as written.
+    pub(super) handle: Option<&'a [u8]>,
+    /// Place, mm.
+    pub(super) at: Option<DVec2>,
+    /// How many it stands for.
+    pub(super) count: u32,
+}
+
+impl<'a> Note<'a> {
+    /// A note without name, layer, handle and place.
+    pub(super) fn new(code: Code, severity: Severity, message: impl Into<String>) -> Self {
+        Self {
+            code,
+            severity,
+            message: message.into(),
+            name: b"",
+            layer: None,
+            handle: None,
+            at: None,
+            count: 1,
+        }
+    }
+}
+
+/// Notes kept one by one before the rest of a code is only counted: above the number that
+/// [`Findings`] lists, and a bound on memory for files that are broken everywhere.
+const KEPT_PER_CODE: u32 = 256;
+
+/// Collects notes, and counts what occurs many times.
+#[derive(Debug, Default)]
+pub(super) struct Notes<'a> {
+    list: Vec<Note<'a>>,
+    seen: BTreeMap<Code, (u32, u32)>,
+    tallies: BTreeMap<(Subject<'a>, u32), Tally<'a>>,
+}
+
+/// What is counted by layer rather than listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Subject<'a> {
+    /// A kind without an outline.
+    Unsupported(&'a [u8]),
+    /// Not seen.
+    Hidden(Hidden),
+    /// A kind of filled area whose outline is taken.
+    Outline(&'static str),
+    /// A kind of entity tilted against the sheet.
+    Projected(&'static str),
+    /// An insert of a block that is not there.
+    MissingBlock(&'a [u8]),
+    /// An insert of a block that refers to another file.
+    ExternalBlock(&'a [u8]),
+    /// A block within itself.
+    CyclicBlock(&'a [u8]),
+}
+
+/// How many, and the first of them.
+#[derive(Debug)]
+struct Tally<'a> {
+    count: u32,
+    handle: Option<&'a [u8]>,
+    at: Option<DVec2>,
+}
+
+impl<'a> Notes<'a> {
+    /// Adds one note.
+    pub(super) fn push(&mut self, note: Note<'a>) {
+        let (kept, rest) = self.seen.entry(note.code).or_default();
+        if *kept < KEPT_PER_CODE {
+            *kept += 1;
+            self.list.push(note);
+        } else {
+            *rest = rest.saturating_add(note.count);
+        }
+    }
+
+    /// Counts one of `subject` on a layer.
+    pub(super) fn count(
+        &mut self,
+        subject: Subject<'a>,
+        layer: u32,
+        handle: Option<&'a [u8]>,
+        at: Option<DVec2>,
+    ) {
+        let tally = self.tallies.entry((subject, layer)).or_insert(Tally { count: 0, handle, at });
+        tally.count = tally.count.saturating_add(1);
+    }
+
+    /// The findings, with texts decoded by `decoder` and layers named by `layers`.
+    pub(super) fn into_findings(self, decoder: &mut Decoder, layers: &[super::Layer]) -> Vec<Finding> {
+        let mut findings = Findings::default();
+        let overflow = self.seen.into_iter().filter(|(_, (_, rest))| *rest > 0);
+        let overflow =
+            overflow.map(|(code, (_, rest))| Note { count: rest, ..Note::new(code, Severity::Info, "") });
+        let tallies = self.tallies.into_iter().map(|((subject, layer), tally)| tally.note(subject, layer));
+        for note in self.list.into_iter().chain(overflow).chain(tallies) {
+            let message = match note.name {
+                b"" => note.message,
+                name => note.message.replace("{}", &decoder.text(name)),
+            };
+            let layer = note.layer.and_then(|i| layers.get(i as usize)).map(|l| l.name.clone());
+            let handle = note.handle.map(|h| decoder.text(h).into_owned());
+            findings.push(Finding {
+                code: note.code,
+                severity: note.severity,
+                message,
+                layer,
+                handle,
+                at: note.at.filter(|p| p.is_finite()),
+                count: note.count,
+            });
+        }
+        findings.into_list()
+    }
+}
+
+impl<'a> Tally<'a> {
+    fn note(&self, subject: Subject<'a>, layer: u32) -> Note<'a> {
+        let n = self.count;
+        let (code, severity, name, message): (_, _, &[u8], String) = match subject {
+            Subject::Unsupported(name) => {
+                let kind = std::str::from_utf8(name).unwrap_or("");
+                let advice = super::entities::advice(kind);
+                let severity = if kind == "POINT" { Severity::Info } else { Severity::Warning };
+                (Code::UnsupportedEntity, severity, name, format!("{n} {{}} left out: {advice}."))
+            }
+            Subject::Hidden(why) => {
+                let (why, entities) =
+                    (hidden_because(why), if n == 1 { "entity is" } else { "entities are" });
+                let message = format!("{n} {entities} {why} and not cut.");
+                (Code::HiddenEntity, Severity::Info, b"", message)
+            }
+            Subject::Outline(kind) => {
+                let message = format!(
+                    "The outline of {n} {kind} is taken as lines to cut; the filling is not. Where it lies on other lines it is cut once."
+                );
+                (Code::OutlineTaken, Severity::Info, b"", message)
+            }
+            Subject::Projected(kind) => {
+                let message = format!(
+                    "{n} {kind} tilted against the sheet or at changing height: cut as seen from above, which may be shorter than it is."
+                );
+                (Code::Projected, Severity::Warning, b"", message)
+            }
+            Subject::MissingBlock(name) => {
+                let message = format!(
+                    "The block \"{{}}\" is inserted ({n}) but not in the file: its content is missing."
+                );
+                (Code::MissingBlock, Severity::Error, name, message)
+            }
+            Subject::ExternalBlock(name) => {
+                let message = format!(
+                    "The block \"{{}}\" ({n}) refers to another drawing file and is missing here. Bind it in the drawing program and save again."
+                );
+                (Code::MissingBlock, Severity::Error, name, message)
+            }
+            Subject::CyclicBlock(name) => {
+                let message =
+                    format!("The block \"{{}}\" contains itself; the inner insert ({n}) is left out.");
+                (Code::CyclicBlock, Severity::Error, name, message)
+            }
+        };
+        Note {
+            name,
+            layer: Some(layer),
+            handle: self.handle,
+            at: self.at,
+            count: n,
+            ..Note::new(code, severity, message)
+        }
+    }
+}
+
+fn hidden_because(why: Hidden) -> &'static str {
+    match why {
+        Hidden::Paper => "on a paper layout",
+        Hidden::Invisible => "switched invisible",
+        Hidden::Frozen => "on a frozen layer",
+        Hidden::Off => "on a layer that is switched off",
+    }
+}

@@ -1,0 +1,245 @@
+//! From an entity and the map that puts it on the sheet to chains of lines and arcs in mm.
+//!
+//! Under a map that keeps angles arcs stay exact arcs; under any other they are ellipses, fitted within the
+//! tolerance like splines. End points are the images of the points in the file, bit for bit, so that what met in
+//! the drawing meets on the sheet.
+
+use super::entity::{Chain, Edge, Form, Loop, PlaneEllipse, Spline, Vertex};
+use super::ocs::{self, Projection};
+use crate::geometry::{Affine, Arc, Ellipse, Nurbs, Path, Segment};
+use glam::{DAffine3, DVec2, DVec3};
+use std::f64::consts::TAU;
+
+/// The outline of one entity on the sheet.
+#[derive(Debug, Default)]
+pub(super) struct Outline {
+    /// Chains, mm.
+    pub(super) paths: Vec<Path>,
+    /// The entity does not lie flat: it is seen from above.
+    pub(super) tilted: bool,
+}
+
+/// Heights that differ by less, mm, are flat: rounding of the file.
+const FLAT: f64 = 1e-6;
+
+/// The outline of `form`, put on the sheet by `to_sheet`, curves within `tolerance` mm.
+///
+/// # Errors
+/// A sentence fragment: why its values make no outline.
+pub(super) fn outline(form: &Form<'_>, to_sheet: &DAffine3, tolerance: f64) -> Result<Outline, String> {
+    let tracer = Tracer { to_sheet, tolerance };
+    match form {
+        Form::Line(a, b) => Ok(tracer.chain(&[*a, *b], false)),
+        Form::Arc { center, radius, start, end, normal } => {
+            let plane = tracer.plane(*normal, center.z);
+            let arc = arc(center.truncate(), *radius, *start, *end).ok_or("it has no length")?;
+            Ok(flat(plane, vec![tracer.arc(&arc, &plane.map)]))
+        }
+        Form::Polyline { vertices, closed, elevation, normal } => {
+            let plane = tracer.plane(*normal, *elevation);
+            Ok(flat(plane, vec![tracer.polyline(vertices, *closed, &plane.map)]))
+        }
+        Form::Chains(chains) => {
+            let mut all = Outline::default();
+            for Chain { points, closed } in chains {
+                let one = tracer.chain(points, *closed);
+                all.paths.extend(one.paths);
+                all.tilted |= one.tilted;
+            }
+            Ok(all)
+        }
+        Form::Ellipse { center, major, minor, start, sweep } => {
+            let m = to_sheet.matrix3;
+            let (u, v) = (m * *major, m * *minor);
+            let ellipse = Ellipse {
+                center: to_sheet.transform_point3(*center).truncate(),
+                major: u.truncate(),
+                minor: v.truncate(),
+                start: *start,
+                sweep: *sweep,
+            };
+            Ok(Outline {
+                paths: vec![closed_if_it_is(ellipse.to_segments(tolerance))],
+                tilted: u.z.abs().max(v.z.abs()) > FLAT,
+            })
+        }
+        Form::Spline(spline) => {
+            let place = |p: &DVec3| to_sheet.transform_point3(*p).truncate();
+            let heights = spline.control.iter().chain(&spline.fit).map(|p| to_sheet.transform_point3(*p).z);
+            let tilted = spread(heights) > FLAT;
+            let turn = |t: &DVec3| (to_sheet.matrix3 * *t).truncate();
+            Ok(Outline { paths: vec![tracer.spline(spline, place, turn)?], tilted })
+        }
+        Form::Hatch { loops, elevation, normal } => {
+            let plane = tracer.plane(*normal, *elevation);
+            let mut paths = Vec::new();
+            for boundary in loops {
+                match boundary {
+                    Loop::Polyline(vertices, closed) => {
+                        paths.push(tracer.polyline(vertices, *closed, &plane.map));
+                    }
+                    Loop::Edges(edges) => {
+                        for edge in edges {
+                            paths.push(tracer.edge(edge, &plane.map)?);
+                        }
+                    }
+                }
+            }
+            Ok(flat(plane, paths))
+        }
+        Form::Insert(_) | Form::Other(..) | Form::Invalid(..) => Ok(Outline::default()),
+    }
+}
+
+fn flat(plane: Projection, paths: Vec<Path>) -> Outline {
+    Outline { paths, tilted: plane.tilted }
+}
+
+/// A counter-clockwise arc in its plane; whole when its angles are a turn apart, `None` when they are equal.
+fn arc(center: DVec2, radius: f64, start: f64, end: Option<f64>) -> Option<Arc> {
+    let end = end.unwrap_or(start + 360.0);
+    // Angles are written with six digits or more; a difference below is none.
+    const NONE: f64 = 1e-9;
+    if (end - start).abs() < NONE {
+        return None;
+    }
+    let sweep = (end - start).rem_euclid(360.0);
+    let whole = !(NONE..=360.0 - NONE).contains(&sweep);
+    let from = center + radius * ocs::unit_at_degrees(start);
+    let to = if whole { from } else { center + radius * ocs::unit_at_degrees(end) };
+    Some(Arc { start: from, end: to, center, sweep: if whole { TAU } else { sweep.to_radians() } })
+}
+
+struct Tracer<'m> {
+    to_sheet: &'m DAffine3,
+    tolerance: f64,
+}
+
+impl Tracer<'_> {
+    fn plane(&self, normal: DVec3, elevation: f64) -> Projection {
+        ocs::project(&(*self.to_sheet * ocs::plane(normal, elevation)))
+    }
+
+    fn chain(&self, points: &[DVec3], closed: bool) -> Outline {
+        let placed: Vec<DVec3> = points.iter().map(|p| self.to_sheet.transform_point3(*p)).collect();
+        let tilted = spread(placed.iter().map(|p| p.z)) > FLAT;
+        let flat: Vec<Vertex> = placed.iter().map(|p| Vertex { at: p.truncate(), bulge: 0.0 }).collect();
+        Outline { paths: vec![self.polyline(&flat, closed, &Affine::IDENTITY)], tilted }
+    }
+
+    fn arc(&self, arc: &Arc, map: &Affine) -> Path {
+        match map.segment(&Segment::Arc(*arc)) {
+            Some(image) => Path::new(vec![image], arc.is_circle()),
+            None => {
+                let mut segments = Ellipse::of_arc(arc, map).to_segments(self.tolerance);
+                if !arc.is_circle() {
+                    pin_ends(&mut segments, map.point(arc.start), map.point(arc.end));
+                }
+                closed_if_it_is(segments)
+            }
+        }
+    }
+
+    fn polyline(&self, vertices: &[Vertex], closed: bool, map: &Affine) -> Path {
+        let mut segments = Vec::with_capacity(vertices.len());
+        let mut run = |a: &Vertex, b: &Vertex| {
+            let (from, to) = (map.point(a.at), map.point(b.at));
+            match Arc::from_bulge(a.at, b.at, a.bulge) {
+                Some(arc) => {
+                    let mut piece = self.arc(&arc, map).segments;
+                    pin_ends(&mut piece, from, to);
+                    segments.extend(piece);
+                }
+                None => segments.push(Segment::line(from, to)),
+            }
+        };
+        for pair in vertices.windows(2) {
+            if let [a, b] = pair {
+                run(a, b);
+            }
+        }
+        if let (true, [first, .., last]) = (closed, vertices)
+            && first.at != last.at
+        {
+            run(last, first);
+        }
+        // Drawn back to its first vertex without the flag is closed as well.
+        closed_if_it_is(segments)
+    }
+
+    fn spline(
+        &self,
+        spline: &Spline,
+        place: impl Fn(&DVec3) -> DVec2,
+        turn: impl Fn(&DVec3) -> DVec2,
+    ) -> Result<Path, String> {
+        let through = || {
+            let fit: Vec<DVec2> = spline.fit.iter().map(&place).collect();
+            let tangent = |t: &Option<DVec3>| t.as_ref().map(&turn);
+            Nurbs::through(&fit, tangent(&spline.start_tangent), tangent(&spline.end_tangent), spline.closed)
+        };
+        let curve = if spline.control.is_empty() {
+            through()
+        } else {
+            let control: Vec<DVec2> = spline.control.iter().map(&place).collect();
+            let (weights, knots) = (spline.weights.clone(), spline.knots.clone());
+            let made = if spline.closed {
+                Nurbs::closed(spline.degree, control, weights, knots)
+            } else {
+                Nurbs::new(spline.degree, control, weights, knots)
+            };
+            made.or_else(|fault| if spline.fit.is_empty() { Err(fault) } else { through() })
+        };
+        let segments = curve.map_err(|fault| fault.to_string())?.to_segments(self.tolerance);
+        Ok(closed_if_it_is(segments))
+    }
+
+    fn edge(&self, edge: &Edge, map: &Affine) -> Result<Path, String> {
+        Ok(match edge {
+            Edge::Line(a, b) => Path::new(vec![Segment::line(map.point(*a), map.point(*b))], false),
+            Edge::Arc(center, radius, start, sweep) => {
+                let at = |degrees: f64| *center + *radius * ocs::unit_at_degrees(degrees);
+                let (from, whole) = (at(*start), sweep.abs() >= TAU);
+                let to = if whole { from } else { at(start + sweep.to_degrees()) };
+                self.arc(&Arc { start: from, end: to, center: *center, sweep: *sweep }, map)
+            }
+            Edge::Ellipse(PlaneEllipse { center, major, minor, start, sweep }) => {
+                let e =
+                    Ellipse { center: *center, major: *major, minor: *minor, start: *start, sweep: *sweep };
+                closed_if_it_is(e.transformed(map).to_segments(self.tolerance))
+            }
+            Edge::Spline(spline) => {
+                self.spline(spline, |p| map.point(p.truncate()), |t| map.vector(t.truncate()))?
+            }
+        })
+    }
+}
+
+/// The chain, closed when it ends where it starts, bit for bit.
+fn closed_if_it_is(segments: Vec<Segment>) -> Path {
+    let path = Path::new(segments, false);
+    // A single line to where it started is no outline but a point.
+    let turns =
+        path.segments.len() > 1 || path.segments.first().is_some_and(|s| matches!(s, Segment::Arc(_)));
+    let closed = turns && path.start() == path.end();
+    Path { closed, ..path }
+}
+
+/// Puts the ends of a chain where its neighbours expect them; they differ by rounding only.
+fn pin_ends(segments: &mut [Segment], from: DVec2, to: DVec2) {
+    match segments.first_mut() {
+        Some(Segment::Line(l)) => l.start = from,
+        Some(Segment::Arc(a)) => a.start = from,
+        None => {}
+    }
+    match segments.last_mut() {
+        Some(Segment::Line(l)) => l.end = to,
+        Some(Segment::Arc(a)) => a.end = to,
+        None => {}
+    }
+}
+
+fn spread(heights: impl Iterator<Item = f64>) -> f64 {
+    let (min, max) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
+    max - min
+}
