@@ -9,6 +9,8 @@ mod dxf;
 mod gcode;
 mod json;
 mod number;
+#[cfg(feature = "png")]
+pub mod png;
 mod svg;
 
 pub use dxf::dxf;

@@ -5,6 +5,10 @@
 
 #[cfg(feature = "planner")]
 mod planner;
+#[cfg(feature = "png")]
+mod png;
 
 #[cfg(feature = "planner")]
 pub use planner::*;
+#[cfg(feature = "png")]
+pub use png::*;

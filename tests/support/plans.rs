@@ -3,12 +3,13 @@
 #![allow(dead_code, reason = "each test takes the plans it needs")]
 
 use glam::DVec2;
-use kerfway::dxf::{Drawing, Unit, Units, UnitsSource};
+use kerfway::dxf::{Drawing, ReadOptions, Unit, Units, UnitsSource};
 use kerfway::finding::{Code, Finding, Severity};
 use kerfway::geometry::{Arc, Path, Segment, math};
 use kerfway::machine::{Axes, Dialect, Process, Profile, Travel};
+use kerfway::output::{self, Budget, Document, Input};
 use kerfway::plan::{Move, Plan, Summary};
-use kerfway::sheet::{Contour, LayerUse, Operation, Sheet};
+use kerfway::sheet::{Contour, LayerUse, Operation, Sheet, SheetOptions};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use std::f64::consts::{PI, TAU};
@@ -148,6 +149,22 @@ pub(crate) fn drawing() -> Drawing {
                 .times(2),
         ],
     }
+}
+
+/// The document of a plan: default options, seed 1, a budget of 1,000 moves.
+pub(crate) fn document(sheet: &Sheet, plan: &Plan) -> String {
+    output::json(&Document {
+        input: Input { name: "plate.dxf", sha256: &"0123456789abcdef".repeat(4) },
+        drawing: &drawing(),
+        sheet,
+        read: &ReadOptions::default(),
+        arrange: &SheetOptions::default(),
+        machine: &machine(),
+        method: "greedy",
+        seed: 1,
+        budget: Budget { moves: Some(1000), seconds: None, done: 1000 },
+        plan,
+    })
 }
 
 /// A plan of random stops: chains of lines and arcs of every sweep, direction and size, circles, and contours far

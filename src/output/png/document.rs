@@ -1,0 +1,138 @@
+//! What of a plan document is drawn: its moves as strokes, in order.
+
+use super::point;
+use crate::geometry::{Aabb, Arc, DVec2, Segment};
+use crate::sheet::Operation;
+use serde::Deserialize;
+
+/// The format this reads.
+const SCHEMA: &str = "kerfway.plan/1";
+
+/// One stroke of the head.
+pub(super) enum Stroke {
+    /// Beam off.
+    Air {
+        /// mm.
+        from: DVec2,
+        /// mm.
+        to: DVec2,
+    },
+    /// Beam on.
+    Beam {
+        /// Cut or mark.
+        operation: Operation,
+        /// Elements, mm.
+        path: Vec<Segment>,
+    },
+}
+
+/// The strokes of a plan, the first from home.
+pub(super) struct Picture {
+    home: DVec2,
+    pub(super) strokes: Vec<Stroke>,
+}
+
+#[derive(Deserialize)]
+struct Document {
+    schema: String,
+    machine: Machine,
+    contours: Vec<Contour>,
+    moves: Vec<Move>,
+}
+
+#[derive(Deserialize)]
+struct Machine {
+    home: [f64; 2],
+}
+
+#[derive(Deserialize)]
+struct Contour {
+    operation: Operation,
+}
+
+#[derive(Deserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+enum Move {
+    Air { to: [f64; 2] },
+    Pierce,
+    PreCut { to: [f64; 2] },
+    Cut { contour: Contours, path: Vec<Element> },
+}
+
+/// The contour of a cut, or the contours that share it.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Contours {
+    One(usize),
+    Shared(Vec<usize>),
+}
+
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Element {
+    Line { line: [f64; 2] },
+    Arc { arc: [f64; 2], center: [f64; 2], ccw: bool },
+}
+
+impl Picture {
+    /// The picture of a plan document; an error is a sentence for people.
+    pub(super) fn read(plan_json: &str) -> Result<Self, String> {
+        let document: Document = serde_json::from_str(plan_json)
+            .map_err(|e| format!("This is not a plan of the kind {SCHEMA}: {e}."))?;
+        if document.schema != SCHEMA {
+            return Err(format!("This is a document of the kind {}, not {SCHEMA}.", document.schema));
+        }
+        let home = point(document.machine.home);
+        let mut at = home;
+        let mut strokes = Vec::with_capacity(document.moves.len());
+        for step in document.moves {
+            let from = at;
+            match step {
+                Move::Air { to } => {
+                    at = point(to);
+                    strokes.push(Stroke::Air { from, to: at });
+                }
+                Move::Pierce => {}
+                Move::PreCut { to } => {
+                    at = point(to);
+                    strokes.push(Stroke::Beam {
+                        operation: Operation::Cut,
+                        path: vec![Segment::line(from, at)],
+                    });
+                }
+                Move::Cut { contour, path } => {
+                    let id = match contour {
+                        Contours::One(id) => Some(id),
+                        Contours::Shared(ids) => ids.first().copied(),
+                    };
+                    let known = id.and_then(|id| document.contours.get(id));
+                    let path: Vec<Segment> = path.into_iter().map(|e| e.from(&mut at)).collect();
+                    let operation = known.map_or(Operation::Cut, |c| c.operation);
+                    strokes.push(Stroke::Beam { operation, path });
+                }
+            }
+        }
+        Ok(Self { home, strokes })
+    }
+
+    /// The box of everything drawn, mm.
+    pub(super) fn bounds(&self) -> Aabb {
+        self.strokes.iter().fold(Aabb::of(self.home), |b, stroke| match stroke {
+            Stroke::Air { to, .. } => b.with(*to),
+            Stroke::Beam { path, .. } => path.iter().fold(b, |b, s| b.union(s.bounds())),
+        })
+    }
+}
+
+impl Element {
+    /// The element that starts at `at`, which moves on to its end.
+    fn from(self, at: &mut DVec2) -> Segment {
+        let start = *at;
+        let segment = match self {
+            Self::Line { line } => Segment::line(start, point(line)),
+            Self::Arc { arc, center, ccw } => Segment::Arc(Arc::new(start, point(arc), point(center), ccw)),
+        };
+        *at = segment.end();
+        segment
+    }
+}

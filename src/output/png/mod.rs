@@ -1,0 +1,133 @@
+//! The picture of a plan as PNG, drawn by tiny-skia from its JSON (`kerfway.plan/1`).
+//!
+//! It works from the JSON and not from a plan in memory because it lives in a wasm file of its own (feature `png`), which
+//! is loaded only when somebody asks for a picture. White ground, contours in ink, marks in blue, air moves thin and
+//! dashed in orange, entries as dots: the colours of the SVG on white.
+
+mod document;
+mod frame;
+
+use super::arcs;
+use crate::geometry::{Arc, DVec2, Segment, math};
+use crate::sheet::Operation;
+use document::{Picture, Stroke as Drawn};
+use frame::Frame;
+use std::f64::consts::FRAC_PI_4;
+use tiny_skia::{
+    Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
+};
+
+/// Narrowest and widest picture, px.
+pub const WIDTHS: std::ops::RangeInclusive<u32> = 64..=8192;
+
+const INK: [u8; 3] = [0x1b, 0x1f, 0x24];
+const BLUE: [u8; 3] = [0x25, 0x63, 0xc9];
+const ORANGE: [u8; 3] = [0xc2, 0x57, 0x1a];
+
+/// Width of contours, of air moves, and radius of entries, in line px ([`Frame::line_px`]).
+const CONTOUR_WIDTH: f32 = 1.8;
+const AIR_WIDTH: f32 = 1.0;
+const ENTRY_RADIUS: f32 = 3.0;
+/// Dash and gap of air moves, in line px.
+const DASH: [f32; 2] = [6.0, 4.0];
+
+/// Largest sweep drawn as one cubic: it misses the arc by 4e-6 of the radius, 0.03 px on the largest picture.
+const LARGEST_SWEEP: f64 = FRAC_PI_4;
+
+/// The plan in `plan_json` as a PNG file `width` px wide ([`WIDTHS`]), as high as the sheet asks for; an error is a
+/// sentence for people. No picture has more than 33.5 million px, see [`Frame`].
+pub fn render(plan_json: &str, width: u32) -> Result<Vec<u8>, String> {
+    if !WIDTHS.contains(&width) {
+        return Err(format!(
+            "A picture cannot be {width} pixels wide. Choose {} to {}.",
+            WIDTHS.start(),
+            WIDTHS.end()
+        ));
+    }
+    let picture = Picture::read(plan_json)?;
+    let frame = Frame::around(picture.bounds(), width)
+        .ok_or("The plan has no size that can be drawn: a coordinate is out of range.")?;
+    let mut pixels =
+        Pixmap::new(frame.width, frame.height).ok_or("There is not enough memory for the picture.")?;
+    pixels.fill(Color::WHITE);
+    draw(&mut pixels, &picture, &frame);
+    pixels.encode_png().map_err(|_| "The picture could not be written.".to_owned())
+}
+
+fn draw(pixels: &mut Pixmap, picture: &Picture, frame: &Frame) {
+    let px = frame.line_px();
+    let [mut cuts, mut marks, mut air, mut entries] = [(); 4].map(|()| PathBuilder::new());
+    for stroke in &picture.strokes {
+        match stroke {
+            Drawn::Air { from, to } => {
+                move_to(&mut air, frame.place(*from));
+                line_to(&mut air, frame.place(*to));
+            }
+            Drawn::Beam { operation, path } => {
+                let to = if *operation == Operation::Mark { &mut marks } else { &mut cuts };
+                trace(to, frame, path);
+                if let Some(first) = path.first() {
+                    let (x, y) = frame.place(first.start());
+                    entries.push_circle(x, y, ENTRY_RADIUS * px);
+                }
+            }
+        }
+    }
+
+    let contour = Stroke { width: CONTOUR_WIDTH * px, line_join: LineJoin::Round, ..Stroke::default() };
+    line(pixels, cuts, INK, &contour);
+    line(pixels, marks, BLUE, &contour);
+    let dash = StrokeDash::new(DASH.map(|d| d * px).to_vec(), 0.0);
+    let dashed = Stroke { width: AIR_WIDTH * px, line_cap: LineCap::Butt, dash, ..Stroke::default() };
+    line(pixels, air, ORANGE, &dashed);
+    if let Some(dots) = entries.finish() {
+        pixels.fill_path(&dots, &paint(ORANGE), FillRule::Winding, Transform::identity(), None);
+    }
+}
+
+fn line(pixels: &mut Pixmap, path: PathBuilder, color: [u8; 3], stroke: &Stroke) {
+    let path: Option<Path> = path.finish();
+    if let Some(path) = path {
+        pixels.stroke_path(&path, &paint(color), stroke, Transform::identity(), None);
+    }
+}
+
+fn paint([r, g, b]: [u8; 3]) -> Paint<'static> {
+    let mut paint = Paint::default();
+    paint.set_color_rgba8(r, g, b, 255);
+    paint
+}
+
+/// Adds a chain of elements to a path: lines as lines, arcs as cubics.
+fn trace(to: &mut PathBuilder, frame: &Frame, path: &[Segment]) {
+    let Some(first) = path.first() else { return };
+    move_to(to, frame.place(first.start()));
+    for segment in path {
+        match segment {
+            Segment::Line(l) => line_to(to, frame.place(l.end)),
+            Segment::Arc(a) => arcs::split(a, LARGEST_SWEEP).for_each(|piece| cubic_to(to, frame, &piece)),
+        }
+    }
+}
+
+/// The cubic with the ends and tangents of a short arc and its middle: handles of 4/3 tan(sweep / 4) radii.
+fn cubic_to(to: &mut PathBuilder, frame: &Frame, arc: &Arc) {
+    let handle = 4.0 / 3.0 * math::tan(arc.sweep * 0.25);
+    let (a, b) = (arc.start - arc.center, arc.end - arc.center);
+    let (c1, c2) = (frame.place(arc.start + a.perp() * handle), frame.place(arc.end - b.perp() * handle));
+    let end = frame.place(arc.end);
+    to.cubic_to(c1.0, c1.1, c2.0, c2.1, end.0, end.1);
+}
+
+fn move_to(path: &mut PathBuilder, (x, y): (f32, f32)) {
+    path.move_to(x, y);
+}
+
+fn line_to(path: &mut PathBuilder, (x, y): (f32, f32)) {
+    path.line_to(x, y);
+}
+
+/// A point of a document.
+fn point([x, y]: [f64; 2]) -> DVec2 {
+    DVec2::new(x, y)
+}
