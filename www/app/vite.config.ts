@@ -1,13 +1,35 @@
 import { fileURLToPath } from 'node:url';
-import { defineConfig } from 'vite';
+import { defineConfig, type Plugin } from 'vite';
 
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+/**
+ * What the built page may load and where it may speak to: its own folder, nothing else. Set at build, because the
+ * development server needs more.
+ */
+const POLICY = [
+  "default-src 'none'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "worker-src 'self'",
+  "style-src 'self'",
+  "img-src 'self' blob:",
+  "connect-src 'self'",
+  "base-uri 'none'",
+  "form-action 'none'",
+].join('; ');
+
+const contentSecurityPolicy: Plugin = {
+  name: 'content-security-policy',
+  apply: 'build',
+  transformIndexHtml: () => [{ tag: 'meta', attrs: { 'http-equiv': 'Content-Security-Policy', content: POLICY }, injectTo: 'head-prepend' }],
+};
 
 // The page uses the built package as an embedder would; any folder can serve the result.
 export default defineConfig({
   root: at('.'),
   base: './',
   resolve: { alias: { kerfway: at('../../dist/sdk/index.js') } },
+  plugins: [contentSecurityPolicy],
   worker: { format: 'es' },
   build: { outDir: at('../../dist/app'), emptyOutDir: true, target: 'es2022' },
 });

@@ -1,0 +1,52 @@
+/**
+ * Building the page from code: elements, text and inline icons. Text always goes in as text nodes, so nothing from a
+ * drawing (layer names, file names, messages) can become markup.
+ */
+
+import { ICONS, type IconName } from './icons.js';
+
+type Child = Node | string | null | undefined | false;
+type Props = Record<string, unknown>;
+
+/** An element with properties: `class`, `on...` listeners, attributes; `true` sets a bare attribute, `false` none. */
+export function h<K extends keyof HTMLElementTagNameMap>(tag: K, props: Props = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(props)) {
+    if (value === undefined || value === null || value === false) continue;
+    if (name.startsWith('on')) element.addEventListener(name.slice(2), value as EventListener);
+    else if (name === 'class') element.className = String(value);
+    else element.setAttribute(name, value === true ? '' : String(value));
+  }
+  element.append(...children.filter((c): c is Node | string => c !== null && c !== undefined && c !== false));
+  return element;
+}
+
+/** An icon of 16 units square, drawn in the colour of the text around it, hidden from screen readers. */
+export function icon(name: IconName): SVGSVGElement {
+  const space = 'http://www.w3.org/2000/svg';
+  const svg = document.createElementNS(space, 'svg');
+  svg.setAttribute('viewBox', '0 0 16 16');
+  svg.setAttribute('class', 'icon');
+  svg.setAttribute('aria-hidden', 'true');
+  const path = document.createElementNS(space, 'path');
+  path.setAttribute('d', ICONS[name]);
+  svg.append(path);
+  return svg;
+}
+
+/** A button with an icon, a label, or both; with an icon alone the label is for screen readers and the tooltip. */
+export function button(label: string, props: Props & { icon?: IconName; iconOnly?: boolean } = {}): HTMLButtonElement {
+  const { icon: name, iconOnly, ...rest } = props;
+  const extra = iconOnly ? { 'aria-label': label, title: label } : {};
+  return h('button', { type: 'button', ...extra, ...rest }, name ? icon(name) : null, iconOnly ? null : h('span', {}, label));
+}
+
+/** Sets the text of an element if it differs, so that screen readers and layout are left alone when it does not. */
+export function setText(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/** Whether the person asked for less motion. */
+export function lessMotion(): boolean {
+  return matchMedia('(prefers-reduced-motion: reduce)').matches;
+}

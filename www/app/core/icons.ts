@@ -1,0 +1,30 @@
+/** Inline icons: one path each on a 16 unit square, stroked 1.5 units wide in the current colour. */
+export const ICONS = {
+  open: 'M2 12.5v-9h4l1.5 2H14v7z',
+  sun: 'M8 5.2a2.8 2.8 0 1 0 0 5.6 2.8 2.8 0 0 0 0-5.6zM8 1v1.5M8 13.5V15M1 8h1.5M13.5 8H15M3 3l1 1M12 12l1 1M13 3l-1 1M4 12l-1 1',
+  moon: 'M13.5 9.6A6 6 0 0 1 6.4 2.5a6 6 0 1 0 7.1 7.1z',
+  help: 'M6 6.2a2 2 0 1 1 2.8 1.9c-.6.3-.8.7-.8 1.3M8 11.6v.1M8 1.5a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13z',
+  table: 'M2 3h12v10H2zM2 6.3h12M2 9.6h12M6 3v10',
+  plus: 'M8 3v10M3 8h10',
+  minus: 'M3 8h10',
+  fit: 'M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4',
+  ramp: 'M2 13c3 0 3-3.5 6-3.5S11 3 14 3M12 1.5 14 3l-1 2.2',
+  air: 'M2 13 6.5 8.5M8.5 6.5 13 2M10 2h3v3M2 10v3h3',
+  play: 'M4.5 2.8v10.4L13 8z',
+  pause: 'M5 3v10M11 3v10',
+  stop: 'M3.5 3.5h9v9h-9z',
+  next: 'M6 3.5 10.5 8 6 12.5',
+  back: 'M10 3.5 5.5 8 10 12.5',
+  up: 'M3.5 10 8 5.5 12.5 10',
+  down: 'M3.5 6 8 10.5 12.5 6',
+  panel: 'M2 3h12v10H2zM10 3v10',
+  close: 'M3.5 3.5l9 9M12.5 3.5l-9 9',
+  download: 'M8 2v8M4.5 7 8 10.5 11.5 7M2.5 13.5h11',
+  warning: 'M8 2.2 14.3 13.3H1.7zM8 6.3v3.4M8 11.5v.1',
+  error: 'M5.3 1.8h5.4l3.5 3.5v5.4l-3.5 3.5H5.3l-3.5-3.5V5.3zM8 4.8v3.6M8 10.9v.1',
+  info: 'M8 1.5a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zM8 7.2v4M8 4.8v.1',
+  check: 'M3 8.5 6.5 12 13 4.5',
+  more: 'M3 8h.1M8 8h.1M13 8h.1',
+} as const;
+
+export type IconName = keyof typeof ICONS;

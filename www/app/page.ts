@@ -1,0 +1,255 @@
+/** Building the page from its parts and telling them of each other. */
+
+import { Announcer } from './core/announce.js';
+import { h } from './core/dom.js';
+import { acceptDrops, choose, save } from './core/files.js';
+import { counted, seconds } from './core/format.js';
+import { bindKeys } from './core/keys.js';
+import { baseName, messageOf } from './core/strings.js';
+import { Theme } from './core/theme.js';
+import { ContourCard, describe, Tooltip } from './panels/contour.js';
+import { dock, head } from './panels/dock.js';
+import { drawingPanel } from './panels/drawing.js';
+import { helpDialog } from './panels/help.js';
+import { machinePanel } from './panels/machine.js';
+import { planPanel } from './panels/plan.js';
+import { questionCard } from './panels/question.js';
+import { resultPanel } from './panels/result.js';
+import { OrderTable } from './panels/table.js';
+import { toolbar } from './panels/toolbar.js';
+import { topBar } from './panels/topbar.js';
+import { playbackBar } from './playback/bar.js';
+import { Playback } from './playback/playback.js';
+import { Timeline } from './playback/timeline.js';
+import { fetchSample, SAMPLES, type Sample } from './session/samples.js';
+import { Session } from './session/session.js';
+import { attachGestures } from './stage/gestures.js';
+import { ramp } from './stage/ramp.js';
+import type { Travel } from './stage/raster-messages.js';
+import { Scene } from './stage/scene.js';
+import { Viewport } from './stage/viewport.js';
+import type { Finding, MachineProfile, OutputKind } from 'kerfway';
+
+/** CSS pixels around the pointer in which a contour is picked; a finger is wider. */
+const REACH = { pointer: 8, touch: 20 };
+/** Pixels of one step of the view by keys. */
+const STEP = 60;
+/** Milliseconds a notice stays. */
+const NOTICE = 12_000;
+/** Pixels of the picture's width. */
+const PICTURE = 2400;
+
+const FILES: Record<OutputKind, { suffix: string; type: string }> = {
+  gcode: { suffix: '.nc', type: 'text/plain' },
+  dxf: { suffix: '-ordered.dxf', type: 'image/vnd.dxf' },
+  svg: { suffix: '.svg', type: 'image/svg+xml' },
+  png: { suffix: '.png', type: 'image/png' },
+  json: { suffix: '.plan.json', type: 'application/json' },
+};
+
+export async function startPage(): Promise<void> {
+  const place = (id: string) => document.getElementById(id)!;
+  const first = SAMPLES[0]!;
+  // The sample is fetched while the planner starts.
+  const sampleBytes = fetchSample(first);
+  sampleBytes.catch(() => {});
+  const theme = new Theme();
+  const session = await Session.start();
+  const { state } = session;
+  const stage = place('stage');
+  const canvas = place('canvas') as HTMLCanvasElement;
+  const viewport = new Viewport();
+  const scene = new Scene(canvas, viewport, theme.current);
+  const playback = new Playback();
+  const announcer = new Announcer(place('announcer'));
+
+  // Files
+  const openFile = async (file: File) => {
+    hint.hidden = true;
+    try {
+      await session.open(await file.arrayBuffer(), file.name, false);
+    } catch {
+      session.refuse(file.name, `${file.name} could not be read from disk. Choose it again.`);
+    }
+  };
+  const openSample = async (sample: Sample, bytes: Promise<ArrayBuffer>) => {
+    try {
+      await session.open(await bytes, sample.file, true);
+    } catch (error) {
+      session.refuse(sample.file, error);
+    }
+  };
+  const chooseFile = () => choose((file) => void openFile(file));
+  const hint = place('hint');
+  acceptDrops((file) => void openFile(file), (over) => document.body.classList.toggle('dropping', over));
+
+  const download = async (kind: OutputKind) => {
+    try {
+      const data = await session.output(kind, kind === 'png' ? PICTURE : undefined);
+      save(data, baseName(state.name) + FILES[kind].suffix, FILES[kind].type);
+    } catch (error) {
+      tell(messageOf(error));
+    }
+  };
+
+  // Notices
+  const notice = h('div', { class: 'notice', role: 'alert', hidden: true });
+  let noticeTimer = 0;
+  const tell = (sentence: string) => {
+    notice.textContent = sentence;
+    notice.hidden = false;
+    clearTimeout(noticeTimer);
+    noticeTimer = window.setTimeout(() => (notice.hidden = true), NOTICE);
+  };
+  session.on('notice', tell);
+
+  // Selection
+  const tooltip = new Tooltip();
+  const select = (contour: number | null, reveal = false) => {
+    scene.selected = contour;
+    card.show(contour);
+    table.select(contour);
+    const box = contour === null ? null : scene.boxOf(contour);
+    if (reveal && box) viewport.reveal(box);
+    if (contour !== null && reveal) announcer.say(describe(session, playback, contour).join(', '));
+    scene.invalidate();
+  };
+  const step = (to: number) => {
+    const contour = playback.path?.contours[Math.max(0, Math.min(playback.stops - 1, to))];
+    if (contour !== undefined) select(contour, true);
+  };
+  const stepBy = (by: number) => {
+    const at = scene.selected === null ? null : playback.stopOf(scene.selected);
+    step(at === null ? (by > 0 ? 0 : playback.stops - 1) : at + by);
+  };
+  const card = new ContourCard(session, playback, { step: stepBy, close: () => select(null) });
+  const table = new OrderTable(session, playback, (contour) => select(contour, true), () => toggleTable(false));
+  const showFinding = (finding: Finding, zoom: boolean) => {
+    scene.finding = finding;
+    if (zoom && finding.at) viewport.show([finding.at[0], finding.at[1], finding.at[0], finding.at[1]]);
+    scene.invalidate();
+  };
+
+  // Panels
+  const drawing = drawingPanel(session, (finding) => showFinding(finding, true));
+  const scroller = place('sections');
+  scroller.append(drawing, machinePanel(session), planPanel(session), resultPanel(session, theme, (kind) => void download(kind)));
+  place('dock').append(dock(session, { open: chooseFile, gcode: () => void download('gcode') }));
+  const help = helpDialog();
+  const top = topBar(session, theme, {
+    open: chooseFile, sample: (s) => {
+      hint.hidden = true;
+      void openSample(s, fetchSample(s));
+    },
+    table: () => toggleTable(!table.open), help: () => help.showModal(), panel: () => togglePanel(),
+  });
+  place('top').append(...top.nodes);
+  place('playback').append(...playbackBar(playback));
+  const tools = toolbar(viewport, { ramp: (on) => scene.setView({ ramp: on }), air: (on) => scene.setView({ air: on }) });
+  const showTheme = () => {
+    scene.setTheme(theme.current);
+    tools.colors(ramp(theme.current));
+  };
+  theme.on('change', showTheme);
+  showTheme();
+  const failure = h('div', { class: 'card failure', role: 'alert', hidden: true });
+  stage.append(tools.root, tools.legend, card.root, questionCard(session), failure, table.root, notice, tooltip.root);
+  document.body.append(help);
+
+  const toggleTable = (open: boolean) => {
+    table.toggle(open);
+    top.toggles.table.setAttribute('aria-pressed', String(open));
+    if (!open) top.toggles.table.focus();
+    layout();
+  };
+  const togglePanel = () => {
+    const open = document.body.classList.toggle('panel-closed') === document.body.classList.contains('narrow');
+    top.toggles.panel.setAttribute('aria-expanded', String(open));
+    layout();
+  };
+
+  // Layout: the canvas fills the stage; what covers it is left out when fitting.
+  const layout = () => {
+    const box = stage.getBoundingClientRect();
+    const cover = !table.open ? 0 : table.root.getBoundingClientRect().width;
+    const side = cover < box.width * 0.7 ? cover : 0;
+    viewport.resize(box.width, box.height, { top: 28, right: 56, bottom: 36, left: 36 + side });
+  };
+  new ResizeObserver(layout).observe(stage);
+
+  // The stage under the hand
+  attachGestures(canvas, viewport, {
+    hover(at) {
+      const contour = at && scene.pick(at.x, at.y, REACH.pointer);
+      scene.hovered = contour ?? null;
+      if (at && contour !== null) tooltip.show(describe(session, playback, contour!), at.x, at.y);
+      else tooltip.hide();
+      canvas.classList.toggle('over', scene.hovered !== null);
+      scene.invalidate();
+    },
+    click(x, y, touch) {
+      const finding = scene.pickFinding(x, y, touch ? REACH.touch : REACH.pointer + 4);
+      if (finding) {
+        showFinding(finding, false);
+        drawing.open = true;
+        drawing.findings.reveal(finding);
+        return;
+      }
+      scene.finding = null;
+      select(scene.pick(x, y, touch ? REACH.touch : REACH.pointer));
+    },
+  });
+  bindKeys({
+    ' ': () => playback.toggle(), f: () => viewport.fit(), '+': () => viewport.zoom(1.4), '=': () => viewport.zoom(1.4), '-': () => viewport.zoom(1 / 1.4),
+    ArrowRight: () => stepBy(1), ArrowLeft: () => stepBy(-1), Home: () => step(0), End: () => step(playback.stops - 1),
+    'Shift+ArrowLeft': () => viewport.pan(STEP, 0), 'Shift+ArrowRight': () => viewport.pan(-STEP, 0),
+    'Shift+ArrowUp': () => viewport.pan(0, STEP), 'Shift+ArrowDown': () => viewport.pan(0, -STEP),
+    o: chooseFile, s: () => session.stop(), p: () => (state.phase === 'paused' ? session.resume() : session.pause()), k: () => session.keepImproving(),
+    c: () => tools.flip('ramp'), a: () => tools.flip('air'), t: () => toggleTable(!table.open), '?': () => help.showModal(),
+    Escape: () => {
+      scene.finding = null;
+      select(null);
+    },
+  });
+
+  // The job
+  session.on('loaded', ({ loaded, fresh }) => {
+    playback.setTimeline(null);
+    select(null);
+    scene.setDrawing(loaded, true);
+    if (fresh) announcer.say(`${state.name}: ${counted(loaded.contours.length, 'contour')} read.`);
+  });
+  session.on('cleared', () => {
+    playback.setTimeline(null);
+    select(null);
+    scene.setDrawing(null, false);
+  });
+  session.on('progress', ({ progress, path, machine }) => {
+    if (!progress?.path || !path || !machine || !scene.shapes) return;
+    const travel = travelOf(machine);
+    scene.setPath(path, travel);
+    playback.setTimeline(new Timeline(path, progress.summary.total_time, scene.shapes, scene.lengths, travel, machine.pierce_time + machine.beam_on_delay));
+    if (scene.selected !== null) card.show(scene.selected);
+    announcer.say(`Best ${seconds(progress.summary.total_time)}.`);
+  });
+  session.on('change', () => {
+    document.body.dataset.phase = state.phase;
+    failure.hidden = state.phase !== 'failed';
+    failure.replaceChildren(h('h2', {}, state.name), h('p', {}, state.error ?? ''));
+    if (state.phase === 'done' || state.phase === 'paused') announcer.say(head(state));
+    if (state.progress === null && scene.shapes) {
+      playback.setTimeline(null);
+      if (state.machine) scene.setPath(null, travelOf(state.machine));
+    }
+  });
+  playback.on('moment', (moment) => {
+    scene.moment = moment;
+    scene.invalidate();
+  });
+
+  await openSample(first, sampleBytes);
+}
+
+function travelOf(machine: MachineProfile): Travel {
+  return { home: machine.home, returnHome: machine.return_home, perAxis: machine.travel === 'per-axis' ? machine.rapid.speed : null };
+}

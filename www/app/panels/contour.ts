@@ -1,0 +1,57 @@
+/** What a contour is called: in the tooltip under the pointer, and on the card of the selected one. */
+
+import { button, h } from '../core/dom.js';
+import { clock, count, millimetres } from '../core/format.js';
+import type { Session } from '../session/session.js';
+import type { Playback } from '../playback/playback.js';
+
+/** Facts about a contour, the first being its name. */
+export function describe(session: Session, playback: Playback, contour: number): string[] {
+  const { loaded } = session.state;
+  const info = loaded?.contours[contour];
+  if (!loaded || !info) return [];
+  const stop = playback.stopOf(contour);
+  const part = loaded.parts.findIndex((p) => p.outer === contour || p.holes.includes(contour));
+  const name = stop === null ? `Contour ${contour + 1}` : `No. ${count(stop + 1)} of ${count(playback.stops)}`;
+  const kind = info.operation === 'mark' ? 'mark' : !info.closed ? 'open cut' : info.inside === null ? 'outer' : 'inner';
+  return [name, info.layer, millimetres(info.length), part < 0 ? '' : `part ${count(part + 1)}`, kind].filter((t) => t !== '');
+}
+
+/** A line of text that follows the pointer. */
+export class Tooltip {
+  readonly root = h('div', { class: 'tooltip', role: 'tooltip', hidden: true });
+
+  show(facts: readonly string[], x: number, y: number): void {
+    this.root.hidden = facts.length === 0;
+    if (facts.length === 0) return;
+    this.root.replaceChildren(h('strong', {}, facts[0]!), h('span', { class: 'soft' }, facts.slice(1).join(' · ')));
+    const right = x + 14 + this.root.offsetWidth > innerWidth;
+    this.root.style.transform = `translate(${right ? x - 14 - this.root.offsetWidth : x + 14}px, ${y + 16}px)`;
+  }
+
+  hide(): void {
+    this.root.hidden = true;
+  }
+}
+
+/** The selected contour: its facts, and the ones before and after it in the order. */
+export class ContourCard {
+  readonly root = h('section', { class: 'card contour', 'aria-label': 'Selected contour', hidden: true });
+
+  constructor(private readonly session: Session, private readonly playback: Playback, private readonly actions: { step(by: number): void; close(): void }) {}
+
+  show(contour: number | null): void {
+    this.root.hidden = contour === null;
+    if (contour === null) return;
+    const [name, ...facts] = describe(this.session, this.playback, contour);
+    const stop = this.playback.stopOf(contour);
+    const begin = stop === null ? [] : [`cut begins at ${clock(this.playback.begin(stop))}`];
+    const focused = this.root.contains(document.activeElement) ? [...this.root.querySelectorAll('button')].indexOf(document.activeElement as HTMLButtonElement) : -1;
+    this.root.replaceChildren(
+      h('div', { class: 'contour-text' }, h('strong', {}, name ?? ''), h('span', { class: 'soft number' }, [...facts, ...begin].join(' · '))),
+      button('The one before (←)', { icon: 'back', iconOnly: true, class: 'quiet small', onclick: () => this.actions.step(-1) }),
+      button('The next (→)', { icon: 'next', iconOnly: true, class: 'quiet small', onclick: () => this.actions.step(1) }),
+      button('Close (Esc)', { icon: 'close', iconOnly: true, class: 'quiet small', onclick: () => this.actions.close() }));
+    if (focused >= 0) this.root.querySelectorAll('button')[focused]?.focus();
+  }
+}

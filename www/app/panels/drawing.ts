@@ -1,0 +1,72 @@
+/** What was read: counts, layers with what is done with them, the sheet's border, tolerances, findings. */
+
+import { h, setText } from '../core/dom.js';
+import { counted } from '../core/format.js';
+import type { Finding } from 'kerfway';
+import type { Session } from '../session/session.js';
+import { FindingList } from './findings.js';
+import { layerList } from './layers.js';
+import { check, field, section } from './section.js';
+
+/** What a tolerance is when nobody chose one, mm; as `LoadOptions` says. */
+const DEFAULTS = { joinTolerance: 0.05, tolerance: 0.005 };
+
+export function drawingPanel(session: Session, onFinding: (finding: Finding) => void): HTMLDetailsElement & { findings: FindingList } {
+  const { root, body, setGist } = section('Drawing', true);
+  const layers = h('div');
+  const counts = h('p', { class: 'soft' });
+  const findings = new FindingList(onFinding);
+  const outline = check('Leave out the border around everything', (on) => void session.reread({ ...session.state.load, ignoreOutline: on }));
+  const byLayer = check('Order by layer', (on) => void session.reread({ ...session.state.load, orderByLayer: on }));
+  const tolerances = h('details', { class: 'more' }, h('summary', {}, 'Tolerances'),
+    toleranceField(session, 'joinTolerance', 'Join ends nearer than'), toleranceField(session, 'tolerance', 'Follow curves within'));
+  const content = h('div', { class: 'stack' }, counts, layers, byLayer.root, outline.root, findings.root, tolerances);
+  const empty = h('p', { class: 'soft' }, 'No drawing yet.');
+  body.append(empty, content);
+
+  const show = () => {
+    const { loaded, load } = session.state;
+    empty.hidden = loaded !== null;
+    content.hidden = loaded === null;
+    if (!loaded) {
+      setGist('');
+      findings.show([]);
+      return;
+    }
+    setGist(counted(loaded.contours.length, 'contour'));
+    const open = loaded.contours.filter((c) => !c.closed).length;
+    setText(counts, [counted(loaded.parts.length, 'part'), open ? counted(open, 'open contour') : '', loaded.version ? versionName(loaded.version) : '']
+      .filter(Boolean).join(' · '));
+    layers.replaceChildren(layerList(session, loaded));
+    byLayer.root.hidden = loaded.layers.length < 2;
+    byLayer.input.checked = load.orderByLayer ?? false;
+    outline.root.hidden = loaded.outline === null && !load.ignoreOutline;
+    outline.input.checked = load.ignoreOutline ?? false;
+    findings.show(loaded.findings);
+  };
+  session.on('loaded', show);
+  session.on('cleared', show);
+  show();
+  return Object.assign(root, { findings });
+}
+
+function toleranceField(session: Session, key: keyof typeof DEFAULTS, label: string): HTMLElement {
+  const input = h('input', { type: 'number', min: '0.0001', max: '10', step: 'any', inputmode: 'decimal' });
+  const reset = () => (input.value = String(session.state.load[key] ?? DEFAULTS[key]));
+  input.addEventListener('change', () => {
+    const value = input.valueAsNumber;
+    if (value > 0 && value <= 10) void session.reread({ ...session.state.load, [key]: value });
+    else reset();
+  });
+  session.on('loaded', reset);
+  reset();
+  return field(label, input, 'mm');
+}
+
+const VERSIONS: Record<string, string> = {
+  AC1009: 'R12', AC1012: 'R13', AC1014: 'R14', AC1015: 'R2000', AC1018: 'R2004', AC1021: 'R2007', AC1024: 'R2010', AC1027: 'R2013', AC1032: 'R2018',
+};
+
+function versionName(version: string): string {
+  return `DXF ${VERSIONS[version] ?? version}`;
+}

@@ -1,0 +1,96 @@
+/** The machine: a preset, and its numbers behind a disclosure. Any change plans anew. */
+
+import { button, h } from '../core/dom.js';
+import type { MachineProfile } from 'kerfway';
+import type { Session } from '../session/session.js';
+import { check, field, section, select } from './section.js';
+
+interface Quantity {
+  label: string;
+  unit: string;
+  least: number;
+  /** Null where the profile says "at once" or "no limit". */
+  get(m: MachineProfile): number | null;
+  set(m: MachineProfile, value: number): void;
+}
+
+const QUANTITIES: readonly Quantity[] = [
+  { label: 'Cutting speed', unit: 'mm/s', least: 0.01, get: (m) => m.cut.speed, set: (m, v) => (m.cut.speed = v) },
+  { label: 'Cutting acceleration', unit: 'mm/s²', least: 1, get: (m) => m.cut.accel, set: (m, v) => (m.cut.accel = v) },
+  { label: 'Cutting power', unit: '%', least: 0, get: (m) => Math.round(m.cut.power * 1000) / 10, set: (m, v) => (m.cut.power = Math.min(1, v / 100)) },
+  { label: 'Marking speed', unit: 'mm/s', least: 0.01, get: (m) => m.mark.speed, set: (m, v) => (m.mark.speed = v) },
+  { label: 'Marking power', unit: '%', least: 0, get: (m) => Math.round(m.mark.power * 1000) / 10, set: (m, v) => (m.mark.power = Math.min(1, v / 100)) },
+  { label: 'Rapid speed, x', unit: 'mm/s', least: 0.01, get: (m) => m.rapid.speed[0], set: (m, v) => (m.rapid.speed[0] = v) },
+  { label: 'Rapid speed, y', unit: 'mm/s', least: 0.01, get: (m) => m.rapid.speed[1], set: (m, v) => (m.rapid.speed[1] = v) },
+  { label: 'Rapid acceleration, x', unit: 'mm/s²', least: 1, get: (m) => m.rapid.accel?.[0] ?? null, set: (m, v) => (m.rapid.accel = [v, m.rapid.accel?.[1] ?? v]) },
+  { label: 'Rapid acceleration, y', unit: 'mm/s²', least: 1, get: (m) => m.rapid.accel?.[1] ?? null, set: (m, v) => (m.rapid.accel = [m.rapid.accel?.[0] ?? v, v]) },
+  { label: 'Corner deviation', unit: 'mm', least: 0, get: (m) => m.junction_deviation, set: (m, v) => (m.junction_deviation = v) },
+  { label: 'Pierce time', unit: 's', least: 0, get: (m) => m.pierce_time, set: (m, v) => (m.pierce_time = v) },
+  { label: 'Beam on delay', unit: 's', least: 0, get: (m) => m.beam_on_delay, set: (m, v) => (m.beam_on_delay = v) },
+  { label: 'Beam off delay', unit: 's', least: 0, get: (m) => m.beam_off_delay, set: (m, v) => (m.beam_off_delay = v) },
+  { label: 'Home, x', unit: 'mm', least: -1e6, get: (m) => m.home[0], set: (m, v) => (m.home[0] = v) },
+  { label: 'Home, y', unit: 'mm', least: -1e6, get: (m) => m.home[1], set: (m, v) => (m.home[1] = v) },
+  { label: 'S word of full power', unit: '', least: 1, get: (m) => m.max_s, set: (m, v) => (m.max_s = v) },
+];
+
+export function machinePanel(session: Session): HTMLElement {
+  const { root, body, setGist } = section('Machine', false);
+  const { machines } = session.planner;
+  const preset = () => machines.find((m) => m.name === session.state.machine?.name);
+  const edit = (change: (m: MachineProfile) => void) => {
+    const { machine } = session.state;
+    if (!machine) return;
+    const copy = structuredClone(machine);
+    change(copy);
+    session.setMachine(copy, true);
+  };
+
+  const choice = select<string>((name) => {
+    const chosen = machines.find((m) => m.name === name);
+    if (chosen) session.setMachine(structuredClone(chosen));
+  });
+  const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)));
+  const home = check('Return home at the end', (on) => edit((m) => (m.return_home = on)));
+  const inputs = QUANTITIES.map((q) => numberInput(q, edit));
+  const back = button('Back to the preset', { class: 'small', onclick: () => {
+    const original = preset();
+    if (original) session.setMachine(structuredClone(original));
+  } });
+  const numbers = h('details', { class: 'more' }, h('summary', {}, 'Numbers'),
+    h('div', { class: 'stack' }, field('Air moves', travel.root), ...QUANTITIES.map((q, i) => field(q.label, inputs[i]!, q.unit)), home.root, back));
+  body.append(h('div', { class: 'stack' }, field('Preset', choice.root), numbers));
+
+  const show = () => {
+    const { machine } = session.state;
+    if (!machine) return;
+    const original = preset();
+    const changed = original !== undefined && JSON.stringify(original) !== JSON.stringify(machine);
+    setGist(machine.title + (changed ? ', changed' : ''));
+    choice.fill(machines.map((m) => ({ value: m.name, label: m.title })), machine.name);
+    travel.fill([{ value: 'straight', label: 'Straight' }, { value: 'per-axis', label: 'Each axis at its own speed' }], machine.travel);
+    home.input.checked = machine.return_home;
+    back.hidden = !changed;
+    QUANTITIES.forEach((q, i) => {
+      const input = inputs[i]!;
+      if (document.activeElement !== input) input.value = shown(q.get(machine));
+    });
+  };
+  session.on('change', show);
+  show();
+  return root;
+}
+
+function shown(value: number | null): string {
+  return value === null ? '' : String(Math.round(value * 1e6) / 1e6);
+}
+
+function numberInput(quantity: Quantity, edit: (change: (m: MachineProfile) => void) => void): HTMLInputElement {
+  const input = h('input', { type: 'number', step: 'any', min: quantity.least, inputmode: 'decimal', placeholder: 'no limit' });
+  input.addEventListener('input', () => {
+    const value = input.valueAsNumber;
+    const sound = Number.isFinite(value) && value >= quantity.least;
+    input.setAttribute('aria-invalid', String(!sound && input.value !== ''));
+    if (sound) edit((m) => quantity.set(m, value));
+  });
+  return input;
+}

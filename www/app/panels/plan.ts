@@ -1,0 +1,38 @@
+/** How the path is searched: method, time, seed; and what every plan keeps to, in the words of laser software. */
+
+import { h, setText } from '../core/dom.js';
+import { seconds } from '../core/format.js';
+import type { Session } from '../session/session.js';
+import { field, section, select } from './section.js';
+
+/** Budgets offered, s. */
+const BUDGETS = [2, 5, 10, 30, 60, 300];
+
+export function planPanel(session: Session): HTMLElement {
+  const { root, body, setGist } = section('Plan', false);
+  const { methods } = session.planner;
+  const method = select<string>((value) => session.setSearch({ method: value }));
+  const budget = select<number>((value) => session.setSearch({ seconds: value }));
+  const about = h('p', { class: 'soft' });
+  const seed = h('input', { type: 'number', min: 0, max: 4294967295, step: 1, inputmode: 'numeric', placeholder: 'another each time' });
+  seed.addEventListener('input', () => {
+    const value = seed.valueAsNumber;
+    if (seed.value === '') session.setSearch({ seed: null }, true);
+    else if (Number.isInteger(value) && value >= 0 && value <= 4294967295) session.setSearch({ seed: value }, true);
+  });
+  const used = h('p', { class: 'soft' });
+  body.append(h('div', { class: 'stack' },
+    field('Method', method.root), about, field('Search for', budget.root), field('Seed', seed), used,
+    h('p', { class: 'soft' }, 'Always on: cut inner shapes first, reduce travel, choose best starting point, choose best direction, remove overlapping lines.')));
+
+  session.on('change', ({ search, seed: taken }) => {
+    const chosen = methods.find((m) => m.name === search.method);
+    method.fill(methods.map((m) => ({ value: m.name, label: m.title })), search.method);
+    budget.fill(BUDGETS.map((s) => ({ value: s, label: seconds(s) })), search.seconds);
+    setText(about, chosen?.about ?? '');
+    setGist(`${seconds(search.seconds)}`);
+    setText(used, taken === null ? '' : `Seed used: ${taken}`);
+    used.hidden = taken === null || search.seed !== null;
+  });
+  return root;
+}

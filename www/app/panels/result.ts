@@ -1,0 +1,103 @@
+/** What came of it: seconds saved first, then before and after, the parts of the job's time, the chart, downloads. */
+
+import { button, h, setText } from '../core/dom.js';
+import { count, metres, percent, seconds } from '../core/format.js';
+import type { OutputKind, Summary } from 'kerfway';
+import type { Session } from '../session/session.js';
+import type { State } from '../session/state.js';
+import type { Theme } from '../core/theme.js';
+import { chart } from './chart.js';
+import { section } from './section.js';
+
+const ROWS = [
+  { key: 'drawing', label: 'Drawing order', line: 'dashed' },
+  { key: 'greedy', label: 'Nearest first', line: 'dotted' },
+  { key: 'now', label: 'Now', line: 'solid' },
+] as const;
+
+const DOWNLOADS: readonly { kind: OutputKind; label: string }[] = [
+  { kind: 'gcode', label: 'G-code' }, { kind: 'dxf', label: 'DXF' }, { kind: 'svg', label: 'SVG' }, { kind: 'png', label: 'PNG' }, { kind: 'json', label: 'Plan' },
+];
+
+export function resultPanel(session: Session, theme: Theme, download: (kind: OutputKind) => void): HTMLElement {
+  const { root, body } = section('Result', true);
+  const saved = h('p', { class: 'large' });
+  const of = h('p', { class: 'soft number' });
+  const rows = ROWS.map(({ label, line }) => new Row(label, line));
+  const table = h('table', { class: 'compare' },
+    h('caption', { class: 'hidden' }, 'Before and after'),
+    h('thead', {}, h('tr', {}, ...['Order', 'Job', 'Air', 'Air way'].map((t, i) => h('th', { scope: 'col', class: i ? 'number' : '' }, t)))),
+    ...rows.map((r) => r.root));
+  const parts = h('dl', { class: 'parts' });
+  const files = h('div', { class: 'downloads', role: 'group', 'aria-label': 'Download' },
+    ...DOWNLOADS.map(({ kind, label }) => button(label, { class: 'small', title: `Download ${label}`, onclick: () => download(kind) })));
+  const key = h('p', { class: 'key', 'aria-hidden': 'true' }, ...['Cut', 'Pierce', 'Air'].map((t) => h('span', { class: t.toLowerCase() }, t)));
+  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, key, chart(session, theme), parts, files);
+  const empty = h('p', { class: 'soft' }, 'Numbers appear as soon as the first path stands.');
+  body.append(empty, content);
+
+  let timer = 0;
+  const draw = () => {
+    timer = 0;
+    const { state } = session;
+    empty.hidden = state.progress !== null;
+    content.hidden = state.progress === null;
+    if (state.progress) show(state, state.progress.summary);
+  };
+  const show = (state: State, now: Summary) => {
+    const before = state.baselines?.drawing;
+    if (before) {
+      const gain = before.total_time - now.total_time;
+      setText(saved, gain >= 0 ? `${seconds(gain)} saved` : `${seconds(-gain)} longer`);
+      setText(of, `of ${seconds(before.total_time)} in drawing order, ${percent(Math.abs(gain) / before.total_time)}`);
+    }
+    const longest = Math.max(before?.total_time ?? 0, state.baselines?.greedy.total_time ?? 0, now.total_time);
+    rows[0]!.show(before, longest);
+    rows[1]!.show(state.baselines?.greedy, longest);
+    rows[2]!.show(now, longest);
+    showParts(parts, now);
+  };
+  const soon = () => {
+    // Ten times a second is as fast as numbers can be read, and faster than they need be.
+    if (!timer) timer = window.setTimeout(draw, 100);
+  };
+  session.on('progress', soon);
+  session.on('change', soon);
+  draw();
+  return root;
+}
+
+/** One order of cutting: its numbers, and a bar of what the time goes into. */
+class Row {
+  readonly root: HTMLElement;
+  private readonly cells = [h('td', { class: 'number' }), h('td', { class: 'number' }), h('td', { class: 'number' })];
+  private readonly bar = h('td', { colspan: 4, class: 'bar' }, h('span', { class: 'cut' }), h('span', { class: 'pierce' }), h('span', { class: 'air' }));
+
+  constructor(label: string, line: string) {
+    this.root = h('tbody', { class: line },
+      h('tr', {}, h('th', { scope: 'row' }, h('span', { class: `line ${line}`, 'aria-hidden': 'true' }), label), ...this.cells),
+      h('tr', { 'aria-hidden': 'true' }, this.bar));
+  }
+
+  show(summary: Summary | undefined, longest: number): void {
+    this.root.hidden = summary === undefined;
+    if (!summary) return;
+    [seconds(summary.total_time), seconds(summary.air_time), metres(summary.air_length)].forEach((text, i) => setText(this.cells[i]!, text));
+    const shares = [summary.cut_time + summary.macro_time, summary.pierce_time + summary.pre_cut_time, summary.air_time];
+    [...this.bar.children].forEach((span, i) => (span as HTMLElement).style.setProperty('width', `${(100 * shares[i]!) / longest}%`));
+  }
+}
+
+function showParts(list: HTMLElement, s: Summary): void {
+  const rows: [string, string][] = [
+    ['Cut', `${seconds(s.cut_time)} · ${metres(s.cut_length)}`],
+    ['Pierce', `${seconds(s.pierce_time)} · ${count(s.pierces)} piercings`],
+  ];
+  if (s.pre_cuts > 0) rows.push(['Pre-cuts', `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);
+  if (s.macro_time > 0) rows.push(['Corners', seconds(s.macro_time)]);
+  if (s.gap !== null) rows.push(['Gap', `at most ${percent(s.gap)} above the optimum`]);
+  const text = JSON.stringify(rows);
+  if (list.dataset.shown === text) return;
+  list.dataset.shown = text;
+  list.replaceChildren(...rows.flatMap(([term, value]) => [h('dt', {}, term), h('dd', { class: 'number' }, value)]));
+}

@@ -1,0 +1,50 @@
+/** A part of the right panel: a heading that opens and closes, with the gist beside it. */
+
+import { h, setText } from '../core/dom.js';
+
+export interface Section {
+  root: HTMLDetailsElement;
+  body: HTMLElement;
+  /** Says in the heading what is chosen or known. */
+  setGist(text: string): void;
+}
+
+export function section(title: string, open: boolean): Section {
+  const gist = h('span', { class: 'gist' });
+  const body = h('div', { class: 'section-body' });
+  const root = h('details', { class: 'section', open }, h('summary', {}, h('h2', {}, title), gist), body);
+  return { root, body, setGist: (text) => setText(gist, text) };
+}
+
+/** A label above or beside its control. */
+export function field(label: string, control: HTMLElement, unit?: string): HTMLLabelElement {
+  return h('label', { class: 'field' }, h('span', { class: 'field-label' }, label), h('span', { class: 'field-control' }, control, unit ? h('span', { class: 'unit' }, unit) : null));
+}
+
+/** A checkbox with its label. */
+export function check(label: string, onChange: (on: boolean) => void): { root: HTMLLabelElement; input: HTMLInputElement } {
+  const input = h('input', { type: 'checkbox' });
+  input.addEventListener('change', () => onChange(input.checked));
+  return { root: h('label', { class: 'check' }, input, h('span', {}, label)), input };
+}
+
+/** A choice from a list. */
+export function select<T extends string | number>(onChange: (value: T) => void): { root: HTMLSelectElement; fill(options: { value: T; label: string }[], chosen: T): void } {
+  const root = h('select');
+  let values: T[] = [];
+  let shown = '';
+  root.addEventListener('change', () => {
+    const value = values[root.selectedIndex];
+    if (value !== undefined) onChange(value);
+  });
+  return {
+    root,
+    fill(options, chosen) {
+      values = options.map((o) => o.value);
+      const now = JSON.stringify(options);
+      if (now !== shown) root.replaceChildren(...options.map((o) => h('option', { value: o.value }, o.label)));
+      shown = now;
+      root.selectedIndex = values.indexOf(chosen);
+    },
+  };
+}

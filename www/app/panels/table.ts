@@ -1,0 +1,95 @@
+/**
+ * The cutting order as a table. Only the rows in view are in the page, so 10,000 contours scroll as ten do; the row
+ * count and each row's place are told to screen readers.
+ */
+
+import { button, h } from '../core/dom.js';
+import { clock, count, millimetres, size } from '../core/format.js';
+import type { Session } from '../session/session.js';
+import type { Playback } from '../playback/playback.js';
+
+/** Height of a row, CSS pixels; the same in `panels.css`. */
+const ROW = 32;
+/** Rows kept above and below the view. */
+const SPARE = 8;
+/** Milliseconds between two refreshes while the path improves: a table that jumps cannot be read. */
+const PAUSE = 1000;
+
+const COLUMNS = ['No.', 'Layer', 'Length', 'Begins', 'Entry', 'Turn'];
+
+export class OrderTable {
+  readonly root: HTMLElement;
+  private readonly body = h('div', { role: 'rowgroup', class: 'rows' });
+  private readonly grid = h('div', { role: 'table', class: 'order', 'aria-label': 'Cutting order', 'aria-colcount': COLUMNS.length });
+  private readonly scroller: HTMLElement;
+  private selected: number | null = null;
+  private timer = 0;
+
+  constructor(private readonly session: Session, private readonly playback: Playback, private readonly onSelect: (contour: number) => void, onClose: () => void) {
+    this.grid.append(
+      h('div', { role: 'rowgroup', class: 'order-head' }, h('div', { role: 'row', class: 'order-row', 'aria-rowindex': 1 }, ...COLUMNS.map((c) => h('span', { role: 'columnheader' }, c)))),
+      this.body);
+    this.scroller = h('div', { class: 'order-scroll', tabindex: 0, role: 'region', 'aria-label': 'Rows of the cutting order' }, this.grid);
+    this.root = h('section', { class: 'drawer', 'aria-labelledby': 'order-title', hidden: true },
+      h('div', { class: 'dialog-head' }, h('h2', { id: 'order-title' }, 'Cutting order'), button('Close the table', { icon: 'close', iconOnly: true, class: 'quiet', onclick: onClose })),
+      this.scroller);
+    this.scroller.addEventListener('scroll', () => this.draw());
+    new ResizeObserver(() => this.draw()).observe(this.scroller);
+    playback.on('path', () => {
+      if (!this.timer && this.open) this.timer = window.setTimeout(() => this.draw(), PAUSE);
+    });
+  }
+
+  get open(): boolean {
+    return !this.root.hidden;
+  }
+
+  toggle(open: boolean): void {
+    this.root.hidden = !open;
+    this.draw();
+    if (open) this.scroller.focus({ preventScroll: true });
+  }
+
+  /** Marks a contour and brings its row into view. */
+  select(contour: number | null): void {
+    this.selected = contour;
+    if (!this.open) return;
+    const stop = contour === null ? null : this.playback.stopOf(contour);
+    if (stop !== null) {
+      const top = stop * ROW, room = this.scroller.clientHeight - 2 * ROW;
+      if (top < this.scroller.scrollTop) this.scroller.scrollTop = top;
+      else if (top > this.scroller.scrollTop + room) this.scroller.scrollTop = top - room;
+    }
+    this.draw();
+  }
+
+  private draw(): void {
+    clearTimeout(this.timer);
+    this.timer = 0;
+    if (!this.open) return;
+    const { stops } = this.playback;
+    const first = Math.max(0, Math.floor(this.scroller.scrollTop / ROW) - SPARE);
+    const last = Math.min(stops, first + Math.ceil(this.scroller.clientHeight / ROW) + 2 * SPARE);
+    this.grid.setAttribute('aria-rowcount', String(stops + 1));
+    this.body.style.height = `${stops * ROW}px`;
+    const focus = (document.activeElement as HTMLElement | null)?.closest<HTMLElement>('.order-row')?.dataset.stop;
+    const rows: HTMLElement[] = [];
+    for (let stop = first; stop < last; stop += 1) rows.push(this.row(stop));
+    this.body.replaceChildren(...rows);
+    if (focus !== undefined) this.body.querySelector<HTMLElement>(`[data-stop="${focus}"] button`)?.focus({ preventScroll: true });
+  }
+
+  private row(stop: number): HTMLElement {
+    const path = this.session.state.path!;
+    const contour = path.contours[stop]!;
+    const info = this.session.state.loaded?.contours[contour];
+    const cell = (text: string, extra = '') => h('span', { role: 'cell', class: extra }, text);
+    const row = h('div', { role: 'row', class: contour === this.selected ? 'order-row selected' : 'order-row', 'aria-rowindex': stop + 2, 'data-stop': stop },
+      h('span', { role: 'cell' }, h('button', { type: 'button', class: 'row-button number', 'aria-label': `Contour ${stop + 1}, show on the sheet`, onclick: () => this.onSelect(contour) }, count(stop + 1))),
+      cell(info?.layer ?? ''), cell(info ? millimetres(info.length) : '', 'number'), cell(clock(this.playback.begin(stop)), 'number'),
+      cell(`${size(path.points[stop * 4]!)}, ${size(path.points[stop * 4 + 1]!)}`, 'number'),
+      cell(info?.closed ? (path.reversed[stop] ? 'reversed' : 'as drawn') : 'open'));
+    row.style.transform = `translateY(${stop * ROW}px)`;
+    return row;
+  }
+}

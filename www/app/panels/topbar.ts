@@ -1,0 +1,83 @@
+/** The top bar: opening a file or a sample; what the file is, in which units and how large; table, theme, help. */
+
+import { button, h, icon, setText } from '../core/dom.js';
+import { menuItem, popover } from '../core/menu.js';
+import { extent } from '../core/format.js';
+import { UNIT_NAMES, UNIT_SIZES, UNIT_SOURCES } from '../core/strings.js';
+import type { Unit } from 'kerfway';
+import { SAMPLES, type Sample } from '../session/samples.js';
+import type { Session } from '../session/session.js';
+import type { Theme } from '../core/theme.js';
+import { sizeIn } from './question.js';
+
+export interface TopActions {
+  open(): void;
+  sample(sample: Sample): void;
+  table(): void;
+  help(): void;
+  panel(): void;
+}
+
+export function topBar(session: Session, theme: Theme, actions: TopActions): { nodes: Node[]; toggles: { table: HTMLButtonElement; panel: HTMLButtonElement } } {
+  const samples = button('Samples', { class: 'quiet' });
+  samples.append(icon('down'));
+  const list = h('div', { class: 'menu' }, ...SAMPLES.map((s) => menuItem(s.title, s.about, false, () => actions.sample(s))));
+
+  const name = h('span', { class: 'file-name' });
+  const units = h('button', { type: 'button', class: 'quiet units' });
+  const unitList = h('div', { class: 'menu' });
+  const unitMenu = popover(units, 'Units', unitList, () => fillUnits(session, unitList));
+  const measure = h('span', { class: 'measure number' });
+
+  const themes = button('Dark theme', { icon: 'moon', iconOnly: true, class: 'quiet', onclick: () => theme.toggle() });
+  const table = button('Cutting order', { icon: 'table', iconOnly: true, class: 'quiet', 'aria-pressed': false, onclick: actions.table });
+  const panel = button('Panel', { icon: 'panel', iconOnly: true, class: 'quiet panel-toggle', 'aria-expanded': true, 'aria-controls': 'panel', onclick: actions.panel });
+
+  const showTheme = () => {
+    const dark = theme.current === 'dark';
+    const label = dark ? 'Light theme' : 'Dark theme';
+    themes.title = label;
+    themes.setAttribute('aria-label', label);
+    themes.replaceChildren(icon(dark ? 'sun' : 'moon'));
+  };
+  theme.on('change', showTheme);
+  showTheme();
+
+  const show = () => {
+    const { loaded, name: file } = session.state;
+    setText(name, file);
+    name.title = file;
+    units.hidden = measure.hidden = loaded === null;
+    if (!loaded) return;
+    const { unit, source, doubtful } = loaded.units;
+    units.replaceChildren(h('span', {}, unit), h('span', { class: 'soft source' }, UNIT_SOURCES[source]), icon('down'));
+    units.setAttribute('aria-label', `Units: ${UNIT_NAMES[unit]}, ${UNIT_SOURCES[source]}. Choose others.`);
+    units.title = loaded.units.reason;
+    units.classList.toggle('doubtful', doubtful);
+    const [x0, y0, x1, y1] = loaded.bounds;
+    setText(measure, extent(x1 - x0, y1 - y0));
+  };
+  session.on('change', show);
+  session.on('loaded', show);
+  show();
+
+  return {
+    nodes: [
+      h('div', { class: 'brand', 'aria-hidden': 'true' }, 'Kerfway'),
+      button('Open', { icon: 'open', class: 'quiet', 'aria-label': 'Open a DXF file', onclick: actions.open }),
+      samples, popover(samples, 'Samples', list),
+      h('div', { class: 'file' }, name, units, unitMenu, measure),
+      h('div', { class: 'tools' }, table, themes, button('Keys and help', { icon: 'help', iconOnly: true, class: 'quiet', onclick: actions.help }), panel),
+    ],
+    toggles: { table, panel },
+  };
+}
+
+function fillUnits(session: Session, list: HTMLElement): void {
+  const { loaded } = session.state;
+  if (!loaded) return;
+  const choices = Object.keys(UNIT_SIZES) as Unit[];
+  list.replaceChildren(
+    h('p', { class: 'menu-note' }, loaded.units.reason),
+    ...choices.map((u) => menuItem(UNIT_NAMES[u], sizeIn(loaded, u), u === loaded.units.unit, () => session.setUnits(u))));
+}

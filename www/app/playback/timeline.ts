@@ -1,0 +1,94 @@
+/**
+ * Where the head is at a moment of the job. The path tells when each stop's cut begins and ends; between the end of
+ * one and the beginning of the next lie the air move and, at its end, the piercing.
+ */
+
+import type { BestPath } from 'kerfway';
+import { placeAfter, type Place, type Shapes } from '../stage/shapes.js';
+import type { Travel } from '../stage/raster-messages.js';
+
+export interface Moment {
+  /** The stop the head is at or under way to; the number of stops when it is on the way home or there. */
+  stop: number;
+  /** Cutting, rather than on an air move or piercing. */
+  cutting: boolean;
+  /** Length of the stop's contour already cut, mm. */
+  cut: number;
+  x: number;
+  y: number;
+}
+
+export class Timeline {
+  private readonly place: Place = { x: 0, y: 0, dx: 0, dy: 0 };
+
+  /** `still`: seconds before each cut in which the head stands and pierces. */
+  constructor(
+    readonly path: BestPath, readonly total: number, private readonly shapes: Shapes,
+    private readonly contourLengths: Float64Array, private readonly travel: Travel, private readonly still: number,
+  ) {}
+
+  get stops(): number {
+    return this.path.contours.length;
+  }
+
+  /** When a stop's cut begins, s. */
+  begin(stop: number): number {
+    return this.path.times[stop * 2] ?? this.total;
+  }
+
+  /** The stop whose cut is under way at `t`, or comes next. */
+  stopAt(t: number): number {
+    let low = 0, high = this.stops;
+    while (low < high) {
+      const mid = (low + high) >> 1;
+      if (this.path.times[mid * 2 + 1]! < t) low = mid + 1;
+      else high = mid;
+    }
+    return low;
+  }
+
+  at(t: number, out: Moment): Moment {
+    const { points, times, contours } = this.path;
+    const stop = this.stopAt(t);
+    out.stop = stop;
+    out.cut = 0;
+    out.cutting = false;
+    if (stop < this.stops && t >= times[stop * 2]!) {
+      const begin = times[stop * 2]!, end = times[stop * 2 + 1]!;
+      const chain = contours[stop]!;
+      out.cutting = true;
+      out.cut = this.contourLengths[chain]! * (end > begin ? Math.min(1, (t - begin) / (end - begin)) : 1);
+      placeAfter(this.shapes, chain, this.path.along[stop]!, this.path.reversed[stop] === 1, out.cut, this.place);
+      out.x = this.place.x;
+      out.y = this.place.y;
+      return out;
+    }
+    const home = this.travel.home;
+    const [x0, y0] = stop === 0 ? home : [points[stop * 4 - 2]!, points[stop * 4 - 1]!];
+    const left = stop === 0 ? 0 : times[stop * 2 - 1]!;
+    const last = stop === this.stops;
+    if (last && !this.travel.returnHome) {
+      out.x = x0;
+      out.y = y0;
+      return out;
+    }
+    const [x1, y1] = last ? home : [points[stop * 4]!, points[stop * 4 + 1]!];
+    const arrive = Math.max(left, last ? this.total : times[stop * 2]! - this.still);
+    this.along(x0, y0, x1, y1, arrive > left ? Math.min(1, (t - left) / (arrive - left)) : 1, out);
+    return out;
+  }
+
+  /** A point of an air move after a share of its time, as the machine's axes run. */
+  private along(x0: number, y0: number, x1: number, y1: number, share: number, out: Moment): void {
+    const dx = x1 - x0, dy = y1 - y0;
+    let sx = share, sy = share;
+    if (this.travel.perAxis) {
+      const tx = Math.abs(dx) / this.travel.perAxis[0], ty = Math.abs(dy) / this.travel.perAxis[1];
+      const whole = Math.max(tx, ty);
+      sx = tx > 0 ? Math.min(1, (share * whole) / tx) : 1;
+      sy = ty > 0 ? Math.min(1, (share * whole) / ty) : 1;
+    }
+    out.x = x0 + dx * sx;
+    out.y = y0 + dy * sy;
+  }
+}

@@ -1,0 +1,272 @@
+/**
+ * The job in hand: reads a drawing, asks what is in doubt, plans, and goes on. Planning starts by itself; any change of
+ * drawing, machine or options starts it anew. The newest wish wins: answers to older ones are dropped.
+ */
+
+import { createPlanner, type LoadOptions, type Loaded, type MachineProfile, type Operation, type OutputKind, type PlanHandle, type Planner, type Progress, type Unit } from 'kerfway';
+import { Emitter } from '../core/emitter.js';
+import { messageOf } from '../core/strings.js';
+import { initialState, type Question, type Search, type State } from './state.js';
+
+/** Milliseconds typed numbers rest before the plan starts anew, so that it does not at each digit. */
+const SETTLE = 350;
+
+interface Events extends Record<string, unknown> {
+  /** Anything but progress changed. */
+  change: State;
+  /** A drawing was read; `fresh`: another file, not the same one read otherwise. */
+  loaded: { loaded: Loaded; fresh: boolean };
+  /** No drawing, or none that can be used. */
+  cleared: void;
+  progress: State;
+  /** Something to tell that is no state: the planner was replaced. */
+  notice: string;
+}
+
+export class Session extends Emitter<Events> {
+  readonly state: State = initialState();
+  private readonly answered = new Set<Question>();
+  private run: PlanHandle | null = null;
+  private wish = 0;
+  private settle = 0;
+
+  private constructor(readonly planner: Planner) {
+    super();
+    this.state.machine = planner.machines.find((m) => m.name === 'co2-100w') ?? planner.machines[0] ?? null;
+    this.state.search.method = planner.methods[0]?.name ?? '';
+  }
+
+  /** Starts the planner's worker. */
+  static async start(): Promise<Session> {
+    let session: Session | null = null;
+    const planner = await createPlanner({ onReplaced: (message) => session?.emit('notice', message) });
+    session = new Session(planner);
+    return session;
+  }
+
+  /** Takes a drawing into work. Its bytes are the worker's afterwards. */
+  async open(bytes: ArrayBuffer | Uint8Array, name: string, sample: boolean): Promise<void> {
+    const { state } = this;
+    const wish = this.begin();
+    this.answered.clear();
+    Object.assign(state, { phase: 'reading', name, sample, load: {}, loaded: null, question: null, error: null });
+    this.forget();
+    this.emit('cleared', undefined);
+    this.emit('change', state);
+    try {
+      const loaded = await this.planner.load(bytes, name, state.load);
+      if (wish === this.wish) this.take(loaded, true);
+    } catch (error) {
+      if (wish === this.wish) this.fail(error);
+    }
+  }
+
+  /** Reads the same drawing with other options. */
+  async reread(options: LoadOptions): Promise<void> {
+    const { state } = this;
+    if (!state.loaded) return;
+    const wish = this.begin();
+    state.load = options;
+    try {
+      const loaded = await this.planner.reload(options);
+      if (wish === this.wish) this.take(loaded, false);
+    } catch (error) {
+      if (wish === this.wish) this.fail(error);
+    }
+  }
+
+  /** A file could not even be opened. */
+  refuse(name: string, error: unknown): void {
+    this.begin();
+    Object.assign(this.state, { name, sample: false, loaded: null });
+    this.fail(error);
+  }
+
+  setUnits(units: Unit): void {
+    this.answered.add('units');
+    void this.reread({ ...this.state.load, units });
+  }
+
+  setOperation(layer: string, operation: Operation): void {
+    const layers = this.layers().map((l) => (l.name === layer ? { name: layer, operation } : l));
+    void this.reread({ ...this.state.load, layers });
+  }
+
+  /** Moves a layer in the order by layer. */
+  moveLayer(layer: string, by: -1 | 1): void {
+    const layers = this.layers();
+    const from = layers.findIndex((l) => l.name === layer);
+    const [moved] = layers.splice(from, 1);
+    if (!moved) return;
+    layers.splice(Math.max(0, Math.min(layers.length, from + by)), 0, moved);
+    void this.reread({ ...this.state.load, layers });
+  }
+
+  /** The units stand, or damaged entities stay out or are kept: the question is answered. */
+  answer(question: Question, options: LoadOptions = {}): void {
+    this.answered.add(question);
+    if (Object.keys(options).length > 0) void this.reread({ ...this.state.load, ...options });
+    else this.ask();
+  }
+
+  setMachine(machine: MachineProfile, typed = false): void {
+    this.state.machine = machine;
+    this.emit('change', this.state);
+    this.restart(typed);
+  }
+
+  setSearch(search: Partial<Search>, typed = false): void {
+    this.state.search = { ...this.state.search, ...search };
+    this.emit('change', this.state);
+    this.restart(typed);
+  }
+
+  /** Stops, keeping the best path. */
+  stop(): void {
+    this.run?.stop();
+  }
+
+  pause(): void {
+    if (this.state.phase !== 'planning') return;
+    this.run?.pause();
+    this.state.phase = 'paused';
+    this.emit('change', this.state);
+  }
+
+  resume(): void {
+    if (this.state.phase !== 'paused') return;
+    this.run?.resume();
+    this.state.phase = 'planning';
+    this.emit('change', this.state);
+  }
+
+  /** Goes on with the plan for another budget. */
+  keepImproving(): void {
+    const { state } = this;
+    if (state.phase !== 'done') return;
+    state.budget = (state.progress?.seconds ?? 0) + state.search.seconds;
+    const { wish } = this;
+    this.follow(this.planner.continue({ seconds: state.search.seconds }, (p) => this.hear(p, wish)), wish);
+  }
+
+  /** One of the outputs of the best plan. */
+  output(kind: OutputKind, width?: number): Promise<string | Uint8Array> {
+    return this.planner.output(kind, width);
+  }
+
+  private layers(): { name: string; operation: Operation }[] {
+    const known = this.state.loaded?.layers.map(({ name, operation }) => ({ name, operation })) ?? [];
+    const order = new Map(this.state.load.layers?.map((l, i) => [l.name, i]) ?? []);
+    return known.sort((a, b) => (order.get(a.name) ?? known.length) - (order.get(b.name) ?? known.length));
+  }
+
+  /** Whatever is under way is of no use any more. */
+  private begin(): number {
+    clearTimeout(this.settle);
+    this.run?.stop();
+    this.run = null;
+    this.wish += 1;
+    return this.wish;
+  }
+
+  private forget(): void {
+    Object.assign(this.state, { baselines: null, progress: null, path: null, reason: null, seed: null, history: { at: [], total: [] } });
+  }
+
+  private take(loaded: Loaded, fresh: boolean): void {
+    this.state.loaded = loaded;
+    this.state.error = null;
+    this.forget();
+    this.emit('loaded', { loaded, fresh });
+    this.ask();
+  }
+
+  /** Asks the next open question, or plans. */
+  private ask(): void {
+    const { state } = this;
+    const { loaded } = state;
+    if (!loaded) return;
+    const damaged = loaded.findings.some((f) => f.code === 'damaged-entity');
+    const question: Question | null = loaded.units.doubtful && !this.answered.has('units') ? 'units'
+      : damaged && !state.load.keepDamaged && !this.answered.has('damaged') ? 'damaged' : null;
+    state.question = question;
+    if (question) {
+      state.phase = 'question';
+      this.emit('change', state);
+    } else this.plan();
+  }
+
+  private restart(typed: boolean): void {
+    clearTimeout(this.settle);
+    if (!this.state.loaded || this.state.phase === 'question') return;
+    if (typed) this.settle = window.setTimeout(() => this.plan(), SETTLE);
+    else this.plan();
+  }
+
+  /** Plans from the start. */
+  plan(): void {
+    const { state } = this;
+    if (!state.loaded || !state.machine) return;
+    const wish = this.begin();
+    this.forget();
+    if (state.loaded.contours.length === 0) {
+      state.phase = 'ready';
+      this.emit('change', state);
+      return;
+    }
+    const { method, seed, seconds } = state.search;
+    state.budget = seconds;
+    const options = { machine: state.machine, method, seconds, ...(seed === null ? {} : { seed }) };
+    this.follow(this.planner.plan(options, (p) => this.hear(p, wish)), wish);
+  }
+
+  private follow(run: PlanHandle, wish: number): void {
+    this.run = run;
+    this.state.phase = 'planning';
+    this.state.reason = null;
+    this.emit('change', this.state);
+    run.started.then(({ seed, baselines }) => {
+      if (wish !== this.wish) return;
+      Object.assign(this.state, { seed, baselines });
+      this.emit('change', this.state);
+    }, () => {
+      // A search that cannot start fails in `done`, where it is told.
+    });
+    run.done.then(
+      ({ reason, progress }) => {
+        if (wish !== this.wish) return;
+        this.run = null;
+        this.hear(progress, wish);
+        Object.assign(this.state, { phase: 'done', reason });
+        this.emit('change', this.state);
+      },
+      (error: unknown) => {
+        if (wish === this.wish) this.fail(error);
+      },
+    );
+  }
+
+  private hear(progress: Progress, wish: number): void {
+    if (wish !== this.wish) return;
+    const { state } = this;
+    const { history: { at, total } } = state;
+    state.progress = progress;
+    if (progress.path) state.path = progress.path;
+    const best = progress.summary.total_time;
+    // While nothing changes, the last point of the chart moves along instead of a new one being set.
+    if (at.length > 1 && total.at(-1) === best && total.at(-2) === best) at[at.length - 1] = progress.seconds;
+    else {
+      at.push(progress.seconds);
+      total.push(best);
+    }
+    this.emit('progress', state);
+  }
+
+  private fail(error: unknown): void {
+    this.run = null;
+    Object.assign(this.state, { phase: 'failed', error: messageOf(error), loaded: null, question: null });
+    this.forget();
+    this.emit('cleared', undefined);
+    this.emit('change', this.state);
+  }
+}

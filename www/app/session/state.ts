@@ -1,0 +1,54 @@
+/** What the page knows about the job in hand; the session changes it, the panels show it. */
+
+import type { Baselines, BestPath, DoneReason, LoadOptions, Loaded, MachineProfile, Progress } from 'kerfway';
+
+/**
+ * starting: the planner is being loaded. reading: a file is. question: an answer is needed before planning.
+ * planning, paused, done: the search. failed: the file cannot be used.
+ */
+export type Phase = 'starting' | 'reading' | 'question' | 'ready' | 'planning' | 'paused' | 'done' | 'failed';
+
+/** What the person is asked before planning. */
+export type Question = 'units' | 'damaged';
+
+/** The options of a search that a person sets. */
+export interface Search {
+  method: string;
+  /** Null: another at each start, told with the result. */
+  seed: number | null;
+  /** Budget, s. */
+  seconds: number;
+}
+
+export interface State {
+  phase: Phase;
+  /** Name of the file or sample in hand. */
+  name: string;
+  /** A sample of ours, not the person's own drawing. */
+  sample: boolean;
+  load: LoadOptions;
+  loaded: Loaded | null;
+  question: Question | null;
+  machine: MachineProfile | null;
+  search: Search;
+  /** Seed of the search under way or done. */
+  seed: number | null;
+  baselines: Baselines | null;
+  progress: Progress | null;
+  path: BestPath | null;
+  /** Seconds of search and seconds of the job, for the chart. */
+  history: { at: number[]; total: number[] };
+  /** The budget of the search in hand, s; grows with "keep improving". */
+  budget: number;
+  reason: DoneReason | null;
+  /** One sentence: why the file cannot be used. */
+  error: string | null;
+}
+
+export function initialState(): State {
+  return {
+    phase: 'starting', name: '', sample: true, load: {}, loaded: null, question: null, machine: null,
+    search: { method: '', seed: null, seconds: 10 }, seed: null, baselines: null, progress: null, path: null,
+    history: { at: [], total: [] }, budget: 10, reason: null, error: null,
+  };
+}

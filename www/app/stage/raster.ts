@@ -1,0 +1,109 @@
+/**
+ * The page's end of the drawing worker: asks for bitmaps of the view, with a margin to pan in, and keeps the last of
+ * each layer until a fresher one arrives. One request a layer is under way; a redraw that takes long is overtaken
+ * when the view has changed meanwhile, never merely because the path has.
+ */
+
+import { Emitter } from '../core/emitter.js';
+import type { BestPath, Geometry } from 'kerfway';
+import type { Palette } from './palette.js';
+import { LAYERS, type FromRaster, type Layer, type ToRaster, type Travel, type View } from './raster-messages.js';
+
+/** Pixels of one bitmap at most; the margin shrinks on large or dense screens. */
+const MOST_PIXELS = 6e6;
+/** Margin around the screen, as a share of it: what one can pan without waiting. */
+const MARGIN = 0.3;
+/** A redraw that has taken this many milliseconds may be overtaken by one of a newer view. */
+const PATIENCE = 120;
+
+interface Slot {
+  drawn: { bitmap: ImageBitmap; view: View; upto: number } | null;
+  /** The request under way. */
+  asked: { serial: number; view: View; at: number } | null;
+  /** What the bitmap shows is no longer so. */
+  stale: boolean;
+}
+
+export class Raster extends Emitter<{ drawn: Layer }> {
+  private readonly worker = new Worker(new URL('./raster-worker.ts', import.meta.url), { type: 'module' });
+  private readonly slots: Record<Layer, Slot>;
+  private serial = 0;
+
+  constructor() {
+    super();
+    this.slots = Object.fromEntries(LAYERS.map((l) => [l, { drawn: null, asked: null, stale: true }])) as unknown as Record<Layer, Slot>;
+    this.worker.onmessage = (event: MessageEvent<FromRaster>) => this.receive(event.data);
+  }
+
+  /** Another drawing: nothing drawn before is of use. */
+  setGeometry(geometry: Geometry, roles: Uint8Array, ignored: Geometry): void {
+    this.send({ type: 'geometry', geometry, roles, ignored });
+    for (const slot of Object.values(this.slots)) {
+      slot.drawn?.bitmap.close();
+      slot.drawn = slot.asked = null;
+      slot.stale = true;
+    }
+  }
+
+  setPath(path: BestPath | null, travel: Travel, changed: Uint8Array | null, ramp: boolean): void {
+    this.send({ type: 'path', path, travel, changed });
+    for (const layer of LAYERS) if (layer !== 'sheet' || ramp) this.slots[layer].stale = true;
+    this.slots.glow.drawn?.bitmap.close();
+    this.slots.glow.drawn = null;
+  }
+
+  setStyle(palette: Palette, ramp: boolean, air: boolean): void {
+    this.send({ type: 'style', palette, ramp, air });
+    for (const slot of Object.values(this.slots)) slot.stale = true;
+  }
+
+  /** The last bitmap of a layer, to be drawn wherever its view says. */
+  get(layer: Layer): { bitmap: ImageBitmap; view: View; upto: number } | null {
+    return this.slots[layer].drawn;
+  }
+
+  /** Sees to it that the layer is drawn for this view, now or when the request under way is answered. */
+  need(layer: Layer, screen: View, upto = 0): void {
+    const slot = this.slots[layer];
+    if (!slot.stale && slot.drawn && covers(slot.drawn.view, screen) && slot.drawn.upto === upto) return;
+    if (slot.asked) {
+      const late = performance.now() - slot.asked.at > PATIENCE;
+      if (!late || covers(slot.asked.view, screen)) return;
+    }
+    const view = withMargin(screen);
+    this.serial += 1;
+    slot.asked = { serial: this.serial, view, at: performance.now() };
+    slot.stale = false;
+    this.send({ type: 'draw', layer, serial: this.serial, view, upto });
+  }
+
+  private receive(answer: FromRaster): void {
+    const slot = this.slots[answer.layer];
+    if (slot.asked?.serial !== answer.serial) {
+      answer.bitmap.close();
+      return;
+    }
+    slot.drawn?.bitmap.close();
+    slot.drawn = { bitmap: answer.bitmap, view: answer.view, upto: answer.upto };
+    slot.asked = null;
+    this.emit('drawn', answer.layer);
+  }
+
+  private send(message: ToRaster): void {
+    this.worker.postMessage(message);
+  }
+}
+
+/** Whether a bitmap of `view` shows the whole screen at its scale. */
+function covers(view: View, screen: View): boolean {
+  if (Math.abs(view.scale / screen.scale - 1) > 1e-6 || view.ratio !== screen.ratio) return false;
+  const left = screen.x - view.x, top = screen.y - view.y;
+  return left <= 0.5 && top <= 0.5 && left + view.width >= screen.width - 0.5 && top + view.height >= screen.height - 0.5;
+}
+
+function withMargin(screen: View): View {
+  const pixels = screen.width * screen.height;
+  const share = Math.max(0, Math.min(MARGIN, (Math.sqrt(MOST_PIXELS / pixels) - 1) / 2));
+  const dx = Math.round(screen.width * share), dy = Math.round(screen.height * share);
+  return { ...screen, x: screen.x + dx, y: screen.y + dy, width: screen.width + 2 * dx, height: screen.height + 2 * dy };
+}

@@ -1,0 +1,66 @@
+/** Putting contours and air moves into a canvas path. World to screen is scale and offset; y turns over. */
+
+import { STRIDE, type Shapes } from './shapes.js';
+import type { Travel, View } from './raster-messages.js';
+
+/** A canvas one can draw lines on, on the page or in a worker. */
+export type Pen = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
+/** The part of a view that tracing needs. */
+export type Frame = Pick<View, 'scale' | 'x' | 'y'>;
+
+/** Arcs smaller than this many pixels are drawn as their chord: nobody sees the difference. */
+const ARC_PIXELS = 0.7;
+
+/** Adds a whole chain. */
+export function traceChain(pen: Pen, frame: Frame, shapes: Shapes, chain: number): void {
+  const first = shapes.offsets[chain]!, end = shapes.offsets[chain + 1]!;
+  if (end <= first) return;
+  const s = shapes.segments;
+  const i = first * STRIDE;
+  pen.moveTo(frame.x + s[i]! * frame.scale, frame.y - s[i + 1]! * frame.scale);
+  for (let e = first; e < end; e += 1) traceElement(pen, frame, shapes, e, 0, 1);
+}
+
+/** Adds element `e` between two parts of its length, in that order; the pen must stand at the first. */
+export function traceElement(pen: Pen, frame: Frame, shapes: Shapes, e: number, from: number, to: number): void {
+  const s = shapes.segments;
+  const i = e * STRIDE;
+  const sweep = s[i + 6]!;
+  const { scale } = frame;
+  if (sweep === 0) {
+    const x = s[i]! + (s[i + 2]! - s[i]!) * to, y = s[i + 1]! + (s[i + 3]! - s[i + 1]!) * to;
+    pen.lineTo(frame.x + x * scale, frame.y - y * scale);
+    return;
+  }
+  const radius = shapes.arcs[e * 2]!, start = shapes.arcs[e * 2 + 1]!;
+  const a0 = start + sweep * from, a1 = start + sweep * to;
+  const cx = frame.x + s[i + 4]! * scale, cy = frame.y - s[i + 5]! * scale;
+  if (radius * scale * Math.min(2, Math.abs(a1 - a0)) < ARC_PIXELS) {
+    pen.lineTo(cx + radius * scale * Math.cos(a1), cy - radius * scale * Math.sin(a1));
+    return;
+  }
+  pen.arc(cx, cy, radius * scale, -a0, -a1, a1 > a0);
+}
+
+/**
+ * Adds the air move from one point to another: straight, or with each axis at its own top speed, which is a slanted
+ * stretch until one axis has arrived and then a straight one.
+ */
+export function traceAir(pen: Pen, frame: Frame, travel: Travel, x0: number, y0: number, x1: number, y1: number): void {
+  pen.moveTo(frame.x + x0 * frame.scale, frame.y - y0 * frame.scale);
+  if (travel.perAxis) {
+    const [vx, vy] = travel.perAxis;
+    const time = Math.min(Math.abs(x1 - x0) / vx, Math.abs(y1 - y0) / vy);
+    const bx = x0 + Math.sign(x1 - x0) * vx * time, by = y0 + Math.sign(y1 - y0) * vy * time;
+    pen.lineTo(frame.x + bx * frame.scale, frame.y - by * frame.scale);
+  }
+  pen.lineTo(frame.x + x1 * frame.scale, frame.y - y1 * frame.scale);
+}
+
+/** Adds a small triangle at a screen point, pointing along a screen direction. */
+export function traceArrow(pen: Pen, x: number, y: number, dx: number, dy: number, size: number): void {
+  pen.moveTo(x + dx * size, y + dy * size);
+  pen.lineTo(x - dx * size * 0.7 - dy * size * 0.75, y - dy * size * 0.7 + dx * size * 0.75);
+  pen.lineTo(x - dx * size * 0.7 + dy * size * 0.75, y - dy * size * 0.7 - dx * size * 0.75);
+  pen.closePath();
+}

@@ -1,0 +1,161 @@
+/**
+ * The part of the sheet that is on screen. World: mm, y up. Screen: CSS pixels, y down, origin at the canvas's top
+ * left corner. screen x = x + world x * scale; screen y = y - world y * scale.
+ */
+
+import { Emitter } from '../core/emitter.js';
+import { lessMotion } from '../core/dom.js';
+
+/** Pixels a mm at most: a contour of 0.05 mm still fills the screen. */
+const CLOSEST = 4000;
+/** How far out one may go beyond the fit. */
+const FARTHEST = 1 / 6;
+/** Seconds a flight to a place takes: long enough to see where it goes. */
+const FLIGHT = 0.28;
+
+export type Box = readonly [number, number, number, number];
+
+/** Pixels of the canvas that lie under bars and panels. */
+export interface Insets {
+  top: number;
+  right: number;
+  bottom: number;
+  left: number;
+}
+
+export class Viewport extends Emitter<{ change: void }> {
+  scale = 1;
+  x = 0;
+  y = 0;
+  width = 1;
+  height = 1;
+  insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
+  private bounds: Box = [0, 0, 1, 1];
+  private fitted = true;
+  private flight = 0;
+
+  /** The canvas has another size, or other parts of it are covered. A fitted sheet stays fitted. */
+  resize(width: number, height: number, insets: Insets): void {
+    this.width = Math.max(1, width);
+    this.height = Math.max(1, height);
+    this.insets = insets;
+    if (this.fitted) this.fit(false);
+    else this.emit('change', undefined);
+  }
+
+  /** The sheet has another size. */
+  setBounds(bounds: Box): void {
+    const [x0, y0, x1, y1] = bounds;
+    const sound = [x0, y0, x1, y1].every(Number.isFinite) && x1 >= x0 && y1 >= y0;
+    this.bounds = sound ? bounds : [0, 0, 1, 1];
+    this.fit(false);
+  }
+
+  /** Shows the whole sheet. */
+  fit(animated = true): void {
+    this.moveTo(...this.framing(this.bounds, 0.94), animated);
+    this.fitted = true;
+  }
+
+  /** Shows a box, with room around it. */
+  show(box: Box, animated = true): void {
+    const room = Math.max(box[2] - box[0], box[3] - box[1], this.span() / 400) * 0.6;
+    this.moveTo(...this.framing([box[0] - room, box[1] - room, box[2] + room, box[3] + room], 1), animated);
+  }
+
+  /** Moves just as far as is needed for a box to be seen. */
+  reveal(box: Box): void {
+    const { left, right, top, bottom } = this.insets;
+    const x0 = this.x + box[0] * this.scale, x1 = this.x + box[2] * this.scale;
+    const y0 = this.y - box[3] * this.scale, y1 = this.y - box[1] * this.scale;
+    const within = x0 >= left && x1 <= this.width - right && y0 >= top && y1 <= this.height - bottom;
+    if (within) return;
+    const cx = (left + this.width - right) / 2, cy = (top + this.height - bottom) / 2;
+    this.moveTo(this.scale, cx - ((box[0] + box[2]) / 2) * this.scale, cy + ((box[1] + box[3]) / 2) * this.scale, true);
+  }
+
+  /** Zooms by a factor with the point under the pointer at rest. */
+  zoomAt(px: number, py: number, factor: number): void {
+    this.land();
+    const scale = this.clamp(this.scale * factor);
+    const ratio = scale / this.scale;
+    this.x = px + (this.x - px) * ratio;
+    this.y = py + (this.y - py) * ratio;
+    this.scale = scale;
+    this.fitted = false;
+    this.emit('change', undefined);
+  }
+
+  /** Zooms about the middle of what is visible. */
+  zoom(factor: number): void {
+    const { left, right, top, bottom } = this.insets;
+    this.zoomAt((left + this.width - right) / 2, (top + this.height - bottom) / 2, factor);
+  }
+
+  pan(dx: number, dy: number): void {
+    this.land();
+    this.x += dx;
+    this.y += dy;
+    this.fitted = false;
+    this.emit('change', undefined);
+  }
+
+  worldX(px: number): number {
+    return (px - this.x) / this.scale;
+  }
+
+  worldY(py: number): number {
+    return (this.y - py) / this.scale;
+  }
+
+  private span(): number {
+    return Math.max(this.bounds[2] - this.bounds[0], this.bounds[3] - this.bounds[1], 1e-6);
+  }
+
+  private clamp(scale: number): number {
+    const [fit] = this.framing(this.bounds, 0.94);
+    return Math.min(CLOSEST, Math.max(fit * FARTHEST, scale));
+  }
+
+  /** Scale and offsets that centre a box in the uncovered part. */
+  private framing(box: Box, fill: number): [number, number, number] {
+    const { left, right, top, bottom } = this.insets;
+    const width = Math.max(40, this.width - left - right), height = Math.max(40, this.height - top - bottom);
+    const w = Math.max(box[2] - box[0], 1e-6), h = Math.max(box[3] - box[1], 1e-6);
+    const scale = Math.min(CLOSEST, fill * Math.min(width / w, height / h));
+    return [scale, left + width / 2 - ((box[0] + box[2]) / 2) * scale, top + height / 2 + ((box[1] + box[3]) / 2) * scale];
+  }
+
+  private moveTo(scale: number, x: number, y: number, animated: boolean): void {
+    this.land();
+    this.fitted = false;
+    if (!animated || lessMotion()) {
+      this.set(scale, x, y);
+      return;
+    }
+    const from = { scale: this.scale, x: this.x, y: this.y };
+    const began = performance.now();
+    const step = () => {
+      const t = Math.min(1, (performance.now() - began) / (FLIGHT * 1000));
+      const k = 1 - (1 - t) ** 3;
+      const s = from.scale * (scale / from.scale) ** k;
+      // The middle of the screen moves in step with the scale, so that the flight is straight.
+      const u = scale === from.scale ? k : (s - from.scale) / (scale - from.scale);
+      this.set(s, from.x + (x - from.x) * u, from.y + (y - from.y) * u);
+      this.flight = t < 1 ? requestAnimationFrame(step) : 0;
+    };
+    this.flight = requestAnimationFrame(step);
+  }
+
+  private set(scale: number, x: number, y: number): void {
+    this.scale = scale;
+    this.x = x;
+    this.y = y;
+    this.emit('change', undefined);
+  }
+
+  private land(): void {
+    if (this.flight) cancelAnimationFrame(this.flight);
+    this.flight = 0;
+  }
+}
