@@ -21,15 +21,24 @@ export function three(x: number): string {
   return x.toFixed(decimals);
 }
 
-/** Job time: "0.42 s", "42.3 s", "192 s", "12 min 34 s", "1 h 23 min". */
+/** Job time: "0.42 s", "42.3 s", "627 s", "16 min 40 s", "1 h 23 min". */
 export function seconds(s: number): string {
   if (!Number.isFinite(s)) return '–';
-  if (Math.abs(s) < 599.5) return `${three(s)} s`;
+  if (Math.abs(s) < 999.5) return `${three(s)} s`;
   const sign = s < 0 ? '-' : '';
   const whole = Math.round(Math.abs(s));
   if (whole < 3600) return `${sign}${Math.floor(whole / 60)} min ${String(whole % 60).padStart(2, '0')} s`;
   const minutes = Math.round(whole / 60);
   return `${sign}${count(Math.floor(minutes / 60))} h ${String(minutes % 60).padStart(2, '0')} min`;
+}
+
+/** Job time in a narrow column: "627 s", "16:40", "1:23:45". */
+export function narrow(s: number): string {
+  if (Math.abs(s) < 999.5) return seconds(s);
+  const whole = Math.round(s);
+  const rest = String(whole % 60).padStart(2, '0');
+  if (whole < 3600) return `${Math.floor(whole / 60)}:${rest}`;
+  return `${Math.floor(whole / 3600)}:${String(Math.floor(whole / 60) % 60).padStart(2, '0')}:${rest}`;
 }
 
 /** A place on the job's clock: "1:23.4", "1:02:03". */

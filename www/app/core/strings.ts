@@ -58,6 +58,7 @@ export const FINDING_TITLES: Record<string, string> = {
 export function doneSentence(reason: DoneReason | null, quiet: string): string {
   switch (reason) {
     case 'exhausted': return 'Done. This method finds nothing better.';
+    case 'replaced': return 'Stopped: the planner had to be replaced. The best path is kept.';
     case 'stopped': return 'Stopped. The best path is kept.';
     default: return `Done. No better path found for ${quiet}.`;
   }

@@ -17,10 +17,9 @@ export function drawingPanel(session: Session, onFinding: (finding: Finding) => 
   const counts = h('p', { class: 'soft' });
   const findings = new FindingList(onFinding);
   const outline = check('Leave out the border around everything', (on) => void session.reread({ ...session.state.load, ignoreOutline: on }));
-  const byLayer = check('Order by layer', (on) => void session.reread({ ...session.state.load, orderByLayer: on }));
   const tolerances = h('details', { class: 'more' }, h('summary', {}, 'Tolerances'),
     toleranceField(session, 'joinTolerance', 'Join ends nearer than'), toleranceField(session, 'tolerance', 'Follow curves within'));
-  const content = h('div', { class: 'stack' }, counts, layers, byLayer.root, outline.root, findings.root, tolerances);
+  const content = h('div', { class: 'stack' }, counts, layers, outline.root, findings.root, tolerances);
   const empty = h('p', { class: 'soft' }, 'No drawing yet.');
   body.append(empty, content);
 
@@ -38,8 +37,6 @@ export function drawingPanel(session: Session, onFinding: (finding: Finding) => 
     setText(counts, [counted(loaded.parts.length, 'part'), open ? counted(open, 'open contour') : '', loaded.version ? versionName(loaded.version) : '']
       .filter(Boolean).join(' · '));
     layers.replaceChildren(layerList(session, loaded));
-    byLayer.root.hidden = loaded.layers.length < 2;
-    byLayer.input.checked = load.orderByLayer ?? false;
     outline.root.hidden = loaded.outline === null && !load.ignoreOutline;
     outline.input.checked = load.ignoreOutline ?? false;
     findings.show(loaded.findings);

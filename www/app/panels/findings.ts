@@ -4,7 +4,7 @@
  */
 
 import { h, icon, setText } from '../core/dom.js';
-import { count } from '../core/format.js';
+import { count, counted } from '../core/format.js';
 import { FINDING_TITLES } from '../core/strings.js';
 import type { Finding, Severity } from 'kerfway';
 
@@ -28,7 +28,7 @@ export class FindingList {
   show(findings: readonly Finding[]): void {
     this.buttons.clear();
     const grave = findings.filter((f) => f.severity !== 'info');
-    setText(this.head, findings.length === 0 ? 'No findings' : grave.length === 0 ? `${count(findings.length)} notes, nothing to do` : `${count(grave.length)} to look at${findings.length > grave.length ? `, ${count(findings.length - grave.length)} notes` : ''}`);
+    setText(this.head, headline(grave.length, findings.length - grave.length));
     this.root.classList.toggle('grave', grave.length > 0);
     this.root.classList.toggle('errors', findings.some((f) => f.severity === 'error'));
     this.root.hidden = findings.length === 0;
@@ -72,6 +72,11 @@ export class FindingList {
     this.buttons.set(finding, item);
     return item;
   }
+}
+
+function headline(grave: number, notes: number): string {
+  const parts = [grave > 0 && `${count(grave)} to look at`, notes > 0 && counted(notes, 'note')].filter(Boolean);
+  return grave > 0 ? parts.join(', ') : `${parts.join('')}, nothing to do`;
 }
 
 function mark(severity: Severity): HTMLElement {

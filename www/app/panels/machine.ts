@@ -33,6 +33,12 @@ const QUANTITIES: readonly Quantity[] = [
   { label: 'S word of full power', unit: '', least: 1, get: (m) => m.max_s, set: (m, v) => (m.max_s = v) },
 ];
 
+const TRAVELS: { value: MachineProfile['travel']; label: string }[] = [
+  { value: 'straight', label: 'Straight, axis limits' },
+  { value: 'vector', label: 'Straight, one speed' },
+  { value: 'per-axis', label: 'Each axis for itself' },
+];
+
 export function machinePanel(session: Session): HTMLElement {
   const { root, body, setGist } = section('Machine', false);
   const { machines } = session.planner;
@@ -67,7 +73,7 @@ export function machinePanel(session: Session): HTMLElement {
     const changed = original !== undefined && JSON.stringify(original) !== JSON.stringify(machine);
     setGist(machine.title + (changed ? ', changed' : ''));
     choice.fill(machines.map((m) => ({ value: m.name, label: m.title })), machine.name);
-    travel.fill([{ value: 'straight', label: 'Straight' }, { value: 'per-axis', label: 'Each axis at its own speed' }], machine.travel);
+    travel.fill(TRAVELS, machine.travel);
     home.input.checked = machine.return_home;
     back.hidden = !changed;
     QUANTITIES.forEach((q, i) => {

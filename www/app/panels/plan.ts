@@ -3,7 +3,7 @@
 import { h, setText } from '../core/dom.js';
 import { seconds } from '../core/format.js';
 import type { Session } from '../session/session.js';
-import { field, section, select } from './section.js';
+import { check, field, section, select } from './section.js';
 
 /** Budgets offered, s. */
 const BUDGETS = [2, 5, 10, 30, 60, 300];
@@ -20,16 +20,19 @@ export function planPanel(session: Session): HTMLElement {
     if (seed.value === '') session.setSearch({ seed: null }, true);
     else if (Number.isInteger(value) && value >= 0 && value <= 4294967295) session.setSearch({ seed: value }, true);
   });
+  const byLayer = check('Order by layer', (on) => void session.reread({ ...session.state.load, orderByLayer: on }));
   const used = h('p', { class: 'soft' });
   body.append(h('div', { class: 'stack' },
-    field('Method', method.root), about, field('Search for', budget.root), field('Seed', seed), used,
+    field('Method', method.root), about, field('Search for', budget.root), field('Seed', seed), used, byLayer.root,
     h('p', { class: 'soft' }, 'Always on: cut inner shapes first, reduce travel, choose best starting point, choose best direction, remove overlapping lines.')));
 
-  session.on('change', ({ search, seed: taken }) => {
+  session.on('change', ({ search, seed: taken, load, loaded }) => {
     const chosen = methods.find((m) => m.name === search.method);
     method.fill(methods.map((m) => ({ value: m.name, label: m.title })), search.method);
     budget.fill(BUDGETS.map((s) => ({ value: s, label: seconds(s) })), search.seconds);
     setText(about, chosen?.about ?? '');
+    byLayer.root.hidden = (loaded?.layers.length ?? 0) < 2;
+    byLayer.input.checked = load.orderByLayer ?? false;
     setGist(`${seconds(search.seconds)}`);
     setText(used, taken === null ? '' : `Seed used: ${taken}`);
     used.hidden = taken === null || search.seed !== null;

@@ -1,7 +1,7 @@
 /** What came of it: seconds saved first, then before and after, the parts of the job's time, the chart, downloads. */
 
 import { button, h, setText } from '../core/dom.js';
-import { count, metres, percent, seconds } from '../core/format.js';
+import { count, metres, narrow, percent, seconds } from '../core/format.js';
 import type { OutputKind, Summary } from 'kerfway';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
@@ -26,13 +26,12 @@ export function resultPanel(session: Session, theme: Theme, download: (kind: Out
   const rows = ROWS.map(({ label, line }) => new Row(label, line));
   const table = h('table', { class: 'compare' },
     h('caption', { class: 'hidden' }, 'Before and after'),
-    h('thead', {}, h('tr', {}, ...['Order', 'Job', 'Air', 'Air way'].map((t, i) => h('th', { scope: 'col', class: i ? 'number' : '' }, t)))),
+    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Order'), ...[['Job', ''], ['Air', 'air'], ['Way', '']].map(([t, key]) => h('th', { scope: 'col', class: `number ${key}` }, t!)))),
     ...rows.map((r) => r.root));
   const parts = h('dl', { class: 'parts' });
   const files = h('div', { class: 'downloads', role: 'group', 'aria-label': 'Download' },
     ...DOWNLOADS.map(({ kind, label }) => button(label, { class: 'small', title: `Download ${label}`, onclick: () => download(kind) })));
-  const key = h('p', { class: 'key', 'aria-hidden': 'true' }, ...['Cut', 'Pierce', 'Air'].map((t) => h('span', { class: t.toLowerCase() }, t)));
-  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, key, chart(session, theme), parts, files);
+  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), parts, files);
   const empty = h('p', { class: 'soft' }, 'Numbers appear as soon as the first path stands.');
   body.append(empty, content);
 
@@ -82,7 +81,7 @@ class Row {
   show(summary: Summary | undefined, longest: number): void {
     this.root.hidden = summary === undefined;
     if (!summary) return;
-    [seconds(summary.total_time), seconds(summary.air_time), metres(summary.air_length)].forEach((text, i) => setText(this.cells[i]!, text));
+    [narrow(summary.total_time), narrow(summary.air_time), metres(summary.air_length)].forEach((text, i) => setText(this.cells[i]!, text));
     const shares = [summary.cut_time + summary.macro_time, summary.pierce_time + summary.pre_cut_time, summary.air_time];
     [...this.bar.children].forEach((span, i) => (span as HTMLElement).style.setProperty('width', `${(100 * shares[i]!) / longest}%`));
   }
@@ -99,5 +98,5 @@ function showParts(list: HTMLElement, s: Summary): void {
   const text = JSON.stringify(rows);
   if (list.dataset.shown === text) return;
   list.dataset.shown = text;
-  list.replaceChildren(...rows.flatMap(([term, value]) => [h('dt', {}, term), h('dd', { class: 'number' }, value)]));
+  list.replaceChildren(...rows.flatMap(([term, value]) => [h('dt', { class: term.toLowerCase() }, term), h('dd', { class: 'number' }, value)]));
 }

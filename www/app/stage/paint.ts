@@ -200,7 +200,7 @@ function* airArrows(pen: Pen, view: View, subject: Subject): Generator<void> {
     const length = Math.hypot(dx, dy);
     if (length < 44 * r || subject.travel.perAxis) continue;
     const x = view.x + p[k * 4 - 2]! * view.scale + dx / 2, y = view.y - p[k * 4 - 1]! * view.scale + dy / 2;
-    if (room.take(x, y)) traceArrow(pen, x, y, dx / length, dy / length, 4 * r);
+    if (room.take(x, y)) traceArrow(pen, x, y, dx / length, dy / length, 3.6 * r);
   }
   pen.fill();
   yield;
@@ -217,11 +217,11 @@ function* cutArrows(pen: Pen, view: View, subject: Subject): Generator<void> {
   for (let k = 0; k < path!.contours.length; k += 1) {
     const c = path!.contours[k]!;
     const size = (shapes.boxes[c * 4 + 2]! - shapes.boxes[c * 4]! + shapes.boxes[c * 4 + 3]! - shapes.boxes[c * 4 + 1]!) * view.scale;
-    if (size < 36 * r) continue;
-    placeAfter(shapes, c, path!.along[k]!, path!.reversed[k] === 1, (11 * r) / view.scale, place);
+    if (size < 56 * r) continue;
+    placeAfter(shapes, c, path!.along[k]!, path!.reversed[k] === 1, (10 * r) / view.scale, place);
     const x = view.x + place.x * view.scale, y = view.y - place.y * view.scale;
     if (!room.take(x, y)) continue;
-    traceArrow(pen, x, y, place.dx, -place.dy, 4.5 * r);
+    traceArrow(pen, x, y, place.dx, -place.dy, 3.6 * r);
     if (k % BATCH === 0) {
       pen.fill();
       pen.beginPath();
