@@ -52,6 +52,11 @@ impl AirTime {
             }
         }
     }
+
+    /// Seconds that a move of at least `d` mm along x or along y takes at least.
+    pub fn seconds_at_least(&self, d: f64) -> f64 {
+        self.seconds(DVec2::ZERO, DVec2::X * d).min(self.seconds(DVec2::ZERO, DVec2::Y * d))
+    }
 }
 
 /// Seconds of an air move of a machine, mm to s.

@@ -97,9 +97,7 @@ impl<'p> Candidates<'p> {
     fn nearest(&self, air: &AirTime, head: DVec2) -> Option<NodeId> {
         let mut best: Option<(f64, NodeId)> = None;
         for r in 0..self.grid.rings(head) {
-            // Whatever is d away along one axis takes at least the lesser of d along x and d along y alone.
-            let d = self.grid.distance_of_ring(r);
-            let least = air.seconds(DVec2::ZERO, DVec2::X * d).min(air.seconds(DVec2::ZERO, DVec2::Y * d));
+            let least = air.seconds_at_least(self.grid.distance_of_ring(r));
             if best.is_some_and(|(seconds, _)| least > seconds) {
                 break;
             }

@@ -3,6 +3,7 @@
 mod as_drawn;
 mod greedy;
 mod traits;
+mod two_opt;
 
 pub use as_drawn::drawing_order;
 pub use greedy::greedy;
@@ -10,7 +11,7 @@ pub use traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telem
 
 /// Every method, the default first.
 pub fn methods() -> &'static [&'static dyn Solver] {
-    &[&greedy::Greedy]
+    &[&two_opt::TwoOpt, &greedy::Greedy]
 }
 
 /// The method of that name.
