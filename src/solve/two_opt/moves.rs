@@ -230,10 +230,11 @@ impl View<'_, '_> {
         let around_c = self.leg(cp, c) + self.leg(c, cn);
         let mut f_at = m.i;
         for _ in 1..=SEGMENT {
-            let fp_at = self.previous(f_at);
-            if !self.is_stop(f_at) || f_at == m.c_at || fp_at == m.c_at {
+            // With c just before them, the first move would be none, the second a 2-opt.
+            if !self.is_stop(f_at) || f_at == m.c_at || self.previous(f_at) == m.c_at {
                 break;
             }
+            let fp_at = self.previous(f_at);
             let (f, fp) = (self.tour.at(f_at), self.tour.at(fp_at));
             let freed = m.old - m.new + self.leg(fp, f) - self.leg(fp, un) + around_c;
             let before = freed - self.leg(cp, f) - self.leg(m.v, cn);
@@ -293,3 +294,6 @@ struct Meeting {
     /// Seconds of the leg from u that would come.
     new: f64,
 }
+
+#[cfg(test)]
+mod tests;

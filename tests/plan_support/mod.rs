@@ -1,0 +1,200 @@
+//! Sheets made by hand for the tests of plan and search: their nesting is known by how they are made.
+#![allow(dead_code, unreachable_pub, reason = "shared by several test files, each of which uses its part")]
+#![allow(clippy::unwrap_used, clippy::cast_precision_loss, reason = "test data")]
+
+use kerfway::geometry::{Arc, DVec2, Path, Segment};
+use kerfway::machine::{Profile, preset};
+use kerfway::problem::Problem;
+use kerfway::sheet::{Contour, LayerUse, Operation, Part, Sheet};
+
+pub fn p(x: f64, y: f64) -> DVec2 {
+    DVec2::new(x, y)
+}
+
+pub fn machine(name: &str) -> Profile {
+    preset(name).unwrap()
+}
+
+pub fn polygon(points: &[DVec2]) -> Path {
+    let next = points.iter().cycle().skip(1);
+    Path::new(points.iter().zip(next).map(|(a, b)| Segment::line(*a, *b)).collect(), true)
+}
+
+pub fn rectangle(corner: DVec2, size: DVec2) -> Path {
+    polygon(&[corner, corner + p(size.x, 0.0), corner + size, corner + p(0.0, size.y)])
+}
+
+/// Two half circles of that radius joined by lines along x.
+pub fn slot(center: DVec2, length: f64, radius: f64) -> Path {
+    let (a, b) = (center - p(length / 2.0, 0.0), center + p(length / 2.0, 0.0));
+    let down = p(0.0, -radius);
+    Path::new(
+        vec![
+            Segment::line(a + down, b + down),
+            Segment::Arc(Arc::new(b + down, b - down, b, true)),
+            Segment::line(b - down, a - down),
+            Segment::Arc(Arc::new(a - down, a + down, a, true)),
+        ],
+        true,
+    )
+}
+
+pub fn circle(center: DVec2, radius: f64) -> Path {
+    Path::new(vec![Segment::Arc(Arc::circle(center, radius))], true)
+}
+
+pub fn line(a: DVec2, b: DVec2) -> Path {
+    Path::new(vec![Segment::line(a, b)], false)
+}
+
+/// Contours one by one, each with the one it lies in.
+pub struct Builder {
+    pub sheet: Sheet,
+}
+
+impl Builder {
+    pub fn new() -> Self {
+        let layer = |name: &str, operation| LayerUse {
+            name: name.to_owned(),
+            color: 7,
+            operation,
+            suggestion: None,
+            rank: 0,
+            contours: 0,
+        };
+        let layers = vec![layer("CUT", Operation::Cut), layer("MARK", Operation::Mark)];
+        let bounds = kerfway::geometry::Aabb::EMPTY;
+        let (contours, parts, ignored, findings) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { sheet: Sheet { contours, parts, layers, ignored, outline: None, bounds, findings } }
+    }
+
+    pub fn cut(&mut self, path: Path, inside: Option<u32>) -> u32 {
+        self.push(path, inside, Operation::Cut)
+    }
+
+    pub fn mark(&mut self, path: Path, inside: Option<u32>) -> u32 {
+        self.push(path, inside, Operation::Mark)
+    }
+
+    fn push(&mut self, path: Path, inside: Option<u32>, operation: Operation) -> u32 {
+        let id = u32::try_from(self.sheet.contours.len()).unwrap();
+        let bounds = path.bounds();
+        self.sheet.bounds = self.sheet.bounds.union(bounds);
+        let depth = inside.map_or(0, |o| self.sheet.contours[o as usize].depth + 1);
+        if path.closed && depth.is_multiple_of(2) {
+            self.sheet.parts.push(Part { outer: id, holes: Vec::new(), inside: None });
+        }
+        self.sheet.contours.push(Contour {
+            layer: u32::from(operation == Operation::Mark),
+            operation,
+            inside,
+            depth,
+            length: path.length(),
+            area: path.area().abs(),
+            bounds,
+            self_crossing: false,
+            first_shape: id,
+            path,
+        });
+        id
+    }
+}
+
+/// A generator of numbers for test data.
+pub struct Dice(u64);
+
+impl Dice {
+    pub fn new(seed: u64) -> Self {
+        Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
+    }
+
+    /// A whole number below `n`.
+    pub fn below(&mut self, n: u64) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 20) % n
+    }
+
+    /// A number from `a` to `b`.
+    pub fn between(&mut self, a: f64, b: f64) -> f64 {
+        let k = u32::try_from(self.below(1 << 24)).unwrap();
+        a + (b - a) * f64::from(k) / f64::from(1 << 24)
+    }
+
+    pub fn shuffle<T>(&mut self, list: &mut [T]) {
+        for i in (1..list.len()).rev() {
+            list.swap(i, usize::try_from(self.below(i as u64 + 1)).unwrap());
+        }
+    }
+}
+
+/// A nested sheet: parts in rows, with holes, slots, marks, open cuts, and parts with holes in large holes. About
+/// `contours` contours, in an order as mixed as that of real files.
+pub fn nested_sheet(contours: usize, seed: u64) -> Sheet {
+    let mut dice = Dice::new(seed);
+    let mut b = Builder::new();
+    let columns = u32::try_from(contours / 5).unwrap().isqrt().max(1);
+    let mut cell = 0;
+    while b.sheet.contours.len() < contours {
+        let at = p(f64::from(cell % columns) * 60.0, f64::from(cell / columns) * 45.0);
+        cell += 1;
+        let size = p(dice.between(30.0, 55.0), dice.between(25.0, 40.0));
+        let jitter = p(dice.between(0.0, 4.0), dice.between(0.0, 4.0));
+        let (corner, middle) = (at + jitter, at + jitter + size / 2.0);
+        match dice.below(4) {
+            0 => {
+                let outer = b.cut(rectangle(corner, size), None);
+                for _ in 0..1 + dice.below(6) {
+                    let where_to =
+                        corner + p(dice.between(4.0, size.x - 4.0), dice.between(4.0, size.y - 4.0));
+                    b.cut(circle(where_to, dice.between(0.5, 1.5)), Some(outer));
+                }
+                b.mark(line(corner + p(3.0, 1.0), corner + p(20.0, 1.5)), Some(outer));
+            }
+            1 => {
+                let outer = b.cut(slot(middle, size.x - size.y / 2.0, size.y / 2.0), None);
+                b.cut(slot(middle, size.x / 3.0, size.y / 6.0), Some(outer));
+            }
+            2 => {
+                let outer = b.cut(circle(middle, size.y / 2.0), None);
+                let hole = b.cut(circle(middle, size.y / 2.0 - 3.0), Some(outer));
+                let island = b.cut(rectangle(middle - p(6.0, 5.0), p(12.0, 10.0)), Some(hole));
+                b.cut(circle(middle + p(1.0, 0.0), 2.0), Some(island));
+            }
+            _ => {
+                let corners = 3 + dice.below(9);
+                let points: Vec<DVec2> = (0..corners)
+                    .map(|k| {
+                        let turn =
+                            (k as f64 + dice.between(0.0, 0.8)) * std::f64::consts::TAU / corners as f64;
+                        middle + dice.between(8.0, 12.0) * kerfway::geometry::math::unit(turn)
+                    })
+                    .collect();
+                b.cut(polygon(&points), None);
+                b.cut(line(corner, corner + p(dice.between(1.0, 6.0), 2.0)), None);
+            }
+        }
+    }
+    b.sheet
+}
+
+/// Whether a solution visits every item once, inner before outer, by rank.
+pub fn assert_feasible(problem: &Problem, solution: &kerfway::solve::Solution) {
+    let mut visit = vec![None; problem.items.len()];
+    let mut rank = 0;
+    for (k, stop) in solution.stops.iter().enumerate() {
+        let node = &problem.nodes[stop.node as usize];
+        assert!(visit[node.item as usize].replace(k).is_none(), "item {} twice", node.item);
+        assert!(problem.items[node.item as usize].rank >= rank, "rank of item {}", node.item);
+        rank = problem.items[node.item as usize].rank;
+    }
+    for (item, at) in problem.items.iter().zip(&visit) {
+        assert!(at.is_some(), "left out");
+        if let Some(outer) = item.before {
+            assert!(*at < visit[outer as usize], "item {outer} before what is inside it");
+        }
+    }
+    let again = kerfway::solve::Solution::new(problem, solution.stops.clone());
+    assert_eq!(again.cost.to_bits(), solution.cost.to_bits());
+}

@@ -1,0 +1,60 @@
+//! Searches on whole sheets: feasible, checked, never worse, the same in slices of any size.
+
+mod plan_support;
+
+use kerfway::plan;
+use kerfway::problem;
+use kerfway::sheet::Sheet;
+use kerfway::solve::{self, Solution, Status};
+use plan_support::{assert_feasible, machine, nested_sheet};
+
+fn checked(sheet: &Sheet, machine_name: &str, solution: &Solution) -> f64 {
+    let machine = machine(machine_name);
+    let problem = problem::from_sheet(sheet, &machine);
+    assert_feasible(&problem, solution);
+    let plan = plan::from_solution(sheet, &problem, solution);
+    assert_eq!(plan::check(sheet, &machine, &plan), Ok(()));
+    assert!((plan.summary.air_time - solution.cost).abs() <= 1e-9 * solution.cost);
+    plan.summary.total_time
+}
+
+#[test]
+fn every_method_makes_checked_plans_on_every_machine() {
+    for contours in [1, 2, 3, 20, 150] {
+        let sheet = nested_sheet(contours, 7);
+        for profile in kerfway::machine::presets() {
+            let problem = problem::from_sheet(&sheet, &profile);
+            for method in solve::methods() {
+                let mut search = method.start(&problem, 1, None);
+                let first = checked(&sheet, &profile.name, search.best());
+                search.step(20_000);
+                assert!(checked(&sheet, &profile.name, search.best()) <= first);
+            }
+        }
+    }
+}
+
+#[test]
+fn slices_of_any_size_give_the_same() {
+    let sheet = nested_sheet(200, 3);
+    let problem = problem::from_sheet(&sheet, &machine("co2-100w"));
+    for method in solve::methods() {
+        for total in [1_000, 50_000, 600_000] {
+            let mut whole = method.start(&problem, 5, None);
+            whole.step(total);
+            for slice in [1_000, 333, 17_001] {
+                let mut sliced = method.start(&problem, 5, None);
+                let mut left = total;
+                while left > 0 {
+                    let step = sliced.step(left.min(slice));
+                    if step.status == Status::Exhausted {
+                        break;
+                    }
+                    assert_eq!(step.done, left.min(slice));
+                    left -= step.done;
+                }
+                assert_eq!(sliced.best(), whole.best(), "{total} in slices of {slice}");
+            }
+        }
+    }
+}
