@@ -67,8 +67,8 @@ pub(super) fn outline(form: &Form<'_>, to_sheet: &DAffine3, tolerance: f64) -> R
             let place = |p: &DVec3| to_sheet.transform_point3(*p).truncate();
             let heights = spline.control.iter().chain(&spline.fit).map(|p| to_sheet.transform_point3(*p).z);
             let tilted = spread(heights) > FLAT;
-            let turn = |t: &DVec3| (to_sheet.matrix3 * *t).truncate();
-            Ok(Outline { paths: vec![tracer.spline(spline, place, turn)?], tilted })
+            let flat = |elevation| tracer.plane(DVec3::Z, elevation).map;
+            Ok(Outline { paths: vec![tracer.spline(spline, place, flat)?], tilted })
         }
         Form::Hatch { loops, elevation, normal } => {
             let plane = tracer.plane(*normal, *elevation);
@@ -171,12 +171,16 @@ impl Tracer<'_> {
         &self,
         spline: &Spline,
         place: impl Fn(&DVec3) -> DVec2,
-        turn: impl Fn(&DVec3) -> DVec2,
+        flat: impl Fn(f64) -> Affine,
     ) -> Result<Path, String> {
+        // A curve through points depends on their distances, which a map changes: it is made where it was drawn and
+        // put on the sheet as control points.
         let through = || {
-            let fit: Vec<DVec2> = spline.fit.iter().map(&place).collect();
-            let tangent = |t: &Option<DVec3>| t.as_ref().map(&turn);
-            Nurbs::through(&fit, tangent(&spline.start_tangent), tangent(&spline.end_tangent), spline.closed)
+            let fit: Vec<DVec2> = spline.fit.iter().map(|p| p.truncate()).collect();
+            let tangent = |t: Option<DVec3>| t.map(|t| t.truncate());
+            let (start, end) = (tangent(spline.start_tangent), tangent(spline.end_tangent));
+            let elevation = spline.fit.first().map_or(0.0, |p| p.z);
+            Nurbs::through(&fit, start, end, spline.closed).map(|curve| curve.transformed(&flat(elevation)))
         };
         let curve = if spline.control.is_empty() {
             through()
@@ -209,7 +213,7 @@ impl Tracer<'_> {
                 closed_if_it_is(e.transformed(map).to_segments(self.tolerance))
             }
             Edge::Spline(spline) => {
-                self.spline(spline, |p| map.point(p.truncate()), |t| map.vector(t.truncate()))?
+                self.spline(spline, |p| map.point(p.truncate()), |_| *map)?
             }
         })
     }
