@@ -79,6 +79,8 @@ pub enum Code {
     LayerSuggestion,
     /// A layer that is not cut, with what it holds.
     LayerIgnored,
+    /// An operation was asked for a layer that the drawing does not have.
+    LayerUnknown,
     /// More findings of one code than are listed one by one.
     More,
 }

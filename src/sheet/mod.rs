@@ -1,5 +1,30 @@
-//! From shapes to contours to parts: ends joined, copies removed, nesting found. See [`Sheet`].
+//! From shapes to contours to parts: ends joined, copies removed, nesting found. See [`build`] and [`Sheet`].
+//!
+//! ```text
+//! shapes -> layers: operations, order, what names suggest; ignored ones set aside
+//!        -> clean: every line and arc once (zero lengths, copies, overlaps)
+//!        -> assemble: chains joined end to end, best match first; gaps closed bit for bit
+//!        -> nest: containment tree of any depth; the sheet's own border recognised
+//!        -> parts: outer contours counter-clockwise, holes clockwise, parts in holes
+//! ```
+//!
+//! Everything that is left out, changed or doubted is a finding with its place. Results depend on the drawing alone:
+//! no order of a hash map decides anything, and ties fall by drawing order. Every step is bounded for hostile
+//! drawings (all ends in one point, 100,000 lines on top of each other): how, stands at each.
 
+mod about;
+mod assemble;
+mod build;
+mod clean;
+mod cluster;
+mod element;
+mod layers;
 mod model;
+mod nest;
+mod outline;
+mod parts;
+mod scan;
+mod words;
 
+pub use build::build;
 pub use model::{Contour, Ignored, LayerUse, Operation, Part, Sheet, SheetOptions};

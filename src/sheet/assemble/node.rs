@@ -1,0 +1,108 @@
+//! Ends that meet in one point, and branches.
+
+use super::{Ends, NONE};
+use crate::geometry::{DVec2, math};
+use crate::sheet::cluster::cluster;
+use crate::sheet::element::ROUNDING;
+
+/// A point where more than two ends meet.
+pub(super) struct Branch {
+    /// Where, mm.
+    pub(super) at: DVec2,
+    /// How many ends.
+    pub(super) ends: usize,
+    /// One of them.
+    pub(super) end: u32,
+}
+
+/// Ends at a branch of which all pairs are compared; beyond, only those nearly opposite to each other.
+const ALL_PAIRS: usize = 16;
+/// Ends on either side of the opposite direction that are compared at a branch of very many ends.
+const OPPOSITE: usize = 4;
+
+/// Joins ends within rounding; the branches come back.
+pub(super) fn join(ends: &mut Ends) -> Vec<Branch> {
+    let free = ends.all_free();
+    let points: Vec<DVec2> = free.iter().map(|&e| ends.point[e as usize]).collect();
+    let node_of = cluster(&points, 2.0 * ROUNDING);
+    let mut by_node: Vec<(u32, u32)> = node_of.into_iter().zip(free).collect();
+    by_node.sort_unstable();
+    let nodes = || by_node.chunk_by(|a, b| a.0 == b.0);
+    for node in nodes() {
+        if let [(_, a), (_, b)] = *node
+            && ends.may_join(a, b)
+        {
+            ends.join(a, b);
+        }
+    }
+    let mut branches = Vec::new();
+    for node in nodes().filter(|n| n.len() > 2) {
+        let members: Vec<u32> = node.iter().map(|&(_, e)| e).collect();
+        branches.push(Branch { at: ends.point[members[0] as usize], ends: members.len(), end: members[0] });
+        for &e in &members {
+            ends.at_branch[e as usize] = true;
+        }
+        pair_up(ends, &members);
+    }
+    branches
+}
+
+/// Pairs the ends of a branch.
+fn pair_up(ends: &mut Ends, members: &[u32]) {
+    // Membership by sorted list: `members` ascends.
+    for &a in members {
+        let b = ends.far[a as usize];
+        if b != NONE && members.binary_search(&b).is_ok() && ends.may_join(a, b) {
+            ends.join(a, b);
+        }
+    }
+    let left: Vec<u32> = members.iter().copied().filter(|&e| ends.free(e)).collect();
+    let pairs = if left.len() <= ALL_PAIRS { all_pairs(&left) } else { opposite_pairs(ends, &left) };
+    // Tails last: what leads on, leads to a contour that closes.
+    let tails = |a, b| u8::from(ends.is_tail(a)) + u8::from(ends.is_tail(b));
+    let keyed = pairs.into_iter().map(|(a, b)| ((tails(a, b), ends.preference(a, b)), a, b)).collect();
+    ends.join_in_order(keyed);
+    if left.len() > ALL_PAIRS {
+        pair_rest(ends, &left);
+    }
+}
+
+fn all_pairs(of: &[u32]) -> Vec<(u32, u32)> {
+    let later = |i: usize| of[i + 1..].iter().copied();
+    of.iter().enumerate().flat_map(|(i, &a)| later(i).map(move |b| (a, b))).collect()
+}
+
+/// For each end the few of its layer that point most nearly the other way.
+fn opposite_pairs(ends: &Ends, of: &[u32]) -> Vec<(u32, u32)> {
+    let mut pairs = Vec::new();
+    for layer in by_angle(ends, of).chunk_by(|a, b| a.0 == b.0) {
+        let n = layer.len();
+        for &(_, angle, a) in layer {
+            let opposite = math::wrap_pi(angle + std::f64::consts::PI);
+            let from = layer.partition_point(|m| m.1 < opposite) + n;
+            let near = (from.saturating_sub(OPPOSITE)..from + OPPOSITE).map(|k| layer[k % n].2);
+            pairs.extend(near.filter(|&b| b != a).map(|b| (a, b)));
+        }
+    }
+    pairs
+}
+
+/// What is still free at a branch of very many ends: each with the one half a round further on.
+fn pair_rest(ends: &mut Ends, of: &[u32]) {
+    let left: Vec<u32> = of.iter().copied().filter(|&e| ends.free(e)).collect();
+    let left = by_angle(ends, &left);
+    let (near, far) = left.split_at(left.len() / 2);
+    for (&(_, _, a), &(_, _, b)) in near.iter().zip(far) {
+        if ends.may_join(a, b) {
+            ends.join(a, b);
+        }
+    }
+}
+
+/// Layer, direction out and end, sorted by layer and direction.
+fn by_angle(ends: &Ends, of: &[u32]) -> Vec<(u32, f64, u32)> {
+    let angle = |e: u32| math::angle_of(ends.out[e as usize]);
+    let mut sorted: Vec<_> = of.iter().map(|&e| (ends.layer[e as usize], angle(e), e)).collect();
+    sorted.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+    sorted
+}

@@ -1,0 +1,145 @@
+//! Joined chains walked into paths whose elements meet bit for bit.
+
+use super::{Ends, NONE, close};
+use crate::dxf::Drawing;
+use crate::finding::{Code, Findings, Severity};
+use crate::geometry::{DVec2, Path};
+use crate::sheet::about::{self, count, plural};
+use crate::sheet::element::{Chain, Chains, ROUNDING};
+use std::collections::BTreeMap;
+
+/// A contour before nesting.
+pub(crate) struct Assembled {
+    /// Elements that meet bit for bit, in the direction of the first shape.
+    pub(crate) path: Path,
+    /// Smallest index of the shapes it was made of.
+    pub(crate) first_shape: u32,
+    /// Length on each layer, mm, by index of the layer.
+    pub(crate) layers: BTreeMap<u32, f64>,
+}
+
+/// Walks all contours, in drawing order, and tells the gaps closed.
+pub(super) fn contours(
+    drawing: &Drawing,
+    chains: &Chains,
+    ends: &Ends,
+    findings: &mut Findings,
+) -> Vec<Assembled> {
+    let mut visited = vec![false; chains.chains.len()];
+    let mut out = Vec::new();
+    for first in 0_u32.. {
+        let Some(false) = visited.get(first as usize) else {
+            if first as usize >= visited.len() {
+                break;
+            }
+            continue;
+        };
+        let mut walk = Walk::default();
+        let start = first_end(ends, 2 * first);
+        let mut end = start;
+        loop {
+            let chain = end / 2;
+            visited[chain as usize] = true;
+            walk.take(chains, &chains.chains[chain as usize], end % 2 == 1);
+            let mate = ends.mate[(end ^ 1) as usize];
+            if mate == NONE || mate == start || mate == end ^ 1 {
+                walk.closed = mate != NONE;
+                break;
+            }
+            end = mate;
+        }
+        walk.finish();
+        walk.tell_gaps(drawing, findings);
+        out.push(walk.contour);
+    }
+    out
+}
+
+/// The end at which the contour begins that passes through chain end `start`: the free end behind it, or `start`
+/// itself when it comes round.
+fn first_end(ends: &Ends, start: u32) -> u32 {
+    let mut end = start;
+    loop {
+        let mate = ends.mate[end as usize];
+        if mate == NONE || mate == end || mate ^ 1 == start {
+            return if mate == NONE { end } else { start };
+        }
+        end = mate ^ 1;
+    }
+}
+
+/// A contour on its way.
+struct Walk {
+    contour: Assembled,
+    closed: bool,
+    gaps: Vec<(f64, DVec2)>,
+}
+
+impl Default for Walk {
+    fn default() -> Self {
+        let contour = Assembled { path: Path::default(), first_shape: u32::MAX, layers: BTreeMap::new() };
+        Self { contour, closed: false, gaps: Vec::new() }
+    }
+}
+
+impl Walk {
+    /// Appends a chain; its first element meets the last one so far.
+    fn take(&mut self, chains: &Chains, chain: &Chain, reversed: bool) {
+        let elements = chains.of(chain);
+        for e in elements {
+            *self.contour.layers.entry(e.layer).or_default() += e.segment.length();
+            self.contour.first_shape = self.contour.first_shape.min(e.shape);
+        }
+        let from = self.contour.path.segments.len();
+        if reversed {
+            self.contour.path.segments.extend(elements.iter().rev().map(|e| e.segment.reversed()));
+        } else {
+            self.contour.path.segments.extend(elements.iter().map(|e| e.segment));
+        }
+        let segments = &mut self.contour.path.segments;
+        if let Some(before) = from.checked_sub(1) {
+            let (a, b) = (segments[before], segments[from]);
+            self.gaps.push((a.end().distance(b.start()), (a.end() + b.start()) * 0.5));
+            let (a, bridge, b) = close::meet(a, b);
+            segments[before] = a;
+            segments[from] = b;
+            segments.splice(from..from, bridge);
+        }
+    }
+
+    /// Lets the last end meet the first start of a closed contour.
+    fn finish(&mut self) {
+        self.contour.path.closed = self.closed;
+        let segments = &mut self.contour.path.segments;
+        let (Some(&first), Some(&last), true) = (segments.first(), segments.last(), self.closed) else {
+            return;
+        };
+        self.gaps.push((last.end().distance(first.start()), (last.end() + first.start()) * 0.5));
+        if segments.len() == 1 {
+            *segments = close::ring(first);
+            return;
+        }
+        let (a, bridge, b) = close::meet(last, first);
+        segments[0] = b;
+        if let Some(l) = segments.last_mut() {
+            *l = a;
+        }
+        segments.extend(bridge);
+    }
+
+    fn tell_gaps(&self, drawing: &Drawing, findings: &mut Findings) {
+        let closed: Vec<_> = self.gaps.iter().filter(|(gap, _)| *gap > ROUNDING).collect();
+        let Some((gap, at)) = closed.iter().max_by(|a, b| a.0.total_cmp(&b.0)) else { return };
+        let message = if closed.len() == 1 {
+            format!("A gap of {gap:.4} mm in this contour was closed.")
+        } else {
+            format!(
+                "{} in this contour were closed, the widest {gap:.4} mm.",
+                plural(closed.len(), "gap", "gaps")
+            )
+        };
+        let shape = self.contour.first_shape;
+        let finding = about::shape(drawing, shape, Code::GapClosed, Severity::Info, message, Some(*at));
+        findings.push(finding.times(count(closed.len())));
+    }
+}

@@ -1,0 +1,111 @@
+//! The stage as a whole.
+
+use super::about::{self, layer_name, plural};
+use super::assemble::{Assembled, assemble};
+use super::clean::clean;
+use super::model::{Contour, Ignored, Operation, Sheet, SheetOptions};
+use super::{layers, nest, outline, parts};
+use crate::dxf::Drawing;
+use crate::finding::{Code, Findings, Severity};
+use crate::geometry::Aabb;
+
+/// Builds the sheet of a drawing: joins, cleans, nests. Never fails; whatever is odd is a finding. The findings of
+/// the sheet are those of this stage; the reader's stand in the drawing.
+pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
+    let mut findings = Findings::default();
+    let mut layers = layers::layers(drawing, options, &mut findings);
+    let mut ignored = layers::ignored(drawing, &layers, &mut findings);
+    let join = length_or(options.join_tolerance, 0.0);
+    let copy = length_or(options.copy_tolerance, 0.0).min(join);
+    let mut contours = Vec::new();
+    // Cuts and marks are cleaned and joined apart: a line that is both marked and cut stays both.
+    for operation in [Operation::Cut, Operation::Mark] {
+        let shapes = layers::shapes_of(drawing, &layers, operation);
+        let chains = clean(drawing, &shapes, copy, join, &mut findings);
+        for a in assemble(drawing, &chains, join, &mut findings) {
+            contours.push(contour(drawing, a, operation, &mut findings));
+        }
+    }
+    contours.sort_by_key(|c| c.first_shape);
+    nest::nest(&mut contours, join);
+    let mut border = outline::find(&contours, &layers);
+    if let Some(index) = border {
+        findings.push(outline::finding(drawing, &contours[index as usize], options.ignore_outline));
+        if options.ignore_outline {
+            let c = contours.remove(index as usize);
+            ignored.push(Ignored { path: c.path, layer: c.layer });
+            nest::nest(&mut contours, join);
+            border = None;
+        }
+    }
+    parts::orient(&mut contours);
+    for c in &contours {
+        if let Some(l) = layers.get_mut(c.layer as usize) {
+            l.contours += 1;
+        }
+    }
+    Sheet {
+        parts: parts::parts(&contours),
+        bounds: contours.iter().fold(Aabb::EMPTY, |b, c| b.union(c.bounds)),
+        contours,
+        layers,
+        ignored,
+        outline: border,
+        findings: findings.into_list(),
+    }
+}
+
+/// A length that came from outside: not negative, and a number.
+fn length_or(v: f64, otherwise: f64) -> f64 {
+    if v.is_finite() { v.max(0.0) } else { otherwise }
+}
+
+fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut Findings) -> Contour {
+    let most = a.layers.iter().fold((0, f64::NEG_INFINITY), |m, (&l, &d)| if d > m.1 { (l, d) } else { m });
+    let layer = most.0;
+    let at = a.path.start();
+    if a.layers.len() > 1 {
+        let names: Vec<_> = a.layers.keys().filter_map(|&l| layer_name(drawing, l)).collect();
+        let message = format!(
+            "This contour lies on {}: {}. It is taken to be on {}, where most of it lies.",
+            plural(names.len(), "layer", "layers"),
+            names.join(", "),
+            layer_name(drawing, layer).unwrap_or_default(),
+        );
+        findings.push(about::shape(
+            drawing,
+            a.first_shape,
+            Code::SeveralLayers,
+            Severity::Warning,
+            message,
+            at,
+        ));
+    }
+    let length = a.path.length();
+    if !a.path.closed && operation == Operation::Cut {
+        let message = format!(
+            "This contour of {length:.3} mm does not close: it is cut as an open line and frees no part. \
+             Close it in the drawing, or raise the joining tolerance."
+        );
+        findings.push(about::shape(
+            drawing,
+            a.first_shape,
+            Code::OpenContour,
+            Severity::Warning,
+            message,
+            at,
+        ));
+    }
+    Contour {
+        layer,
+        operation,
+        inside: None,
+        depth: 0,
+        length,
+        area: if a.path.closed { a.path.area().abs() } else { 0.0 },
+        bounds: a.path.bounds(),
+        self_crossing: false,
+        first_shape: a.first_shape,
+        path: a.path,
+    }
+}

@@ -1,0 +1,209 @@
+//! Cleaning: every line and arc once.
+//!
+//! 1. **Explode.** Shapes fall into elements; those without length are dropped. Elements of a shape that follow each
+//!    other bit for bit stay a run.
+//! 2. **Carriers** ([`carriers`]). Lines on one straight line and arcs on one circle are united as intervals on it.
+//!    That finds exact copies, reversed copies, circles drawn twice from different starts, and every collinear and
+//!    co-circular overlap, in O(n log n) however many lie on top of each other.
+//! 3. **Near copies** ([`near`]). What lies within the tolerance of another element without sharing its carrier:
+//!    an arc beside its chord, a spline fitted twice, lines turned by a hair.
+//! 4. **Rebuild.** Runs are cut where something was taken out, and become chains.
+//!
+//! The union is kept: of two elements on top of each other one stays whole, the other loses what is covered. Which
+//! one, decides what stays closed, so closed shapes come first (a whole shape before the next), then elements whose
+//! two ends meet other ends (sides of a square of lines, over a long line that passes along it), then the longer,
+//! then the first drawn.
+
+mod carriers;
+mod cover;
+mod report;
+
+use super::cluster::cluster;
+use super::element::{Chain, Chains, Element, ROUNDING, with_start};
+use crate::dxf::Drawing;
+use crate::finding::Findings;
+use crate::geometry::{DVec2, Segment};
+use std::ops::Range;
+
+/// Elements that follow each other bit for bit in one shape.
+struct Run {
+    elements: Range<usize>,
+    closed: bool,
+}
+
+/// What cleaning leaves of an element.
+#[derive(Clone, Debug, PartialEq)]
+enum Kept {
+    /// All of it.
+    Whole,
+    /// These parts, as fractions of its length, in order.
+    Pieces(Vec<(f64, f64)>),
+    /// Nothing: one other element has the same ends and the same course.
+    Copy,
+    /// Nothing: longer or several other elements cover it.
+    Covered,
+}
+
+/// Cleans the given shapes of a drawing. `tolerance` (mm) is the distance up to which elements are copies of each
+/// other, `join` (mm) the one up to which ends meet.
+pub(super) fn clean(
+    drawing: &Drawing,
+    shapes: &[u32],
+    tolerance: f64,
+    join: f64,
+    findings: &mut Findings,
+) -> Chains {
+    let (elements, runs) = explode(drawing, shapes, findings);
+    let mut kept = vec![Kept::Whole; elements.len()];
+    let rank = ranks(&elements, &runs, join);
+    carriers::unite(&elements, &rank, tolerance, &mut kept);
+    report::removed(drawing, &elements, &kept, findings);
+    rebuild(&elements, &runs, &kept)
+}
+
+/// Shapes into elements and runs, without elements shorter than rounding.
+fn explode(drawing: &Drawing, shapes: &[u32], findings: &mut Findings) -> (Vec<Element>, Vec<Run>) {
+    let mut elements: Vec<Element> = Vec::new();
+    let mut runs: Vec<Run> = Vec::new();
+    for &index in shapes {
+        let Some(shape) = drawing.shapes.get(index as usize) else { continue };
+        let first_run = runs.len();
+        let mut dropped = 0;
+        for &segment in &shape.path.segments {
+            let length = segment.length();
+            if length.is_nan() || length <= ROUNDING {
+                dropped += 1;
+                continue;
+            }
+            let mut element = Element { segment, shape: index, layer: shape.layer };
+            match elements.last() {
+                Some(last)
+                    if runs.len() > first_run
+                        && last.segment.end().distance(segment.start()) <= ROUNDING
+                        && !is_circle(&segment)
+                        && !is_circle(&last.segment) =>
+                {
+                    element.segment = with_start(segment, last.segment.end());
+                }
+                _ => runs.push(Run { elements: elements.len()..elements.len(), closed: false }),
+            }
+            elements.push(element);
+            if let Some(run) = runs.last_mut() {
+                run.elements.end = elements.len();
+            }
+        }
+        if let [run] = &mut runs[first_run..] {
+            close(run, &mut elements, shape.path.closed);
+        }
+        for run in &mut runs[first_run..] {
+            run.closed |= run.elements.len() == 1 && is_circle(&elements[run.elements.start].segment);
+        }
+        if dropped > 0 {
+            findings.push(report::zero_length(drawing, index, dropped));
+        }
+    }
+    (elements, runs)
+}
+
+/// Marks the only run of a shape closed when it says so or its ends are one point.
+fn close(run: &mut Run, elements: &mut [Element], said: bool) {
+    let many = run.elements.len() > 1;
+    let [first, .., last] = &mut elements[run.elements.clone()] else { return };
+    let gap = last.segment.end().distance(first.segment.start());
+    if many && gap <= if said { ROUNDING } else { 0.0 } {
+        first.segment = with_start(first.segment, last.segment.end());
+        run.closed = true;
+    }
+}
+
+fn is_circle(s: &Segment) -> bool {
+    matches!(s, Segment::Arc(a) if a.is_circle())
+}
+
+/// For every element its place in the order of who stays whole; see the module text.
+fn ranks(elements: &[Element], runs: &[Run], join: f64) -> Vec<u32> {
+    let ends: Vec<DVec2> = elements.iter().flat_map(|e| [e.segment.start(), e.segment.end()]).collect();
+    let meeting = cluster(&ends, join.max(ROUNDING));
+    let mut count = vec![0_u32; ends.len()];
+    for &c in &meeting {
+        count[c as usize] += 1;
+    }
+    let mut keys = Vec::with_capacity(elements.len());
+    for run in runs {
+        for i in run.elements.clone() {
+            let loose = meeting[2 * i..2 * i + 2].iter().filter(|&&c| count[c as usize] < 2).count();
+            #[allow(clippy::cast_possible_truncation, reason = "lengths are under 1e13 roundings")]
+            let length = (elements[i].segment.length() / ROUNDING).round() as i64;
+            keys.push(if run.closed {
+                (0, 0, i64::from(elements[i].shape), i)
+            } else {
+                (1, loose, -length, i)
+            });
+        }
+    }
+    keys.sort_unstable();
+    let mut rank = vec![0; elements.len()];
+    for (r, key) in (0_u32..).zip(keys) {
+        rank[key.3] = r;
+    }
+    rank
+}
+
+/// Chains of what was kept. A closed run that lost something opens there.
+fn rebuild(elements: &[Element], runs: &[Run], kept: &[Kept]) -> Chains {
+    let mut out =
+        Chains { elements: Vec::with_capacity(elements.len()), chains: Vec::with_capacity(runs.len()) };
+    for run in runs {
+        let range = run.elements.clone();
+        if kept[range.clone()].iter().all(|k| *k == Kept::Whole) {
+            let from = out.elements.len();
+            out.elements.extend_from_slice(&elements[range]);
+            out.chains.push(Chain { elements: from..out.elements.len(), closed: run.closed });
+            continue;
+        }
+        for pieces in broken(&elements[range.clone()], &kept[range], run.closed) {
+            let from = out.elements.len();
+            out.elements.extend(pieces);
+            out.chains.push(Chain { elements: from..out.elements.len(), closed: false });
+        }
+    }
+    out
+}
+
+/// The pieces of a run that lost something, as chains; across the seam of a closed run they stay together.
+fn broken(elements: &[Element], kept: &[Kept], closed: bool) -> Vec<Vec<Element>> {
+    let mut chains: Vec<Vec<Element>> = Vec::new();
+    let mut attached = false;
+    let mut first_at_seam = false;
+    for (i, (element, kept)) in elements.iter().zip(kept).enumerate() {
+        let whole = [(0.0, 1.0)];
+        let pieces = match kept {
+            Kept::Whole => &whole[..],
+            Kept::Pieces(p) => p,
+            Kept::Copy | Kept::Covered => &[],
+        };
+        if pieces.is_empty() {
+            attached = false;
+        }
+        for &(from, to) in pieces {
+            let piece = Element { segment: element.segment.piece(from, to), ..*element };
+            match chains.last_mut() {
+                Some(chain) if attached && from <= 0.0 => chain.push(piece),
+                _ => {
+                    first_at_seam |= i == 0 && from <= 0.0;
+                    chains.push(vec![piece]);
+                }
+            }
+            attached = to >= 1.0;
+        }
+    }
+    if closed && attached && first_at_seam && chains.len() > 1 {
+        let head = chains.remove(0);
+        if let Some(last) = chains.last_mut() {
+            last.extend(head);
+        }
+        // The chain over the seam holds the first element: it stays first in drawing order.
+        chains.rotate_right(1);
+    }
+    chains
+}

@@ -1,0 +1,78 @@
+//! What cleaning took out, in words: one finding a shape.
+
+use super::Kept;
+use crate::dxf::Drawing;
+use crate::finding::{Code, Finding, Findings, Severity};
+use crate::sheet::about::{self, count, plural};
+use crate::sheet::element::Element;
+
+/// A shape with elements that have no length.
+pub(super) fn zero_length(drawing: &Drawing, index: u32, dropped: usize) -> Finding {
+    let shape = drawing.shapes.get(index as usize);
+    let kind = shape.map_or("shape", |s| s.kind);
+    let message = if shape.is_some_and(|s| s.path.segments.len() == dropped) {
+        format!("This {kind} has no length: there is nothing to cut, it is left out.")
+    } else {
+        format!("{} without length left out of this {kind}.", plural(dropped, "piece", "pieces"))
+    };
+    let at = shape.and_then(|s| s.path.start());
+    about::shape(drawing, index, Code::ZeroLength, Severity::Info, message, at).times(count(dropped))
+}
+
+/// Every shape that lost something to another one.
+pub(super) fn removed(drawing: &Drawing, elements: &[Element], kept: &[Kept], findings: &mut Findings) {
+    let mut from = 0;
+    for group in elements.chunk_by(|a, b| a.shape == b.shape) {
+        let kept = &kept[from..from + group.len()];
+        from += group.len();
+        if let Some(f) = lost(drawing, group, kept) {
+            findings.push(f);
+        }
+    }
+}
+
+fn lost(drawing: &Drawing, elements: &[Element], kept: &[Kept]) -> Option<Finding> {
+    let first = kept.iter().position(|k| *k != Kept::Whole)?;
+    let (element, loss) = (elements.get(first)?, kept.get(first)?);
+    let copies = kept.iter().filter(|k| **k == Kept::Copy).count();
+    let gone = copies + kept.iter().filter(|k| **k == Kept::Covered).count();
+    let touched = kept.iter().filter(|k| **k != Kept::Whole).count();
+    let length: f64 = elements.iter().zip(kept).map(|(e, k)| e.segment.length() * (1.0 - share(k))).sum();
+    let kind = drawing.shapes.get(element.shape as usize)?.kind;
+    let (code, message) = if copies == elements.len() {
+        (Code::DuplicateRemoved, format!("This {kind} lies on top of another one: it is cut once."))
+    } else if copies == touched {
+        let pieces =
+            plural(copies, "piece of this KIND lies", "pieces of this KIND lie").replace("KIND", kind);
+        (Code::DuplicateRemoved, format!("{pieces} on top of other lines: cut once."))
+    } else if gone == elements.len() {
+        (Code::OverlapRemoved, format!("This {kind} lies wholly along other lines: it is cut once."))
+    } else {
+        let text = format!("{length:.3} mm of this {kind} lie along other lines: they are cut once.");
+        (Code::OverlapRemoved, text)
+    };
+    let at = element.segment.at(first_loss(loss));
+    Some(about::shape(drawing, element.shape, code, Severity::Info, message, Some(at)).times(count(touched)))
+}
+
+/// How much of an element is kept, 0 to 1.
+fn share(kept: &Kept) -> f64 {
+    match kept {
+        Kept::Whole => 1.0,
+        Kept::Pieces(p) => p.iter().map(|(a, b)| b - a).sum(),
+        Kept::Copy | Kept::Covered => 0.0,
+    }
+}
+
+/// The middle of the first part that was taken out, as a fraction of the element.
+fn first_loss(kept: &Kept) -> f64 {
+    match kept {
+        Kept::Pieces(p) => match p[..] {
+            [(from, _), ..] if from > 0.0 => from * 0.5,
+            [(_, to), (from, _), ..] => (from + to) * 0.5,
+            [(_, to)] => (1.0 + to) * 0.5,
+            [] => 0.5,
+        },
+        _ => 0.5,
+    }
+}

@@ -1,0 +1,95 @@
+//! Layers: what is done with each, what its name suggests, and its place in the order of work.
+//!
+//! Everything is cut unless the person says otherwise; only Defpoints, which no CAD ever plots, is left out by
+//! itself. Names are compared without regard to case, as DXF does. What a name suggests is a finding, not a deed.
+
+use super::about::{count, plural};
+use super::model::{Ignored, LayerUse, Operation, SheetOptions};
+use super::words;
+use crate::dxf::Drawing;
+use crate::finding::{Code, Finding, Findings, Severity};
+
+/// The layers of a drawing with their operations; same indices. Contours are counted later.
+pub(super) fn layers(drawing: &Drawing, options: &SheetOptions, findings: &mut Findings) -> Vec<LayerUse> {
+    let given: Vec<(String, Operation)> = options.layers.iter().map(|(n, o)| (key(n), *o)).collect();
+    let mut shapes = vec![0_usize; drawing.layers.len()];
+    for s in &drawing.shapes {
+        if let Some(n) = shapes.get_mut(s.layer as usize) {
+            *n += 1;
+        }
+    }
+    for (given, (name, _)) in given.iter().zip(&options.layers) {
+        if !drawing.layers.iter().any(|l| key(&l.name) == given.0) {
+            let message =
+                format!("There is no layer {name} in this drawing: what was asked for it does nothing.");
+            findings.push(Finding::new(Code::LayerUnknown, Severity::Warning, message).on_layer(name));
+        }
+    }
+    let place = |name: &str| given.iter().rposition(|(n, _)| *n == key(name));
+    let mut out = Vec::with_capacity(drawing.layers.len());
+    for (index, layer) in (0_u32..).zip(&drawing.layers) {
+        let asked = place(&layer.name);
+        let never_plotted = key(&layer.name) == "defpoints";
+        let operation = match asked.and_then(|i| given.get(i)) {
+            Some((_, operation)) => *operation,
+            None if never_plotted => Operation::Ignore,
+            None => Operation::Cut,
+        };
+        let suggestion = words::suggestion(&layer.name).filter(|s| asked.is_none() && *s != operation);
+        let used = shapes[index as usize];
+        if let (Some(s), true) = (suggestion, used > 0) {
+            findings.push(suggested(&layer.name, s, used));
+        }
+        let rank = if options.order_by_layer {
+            asked.map_or(count(given.len()).saturating_add(index), count)
+        } else {
+            u32::from(operation == Operation::Cut)
+        };
+        let (name, color) = (layer.name.clone(), layer.color);
+        out.push(LayerUse { name, color, operation, suggestion, rank, contours: 0 });
+    }
+    out
+}
+
+fn suggested(name: &str, suggestion: Operation, shapes: usize) -> Finding {
+    let what = plural(shapes, "shape is", "shapes are");
+    let message = match suggestion {
+        Operation::Mark => {
+            format!("{what} on layer {name}, by its name to be marked: now cut. Choose mark or ignore.")
+        }
+        _ => format!(
+            "{what} on layer {name}, by its name not to be cut: now cut. Choose ignore to leave it out."
+        ),
+    };
+    Finding::new(Code::LayerSuggestion, Severity::Warning, message).on_layer(name).times(count(shapes))
+}
+
+/// The shapes of ignored layers, and a finding for each such layer.
+pub(super) fn ignored(drawing: &Drawing, layers: &[LayerUse], findings: &mut Findings) -> Vec<Ignored> {
+    let mut held = vec![0_usize; layers.len()];
+    let mut out = Vec::new();
+    for s in &drawing.shapes {
+        let Some(layer) = layers.get(s.layer as usize) else { continue };
+        if layer.operation == Operation::Ignore {
+            held[s.layer as usize] += 1;
+            out.push(Ignored { path: s.path.clone(), layer: s.layer });
+        }
+    }
+    for (layer, n) in layers.iter().zip(held).filter(|(_, n)| *n > 0) {
+        let message = format!("{} on layer {} left out.", plural(n, "shape", "shapes"), layer.name);
+        findings.push(
+            Finding::new(Code::LayerIgnored, Severity::Info, message).on_layer(&layer.name).times(count(n)),
+        );
+    }
+    out
+}
+
+/// The shapes of one operation, in drawing order. A shape of a layer that is not in the list is cut.
+pub(super) fn shapes_of(drawing: &Drawing, layers: &[LayerUse], operation: Operation) -> Vec<u32> {
+    let of = |layer: u32| layers.get(layer as usize).map_or(Operation::Cut, |l| l.operation);
+    (0_u32..).zip(&drawing.shapes).filter(|(_, s)| of(s.layer) == operation).map(|(i, _)| i).collect()
+}
+
+fn key(name: &str) -> String {
+    name.to_lowercase()
+}

@@ -1,0 +1,147 @@
+//! The smallest box around a box, by area of what it bounds.
+//!
+//! A tree over boxes as points in four dimensions (left, bottom, right, top), split at the median of one after the
+//! other. A node knows the union of its boxes and the least and greatest area beneath it: a node whose union does
+//! not hold the box asked for cannot hold a box around it. Nodes are opened in order of least area, so among
+//! thousands of boxes around each other the smallest is met first.
+
+use crate::geometry::Aabb;
+use std::cmp::{Ordering, Reverse};
+use std::collections::BinaryHeap;
+
+/// Boxes in a leaf: few enough that trying them all costs less than another level.
+const LEAF: usize = 6;
+
+/// A box, the area of what it bounds, and its number.
+type Item = (Aabb, f64, u32);
+
+/// What a caller says to a candidate.
+pub(super) enum Answer {
+    /// This is it.
+    Found,
+    /// Not this one; go on.
+    Next,
+    /// Give up.
+    Stop,
+}
+
+struct Node {
+    from: usize,
+    to: usize,
+    union: Aabb,
+    least: f64,
+    greatest: f64,
+    /// Left child; the right one follows it. `None` in leaves.
+    children: Option<usize>,
+}
+
+/// See the module text.
+pub(super) struct BoxTree {
+    items: Vec<Item>,
+    nodes: Vec<Node>,
+}
+
+/// Something to look at, least area first, then the lower number.
+#[derive(PartialEq)]
+struct Candidate {
+    area: f64,
+    /// A node before an item of the same area; then by number.
+    what: What,
+}
+
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum What {
+    Node(usize),
+    Item(u32),
+}
+
+impl Eq for Candidate {}
+impl PartialOrd for Candidate {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl Ord for Candidate {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.area.total_cmp(&other.area).then_with(|| self.what.cmp(&other.what))
+    }
+}
+
+impl BoxTree {
+    /// A tree over the items.
+    pub(super) fn new(mut items: Vec<Item>) -> Self {
+        let mut nodes = vec![Node::of(&items, 0, items.len())];
+        // Level by level: a node's children are appended after it.
+        let mut next = 0;
+        let mut level_end = nodes.len();
+        let mut side = 0;
+        while next < nodes.len() {
+            if next == level_end {
+                level_end = nodes.len();
+                side = (side + 1) % 4;
+            }
+            let (from, to) = (nodes[next].from, nodes[next].to);
+            if to - from > LEAF {
+                let middle = (from + to) / 2;
+                let key = |i: &Item| [i.0.min.x, i.0.min.y, i.0.max.x, i.0.max.y][side];
+                items[from..to].select_nth_unstable_by(middle - from, |a, b| key(a).total_cmp(&key(b)));
+                nodes[next].children = Some(nodes.len());
+                nodes.push(Node::of(&items, from, middle));
+                nodes.push(Node::of(&items, middle, to));
+            }
+            next += 1;
+        }
+        Self { items, nodes }
+    }
+
+    /// Offers the boxes around `inner` whose area is larger than `area`, smallest area first, until one is found.
+    pub(super) fn smallest_around(
+        &self,
+        inner: &Aabb,
+        area: f64,
+        mut answer: impl FnMut(u32) -> Answer,
+    ) -> Option<u32> {
+        let mut queue = BinaryHeap::new();
+        let open = |node: usize, queue: &mut BinaryHeap<Reverse<Candidate>>| {
+            let n = &self.nodes[node];
+            if n.greatest > area && n.union.contains_box(inner) {
+                queue.push(Reverse(Candidate { area: n.least.max(area), what: What::Node(node) }));
+            }
+        };
+        open(0, &mut queue);
+        while let Some(Reverse(next)) = queue.pop() {
+            match next.what {
+                What::Item(i) => match answer(i) {
+                    Answer::Found => return Some(i),
+                    Answer::Next => {}
+                    Answer::Stop => return None,
+                },
+                What::Node(node) => match self.nodes[node].children {
+                    Some(left) => {
+                        open(left, &mut queue);
+                        open(left + 1, &mut queue);
+                    }
+                    None => {
+                        let leaf = &self.items[self.nodes[node].from..self.nodes[node].to];
+                        let around = leaf.iter().filter(|i| i.1 > area && i.0.contains_box(inner));
+                        queue.extend(around.map(|i| Reverse(Candidate { area: i.1, what: What::Item(i.2) })));
+                    }
+                },
+            }
+        }
+        None
+    }
+}
+
+impl Node {
+    fn of(items: &[Item], from: usize, to: usize) -> Self {
+        let mut node =
+            Self { from, to, union: Aabb::EMPTY, least: f64::INFINITY, greatest: 0.0, children: None };
+        for (bounds, area, _) in &items[from..to] {
+            node.union = node.union.union(*bounds);
+            node.least = node.least.min(*area);
+            node.greatest = node.greatest.max(*area);
+        }
+        node
+    }
+}

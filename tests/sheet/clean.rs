@@ -1,0 +1,160 @@
+//! Every line and arc once: zero lengths, copies, overlaps.
+
+use crate::sketch::*;
+use kerfway::finding::Code;
+use std::f64::consts::{PI, TAU};
+
+#[test]
+fn elements_without_length_are_dropped_and_told() {
+    let s = sheet([line(0.0, 0.0, 10.0, 0.0), line(3.0, 3.0, 3.0, 3.0), circle(5.0, 5.0, 0.0)]);
+    assert_eq!(counts(&s), (0, 1));
+    let told = findings(&s, Code::ZeroLength);
+    assert_eq!(told.len(), 2);
+    assert_eq!(told[0].at, Some(p(3.0, 3.0)));
+    assert_eq!(told[0].handle.as_deref(), Some("101"));
+}
+
+#[test]
+fn a_polyline_with_doubled_vertices_stays_one_closed_contour() {
+    let s =
+        sheet([polyline(&[(0.0, 0.0), (10.0, 0.0), (10.0, 0.0), (10.0, 8.0), (0.0, 8.0), (0.0, 0.0)], true)]);
+    assert_eq!(counts(&s), (1, 0));
+    close(s.contours[0].area, 80.0);
+    assert_eq!(s.contours[0].path.segments.len(), 4);
+    let told = findings(&s, Code::ZeroLength);
+    assert_eq!((told.len(), told[0].count), (1, 2));
+}
+
+#[test]
+fn exact_and_reversed_copies_are_removed() {
+    let square = rect(0.0, 0.0, 20.0, 10.0);
+    let s = sheet([
+        square.clone(),
+        square.clone(),
+        square.reversed(),
+        line(30.0, 0.0, 40.0, 0.0),
+        line(40.0, 0.0, 30.0, 0.0),
+    ]);
+    assert_eq!(counts(&s), (1, 1));
+    close(total_length(&s), 70.0);
+    let told = findings(&s, Code::DuplicateRemoved);
+    assert_eq!(told.iter().map(|f| f.handle.as_deref().unwrap()).collect::<Vec<_>>(), ["101", "102", "104"]);
+    assert_eq!(told.iter().map(|f| f.count).collect::<Vec<_>>(), [4, 4, 1]);
+}
+
+#[test]
+fn a_polyline_square_over_four_lines_of_the_same_square_is_one_contour() {
+    let square = rect(0.0, 0.0, 20.0, 10.0);
+    let mut both_ways = exploded(&square);
+    both_ways.push(square.clone());
+    for shapes in [both_ways.clone(), both_ways.into_iter().rev().collect()] {
+        let s = sheet(shapes);
+        assert_eq!(counts(&s), (1, 0));
+        close(total_length(&s), 60.0);
+        assert_eq!(findings(&s, Code::DuplicateRemoved).len(), 4);
+        assert_eq!(s.findings.len(), 4);
+    }
+}
+
+#[test]
+fn collinear_overlaps_leave_the_union() {
+    let s = sheet([
+        line(0.0, 5.0, 10.0, 5.0),
+        line(18.0, 5.0, 8.0, 5.0),
+        line(16.0, 5.0, 30.0, 5.0),
+        line(2.0, 5.0, 3.0, 5.0),
+    ]);
+    assert_eq!(counts(&s), (0, 1));
+    close(total_length(&s), 30.0);
+    let told = findings(&s, Code::OverlapRemoved);
+    assert_eq!(told.len(), 2);
+    assert!(told[0].message.starts_with("4.000 mm of this LINE"), "{}", told[0].message);
+    assert!(told[1].message.starts_with("This LINE lies wholly along"), "{}", told[1].message);
+}
+
+#[test]
+fn slanted_overlaps_with_rounded_coordinates_leave_the_union() {
+    // On the line y = x / 3, written with six decimals.
+    let at = |x: f64| (x, (x / 3.0 * 1e6).round() / 1e6);
+    let between = |a: f64, b: f64| polyline(&[at(a), at(b)], false);
+    let s = sheet([between(0.0, 100.0), between(250.0, 90.0), between(240.0, 400.0)]);
+    assert_eq!(counts(&s), (0, 1));
+    close((total_length(&s) - (400.0_f64 * 400.0 / 0.9).sqrt()).abs() * 0.1, 0.0);
+}
+
+#[test]
+fn a_circle_drawn_twice_with_different_start_is_one() {
+    let s = sheet([circle_from(5.0, 5.0, 3.0, 0.0), circle_from(5.0, 5.0, 3.0, 2.1)]);
+    assert_eq!(counts(&s), (1, 0));
+    close(total_length(&s), 3.0 * TAU);
+    assert_eq!(findings(&s, Code::DuplicateRemoved).len(), 1);
+}
+
+#[test]
+fn two_half_circles_over_a_circle_are_one_circle() {
+    let halves = [arc(5.0, 5.0, 3.0, 30.0, 180.0), arc(5.0, 5.0, 3.0, 210.0, 180.0)];
+    for order in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
+        let all = [halves[0].clone(), halves[1].clone(), circle(5.0, 5.0, 3.0)];
+        let s = sheet(order.map(|i: usize| all[i].clone()));
+        assert_eq!(counts(&s), (1, 0));
+        assert_eq!(s.contours[0].path.segments.len(), 1, "the circle stays whole");
+        close(total_length(&s), 3.0 * TAU);
+        assert_eq!(findings(&s, Code::OverlapRemoved).len(), 2);
+    }
+}
+
+#[test]
+fn co_circular_overlaps_leave_the_union() {
+    let s = sheet([arc(0.0, 0.0, 10.0, 300.0, 100.0), arc(0.0, 0.0, 10.0, 120.0, -100.0)]);
+    assert_eq!(counts(&s), (0, 1));
+    close(total_length(&s), 10.0 * 180.0_f64.to_radians());
+    assert_eq!(findings(&s, Code::OverlapRemoved).len(), 1);
+    let s = sheet([arc(0.0, 0.0, 10.0, 10.0, 200.0), arc(0.0, 0.0, 10.0, 190.0, 220.0)]);
+    assert_eq!(counts(&s), (1, 0), "two arcs that together come round");
+    close(total_length(&s), 10.0 * TAU);
+}
+
+#[test]
+fn sides_of_a_closed_shape_outrank_a_longer_line_along_them() {
+    let long = line(-50.0, 0.0, 80.0, 0.0);
+    let square = rect(0.0, 0.0, 20.0, 10.0);
+    for shapes in [vec![long.clone(), square.clone()], vec![square.clone(), long.clone()]] {
+        let s = sheet(shapes);
+        assert_eq!(counts(&s), (1, 2));
+        close(total_length(&s), 60.0 + 110.0);
+    }
+    let loose = exploded(&square).into_iter().chain([long]);
+    let s = sheet(loose);
+    assert_eq!(counts(&s), (1, 2), "so do sides drawn as lines");
+    close(s.contours[0].area, 200.0);
+    close(total_length(&s), 60.0 + 110.0);
+}
+
+#[test]
+fn neighbours_that_share_a_side_lose_it_once() {
+    let s = sheet([rect(0.0, 0.0, 20.0, 10.0), rect(20.0, 0.0, 30.0, 10.0)]);
+    assert_eq!(counts(&s), (1, 1));
+    close(total_length(&s), 60.0 + 70.0);
+    close(s.contours[1].length, 70.0);
+    assert_eq!(s.contours[1].path.start(), Some(p(20.0, 0.0)));
+    assert_eq!(s.contours[1].path.end(), Some(p(20.0, 10.0)));
+}
+
+#[test]
+fn hostile_a_hundred_thousand_lines_on_top_of_each_other() {
+    let s = sheet((0..100_000).map(|i| line(f64::from(i) * 0.01, 7.0, f64::from(i) * 0.01 + 3.0, 7.0)));
+    assert_eq!(counts(&s), (0, 1));
+    // Steps as small as the tolerance: the ends may be off by one.
+    assert!((total_length(&s) - 1002.99).abs() < 0.05, "{}", total_length(&s));
+}
+
+#[test]
+fn hostile_fifty_thousand_copies() {
+    let s = sheet((0..50_000).map(|i| circle_from(4.0, 4.0, 2.0, f64::from(i % 7))));
+    assert_eq!(counts(&s), (1, 0));
+    close(total_length(&s), 2.0 * TAU);
+    let told: u32 = s.findings.iter().map(|f| f.count).sum();
+    assert_eq!(told, 49_999, "each copy is told, one by one or summed up");
+    let s = sheet((0..50_000).map(|_| arc(4.0, 4.0, 2.0, 10.0, 90.0)));
+    close(total_length(&s), PI);
+}

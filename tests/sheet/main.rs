@@ -1,0 +1,6 @@
+//! From shapes to contours to parts, on drawings made by hand, at random, and real ones.
+
+mod assemble;
+mod clean;
+mod nest;
+mod sketch;
