@@ -1,7 +1,7 @@
 /** Building the page from its parts and telling them of each other. */
 
 import { Announcer } from './core/announce.js';
-import { h } from './core/dom.js';
+import { h, icon } from './core/dom.js';
 import { acceptDrops, choose, save } from './core/files.js';
 import { counted, seconds } from './core/format.js';
 import { bindKeys } from './core/keys.js';
@@ -64,8 +64,13 @@ export async function startPage(): Promise<void> {
   const announcer = new Announcer(place('announcer'));
 
   // Files
-  const openFile = async (file: File) => {
+  const hint = place('hint');
+  const hideHint = () => {
     hint.hidden = true;
+    layout();
+  };
+  const openFile = async (file: File) => {
+    hideHint();
     try {
       await session.open(await file.arrayBuffer(), file.name, false);
     } catch {
@@ -80,7 +85,6 @@ export async function startPage(): Promise<void> {
     }
   };
   const chooseFile = () => choose((file) => void openFile(file));
-  const hint = place('hint');
   acceptDrops((file) => void openFile(file), (over) => document.body.classList.toggle('dropping', over));
 
   const download = async (kind: OutputKind) => {
@@ -126,19 +130,27 @@ export async function startPage(): Promise<void> {
   const table = new OrderTable(session, playback, (contour) => select(contour, true), () => toggleTable(false));
   const showFinding = (finding: Finding, zoom: boolean) => {
     scene.finding = finding;
-    if (zoom && finding.at) viewport.show([finding.at[0], finding.at[1], finding.at[0], finding.at[1]]);
+    if (zoom && finding.at) {
+      // On a phone the sheet of the panels lies over the place to be shown.
+      if (document.body.classList.contains('sheet-open')) toggleSheet();
+      viewport.showPlace(finding.at[0], finding.at[1]);
+    }
     scene.invalidate();
   };
 
   // Panels
+  const toggleSheet = () => {
+    const open = document.body.classList.toggle('sheet-open');
+    document.querySelector('.sheet-toggle')?.setAttribute('aria-expanded', String(open));
+  };
   const drawing = drawingPanel(session, (finding) => showFinding(finding, true));
   const scroller = place('sections');
   scroller.append(drawing, machinePanel(session), planPanel(session), resultPanel(session, theme, (kind) => void download(kind)));
-  place('dock').append(dock(session, { open: chooseFile, gcode: () => void download('gcode') }));
+  place('dock').append(dock(session, { open: chooseFile, gcode: () => void download('gcode'), sheet: toggleSheet }));
   const help = helpDialog();
   const top = topBar(session, theme, {
     open: chooseFile, sample: (s) => {
-      hint.hidden = true;
+      hideHint();
       void openSample(s, fetchSample(s));
     },
     table: () => toggleTable(!table.open), help: () => help.showModal(), panel: () => togglePanel(),
@@ -163,9 +175,8 @@ export async function startPage(): Promise<void> {
     layout();
   };
   const togglePanel = () => {
-    const open = document.body.classList.toggle('panel-closed') === document.body.classList.contains('narrow');
-    top.toggles.panel.setAttribute('aria-expanded', String(open));
-    layout();
+    const closed = document.body.classList.toggle('panel-closed');
+    top.toggles.panel.setAttribute('aria-expanded', String(!closed));
   };
 
   // Layout: the canvas fills the stage; what covers it is left out when fitting.
@@ -173,7 +184,13 @@ export async function startPage(): Promise<void> {
     const box = stage.getBoundingClientRect();
     const cover = !table.open ? 0 : table.root.getBoundingClientRect().width;
     const side = cover < box.width * 0.7 ? cover : 0;
-    viewport.resize(box.width, box.height, { top: 28, right: 56, bottom: 36, left: 36 + side });
+    stage.style.setProperty('--cover', `${side}px`);
+    const tools = toolbarBox();
+    viewport.resize(box.width, box.height, { top: hint.hidden ? 32 : 60, right: tools.beside, bottom: 40 + tools.below, left: 40 + side });
+  };
+  const toolbarBox = () => {
+    const { offsetWidth: wide, offsetHeight: high } = tools.root;
+    return wide > high ? { beside: 24, below: high } : { beside: wide + 24, below: 0 };
   };
   new ResizeObserver(layout).observe(stage);
 
@@ -235,7 +252,7 @@ export async function startPage(): Promise<void> {
   session.on('change', () => {
     document.body.dataset.phase = state.phase;
     failure.hidden = state.phase !== 'failed';
-    failure.replaceChildren(h('h2', {}, state.name), h('p', {}, state.error ?? ''));
+    failure.replaceChildren(h('h2', {}, icon('error'), state.name), h('p', {}, state.error ?? ''));
     if (state.phase === 'done' || state.phase === 'paused') announcer.say(head(state));
     if (state.progress === null && scene.shapes) {
       playback.setTimeline(null);

@@ -8,12 +8,14 @@ import { ICONS, type IconName } from './icons.js';
 type Child = Node | string | null | undefined | false;
 type Props = Record<string, unknown>;
 
-/** An element with properties: `class`, `on...` listeners, attributes; `true` sets a bare attribute, `false` none. */
+/** An element with properties: `class`, `on...` listeners, attributes; `true` sets a bare one, `false` none, except aria's. */
 export function h<K extends keyof HTMLElementTagNameMap>(tag: K, props: Props = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(props)) {
-    if (value === undefined || value === null || value === false) continue;
-    if (name.startsWith('on')) element.addEventListener(name.slice(2), value as EventListener);
+    if (value === undefined || value === null) continue;
+    if (name.startsWith('aria-')) element.setAttribute(name, String(value));
+    else if (value === false) continue;
+    else if (name.startsWith('on')) element.addEventListener(name.slice(2), value as EventListener);
     else if (name === 'class') element.className = String(value);
     else element.setAttribute(name, value === true ? '' : String(value));
   }

@@ -65,12 +65,13 @@ export function millimetres(mm: number): string {
 
 /** A measure of the sheet, to a tenth: "1000", "297.5". */
 export function size(mm: number): string {
-  if (mm >= 100_000 || (mm > 0 && mm < 0.1)) return mm.toPrecision(3);
+  if (Math.abs(mm) < 1) return three(mm);
   return String(Math.round(mm * 10) / 10);
 }
 
-/** "1000 × 500 mm". */
+/** "1000 × 500 mm"; from 10 m on in metres. */
 export function extent(width: number, height: number): string {
+  if (Math.max(width, height) >= 10_000) return `${three(width / 1000)} × ${three(height / 1000)} m`;
   return `${size(width)} × ${size(height)} mm`;
 }
 

@@ -6,7 +6,7 @@
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { h } from '../core/dom.js';
-import { seconds, three } from '../core/format.js';
+import { count, seconds } from '../core/format.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import type { Theme } from '../core/theme.js';
@@ -15,27 +15,27 @@ import type { Theme } from '../core/theme.js';
 const FIRST = 0.01;
 /** Milliseconds between two drawings. */
 const PAUSE = 250;
-const HEIGHT = 148;
+const HEIGHT = 136;
 
 export function chart(session: Session, theme: Theme): HTMLElement {
   const holder = h('div', { class: 'chart', role: 'img', 'aria-label': 'Job time over search time' });
   const color = (name: string) => () => getComputedStyle(holder).getPropertyValue(`--${name}`).trim();
   const soft = color('ink-soft'), hair = color('line');
-  const axis = { stroke: soft, font: '12px system-ui', grid: { stroke: hair, width: 1 }, ticks: { show: false } };
+  const axis = { stroke: soft, font: '12px system-ui', grid: { stroke: hair, width: 1 }, ticks: { show: false }, gap: 4 };
   let plot: uPlot | null = null;
   let timer = 0;
 
   const make = () => new uPlot({
     width: holder.clientWidth || 308,
     height: HEIGHT,
-    padding: [8, 4, 0, 0],
+    padding: [8, 16, 0, 0],
     legend: { show: false },
     cursor: { show: false },
     select: { show: false, left: 0, top: 0, width: 0, height: 0 },
     scales: { x: { time: false, distr: 3 }, y: { range: (_u, low, high) => pad(low, high) } },
     axes: [
-      { ...axis, size: 24, space: 40, values: (_u, splits) => splits.map((s) => (isDecade(s) ? `${three(s)} s` : '')) },
-      { ...axis, size: 48, space: 36, values: (_u, splits) => splits.map((s) => `${s >= 600 ? `${three(s / 60)} min` : three(s)}`) },
+      { ...axis, size: 22, space: 40, filter: decades, grid: { ...axis.grid, filter: decades }, values: (_u, splits) => splits.map((s) => (s === null ? '' : `${Number(s.toPrecision(3))} s`)) },
+      { ...axis, size: 44, space: 32, values: (_u, splits) => splits.map((s) => (s < 1000 ? String(Math.round(s * 100) / 100) : count(s))) },
     ],
     series: [
       {},
@@ -61,7 +61,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
   session.on('change', soon);
   theme.on('change', () => plot?.redraw(false));
   new ResizeObserver(soon).observe(holder);
-  return holder;
+  return h('figure', {}, h('figcaption', { class: 'soft' }, 'Job in seconds, over seconds of search'), holder);
 }
 
 function dataOf({ history, baselines, progress }: State): uPlot.AlignedData {
@@ -77,9 +77,9 @@ function pad(low: number | null, high: number | null): [number, number] {
   return [Math.max(0, low - room), high + room];
 }
 
-function isDecade(value: number): boolean {
-  const power = Math.log10(value);
-  return Math.abs(power - Math.round(power)) < 1e-6;
+/** Of the marks of a logarithmic axis, those at powers of ten. */
+function decades(_plot: uPlot, splits: number[]): (number | null)[] {
+  return splits.map((s) => (Math.abs(Math.log10(s) - Math.round(Math.log10(s))) < 1e-6 ? s : null));
 }
 
 function describe({ history, baselines }: State): string {

@@ -11,6 +11,8 @@ import type { State } from '../session/state.js';
 
 export interface DockActions {
   open(): void;
+  /** Opens and closes the sheet of the panels, on a phone. */
+  sheet(): void;
   gcode(): void;
 }
 
@@ -24,7 +26,8 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
   const more = button('Keep improving', { icon: 'next', onclick: () => session.keepImproving() });
   const gcode = button('G-code', { icon: 'download', class: 'primary', onclick: actions.gcode });
   const open = button('Choose a DXF', { icon: 'open', class: 'primary', onclick: actions.open });
-  const root = h('div', { class: 'dock' }, bar, headline, detail, h('div', { class: 'dock-actions' }, stop, pause, resume, more, gcode, open));
+  const sheet = button('Drawing, machine, plan, result', { icon: 'up', iconOnly: true, class: 'quiet sheet-toggle', 'aria-expanded': false, 'aria-controls': 'sections', onclick: actions.sheet });
+  const root = h('div', { class: 'dock' }, bar, h('div', { class: 'dock-state' }, h('div', {}, headline, detail), sheet), h('div', { class: 'dock-actions' }, stop, pause, resume, more, gcode, open));
 
   const show = (state: State) => {
     const { phase, progress } = state;
@@ -70,8 +73,9 @@ function tail(state: State): string {
   const { phase, progress } = state;
   if (!progress || (phase !== 'planning' && phase !== 'paused' && phase !== 'done')) return '';
   const bound = progress.summary.gap === null || isOptimal(state) ? '' : `, at most ${percent(progress.summary.gap)} above the optimum`;
-  if (phase === 'planning') return `${short(Math.round(progress.rate))} moves a second${bound}`;
-  return `${short(progress.moves)} moves in ${seconds(progress.seconds)}${bound}`;
+  const pace = phase === 'planning' ? `${short(Math.round(progress.rate))} moves/s` : `${short(progress.moves)} moves`;
+  const gain = (state.baselines?.drawing.total_time ?? 0) - progress.summary.total_time;
+  return `${gain > 0 ? `${seconds(gain)} saved, ` : ''}${pace}${bound}`;
 }
 
 function isOptimal(state: State): boolean {

@@ -1,18 +1,21 @@
 /** What was read: counts, layers with what is done with them, the sheet's border, tolerances, findings. */
 
 import { h, setText } from '../core/dom.js';
-import { counted } from '../core/format.js';
-import type { Finding } from 'kerfway';
+import { count, counted } from '../core/format.js';
+import type { Finding, Loaded } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { FindingList } from './findings.js';
 import { layerList } from './layers.js';
 import { check, field, section } from './section.js';
 
+/** CSS pixels of height from which drawing and result fit below each other. */
+const ROOMY = 1000;
+
 /** What a tolerance is when nobody chose one, mm; as `LoadOptions` says. */
 const DEFAULTS = { joinTolerance: 0.05, tolerance: 0.005 };
 
 export function drawingPanel(session: Session, onFinding: (finding: Finding) => void): HTMLDetailsElement & { findings: FindingList } {
-  const { root, body, setGist } = section('Drawing', true);
+  const { root, body, setGist } = section('Drawing', innerHeight >= ROOMY);
   const layers = h('div');
   const counts = h('p', { class: 'soft' });
   const findings = new FindingList(onFinding);
@@ -32,7 +35,8 @@ export function drawingPanel(session: Session, onFinding: (finding: Finding) => 
       findings.show([]);
       return;
     }
-    setGist(counted(loaded.contours.length, 'contour'));
+    const grave = loaded.findings.filter((f) => f.severity !== 'info').length;
+    setGist(counted(loaded.contours.length, 'contour') + (grave ? `, ${count(grave)} to look at` : ''), grave > 0);
     const open = loaded.contours.filter((c) => !c.closed).length;
     setText(counts, [counted(loaded.parts.length, 'part'), open ? counted(open, 'open contour') : '', loaded.version ? versionName(loaded.version) : '']
       .filter(Boolean).join(' · '));
@@ -41,10 +45,19 @@ export function drawingPanel(session: Session, onFinding: (finding: Finding) => 
     outline.input.checked = load.ignoreOutline ?? false;
     findings.show(loaded.findings);
   };
-  session.on('loaded', show);
+  session.on('loaded', ({ loaded, fresh }) => {
+    show();
+    // On a low screen the result comes first, unless the drawing wants a look.
+    if (fresh && !session.state.sample) root.open = innerHeight >= ROOMY || wantsALook(loaded);
+  });
   session.on('cleared', show);
   show();
   return Object.assign(root, { findings });
+}
+
+/** Whether there is something in a drawing for a person to decide or see. */
+function wantsALook({ findings, layers, outline }: Loaded): boolean {
+  return outline !== null || findings.some((f) => f.severity !== 'info') || layers.some((l) => l.suggestion !== null);
 }
 
 function toleranceField(session: Session, key: keyof typeof DEFAULTS, label: string): HTMLElement {

@@ -1,12 +1,13 @@
 /** How the path is searched: method, time, seed; and what every plan keeps to, in the words of laser software. */
 
 import { h, setText } from '../core/dom.js';
-import { seconds } from '../core/format.js';
 import type { Session } from '../session/session.js';
 import { check, field, section, select } from './section.js';
 
 /** Budgets offered, s. */
 const BUDGETS = [2, 5, 10, 30, 60, 300];
+
+const span = (s: number) => (s < 60 ? `${s} s` : `${s / 60} min`);
 
 export function planPanel(session: Session): HTMLElement {
   const { root, body, setGist } = section('Plan', false);
@@ -29,11 +30,11 @@ export function planPanel(session: Session): HTMLElement {
   session.on('change', ({ search, seed: taken, load, loaded }) => {
     const chosen = methods.find((m) => m.name === search.method);
     method.fill(methods.map((m) => ({ value: m.name, label: m.title })), search.method);
-    budget.fill(BUDGETS.map((s) => ({ value: s, label: seconds(s) })), search.seconds);
+    budget.fill(BUDGETS.map((s) => ({ value: s, label: span(s) })), search.seconds);
     setText(about, chosen?.about ?? '');
     byLayer.root.hidden = (loaded?.layers.length ?? 0) < 2;
     byLayer.input.checked = load.orderByLayer ?? false;
-    setGist(`${seconds(search.seconds)}`);
+    setGist(span(search.seconds));
     setText(used, taken === null ? '' : `Seed used: ${taken}`);
     used.hidden = taken === null || search.seed !== null;
   });

@@ -38,7 +38,7 @@ function units(session: Session, loaded: Loaded): HTMLElement[] {
   const { unit } = loaded.units;
   const others = OFFERED.filter((u) => u !== unit);
   const choice = (u: Unit, primary: boolean) =>
-    button(`${sizeIn(loaded, u)}: it is in ${UNIT_NAMES[u]}`, { class: primary ? 'primary' : '', onclick: () => (u === unit ? session.answer('units') : session.setUnits(u)) });
+    h('button', { type: 'button', class: primary ? 'primary' : '', onclick: () => (u === unit ? session.answer('units') : session.setUnits(u)) }, h('span', {}, sizeIn(loaded, u)), h('span', {}, `drawn in ${UNIT_NAMES[u]}`));
   return [
     h('h2', { id: 'question' }, 'How large is this drawing?'),
     h('p', {}, loaded.units.reason),

@@ -6,14 +6,18 @@ export interface Section {
   root: HTMLDetailsElement;
   body: HTMLElement;
   /** Says in the heading what is chosen or known. */
-  setGist(text: string): void;
+  setGist(text: string, grave?: boolean): void;
 }
 
 export function section(title: string, open: boolean): Section {
   const gist = h('span', { class: 'gist' });
   const body = h('div', { class: 'section-body' });
   const root = h('details', { class: 'section', open }, h('summary', {}, h('h2', {}, title), gist), body);
-  return { root, body, setGist: (text) => setText(gist, text) };
+  const setGist = (text: string, grave = false) => {
+    setText(gist, text);
+    gist.classList.toggle('grave', grave);
+  };
+  return { root, body, setGist };
 }
 
 /** A label above or beside its control. */

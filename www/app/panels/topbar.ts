@@ -64,7 +64,7 @@ export function topBar(session: Session, theme: Theme, actions: TopActions): { n
   return {
     nodes: [
       h('div', { class: 'brand', 'aria-hidden': 'true' }, 'Kerfway'),
-      button('Open', { icon: 'open', class: 'quiet', 'aria-label': 'Open a DXF file', onclick: actions.open }),
+      button('Open', { icon: 'open', class: 'quiet open', 'aria-label': 'Open a DXF file', onclick: actions.open }),
       samples, popover(samples, 'Samples', list),
       h('div', { class: 'file' }, name, units, unitMenu, measure),
       h('div', { class: 'tools' }, table, themes, button('Keys and help', { icon: 'help', iconOnly: true, class: 'quiet', onclick: actions.help }), panel),

@@ -57,15 +57,19 @@ function* strokeChains(pen: Pen, view: View, shapes: Shapes, take: (chain: numbe
   yield;
 }
 
-/** Line width of contours: full where they are large on screen, finer where thousands crowd. */
-function contourWidth(subject: Subject, view: View): number {
+/** Size of a contour on screen, CSS pixels, in the mean of a sample of them. */
+function meanSize(subject: Subject, view: View): number {
   const { boxes, count } = subject.shapes;
   let sum = 0;
   const stride = Math.max(1, Math.floor(count / 256));
   let seen = 0;
   for (let c = 0; c < count; c += stride, seen += 1) sum += boxes[c * 4 + 2]! - boxes[c * 4]! + boxes[c * 4 + 3]! - boxes[c * 4 + 1]!;
-  const mean = seen ? (sum / seen / 2) * view.scale / view.ratio : 0;
-  return Math.min(1.4, Math.max(0.7, mean / 14)) * view.ratio;
+  return seen ? ((sum / seen / 2) * view.scale) / view.ratio : 0;
+}
+
+/** Line width of contours: full where they are large on screen, finer where thousands crowd. */
+function contourWidth(subject: Subject, view: View): number {
+  return Math.min(1.4, Math.max(0.7, meanSize(subject, view) / 14)) * view.ratio;
 }
 
 /** All contours: in ink, or coloured by their place in the order. */
@@ -157,19 +161,22 @@ export function* paintPath(pen: Pen, view: View, subject: Subject): Generator<vo
   const r = view.ratio;
   const p = path.points;
   const stops = path.contours.length;
-  pen.lineWidth = (stops > 2000 ? 0.8 : 1.15) * r;
+  pen.lineWidth = (stops > 2000 ? 0.8 : 1.15) * r; // Thousands of air moves in full width are a blue sheet.
   pen.strokeStyle = pen.fillStyle = palette.accent;
   if (subject.air) {
     yield* strokeAir(pen, view, subject, stops, () => true);
     yield* airArrows(pen, view, subject);
   }
+  const mean = meanSize(subject, view);
+  const dot = Math.min(2.3, Math.max(0.8, mean / 8)) * r;
   const room = new Room(view, 8 * r, 8 * r);
   pen.beginPath();
-  for (let k = 0; k < stops; k += 1) {
+  // Where contours are as small as dots, dots say nothing.
+  for (let k = 0; k < (mean > 3 ? stops : 0); k += 1) {
     const x = view.x + p[k * 4]! * view.scale, y = view.y - p[k * 4 + 1]! * view.scale;
     if (!room.take(x, y)) continue;
-    pen.moveTo(x + 2.3 * r, y);
-    pen.arc(x, y, 2.3 * r, 0, 2 * Math.PI);
+    pen.moveTo(x + dot, y);
+    pen.arc(x, y, dot, 0, 2 * Math.PI);
     if (k % BATCH === 0) {
       pen.fill();
       pen.beginPath();
@@ -247,7 +254,7 @@ function* numbers(pen: Pen, view: View, subject: Subject): Generator<void> {
   for (let k = 0; k < path!.contours.length; k += 1) {
     const c = path!.contours[k]!;
     const b = shapes.boxes;
-    if (Math.max(b[c * 4 + 2]! - b[c * 4]!, b[c * 4 + 3]! - b[c * 4 + 1]!) * view.scale < 30 * r) continue;
+    if (Math.min(b[c * 4 + 2]! - b[c * 4]!, b[c * 4 + 3]! - b[c * 4 + 1]!) * view.scale < 40 * r) continue;
     const x = view.x + path!.points[k * 4]! * view.scale, y = view.y - path!.points[k * 4 + 1]! * view.scale;
     if (!room.take(x, y)) continue;
     const text = String(k + 1);

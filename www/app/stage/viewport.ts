@@ -57,10 +57,10 @@ export class Viewport extends Emitter<{ change: void }> {
     this.fitted = true;
   }
 
-  /** Shows a box, with room around it. */
-  show(box: Box, animated = true): void {
-    const room = Math.max(box[2] - box[0], box[3] - box[1], this.span() / 400) * 0.6;
-    this.moveTo(...this.framing([box[0] - room, box[1] - room, box[2] + room, box[3] + room], 1), animated);
+  /** Shows a place with its surroundings: a fifteenth of the sheet around it. */
+  showPlace(x: number, y: number): void {
+    const room = this.span() / 30;
+    this.moveTo(...this.framing([x - room, y - room, x + room, y + room], 1), true);
   }
 
   /** Moves just as far as is needed for a box to be seen. */
