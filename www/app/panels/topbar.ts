@@ -50,8 +50,7 @@ export function topBar(session: Session, theme: Theme, actions: TopActions): { n
     units.hidden = measure.hidden = loaded === null;
     if (!loaded) return;
     const { unit, source, doubtful } = loaded.units;
-    units.replaceChildren(h('span', {}, unit), h('span', { class: 'soft source' }, UNIT_SOURCES[source]), icon('down'));
-    units.setAttribute('aria-label', `Units: ${UNIT_NAMES[unit]}, ${UNIT_SOURCES[source]}. Choose others.`);
+    units.replaceChildren(h('span', { class: 'hidden' }, 'Units: '), h('span', {}, unit), h('span', { class: 'soft source' }, UNIT_SOURCES[source]), icon('down'));
     units.title = loaded.units.reason;
     units.classList.toggle('doubtful', doubtful);
     const [x0, y0, x1, y1] = loaded.bounds;
