@@ -32,13 +32,26 @@ impl Winding {
 
 /// Winding number of a closed path around `p`. An open path is closed by a straight line from end to start.
 pub fn winding(path: &Path, p: DVec2) -> Winding {
+    let number = turns(&path.segments, p) + closing_line(path, |line| turns([line], p)).unwrap_or(0);
+    Winding { number, on_edge: path.segments.iter().any(|s| on_edge(s, p)) }
+}
+
+/// How often the elements of a closed path run around `p`, counter-clockwise positive. Elements that do not reach
+/// the height of `p` may be left out: whoever asks a long path often keeps its elements by height.
+pub fn turns<'a>(elements: impl IntoIterator<Item = &'a Segment>, p: DVec2) -> i32 {
     let mut number = 0;
-    each_crossing(path, p.y, |x, rise| {
+    each_crossing(elements, p.y, |x, rise| {
         if x > p.x {
             number += rise;
         }
     });
-    Winding { number, on_edge: path.segments.iter().any(|s| on_edge(s, p)) }
+    number
+}
+
+/// What `f` makes of the line that closes an open path; `None` when the path comes back to its start.
+fn closing_line<T>(path: &Path, f: impl FnOnce(&Segment) -> T) -> Option<T> {
+    let (start, end) = (path.start()?, path.end()?);
+    (start != end).then(|| f(&Segment::line(end, start)))
 }
 
 /// A point inside a closed path with much room to both sides, to ask other paths about; `None` when the path encloses
@@ -51,7 +64,9 @@ pub fn interior_point(path: &Path) -> Option<DVec2> {
     for h in HEIGHTS {
         let y = b.min.y + (b.max.y - b.min.y) * h;
         let mut crossings = Vec::new();
-        each_crossing(path, y, |x, rise| crossings.push((x, rise)));
+        let mut cross = |x, rise| crossings.push((x, rise));
+        each_crossing(&path.segments, y, &mut cross);
+        closing_line(path, |line| each_crossing([line], y, &mut cross));
         crossings.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut number = 0;
         for w in crossings.windows(2) {
@@ -65,19 +80,18 @@ pub fn interior_point(path: &Path) -> Option<DVec2> {
     best.map(|(_, p)| p)
 }
 
-/// Calls `visit(x, rise)` for every crossing of the closed path with the horizontal line at `y`; `rise` is +1 where
-/// the path goes up, -1 where it goes down.
-fn each_crossing(path: &Path, y: f64, mut visit: impl FnMut(f64, i32)) {
-    for s in &path.segments {
+/// Calls `visit(x, rise)` for every crossing of the elements with the horizontal line at `y`; `rise` is +1 where
+/// they go up, -1 where they go down.
+fn each_crossing<'a>(
+    elements: impl IntoIterator<Item = &'a Segment>,
+    y: f64,
+    mut visit: impl FnMut(f64, i32),
+) {
+    for s in elements {
         match s {
             Segment::Line(l) => line_crossing(l.start, l.end, y, &mut visit),
             Segment::Arc(a) => arc_crossings(a, y, &mut visit),
         }
-    }
-    if let (Some(start), Some(end)) = (path.start(), path.end())
-        && start != end
-    {
-        line_crossing(end, start, y, &mut visit);
     }
 }
 

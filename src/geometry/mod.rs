@@ -25,7 +25,7 @@ pub use boxes::BoxIndex;
 pub use ellipse::Ellipse;
 pub use glam::DVec2;
 pub use grid::Grid;
-pub use inside::{Winding, interior_point, winding};
+pub use inside::{Winding, interior_point, turns, winding};
 pub use intersect::{Intersections, Meeting, Overlap, intersect};
 pub use nurbs::{CurveError, MAX_DEGREE, Nurbs};
 pub use path::Path;

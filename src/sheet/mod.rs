@@ -23,7 +23,6 @@ mod model;
 mod nest;
 mod outline;
 mod parts;
-mod scan;
 mod words;
 
 pub use build::build;
