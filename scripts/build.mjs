@@ -20,8 +20,11 @@ const BUDGETS = { wasm: 300, page: 450 };
 export function build() {
   mkdirSync(WASM, { recursive: true });
   wasm('kerfway', ['planner']);
+  wasm('kerfway_png', ['png']);
   sdk();
-  if (existsSync(join(ROOT, 'www', 'app', 'index.html'))) run('vite', ['build', '--logLevel', 'warn', join(ROOT, 'www', 'app')]);
+  console.log('build: the page');
+  run('tsc', ['-p', join(ROOT, 'www', 'app')]);
+  run('vite', ['build', '--logLevel', 'warn', join(ROOT, 'www', 'app')]);
   weigh();
 }
 
@@ -52,6 +55,8 @@ function sdk() {
 function weigh() {
   const rows = [
     ['planner wasm', [join(WASM, 'kerfway_bg.wasm')], BUDGETS.wasm],
+    ['PNG wasm, on demand', [join(WASM, 'kerfway_png_bg.wasm')], null],
+    ['page, all of a first visit', filesIn(APP).filter(firstVisit), BUDGETS.page],
   ];
   let over = false;
   console.log('');

@@ -12,6 +12,7 @@ pub mod geometry;
 
 pub mod dxf;
 pub mod finding;
+pub mod job;
 pub mod machine;
 pub mod output;
 pub mod plan;

@@ -7,6 +7,8 @@
 mod planner;
 #[cfg(feature = "png")]
 mod png;
+#[cfg(feature = "planner")]
+mod values;
 
 #[cfg(feature = "planner")]
 pub use planner::*;

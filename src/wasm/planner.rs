@@ -1,9 +1,129 @@
-//! The planner for JavaScript.
+//! The planner for JavaScript: one drawing through the whole flow. See [`crate::job`].
 
+use super::values::{geometry, object, options, path, plain};
+use crate::job::{self, BestPath, Budget};
+use crate::{machine, solve};
+use js_sys::Uint32Array;
 use wasm_bindgen::prelude::*;
 
-/// Version of the crate.
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = "import type {
+  Baselines, BestPath, Budget, Geometry, Loaded, LoadOptions, MachineProfile, MethodInfo, PlanOptions, Slice, Summary,
+} from '../protocol.js';";
+
 #[wasm_bindgen]
-pub fn version() -> String {
-    env!("CARGO_PKG_VERSION").to_owned()
+extern "C" {
+    #[wasm_bindgen(js_namespace = console, js_name = error)]
+    fn console_error(message: &str);
+}
+
+/// Tells the console where a panic was before the instance dies of it: one line for a report.
+#[wasm_bindgen(start)]
+pub fn start() {
+    std::panic::set_hook(Box::new(|panic| console_error(&format!("kerfway: {panic}"))));
+}
+
+/// The methods there are, the default first.
+#[wasm_bindgen(unchecked_return_type = "MethodInfo[]")]
+pub fn methods() -> Result<JsValue, JsError> {
+    plain(&solve::methods().iter().map(|m| m.info()).collect::<Vec<_>>())
+}
+
+/// The machines there are.
+#[wasm_bindgen(unchecked_return_type = "MachineProfile[]")]
+pub fn machines() -> Result<JsValue, JsError> {
+    plain(&machine::presets())
+}
+
+/// One drawing through the whole flow.
+#[wasm_bindgen]
+pub struct Job(job::Job);
+
+#[wasm_bindgen]
+impl Job {
+    /// Reads a DXF file and arranges its contours.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        bytes: Vec<u8>,
+        name: &str,
+        #[wasm_bindgen(unchecked_param_type = "LoadOptions")] load_options: JsValue,
+    ) -> Result<Job, JsError> {
+        Ok(Job(job::Job::load(bytes, name, &options(load_options)?)?))
+    }
+
+    /// The same file with other options.
+    pub fn reload(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "LoadOptions")] load_options: JsValue,
+    ) -> Result<(), JsError> {
+        Ok(self.0.reload(&options(load_options)?)?)
+    }
+
+    /// What the drawing holds.
+    #[wasm_bindgen(unchecked_return_type = "Omit<Loaded, 'geometry' | 'ignored'>")]
+    pub fn report(&self) -> Result<JsValue, JsError> {
+        plain(&self.0.report())
+    }
+
+    /// The contours, by id.
+    #[wasm_bindgen(unchecked_return_type = "Geometry")]
+    pub fn geometry(&self) -> Result<JsValue, JsError> {
+        geometry(&self.0.geometry())
+    }
+
+    /// What is shown but not cut, with the layer of each chain.
+    #[wasm_bindgen(unchecked_return_type = "Loaded['ignored']")]
+    pub fn ignored(&self) -> Result<JsValue, JsError> {
+        let layers: Vec<u32> = self.0.sheet().ignored.iter().map(|i| i.layer).collect();
+        object(&[
+            ("geometry", geometry(&self.0.ignored())?),
+            ("layers", Uint32Array::from(layers.as_slice()).into()),
+        ])
+    }
+
+    /// Starts a plan; one under way is dropped.
+    #[wasm_bindgen(unchecked_return_type = "{ seed: number; method: string; baselines: Baselines }")]
+    pub fn start(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "PlanOptions")] plan_options: JsValue,
+    ) -> Result<JsValue, JsError> {
+        let run = self.0.start(&options(plan_options)?)?;
+        object(&[
+            ("seed", plain(&run.seed)?),
+            ("method", run.method.name.into()),
+            ("baselines", plain(&run.baselines)?),
+        ])
+    }
+
+    /// Works for at most `work` moves, and never past the budget.
+    #[wasm_bindgen(unchecked_return_type = "Slice")]
+    pub fn step(&mut self, work: u32) -> Result<JsValue, JsError> {
+        plain(&self.0.run_mut()?.step(work.into()))
+    }
+
+    /// Grants another budget on top of what is done.
+    pub fn extend(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Budget")] more: JsValue,
+    ) -> Result<(), JsError> {
+        self.0.run_mut()?.extend(options::<Budget>(more)?);
+        Ok(())
+    }
+
+    /// Moves done so far.
+    pub fn moves(&self) -> Result<f64, JsError> {
+        Ok(self.0.run()?.telemetry().moves as f64)
+    }
+
+    /// The best path so far and what it adds up to.
+    #[wasm_bindgen(unchecked_return_type = "{ path: BestPath; summary: Summary }")]
+    pub fn best(&self) -> Result<JsValue, JsError> {
+        let (best, plan) = BestPath::of(self.0.run()?, self.0.sheet());
+        object(&[("path", path(&best)?), ("summary", plain(&plan.summary)?)])
+    }
+
+    /// The best plan so far, checked and written out.
+    pub fn output(&self, kind: &str) -> Result<String, JsError> {
+        Ok(self.0.output(kind.parse()?)?)
+    }
 }

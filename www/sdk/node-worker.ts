@@ -10,7 +10,7 @@ const host: Host = {
   png: async () => {
     const renderer = await import('./pkg/kerfway_png.js');
     renderer.initSync({ module: await readFile(new URL('./pkg/kerfway_png_bg.wasm', import.meta.url)) });
-    return renderer.render;
+    return renderer.renderPng;
   },
 };
 

@@ -16,7 +16,7 @@ const host: Host = {
   png: async () => {
     const renderer = await import('./pkg/kerfway_png.js');
     await renderer.default();
-    return renderer.render;
+    return renderer.renderPng;
   },
 };
 

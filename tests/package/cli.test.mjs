@@ -1,0 +1,183 @@
+// The command line: outputs, options, exit codes and sentences.
+
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, it } from 'node:test';
+import { circle, dxf, fixture, folder, KEYBOARD, kerfway, ROOT, square } from './support.mjs';
+
+const PLAN = ['plan', fixture(KEYBOARD), '--moves', '2000', '--seed', '7'];
+
+/** A file in a folder of its own. */
+function file(t, name, content) {
+  const path = join(folder(t), name);
+  writeFileSync(path, content);
+  return path;
+}
+
+describe('kerfway plan', () => {
+  it('writes every output it is asked for', async (t) => {
+    const at = folder(t);
+    const out = (kind) => join(at, `plan.${kind}`);
+    const kinds = ['json', 'gcode', 'svg', 'dxf', 'png'];
+    const { code, stdout } = await kerfway(...PLAN, ...kinds.flatMap((k) => [`--${k}`, out(k)]));
+    assert.equal(code, 0);
+    assert.match(stdout, /contours \(\d+ open\)/);
+    assert.match(stdout, /seed 7/);
+    const starts = { json: '{"schema":"kerfway.plan/1"', gcode: '; Kerfway', svg: '<svg', png: '\x89PNG' };
+    for (const [kind, start] of Object.entries(starts)) {
+      assert.ok(readFileSync(out(kind), 'latin1').startsWith(start), kind);
+    }
+    assert.match(readFileSync(out('dxf'), 'utf8'), /EOF\s*$/);
+  });
+
+  it('writes to standard output for - and tells its summary on the other', async () => {
+    const { code, stdout, stderr } = await kerfway(...PLAN, '--json', '-');
+    assert.equal(code, 0);
+    const plan = JSON.parse(stdout);
+    assert.deepEqual([plan.seed, plan.budget.moves], [7, 2000]);
+    assert.match(stderr, /Job .*: cut/);
+  });
+
+  it('gives the same bytes for the same seed and moves', async () => {
+    const [a, b] = await Promise.all([kerfway(...PLAN, '--json', '-'), kerfway(...PLAN, '--json', '-')]);
+    assert.equal(a.stdout, b.stdout);
+  });
+
+  it('plans for a preset, a machine file, and with no return', async (t) => {
+    const { stdout } = await kerfway(...PLAN, '--machine', 'length', '--no-return', '--json', '-');
+    const { machine, moves } = JSON.parse(stdout);
+    assert.deepEqual([machine.name, machine.return_home], ['length', false]);
+    assert.equal(moves.at(-1).kind, 'cut');
+
+    const own = file(t, 'mine.json', JSON.stringify({ ...machine, name: 'mine', pierce_time: 2.5 }));
+    const second = JSON.parse((await kerfway(...PLAN, '--machine', own, '--json', '-')).stdout);
+    assert.equal(second.machine.name, 'mine');
+    assert.ok(Math.abs(second.summary.pierce_time - 2.5 * second.summary.pierces) < 1e-9);
+  });
+
+  it('marks, cuts or leaves out a layer, also one with = in its name', async (t) => {
+    const drawing = file(t, 'layers.dxf', dxf(square(0, 0, 50), circle(20, 20, 5, 'a=b'), circle(80, 20, 5, 'text')));
+    const layers = ['--layer', 'a=b=mark', '--layer', 'text=ignore'];
+    const plan = JSON.parse((await kerfway('plan', drawing, '--moves', '9', ...layers, '--json', '-')).stdout);
+    assert.deepEqual(plan.contours.map((c) => [c.layer, c.operation]), [['0', 'cut'], ['a=b', 'mark']]);
+    assert.equal(plan.summary.pierces, 1);
+  });
+
+  it('takes the units it is told', async (t) => {
+    const drawing = file(t, 'inch.dxf', dxf(square(0, 0, 10)));
+    const plan = JSON.parse((await kerfway('plan', drawing, '--units', 'in', '--moves', '9', '--json', '-')).stdout);
+    assert.deepEqual([plan.input.units, plan.input.units_source], ['in', 'given']);
+    assert.ok(Math.abs(plan.summary.cut_length - 4 * 254) < 1e-9);
+  });
+});
+
+describe('kerfway inspect', () => {
+  it('tells units with their reason, layers, contours, parts, length, entities and findings', async (t) => {
+    const drawing = file(t, 'plate.dxf', dxf(square(0, 0, 300), circle(50, 50, 10), [[0, 'TEXT'], [8, 'no'], [1, 'A4']]));
+    const { code, stdout } = await kerfway('inspect', drawing, '--units', 'mm');
+    assert.equal(code, 0);
+    for (const words of [
+      /^plate\.dxf.*300\.0 x 300\.0 mm/,
+      /^Units +mm \(given\): ./m,
+      /^Contours +2: 2 closed, 0 open$/m,
+      /^Parts +1$/m,
+      /^Length +1\.263 m to cut$/m,
+      /^Entities +4 LINE, 1 CIRCLE, 1 TEXT \(not cut\)$/m,
+      /^ {2}0: cut, 2 contours/m,
+      /warning unsupported-entity.*layer no/,
+    ]) {
+      assert.match(stdout, words);
+    }
+  });
+
+  it('writes its report as JSON', async () => {
+    const { stdout } = await kerfway('inspect', fixture(KEYBOARD), '--json', '-');
+    const report = JSON.parse(stdout);
+    assert.equal(report.schema, 'kerfway.inspect/1');
+    assert.equal(report.totals.closed + report.totals.open, report.contours.length);
+    const cut = report.contours.filter((c) => c.operation === 'cut').reduce((sum, c) => sum + c.length, 0);
+    assert.equal(report.totals.cut_length, cut);
+    assert.equal(report.geometry, undefined);
+  });
+});
+
+describe('kerfway methods', () => {
+  it('lists them, one a line', async () => {
+    const { code, stdout } = await kerfway('methods');
+    assert.equal(code, 0);
+    assert.ok(stdout.trim().split('\n').every((l) => /^[a-z0-9-]+ {2,}\S.*\.$/.test(l)), stdout);
+  });
+});
+
+describe('kerfway', () => {
+  it('tells its version and its options', async () => {
+    const { version } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'));
+    assert.equal((await kerfway('--version')).stdout, `${version}\n`);
+    for (const args of [['--help'], ['plan', '--help'], ['inspect', '-h']]) {
+      const { code, stdout } = await kerfway(...args);
+      assert.equal(code, 0);
+      assert.match(stdout, /--no-return/);
+    }
+  });
+
+  const wrong = [
+    [[], /Say what to do/],
+    [['draw'], /no command draw/],
+    [['plan'], /Name a DXF file/],
+    [['plan', 'a.dxf', 'b.dxf'], /b\.dxf is one too many/],
+    [['plan', 'a.dxf', '--colour', 'red'], /no option --colour/],
+    [['plan', 'a.dxf', '--seconds', '-1'], /--seconds needs a value/],
+    [['plan', 'a.dxf', '--seconds=-1'], /--seconds -1: give a number of seconds/],
+    [['plan', 'a.dxf', '--moves', '1.5'], /--moves 1\.5: give a whole number/],
+    [['plan', 'a.dxf', '--seed', 'x'], /--seed x: give a whole number/],
+    [['plan', 'a.dxf', '--json', '-', '--svg', '-'], /--json and --svg cannot both/],
+    [['plan', 'a.dxf', '--layer', 'cut'], /--layer cut: write NAME=cut/],
+    [['plan', 'a.dxf', '--layer', 'X=burn'], /--layer burn: choose one of cut, mark, ignore/],
+    [['plan', 'a.dxf', '--units', 'miles'], /--units miles: choose one of mm/],
+    [['plan', fixture(KEYBOARD), '--machine', 'plasma'], /--machine plasma: choose one of co2-100w/],
+    [['plan', fixture(KEYBOARD), '--method', 'luck'], /--method luck: choose one of/],
+    [['plan', 'a.dxf', '--no-return=1'], /--no-return takes no value/],
+    [['inspect', 'a.dxf', '--seed', '1'], /no option --seed/],
+    [['methods', 'all'], /methods takes no more words/],
+  ];
+  for (const [args, sentence] of wrong) {
+    const words = args.map((a) => a.replace(ROOT, '')).join(' ');
+    it(`wrong usage ends with 2 and says why: ${words}`, async () => {
+      const { code, stdout, stderr } = await kerfway(...args);
+      assert.deepEqual([code, stdout], [2, '']);
+      assert.match(stderr, sentence);
+      assert.equal(stderr.trim().split('\n').length, 2);
+    });
+  }
+
+  const unusable = [
+    ['nothing', '', /empty/i],
+    ['a DWG file', 'AC1032\0\0\0\0', /DWG.*Save it as DXF/],
+    ['a PNG file', '\x89PNG\r\n\x1a\n', /PNG/],
+    ['text', 'Dear Sir or Madam,\nplease cut this.\n', /DXF/],
+  ];
+  for (const [what, content, sentence] of unusable) {
+    it(`unusable input ends with 1 and one sentence: ${what}`, async (t) => {
+      const { code, stdout, stderr } = await kerfway('plan', file(t, 'input.dxf', Buffer.from(content, 'latin1')));
+      assert.deepEqual([code, stdout], [1, '']);
+      assert.match(stderr, sentence);
+      assert.match(stderr, /^kerfway: .*input\.dxf: [^\n]*\n$/);
+    });
+  }
+
+  it('says why a file cannot be read or written', async (t) => {
+    const at = folder(t);
+    mkdirSync(join(at, 'sub'));
+    for (const [args, sentence] of [
+      [['plan', join(at, 'none.dxf')], /none\.dxf cannot be read: there is no such file\./],
+      [['inspect', join(at, 'sub')], /sub cannot be read: that is a folder, not a file\./],
+      [[...PLAN, '--svg', join(at, 'gone', 'x.svg')], /x\.svg cannot be written: there is no such file\./],
+      [[...PLAN, '--machine', fixture(KEYBOARD)], /is not JSON: a machine profile/],
+    ]) {
+      const { code, stderr } = await kerfway(...args);
+      assert.equal(code, 1);
+      assert.match(stderr, sentence);
+    }
+  });
+});

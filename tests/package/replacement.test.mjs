@@ -1,0 +1,133 @@
+// A worker that dies or hangs is replaced, and nothing that was reached is lost.
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { describe, it } from 'node:test';
+import { setTimeout as wait } from 'node:timers/promises';
+import { Worker } from 'node:worker_threads';
+import { Planner } from '../../dist/sdk/planner.js';
+import { bytes, KEYBOARD } from './support.mjs';
+
+const SDK = new URL('../../dist/sdk/', import.meta.url);
+const module = new WebAssembly.Module(await readFile(new URL('pkg/kerfway_bg.wasm', SDK)));
+
+/** A planner on real worker threads that the test can kill or make deaf. */
+async function fragile(t, patience) {
+  const control = { workers: [], replaced: [], deaf: false };
+  const start = (heard, died) => {
+    const worker = new Worker(new URL('node-worker.js', SDK));
+    control.workers.push(worker);
+    worker.on('message', (message) => control.deaf || heard(message));
+    worker.on('error', (error) => died(`The planner broke down (${error.message}).`));
+    worker.on('exit', () => died('The planner ended unexpectedly.'));
+    return { post: (m) => worker.postMessage(m), close: () => void worker.terminate() };
+  };
+  const onReplaced = (message) => control.replaced.push(message);
+  control.planner = await Planner.open({ module, start, onReplaced, patience });
+  t.after(() => control.planner.close());
+  return control;
+}
+
+/** A plan that lasts, once it has told a path. */
+async function underWay(planner, options = {}) {
+  let told;
+  const first = new Promise((resolve) => (told = resolve));
+  const plan = planner.plan({ seconds: 60, seed: 4, ...options }, (p) => p.path && told());
+  await first;
+  return plan;
+}
+
+describe('a worker that dies', () => {
+  it('while it plans: the best path is kept, also for outputs', async (t) => {
+    const control = await fragile(t);
+    await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    const plan = await underWay(control.planner);
+    await control.workers[0].terminate();
+    const { progress } = await plan.done;
+    await until(() => control.replaced.length === 1);
+    assert.match(control.replaced[0], /^The planner ended unexpectedly\. It was started again and the drawing loaded/);
+    assert.equal(control.workers.length, 2);
+    const written = JSON.parse(await control.planner.output('json'));
+    assert.equal(written.summary.total_time, progress.summary.total_time);
+    assert.equal(written.seed, 4);
+  });
+
+  it('after a plan: the plan is there again, and can be gone on with', async (t) => {
+    const control = await fragile(t);
+    await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    const { progress } = await control.planner.plan({ moves: 5_000, seed: 4 }).done;
+    await control.workers[0].terminate();
+    await until(() => control.replaced.length === 1);
+    const gone = await control.planner.continue({ moves: 5_000 }).done;
+    assert.ok(gone.progress.summary.total_time <= progress.summary.total_time);
+    assert.equal(gone.seed, 4);
+  });
+
+  it('while it reads: that file is refused, the drawing before comes back', async (t) => {
+    const control = await fragile(t);
+    const before = await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    const reading = control.planner.load(bytes('dxf-dev/mozman_ezdxf__forms.dxf'), 'forms.dxf');
+    void control.workers[0].terminate();
+    await assert.rejects(reading, /The planner ended unexpectedly\. It was started again/);
+    const { sha256 } = await control.planner.reload({});
+    assert.equal(sha256, before.sha256);
+  });
+
+  it('again and again: each time a new one', async (t) => {
+    const control = await fragile(t);
+    await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    for (let k = 0; k < 3; k++) {
+      await control.workers[k].terminate();
+      await until(() => control.replaced.length === k + 1);
+    }
+    assert.equal((await control.planner.reload({})).name, 'keyboard.dxf');
+  });
+});
+
+describe('a worker that no longer answers', () => {
+  it('is replaced', async (t) => {
+    const control = await fragile(t, { searching: 1, working: 1 });
+    await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    control.deaf = true;
+    const reading = control.planner.reload({});
+    setTimeout(() => (control.deaf = false), 1_500);
+    await assert.rejects(reading, /no longer answers/);
+    await until(() => control.replaced.length === 1);
+    assert.equal((await control.planner.reload({})).name, 'keyboard.dxf');
+  });
+
+  it('is left alone while a plan is paused or nothing is asked of it', async (t) => {
+    const control = await fragile(t, { searching: 0, working: 0 });
+    await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    await wait(1_500);
+    assert.equal(control.workers.length, 1);
+  });
+});
+
+describe('a worker that does not start', () => {
+  it('is told in one sentence', async () => {
+    const start = (_, died) => {
+      setImmediate(() => died('The planner broke down (its script did not load).'));
+      return { post: () => {}, close: () => {} };
+    };
+    await assert.rejects(Planner.open({ module, start }), /^Error: The planner could not be started\./);
+  });
+});
+
+describe('close', () => {
+  it('ends what was under way and keeps nothing alive', async (t) => {
+    const control = await fragile(t);
+    await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    const reading = control.planner.reload({});
+    control.planner.close();
+    await assert.rejects(reading, /was closed/);
+    await wait(50);
+    assert.equal(control.workers.length, 1);
+    assert.equal(control.replaced.length, 0);
+  });
+});
+
+async function until(condition) {
+  for (let k = 0; k < 500 && !condition(); k++) await wait(10);
+  assert.ok(condition(), 'not within five seconds');
+}

@@ -1,0 +1,54 @@
+// Helpers of the package tests: fixtures, the command line, folders that vanish.
+
+import { spawn } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+export const ROOT = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
+export const CLI = join(ROOT, 'dist', 'sdk', 'cli.js');
+
+/** Path of a fixture. */
+export const fixture = (name) => join(ROOT, 'tests', 'fixtures', name);
+
+/** Bytes of a fixture. */
+export const bytes = (name) => new Uint8Array(readFileSync(fixture(name)));
+
+/** A real keyboard case: 25 kB, circles, arcs and polylines. */
+export const KEYBOARD = 'dxf-dev/peej_lumberjack-keyboard__lumberjack-polaris.dxf';
+
+/** Runs the command line; resolves to its exit code and both outputs. */
+export function kerfway(...args) {
+  return new Promise((resolve) => {
+    const child = spawn(process.execPath, [CLI, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
+    const out = { code: null, stdout: '', stderr: '' };
+    child.stdout.on('data', (d) => (out.stdout += d));
+    child.stderr.on('data', (d) => (out.stderr += d));
+    child.on('close', (code) => resolve({ ...out, code }));
+  });
+}
+
+/** A folder for one test, gone after it. */
+export function folder(t) {
+  const path = mkdtempSync(join(tmpdir(), 'kerfway-'));
+  t.after(() => rmSync(path, { recursive: true, force: true }));
+  return path;
+}
+
+/** A DXF file of some entities, each given as its group codes and values. */
+export function dxf(...entities) {
+  const groups = [[0, 'SECTION'], [2, 'ENTITIES'], ...entities.flat(), [0, 'ENDSEC'], [0, 'EOF']];
+  return new TextEncoder().encode(groups.map(([code, value]) => `${code}\n${value}\n`).join(''));
+}
+
+export const line = (x0, y0, x1, y1, layer = '0') => [
+  [0, 'LINE'], [8, layer], [10, x0], [20, y0], [11, x1], [21, y1],
+];
+export const circle = (x, y, r, layer = '0') => [[0, 'CIRCLE'], [8, layer], [10, x], [20, y], [40, r]];
+export const square = (x, y, side, layer = '0') => [
+  ...line(x, y, x + side, y, layer),
+  ...line(x + side, y, x + side, y + side, layer),
+  ...line(x + side, y + side, x, y + side, layer),
+  ...line(x, y + side, x, y, layer),
+];
