@@ -12,16 +12,19 @@
 
 #[path = "support/gcode.rs"]
 mod gcode;
+#[path = "support/paths.rs"]
+mod paths;
 #[path = "support/plans.rs"]
 mod plans;
 
-use gcode::{Event, Kind, Motion, Program};
+use gcode::{Event, Motion, Program};
 use glam::DVec2;
 use kerfway::geometry::{Arc, Path, Segment};
 use kerfway::machine::Profile;
 use kerfway::output;
 use kerfway::plan::{Move, Plan};
 use kerfway::sheet::{Operation, Sheet};
+use paths::{Element, assert_same_path};
 use std::f64::consts::{PI, TAU};
 
 /// Largest distance between a motion and the element it stands for, mm.
@@ -38,11 +41,15 @@ fn worked(program: &Program) -> Vec<Vec<Motion>> {
     for event in &program.events {
         match event {
             Event::Comment(text) if text.contains(" contour ") => contours.push(Vec::new()),
-            Event::Motion(m) if m.kind != Kind::Rapid => contours.last_mut().unwrap().push(m.clone()),
+            Event::Motion(m) if !m.rapid => contours.last_mut().unwrap().push(m.clone()),
             _ => {}
         }
     }
     contours
+}
+
+fn elements(motions: &[Motion]) -> Vec<Element> {
+    motions.iter().map(|m| m.path).collect()
 }
 
 /// Whether the program does what the plan says: order, geometry both ways, lengths, feed, power, darkness, way home.
@@ -50,9 +57,10 @@ fn assert_same(sheet: &Sheet, plan: &Plan, profile: &Profile) {
     let program = program(sheet, plan, profile);
     assert!(program.ended);
     for m in program.motions() {
-        match m.kind {
-            Kind::Rapid => assert_eq!((m.beam, m.commanded), (0.0, 0.0), "beam on a rapid: {m:?}"),
-            _ => assert!(m.beam > 0.0, "dark at work: {m:?}"),
+        if m.rapid {
+            assert_eq!((m.beam, m.commanded), (0.0, 0.0), "beam on a rapid: {m:?}");
+        } else {
+            assert!(m.beam > 0.0, "dark at work: {m:?}");
         }
     }
 
@@ -72,51 +80,16 @@ fn assert_same(sheet: &Sheet, plan: &Plan, profile: &Profile) {
             assert_eq!(m.feed, process.speed * 60.0);
             assert_eq!(m.beam, process.power * profile.max_s);
         }
-        assert_same_path(motions, path);
+        assert_same_path(&elements(motions), path, DEVIATION);
     }
 
-    let air: f64 = program.motions().filter(|m| m.kind == Kind::Rapid).map(Motion::length).sum();
+    let air: f64 = program.motions().filter(|m| m.rapid).map(|m| m.path.length()).sum();
     let rounding = DEVIATION * plan.moves.len() as f64;
     assert!((air - plan.summary.air_length).abs() <= rounding, "{air} {}", plan.summary.air_length);
     if profile.return_home {
         let last = program.motions().last().unwrap();
-        assert_eq!((last.kind, last.to), (Kind::Rapid, profile.home()));
+        assert_eq!((last.rapid, last.path.to), (true, profile.home()));
     }
-}
-
-fn assert_same_path(motions: &[Motion], path: &[Segment]) {
-    for w in motions.windows(2) {
-        assert_eq!(w[0].to, w[1].from, "the path is broken at line {}", w[1].line);
-    }
-    let (from, to) = (path[0].start(), path[path.len() - 1].end());
-    let Some((first, last)) = motions.first().zip(motions.last()) else {
-        // All of it rounds to one place.
-        assert!(path.iter().all(|s| s.bounds().grown(DEVIATION).contains(from)));
-        return;
-    };
-    assert!(first.from.distance(from) <= DEVIATION && last.to.distance(to) <= DEVIATION);
-
-    let samples = |n: u32| (0..=n).map(move |i| f64::from(i) / f64::from(n));
-    for segment in path {
-        for f in samples(24) {
-            let p = segment.at(f);
-            let off = motions.iter().map(|m| m.distance(p)).fold(f64::INFINITY, f64::min);
-            assert!(off <= DEVIATION, "{off} mm from the program at {f} of {segment:?}");
-        }
-    }
-    for m in motions {
-        for f in samples(24) {
-            let p = m.at(f);
-            let off = path.iter().map(|s| s.nearest(p).1.sqrt()).fold(f64::INFINITY, f64::min);
-            assert!(off <= DEVIATION, "{off} mm from the plan at {f} of {m:?}");
-        }
-    }
-
-    let (written, planned): (f64, f64) =
-        (motions.iter().map(Motion::length).sum(), path.iter().map(Segment::length).sum());
-    // Both ends of an element move by up to a grid diagonal, and an arc's length with its radius.
-    let slack = path.len() as f64 * DEVIATION * (2.0 + TAU);
-    assert!((written - planned).abs() <= slack, "{written} {planned}");
 }
 
 #[test]
@@ -207,11 +180,11 @@ fn a_circle_is_two_halves_from_its_entry() {
         let worked = worked(&program(&sheet, &plan, &plans::machine()));
         assert_eq!(worked[0].len(), 2);
         for m in &worked[0] {
-            let Kind::Arc { center, sweep: half } = m.kind else { panic!("{m:?}") };
+            let (center, half) = m.path.arc.unwrap();
             assert!(center.distance(circle.center) < 0.002);
             assert!((half - sweep / 2.0).abs() < 1e-3 && half.abs() < PI + 1e-3);
         }
-        assert_eq!(worked[0][0].from, worked[0][1].to);
+        assert_eq!(worked[0][0].path.from, worked[0][1].path.to);
     }
 }
 
@@ -225,7 +198,7 @@ fn arcs_too_short_for_the_grid_never_become_circles() {
         let stop = plans::Stop { layer: 0, operation: Operation::Cut, path };
         let (sheet, plan) = plans::plan_of(vec![stop], &[("0", 7)], &plans::machine());
         let worked = worked(&program(&sheet, &plan, &plans::machine()));
-        let length: f64 = worked[0].iter().map(Motion::length).sum();
+        let length: f64 = elements(&worked[0]).iter().map(Element::length).sum();
         assert!(length < 1.05, "{length} mm for an arc of {} mm", radius * sweep.abs());
     }
 }
@@ -240,10 +213,10 @@ fn arcs_whose_ends_were_moved_by_joining_are_still_taken() {
         let stop = plans::Stop { layer: 0, operation: Operation::Cut, path };
         let (sheet, plan) = plans::plan_of(vec![stop], &[("0", 7)], &plans::machine());
         let motions = &worked(&program(&sheet, &plan, &plans::machine()))[0];
-        assert!(motions.last().unwrap().to.distance(arc.end) <= DEVIATION);
+        assert!(motions.last().unwrap().path.to.distance(arc.end) <= DEVIATION);
         for i in 0..=24 {
             let p = Segment::Arc(arc).at(f64::from(i) / 24.0);
-            let off = motions.iter().map(|m| m.distance(p)).fold(f64::INFINITY, f64::min);
+            let off = motions.iter().map(|m| m.path.distance(p)).fold(f64::INFINITY, f64::min);
             assert!(off <= 0.025 + DEVIATION, "{off} mm off, {arc:?}");
         }
     }
@@ -258,7 +231,7 @@ fn tiny_steps_do_not_add_up_to_an_error() {
     let stop = plans::Stop { layer: 0, operation: Operation::Cut, path };
     let (sheet, plan) = plans::plan_of(vec![stop], &[("0", 7)], &plans::machine());
     let worked = worked(&program(&sheet, &plan, &plans::machine()));
-    let end = worked[0].last().unwrap().to;
+    let end = worked[0].last().unwrap().path.to;
     assert!(end.distance(at(10_000)) <= 0.001, "{end}");
 }
 
@@ -273,7 +246,7 @@ fn without_return_the_head_stays_dark_where_it_ended() {
     let (sheet, plan) = plans::plan_of(stops, &[("0", 7)], &profile);
     let program = program(&sheet, &plan, &profile);
     let last = program.motions().last().unwrap();
-    assert_eq!((last.kind, last.to), (Kind::Line, DVec2::new(5.0, 2.0)));
+    assert_eq!((last.rapid, last.path.to), (false, DVec2::new(5.0, 2.0)));
     let text = output::gcode(&plan, &sheet, &profile, "x");
     assert!(text.ends_with("M5 S0\nM2\n"), "{text}");
 }
@@ -295,9 +268,9 @@ fn the_interpreter_is_strict() {
     refuses("M2\nG0 X1", "after the end");
     let circle = gcode::run("G3 X0 Y0 I5 F100 M4 S10").unwrap();
     let circle = circle.motions().next().unwrap();
-    assert!((circle.length() - 10.0 * PI).abs() < 1e-12 && circle.beam == 10.0);
+    assert!((circle.path.length() - 10.0 * PI).abs() < 1e-12 && circle.beam == 10.0);
     let inches = gcode::run("G20 G91\nG0 X1 Y1\nG0 X1").unwrap();
-    assert_eq!(inches.motions().last().unwrap().to, DVec2::new(50.8, 25.4));
+    assert_eq!(inches.motions().last().unwrap().path.to, DVec2::new(50.8, 25.4));
     let under_m4 = gcode::run("G1 M4 S10 F1\nG4 P1").unwrap();
     assert_eq!(under_m4.events, [Event::Dwell { seconds: 1.0, beam: 0.0 }]);
     let after_rapid = gcode::run("G0 X1\nM3 S10\nG4 P1").unwrap();

@@ -4,18 +4,30 @@
 //! and budget, the machine, the options, the moves, the findings. `www/sdk/plan.schema.json` is the published schema.
 //!
 //! Numbers are written in full (the shortest text that reads back to the same `f64`), so moves join bit for bit and
-//! the same plan gives the same bytes everywhere. An arc that ends exactly where it starts is a full circle.
+//! the same plan gives the same bytes everywhere.
+//!
+//! An arc has no sweep in this format: ends, centre and direction say it, and one that ends exactly where it starts is a
+//! full circle. Where rounding could turn next to nothing into a circle, or a circle into next to nothing, the arc goes
+//! out as what is safe: flatter than [`FLAT`] as its chord, nearer to a full turn than [`NEAR_TURN`] as two halves.
 
+use super::arcs;
 use crate::dxf::{Drawing, ReadOptions, Unit, UnitsSource};
 use crate::finding::Finding;
-use crate::geometry::{DVec2, Segment};
+use crate::geometry::{Arc, DVec2, Segment};
 use crate::machine::Profile;
 use crate::plan::{Move, Plan, Summary};
 use crate::sheet::{Operation, Sheet, SheetOptions};
 use serde::{Serialize, Serializer};
+use std::f64::consts::{PI, TAU};
 
 /// The name of the format.
 const SCHEMA: &str = "kerfway.plan/1";
+
+/// An arc no farther than this from its chord is written as a line, mm: a thousandth of the smallest thing a drawing
+/// says, and a thousand times the rounding of a place on the largest sheet.
+const FLAT: f64 = 1e-9;
+/// An arc this near to a full turn, but not joined, is written as two, rad: on a circle of 1 m, a micrometre.
+const NEAR_TURN: f64 = 1e-6;
 
 /// The drawing a plan is for.
 #[derive(Clone, Copy, Debug)]
@@ -150,11 +162,38 @@ impl Serialize for Place {
 
 impl Serialize for PathView<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0.iter().map(|segment| match segment {
-            Segment::Line(l) => ElementView::Line { line: Place(l.end) },
-            Segment::Arc(a) => ElementView::Arc { arc: Place(a.end), center: Place(a.center), ccw: a.ccw() },
+        serializer.collect_seq(self.0.iter().flat_map(|segment| {
+            let (line, arc) = match segment {
+                Segment::Line(l) => (Some(ElementView::line(l.end)), None),
+                Segment::Arc(a) if flat(a) => (Some(ElementView::line(a.end)), None),
+                Segment::Arc(a) => {
+                    (None, Some(arcs::split(a, largest_sweep(a)).map(|a| ElementView::arc(&a))))
+                }
+            };
+            line.into_iter().chain(arc.into_iter().flatten())
         }))
     }
+}
+
+impl ElementView {
+    fn line(to: DVec2) -> Self {
+        Self::Line { line: Place(to) }
+    }
+
+    fn arc(arc: &Arc) -> Self {
+        Self::Arc { arc: Place(arc.end), center: Place(arc.center), ccw: arc.ccw() }
+    }
+}
+
+/// Whether an arc is its chord to every reader.
+fn flat(arc: &Arc) -> bool {
+    arc.sweep.abs() < PI && arcs::sagitta(arc) < FLAT
+}
+
+/// The largest sweep that ends, centre and direction of this arc's pieces say safely.
+fn largest_sweep(arc: &Arc) -> f64 {
+    let joined = arc.is_circle() && arc.start == arc.end;
+    if joined || arc.sweep.abs() < TAU - NEAR_TURN { TAU } else { PI }
 }
 
 impl<'a> View<'a> {

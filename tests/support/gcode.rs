@@ -4,6 +4,7 @@
 //! (two words of one modal group, an arc whose radii differ, motion without feed, too long a line), and so is any word
 //! it does not know. Geometry is kept in `f64`; GRBL's own checks are done in `f32`, as it computes.
 
+use crate::paths::Element;
 use glam::DVec2;
 use std::f64::consts::TAU;
 
@@ -26,31 +27,16 @@ pub(crate) enum Event {
 /// One motion.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Motion {
-    /// Line of the program, from 1.
-    pub(crate) line: usize,
-    /// From where, mm.
-    pub(crate) from: DVec2,
-    /// To where, mm.
-    pub(crate) to: DVec2,
-    /// How.
-    pub(crate) kind: Kind,
+    /// G0.
+    pub(crate) rapid: bool,
+    /// From where to where, mm; straight, or an arc.
+    pub(crate) path: Element,
     /// The S the beam burns with; 0: dark.
     pub(crate) beam: f64,
     /// The S in force, whether the mode lets it through or not; 0 under M5.
     pub(crate) commanded: f64,
     /// mm/min; 0 for rapids.
     pub(crate) feed: f64,
-}
-
-/// Shape of a motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Kind {
-    /// G0.
-    Rapid,
-    /// G1.
-    Line,
-    /// G2, G3: centre and signed sweep, rad.
-    Arc { center: DVec2, sweep: f64 },
 }
 
 /// A program read to its end.
@@ -69,46 +55,6 @@ impl Program {
             Event::Motion(m) => Some(m),
             _ => None,
         })
-    }
-}
-
-impl Motion {
-    /// Length of the path, mm.
-    pub(crate) fn length(&self) -> f64 {
-        match self.kind {
-            Kind::Arc { center, sweep } => (self.from - center).length() * sweep.abs(),
-            Kind::Rapid | Kind::Line => self.from.distance(self.to),
-        }
-    }
-
-    /// The point at fraction `f` of the way.
-    pub(crate) fn at(&self, f: f64) -> DVec2 {
-        match self.kind {
-            Kind::Arc { center, sweep } => {
-                let (s, c) = (sweep * f).sin_cos();
-                let v = self.from - center;
-                center + DVec2::new(v.x * c - v.y * s, v.x * s + v.y * c)
-            }
-            Kind::Rapid | Kind::Line => self.from + (self.to - self.from) * f,
-        }
-    }
-
-    /// Distance of a point from the path, mm.
-    pub(crate) fn distance(&self, p: DVec2) -> f64 {
-        let ends = p.distance(self.from).min(p.distance(self.to));
-        match self.kind {
-            Kind::Arc { center, sweep } => {
-                let (a, b) = (self.from - center, p - center);
-                let turn = f64::atan2(a.perp_dot(b), a.dot(b)) * sweep.signum();
-                let turn = if turn < 0.0 { turn + TAU } else { turn };
-                if turn <= sweep.abs() { (b.length() - a.length()).abs() } else { ends }
-            }
-            Kind::Rapid | Kind::Line => {
-                let d = self.to - self.from;
-                let f = (p - self.from).dot(d) / d.length_squared();
-                if (0.0..=1.0).contains(&f) { p.distance(self.from + d * f) } else { ends }
-            }
-        }
     }
 }
 
@@ -161,13 +107,13 @@ pub(crate) fn run(text: &str) -> Result<Program, String> {
         at: DVec2::ZERO,
     };
     for (i, line) in text.lines().enumerate() {
-        controller.line(line, i + 1, &mut program).map_err(|e| format!("line {}: {e}: {line}", i + 1))?;
+        controller.line(line, &mut program).map_err(|e| format!("line {}: {e}: {line}", i + 1))?;
     }
     Ok(program)
 }
 
 impl Controller {
-    fn line(&mut self, line: &str, number: usize, program: &mut Program) -> Result<(), String> {
+    fn line(&mut self, line: &str, program: &mut Program) -> Result<(), String> {
         if program.ended {
             return Err("after the end of the program".into());
         }
@@ -182,10 +128,10 @@ impl Controller {
             program.events.push(Event::Comment(comment.trim().to_owned()));
         }
         let block = parse(words)?;
-        self.execute(&block, number, program)
+        self.execute(&block, program)
     }
 
-    fn execute(&mut self, block: &Block, number: usize, program: &mut Program) -> Result<(), String> {
+    fn execute(&mut self, block: &Block, program: &mut Program) -> Result<(), String> {
         let [x, y, i, j, f, s, p] = block.values;
         // The order of execution: feed, power, spindle, dwell, units, distance, motion, end.
         if let Some(f) = f {
@@ -209,9 +155,8 @@ impl Controller {
         self.inches = block.inches.unwrap_or(self.inches);
         self.relative = block.relative.unwrap_or(self.relative);
         if x.is_some() || y.is_some() {
-            let motion =
-                self.motion(DVec2::new(x.unwrap_or(f64::NAN), y.unwrap_or(f64::NAN)), i, j, number)?;
-            self.at = motion.to;
+            let motion = self.motion(DVec2::new(x.unwrap_or(f64::NAN), y.unwrap_or(f64::NAN)), i, j)?;
+            self.at = motion.path.to;
             program.events.push(Event::Motion(motion));
         } else if i.is_some() || j.is_some() || p.is_some() {
             return Err("a value without its command".into());
@@ -220,7 +165,7 @@ impl Controller {
         Ok(())
     }
 
-    fn motion(&self, words: DVec2, i: Option<f64>, j: Option<f64>, line: usize) -> Result<Motion, String> {
+    fn motion(&self, words: DVec2, i: Option<f64>, j: Option<f64>) -> Result<Motion, String> {
         let unit = if self.inches { 25.4 } else { 1.0 };
         let base = if self.relative { self.at } else { DVec2::ZERO };
         let target = base + words * unit;
@@ -229,10 +174,10 @@ impl Controller {
             if words.y.is_nan() { self.at.y } else { target.y },
         );
         let commanded = if self.spindle == Spindle::Off { 0.0 } else { self.s };
-        let (kind, beam, feed) = match self.motion {
-            0 => (Kind::Rapid, 0.0, 0.0),
+        let (path, beam, feed) = match self.motion {
+            0 => (Element::line(self.at, to), 0.0, 0.0),
             _ if self.feed <= 0.0 => return Err("motion without feed".into()),
-            1 => (Kind::Line, commanded, self.feed),
+            1 => (Element::line(self.at, to), commanded, self.feed),
             g => {
                 if i.is_none() && j.is_none() {
                     return Err("arc without centre".into());
@@ -244,12 +189,12 @@ impl Controller {
         if self.motion < 2 && (i.is_some() || j.is_some()) {
             return Err("a centre without an arc".into());
         }
-        Ok(Motion { line, from: self.at, to, kind, beam, commanded, feed })
+        Ok(Motion { rapid: self.motion == 0, path, beam, commanded, feed })
     }
 }
 
 /// An arc as GRBL takes it: radii compared, and anything under 5e-7 rad a full circle.
-fn arc(from: DVec2, to: DVec2, offset: DVec2, ccw: bool) -> Result<Kind, String> {
+fn arc(from: DVec2, to: DVec2, offset: DVec2, ccw: bool) -> Result<Element, String> {
     let (offset32, chord32) = (offset.as_vec2(), to.as_vec2() - from.as_vec2());
     let radius = offset32.length();
     let difference = ((chord32 - offset32).length() - radius).abs();
@@ -264,7 +209,7 @@ fn arc(from: DVec2, to: DVec2, offset: DVec2, ccw: bool) -> Result<Kind, String>
         false if turn >= -5e-7 => turn - TAU,
         _ => turn,
     };
-    Ok(Kind::Arc { center, sweep })
+    Ok(Element { from, to, arc: Some((center, sweep)) })
 }
 
 fn parse(words: &str) -> Result<Block, String> {

@@ -1,6 +1,10 @@
 //! Plans made by hand: known geometry, known order, no reader and no solver involved.
 
-#![allow(dead_code, reason = "each test takes the plans it needs")]
+#![allow(
+    dead_code,
+    clippy::cast_possible_truncation,
+    reason = "each test takes the plans it needs, of a few contours each"
+)]
 
 use glam::DVec2;
 use kerfway::dxf::{Drawing, ReadOptions, Unit, Units, UnitsSource};

@@ -17,10 +17,12 @@ use crate::geometry::{Arc, DVec2, Segment};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-/// Decimals of X and Y: a micrometre, ten times finer than the step of any such machine.
+/// Decimals of X and Y, and of F, S and P: a micrometre, ten times finer than the step of any such machine.
 const DECIMALS: usize = 3;
 /// The grid these decimals make, 1/mm.
 const GRID: f64 = 1000.0;
+/// The slowest feed these decimals can say, mm/min.
+const SLOWEST: f64 = 1.0 / GRID;
 /// Decimals of I and J: one more, so that the two radii of an arc agree to a tenth of the grid.
 const CENTER_DECIMALS: usize = 4;
 /// An arc flatter than half the grid is a line: rounding its ends moves it as far.
@@ -76,9 +78,9 @@ impl Pen {
         "0".clone_into(&mut self.power_in_force);
     }
 
-    /// Feed (mm/min) and power (S) of the work that follows.
+    /// Feed (mm/min) and power (S) of the work that follows. A feed of 0, which GRBL refuses, is never written.
     pub(super) fn set_process(&mut self, feed: f64, power: f64) {
-        self.feed = fixed(feed, DECIMALS).to_string();
+        self.feed = fixed(feed.max(SLOWEST), DECIMALS).to_string();
         self.power = fixed(power, DECIMALS).to_string();
     }
 
