@@ -70,11 +70,13 @@ fn elements(data: &str) -> (Vec<Element>, bool) {
 }
 
 fn cuts(plan: &Plan) -> Vec<&[Segment]> {
-    let cut = |m| match m {
-        Move::Cut { path, .. } => Some(path.as_slice()),
-        _ => None,
-    };
-    plan.moves.iter().filter_map(cut).collect()
+    plan.moves
+        .iter()
+        .filter_map(|m| match m {
+            Move::Cut { path, .. } => Some(path.as_slice()),
+            _ => None,
+        })
+        .collect()
 }
 
 #[test]

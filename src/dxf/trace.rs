@@ -212,9 +212,7 @@ impl Tracer<'_> {
                     Ellipse { center: *center, major: *major, minor: *minor, start: *start, sweep: *sweep };
                 closed_if_it_is(e.transformed(map).to_segments(self.tolerance))
             }
-            Edge::Spline(spline) => {
-                self.spline(spline, |p| map.point(p.truncate()), |_| *map)?
-            }
+            Edge::Spline(spline) => self.spline(spline, |p| map.point(p.truncate()), |_| *map)?,
         })
     }
 }

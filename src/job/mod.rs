@@ -19,8 +19,8 @@ pub use run::{Run, Slice, SliceEnd};
 pub use warm::Warm;
 pub use written::OutputKind;
 
-use crate::machine::ProfileError;
 use crate::dxf::{self, Drawing, ReadError, ReadOptions};
+use crate::machine::ProfileError;
 use crate::sheet::{self, Sheet, SheetOptions};
 use sha2::{Digest, Sha256};
 
@@ -44,7 +44,9 @@ pub enum JobError {
     #[error(transparent)]
     Machine(#[from] ProfileError),
     /// A plan did not pass the independent checker: a fault of this program.
-    #[error("The plan does not pass its own check, nothing was written: {0}. Please report this with the drawing.")]
+    #[error(
+        "The plan does not pass its own check, nothing was written: {0}. Please report this with the drawing."
+    )]
     Unsound(String),
 }
 
@@ -68,7 +70,16 @@ impl Job {
         let drawing = dxf::read(&bytes, &read_options)?;
         let sheet = sheet::build(&drawing, &sheet_options);
         let sha256 = Sha256::digest(&bytes).iter().map(|b| format!("{b:02x}")).collect();
-        Ok(Self { name: name.to_owned(), bytes, sha256, read_options, sheet_options, drawing, sheet, run: None })
+        Ok(Self {
+            name: name.to_owned(),
+            bytes,
+            sha256,
+            read_options,
+            sheet_options,
+            drawing,
+            sheet,
+            run: None,
+        })
     }
 
     /// The same file with other options; the file is read again only when they concern its reading. A plan under way

@@ -117,7 +117,10 @@ impl MachineChoice {
             }
             Self::Preset(name) => machine::preset(name).ok_or_else(|| {
                 let names: Vec<_> = machine::presets().into_iter().map(|p| p.name).collect();
-                JobError::Options(format!("There is no machine named {name}. Choose one of: {}.", names.join(", ")))
+                JobError::Options(format!(
+                    "There is no machine named {name}. Choose one of: {}.",
+                    names.join(", ")
+                ))
             }),
         }
     }

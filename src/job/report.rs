@@ -57,7 +57,12 @@ pub struct Loaded<'a> {
 }
 
 /// The report on a drawing and its sheet.
-pub(super) fn loaded<'a>(name: &'a str, sha256: &'a str, drawing: &'a Drawing, sheet: &'a Sheet) -> Loaded<'a> {
+pub(super) fn loaded<'a>(
+    name: &'a str,
+    sha256: &'a str,
+    drawing: &'a Drawing,
+    sheet: &'a Sheet,
+) -> Loaded<'a> {
     let bounds = if sheet.bounds.is_empty() {
         [0.0; 4]
     } else {

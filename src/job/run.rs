@@ -68,13 +68,12 @@ impl Run {
         let problem = problem::from_sheet(sheet, &machine);
         let summary = |s: &Solution| plan::from_solution(sheet, &problem, s).summary;
         let greedy = solve::greedy(&problem);
-        let baselines = Baselines {
-            drawing: summary(&solve::drawing_order(sheet, &problem)),
-            greedy: summary(&greedy),
-        };
+        let baselines =
+            Baselines { drawing: summary(&solve::drawing_order(sheet, &problem)), greedy: summary(&greedy) };
         let seed = options.seed;
         let warm = options.warm.as_ref().map(|w| warm::solution(w, &problem)).transpose()?;
-        let running = Running::new(problem, |p| method.start(p, seed, Some(warm.as_ref().unwrap_or(&greedy))));
+        let running =
+            Running::new(problem, |p| method.start(p, seed, Some(warm.as_ref().unwrap_or(&greedy))));
         Ok(Self { machine, method: method.info(), seed, budget: options.budget(), baselines, running })
     }
 
@@ -125,4 +124,3 @@ fn unknown_method(name: &str) -> JobError {
     let names: Vec<_> = solve::methods().iter().map(|m| m.info().name).collect();
     JobError::Options(format!("There is no method named {name}. Choose one of: {}.", names.join(", ")))
 }
-

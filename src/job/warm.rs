@@ -22,13 +22,14 @@ const SAME_PLACE: f64 = 1e-6;
 
 /// The nodes a path names, when it visits every contour of the problem once, in an allowed order.
 pub(super) fn solution(warm: &Warm, problem: &Problem) -> Result<Solution, JobError> {
-    let stops = warm.contours.iter().zip(&warm.along).zip(&warm.reversed).map(|((&item, &along), &reversed)| {
-        let nodes = problem.items.get(item as usize)?.nodes.clone();
-        nodes.map(|node| Stop { node }).find(|stop| {
-            let node = &problem.nodes[stop.node as usize];
-            node.reversed == (reversed != 0) && (node.along - along).abs() <= SAME_PLACE
-        })
-    });
+    let stops =
+        warm.contours.iter().zip(&warm.along).zip(&warm.reversed).map(|((&item, &along), &reversed)| {
+            let nodes = problem.items.get(item as usize)?.nodes.clone();
+            nodes.map(|node| Stop { node }).find(|stop| {
+                let node = &problem.nodes[stop.node as usize];
+                node.reversed == (reversed != 0) && (node.along - along).abs() <= SAME_PLACE
+            })
+        });
     stops
         .collect::<Option<Vec<Stop>>>()
         .filter(|stops| allowed(stops, problem))

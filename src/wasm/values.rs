@@ -10,7 +10,8 @@ use wasm_bindgen::prelude::*;
 /// Options from a plain object; nothing given is an empty object.
 pub(super) fn options<T: DeserializeOwned>(value: JsValue) -> Result<T, JsError> {
     let value = if value.is_undefined() || value.is_null() { Object::new().into() } else { value };
-    serde_wasm_bindgen::from_value(value).map_err(|e| JsError::new(&format!("The options are not usable: {e}.")))
+    serde_wasm_bindgen::from_value(value)
+        .map_err(|e| JsError::new(&format!("The options are not usable: {e}.")))
 }
 
 /// A plain object, as JSON would have it.
