@@ -25,13 +25,14 @@ impl BestPath {
     /// The best path of a run, and the plan it comes from.
     pub fn of(run: &Run, sheet: &Sheet) -> (Self, Plan) {
         let plan = run.plan(sheet);
-        let nodes = &run.problem().nodes;
+        let problem = run.problem();
         let mut path = Self { times: cutting_times(&plan, &run.machine), ..Self::default() };
         for stop in &run.best().stops {
-            let node = &nodes[stop.node as usize];
+            let node = &problem.nodes[stop.node as usize];
+            let (entry, exit) = stop.ends(problem).unwrap_or((node.entry, node.exit));
             path.contours.push(node.item);
-            path.points.extend([node.entry.x, node.entry.y, node.exit.x, node.exit.y]);
-            path.along.push(node.along);
+            path.points.extend([entry.x, entry.y, exit.x, exit.y]);
+            path.along.push(stop.along);
             path.reversed.push(node.reversed.into());
         }
         (path, plan)

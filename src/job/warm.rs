@@ -20,21 +20,34 @@ pub struct Warm {
 /// were written down with six digits, and is far below the distance of two entries.
 const SAME_PLACE: f64 = 1e-6;
 
-/// The nodes a path names, when it visits every contour of the problem once, in an allowed order.
+/// The stops a path names, when it visits every contour of the problem once, in an allowed order.
 pub(super) fn solution(warm: &Warm, problem: &Problem) -> Result<Solution, JobError> {
-    let stops =
-        warm.contours.iter().zip(&warm.along).zip(&warm.reversed).map(|((&item, &along), &reversed)| {
-            let nodes = problem.items.get(item as usize)?.nodes.clone();
-            nodes.map(|node| Stop { node }).find(|stop| {
-                let node = &problem.nodes[stop.node as usize];
-                node.reversed == (reversed != 0) && (node.along - along).abs() <= SAME_PLACE
-            })
-        });
+    let stops = warm
+        .contours
+        .iter()
+        .zip(&warm.along)
+        .zip(&warm.reversed)
+        .map(|((&item, &along), &reversed)| stop(problem, item, along, reversed != 0));
     stops
         .collect::<Option<Vec<Stop>>>()
         .filter(|stops| allowed(stops, problem))
         .map(|stops| Solution::new(problem, stops))
         .ok_or_else(|| JobError::Options("The path to start from is not one of this drawing.".into()))
+}
+
+/// The stop at a place: anywhere along a track, otherwise at a node.
+fn stop(problem: &Problem, item: u32, along: f64, reversed: bool) -> Option<Stop> {
+    let item = problem.items.get(item as usize)?;
+    let mut stops = item.nodes.clone().map(|node| Stop::at(problem, node));
+    match &item.track {
+        Some(track) if (0.0..=track.length()).contains(&along) => {
+            stops.find(|s| problem.nodes[s.node as usize].reversed == reversed).map(|s| Stop { along, ..s })
+        }
+        Some(_) => None,
+        None => stops.find(|s| {
+            problem.nodes[s.node as usize].reversed == reversed && (s.along - along).abs() <= SAME_PLACE
+        }),
+    }
 }
 
 /// Every item that can be visited is, once; none before what lies inside it or what has a lower rank.
@@ -76,7 +89,7 @@ mod tests {
         for (node, id) in nodes.iter_mut().zip(0..) {
             node.twin = id;
         }
-        let item = |i: u32, before| Item { nodes: 2 * i..2 * i + 2, before, rank: 0, fixed: 1.0 };
+        let item = |i: u32, before| Item { nodes: 2 * i..2 * i + 2, before, rank: 0, fixed: 1.0, track: None };
         let machine = machine::preset("length").unwrap();
         Problem {
             items: vec![item(0, Some(2)), item(1, None), item(2, None)],
@@ -94,7 +107,7 @@ mod tests {
     #[test]
     fn a_path_of_this_drawing_becomes_the_nodes_it_names() {
         let found = solution(&warm(&[1, 0, 2], &[10.0, 0.0, 10.0]), &problem()).unwrap();
-        assert_eq!(found.stops, [Stop { node: 3 }, Stop { node: 0 }, Stop { node: 5 }]);
+        assert_eq!(found.stops.iter().map(|s| s.node).collect::<Vec<_>>(), [3, 0, 5]);
         // From home at 0 to 1.5, back to 0, on to 2.5, at unit speed.
         assert!((found.cost - 5.5).abs() < 1e-12, "{}", found.cost);
     }

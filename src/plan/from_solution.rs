@@ -3,7 +3,7 @@
 use super::evaluate::evaluate;
 use super::model::{Move, Plan};
 use crate::geometry::{DVec2, Path, Segment};
-use crate::problem::{Node, Problem};
+use crate::problem::Problem;
 use crate::sheet::{Operation, Sheet};
 use crate::solve::Solution;
 
@@ -16,7 +16,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
     for stop in &solution.stops {
         let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
         let Some(contour) = sheet.contours.get(node.item as usize) else { continue };
-        let path = path_from(&contour.path, node);
+        let path = path_from(&contour.path, stop.along, node.reversed);
         let (Some(first), Some(last)) = (path.first(), path.last()) else { continue };
         let (entry, exit) = (first.start(), last.end());
         go(&mut moves, &mut head, entry);
@@ -42,8 +42,8 @@ fn go(moves: &mut Vec<Move>, head: &mut DVec2, to: DVec2) {
     }
 }
 
-/// A contour's elements from a node on, in the node's direction.
-fn path_from(path: &Path, node: &Node) -> Vec<Segment> {
-    let from_entry = path.starting_at(node.along);
-    if node.reversed { from_entry.reversed().segments } else { from_entry.segments }
+/// A contour's elements from `along` on, run forwards or back.
+fn path_from(path: &Path, along: f64, reversed: bool) -> Vec<Segment> {
+    let from_entry = path.starting_at(along);
+    if reversed { from_entry.reversed().segments } else { from_entry.segments }
 }

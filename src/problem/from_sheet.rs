@@ -24,6 +24,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
             before: contour.inside.filter(|&outer| outer != item && (outer as usize) < sheet.contours.len()),
             rank,
             fixed: fixed_seconds(machine, contour),
+            track: contour.path.closed.then(|| contour.path.clone()),
         });
     }
     Problem { items, nodes, home: machine.home(), closed: machine.return_home, machine: machine.clone() }

@@ -3,6 +3,7 @@
 //! An item is entered at one of its nodes and left at that node's exit: the same point for closed contours, the
 //! other end for open ones. The tour starts at home and, when `closed`, comes back.
 
+use crate::geometry::Path;
 use crate::machine::Profile;
 use glam::DVec2;
 
@@ -39,6 +40,8 @@ pub struct Item {
     pub rank: u32,
     /// Seconds it costs wherever it is entered: pierce, cut.
     pub fixed: f64,
+    /// A closed path along which it may be entered anywhere, not at its nodes only; its nodes lie on it.
+    pub track: Option<Path>,
 }
 
 /// Items, nodes, travel, precedence.

@@ -100,7 +100,7 @@ mod tests {
         }
         let machine = presets().swap_remove(machine);
         let items = (0..items)
-            .map(|i| Item { nodes: i * each..(i + 1) * each, before: None, rank: 0, fixed: 0.0 })
+            .map(|i| Item { nodes: i * each..(i + 1) * each, before: None, rank: 0, fixed: 0.0, track: None })
             .collect();
         Problem { items, nodes, home: P::ZERO, closed: true, machine }
     }

@@ -11,6 +11,9 @@ pub fn drawing_order(sheet: &Sheet, problem: &Problem) -> Solution {
     order.sort_by_key(|(contour, _)| contour.first_shape);
     Solution::new(
         problem,
-        order.into_iter().filter_map(|(_, item)| Some(Stop { node: item.nodes.clone().next()? })).collect(),
+        order
+            .into_iter()
+            .filter_map(|(_, item)| Some(Stop::at(problem, item.nodes.clone().next()?)))
+            .collect(),
     )
 }

@@ -15,7 +15,7 @@ pub fn greedy(problem: &Problem) -> Solution {
     let mut stops = Vec::with_capacity(problem.items.len());
     let mut head = problem.home;
     while let Some(node) = open.nearest(&air, head) {
-        stops.push(Stop { node });
+        stops.push(Stop::at(problem, node));
         head = problem.nodes[node as usize].exit;
         open.done(problem.nodes[node as usize].item);
     }

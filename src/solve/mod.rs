@@ -2,6 +2,7 @@
 
 mod as_drawn;
 mod greedy;
+mod tour_tree;
 mod traits;
 mod two_opt;
 
@@ -11,7 +12,7 @@ pub use traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telem
 
 /// Every method, the default first.
 pub fn methods() -> &'static [&'static dyn Solver] {
-    &[&two_opt::TwoOpt, &greedy::Greedy]
+    &[&tour_tree::TourTree, &two_opt::TwoOpt, &greedy::Greedy]
 }
 
 /// The method of that name.

@@ -3,6 +3,7 @@
 //! The core neither reads a clock nor decides when to stop: the caller hands out work in moves and looks at what
 //! came of it. A search cut into slices of any size gives the same bytes as one long run.
 
+use crate::geometry::DVec2;
 use crate::machine::AirTime;
 use crate::problem::{NodeId, Problem};
 use serde::Serialize;
@@ -21,10 +22,28 @@ pub struct SolverInfo {
 }
 
 /// One visit of a route.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
-    /// The node at which its item is entered.
+    /// The node at which its item is entered, or the one it slid away from.
     pub node: NodeId,
+    /// Place of entry along the item's track, mm; for an item without one, its node's.
+    pub along: f64,
+}
+
+impl Stop {
+    /// The stop at a node itself.
+    pub fn at(problem: &Problem, node: NodeId) -> Self {
+        Self { node, along: problem.nodes.get(node as usize).map_or(0.0, |n| n.along) }
+    }
+
+    /// Where the head enters and leaves; `None` for a node that is none.
+    pub fn ends(&self, problem: &Problem) -> Option<(DVec2, DVec2)> {
+        let node = problem.nodes.get(self.node as usize)?;
+        let track = problem.items.get(node.item as usize)?.track.as_ref();
+        #[expect(clippy::float_cmp, reason = "a stop that did not slide has its node's place bit for bit")]
+        let slid = track.filter(|_| self.along != node.along).and_then(|t| t.at(self.along));
+        Some(slid.map_or((node.entry, node.exit), |p| (p, p)))
+    }
 }
 
 /// An order of all items with their entries, and what it costs.
@@ -93,9 +112,9 @@ impl Solution {
         let air = AirTime::new(&problem.machine);
         let mut cost = 0.0;
         let mut head = problem.home;
-        for node in stops.iter().filter_map(|s| problem.nodes.get(s.node as usize)) {
-            cost += air.seconds(head, node.entry);
-            head = node.exit;
+        for (entry, exit) in stops.iter().filter_map(|s| s.ends(problem)) {
+            cost += air.seconds(head, entry);
+            head = exit;
         }
         if problem.closed {
             cost += air.seconds(head, problem.home);

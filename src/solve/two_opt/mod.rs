@@ -97,7 +97,8 @@ impl<'p> LocalSearch<'p> {
             None => start::along_curve(problem),
         };
         let feasible = start::entered_nearest(problem, &start::repaired(problem, &order));
-        let built = Solution::new(problem, feasible.into_iter().map(|node| Stop { node }).collect());
+        let built =
+            Solution::new(problem, feasible.into_iter().map(|node| Stop::at(problem, node)).collect());
         let best = warm.filter(|w| w.cost <= built.cost).cloned().unwrap_or(built);
         let nested = problem.items.iter().any(|i| i.before.is_some());
         let mut tour = Tour::new(problem, &order);
@@ -203,7 +204,8 @@ impl<'p> LocalSearch<'p> {
         let order = start::repaired(self.problem, self.tour.nodes());
         self.priced += order.len() as u64;
         self.next_look = self.work() + LOOK_EVERY * order.len() as u64;
-        let found = Solution::new(self.problem, order.into_iter().map(|node| Stop { node }).collect());
+        let found =
+            Solution::new(self.problem, order.into_iter().map(|node| Stop::at(self.problem, node)).collect());
         if found.cost < self.best.cost {
             self.best = found;
             self.best_at = self.work();
@@ -212,7 +214,7 @@ impl<'p> LocalSearch<'p> {
 
     fn take_as_best(&mut self) {
         self.best.stops.clear();
-        self.best.stops.extend(self.tour.nodes().iter().map(|&node| Stop { node }));
+        self.best.stops.extend(self.tour.nodes().iter().map(|&node| Stop::at(self.problem, node)));
         self.best_at = self.work();
         self.stale = true;
     }

@@ -132,7 +132,7 @@ impl<'p> Tour<'p> {
 
     /// The tour as a solution, its cost summed up afresh.
     pub(super) fn solution(&self) -> Solution {
-        Solution::new(self.problem, self.nodes().iter().map(|&node| Stop { node }).collect())
+        Solution::new(self.problem, self.nodes().iter().map(|&node| Stop::at(self.problem, node)).collect())
     }
 
     /// Whether the stops from `lo` to `hi` may run the other way: one rank, and none inside another.

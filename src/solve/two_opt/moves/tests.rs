@@ -24,7 +24,7 @@ fn random_problem(rng: &mut Xoshiro256PlusPlus, count: u32) -> Problem {
                 nodes.push(node(corner, corner, first + k));
             }
         }
-        items.push(Item { nodes: first..id(&nodes), before: None, rank: item % 2, fixed: 0.0 });
+        items.push(Item { nodes: first..id(&nodes), before: None, rank: item % 2, fixed: 0.0, track: None });
     }
     for item in 0..count as usize {
         let outer = item + 2 * (1 + item % 4);

@@ -1,0 +1,315 @@
+//! Local search from a queue of touched items, until no move of theirs gains.
+//!
+//! For an item, in this order: a better entry; moving it elsewhere, entered anew; reversing a stretch so that it
+//! meets a near item (2-opt); exchanging two neighbouring stretches (the Or-3opt that keeps directions, which is the
+//! move that precedence likes best); moving a chain of 2 or 3 that starts or ends with it, also turned round.
+//! Candidates come from the neighbour lists of the gate where the item is entered or left now, and are dropped as
+//! soon as the first new way is no shorter than the one given up (the gain criterion of Lin and Kernighan, 1973).
+//! A move is priced in constant time; whether precedence allows it is looked up only when it gains.
+
+use super::neighbours::Neighbours;
+use super::tour::Tour;
+use std::collections::VecDeque;
+
+/// Gains below this many seconds are rounding.
+pub(super) const EPSILON: f64 = 1e-9;
+/// Longest chain moved by itself; longer ones are moved by exchanging stretches.
+const CHAIN: usize = 3;
+
+/// Items whose surroundings changed, each once.
+pub(super) struct Queue {
+    items: VecDeque<u32>,
+    waiting: Vec<bool>,
+}
+
+impl Queue {
+    pub(super) fn new(items: usize) -> Self {
+        Self { items: VecDeque::new(), waiting: vec![false; items] }
+    }
+
+    pub(super) fn push(&mut self, item: u32) {
+        if !std::mem::replace(&mut self.waiting[item as usize], true) {
+            self.items.push_back(item);
+        }
+    }
+
+    fn push_all(&mut self, items: &[u32]) {
+        items.iter().for_each(|&i| self.push(i));
+    }
+
+    pub(super) fn pop(&mut self) -> Option<u32> {
+        let item = self.items.pop_front()?;
+        self.waiting[item as usize] = false;
+        Some(item)
+    }
+}
+
+/// Improves the tour around one item until no move of its gains; gives the seconds gained.
+pub(super) fn improve(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) -> f64 {
+    let mut total = 0.0;
+    loop {
+        let gain = reenter(tour, queue, item)
+            .or_else(|| relocate(tour, near, queue, item))
+            .or_else(|| turn_ahead(tour, near, queue, item))
+            .or_else(|| turn_behind(tour, near, queue, item))
+            .or_else(|| exchange(tour, near, queue, item))
+            .or_else(|| move_chain(tour, near, queue, item));
+        match gain {
+            Some(g) => total += g,
+            None => return total,
+        }
+    }
+}
+
+/// A better entry where the item stands.
+pub(super) fn reenter(tour: &mut Tour, queue: &mut Queue, item: u32) -> Option<f64> {
+    if item == tour.space.home {
+        return None;
+    }
+    let (before, after) = (tour.previous(item), tour.next(item));
+    let gap = tour.gap(before, after);
+    tour.priced += 1;
+    let now = tour.space.through(item, tour.at(item), gap);
+    let near = tour.space.better_near(item, (tour.at(item), now), gap);
+    let best = tour.space.best_entry(item, gap);
+    let best = if best.1 < near.1 { best } else { near };
+    if best.1 >= now - EPSILON {
+        return None;
+    }
+    tour.enter(item, best.0);
+    queue.push_all(&[item, before, after]);
+    Some(now - best.1)
+}
+
+/// The item taken out and put in elsewhere, at its best entry there: the best of all candidates.
+fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) -> Option<f64> {
+    if item == tour.space.home {
+        return None;
+    }
+    let here = tour.position(item);
+    let (before, after) = (tour.previous(item), tour.next(item));
+    let freed = tour.edge(before, item) + tour.edge(item, after) - tour.edge(before, after);
+    let mut best: Option<(u32, u32, u32)> = None;
+    let mut most = EPSILON;
+    for &b in near.of_item(item) {
+        for (from, to) in [(b, tour.next(b)), (tour.previous(b), b)] {
+            if from == item || to == item {
+                continue;
+            }
+            tour.priced += 1;
+            let gap = tour.gap(from, to);
+            let given = freed + tour.edge(from, to);
+            let on = gap.to.map_or(0.0, |q| tour.space.at_least(q, item));
+            if given - tour.space.at_least(gap.from, item) - on <= most {
+                continue;
+            }
+            let (at, seconds) = tour.space.best_entry(item, gap);
+            if given - seconds <= most {
+                continue;
+            }
+            let there = tour.position(from);
+            let allowed = if there < here {
+                tour.may_exchange(there + 1, here - 1, here)
+            } else {
+                tour.may_exchange(here, here, there)
+            };
+            if allowed {
+                most = given - seconds;
+                best = Some((from, to, at));
+            }
+        }
+    }
+    let (from, to, at) = best?;
+    let there = tour.position(from);
+    if there < here {
+        tour.exchange(there + 1, here - 1, here);
+    } else {
+        tour.exchange(here, here, there);
+    }
+    tour.enter(item, at);
+    queue.push_all(&[item, before, after, from, to]);
+    Some(most)
+}
+
+/// 2-opt: the stretch between `a` and a near `b` reversed, so that one leaves for the other's exit.
+fn turn_ahead(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
+    let here = tour.position(a);
+    let after_a = tour.next(a);
+    let given = tour.edge(a, after_a);
+    for &b in near.of_exit(tour, a) {
+        let taken = tour.space.air.seconds(tour.exit(a), tour.exit(b));
+        if taken >= given - EPSILON {
+            continue;
+        }
+        tour.priced += 1;
+        let after_b = tour.next(b);
+        let there = tour.position(b);
+        let (from, to) = (here.min(there) + 1, here.max(there));
+        // The first of the stretch becomes its last and goes on to what follows.
+        let (first, follows) = if here < there { (after_a, after_b) } else { (after_b, after_a) };
+        let on = tour.way(tour.entry(first), follows, tour.entry(follows));
+        let gain = given + tour.edge(b, after_b) - taken - on;
+        if gain > EPSILON && from < to && tour.may_reverse(from, to) {
+            tour.reverse(from, to);
+            queue.push_all(&[a, b, after_a, after_b]);
+            return Some(gain);
+        }
+    }
+    None
+}
+
+/// 2-opt: the stretch between `a` and a near `b` reversed, so that one is entered from the other's entry.
+fn turn_behind(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
+    // Coming back home is the end of the tour here.
+    let end = |tour: &Tour, i: u32| if i == tour.space.home { tour.last() + 1 } else { tour.position(i) };
+    let here = end(tour, a);
+    let before_a = tour.previous(a);
+    let given = tour.edge(before_a, a);
+    for &b in near.of_entry(tour, a) {
+        let there = end(tour, b);
+        let (first, follows) = if here < there { (a, b) } else { (b, a) };
+        let taken = tour.way(tour.entry(first), follows, tour.entry(follows));
+        if taken >= given - EPSILON {
+            continue;
+        }
+        tour.priced += 1;
+        let before_b = tour.previous(b);
+        let into = tour.space.air.seconds(tour.exit(before_a), tour.exit(before_b));
+        let gain = given + tour.edge(before_b, b) - taken - into;
+        let (from, to) = (here.min(there), here.max(there) - 1);
+        if gain > EPSILON && from < to && tour.may_reverse(from, to) {
+            tour.reverse(from, to);
+            queue.push_all(&[a, b, before_a, before_b]);
+            return Some(gain);
+        }
+    }
+    None
+}
+
+/// Or-3opt: `a` leaves for a near `b`, a near `c` leaves for what followed `a`: two neighbouring stretches change
+/// places, each in its own direction.
+fn exchange(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
+    let here = tour.position(a);
+    let after_a = tour.next(a);
+    let given = tour.edge(a, after_a);
+    for &b in near.of_exit(tour, a) {
+        let left = given - tour.edge(a, b);
+        if left <= EPSILON {
+            continue;
+        }
+        if b == after_a || b == tour.space.home {
+            continue;
+        }
+        let (there, before_b) = (tour.position(b), tour.previous(b));
+        let left = left + tour.edge(before_b, b);
+        for &c in near.of_entry(tour, after_a) {
+            let left = left - tour.edge(c, after_a);
+            if left <= EPSILON {
+                continue;
+            }
+            tour.priced += 1;
+            let after_c = tour.next(c);
+            let on = tour.way(tour.exit(before_b), after_c, tour.entry(after_c));
+            let gain = left + tour.edge(c, after_c) - on;
+            if gain <= EPSILON {
+                continue;
+            }
+            let cut = tour.position(c);
+            let (from, middle, to) = if here < there && there <= cut {
+                (here + 1, there - 1, cut)
+            } else if (1..=here).contains(&there) && there <= cut && cut < here {
+                (there, cut, here)
+            } else {
+                continue;
+            };
+            if tour.may_exchange(from, middle, to) {
+                tour.exchange(from, middle, to);
+                queue.push_all(&[a, after_a, before_b, b, c, after_c]);
+                return Some(gain);
+            }
+        }
+    }
+    None
+}
+
+/// A chain of 2 to [`CHAIN`] items that starts or ends with `a` moved next to a near item, turned round where that
+/// brings `a` next to it.
+fn move_chain(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
+    let here = tour.position(a);
+    if here == 0 {
+        return None;
+    }
+    for more in 1..CHAIN {
+        let starts = (here, here + more);
+        let ends = (here.saturating_sub(more), here);
+        for (from, to) in [starts, ends] {
+            if from >= 1 && to <= tour.last() {
+                let gain = place_chain(tour, near, queue, a, from, to);
+                if gain.is_some() {
+                    return gain;
+                }
+            }
+        }
+    }
+    None
+}
+
+/// Moves the chain at positions `from..=to`, which starts or ends with `a`, next to an item near `a`.
+fn place_chain(
+    tour: &mut Tour,
+    near: &Neighbours,
+    queue: &mut Queue,
+    a: u32,
+    from: usize,
+    to: usize,
+) -> Option<f64> {
+    let (first, last) = (tour.item(from), tour.item(to));
+    let (before, after) = (tour.item(from - 1), tour.item(to + 1));
+    let freed = tour.edge(before, first) + tour.edge(last, after) - tour.edge(before, after);
+    if freed <= EPSILON {
+        return None;
+    }
+    let outside = |tour: &Tour, i: u32| !(from..=to).contains(&tour.position(i));
+    for behind in [true, false] {
+        // Behind a near item the chain starts with `a`, in front of it it ends with `a`.
+        let turned = (a == first) != behind;
+        let (enter, leave) =
+            if turned { (tour.exit(last), tour.entry(first)) } else { (tour.entry(first), tour.exit(last)) };
+        let candidates = if (a == first) == turned { near.of_exit(tour, a) } else { near.of_entry(tour, a) };
+        for &b in candidates {
+            let (u, w) = if behind { (b, tour.next(b)) } else { (tour.previous(b), b) };
+            if !outside(tour, u) || !outside(tour, w) {
+                continue;
+            }
+            let link = if behind {
+                tour.space.air.seconds(tour.exit(u), enter)
+            } else {
+                tour.way(leave, w, tour.entry(w))
+            };
+            if link >= freed - EPSILON {
+                continue;
+            }
+            tour.priced += 1;
+            let other = if behind {
+                tour.way(leave, w, tour.entry(w))
+            } else {
+                tour.space.air.seconds(tour.exit(u), enter)
+            };
+            let gain = freed + tour.edge(u, w) - link - other;
+            if gain <= EPSILON || (turned && !tour.may_reverse(from, to)) {
+                continue;
+            }
+            let there = tour.position(u);
+            let stretch = if there < from { (there + 1, from - 1, to) } else { (from, to, there) };
+            if tour.may_exchange(stretch.0, stretch.1, stretch.2) {
+                if turned {
+                    tour.reverse(from, to);
+                }
+                tour.exchange(stretch.0, stretch.1, stretch.2);
+                queue.push_all(&[first, last, before, after, u, w]);
+                return Some(gain);
+            }
+        }
+    }
+    None
+}

@@ -1,0 +1,104 @@
+//! Neighbour lists: for every gate (a coarse place of an item, see `space.rs`) the items nearest to it, and for every
+//! item the items nearest to any of its gates.
+//!
+//! Lists by gate, not by item: what is near a frame's left edge is of no use when it is entered on the right.
+//! Nearness is by the machine's air time. Built item by item, so that a worker can take its turns in between.
+
+use super::space::{Space, index};
+use super::tour::Tour;
+use crate::geometry::{Aabb, DVec2};
+use crate::problem::Buckets;
+
+/// Items listed for a gate: 8 hold the wanted edge in all but a few in a thousand cases (planar tours mostly use the
+/// nearest 5), and a pass over them stays in one cache line pair.
+const PER_GATE: usize = 8;
+/// Items listed for an item.
+const PER_ITEM: usize = 10;
+
+/// Neighbour lists, as far as they are built.
+pub(super) struct Neighbours {
+    grid: Buckets,
+    /// Item and place of each gate.
+    gates: Vec<(u32, DVec2)>,
+    by_gate: Vec<Vec<u32>>,
+    by_item: Vec<Vec<u32>>,
+}
+
+impl Neighbours {
+    /// Empty lists; [`Neighbours::extend`] fills them.
+    pub(super) fn new(space: &Space) -> Self {
+        let bounds = space.place.iter().fold(Aabb::EMPTY, |b, p| b.with(*p));
+        let gates: Vec<(u32, DVec2)> =
+            (0..=space.home).flat_map(|item| space.gates(item).map(move |place| (item, place))).collect();
+        let mut grid = Buckets::new(bounds, gates.len());
+        for (gate, &(_, place)) in (0..).zip(&gates) {
+            grid.insert(gate, place);
+        }
+        Self { grid, gates, by_gate: Vec::new(), by_item: Vec::new() }
+    }
+
+    /// Lists the neighbours of the next item; false when all are listed.
+    pub(super) fn extend(&mut self, space: &Space) -> bool {
+        let item = index(self.by_item.len());
+        if item > space.home {
+            return false;
+        }
+        let mut all: Vec<(f64, u32)> = Vec::new();
+        for place in space.gates(item) {
+            let nearest = self.nearest(space, item, place);
+            self.by_gate.push(nearest.iter().map(|n| n.1).collect());
+            for n in nearest {
+                merge(&mut all, n);
+            }
+        }
+        all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        all.truncate(PER_ITEM);
+        self.by_item.push(all.into_iter().map(|n| n.1).collect());
+        true
+    }
+
+    /// Seconds to, and item of, the nearest other items.
+    fn nearest(&self, space: &Space, item: u32, place: DVec2) -> Vec<(f64, u32)> {
+        let mut found: Vec<(f64, u32)> = Vec::new();
+        for r in 0..self.grid.rings(place) {
+            let d = self.grid.distance_of_ring(r);
+            if found.len() >= PER_GATE && found[PER_GATE - 1].0 <= space.air.seconds_at_least(d) {
+                break;
+            }
+            for gate in self.grid.ring(place, r) {
+                let (other, there) = self.gates[gate as usize];
+                if other != item {
+                    merge(&mut found, (space.air.seconds(place, there), other));
+                }
+            }
+            found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        }
+        found.truncate(PER_GATE);
+        found
+    }
+
+    /// Items near any place of an item.
+    pub(super) fn of_item(&self, item: u32) -> &[u32] {
+        &self.by_item[item as usize]
+    }
+
+    /// Items near the place where an item is entered now.
+    pub(super) fn of_entry(&self, tour: &Tour, item: u32) -> &[u32] {
+        &self.by_gate[tour.space.gate(item, tour.at(item))]
+    }
+
+    /// Items near the place where an item is left now.
+    pub(super) fn of_exit(&self, tour: &Tour, item: u32) -> &[u32] {
+        let at = tour.at(item);
+        let at = if tour.space.two_ends(item) { 1 - at } else { at };
+        &self.by_gate[tour.space.gate(item, at)]
+    }
+}
+
+/// Keeps one entry an item, with the least seconds.
+fn merge(list: &mut Vec<(f64, u32)>, new: (f64, u32)) {
+    match list.iter_mut().find(|old| old.1 == new.1) {
+        Some(old) => old.0 = old.0.min(new.0),
+        None => list.push(new),
+    }
+}

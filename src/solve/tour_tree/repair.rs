@@ -1,0 +1,39 @@
+//! From a tour that heeds no nesting to one that does: whatever lies around others waits for the last of them.
+//!
+//! Measured on nested sheets (DESIGN.md, "precedence"): an unconstrained tour repaired so and then improved ends
+//! within half a percent of the unconstrained best; a search that starts from a feasible greedy ends 8 % above.
+
+use super::space::{NONE, Space};
+use super::tour::Kept;
+
+/// The tour `free`, and the tour run backwards, with every outer item delayed until all inside it is done.
+pub(super) fn repaired(space: &Space, free: &Kept) -> [Kept; 2] {
+    let mut back = free.clone();
+    // Ranks keep their order: each is turned round by itself.
+    back.order[1..]
+        .chunk_by_mut(|&a, &b| space.rank[a as usize] == space.rank[b as usize])
+        .for_each(<[u32]>::reverse);
+    for item in (0..space.home).filter(|&i| space.two_ends(i)) {
+        back.at[item as usize] = 1 - back.at[item as usize];
+    }
+    [delayed(space, free), delayed(space, &back)]
+}
+
+fn delayed(space: &Space, tour: &Kept) -> Kept {
+    let mut waits_for: Vec<usize> = (0..=space.home).map(|i| space.inner(i).len()).collect();
+    let mut met = vec![false; tour.order.len()];
+    let mut order = Vec::with_capacity(tour.order.len());
+    for &item in &tour.order {
+        met[item as usize] = true;
+        // Done items let the ones around them follow at once, if they were met and now wait for nothing.
+        let mut next = item;
+        while next != NONE && met[next as usize] && waits_for[next as usize] == 0 {
+            order.push(next);
+            next = space.outer[next as usize];
+            if next != NONE {
+                waits_for[next as usize] -= 1;
+            }
+        }
+    }
+    Kept { order, at: tour.at.clone() }
+}

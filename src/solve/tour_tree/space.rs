@@ -1,0 +1,309 @@
+//! What stays the same during a search, laid out for speed: places to enter, boxes, precedence.
+//!
+//! A closed contour may be entered anywhere along it. Its places are an evenly spaced ring of [`GATES`] * 2^k points,
+//! at most [`SPACING`] apart, so the best entry between two given points is found coarse to fine: all gates (every
+//! 2^k-th place) first, then ever smaller steps to both sides. What is left, under a spacing, is slid away exactly on
+//! export (`polish.rs`). An item without a track has the places of its nodes; an open contour has two, its ends.
+//!
+//! Home is one more item, the last, with one place; the tour starts at it.
+
+use super::tour::Kept;
+use crate::geometry::{Aabb, DVec2, Path, Segment};
+use crate::machine::AirTime;
+use crate::problem::Problem;
+use crate::solve::{Solution, Stop};
+
+/// No item.
+pub(super) const NONE: u32 = u32::MAX;
+/// Coarse places of a ring: as many as tell its sides apart; neighbour lists are kept for each.
+pub(super) const GATES: usize = 16;
+/// Places at most this far apart, mm: half of it, seen across a gap of 5 mm, is 0.3 % of the gap.
+const SPACING: f64 = 0.8;
+/// Places of one ring at most: a contour of 3 m at 0.8 mm needs no more; longer ones get wider spacing.
+const MOST: usize = 4096;
+
+/// The unchanging side of a search.
+pub(super) struct Space<'p> {
+    pub(super) problem: &'p Problem,
+    pub(super) air: AirTime,
+    /// The home item: one past the problem's items.
+    pub(super) home: u32,
+    /// Places of item i: `first[i]..first[i + 1]`.
+    first: Vec<u32>,
+    pub(super) place: Vec<DVec2>,
+    /// Gates of item i: `gate_first[i]..gate_first[i + 1]`.
+    pub(super) gate_first: Vec<u32>,
+    kind: Vec<Kind>,
+    spacing: Vec<f64>,
+    /// Box of an item's places: middle and half size.
+    middle: Vec<DVec2>,
+    half: Vec<DVec2>,
+    /// The item around, or [`NONE`].
+    pub(super) outer: Vec<u32>,
+    inner_first: Vec<u32>,
+    inner: Vec<u32>,
+    pub(super) rank: Vec<u32>,
+    /// Some item must come before another.
+    pub(super) nested: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Places in order around a closed contour, `GATES` * 2^k of them.
+    Ring,
+    /// The two ends of an open contour.
+    Open,
+    /// Any places, in no order.
+    Loose,
+}
+
+/// Where a stop lies between its neighbours: where the head comes from, and where it goes (`None`: nowhere, the last
+/// stop of a path without return).
+#[derive(Clone, Copy)]
+pub(super) struct Gap {
+    pub(super) from: DVec2,
+    pub(super) to: Option<DVec2>,
+}
+
+impl<'p> Space<'p> {
+    pub(super) fn new(problem: &'p Problem) -> Self {
+        let n = problem.items.len();
+        let mut s = Self {
+            problem,
+            air: AirTime::new(&problem.machine),
+            home: index(n),
+            first: vec![0],
+            place: Vec::new(),
+            gate_first: vec![0],
+            kind: Vec::with_capacity(n + 1),
+            spacing: Vec::with_capacity(n + 1),
+            middle: Vec::with_capacity(n + 1),
+            half: Vec::with_capacity(n + 1),
+            outer: problem.items.iter().map(|i| i.before.unwrap_or(NONE)).collect(),
+            inner_first: Vec::new(),
+            inner: Vec::new(),
+            rank: problem.items.iter().map(|i| i.rank).collect(),
+            nested: problem.items.iter().any(|i| i.before.is_some()),
+        };
+        for item in &problem.items {
+            let nodes = &problem.nodes[item.nodes.start as usize..item.nodes.end as usize];
+            let spacing = item.track.as_ref().and_then(|track| ring(track, &mut s.place));
+            let kind = match spacing {
+                Some(_) => Kind::Ring,
+                None if nodes.len() == 2 && nodes[0].twin == nodes[1].twin + 1 => Kind::Open,
+                None => Kind::Loose,
+            };
+            if kind != Kind::Ring {
+                s.place.extend(nodes.iter().map(|node| node.entry));
+            }
+            s.close_item(kind, spacing.unwrap_or(0.0));
+        }
+        s.place.push(problem.home);
+        s.close_item(Kind::Loose, 0.0);
+        s.outer.push(NONE);
+        s.rank.push(0);
+        s.link_inner();
+        s
+    }
+
+    /// Ends the places of the item being built.
+    fn close_item(&mut self, kind: Kind, spacing: f64) {
+        let from = self.first[self.first.len() - 1] as usize;
+        let places = &self.place[from..];
+        let b = places.iter().fold(Aabb::EMPTY, |b, p| b.with(*p));
+        self.middle.push(b.center());
+        self.half.push(b.size() * 0.5);
+        let gates = places.len().min(GATES);
+        self.gate_first.push(self.gate_first[self.gate_first.len() - 1] + index(gates));
+        self.first.push(index(self.place.len()));
+        self.kind.push(kind);
+        self.spacing.push(spacing);
+    }
+
+    /// Inner items by outer item, from the outer ones.
+    fn link_inner(&mut self) {
+        let mut count = vec![0; self.outer.len() + 1];
+        for &o in self.outer.iter().filter(|&&o| o != NONE) {
+            count[o as usize + 1] += 1;
+        }
+        for i in 1..count.len() {
+            count[i] += count[i - 1];
+        }
+        let mut next = count.clone();
+        self.inner = vec![0; count[count.len() - 1] as usize];
+        for (item, &o) in (0..).zip(&self.outer).filter(|(_, o)| **o != NONE) {
+            self.inner[next[o as usize] as usize] = item;
+            next[o as usize] += 1;
+        }
+        self.inner_first = count;
+    }
+
+    /// Items right inside an item.
+    pub(super) fn inner(&self, item: u32) -> &[u32] {
+        let i = item as usize;
+        &self.inner[self.inner_first[i] as usize..self.inner_first[i + 1] as usize]
+    }
+
+    /// An item's places.
+    pub(super) fn places(&self, item: u32) -> &[DVec2] {
+        &self.place[self.first[item as usize] as usize..self.first[item as usize + 1] as usize]
+    }
+
+    /// Distance of a ring's places along its track, mm; 0 for other items.
+    pub(super) fn spacing(&self, item: u32) -> f64 {
+        self.spacing[item as usize]
+    }
+
+    /// The stop that enters an item at a place.
+    pub(super) fn stop(&self, item: u32, at: u32) -> Stop {
+        let first = self.problem.items[item as usize].nodes.start;
+        match self.kind[item as usize] {
+            Kind::Ring => Stop { node: first, along: self.spacing(item) * f64::from(at) },
+            Kind::Open | Kind::Loose => Stop::at(self.problem, first + at),
+        }
+    }
+
+    /// A solution as a tour: entered at the places nearest to its own.
+    pub(super) fn kept(&self, solution: &Solution) -> Kept {
+        let mut kept = Kept { order: vec![self.home], at: vec![0; self.kind.len()] };
+        for stop in &solution.stops {
+            let item = self.problem.nodes[stop.node as usize].item;
+            kept.order.push(item);
+            let first = self.problem.items[item as usize].nodes.start;
+            kept.at[item as usize] = match self.kind[item as usize] {
+                Kind::Ring => nearest(stop.along / self.spacing(item)) % index(self.places(item).len()),
+                Kind::Open | Kind::Loose => stop.node - first,
+            };
+        }
+        kept
+    }
+
+    /// Whether an item may be entered anywhere along its track.
+    pub(super) fn is_ring(&self, item: u32) -> bool {
+        self.kind[item as usize] == Kind::Ring
+    }
+
+    /// Where the head leaves an item entered at place `at`.
+    pub(super) fn exit(&self, item: u32, at: u32) -> DVec2 {
+        let places = self.places(item);
+        match self.kind[item as usize] {
+            Kind::Open => places[1 - at as usize],
+            Kind::Ring => places[at as usize],
+            Kind::Loose if item == self.home => places[0],
+            Kind::Loose => {
+                self.problem.nodes[self.problem.items[item as usize].nodes.start as usize + at as usize].exit
+            }
+        }
+    }
+
+    /// An open contour: run the other way, its entry and exit change places.
+    pub(super) fn two_ends(&self, item: u32) -> bool {
+        self.kind[item as usize] == Kind::Open
+    }
+
+    /// The gate nearest to place `at` of an item, counted over all items.
+    pub(super) fn gate(&self, item: u32, at: u32) -> usize {
+        let i = item as usize;
+        let gate = match self.kind[i] {
+            Kind::Ring => {
+                let step = self.places(item).len() / GATES;
+                (at as usize + step / 2) / step % GATES
+            }
+            Kind::Open | Kind::Loose => (at as usize).min(GATES - 1),
+        };
+        self.gate_first[i] as usize + gate
+    }
+
+    /// Places of an item's gates.
+    pub(super) fn gates(&self, item: u32) -> impl Iterator<Item = DVec2> {
+        let places = self.places(item);
+        let step = if self.is_ring(item) { places.len() / GATES } else { 1 };
+        places.iter().step_by(step).take(GATES).copied()
+    }
+
+    /// No way from `p` to any place of `item` takes less than this.
+    pub(super) fn at_least(&self, p: DVec2, item: u32) -> f64 {
+        let i = item as usize;
+        let outside = ((p - self.middle[i]).abs() - self.half[i]).max(DVec2::ZERO);
+        self.air.seconds(DVec2::ZERO, outside)
+    }
+
+    /// Seconds from `gap.from` into an item at place `at` and on to `gap.to`.
+    pub(super) fn through(&self, item: u32, at: u32, gap: Gap) -> f64 {
+        let entry = self.places(item)[at as usize];
+        let on = gap.to.map_or(0.0, |to| self.air.seconds(self.exit(item, at), to));
+        self.air.seconds(gap.from, entry) + on
+    }
+
+    /// The best entry of an item in a gap, from all its places: index and seconds.
+    pub(super) fn best_entry(&self, item: u32, gap: Gap) -> (u32, f64) {
+        let count = self.places(item).len();
+        let step = if self.is_ring(item) { count / GATES } else { 1 };
+        let mut best = (0, f64::INFINITY);
+        for at in (0..count).step_by(step) {
+            let seconds = self.through(item, index(at), gap);
+            if seconds < best.1 {
+                best = (index(at), seconds);
+            }
+        }
+        self.better_near(item, best, gap)
+    }
+
+    /// A better entry near a given one, by halving steps to both sides; only rings have a near.
+    pub(super) fn better_near(&self, item: u32, start: (u32, f64), gap: Gap) -> (u32, f64) {
+        if !self.is_ring(item) {
+            return start;
+        }
+        let count = index(self.places(item).len());
+        let mut best = start;
+        let mut step = count / index(GATES) / 2;
+        while step >= 1 {
+            for at in [(best.0 + step) % count, (best.0 + count - step) % count] {
+                let seconds = self.through(item, at, gap);
+                if seconds < best.1 {
+                    best = (at, seconds);
+                    break;
+                }
+            }
+            step /= 2;
+        }
+        best
+    }
+}
+
+/// Lays the ring of places along a closed track: their distance, or nothing where it has no length.
+fn ring(track: &Path, out: &mut Vec<DVec2>) -> Option<f64> {
+    let lengths: Vec<f64> = track.segments.iter().map(Segment::length).collect();
+    let length: f64 = lengths.iter().sum();
+    if !track.closed || length <= 0.0 || !length.is_finite() {
+        return None;
+    }
+    let mut count = GATES;
+    while count < MOST && length > SPACING * count as f64 {
+        count *= 2;
+    }
+    let spacing = length / count as f64;
+    let (mut element, mut before) = (0, 0.0);
+    for k in 0..count {
+        let along = spacing * k as f64;
+        while element + 1 < lengths.len() && before + lengths[element] < along {
+            before += lengths[element];
+            element += 1;
+        }
+        let f = if lengths[element] > 0.0 { (along - before) / lengths[element] } else { 0.0 };
+        out.push(track.segments[element].at(f));
+    }
+    Some(spacing)
+}
+
+/// The nearest whole number; places along tracks are small and not negative.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cast from float saturates")]
+fn nearest(x: f64) -> u32 {
+    x.round() as u32
+}
+
+/// Counts fit 32 bits: the reader's limits leave fewer than 2^32 places.
+#[expect(clippy::cast_possible_truncation, reason = "see above")]
+pub(super) fn index(n: usize) -> u32 {
+    n as u32
+}

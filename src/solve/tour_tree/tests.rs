@@ -1,0 +1,143 @@
+//! The search against brute force on small problems of every kind; gains and precedence are asserted on every kick
+//! by the debug assertions of `anneal.rs`.
+
+use super::*;
+use crate::geometry::{Arc, DVec2, Path, Segment};
+use crate::machine::{self, AirTime};
+use crate::problem::{Item, Node, NodeId};
+use rand_xoshiro::rand_core::Rng;
+
+struct Dice(Xoshiro256PlusPlus);
+
+impl Dice {
+    fn below(&mut self, n: u64) -> u32 {
+        u32::try_from(self.0.next_u64() % n).unwrap()
+    }
+
+    fn place(&mut self) -> DVec2 {
+        DVec2::new(f64::from(self.below(1000)), f64::from(self.below(700)))
+    }
+}
+
+/// Closed items with up to three loose entries, open items, some inside others, some of a later rank.
+fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Problem {
+    let mut dice = Dice(Xoshiro256PlusPlus::seed_from_u64(seed));
+    let (mut items, mut nodes): (Vec<Item>, Vec<Node>) = (Vec::new(), Vec::new());
+    for item in 0..count {
+        let first = NodeId::try_from(nodes.len()).unwrap();
+        if dice.below(3) == 0 {
+            let (a, b) = (dice.place(), dice.place());
+            nodes.push(Node { item, entry: a, exit: b, along: 0.0, reversed: false, twin: first + 1 });
+            nodes.push(Node { item, entry: b, exit: a, along: 0.0, reversed: true, twin: first });
+        } else {
+            for k in 0..=dice.below(3) {
+                let entry = dice.place();
+                let along = f64::from(k);
+                nodes.push(Node { item, entry, exit: entry, along, reversed: false, twin: first + k });
+            }
+        }
+        let rank = u32::from(item >= count - 1 && dice.below(2) == 0);
+        // Later items lie around earlier ones.
+        let before = (item + 1 < count && dice.below(2) == 0)
+            .then(|| item + 1 + dice.below(u64::from(count - item - 1)));
+        let end = NodeId::try_from(nodes.len()).unwrap();
+        items.push(Item { nodes: first..end, before, rank, fixed: 0.0, track: None });
+    }
+    let machine = machine::preset(machine).unwrap();
+    Problem { items, nodes, home: DVec2::new(-20.0, 10.0), closed, machine }
+}
+
+/// Least seconds over all allowed orders and entries.
+fn brute(problem: &Problem) -> f64 {
+    fn go(p: &Problem, air: &AirTime, done: &mut Vec<bool>, head: DVec2, spent: f64, least: &mut f64) {
+        if spent >= *least {
+            return;
+        }
+        if done.iter().all(|d| *d) {
+            *least = least.min(spent + if p.closed { air.seconds(head, p.home) } else { 0.0 });
+            return;
+        }
+        let rank = (0..done.len()).filter(|&i| !done[i]).map(|i| p.items[i].rank).min();
+        for i in 0..done.len() {
+            let waits = (0..done.len()).any(|c| !done[c] && p.items[c].before == u32::try_from(i).ok());
+            if done[i] || waits || Some(p.items[i].rank) != rank {
+                continue;
+            }
+            done[i] = true;
+            for n in p.items[i].nodes.clone() {
+                let node = &p.nodes[n as usize];
+                go(p, air, done, node.exit, spent + air.seconds(head, node.entry), least);
+            }
+            done[i] = false;
+        }
+    }
+    let mut least = f64::INFINITY;
+    let mut done = vec![false; problem.items.len()];
+    go(problem, &AirTime::new(&problem.machine), &mut done, problem.home, 0.0, &mut least);
+    least
+}
+
+#[test]
+fn reaches_the_optimum_of_small_problems_of_every_kind() {
+    for machine in ["length", "length-chebyshev", "co2-100w"] {
+        for seed in 0..40 {
+            let problem = small(seed, 1 + u32::try_from(seed % 6).unwrap(), machine, seed % 3 > 0);
+            let mut search = TourTree.start(&problem, seed, None);
+            search.step(60_000);
+            let (found, least) = (search.best().cost, brute(&problem));
+            assert!(found <= least + 1e-9, "{machine} {seed}: {found} is not {least}");
+            assert!(found >= least - 1e-9, "{machine} {seed}: {found} is below the optimum {least}");
+        }
+    }
+}
+
+/// Circles of radius 10 in a row, entered anywhere.
+fn circles(centers: &[DVec2]) -> Problem {
+    let mut nodes = Vec::new();
+    let items = (0..).zip(centers).map(|(item, &c)| {
+        let path = Path::new(vec![Segment::Arc(Arc::circle(c, 10.0))], true);
+        let entry = c + DVec2::new(10.0, 0.0);
+        nodes.push(Node { item, entry, exit: entry, along: 0.0, reversed: false, twin: item });
+        Item { nodes: item..item + 1, before: None, rank: 0, fixed: 0.0, track: Some(path) }
+    });
+    let items = items.collect();
+    let machine = machine::preset("length").unwrap();
+    Problem { items, nodes, home: DVec2::ZERO, closed: true, machine }
+}
+
+#[test]
+fn entries_slide_to_the_exact_minimum() {
+    // Out to the near side of the farther circle and back; the nearer one touches the way.
+    let problem = circles(&[DVec2::new(50.0, 10.0), DVec2::new(100.0, 0.0)]);
+    let mut search = TourTree.start(&problem, 1, None);
+    search.step(50_000);
+    assert!((search.best().cost - 180.0).abs() < 1e-6, "{}", search.best().cost);
+    for stop in &search.best().stops {
+        let (entry, exit) = stop.ends(&problem).unwrap();
+        assert_eq!(entry, exit);
+    }
+}
+
+#[test]
+fn nothing_and_a_single_item_end_at_once() {
+    let none = circles(&[]);
+    let mut search = TourTree.start(&none, 1, None);
+    assert_eq!(search.step(1000).status, Status::Exhausted);
+    assert_eq!(search.best().stops, []);
+    let one = circles(&[DVec2::new(30.0, 40.0)]);
+    let mut search = TourTree.start(&one, 1, None);
+    assert_eq!(search.step(10_000).status, Status::Exhausted);
+    assert!((search.best().cost - 80.0).abs() < 1e-6, "{}", search.best().cost);
+}
+
+#[test]
+fn a_better_path_from_elsewhere_is_taken() {
+    let problem = small(11, 6, "length", true);
+    let mut far = TourTree.start(&problem, 3, None);
+    far.step(60_000);
+    let mut near = TourTree.start(&problem, 4, None);
+    near.offer(far.best());
+    assert_eq!(near.best(), far.best());
+    let warm = TourTree.start(&problem, 4, Some(far.best()));
+    assert_eq!(warm.best().cost, far.best().cost);
+}

@@ -1,0 +1,276 @@
+//! The tour: an order of items from home, where each is entered, and a journal that takes changes back.
+//!
+//! Held as an array with positions, so succession and "between" are looked up at once. Every change of order is a
+//! sequence of reversals, which undo themselves: a kick that did not pay is taken back by its journal. An open
+//! contour in a reversed stretch is run the other way.
+
+use super::space::{Gap, NONE, Space, index};
+use crate::geometry::DVec2;
+
+/// One change, to be taken back.
+#[derive(Clone, Copy)]
+enum Change {
+    /// Positions reversed.
+    Reversed(usize, usize),
+    /// Item, and the place where it was entered before.
+    Entered(u32, u32),
+}
+
+/// Order and entries, for keeping.
+#[derive(Clone)]
+pub(super) struct Kept {
+    /// Item by position, home first.
+    pub(super) order: Vec<u32>,
+    /// Place of entry by item.
+    pub(super) at: Vec<u32>,
+}
+
+/// An order of items with entries.
+pub(super) struct Tour<'p> {
+    pub(super) space: Space<'p>,
+    now: Kept,
+    /// Position by item.
+    position: Vec<u32>,
+    /// Where the head enters and leaves, by item.
+    entry: Vec<DVec2>,
+    exit: Vec<DVec2>,
+    journal: Vec<Change>,
+    /// Heeds ranks, but not what lies inside what: see `anneal.rs`.
+    pub(super) free: bool,
+    /// Moves priced so far.
+    pub(super) priced: u64,
+}
+
+impl<'p> Tour<'p> {
+    /// The tour over `kept`, which holds every item of the space once, home first.
+    pub(super) fn new(space: Space<'p>, kept: Kept) -> Self {
+        let n = kept.order.len();
+        let mut tour = Self {
+            space,
+            now: kept,
+            position: vec![0; n],
+            entry: vec![DVec2::ZERO; n],
+            exit: vec![DVec2::ZERO; n],
+            journal: Vec::new(),
+            free: false,
+            priced: 0,
+        };
+        tour.settle();
+        tour
+    }
+
+    /// Takes over another order with entries; the journal starts anew.
+    pub(super) fn put(&mut self, kept: Kept) {
+        self.now = kept;
+        self.settle();
+    }
+
+    fn settle(&mut self) {
+        self.journal.clear();
+        for (position, &item) in (0..).zip(&self.now.order) {
+            self.position[item as usize] = position;
+        }
+        for item in 0..index(self.now.at.len()) {
+            self.place(item);
+        }
+    }
+
+    /// Looks up where the head enters and leaves an item.
+    fn place(&mut self, item: u32) {
+        let at = self.now.at[item as usize];
+        self.entry[item as usize] = self.space.places(item)[at as usize];
+        self.exit[item as usize] = self.space.exit(item, at);
+    }
+
+    /// Order and entries as they are now.
+    pub(super) fn now(&self) -> &Kept {
+        &self.now
+    }
+
+    /// Order and entries as they were when the journal began.
+    pub(super) fn before(&self) -> Kept {
+        let mut kept = self.now.clone();
+        for change in self.journal.iter().rev() {
+            match *change {
+                Change::Reversed(from, to) => {
+                    kept.order[from..=to].reverse();
+                    for &item in kept.order[from..=to].iter().filter(|&&i| self.space.two_ends(i)) {
+                        kept.at[item as usize] = 1 - kept.at[item as usize];
+                    }
+                }
+                Change::Entered(item, at) => kept.at[item as usize] = at,
+            }
+        }
+        kept
+    }
+
+    /// Last position.
+    pub(super) fn last(&self) -> usize {
+        self.now.order.len() - 1
+    }
+
+    /// Item at a position; one past the last is home again.
+    pub(super) fn item(&self, position: usize) -> u32 {
+        self.now.order.get(position).copied().unwrap_or(self.space.home)
+    }
+
+    pub(super) fn position(&self, item: u32) -> usize {
+        self.position[item as usize] as usize
+    }
+
+    pub(super) fn next(&self, item: u32) -> u32 {
+        self.item(self.position(item) + 1)
+    }
+
+    pub(super) fn previous(&self, item: u32) -> u32 {
+        let p = self.position(item);
+        self.now.order[if p == 0 { self.last() } else { p - 1 }]
+    }
+
+    pub(super) fn at(&self, item: u32) -> u32 {
+        self.now.at[item as usize]
+    }
+
+    pub(super) fn entry(&self, item: u32) -> DVec2 {
+        self.entry[item as usize]
+    }
+
+    pub(super) fn exit(&self, item: u32) -> DVec2 {
+        self.exit[item as usize]
+    }
+
+    /// Seconds from `p` into `item` at point `q`; home costs nothing when the path does not return.
+    pub(super) fn way(&self, p: DVec2, item: u32, q: DVec2) -> f64 {
+        if item == self.space.home && !self.space.problem.closed { 0.0 } else { self.space.air.seconds(p, q) }
+    }
+
+    /// Seconds from one item to the one after it.
+    pub(super) fn edge(&self, from: u32, to: u32) -> f64 {
+        self.way(self.exit(from), to, self.entry(to))
+    }
+
+    /// Seconds of the whole tour.
+    pub(super) fn cost(&self) -> f64 {
+        (0..=self.last()).map(|p| self.edge(self.item(p), self.item(p + 1))).sum()
+    }
+
+    /// Whether the tour takes `seconds`, but for rounding: for debug assertions.
+    pub(super) fn cost_is(&self, seconds: f64) -> bool {
+        let cost = self.cost();
+        (cost - seconds).abs() <= 1e-6 * cost.max(1.0)
+    }
+
+    /// Whether ranks do not fall and, unless free, nothing comes before what lies inside it: for debug assertions.
+    pub(super) fn is_feasible(&self) -> bool {
+        let rank = |p: usize| self.space.rank[self.item(p) as usize];
+        let ranks = (2..=self.last()).all(|p| rank(p - 1) <= rank(p));
+        let waits = |item: u32| {
+            let outer = self.space.outer[item as usize];
+            outer == NONE || self.position(item) < self.position(outer)
+        };
+        ranks && (self.free || self.now.order.iter().all(|&i| waits(i)))
+    }
+
+    /// The gap between two items that follow each other, or would.
+    pub(super) fn gap(&self, from: u32, to: u32) -> Gap {
+        let ends = to == self.space.home && !self.space.problem.closed;
+        Gap { from: self.exit(from), to: (!ends).then(|| self.entry(to)) }
+    }
+
+    /// Enters an item elsewhere.
+    pub(super) fn enter(&mut self, item: u32, at: u32) {
+        let before = self.at(item);
+        if before != at {
+            self.journal.push(Change::Entered(item, before));
+            self.now.at[item as usize] = at;
+            self.place(item);
+        }
+    }
+
+    /// Reverses the stretch between two positions.
+    pub(super) fn reverse(&mut self, from: usize, to: usize) {
+        if from < to || (from == to && self.space.two_ends(self.item(from))) {
+            self.journal.push(Change::Reversed(from, to));
+            self.turn(from, to);
+        }
+    }
+
+    fn turn(&mut self, from: usize, to: usize) {
+        self.now.order[from..=to].reverse();
+        for (position, &item) in (index(from)..).zip(&self.now.order[from..=to]) {
+            let i = item as usize;
+            self.position[i] = position;
+            if self.space.two_ends(item) {
+                self.now.at[i] = 1 - self.now.at[i];
+                std::mem::swap(&mut self.entry[i], &mut self.exit[i]);
+            }
+        }
+    }
+
+    /// Exchanges the stretches `from..=middle` and `middle + 1..=to`, both keeping their direction.
+    pub(super) fn exchange(&mut self, from: usize, middle: usize, to: usize) {
+        let second = to - middle;
+        self.reverse(from, to);
+        self.reverse(from, from + second - 1);
+        self.reverse(from + second, to);
+    }
+
+    /// Forgets how to go back.
+    pub(super) fn commit(&mut self) {
+        self.journal.clear();
+    }
+
+    /// Back to where the journal began.
+    pub(super) fn undo(&mut self) {
+        while let Some(change) = self.journal.pop() {
+            match change {
+                Change::Reversed(from, to) => self.turn(from, to),
+                Change::Entered(item, at) => {
+                    self.now.at[item as usize] = at;
+                    self.place(item);
+                }
+            }
+        }
+    }
+
+    /// Whether a stretch may be run the other way round: nothing in it lies inside something else in it.
+    pub(super) fn may_reverse(&self, from: usize, to: usize) -> bool {
+        let stretch = &self.now.order[from..=to];
+        self.same_rank(from, to)
+            && (self.is_free()
+                || stretch.iter().all(|&i| {
+                    let outer = self.space.outer[i as usize];
+                    outer == NONE || self.position(outer) > to
+                }))
+    }
+
+    /// Whether two neighbouring stretches may change places: nothing in the first lies inside anything in the second.
+    pub(super) fn may_exchange(&self, from: usize, middle: usize, to: usize) -> bool {
+        if !self.same_rank(from, to) {
+            return false;
+        }
+        if self.is_free() {
+            return true;
+        }
+        // Whichever is shorter is looked through.
+        if middle - from < to - middle {
+            self.now.order[from..=middle].iter().all(|&i| {
+                let outer = self.space.outer[i as usize];
+                outer == NONE || !(middle + 1..=to).contains(&self.position(outer))
+            })
+        } else {
+            self.now.order[middle + 1..=to]
+                .iter()
+                .all(|&i| self.space.inner(i).iter().all(|&c| !(from..=middle).contains(&self.position(c))))
+        }
+    }
+
+    fn is_free(&self) -> bool {
+        self.free || !self.space.nested
+    }
+
+    /// Ranks never fall along the tour, so the ends of a stretch tell.
+    fn same_rank(&self, from: usize, to: usize) -> bool {
+        self.space.rank[self.item(from) as usize] == self.space.rank[self.item(to) as usize]
+    }
+}
