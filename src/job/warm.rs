@@ -89,7 +89,8 @@ mod tests {
         for (node, id) in nodes.iter_mut().zip(0..) {
             node.twin = id;
         }
-        let item = |i: u32, before| Item { nodes: 2 * i..2 * i + 2, before, rank: 0, fixed: 1.0, track: None };
+        let item =
+            |i: u32, before| Item { nodes: 2 * i..2 * i + 2, before, rank: 0, fixed: 1.0, track: None };
         let machine = machine::preset("length").unwrap();
         Problem {
             items: vec![item(0, Some(2)), item(1, None), item(2, None)],

@@ -167,7 +167,6 @@ impl<'p> Annealing<'p> {
     }
 
     fn settle(&mut self) {
-        self.cost = self.tour.cost();
         self.stage = Stage::Settling;
         (0..=self.tour.last()).for_each(|p| self.queue.push(self.tour.item(p)));
     }
@@ -177,8 +176,7 @@ impl<'p> Annealing<'p> {
         self.tour.commit();
         debug_assert!(self.tour.cost_is(self.cost), "a priced gain is not the gain");
         debug_assert!(self.tour.is_feasible(), "a move broke precedence");
-        self.cost = self.tour.cost();
-        self.top = Top { cost: self.cost, kept: self.tour.now().clone(), unsaved: false };
+        self.start_top();
         self.save();
         if self.mean.is_none() {
             self.mean = Some(self.cost / self.tour.last().max(1) as f64);
@@ -190,8 +188,7 @@ impl<'p> Annealing<'p> {
 
     fn begin_cycle(&mut self) {
         self.tour.put(self.best.1.clone());
-        self.cost = self.tour.cost();
-        self.top = Top { cost: self.cost, kept: self.best.1.clone(), unsaved: false };
+        self.start_top();
         self.tour.free = self.tour.space.nested;
         self.begin_part(if self.tour.free { FREE_SHARE } else { 100 });
     }
@@ -220,6 +217,7 @@ impl<'p> Annealing<'p> {
             if cost(&mut self.tour, &ahead) <= cost(&mut self.tour, &back) {
                 self.tour.put(ahead);
             }
+            self.start_top();
             self.settle();
             return false;
         }
@@ -227,6 +225,12 @@ impl<'p> Annealing<'p> {
         self.cycle += 1;
         self.begin_cycle();
         true
+    }
+
+    /// The tour as it is is the first, so the best, of a part.
+    fn start_top(&mut self) {
+        self.cost = self.tour.cost();
+        self.top = Top { cost: self.cost, kept: self.tour.now().clone(), unsaved: false };
     }
 
     fn save_top(&mut self) {
