@@ -1,0 +1,160 @@
+// Without a mouse, without sight, on a phone, in the dark.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { openPage, phase, SIZES } from './page-support.mjs';
+
+test('everything can be done by keyboard', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  const key = (name) => page.keyboard.press(name);
+  await key('p');
+  await phase(page, 'paused');
+  await key('p');
+  await phase(page, 'planning', 'done');
+  await key('s');
+  await phase(page, 'done');
+
+  await key('ArrowRight');
+  const card = page.getByRole('region', { name: 'Selected contour' });
+  assert.match(await card.textContent(), /^No\. 1 of 100/);
+  await key('ArrowRight');
+  assert.match(await card.textContent(), /^No\. 2 of 100/);
+  await key('End');
+  assert.match(await card.textContent(), /^No\. 100 of 100/);
+  await key('Escape');
+  assert.equal(await card.isVisible(), false);
+
+  await key('t');
+  const table = page.getByRole('table', { name: 'Cutting order' });
+  assert.equal(await table.getAttribute('aria-rowcount'), '101');
+  assert.match(await table.getByRole('row').nth(1).textContent(), /^1/);
+  await key('Escape');
+  await key('t');
+  assert.equal(await table.isVisible(), false);
+
+  await key('?');
+  assert.equal(await page.getByRole('dialog', { name: 'Keys' }).isVisible(), true);
+  await key('Escape');
+  assert.equal(await page.getByRole('dialog', { name: 'Keys' }).isVisible(), false);
+
+  await page.locator('body').focus();
+  await key(' ');
+  const slider = page.getByRole('slider', { name: 'Moment of the job' });
+  await page.waitForFunction(() => Number(document.querySelector('#playback input').value) > 0 && Number(document.querySelector('#playback input').value) < 9000);
+  await key(' ');
+  assert.match(await slider.getAttribute('aria-valuetext'), /contour \d+ of 100/);
+
+  // Every control is reached by Tab and shows where the focus is.
+  const seen = new Set();
+  await page.evaluate(() => document.activeElement.blur());
+  for (let i = 0; i < 60; i += 1) {
+    await key('Tab');
+    seen.add(await page.evaluate(() => {
+      const e = document.activeElement;
+      return e === document.body ? '' : `${e.tagName} ${e.getAttribute('aria-label') ?? e.textContent.trim()} ${getComputedStyle(e).outlineStyle}`;
+    }));
+  }
+  const reached = [...seen].join('\n');
+  for (const name of ['Open a DXF', 'Samples', 'Cutting order', 'theme', 'Keys and help', 'Zoom in', 'Fit the sheet', 'sheet with its cutting path', 'Moment of the job', 'Keep improving', 'G-code']) {
+    assert.ok(reached.includes(name), `${name} is reached by Tab:\n${reached}`);
+  }
+  for (const line of seen) assert.doesNotMatch(line, / none$/, 'the focus is visible');
+});
+
+test('names, headings, landmarks and contrast hold in both themes', async (t) => {
+  for (const theme of ['light', 'dark']) {
+    const { page } = await openPage(t, { theme });
+    await phase(page, 'planning');
+    await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
+    await page.waitForFunction(() => document.querySelector('.large').textContent !== '');
+    const faults = await page.evaluate(audit);
+    assert.deepEqual(faults, [], theme);
+  }
+});
+
+// Runs in the page: what a screen reader or weak eyes would miss.
+function audit() {
+  const faults = [];
+  const visible = (e) => e.checkVisibility({ visibilityProperty: true }) && e.getClientRects().length > 0;
+  for (const [what, selector] of [['banner', 'header'], ['main', 'main'], ['panel', 'aside[aria-label]'], ['footer', 'footer'], ['live region', '[aria-live=polite]']]) {
+    if (document.querySelectorAll(selector).length !== 1) faults.push(`one ${what}`);
+  }
+  if (document.querySelectorAll('h1').length !== 1) faults.push('one h1');
+  for (const e of document.querySelectorAll('button, input, select, canvas')) {
+    const name = e.getAttribute('aria-label') || [...(e.labels ?? [])].map((l) => l.textContent).join('').trim() || e.textContent.trim();
+    if (!name) faults.push(`no name: ${e.outerHTML.slice(0, 100)}`);
+  }
+  const ids = [...document.querySelectorAll('[id]')].map((e) => e.id);
+  if (new Set(ids).size !== ids.length) faults.push('ids repeat');
+  const pen = Object.assign(document.createElement('canvas'), { width: 1, height: 1 }).getContext('2d', { willReadFrequently: true });
+  const rgba = (color) => {
+    pen.clearRect(0, 0, 1, 1);
+    pen.fillStyle = color;
+    pen.fillRect(0, 0, 1, 1);
+    return [...pen.getImageData(0, 0, 1, 1).data];
+  };
+  const light = ([r, g, b]) => [r, g, b].map((v) => (v / 255 <= 0.04045 ? v / 255 / 12.92 : ((v / 255 + 0.055) / 1.055) ** 2.4)).reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+  const ground = (e) => {
+    for (let at = e; at; at = at.parentElement) {
+      const color = rgba(getComputedStyle(at).backgroundColor);
+      if (color[3] === 255) return color;
+    }
+    return rgba('white');
+  };
+  for (const e of document.querySelectorAll('body *')) {
+    const text = [...e.childNodes].some((n) => n.nodeType === 3 && n.textContent.trim());
+    if (!text || !visible(e) || e.closest('.hidden, :disabled, option')) continue;
+    const [a, b] = [light(rgba(getComputedStyle(e).color)), light(ground(e))].sort((x, y) => y - x);
+    const contrast = (a + 0.05) / (b + 0.05);
+    if (contrast < 4.5) faults.push(`contrast ${contrast.toFixed(2)}: ${e.outerHTML.slice(0, 80)}`);
+  }
+  return faults;
+}
+
+test('what happens is announced politely, never more often than every two seconds', async (t) => {
+  const { page } = await openPage(t, {
+    prepare: () => {
+      window.said = [];
+      document.addEventListener('DOMContentLoaded', () => {
+        const region = document.getElementById('announcer');
+        new MutationObserver(() => window.said.push([performance.now(), region.textContent])).observe(region, { childList: true, characterData: true, subtree: true });
+      });
+    },
+  });
+  await phase(page, 'planning');
+  await page.waitForFunction(() => window.said.length >= 2);
+  await page.keyboard.press('s');
+  await phase(page, 'done');
+  await page.waitForFunction(() => /Stopped|Done|Optimal/.test(window.said.at(-1)[1]));
+  const said = await page.evaluate(() => window.said);
+  for (let i = 1; i < said.length; i += 1) assert.ok(said[i][0] - said[i - 1][0] > 1900, JSON.stringify(said));
+});
+
+test('a phone shows the whole page without scrolling sideways, and pinch zooms', async (t) => {
+  const { page } = await openPage(t, { size: SIZES.phone, touch: true });
+  await phase(page, 'planning');
+  const wide = () => page.evaluate(() => [document.documentElement.scrollWidth, document.body.scrollWidth, innerWidth]);
+  assert.deepEqual(await wide(), [390, 390, 390]);
+  const stop = await page.getByRole('button', { name: 'Stop' }).boundingBox();
+  assert.ok(stop.height >= 44 && stop.y + stop.height <= 844, 'stop is in reach');
+  await page.getByRole('button', { name: 'Drawing, machine, plan, result' }).tap();
+  await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
+  assert.equal(await page.getByRole('heading', { name: 'Result' }).isVisible(), true);
+  assert.deepEqual(await wide(), [390, 390, 390]);
+  const cut = await page.evaluate(() => [...document.querySelectorAll('#sections *, #dock *')].filter((e) => e.getClientRects().length > 0 && e.getBoundingClientRect().right > innerWidth + 1 && !e.closest('.hidden')).length);
+  assert.equal(cut, 0, 'nothing reaches over the edge');
+});
+
+test('the theme follows the system, can be switched and is kept', async (t) => {
+  const { page } = await openPage(t, { theme: 'dark' });
+  await phase(page, 'planning');
+  const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const dark = await ground();
+  await page.getByRole('button', { name: 'Light theme' }).click();
+  const light = await ground();
+  assert.notEqual(light, dark);
+  await page.reload();
+  await phase(page, 'planning');
+  assert.equal(await ground(), light);
+});

@@ -1,0 +1,40 @@
+// Files that cannot be used: one clear sentence, in place, and the page works on.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { drop, grid, openPage, phase, planned, sample } from './page-support.mjs';
+
+const WRONG = [
+  ['photo.png', Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0, 0, 0, 13, 0x49, 0x48, 0x44, 0x52]), /PNG/],
+  ['part.dxf', Buffer.concat([Buffer.from('AC1027'), Buffer.alloc(200)]), /DWG.*DXF/],
+  ['empty.dxf', Buffer.alloc(0), /empty/i],
+  ['letter.dxf', Buffer.from('Dear Sir or Madam,\nplease find the drawing enclosed.\n'), /DXF/],
+];
+
+test('wrong files are refused with one sentence each, and a right one is planned afterwards', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  for (const [name, bytes, wanted] of WRONG) {
+    await drop(page, name, bytes);
+    await planned(page, name, 'failed');
+    const sentence = await page.locator('.failure p').textContent();
+    assert.match(sentence, wanted, name);
+    assert.doesNotMatch(sentence, /error|exception|undefined|unwrap|panick/i, name);
+    assert.ok(sentence.length < 240 && sentence.trim().endsWith('.'), `${name}: ${sentence}`);
+    assert.equal(await page.locator('.failure').getAttribute('role'), 'alert');
+    assert.equal(await page.getByRole('button', { name: 'Choose a DXF' }).isVisible(), true);
+  }
+  await drop(page, 'right.dxf', grid(12));
+  await planned(page, 'right.dxf');
+  assert.equal(await page.locator('.failure').isVisible(), false);
+});
+
+test('a truncated file is planned as far as it goes, and the page says that it ends too early', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  const whole = sample('sheet_100.dxf');
+  await drop(page, 'half.dxf', whole.subarray(0, Math.floor(whole.length * 0.8)));
+  await planned(page, 'half.dxf', 'planning', 'done', 'question');
+  const text = await page.locator('.findings').textContent();
+  assert.match(text, /ends/i);
+});

@@ -1,0 +1,132 @@
+// Helpers of the page's tests: the built page in Chromium, files dropped on it, drawings made up, G-code read back.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+import { serve } from '../../scripts/serve.mjs';
+import { findBrowser } from '../../scripts/setup.mjs';
+
+const ROOT = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
+
+/** Milliseconds anything may take on a busy machine before a test gives up on it. */
+const PATIENCE = 60_000;
+
+export const SIZES = { desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } };
+
+/** Opens the built page; everything is closed when the test ends. Errors on the page fail the test. */
+export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch = false, prepare } = {}) {
+  const server = await serve(join(ROOT, 'dist', 'app'));
+  const browser = await chromium.launch({
+    executablePath: findBrowser(),
+    args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
+  });
+  t.after(async () => {
+    await browser.close();
+    await server.close();
+  });
+  const context = await browser.newContext({ viewport: size, colorScheme: theme, hasTouch: touch, acceptDownloads: true });
+  const page = await context.newPage();
+  page.setDefaultTimeout(PATIENCE);
+  const requests = [];
+  const errors = [];
+  page.on('request', (request) => requests.push(request.url()));
+  page.on('pageerror', (error) => errors.push(String(error)));
+  page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
+  t.after(() => assert.deepEqual(errors, []));
+  if (prepare) await page.addInitScript(prepare);
+  await page.goto(server.url);
+  return { page, requests, url: server.url };
+}
+
+/** Waits until the page is in one of these states. */
+export function phase(page, ...names) {
+  return page.waitForFunction((wanted) => wanted.includes(document.body.dataset.phase), names);
+}
+
+/** Drops a file on the page, as a hand would. */
+export async function drop(page, name, bytes) {
+  await page.evaluate(
+    ({ name, base64 }) => {
+      const data = new DataTransfer();
+      data.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+      const event = (type) => new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true });
+      document.body.dispatchEvent(event('dragenter'));
+      document.body.dispatchEvent(event('drop'));
+    },
+    { name, base64: Buffer.from(bytes).toString('base64') },
+  );
+}
+
+/** Waits until the page shows a drawing of that name that is planned or has been. */
+export async function planned(page, name, ...phases) {
+  await page.waitForFunction((n) => document.querySelector('.file-name').textContent === n, name);
+  await phase(page, ...(phases.length > 0 ? phases : ['planning', 'done']));
+}
+
+/** What the page writes when a button is pressed. */
+export async function download(page, press) {
+  const [file] = await Promise.all([page.waitForEvent('download'), press()]);
+  return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
+}
+
+/** A fixture's bytes. */
+export const fixture = (name) => readFileSync(join(ROOT, 'tests', 'fixtures', name));
+
+/** A file of the page's own samples. */
+export const sample = (name) => readFileSync(join(ROOT, 'www', 'app', 'public', 'samples', name));
+
+/** A DXF of circles and squares on a grid, `count` contours in all, mm. */
+export function grid(count, { units = 4, step = 12 } = {}) {
+  const columns = Math.ceil(Math.sqrt(count * 2));
+  const text = ['0', 'SECTION', '2', 'HEADER', ...(units === null ? [] : ['9', '$INSUNITS', '70', units]), '0', 'ENDSEC', '0', 'SECTION', '2', 'ENTITIES'];
+  for (let i = 0; i < count; i += 1) {
+    const x = (i % columns) * step, y = Math.floor(i / columns) * step;
+    if (i % 3 > 0) text.push('0', 'CIRCLE', '8', 'HOLES', '10', x, '20', y, '40', step * (0.2 + (i % 5) * 0.04));
+    else {
+      text.push('0', 'LWPOLYLINE', '8', 'CUT', '90', 4, '70', 1);
+      for (const [dx, dy] of [[-1, -1], [1, -1], [1, 1], [-1, 1]]) text.push('10', x + dx * step * 0.3, '20', y + dy * step * 0.3);
+    }
+  }
+  text.push('0', 'ENDSEC', '0', 'EOF');
+  return Buffer.from(`${text.join('\n')}\n`);
+}
+
+/**
+ * Runs a G-code program as a controller would. Returns each unbroken stretch with the beam on: where it begins and
+ * ends and its length, mm. Fails when the beam is on during a rapid.
+ */
+export function beamRuns(program) {
+  const runs = [];
+  let at = { x: 0, y: 0 };
+  let motion = 0, power = 0, mode = 5, run = null;
+  for (const line of program.split('\n')) {
+    const words = [...line.replace(/;.*|\(.*?\)/g, '').matchAll(/([A-Z])\s*(-?[\d.]+)/g)].map(([, letter, value]) => [letter, Number(value)]);
+    const word = Object.fromEntries(words);
+    for (const [letter, value] of words) {
+      if (letter === 'G' && value <= 3) motion = value;
+      if (letter === 'M' && value >= 3 && value <= 5) mode = value;
+      if (letter === 'S') power = value;
+    }
+    if (word.X === undefined && word.Y === undefined) continue;
+    const to = { x: word.X ?? at.x, y: word.Y ?? at.y };
+    const on = mode !== 5 && power > 0;
+    if (motion === 0) {
+      assert.ok(!on, `the beam is on during a rapid: ${line}`);
+      run = null;
+    } else if (on) {
+      if (!run) runs.push((run = { from: at, to, length: 0 }));
+      run.to = to;
+      run.length += motion === 1 ? Math.hypot(to.x - at.x, to.y - at.y) : arcLength(at, to, { x: at.x + (word.I ?? 0), y: at.y + (word.J ?? 0) }, motion === 3);
+    }
+    at = to;
+  }
+  return runs;
+}
+
+function arcLength(from, to, center, ccw) {
+  const a = Math.atan2(from.y - center.y, from.x - center.x), b = Math.atan2(to.y - center.y, to.x - center.x);
+  const turn = (ccw ? b - a : a - b) % (2 * Math.PI);
+  return Math.hypot(from.x - center.x, from.y - center.y) * (turn <= 1e-9 ? turn + 2 * Math.PI : turn);
+}

@@ -1,0 +1,152 @@
+// From a dropped drawing to its G-code, as a person would.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { beamRuns, download, drop, fixture, grid, openPage, phase, planned, sample } from './page-support.mjs';
+
+/** The job's time as the panel shows it, s. */
+const best = (page) => page.locator('.compare .solid td').first().textContent();
+
+test('the page opens with a sample already being planned', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning', 'done');
+  assert.equal(await page.locator('.file-name').textContent(), 'sheet_100.dxf');
+  assert.equal(await page.locator('#hint').textContent(), 'Drop a DXF anywhere');
+  await page.waitForFunction(() => document.querySelector('.section .gist').textContent.startsWith('100 contours'));
+  assert.match(await page.locator('.measure').textContent(), /^\d+(\.\d)? × \d+(\.\d)? mm$/);
+});
+
+test('a dropped drawing is planned, improves, stops at once and gives G-code that cuts each contour once', async (t) => {
+  const { page } = await openPage(t, {
+    // Counts the numbers the search reports while it runs.
+    prepare: () => {
+      window.reports = new Set();
+      document.addEventListener('DOMContentLoaded', () => {
+        const now = () => document.body.dataset.phase === 'planning' && document.querySelector('.file-name')?.textContent === 'mine.dxf';
+        new MutationObserver(() => now() && window.reports.add(document.querySelector('.budget').getAttribute('aria-valuenow')))
+          .observe(document.body, { subtree: true, childList: true, attributes: true, characterData: true });
+      });
+    },
+  });
+  await phase(page, 'planning');
+  const bytes = sample('sheet_500.dxf');
+  await drop(page, 'mine.dxf', bytes);
+  await planned(page, 'mine.dxf', 'planning');
+  await page.waitForFunction(() => window.reports.size >= 3);
+  assert.equal(await page.locator('#hint').isVisible(), false);
+
+  const pressed = Date.now();
+  await page.getByRole('button', { name: 'Stop' }).click();
+  await phase(page, 'done');
+  assert.ok(Date.now() - pressed < 3000, 'stop takes effect at once');
+  assert.match(await page.locator('.dock-head').textContent(), /^Stopped/);
+  await page.waitForFunction(() => / s saved$|min.* saved$/.test(document.querySelector('.large').textContent));
+
+  const { name, bytes: program } = await download(page, () => page.locator('.dock').getByRole('button', { name: 'G-code' }).click());
+  assert.equal(name, 'mine.nc');
+  const runs = beamRuns(program.toString());
+  assert.equal(runs.length, 500);
+  for (const run of runs) assert.ok(Math.hypot(run.from.x - run.to.x, run.from.y - run.to.y) < 0.01, 'a closed contour ends where it began');
+  const length = runs.reduce((sum, run) => sum + run.length, 0);
+  assert.ok(Math.abs(length / 35_811.62 - 1) < 1e-3, `all of the cut length, got ${length}`);
+});
+
+test('the other downloads are what they say', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  await page.keyboard.press('s');
+  await phase(page, 'done');
+  const get = (label) => download(page, () => page.locator('.downloads').getByRole('button', { name: label, exact: true }).click());
+  const plan = await get('Plan');
+  assert.equal(plan.name, 'sheet_100.plan.json');
+  const document = JSON.parse(plan.bytes.toString());
+  assert.equal(document.schema, 'kerfway.plan/1');
+  assert.equal(document.summary.contours, 100);
+  const svg = await get('SVG');
+  assert.equal(svg.name, 'sheet_100.svg');
+  assert.match(svg.bytes.toString().slice(0, 200), /<svg/);
+  const dxf = await get('DXF');
+  assert.equal(dxf.name, 'sheet_100-ordered.dxf');
+  assert.match(dxf.bytes.toString().slice(-40), /EOF\s*$/);
+  const png = await get('PNG');
+  assert.equal(png.name, 'sheet_100.png');
+  assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+});
+
+test('pause holds the search, resume goes on, keep improving adds to it', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  await page.getByRole('button', { name: 'Pause', exact: true }).click();
+  await phase(page, 'paused');
+  await page.waitForTimeout(300);
+  const moves = () => page.locator('.dock .soft').textContent();
+  const held = await moves();
+  await page.waitForTimeout(600);
+  assert.equal(await moves(), held);
+  await page.getByRole('button', { name: 'Resume' }).click();
+  await phase(page, 'planning', 'done');
+  await page.keyboard.press('s');
+  await phase(page, 'done');
+  const before = await best(page);
+  await page.getByRole('button', { name: 'Keep improving' }).click();
+  await phase(page, 'planning');
+  await page.keyboard.press('s');
+  await phase(page, 'done');
+  assert.ok(Number.parseFloat(await best(page)) <= Number.parseFloat(before));
+});
+
+test('a layer that is ignored is planned without, and its contours are left out of the G-code', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  await drop(page, 'grid.dxf', grid(30));
+  await planned(page, 'grid.dxf');
+  await page.locator('.section summary').first().click();
+  const choice = page.getByLabel('What is done with layer HOLES');
+  if (!(await choice.isVisible())) await page.locator('.section summary').first().click();
+  await choice.selectOption('ignore');
+  await page.waitForFunction(() => document.querySelector('.section .gist').textContent.startsWith('10 contours'));
+  await phase(page, 'planning', 'done');
+  await page.keyboard.press('s');
+  await phase(page, 'done');
+  const { bytes } = await download(page, () => page.locator('.dock').getByRole('button', { name: 'G-code' }).click());
+  assert.equal(beamRuns(bytes.toString()).length, 10);
+});
+
+test('units can be overridden with one click, and the size follows', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  await drop(page, 'grid.dxf', grid(8));
+  await planned(page, 'grid.dxf');
+  const size = async () => (await page.locator('.measure').textContent()).match(/[\d.]+/g).map(Number);
+  const millimetres = await size();
+  await page.locator('.units').click();
+  await page.getByRole('button', { name: /^inches/ }).click();
+  await page.waitForFunction(() => document.querySelector('.units').textContent.includes('chosen by you'));
+  await phase(page, 'planning', 'done');
+  const inches = await size();
+  assert.ok(Math.abs(inches[0] / millimetres[0] - 25.4) < 0.05, `${inches} against ${millimetres}`);
+});
+
+test('a drawing whose units are in doubt is asked about before it is planned', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  // 8 contours within 0.1 by 0.1 units, no units in the header: nothing speaks for any unit.
+  await drop(page, 'doubt.dxf', grid(8, { units: null, step: 0.012 }));
+  await phase(page, 'question');
+  const card = page.getByRole('region', { name: 'How large is this drawing?' });
+  await card.getByRole('button', { name: /inches/ }).click();
+  await phase(page, 'planning', 'done');
+  assert.match(await page.locator('.units').textContent(), /in.*chosen by you/);
+  assert.equal(await card.isVisible(), false);
+});
+
+test('findings are listed and shown on the sheet', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  await drop(page, 'reviung.dxf', fixture('dxf-dev/gtips_reviung__reviung53_2mm_450x300_ver1.1.dxf'));
+  await planned(page, 'reviung.dxf', 'planning', 'done', 'question');
+  await page.locator('.section').first().evaluate((section) => {
+    for (const details of [section, ...section.querySelectorAll('details')]) details.open = true;
+  });
+  assert.ok((await page.locator('.finding').count()) > 0);
+});
