@@ -79,7 +79,7 @@ export async function startPage(): Promise<void> {
   };
   const openSample = async (sample: Sample, bytes: Promise<ArrayBuffer>) => {
     try {
-      await session.open(await bytes, sample.file, true);
+      await session.open(await bytes, sample.file, true, sample.options);
     } catch (error) {
       session.refuse(sample.file, error);
     }
@@ -233,13 +233,13 @@ export async function startPage(): Promise<void> {
   session.on('loaded', ({ loaded, fresh }) => {
     playback.setTimeline(null);
     select(null);
-    scene.setDrawing(loaded, true);
+    scene.setDrawing(loaded, state.extent, true);
     if (fresh) announcer.say(`${state.name}: ${counted(loaded.contours.length, 'contour')} read.`);
   });
   session.on('cleared', () => {
     playback.setTimeline(null);
     select(null);
-    scene.setDrawing(null, false);
+    scene.setDrawing(null, state.extent, false);
   });
   session.on('progress', ({ progress, path, machine }) => {
     if (!progress?.path || !path || !machine || !scene.shapes) return;

@@ -45,8 +45,10 @@ export function popover(opener: HTMLButtonElement, label: string, content: HTMLE
 export function menuItem(title: string, about: string | null, chosen: boolean, onChoose: () => void): HTMLButtonElement {
   const item = h('button', { type: 'button', class: 'menu-item', 'aria-current': chosen ? 'true' : undefined },
     h('span', { class: 'menu-title' }, title), about ? h('span', { class: 'soft' }, about) : null);
-  item.addEventListener('click', () => {
+  item.addEventListener('click', (event) => {
     item.closest<HTMLElement>('[popover]')?.hidePopover();
+    // The keyboard goes on from the opener; after a click, keys belong to the stage again.
+    if (event.detail > 0 && document.activeElement instanceof HTMLElement) document.activeElement.blur();
     onChoose();
   });
   return item;

@@ -5,8 +5,8 @@
 
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
-import { h } from '../core/dom.js';
-import { count, seconds } from '../core/format.js';
+import { h, setText } from '../core/dom.js';
+import { count, narrow, seconds } from '../core/format.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import type { Theme } from '../core/theme.js';
@@ -16,9 +16,12 @@ const FIRST = 0.01;
 /** Milliseconds between two drawings. */
 const PAUSE = 250;
 const HEIGHT = 136;
+/** The drawing order is shown while it is no further off than this many times what the search has won. */
+const FAR = 8;
 
 export function chart(session: Session, theme: Theme): HTMLElement {
   const holder = h('div', { class: 'chart', role: 'img', 'aria-label': 'Job time over search time' });
+  const caption = h('figcaption', { class: 'soft' });
   const color = (name: string) => () => getComputedStyle(holder).getPropertyValue(`--${name}`).trim();
   const soft = color('ink-soft'), hair = color('line');
   const axis = { stroke: soft, font: '12px system-ui', grid: { stroke: hair, width: 1 }, ticks: { show: false }, gap: 4 };
@@ -51,7 +54,9 @@ export function chart(session: Session, theme: Theme): HTMLElement {
     if (holder.clientWidth === 0) return;
     plot ??= make();
     if (plot.width !== holder.clientWidth) plot.setSize({ width: holder.clientWidth, height: HEIGHT });
-    plot.setData(dataOf(session.state));
+    const { data, above } = dataOf(session.state);
+    plot.setData(data);
+    setText(caption, `Job over search, seconds${above === null ? '' : `; drawing order, ${narrow(above)}, is above`}`);
     holder.setAttribute('aria-label', describe(session.state));
   };
   const soon = () => {
@@ -61,14 +66,19 @@ export function chart(session: Session, theme: Theme): HTMLElement {
   session.on('change', soon);
   theme.on('change', () => plot?.redraw(false));
   new ResizeObserver(soon).observe(holder);
-  return h('figure', {}, h('figcaption', { class: 'soft' }, 'Job in seconds, over seconds of search'), holder);
+  return h('figure', {}, caption, holder);
 }
 
-function dataOf({ history, baselines, progress }: State): uPlot.AlignedData {
+/** The curve and its level lines; `above`: the drawing order, where it is too far off to be shown. */
+function dataOf({ history, baselines, progress }: State): { data: uPlot.AlignedData; above: number | null } {
   const at = history.at.map((s) => Math.max(FIRST, s));
   const flat = (value: number | undefined) => at.map(() => value ?? null);
+  const greedy = baselines?.greedy.total_time, drawing = baselines?.drawing.total_time;
+  const best = history.total.at(-1) ?? 0;
+  const won = Math.max(greedy ?? 0, history.total[0] ?? 0) - best;
+  const far = drawing !== undefined && drawing - best > FAR * won && won > 0;
   const bound = progress?.summary.lower_bound || undefined;
-  return [at, history.total, flat(baselines?.drawing.total_time), flat(baselines?.greedy.total_time), flat(bound)];
+  return { data: [at, history.total, flat(far ? undefined : drawing), flat(greedy), flat(bound)], above: far ? drawing : null };
 }
 
 function pad(low: number | null, high: number | null): [number, number] {

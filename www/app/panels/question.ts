@@ -8,6 +8,7 @@ import { counted, extent } from '../core/format.js';
 import { UNIT_NAMES, UNIT_SIZES } from '../core/strings.js';
 import type { Loaded, Unit } from 'kerfway';
 import type { Session } from '../session/session.js';
+import type { State } from '../session/state.js';
 
 /** Units offered at once; the rest are in the menu of the top bar. */
 const OFFERED: readonly Unit[] = ['mm', 'in', 'cm', 'm'];
@@ -28,9 +29,8 @@ export function questionCard(session: Session): HTMLElement {
 }
 
 /** Width and height of the drawing in another unit than it was read in. */
-export function sizeIn(loaded: Loaded, unit: Unit): string {
-  const factor = UNIT_SIZES[unit] / UNIT_SIZES[loaded.units.unit];
-  const [x0, y0, x1, y1] = loaded.bounds;
+export function sizeIn({ loaded, extent: [x0, y0, x1, y1] }: State, unit: Unit): string {
+  const factor = loaded ? UNIT_SIZES[unit] / UNIT_SIZES[loaded.units.unit] : 1;
   return extent((x1 - x0) * factor, (y1 - y0) * factor);
 }
 
@@ -38,7 +38,7 @@ function units(session: Session, loaded: Loaded): HTMLElement[] {
   const { unit } = loaded.units;
   const others = OFFERED.filter((u) => u !== unit);
   const choice = (u: Unit, primary: boolean) =>
-    h('button', { type: 'button', class: primary ? 'primary' : '', onclick: () => (u === unit ? session.answer('units') : session.setUnits(u)) }, h('span', {}, sizeIn(loaded, u)), h('span', {}, `drawn in ${UNIT_NAMES[u]}`));
+    h('button', { type: 'button', class: primary ? 'primary' : '', onclick: () => (u === unit ? session.answer('units') : session.setUnits(u)) }, h('span', {}, sizeIn(session.state, u)), h('span', {}, `drawn in ${UNIT_NAMES[u]}`));
   return [
     h('h2', { id: 'question' }, 'How large is this drawing?'),
     h('p', {}, loaded.units.reason),

@@ -44,7 +44,7 @@ export function topBar(session: Session, theme: Theme, actions: TopActions): { n
   showTheme();
 
   const show = () => {
-    const { loaded, name: file } = session.state;
+    const { loaded, name: file, extent: [x0, y0, x1, y1] } = session.state;
     setText(name, file);
     name.title = file;
     units.hidden = measure.hidden = loaded === null;
@@ -53,7 +53,6 @@ export function topBar(session: Session, theme: Theme, actions: TopActions): { n
     units.replaceChildren(h('span', { class: 'hidden' }, 'Units: '), h('span', {}, unit), h('span', { class: 'soft source' }, UNIT_SOURCES[source]), icon('down'));
     units.title = loaded.units.reason;
     units.classList.toggle('doubtful', doubtful);
-    const [x0, y0, x1, y1] = loaded.bounds;
     setText(measure, extent(x1 - x0, y1 - y0));
   };
   session.on('change', show);
@@ -78,5 +77,5 @@ function fillUnits(session: Session, list: HTMLElement): void {
   const choices = Object.keys(UNIT_SIZES) as Unit[];
   list.replaceChildren(
     h('p', { class: 'menu-note' }, loaded.units.reason),
-    ...choices.map((u) => menuItem(UNIT_NAMES[u], sizeIn(loaded, u), u === loaded.units.unit, () => session.setUnits(u))));
+    ...choices.map((u) => menuItem(UNIT_NAMES[u], sizeIn(session.state, u), u === loaded.units.unit, () => session.setUnits(u))));
 }

@@ -6,6 +6,7 @@
 import { createPlanner, type LoadOptions, type Loaded, type MachineProfile, type Operation, type OutputKind, type PlanHandle, type Planner, type Progress, type Unit } from 'kerfway';
 import { Emitter } from '../core/emitter.js';
 import { messageOf } from '../core/strings.js';
+import { extentOf } from './extent.js';
 import { initialState, type Question, type Search, type State } from './state.js';
 
 /** Milliseconds typed numbers rest before the plan starts anew, so that it does not at each digit. */
@@ -44,12 +45,12 @@ export class Session extends Emitter<Events> {
     return session;
   }
 
-  /** Takes a drawing into work. Its bytes are the worker's afterwards. */
-  async open(bytes: ArrayBuffer | Uint8Array, name: string, sample: boolean): Promise<void> {
+  /** Takes a drawing into work. */
+  async open(bytes: ArrayBuffer | Uint8Array, name: string, sample: boolean, options: LoadOptions = {}): Promise<void> {
     const { state } = this;
     const wish = this.begin();
     this.answered.clear();
-    Object.assign(state, { phase: 'reading', name, sample, load: {}, loaded: null, question: null, error: null });
+    Object.assign(state, { phase: 'reading', name, sample, load: options, loaded: null, question: null, error: null });
     this.forget();
     this.emit('cleared', undefined);
     this.emit('change', state);
@@ -175,6 +176,7 @@ export class Session extends Emitter<Events> {
 
   private take(loaded: Loaded, fresh: boolean): void {
     this.state.loaded = loaded;
+    this.state.extent = extentOf(loaded);
     this.state.error = null;
     this.forget();
     this.emit('loaded', { loaded, fresh });

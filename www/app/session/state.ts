@@ -1,5 +1,6 @@
 /** What the page knows about the job in hand; the session changes it, the panels show it. */
 
+import type { Box } from './extent.js';
 import type { Baselines, BestPath, DoneReason, LoadOptions, Loaded, MachineProfile, Progress } from 'kerfway';
 
 /**
@@ -28,6 +29,8 @@ export interface State {
   sample: boolean;
   load: LoadOptions;
   loaded: Loaded | null;
+  /** How far the drawing reaches, mm. */
+  extent: Box;
   question: Question | null;
   machine: MachineProfile | null;
   search: Search;
@@ -47,7 +50,7 @@ export interface State {
 
 export function initialState(): State {
   return {
-    phase: 'starting', name: '', sample: true, load: {}, loaded: null, question: null, machine: null,
+    phase: 'starting', name: '', sample: true, load: {}, loaded: null, extent: [0, 0, 1, 1], question: null, machine: null,
     search: { method: '', seed: null, seconds: 10 }, seed: null, baselines: null, progress: null, path: null,
     history: { at: [], total: [] }, budget: 10, reason: null, error: null,
   };

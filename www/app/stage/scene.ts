@@ -16,6 +16,7 @@ import { Role, type Layer, type Travel, type View } from './raster-messages.js';
 import { chainLength, prepare, type Shapes } from './shapes.js';
 import { traceAir, traceChain } from './trace.js';
 import type { Moment } from '../playback/timeline.js';
+import type { Box } from '../session/extent.js';
 import type { Viewport } from './viewport.js';
 
 /** Milliseconds between two paths shown: ten a second look continuous, more cost the planner time. */
@@ -44,6 +45,7 @@ export class Scene {
   showRamp = false;
   showAir = true;
   private loaded: Loaded | null = null;
+  private extent: Box = [0, 0, 1, 1];
   private grid: HitGrid | null = null;
   private path: BestPath | null = null;
   private stopOf: Int32Array | null = null;
@@ -80,8 +82,9 @@ export class Scene {
   }
 
   /** Another drawing, or the same one read otherwise; the view stays where it is unless `fit`. */
-  setDrawing(loaded: Loaded | null, fit: boolean): void {
+  setDrawing(loaded: Loaded | null, extent: Box, fit: boolean): void {
     this.loaded = loaded;
+    this.extent = extent;
     this.path = this.held = this.stopOf = null;
     this.hovered = this.selected = this.finding = this.moment = null;
     this.shapes = this.grid = null;
@@ -89,9 +92,9 @@ export class Scene {
     if (loaded) {
       const shapes = (this.shapes = prepare(loaded.geometry));
       this.lengths = Float64Array.from({ length: shapes.count }, (_, c) => chainLength(shapes, c));
-      this.grid = new HitGrid(shapes, frameOf(loaded));
+      this.grid = new HitGrid(shapes, loaded.bounds);
       this.raster.setGeometry(loaded.geometry, rolesOf(loaded), loaded.ignored.geometry);
-      if (fit) this.viewport.setBounds(frameOf(loaded));
+      if (fit) this.viewport.setBounds(extent);
     }
     this.invalidate();
   }
@@ -169,7 +172,7 @@ export class Scene {
     pen.fillRect(0, 0, view.width, view.height);
     const { loaded, shapes } = this;
     if (!loaded || !shapes) return;
-    overlay.drawSheet(pen, view, palette, frameOf(loaded));
+    overlay.drawSheet(pen, view, palette, this.extent);
     const playing = this.moment !== null && this.path !== null;
     this.blit('sheet', view, playing ? 0.25 : 1);
     if (playing) this.drawPlayed(view);
@@ -251,22 +254,17 @@ export class Scene {
   }
 }
 
-/** What a sheet is framed by: everything to cut, or all there is when nothing is. */
-function frameOf(loaded: Loaded): [number, number, number, number] {
-  return loaded.bounds;
-}
-
 function rolesOf(loaded: Loaded): Uint8Array {
-  const depth = new Uint8Array(loaded.contours.length);
-  const inside = loaded.contours.map((c) => c.inside);
-  return Uint8Array.from(loaded.contours, (contour, i) => {
-    let at: number | null = inside[i] ?? null;
-    // A chain of containment is never longer than the list; the bound keeps bad data from going round.
-    for (let steps = 0; at !== null && steps < 64; steps += 1) {
-      depth[i]! += 1;
-      at = inside[at] ?? null;
-    }
+  const { contours, outline } = loaded;
+  return Uint8Array.from(contours, (contour) => {
     if (contour.operation === 'mark') return Role.mark;
-    return depth[i]! % 2 === 1 ? Role.inner : Role.outer;
+    let inner = false;
+    // The border of the sheet is no part: what lies in it is outside all parts. The bound keeps bad data from going round.
+    let at = contour.inside;
+    for (let steps = 0; at !== null && at !== outline && steps < 64; steps += 1) {
+      inner = !inner;
+      at = contours[at]?.inside ?? null;
+    }
+    return inner ? Role.inner : Role.outer;
   });
 }
