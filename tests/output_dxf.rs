@@ -32,24 +32,33 @@ fn element(s: &Segment) -> Element {
 fn contours_come_back_in_cutting_order_entry_first() {
     for seed in 0..200 {
         let (sheet, plan) = plans::random(seed);
-        let drawing = read_back(&sheet, &plan);
-        let cuts = plan.moves.iter().filter_map(|m| match m {
-            Move::Cut { contour, path, .. } => Some((*contour as usize, path)),
-            _ => None,
-        });
-        let mut shapes = drawing.shapes.iter();
-        for (contour, path) in cuts {
-            let known = &sheet.contours[contour];
-            let shape = shapes.next().unwrap();
-            let elements: Vec<Element> = shape.path.segments.iter().map(element).collect();
-            assert_same_path(&elements, path, 1e-4);
-            // An open contour whose ends round to one place may be read as closed.
-            let joined = path[0].start().distance(path[path.len() - 1].end()) < 1e-5;
-            assert!(shape.path.closed == known.path.closed || (joined && shape.path.closed), "{known:?}");
-            assert_eq!(drawing.layers[shape.layer as usize].name, sheet.layers[known.layer as usize].name);
-        }
-        assert!(shapes.next().is_none());
+        assert_same(&sheet, &plan);
     }
+}
+
+#[test]
+fn real_drawings_come_back_in_cutting_order_entry_first() {
+    for (name, job) in plans::real() {
+        println!("{name}");
+        assert_same(job.sheet(), &job.plan().unwrap());
+    }
+}
+
+fn assert_same(sheet: &Sheet, plan: &Plan) {
+    let drawing = read_back(sheet, plan);
+    let mut shapes = drawing.shapes.iter();
+    for step in &plan.moves {
+        let Move::Cut { contour, path, .. } = step else { continue };
+        let known = &sheet.contours[*contour as usize];
+        let shape = shapes.next().unwrap();
+        let elements: Vec<Element> = shape.path.segments.iter().map(element).collect();
+        assert_same_path(&elements, path, 1e-4);
+        // An open contour whose ends round to one place may be read as closed.
+        let joined = path[0].start().distance(path[path.len() - 1].end()) < 1e-5;
+        assert!(shape.path.closed == known.path.closed || (joined && shape.path.closed), "{known:?}");
+        assert_eq!(drawing.layers[shape.layer as usize].name, sheet.layers[known.layer as usize].name);
+    }
+    assert!(shapes.next().is_none());
 }
 
 #[test]

@@ -150,6 +150,15 @@ fn random_plans_come_back_as_planned() {
 }
 
 #[test]
+fn real_drawings_come_back_as_planned() {
+    for (name, job) in plans::real() {
+        println!("{name}");
+        let (plan, run) = (job.plan().unwrap(), job.run().unwrap());
+        assert_same(job.sheet(), &plan, &run.machine);
+    }
+}
+
+#[test]
 fn a_pierce_burns_at_the_entry_for_its_time_and_marks_do_not_pierce() {
     let (sheet, plan) = plans::small();
     let profile = Profile { beam_on_delay: 0.1, beam_off_delay: 0.05, ..plans::machine() };

@@ -14,6 +14,7 @@ mod schema;
 
 use glam::DVec2;
 use kerfway::geometry::{Arc, Path, Segment};
+use kerfway::job::OutputKind;
 use kerfway::plan::Move;
 use kerfway::sheet::Operation;
 use serde_json::{Value, json};
@@ -39,6 +40,18 @@ fn documents_follow_the_published_schema() {
     for seed in 0..20 {
         let (sheet, plan) = plans::random(seed);
         assert_eq!(schema::fault(&schema, &schema, &parsed(&plans::document(&sheet, &plan)), ""), None);
+    }
+}
+
+#[test]
+fn documents_of_real_drawings_follow_the_published_schema() {
+    let schema = published();
+    for (name, job) in plans::real() {
+        let document = parsed(&job.output(OutputKind::Json).unwrap());
+        assert_eq!(schema::fault(&schema, &schema, &document, &name), None);
+        for (read, planned) in moves(&document).iter().zip(&job.plan().unwrap().moves) {
+            assert_same(read, planned);
+        }
     }
 }
 

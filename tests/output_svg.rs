@@ -13,8 +13,10 @@ mod plans;
 
 use glam::DVec2;
 use kerfway::geometry::Segment;
+use kerfway::machine::Profile;
 use kerfway::output;
 use kerfway::plan::{Move, Plan};
+use kerfway::sheet::Sheet;
 use paths::{Element, assert_same_path};
 
 /// Largest distance between the picture and the plan, mm.
@@ -69,11 +71,12 @@ fn elements(data: &str) -> (Vec<Element>, bool) {
     (list, closed)
 }
 
-fn cuts(plan: &Plan) -> Vec<&[Segment]> {
+/// Contour and path of each cut and mark.
+fn cuts(plan: &Plan) -> Vec<(usize, &[Segment])> {
     plan.moves
         .iter()
         .filter_map(|m| match m {
-            Move::Cut { path, .. } => Some(path.as_slice()),
+            Move::Cut { contour, path, .. } => Some((*contour as usize, path.as_slice())),
             _ => None,
         })
         .collect()
@@ -83,16 +86,27 @@ fn cuts(plan: &Plan) -> Vec<&[Segment]> {
 fn contours_come_back_in_order_as_planned() {
     for seed in 0..300 {
         let (sheet, plan) = plans::random(seed);
-        let svg = output::svg(&plan, &sheet, &plans::machine());
-        let drawn = attributes(&svg, &["path class=\""], "d");
-        let cuts = cuts(&plan);
-        // Two more: air moves and entries.
-        assert_eq!(drawn.len(), cuts.len() + 2);
-        for ((data, path), contour) in drawn.iter().zip(cuts).zip(&sheet.contours) {
-            let (list, closed) = elements(data);
-            assert_same_path(&list, path, DEVIATION);
-            assert_eq!(closed, contour.path.closed);
-        }
+        assert_same(&sheet, &plan, &plans::machine());
+    }
+}
+
+#[test]
+fn real_drawings_come_back_as_planned() {
+    for (name, job) in plans::real() {
+        println!("{name}");
+        assert_same(job.sheet(), &job.plan().unwrap(), &job.run().unwrap().machine);
+    }
+}
+
+fn assert_same(sheet: &Sheet, plan: &Plan, profile: &Profile) {
+    let svg = output::svg(plan, sheet, profile);
+    let drawn = attributes(&svg, &["path class=\""], "d");
+    // Two more: air moves and entries.
+    assert_eq!(drawn.len(), sheet.contours.len() + 2);
+    for ((contour, path), data) in cuts(plan).into_iter().zip(drawn) {
+        let (list, closed) = elements(data);
+        assert_same_path(&list, path, DEVIATION);
+        assert_eq!(closed, sheet.contours[contour].path.closed);
     }
 }
 

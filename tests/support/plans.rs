@@ -3,6 +3,7 @@
 #![allow(
     dead_code,
     clippy::cast_possible_truncation,
+    clippy::unwrap_used,
     reason = "each test takes the plans it needs, of a few contours each"
 )]
 
@@ -10,6 +11,7 @@ use glam::DVec2;
 use kerfway::dxf::{Drawing, ReadOptions, Unit, Units, UnitsSource};
 use kerfway::finding::{Code, Finding, Severity};
 use kerfway::geometry::{Arc, Path, Segment, math};
+use kerfway::job::{Job, LoadOptions, PlanOptions};
 use kerfway::machine::{Axes, Dialect, Process, Profile, Travel};
 use kerfway::output::{self, Budget, Document, Input};
 use kerfway::plan::{Move, Plan, Summary};
@@ -169,6 +171,25 @@ pub(crate) fn document(sheet: &Sheet, plan: &Plan) -> String {
         budget: Budget { moves: Some(1000), seconds: None, done: 1000 },
         plan,
     })
+}
+
+/// Real drawings, read, arranged and planned for a while on a CO2 laser: name, and the job that holds them.
+pub(crate) fn real() -> Vec<(String, Job)> {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/dxf-dev");
+    let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|f| f.unwrap().path()).collect();
+    files.retain(|f| f.extension().is_some_and(|e| e.eq_ignore_ascii_case("dxf")));
+    files.sort();
+    let jobs = files.into_iter().filter_map(|file| {
+        let name = file.file_name().unwrap().to_string_lossy().into_owned();
+        // Drawings without an outline are refused in words, which other tests look at.
+        let mut job = Job::load(std::fs::read(&file).unwrap(), &name, &LoadOptions::default()).ok()?;
+        job.start(&PlanOptions { moves: Some(300), ..PlanOptions::default() }).ok()?;
+        job.run_mut().unwrap().step(300);
+        Some((name, job))
+    });
+    let jobs: Vec<_> = jobs.collect();
+    assert!(jobs.len() >= 15, "only {} drawings could be planned", jobs.len());
+    jobs
 }
 
 /// A plan of random stops: chains of lines and arcs of every sweep, direction and size, circles, and contours far
