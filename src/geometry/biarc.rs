@@ -62,6 +62,16 @@ impl Bow {
         (chord * (2.0 * chord.dot(self.tangent)) - self.tangent).normalize_or_zero()
     }
 
+    /// Length of the chord, mm.
+    fn chord(&self) -> f64 {
+        self.end.distance(self.start)
+    }
+
+    /// Curvature, 1/mm, counter-clockwise positive.
+    fn curvature(&self) -> f64 {
+        2.0 * self.tangent.perp_dot(self.end - self.start) / (self.end - self.start).length_squared()
+    }
+
     /// Distance from a sample to the bow's circle or line; `None` when it runs another way.
     pub(super) fn distance(&self, s: &Sample) -> Option<f64> {
         match self.circle {
@@ -105,19 +115,52 @@ impl Biarc {
     /// The biarc with equal control legs between two places and directions; `None` where no biarc exists whose
     /// arcs both turn by less than half a circle.
     pub(super) fn new(from: Sample, to: Sample) -> Option<Self> {
-        let v = to.point - from.point;
-        let sum = from.tangent + to.tangent;
-        let b = v.dot(sum);
-        // Leg d of d^2 * 2 (1 - t0.t1) + 2 d (v.(t0 + t1)) - v.v = 0, in the form that survives t0 = t1.
-        let bent = 2.0 * (1.0 - from.tangent.dot(to.tangent)).max(0.0);
-        let leg = v.length_squared() / (b + (b * b + bent * v.length_squared()).sqrt());
-        if !(leg.is_finite() && leg > 0.0) {
+        Self::with_leg(from, to, equal_leg(from, to))
+    }
+
+    /// The biarc whose joint lies on the curve given by the samples between the two places: where the curvature
+    /// changes unevenly it is up to twice as near as the one with equal legs.
+    pub(super) fn along(from: Sample, to: Sample, between: &[Sample]) -> Option<Self> {
+        /// Step of the leg to see which way the joint moves.
+        const STEP: f64 = 0.1;
+        let leg = equal_leg(from, to);
+        let equal = Self::with_leg(from, to, leg)?;
+        let offset = |b: &Self| side(b.second.start, from, between, to);
+        let Some(other) = Self::with_leg(from, to, leg * (1.0 - STEP)) else { return Some(equal) };
+        let (here, there) = (offset(&equal), offset(&other));
+        // One step of the secant rule: joints move nearly in proportion to the leg.
+        let factor = 1.0 - STEP * here / (here - there);
+        if !(0.5..=2.0).contains(&factor) {
+            return Some(equal);
+        }
+        Self::with_leg(from, to, leg * factor).or(Some(equal))
+    }
+
+    /// The biarc whose first control leg has length `d`; the second follows.
+    fn with_leg(from: Sample, to: Sample, d: f64) -> Option<Self> {
+        if !(d.is_finite() && d > 0.0) {
             return None;
         }
-        let joint = (from.point + to.point + (from.tangent - to.tangent) * leg) * 0.5;
+        // The inner control points are as far from each other as the legs are long together:
+        // |p1 - e t1 - p0 - d t0| = d + e.
+        let v = to.point - from.point;
+        let bent = (1.0 - from.tangent.dot(to.tangent)).max(0.0);
+        let e = (0.5 * v.length_squared() - d * v.dot(from.tangent)) / (v.dot(to.tangent) + d * bent);
+        let joint = ((from.point + from.tangent * d) * e + (to.point - to.tangent * e) * d) / (d + e);
         let first = Bow::new(from.point, from.tangent, joint)?;
         let second = Bow::new(joint, first.end_tangent(), to.point)?;
         Some(Self { first, second })
+    }
+
+    /// The place where the two arcs join.
+    pub(super) fn joint(&self) -> Sample {
+        Sample { point: self.second.start, tangent: self.second.tangent }
+    }
+
+    /// Change of curvature (1/mm) from the first arc to the second, and the mean length of their
+    /// chords (mm).
+    pub(super) fn bend(&self) -> (f64, f64) {
+        (self.second.curvature() - self.first.curvature(), (self.first.chord() + self.second.chord()) * 0.5)
     }
 
     /// The largest distance of samples in order of travel from the biarc, mm; `None` when one of them runs
@@ -130,5 +173,33 @@ impl Biarc {
             worst = worst.max(bow.distance(s)?);
         }
         Some(worst)
+    }
+}
+
+/// The leg d of `d^2 * 2 (1 - t0.t1) + 2 d (v.(t0 + t1)) - v.v = 0`, in the form that survives t0 = t1; not a positive
+/// number where there is none.
+fn equal_leg(from: Sample, to: Sample) -> f64 {
+    let v = to.point - from.point;
+    let b = v.dot(from.tangent + to.tangent);
+    let bent = 2.0 * (1.0 - from.tangent.dot(to.tangent)).max(0.0);
+    v.length_squared() / (b + (b * b + bent * v.length_squared()).sqrt())
+}
+
+/// Signed distance of `p` from the curve through samples, left of it positive.
+fn side(p: DVec2, from: Sample, between: &[Sample], to: Sample) -> f64 {
+    // The last sample that `p` lies ahead of.
+    let k = between.partition_point(|s| (p - s.point).dot(s.tangent) > 0.0);
+    let last = if k == 0 { from } else { between[k - 1] };
+    let next = between.get(k).copied().unwrap_or(to);
+    match Bow::new(last.point, last.tangent, next.point) {
+        Some(bow) => match bow.circle {
+            Some((center, radius)) => {
+                let left = bow.tangent.perp_dot(center - bow.start) > 0.0;
+                let inward = radius - p.distance(center);
+                if left { inward } else { -inward }
+            }
+            None => last.tangent.perp_dot(p - last.point),
+        },
+        None => last.tangent.perp_dot(p - last.point),
     }
 }
