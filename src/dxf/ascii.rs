@@ -174,18 +174,17 @@ impl<'a> Ascii<'a> {
         self.breaks.push(Break { place: start.line + 1, kind });
     }
 
-    /// The first place from `from` on where a run of pairs is plausible, or the end.
+    /// The first line from `from` on where a run of pairs is plausible, or the end.
     fn next_sound_run(&self, from: Cursor) -> Cursor {
         let mut here = from;
-        loop {
-            if self.run_is_sound(here) {
+        while let Some((text, after)) = self.read_line(here) {
+            // A run may start with blank lines: without this, many of them would be looked at again and again.
+            if !text.is_empty() && self.run_is_sound(here) {
                 return here;
             }
-            match self.read_line(here) {
-                Some((_, after)) => here = after,
-                None => return here,
-            }
+            here = after;
         }
+        here
     }
 
     /// Whether the pairs from `from` on are plausible: up to a known keyword, the end, or [`PAIRS_TO_TRUST`].

@@ -20,6 +20,8 @@ pub(super) struct Entity<'a> {
     pub(super) color: i16,
     /// A break in the file touches it.
     pub(super) damaged: bool,
+    /// A value is missing; what was taken instead.
+    pub(super) assumed: Option<&'static str>,
     /// Not seen, whatever its layer says.
     pub(super) hidden: Option<Hidden>,
     /// What it is.

@@ -83,7 +83,10 @@ impl<'a> Walk<'_, 'a, '_> {
             self.notes.count(Subject::Unsupported(self.file.other_name(name)), layer, entity.handle, at());
             return Ok(());
         }
-        if entity.damaged {
+        if let Some(what) = entity.assumed {
+            self.note(entity, layer, at(), Code::InvalidGeometry, format!("{}: {what}.", name(entity)));
+        }
+        if entity.damaged || self.inserts_damaged_block(entity) {
             self.damaged(entity, layer, at());
             if !self.options.keep_damaged {
                 return Ok(());
@@ -194,25 +197,22 @@ impl<'a> Walk<'_, 'a, '_> {
             "It is left out; compare it with the original"
         };
         let message = format!("{} was read where the file is broken and may be wrong. {fate}.", name(entity));
-        self.notes.push(Note {
-            layer: Some(layer),
-            handle: entity.handle,
-            at,
-            ..Note::new(Code::DamagedEntity, Severity::Warning, message)
-        });
+        self.note(entity, layer, at, Code::DamagedEntity, message);
     }
 
     fn invalid(&mut self, entity: &Entity<'a>, layer: u32, at: Option<DVec2>, why: &str) {
-        self.notes.push(Note {
-            layer: Some(layer),
-            handle: entity.handle,
-            at,
-            ..Note::new(
-                Code::InvalidGeometry,
-                Severity::Warning,
-                format!("{} cannot be cut: {why}.", name(entity)),
-            )
-        });
+        let message = format!("{} cannot be cut: {why}.", name(entity));
+        self.note(entity, layer, at, Code::InvalidGeometry, message);
+    }
+
+    fn note(&mut self, entity: &Entity<'a>, layer: u32, at: Option<DVec2>, code: Code, message: String) {
+        let note = Note::new(code, Severity::Warning, message);
+        self.notes.push(Note { layer: Some(layer), handle: entity.handle, at, ..note });
+    }
+
+    fn inserts_damaged_block(&self, entity: &Entity<'a>) -> bool {
+        let Form::Insert(insert) = &entity.form else { return false };
+        self.file.block(insert.block).and_then(|i| self.file.blocks.get(i)).is_some_and(|b| b.damaged)
     }
 
     /// The measure taken before is an estimate; this is the count.

@@ -5,7 +5,7 @@
 //! handles repeat in real files.
 
 use super::breaks::BreakKind;
-use super::entities::{self, Gathering};
+use super::entities::{self, Gathering, Soundness};
 use super::entity::{BY_LAYER, Entity, Form, Hidden};
 use super::header::Header;
 use super::layers::Layers;
@@ -24,6 +24,8 @@ pub(super) struct Block<'a> {
     pub(super) name: &'a [u8],
     /// The point of it that an insert puts in place.
     pub(super) base: DVec3,
+    /// A break in the file touches its start: its base point may be wrong.
+    pub(super) damaged: bool,
     /// Refers to another file; holds nothing itself.
     pub(super) external: bool,
     /// What it holds.
@@ -93,6 +95,7 @@ impl<'a> File<'a> {
         self.blocks.push(Block {
             name,
             base: record.point(10).unwrap_or(DVec3::ZERO),
+            damaged: record.damaged || entities::judge(record) == Soundness::Broken,
             external: record.flag(EXTERNAL),
             entities: Vec::new(),
         });
@@ -182,7 +185,7 @@ impl<'a> Reader<'a> {
         match record.name {
             b"VERTEX" if self.polyline.is_some() => {
                 if let Some((head, gathering)) = &mut self.polyline {
-                    head.damaged |= record.damaged;
+                    head.damaged |= record.damaged || entities::judge(record) == Soundness::Broken;
                     gathering.add(record);
                 }
                 return;
@@ -314,12 +317,15 @@ fn head<'a>(record: &Record<'a>, file: &mut File<'a>, kind: &'static str, form: 
         (_, true) => Some(Hidden::Invisible),
         _ => None,
     };
+    // What is not cut anyway need not be sound.
+    let soundness = if kind.is_empty() { Soundness::Sound } else { entities::judge(record) };
     Entity {
         kind,
         handle: record.handle,
         layer: file.layers.index(record.layer.unwrap_or(b"0")),
         color: record.color.and_then(|c| i16::try_from(c).ok()).unwrap_or(BY_LAYER),
-        damaged: record.damaged || entities::ran_into_another(record),
+        damaged: record.damaged || soundness == Soundness::Broken,
+        assumed: if let Soundness::Assumed(what) = soundness { Some(what) } else { None },
         hidden,
         form,
     }

@@ -58,7 +58,7 @@ impl<'a> Record<'a> {
     fn take(&mut self, tag: Tag<'a>) {
         match tag.code {
             5 if self.handle.is_none() => self.handle = tag.text(),
-            8 if self.layer.is_none() => self.layer = tag.text(),
+            8 if self.layer.is_none() => self.layer = tag.text().filter(|name| !name.is_empty()),
             62 if self.color.is_none() => self.color = tag.int(),
             67 => self.paper = tag.int() == Some(1),
             60 => self.invisible = tag.int() == Some(1),
@@ -97,9 +97,9 @@ impl<'a> Record<'a> {
         Some(DVec3::new(x, self.real(code + 10).unwrap_or(0.0), self.real(code + 20).unwrap_or(0.0)))
     }
 
-    /// Some group of `codes`, of which an entity has one at most, stands there twice: two entities ran into one.
-    pub(super) fn repeats(&self, codes: &[i32]) -> bool {
-        codes.iter().any(|code| self.tags.iter().filter(|t| t.code == *code).nth(1).is_some())
+    /// How many groups `code` it has.
+    pub(super) fn count(&self, code: i32) -> usize {
+        self.tags.iter().filter(|t| t.code == code).count()
     }
 }
 

@@ -7,9 +7,11 @@ mod face;
 mod hatch;
 mod insert;
 mod polyline;
+mod soundness;
 mod spline;
 
 pub(super) use polyline::{Gathering, begin as begin_polyline};
+pub(super) use soundness::{Soundness, judge};
 
 use super::entity::Form;
 use super::record::Record;
@@ -48,23 +50,6 @@ pub(super) fn kind(name: &[u8]) -> Option<Kind> {
 /// The geometry of a record of `kind`.
 pub(super) fn form<'a>(kind: Kind, record: &Record<'a>) -> Form<'a> {
     (kind.read)(record)
-}
-
-/// A group that an entity of this kind has once stands there twice: two entities ran into one, because the start of
-/// the second was lost.
-pub(super) fn ran_into_another(record: &Record<'_>) -> bool {
-    let once: &[i32] = match record.name {
-        b"LINE" => &[10, 20, 30, 11, 21, 31],
-        b"CIRCLE" | b"ARC" => &[10, 20, 30, 40, 50, 51],
-        b"ELLIPSE" => &[10, 20, 30, 11, 21, 31, 40, 41, 42],
-        b"INSERT" => &[2, 10, 20, 30, 41, 42, 43, 44, 45, 50, 70, 71],
-        b"SOLID" | b"TRACE" | b"3DFACE" => &[10, 20, 11, 21, 12, 22, 13, 23],
-        b"LWPOLYLINE" => &[70, 90],
-        b"SPLINE" => &[70, 71, 72, 73, 74],
-        b"VERTEX" => &[10, 20, 30, 42],
-        _ => &[],
-    };
-    record.repeats(once)
 }
 
 /// Kinds known to be entities although they have no outline to cut.
