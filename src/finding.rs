@@ -81,6 +81,8 @@ pub enum Code {
     LayerIgnored,
     /// An operation was asked for a layer that the drawing does not have.
     LayerUnknown,
+    /// A check was cut short because of the size of the drawing, with what was left unchecked.
+    NotAllChecked,
     /// More findings of one code than are listed one by one.
     More,
 }

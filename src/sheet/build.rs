@@ -4,10 +4,13 @@ use super::about::{self, layer_name, plural};
 use super::assemble::{Assembled, assemble};
 use super::clean::clean;
 use super::model::{Contour, Ignored, Operation, Sheet, SheetOptions};
-use super::{layers, nest, outline, parts};
+use super::{cross, layers, nest, outline, parts};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Findings, Severity};
 use crate::geometry::Aabb;
+
+/// Crossings less deep than this, mm, are rounding of drawings in which lines end on each other.
+const SEEN: f64 = 0.001;
 
 /// Builds the sheet of a drawing: joins, cleans, nests. Never fails; whatever is odd is a finding. The findings of
 /// the sheet are those of this stage; the reader's stand in the drawing.
@@ -27,6 +30,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         }
     }
     contours.sort_by_key(|c| c.first_shape);
+    cross::find(drawing, &mut contours, copy.max(SEEN), &mut findings);
     nest::nest(&mut contours, join);
     let mut border = outline::find(&contours, &layers);
     if let Some(index) = border {

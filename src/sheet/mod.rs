@@ -4,6 +4,7 @@
 //! shapes -> layers: operations, order, what names suggest; ignored ones set aside
 //!        -> clean: every line and arc once (zero lengths, copies, overlaps)
 //!        -> assemble: chains joined end to end, best match first; gaps closed bit for bit
+//!        -> cross: contours that cross themselves or each other
 //!        -> nest: containment tree of any depth; the sheet's own border recognised
 //!        -> parts: outer contours counter-clockwise, holes clockwise, parts in holes
 //! ```
@@ -17,6 +18,7 @@ mod assemble;
 mod build;
 mod clean;
 mod cluster;
+mod cross;
 mod element;
 mod layers;
 mod model;

@@ -141,6 +141,61 @@ fn neighbours_that_share_a_side_lose_it_once() {
 }
 
 #[test]
+fn near_copies_are_removed_whatever_they_are_made_of() {
+    let s = sheet([rect(0.0, 0.0, 20.0, 10.0), rect(0.004, -0.003, 20.002, 10.004)]);
+    assert_eq!(counts(&s), (1, 0));
+    close(total_length(&s), 60.0);
+    assert_eq!(findings(&s, Code::DuplicateRemoved).len(), 1);
+    let s = sheet([circle(5.0, 5.0, 3.0), circle_from(5.006, 5.0, 3.001, 1.0), circle(5.0, 5.0, 3.05)]);
+    assert_eq!(counts(&s), (2, 0));
+    close(total_length(&s), 6.05 * TAU);
+    // An arc of 1 m radius is 0.005 mm off its chord of 6.3 mm.
+    let flat = arc(0.0, 0.0, 1000.0, 80.0, 0.362);
+    let (a, b) = (flat.start().unwrap(), flat.end().unwrap());
+    let s = sheet([flat.clone(), line(b.x, b.y, a.x, a.y)]);
+    assert_eq!(counts(&s), (0, 1));
+    close(total_length(&s), flat.length());
+    // Lines over each other at a ten-thousandth of a radian.
+    let s = sheet([line(0.0, 0.0, 60.0, 0.0), line(30.0, 0.002, 90.0, 0.008)]);
+    assert_eq!(counts(&s), (0, 1));
+    assert!((total_length(&s) - 90.0).abs() < 0.02, "{}", total_length(&s));
+    assert_eq!(findings(&s, Code::OverlapRemoved).len(), 1);
+}
+
+#[test]
+fn legs_of_a_sharp_corner_and_short_elements_are_no_copies() {
+    let s = sheet([polyline(&[(0.0, 0.0), (50.0, 1.0), (0.0, 2.0)], true)]);
+    assert_eq!((counts(&s), s.findings.len()), ((1, 0), 0));
+    let zigzag: Vec<(f64, f64)> =
+        (0..400).map(|i| (f64::from(i) * 0.004, f64::from(i % 2) * 0.003)).collect();
+    let path = polyline(&zigzag, false);
+    let s = sheet([path.clone()]);
+    assert_eq!(counts(&s), (0, 1));
+    close(total_length(&s), path.length());
+}
+
+#[test]
+fn lines_apart_by_more_than_the_tolerance_stay_both() {
+    let s = sheet([line(0.0, 0.0, 50.0, 0.0), line(0.0, 0.02, 50.0, 0.02)]);
+    close(total_length(&s), 100.0);
+    assert!(findings(&s, Code::DuplicateRemoved).is_empty());
+}
+
+#[test]
+fn a_spike_out_and_back_leaves_its_outline_closed() {
+    let outline =
+        [(0.0, 0.0), (10.0, 0.0), (10.0, -7.0), (10.0, 0.0), (20.0, 0.0), (20.0, 10.0), (0.0, 10.0)];
+    for start in 0..outline.len() {
+        let turned: Vec<_> = (0..outline.len()).map(|i| outline[(i + start) % outline.len()]).collect();
+        let s = sheet([polyline(&turned, true)]);
+        assert_eq!(counts(&s), (1, 1), "start {start}");
+        let closed = s.contours.iter().find(|c| c.path.closed).unwrap();
+        close(closed.area, 200.0);
+        close(total_length(&s), 67.0);
+    }
+}
+
+#[test]
 fn hostile_a_hundred_thousand_lines_on_top_of_each_other() {
     let s = sheet((0..100_000).map(|i| line(f64::from(i) * 0.01, 7.0, f64::from(i) * 0.01 + 3.0, 7.0)));
     assert_eq!(counts(&s), (0, 1));
@@ -157,4 +212,16 @@ fn hostile_fifty_thousand_copies() {
     assert_eq!(told, 49_999, "each copy is told, one by one or summed up");
     let s = sheet((0..50_000).map(|_| arc(4.0, 4.0, 2.0, 10.0, 90.0)));
     close(total_length(&s), PI);
+}
+
+#[test]
+fn hostile_a_hatch_of_slanted_lines_is_looked_at_in_part() {
+    let s = sheet((0..20_000).map(|i| {
+        let x = f64::from(i) * 0.5;
+        line(x, 0.0, x + 10_000.0, 10_000.0)
+    }));
+    assert_eq!(counts(&s), (0, 20_000));
+    let told: Vec<_> =
+        findings(&s, Code::NotAllChecked).iter().map(|f| f.message.contains("near copies")).collect();
+    assert_eq!(told, [true, false], "of near copies and of crossings");
 }

@@ -2,5 +2,6 @@
 
 mod assemble;
 mod clean;
+mod cross;
 mod nest;
 mod sketch;

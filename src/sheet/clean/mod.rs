@@ -16,12 +16,13 @@
 
 mod carriers;
 mod cover;
+mod near;
 mod report;
 
 use super::cluster::cluster;
 use super::element::{Chain, Chains, Element, ROUNDING, with_start};
 use crate::dxf::Drawing;
-use crate::finding::Findings;
+use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{DVec2, Segment};
 use std::ops::Range;
 
@@ -57,8 +58,15 @@ pub(super) fn clean(
     let mut kept = vec![Kept::Whole; elements.len()];
     let rank = ranks(&elements, &runs, join);
     carriers::unite(&elements, &rank, tolerance, &mut kept);
+    if !near::unite(&elements, &rank, tolerance, &mut kept) {
+        findings.push(Finding::new(
+            Code::NotAllChecked,
+            Severity::Info,
+            "So many lines lie close together that near copies among them were looked for in part only.",
+        ));
+    }
     report::removed(drawing, &elements, &kept, findings);
-    rebuild(&elements, &runs, &kept)
+    rebuild(&elements, &runs, &kept, tolerance)
 }
 
 /// Shapes into elements and runs, without elements shorter than rounding.
@@ -150,7 +158,7 @@ fn ranks(elements: &[Element], runs: &[Run], join: f64) -> Vec<u32> {
 }
 
 /// Chains of what was kept. A closed run that lost something opens there.
-fn rebuild(elements: &[Element], runs: &[Run], kept: &[Kept]) -> Chains {
+fn rebuild(elements: &[Element], runs: &[Run], kept: &[Kept], tolerance: f64) -> Chains {
     let mut out =
         Chains { elements: Vec::with_capacity(elements.len()), chains: Vec::with_capacity(runs.len()) };
     for run in runs {
@@ -161,7 +169,11 @@ fn rebuild(elements: &[Element], runs: &[Run], kept: &[Kept]) -> Chains {
             out.chains.push(Chain { elements: from..out.elements.len(), closed: run.closed });
             continue;
         }
-        for pieces in broken(&elements[range.clone()], &kept[range], run.closed) {
+        let mut chains = broken(&elements[range.clone()], &kept[range], run.closed);
+        if run.closed {
+            chains = parted(chains, tolerance);
+        }
+        for pieces in chains {
             let from = out.elements.len();
             out.elements.extend(pieces);
             out.chains.push(Chain { elements: from..out.elements.len(), closed: false });
@@ -206,4 +218,34 @@ fn broken(elements: &[Element], kept: &[Kept], closed: bool) -> Vec<Vec<Element>
         chains.rotate_right(1);
     }
     chains
+}
+
+/// Chains of a closed run, parted also at the corners that their open ends touch. A spike in an outline, out and
+/// back along one line, loses its way back; parted at its foot, the outline can close without it.
+fn parted(chains: Vec<Vec<Element>>, tolerance: f64) -> Vec<Vec<Element>> {
+    let mut points: Vec<DVec2> = Vec::new();
+    for chain in &chains {
+        points.extend(chain.iter().map(|e| e.segment.start()));
+        points.extend(chain.last().map(|e| e.segment.end()));
+    }
+    let place = cluster(&points, 2.0 * tolerance.max(ROUNDING));
+    let mut open = vec![false; points.len()];
+    let mut from = 0;
+    for chain in &chains {
+        open[place[from] as usize] = true;
+        open[place[from + chain.len()] as usize] = true;
+        from += chain.len() + 1;
+    }
+    let mut out: Vec<Vec<Element>> = Vec::new();
+    from = 0;
+    for chain in chains {
+        for (i, e) in chain.iter().enumerate() {
+            match out.last_mut() {
+                Some(last) if i > 0 && !open[place[from + i] as usize] => last.push(*e),
+                _ => out.push(vec![*e]),
+            }
+        }
+        from += chain.len() + 1;
+    }
+    out
 }

@@ -1,0 +1,204 @@
+//! Crossings: contours that cross themselves or each other, with the place.
+//!
+//! Elements whose boxes meet are intersected. Where one passes through another between their ends, that is a
+//! crossing. Where they meet at an end, the courses of both contours a little before and behind the place decide:
+//! they cross when each has the other's two arms on its two sides; an end that stops there, and contours that touch
+//! and part again, do not. Only cuts are looked at: engraved lines cross each other as a matter of course.
+
+use super::about::{self, count, plural};
+use super::model::{Contour, Operation};
+use crate::dxf::Drawing;
+use crate::finding::{Code, Finding, Findings, Severity};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, intersect};
+use std::collections::BTreeMap;
+
+/// Boxes looked at per element on average, and for a small drawing in all. A sheet needs two or three; thousands of
+/// circles around each other need thousands, and are told to be looked at in part.
+const LOOKED_AT: usize = 200;
+const LOOKED_AT_AT_LEAST: usize = 2_000_000;
+/// Pairs intersected per element on average, and for a small drawing in all.
+const INTERSECTED: usize = 8;
+const INTERSECTED_AT_LEAST: usize = 200_000;
+/// Places kept per pair of contours; more are not told apart from each other.
+const PLACES: usize = 100;
+/// How far before and behind a meeting the courses are compared, in tolerances: clear of rounding and short pieces.
+const ARM: f64 = 10.0;
+/// Sine of the angle under which two arms count as one direction: touching, not crossing.
+const SAME_DIRECTION: f64 = 0.02;
+
+/// An element of a contour.
+#[derive(Clone, Copy)]
+struct Place {
+    contour: u32,
+    element: usize,
+}
+
+/// Finds and tells crossings, and marks contours that cross themselves. `tolerance` in mm: what is nearer touches.
+pub(super) fn find(drawing: &Drawing, contours: &mut [Contour], tolerance: f64, findings: &mut Findings) {
+    let (places, boxes) = elements(contours);
+    let index = BoxIndex::new(boxes.iter().copied());
+    let mut look = (LOOKED_AT * places.len()).max(LOOKED_AT_AT_LEAST);
+    let mut work = (INTERSECTED * places.len()).max(INTERSECTED_AT_LEAST);
+    let mut found: BTreeMap<(u32, u32), Vec<DVec2>> = BTreeMap::new();
+    for (i, (&a, &around)) in places.iter().zip(&boxes).enumerate() {
+        index.visit(around, |j| {
+            look = look.saturating_sub(1);
+            if j > i && may_meet(contours, (a, &around), (places[j], &boxes[j]), tolerance) {
+                work = work.saturating_sub(1);
+                meetings(contours, a, places[j], tolerance, &mut found);
+            }
+            look > 0 && work > 0
+        });
+    }
+    for ((a, b), at) in found {
+        findings.push(tell(drawing, contours, (a, b), &at));
+        if a == b {
+            contours[a as usize].self_crossing = true;
+        }
+    }
+    if look == 0 || work == 0 {
+        let message = "So many lines lie over each other that crossings were looked for in part only.";
+        findings.push(Finding::new(Code::NotAllChecked, Severity::Info, message));
+    }
+}
+
+fn elements(contours: &[Contour]) -> (Vec<Place>, Vec<Aabb>) {
+    let mut places = Vec::new();
+    let mut boxes = Vec::new();
+    for (contour, c) in (0_u32..).zip(contours).filter(|(_, c)| c.operation == Operation::Cut) {
+        for (element, s) in c.path.segments.iter().enumerate() {
+            places.push(Place { contour, element });
+            boxes.push(s.bounds());
+        }
+    }
+    (places, boxes)
+}
+
+fn segment(contours: &[Contour], p: Place) -> &Segment {
+    &contours[p.contour as usize].path.segments[p.element]
+}
+
+/// Whether it is worth intersecting two elements whose boxes meet.
+fn may_meet(contours: &[Contour], a: (Place, &Aabb), b: (Place, &Aabb), tolerance: f64) -> bool {
+    let (first, second) = (segment(contours, a.0), segment(contours, b.0));
+    let lines = matches!((first, second), (Segment::Line(_), Segment::Line(_)));
+    let path = &contours[a.0.contour as usize].path;
+    let neighbours = a.0.contour == b.0.contour && are_neighbours(path, a.0.element, b.0.element);
+    // Two lines that follow each other meet in their corner and nowhere else.
+    !(neighbours && lines) && !misses(first, b.1, tolerance) && !misses(second, a.1, tolerance)
+}
+
+fn are_neighbours(path: &Path, i: usize, j: usize) -> bool {
+    let (low, high) = (i.min(j), i.max(j));
+    high - low == 1 || (path.closed && low == 0 && high + 1 == path.segments.len())
+}
+
+/// Whether the line or circle of an element passes a box by.
+fn misses(s: &Segment, b: &Aabb, tolerance: f64) -> bool {
+    match s {
+        Segment::Line(l) => {
+            let d = l.end - l.start;
+            let side = |p: DVec2| d.perp_dot(p - l.start);
+            let corners =
+                [b.min, DVec2::new(b.max.x, b.min.y), b.max, DVec2::new(b.min.x, b.max.y)].map(side);
+            let off = tolerance * d.length();
+            corners.iter().all(|&c| c > off) || corners.iter().all(|&c| c < -off)
+        }
+        Segment::Arc(a) => {
+            let nearest = a.center.distance(a.center.clamp(b.min, b.max));
+            let far = (a.center - b.min).abs().max((a.center - b.max).abs()).length();
+            nearest > a.radius() + tolerance || far < a.radius() - tolerance
+        }
+    }
+}
+
+/// Adds the crossings of two elements.
+fn meetings(
+    contours: &[Contour],
+    a: Place,
+    b: Place,
+    tolerance: f64,
+    found: &mut BTreeMap<(u32, u32), Vec<DVec2>>,
+) {
+    for m in intersect(segment(contours, a), segment(contours, b), tolerance).points {
+        if !(m.crossing || cross_at_corner(contours, (a, m.a), (b, m.b), tolerance)) {
+            continue;
+        }
+        let pair = (a.contour.min(b.contour), a.contour.max(b.contour));
+        let at = found.entry(pair).or_default();
+        // A corner is met by up to four pairs of elements.
+        if at.len() < PLACES && at.iter().all(|p| p.distance(m.point) > ARM * tolerance) {
+            at.push(m.point);
+        }
+    }
+}
+
+/// Whether two contours cross where one of them has a corner.
+fn cross_at_corner(contours: &[Contour], a: (Place, f64), b: (Place, f64), tolerance: f64) -> bool {
+    let arms = |(place, f): (Place, f64)| {
+        let path = &contours[place.contour as usize].path;
+        let at = path.segments[place.element].at(f);
+        let along = |forward| {
+            beyond(path, place.element, f, ARM * tolerance, forward).map(|p| (p - at).normalize_or_zero())
+        };
+        Some((along(false)?, along(true)?))
+    };
+    let (Some((a0, a1)), Some((b0, b1))) = (arms(a), arms(b)) else { return false };
+    let apart = |u: DVec2, v: DVec2| u.perp_dot(v).abs() > SAME_DIRECTION || u.dot(v) < 0.0;
+    let distinct = [a0, a1].iter().all(|&u| [b0, b1].iter().all(|&v| apart(u, v)));
+    distinct && between(a0, b0, a1) != between(a0, b1, a1)
+}
+
+/// Whether, turning counter-clockwise from `from`, `v` comes before `to`.
+fn between(from: DVec2, v: DVec2, to: DVec2) -> bool {
+    let left = from.perp_dot(to) >= 0.0;
+    if left {
+        from.perp_dot(v) >= 0.0 && v.perp_dot(to) >= 0.0
+    } else {
+        !(to.perp_dot(v) >= 0.0 && v.perp_dot(from) >= 0.0)
+    }
+}
+
+/// The point `distance` mm farther along a path from fraction `f` of an element, onwards or backwards; `None` when
+/// the path ends before.
+fn beyond(path: &Path, element: usize, f: f64, distance: f64, forward: bool) -> Option<DVec2> {
+    let n = path.segments.len();
+    let mut rest = distance;
+    let mut i = element;
+    let mut from = if forward { f } else { 1.0 - f };
+    for _ in 0..=n {
+        let s = path.segments.get(i)?;
+        let length = s.length();
+        let left = length * (1.0 - from);
+        if rest < left {
+            let g = from + rest / length;
+            return Some(s.at(if forward { g } else { 1.0 - g }));
+        }
+        rest -= left;
+        from = 0.0;
+        i = match (forward, i) {
+            (true, i) if i + 1 < n => i + 1,
+            (true, _) if path.closed => 0,
+            (false, i) if i > 0 => i - 1,
+            (false, _) if path.closed => n - 1,
+            _ => return None,
+        };
+    }
+    None
+}
+
+fn tell(drawing: &Drawing, contours: &[Contour], (a, b): (u32, u32), at: &[DVec2]) -> Finding {
+    let first = contours[a as usize].first_shape;
+    let places = plural(at.len(), "place", "places");
+    let (code, message) = if a == b {
+        let text = format!("This contour crosses itself in {places}: what lies inside it is in doubt.");
+        (Code::SelfCrossing, text)
+    } else {
+        let other = contours[b as usize].first_shape;
+        let handle = drawing.shapes.get(other as usize).and_then(|s| s.handle.as_deref());
+        let other = handle.map_or_else(String::new, |h| format!(" (handle {h})"));
+        let text = format!("Two contours cross in {places}, the other one{other}: both are cut as drawn.");
+        (Code::Crossing, text)
+    };
+    about::shape(drawing, first, code, Severity::Warning, message, at.first().copied()).times(count(at.len()))
+}
