@@ -5,18 +5,43 @@
 //! a Western code page are common: bytes that are valid UTF-8 beyond ASCII are taken as such there, since such text
 //! in a one-byte code page is next to impossible by chance.
 
+use super::code_pages::{self as pages, SingleByte};
+use super::east_asian::EastAsian;
 use super::header::Header;
-use encoding_rs::{
-    BIG5, EUC_KR, Encoding, GB18030, GBK, IBM866, ISO_8859_2, ISO_8859_3, ISO_8859_4, ISO_8859_5, ISO_8859_6,
-    ISO_8859_7, ISO_8859_8, MACINTOSH, SHIFT_JIS, UTF_8, WINDOWS_874, WINDOWS_1250, WINDOWS_1251,
-    WINDOWS_1252, WINDOWS_1253, WINDOWS_1254, WINDOWS_1255, WINDOWS_1256, WINDOWS_1257, WINDOWS_1258,
-};
 use std::borrow::Cow;
+
+/// How characters are written as bytes.
+#[derive(Clone, Copy, Debug)]
+enum Encoding {
+    Utf8,
+    SingleByte(&'static SingleByte),
+    EastAsian(EastAsian),
+}
+
+impl Encoding {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Utf8 => "UTF-8",
+            Self::SingleByte(page) => page.name,
+            Self::EastAsian(page) => page.label(),
+        }
+    }
+
+    /// The text of `bytes`, and whether some of them meant nothing.
+    fn decode(self, bytes: &[u8]) -> (String, bool) {
+        match self {
+            // A file that says UTF-8 and is not was written in the code page of the writer's computer.
+            Self::Utf8 => (pages::WINDOWS_1252.decode(bytes).0, true),
+            Self::SingleByte(page) => page.decode(bytes),
+            Self::EastAsian(page) => page.decode(bytes),
+        }
+    }
+}
 
 /// Turns bytes of a file into text.
 #[derive(Debug)]
 pub(super) struct Decoder {
-    encoding: &'static Encoding,
+    encoding: Encoding,
     replaced: u32,
 }
 
@@ -26,7 +51,14 @@ impl Decoder {
         // Versions are AC and four digits: byte order is the order of releases.
         let utf8 = header.version.is_some_and(|v| v.starts_with(b"AC") && v >= b"AC1021".as_slice());
         let declared = header.code_page.and_then(code_page);
-        Self { encoding: if utf8 { UTF_8 } else { declared.unwrap_or(WINDOWS_1252) }, replaced: 0 }
+        Self {
+            encoding: if utf8 {
+                Encoding::Utf8
+            } else {
+                declared.unwrap_or(Encoding::SingleByte(&pages::WINDOWS_1252))
+            },
+            replaced: 0,
+        }
     }
 
     /// Name of the encoding, for messages.
@@ -46,52 +78,51 @@ impl Decoder {
     }
 
     fn decode<'b>(&mut self, bytes: &'b [u8]) -> Cow<'b, str> {
-        if (bytes.is_ascii() || self.encoding.is_single_byte() || self.encoding == UTF_8)
-            && let Ok(text) = std::str::from_utf8(bytes)
-        {
+        // Of several bytes a character, text may look like UTF-8 by chance.
+        let may_be_utf8 = bytes.is_ascii() || !matches!(self.encoding, Encoding::EastAsian(_));
+        if may_be_utf8 && let Ok(text) = std::str::from_utf8(bytes) {
             return Cow::Borrowed(text);
         }
-        // A file that says UTF-8 and is not was written in the code page of the writer's computer.
-        let encoding = if self.encoding == UTF_8 { WINDOWS_1252 } else { self.encoding };
-        let (text, wrong) = encoding.decode_without_bom_handling(bytes);
-        self.replaced = self.replaced.saturating_add(u32::from(wrong || self.encoding == UTF_8));
-        text
+        let (text, wrong) = self.encoding.decode(bytes);
+        self.replaced = self.replaced.saturating_add(u32::from(wrong));
+        Cow::Owned(text)
     }
 }
 
 /// The encoding of a $DWGCODEPAGE value such as `ANSI_1252`.
-fn code_page(name: &[u8]) -> Option<&'static Encoding> {
+fn code_page(name: &[u8]) -> Option<Encoding> {
     let name = name.to_ascii_uppercase();
     let number = name.rsplit(|b| *b == b'_').next().unwrap_or(&name);
     let number = number.strip_prefix(b"DOS").unwrap_or(number);
-    Some(match number {
-        b"874" => WINDOWS_874,
-        b"932" => SHIFT_JIS,
-        b"936" => GBK,
-        b"949" | b"1361" => EUC_KR,
-        b"950" => BIG5,
-        b"1250" | b"852" => WINDOWS_1250,
-        b"1251" => WINDOWS_1251,
-        b"866" => IBM866,
-        b"1252" | b"437" | b"850" => WINDOWS_1252,
-        b"1253" => WINDOWS_1253,
-        b"1254" => WINDOWS_1254,
-        b"1255" => WINDOWS_1255,
-        b"1256" => WINDOWS_1256,
-        b"1257" => WINDOWS_1257,
-        b"1258" => WINDOWS_1258,
-        b"GB18030" | b"54936" => GB18030,
-        b"ROMAN" => MACINTOSH,
-        b"8859-2" | b"ISO8859-2" => ISO_8859_2,
-        b"8859-3" | b"ISO8859-3" => ISO_8859_3,
-        b"8859-4" | b"ISO8859-4" => ISO_8859_4,
-        b"8859-5" | b"ISO8859-5" => ISO_8859_5,
-        b"8859-6" | b"ISO8859-6" => ISO_8859_6,
-        b"8859-7" | b"ISO8859-7" => ISO_8859_7,
-        b"8859-8" | b"ISO8859-8" => ISO_8859_8,
-        b"UTF-8" | b"UTF8" | b"65001" => UTF_8,
+    let page = match number {
+        b"874" => &pages::WINDOWS_874,
+        b"932" => return Some(Encoding::EastAsian(EastAsian::ShiftJis)),
+        b"936" => return Some(Encoding::EastAsian(EastAsian::Gbk)),
+        b"949" | b"1361" => return Some(Encoding::EastAsian(EastAsian::EucKr)),
+        b"950" => return Some(Encoding::EastAsian(EastAsian::Big5)),
+        b"1250" | b"852" => &pages::WINDOWS_1250,
+        b"1251" => &pages::WINDOWS_1251,
+        b"866" => &pages::IBM866,
+        b"1252" | b"437" | b"850" => &pages::WINDOWS_1252,
+        b"1253" => &pages::WINDOWS_1253,
+        b"1254" => &pages::WINDOWS_1254,
+        b"1255" => &pages::WINDOWS_1255,
+        b"1256" => &pages::WINDOWS_1256,
+        b"1257" => &pages::WINDOWS_1257,
+        b"1258" => &pages::WINDOWS_1258,
+        b"GB18030" | b"54936" => return Some(Encoding::EastAsian(EastAsian::Gb18030)),
+        b"ROMAN" => &pages::MACINTOSH,
+        b"8859-2" | b"ISO8859-2" => &pages::ISO_8859_2,
+        b"8859-3" | b"ISO8859-3" => &pages::ISO_8859_3,
+        b"8859-4" | b"ISO8859-4" => &pages::ISO_8859_4,
+        b"8859-5" | b"ISO8859-5" => &pages::ISO_8859_5,
+        b"8859-6" | b"ISO8859-6" => &pages::ISO_8859_6,
+        b"8859-7" | b"ISO8859-7" => &pages::ISO_8859_7,
+        b"8859-8" | b"ISO8859-8" => &pages::ISO_8859_8,
+        b"UTF-8" | b"UTF8" | b"65001" => return Some(Encoding::Utf8),
         _ => return None,
-    })
+    };
+    Some(Encoding::SingleByte(page))
 }
 
 /// Replaces `\U+XXXX` and `\M+nXXXX`; what is malformed stays as it is.
@@ -120,15 +151,15 @@ fn unicode_escape(text: &str) -> Option<char> {
 fn multibyte_escape(text: &str) -> Option<char> {
     let digits = text.strip_prefix("\\M+")?;
     let encoding = match digits.bytes().next()? {
-        b'1' => SHIFT_JIS,
-        b'2' => BIG5,
-        b'3' | b'4' => EUC_KR,
-        b'5' => GBK,
+        b'1' => EastAsian::ShiftJis,
+        b'2' => EastAsian::Big5,
+        b'3' | b'4' => EastAsian::EucKr,
+        b'5' => EastAsian::Gbk,
         _ => return None,
     };
     let code = u16::try_from(hex4(digits.get(1..)?)?).ok()?;
     let bytes = code.to_be_bytes();
-    let (text, wrong) = encoding.decode_without_bom_handling(&bytes);
+    let (text, wrong) = encoding.decode(&bytes);
     if wrong { None } else { text.chars().next() }
 }
 

@@ -14,7 +14,9 @@
 mod ascii;
 mod binary;
 mod breaks;
+mod code_pages;
 mod drawing;
+mod east_asian;
 mod encoding;
 mod entities;
 mod entity;

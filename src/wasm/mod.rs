@@ -7,6 +7,7 @@
 mod planner;
 #[cfg(feature = "png")]
 mod png;
+mod text;
 #[cfg(feature = "planner")]
 mod values;
 
@@ -14,3 +15,4 @@ mod values;
 pub use planner::*;
 #[cfg(feature = "png")]
 pub use png::*;
+pub(crate) use text::decode;
