@@ -75,7 +75,9 @@ pub(super) struct Spline {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Insert<'a> {
     /// Name of the block, as written.
-    pub(super) block: &'a [u8],
+    pub(super) name: &'a [u8],
+    /// Index of the block; `None` when the file does not hold it.
+    pub(super) block: Option<usize>,
     /// Place, in the plane of `normal`.
     pub(super) at: DVec3,
     /// Scale along the axes of the block.

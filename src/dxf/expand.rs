@@ -83,14 +83,14 @@ impl<'a> Walk<'_, 'a, '_> {
             self.notes.count(Subject::Unsupported(self.file.other_name(name)), layer, entity.handle, at());
             return Ok(());
         }
-        if let Some(what) = entity.assumed {
-            self.note(entity, layer, at(), Code::InvalidGeometry, format!("{}: {what}.", name(entity)));
-        }
-        if entity.damaged || self.inserts_damaged_block(entity) {
+        let damaged = entity.damaged || self.inserts_damaged_block(entity);
+        if damaged {
             self.damaged(entity, layer, at());
             if !self.options.keep_damaged {
                 return Ok(());
             }
+        } else if let Some(what) = entity.assumed {
+            self.note(entity, layer, at(), Code::InvalidGeometry, format!("{}: {what}.", name(entity)));
         }
         let color = match entity.color {
             BY_BLOCK if place.layer.is_some() => place.color,
@@ -152,18 +152,18 @@ impl<'a> Walk<'_, 'a, '_> {
         let layer = place.layer.unwrap_or(entity.layer);
         let at = place.to_sheet.transform_point3(insert.at).truncate();
         let file = self.file;
-        let found = file.block(insert.block).and_then(|i| file.blocks.get(i).map(|b| (i, b)));
+        let found = insert.block.and_then(|i| file.blocks.get(i).map(|b| (i, b)));
         let Some((index, block)) = found else {
-            self.notes.count(Subject::MissingBlock(insert.block), layer, entity.handle, Some(at));
+            self.notes.count(Subject::MissingBlock(insert.name), layer, entity.handle, Some(at));
             return Ok(());
         };
         if self.open.contains(&index) {
-            self.notes.count(Subject::CyclicBlock(insert.block), layer, entity.handle, Some(at));
+            self.notes.count(Subject::CyclicBlock(insert.name), layer, entity.handle, Some(at));
             return Ok(());
         }
         if block.entities.is_empty() {
             if block.external {
-                self.notes.count(Subject::ExternalBlock(insert.block), layer, entity.handle, Some(at));
+                self.notes.count(Subject::ExternalBlock(insert.name), layer, entity.handle, Some(at));
             }
             return Ok(());
         }
@@ -212,7 +212,7 @@ impl<'a> Walk<'_, 'a, '_> {
 
     fn inserts_damaged_block(&self, entity: &Entity<'a>) -> bool {
         let Form::Insert(insert) = &entity.form else { return false };
-        self.file.block(insert.block).and_then(|i| self.file.blocks.get(i)).is_some_and(|b| b.damaged)
+        insert.block.and_then(|i| self.file.blocks.get(i)).is_some_and(|b| b.damaged)
     }
 
     /// The measure taken before is an estimate; this is the count.

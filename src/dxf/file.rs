@@ -66,12 +66,18 @@ impl<'a> File<'a> {
             ended: false,
         }
         .run(&mut file);
+        file.find_blocks();
         file
     }
 
-    /// The block of this name.
-    pub(super) fn block(&self, name: &[u8]) -> Option<usize> {
-        self.blocks_by_name.get(&name.to_ascii_uppercase()).copied()
+    /// Tells every insert where its block is.
+    fn find_blocks(&mut self) {
+        let by_name = &self.blocks_by_name;
+        for entity in self.model.iter_mut().chain(self.blocks.iter_mut().flat_map(|b| &mut b.entities)) {
+            if let Form::Insert(insert) = &mut entity.form {
+                insert.block = by_name.get(&insert.name.to_ascii_uppercase()).copied();
+            }
+        }
     }
 
     /// The name behind [`Form::Other`].
@@ -203,7 +209,9 @@ impl<'a> Reader<'a> {
                 self.block = Some(file.open_block(record));
             }
             b"ENDBLK" => self.block = None,
-            _ if self.section == Section::Tables || self.section == Section::Header => {}
+            // Entities among the tables are there because the lines between the sections are lost.
+            name if matches!(self.section, Section::Tables | Section::Header)
+                && entities::kind(name).is_none() => {}
             b"POLYLINE" => {
                 file.recognised = true;
                 let head = head(record, file, "POLYLINE", Form::Invalid("", None));
@@ -228,8 +236,10 @@ impl<'a> Reader<'a> {
         if self.section != Section::Entities && !entities::is_known(record.name) {
             return None;
         }
-        let name: &[u8] = if record.name.is_empty() { b"?" } else { record.name };
-        Some(Form::Other(file.other(name), record.point(10)))
+        if record.name.is_empty() {
+            return Some(Form::Invalid("its kind is lost", record.point(10)));
+        }
+        Some(Form::Other(file.other(record.name), record.point(10)))
     }
 
     fn close_polyline(&mut self, file: &mut File<'a>, cut_off: bool) {
@@ -305,7 +315,7 @@ fn section_of(tag: &Tag<'_>) -> Section {
         Some(b"HEADER") => Section::Header,
         Some(b"TABLES") => Section::Tables,
         Some(b"BLOCKS" | b"ENTITIES") => Section::Entities,
-        Some(_) if tag.code == 2 => Section::Other,
+        Some(b"CLASSES" | b"OBJECTS" | b"THUMBNAILIMAGE" | b"ACDSDATA") => Section::Other,
         _ => Section::Unknown,
     }
 }

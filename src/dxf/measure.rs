@@ -83,12 +83,12 @@ impl Walk<'_, '_> {
             match &entity.form {
                 Form::Insert(insert) if !matches!(entity.hidden, Some(Hidden::Paper | Hidden::Invisible)) => {
                     total.elements = total.elements.saturating_add(1);
-                    let Some(block) = self.file.block(insert.block) else { continue };
+                    let Some(block) = insert.block else { continue };
                     let Some(inner) = self.block(block, depth + 1)? else { continue };
                     let [columns, rows] = insert.counts;
                     let cells = u64::from(columns) * u64::from(rows);
                     let elements = inner.elements.saturating_mul(cells);
-                    self.check(elements, Some((insert.block, insert.counts)))?;
+                    self.check(elements, Some((insert.name, insert.counts)))?;
                     total.elements = total.elements.saturating_add(elements);
                     total.height = total.height.max(inner.height + 1);
                     let base = self.file.blocks.get(block).map_or(DVec3::ZERO, |b| b.base);

@@ -106,6 +106,7 @@ fn counts(file: &File<'_>, decoder: &mut Decoder) -> Vec<EntityKindCount> {
     for entity in file.model.iter().filter(|e| e.hidden != Some(Hidden::Paper)) {
         let key = match entity.form {
             Form::Other(name, _) => (file.other_name(name), false),
+            _ if entity.kind.is_empty() => (b"?".as_slice(), false),
             _ => (entity.kind.as_bytes(), true),
         };
         *by_name.entry(key).or_default() += 1;

@@ -30,6 +30,10 @@ pub(in crate::dxf) fn judge(record: &Record<'_>) -> Soundness {
         b"ARC" if record.real(50).is_none() || record.real(51).is_none() => {
             Soundness::Assumed("one of its angles is missing; 0 was taken")
         }
+        // A scale of 0 would make nothing of the block; programs take it as not given.
+        b"INSERT" if [41, 42].iter().any(|code| record.real(*code).is_some_and(|s| s.abs() <= 0.0)) => {
+            Soundness::Assumed("its scale is 0; 1 was taken")
+        }
         b"LWPOLYLINE" if differs(record, 90, 10) => Soundness::Assumed(
             "it holds another number of vertices than it says; all that are there were taken",
         ),
