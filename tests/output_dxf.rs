@@ -2,6 +2,7 @@
 #![allow(
     clippy::unwrap_used,
     clippy::float_cmp,
+    clippy::print_stdout,
     reason = "tests stop where they cannot go on and compare what must be equal"
 )]
 

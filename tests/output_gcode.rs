@@ -4,6 +4,7 @@
     clippy::unwrap_used,
     clippy::panic,
     clippy::float_cmp,
+    clippy::print_stdout,
     clippy::disallowed_methods,
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

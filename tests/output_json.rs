@@ -172,10 +172,13 @@ fn assert_same(read: &Move, planned: &Move) {
 /// there is one.
 #[test]
 fn arcs_next_to_nothing_and_next_to_a_turn_keep_their_length() {
-    let center = DVec2::new(123.456, 654.321);
-    for sweep in [1e-15, -1e-12, 1e-8, TAU - 1e-15, TAU - 1e-12, 1e-9 - TAU, TAU, -TAU] {
-        for radius in [1e-3, 1.0, 1e5] {
-            let arc = Arc::from_angles(center, radius, 1.0, sweep);
+    let center = DVec2::new(582.642, -722.019);
+    let small = [0.0, 1e-16, 1e-15, 3e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6];
+    for sweep in small.into_iter().flat_map(|d| [d, -d, TAU - d, d - TAU]).filter(|s| *s != 0.0) {
+        for (radius, from) in
+            [1e-3, 1.0, 1e5].into_iter().flat_map(|r| (0..40).map(move |i| (r, f64::from(i) * 0.1)))
+        {
+            let arc = Arc::from_angles(center, radius, from, sweep);
             let lead = Segment::line(arc.start - DVec2::X, arc.start);
             let stop = plans::Stop {
                 layer: 0,

@@ -3,6 +3,7 @@
     clippy::unwrap_used,
     clippy::panic,
     clippy::float_cmp,
+    clippy::print_stdout,
     reason = "tests stop where they cannot go on and compare what must be equal"
 )]
 
