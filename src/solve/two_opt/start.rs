@@ -1,8 +1,8 @@
-//! A first order at once, and the repair of an order that ignores the nesting.
+//! A first order at once.
 
 use crate::geometry::{Aabb, DVec2};
 use crate::machine::AirTime;
-use crate::problem::{ItemId, NodeId, Problem};
+use crate::problem::{NodeId, Problem};
 
 /// Cells of the curve along an axis: 2^16, a hundredth of a millimetre on a sheet of half a metre.
 const LEVELS: u32 = 16;
@@ -49,36 +49,6 @@ fn along_hilbert(place: DVec2) -> u64 {
 fn cell(fraction: f64) -> u64 {
     let cells = f64::from(1u32 << LEVELS);
     (fraction * cells).clamp(0.0, cells - 1.0) as u64
-}
-
-/// Delays every item until the last one inside it is done, right after that one. Costs 0.5 % on nested sheets; a
-/// search that starts from the repaired tour ends 7 to 9 % ahead of one that starts from a feasible nearest-next.
-pub(super) fn repaired(problem: &Problem, order: &[NodeId]) -> Vec<NodeId> {
-    let mut inner_left = vec![0_u32; problem.items.len()];
-    for outer in problem.items.iter().filter(|i| !i.nodes.is_empty()).filter_map(|i| i.before) {
-        inner_left[outer as usize] += 1;
-    }
-    // The node of each item that came up before its time.
-    let mut waiting: Vec<Option<NodeId>> = vec![None; problem.items.len()];
-    let item_of = |node: NodeId| problem.nodes[node as usize].item as usize;
-    let mut out = Vec::with_capacity(order.len());
-    for &node in order {
-        if inner_left[item_of(node)] > 0 {
-            waiting[item_of(node)] = Some(node);
-            continue;
-        }
-        let mut done = Some(node);
-        while let Some(node) = done.take() {
-            out.push(node);
-            if let Some(outer) = problem.items[item_of(node)].before.map(|o: ItemId| o as usize) {
-                inner_left[outer] -= 1;
-                if inner_left[outer] == 0 {
-                    done = waiting[outer].take();
-                }
-            }
-        }
-    }
-    out
 }
 
 /// The same order, each item entered where it is nearest to the exit of the one before it.

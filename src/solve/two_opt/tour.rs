@@ -22,13 +22,50 @@ pub(super) enum Change {
     Enter(usize, NodeId),
 }
 
-/// A tour and what is needed to price and change it.
-pub(super) struct Tour<'p> {
-    pub(super) problem: &'p Problem,
+/// Prices of legs between points. Two nodes beyond those of the problem stand for both ends of the tour.
+pub(super) struct Pricer {
     air: AirTime,
     points: Vec<DVec2>,
     /// Travel to points from this one on costs nothing: the end of an open tour.
     free: u32,
+}
+
+impl Pricer {
+    pub(super) fn new(problem: &Problem) -> Self {
+        let ends = [problem.home; 4];
+        let points: Vec<DVec2> = problem.nodes.iter().flat_map(|n| [n.entry, n.exit]).chain(ends).collect();
+        let free = if problem.closed { NONE } else { node_id(points.len() - 2) };
+        Self { air: AirTime::new(&problem.machine), points, free }
+    }
+
+    /// The node where the tour starts.
+    pub(super) fn home(&self) -> NodeId {
+        node_id(self.points.len() / 2 - 2)
+    }
+
+    /// The node where the tour ends.
+    pub(super) fn end(&self) -> NodeId {
+        node_id(self.points.len() / 2 - 1)
+    }
+
+    /// Seconds between two points.
+    pub(super) fn price(&self, a: u32, b: u32) -> f64 {
+        if a.max(b) >= self.free {
+            return 0.0;
+        }
+        self.air.seconds(self.points[a as usize], self.points[b as usize])
+    }
+
+    /// Seconds from one node to the next.
+    pub(super) fn leg(&self, a: NodeId, b: NodeId) -> f64 {
+        self.price(2 * a + 1, 2 * b)
+    }
+}
+
+/// A tour and what is needed to price and change it.
+pub(super) struct Tour<'p> {
+    pub(super) problem: &'p Problem,
+    pub(super) pricer: Pricer,
     order: Vec<NodeId>,
     /// Position by item.
     position: Vec<u32>,
@@ -49,18 +86,13 @@ pub(super) struct Tour<'p> {
 impl<'p> Tour<'p> {
     /// The tour of these nodes, one of each item that has any.
     pub(super) fn new(problem: &'p Problem, nodes: &[NodeId]) -> Self {
-        let count = problem.nodes.len();
-        let ends = [problem.home; 4];
-        let points = problem.nodes.iter().flat_map(|n| [n.entry, n.exit]).chain(ends).collect();
-        let end = node_id(count + 1);
+        let pricer = Pricer::new(problem);
         let outer: Vec<ItemId> = problem.items.iter().map(|i| i.before.unwrap_or(NONE)).collect();
         let (inner, inner_from) = inner_lists(&outer);
         let mut tour = Self {
             problem,
-            air: AirTime::new(&problem.machine),
-            points,
-            free: if problem.closed { NONE } else { 2 * end },
-            order: vec![node_id(count), end],
+            order: vec![pricer.home(), pricer.end()],
+            pricer,
             position: vec![NONE; problem.items.len()],
             item: problem.nodes.iter().map(|n| n.item).chain([NONE; 2]).collect(),
             outer,
@@ -119,15 +151,12 @@ impl<'p> Tour<'p> {
 
     /// Seconds between two points.
     pub(super) fn price(&self, a: u32, b: u32) -> f64 {
-        if a.max(b) >= self.free {
-            return 0.0;
-        }
-        self.air.seconds(self.points[a as usize], self.points[b as usize])
+        self.pricer.price(a, b)
     }
 
     /// Seconds from the stop at a position to the next one.
     pub(super) fn leg(&self, position: usize) -> f64 {
-        self.price(2 * self.order[position] + 1, 2 * self.order[position + 1])
+        self.pricer.leg(self.order[position], self.order[position + 1])
     }
 
     /// The tour as a solution, its cost summed up afresh.
