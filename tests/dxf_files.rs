@@ -94,6 +94,8 @@ fn names_are_decoded_by_code_page_or_as_utf8() {
         drawing.layers[drawing.shapes[0].layer as usize].name.clone()
     };
     assert_eq!(named("AC1015", "ANSI_1252", b"Fl\xE4che"), "Fläche");
+    assert_eq!(named("AC1009", "dos437", b"Fl\x84che"), "Fläche");
+    assert_eq!(named("AC1009", "DOS850", b"\x9Cber"), "£ber");
     assert_eq!(named("AC1015", "ANSI_1251", b"\xD0\xE5\xE7"), "Рез");
     assert_eq!(named("AC1015", "ANSI_932", b"\x83J\x83b\x83g"), "カット");
     assert_eq!(named("AC1018", "ANSI_936", b"\xC7\xD0\xB8\xEE"), "切割");

@@ -1,4 +1,5 @@
-//! One-byte code pages: their upper halves, as the WHATWG Encoding Standard has them (the C1 controls included).
+//! One-byte code pages: their upper halves, as the WHATWG Encoding Standard has them (the C1 controls included);
+//! those of DOS, which release 12 wrote, as the Unicode Consortium's mapping tables have them.
 //!
 //! Written out here because the tables of the East Asian code pages come with any decoder crate that has these: 200 kB
 //! of wasm for layer names. U+FFFD stands where a byte means nothing.
@@ -182,6 +183,24 @@ pub(super) static ISO_8859_8: SingleByte = SingleByte {
            \u{5D6}\u{5D7}\u{5D8}\u{5D9}\u{5DA}\u{5DB}\u{5DC}\u{5DD}\u{5DE}\u{5DF}\u{5E0}\u{5E1}\u{5E2}\
            \u{5E3}\u{5E4}\u{5E5}\u{5E6}\u{5E7}\u{5E8}\u{5E9}\u{5EA}\u{FFFD}\u{FFFD}\u{200E}\u{200F}\
            \u{FFFD}",
+};
+
+pub(super) static IBM437: SingleByte = SingleByte {
+    name: "IBM437",
+    upper: "ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜ¢£¥₧ƒáíóúñÑªº¿⌐¬½¼¡«»░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒\
+           ╓╫╪┘┌█▄▌▐▀αßΓπΣσµτΦΘΩδ∞φε∩≡±≥≤⌠⌡÷≈°∙·√ⁿ²■\u{A0}",
+};
+
+pub(super) static IBM850: SingleByte = SingleByte {
+    name: "IBM850",
+    upper: "ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜø£Ø×ƒáíóúñÑªº¿®¬½¼¡«»░▒▓│┤ÁÂÀ©╣║╗╝¢¥┐└┴┬├─┼ãÃ╚╔╩╦╠═╬¤ðÐÊËÈı\
+           ÍÎÏ┘┌█▄¦Ì▀ÓßÔÒõÕµþÞÚÛÙýÝ¯´\u{AD}±‗¾¶§÷¸°¨·¹³²■\u{A0}",
+};
+
+pub(super) static IBM852: SingleByte = SingleByte {
+    name: "IBM852",
+    upper: "ÇüéâäůćçłëŐőîŹÄĆÉĹĺôöĽľŚśÖÜŤťŁ×čáíóúĄąŽžĘę¬źČş«»░▒▓│┤ÁÂĚŞ╣║╗╝Żż┐└┴┬├─┼Ăă╚╔╩╦╠═╬¤đĐĎËďŇ\
+           ÍÎě┘┌█▄ŢŮ▀ÓßÔŃńňŠšŔÚŕŰýÝţ´\u{AD}˝˛ˇ˘§÷¸°¨˙űŘř■\u{A0}",
 };
 
 #[cfg(test)]
