@@ -242,8 +242,30 @@ impl Nurbs {
     /// The curve as lines and arcs, nowhere farther than `tolerance` mm from it (unless that takes more than some
     /// ten thousand elements, as hostile input does). Kinks are kept; between them the direction is continuous.
     /// The ends are exact, and a curve that ends where it started closes bit for bit. Empty when it has no length.
+    /// The same curve given from its other end becomes the same elements run the other way: a copy drawn there and
+    /// back is a copy.
     pub fn to_segments(&self, tolerance: f64) -> Vec<Segment> {
+        if self.starts_at_its_later_end()
+            && let Ok(other) = self.reversed()
+        {
+            return fit::fit(&other, tolerance).iter().rev().map(Segment::reversed).collect();
+        }
         fit::fit(self, tolerance)
+    }
+
+    /// The same curve run the other way.
+    fn reversed(&self) -> Result<Self, CurveError> {
+        let sum = self.knots[0] + self.knots[self.knots.len() - 1];
+        let control = self.control.iter().rev().copied().collect();
+        let weights = self.weights.iter().rev().copied().collect();
+        Self::new(self.degree, control, weights, self.knots.iter().rev().map(|k| sum - k).collect())
+    }
+
+    /// Of the two ways to run the curve this is not the one that fits are made in: its control points come later,
+    /// by x, then by y, than those from the other end.
+    fn starts_at_its_later_end(&self) -> bool {
+        let differ = self.control.iter().zip(self.control.iter().rev()).find(|(a, b)| a != b);
+        differ.is_some_and(|(a, b)| (a.x, a.y) > (b.x, b.y))
     }
 
     fn clamped_start(&self) -> bool {

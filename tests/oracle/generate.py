@@ -1,8 +1,9 @@
 """Makes the fixtures of `tests/oracle_ezdxf.rs`: drawings of every entity kind, and what ezdxf makes of them.
 
-    python tests/oracle/generate.py [--random 24] [--seed 1]
+    python tests/oracle/generate.py [--random 24] [--seed 1] [--out FOLDER]
 
-needs `pip install ezdxf numpy`; run from anywhere. Directed cases come from `cases.py`, random ones are drawn from a
+needs `pip install ezdxf numpy`; run from anywhere. To look further, make many in a folder of their own and run
+`KERFWAY_ORACLE=FOLDER cargo test --test oracle_ezdxf`. Directed cases come from `cases.py`, random ones are drawn from a
 seeded generator here: every kind at random places, sizes and orientations, in blocks nested up to three deep, in
 random versions and units. Each drawing is written beside a `.json` with the reference:
 
@@ -146,20 +147,22 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--random", type=int, default=24, help="how many random drawings")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--out", type=Path, default=OUT)
     args = parser.parse_args()
-    OUT.mkdir(parents=True, exist_ok=True)
-    for old in [*OUT.glob("*.dxf"), *OUT.glob("*.json")]:
+    out = args.out
+    out.mkdir(parents=True, exist_ok=True)
+    for old in [*out.glob("*.dxf"), *out.glob("*.json")]:
         old.unlink()
     drawings = [*all_cases(), *(random_drawing(i, args.seed) for i in range(args.random))]
     count = 0
     for d in drawings:
-        path = OUT / f"{d.name}.dxf"
+        path = out / f"{d.name}.dxf"
         path.write_bytes(d.bytes())
         made = reference(path, d)
         count += len(made["paths"])
-        (OUT / f"{d.name}.json").write_text(json.dumps(made, separators=(",", ":"), ensure_ascii=False) + "\n")
-    size = sum(f.stat().st_size for f in OUT.iterdir())
-    print(f"{len(drawings)} drawings, {count} paths by ezdxf {ezdxf.__version__}, {size / 1e3:.0f} kB in {OUT}")
+        (out / f"{d.name}.json").write_text(json.dumps(made, separators=(",", ":"), ensure_ascii=False) + "\n")
+    size = sum(f.stat().st_size for f in out.iterdir())
+    print(f"{len(drawings)} drawings, {count} paths by ezdxf {ezdxf.__version__}, {size / 1e3:.0f} kB in {out}")
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ from dataclasses import dataclass
 
 import ezdxf
 from ezdxf import recover
+from ezdxf.entities import LWPolyline
 from ezdxf.math import Matrix44, Vec3, X_AXIS, Y_AXIS, Z_AXIS
 
 # mm per unit of $INSUNITS.
@@ -44,10 +45,12 @@ class RefPath:
 
 
 def read(path):
-    """The document; the strict reader for binary files, which recover mode does not take."""
-    with open(path, "rb") as f:
-        binary = f.read(22).startswith(b"AutoCAD Binary DXF")
-    return ezdxf.readfile(path) if binary else recover.readfile(path)[0]
+    """The document, by the strict reader where that takes the file: recover mode reads UTF-8 layer names wrongly when
+    no code page is named, and takes no binary files. By recover mode otherwise."""
+    try:
+        return ezdxf.readfile(path)
+    except ezdxf.DXFStructureError:
+        return recover.readfile(path)[0]
 
 
 def paths_of(doc, factor, chord=0.001):
@@ -108,7 +111,7 @@ def _curves(e, chord):
         yield from _face(e)
     elif kind == "HATCH":
         for path in e.paths.paths:
-            yield True, _boundary(e, path, chord)
+            yield from _boundary(e, path, chord)
 
 
 def _spline(spline, chord):
@@ -188,31 +191,22 @@ def _face(face):
 
 
 def _boundary(hatch, path, chord):
-    """One boundary of a hatch in WCS."""
+    """One boundary of a hatch in WCS: a closed polyline, or edges, each of them a curve of its own."""
     ocs, z = hatch.ocs(), hatch.dxf.elevation.z
     if type(path).__name__ == "PolylinePath":
-        from ezdxf.entities import LWPolyline
         line = LWPolyline.new(dxfattribs={"extrusion": hatch.dxf.extrusion, "elevation": z, "flags": 1})
         line.set_points(path.vertices, format="xyb")
-        return _chain(line.virtual_entities(), chord)
-    out = []
+        yield True, _chain(line.virtual_entities(), chord)
+        return
     for edge in path.edges:
         kind = type(edge).__name__
         if kind == "LineEdge":
             piece = [edge.start, edge.end]
         elif kind in ("ArcEdge", "EllipseEdge"):
-            # Angles are kept as if the edge ran counter-clockwise; `ccw` only tells the direction of travel.
-            tool = edge.construction_tool()
-            piece = list(tool.flattening(chord))
-            if not edge.ccw:
-                piece.reverse()
+            piece = edge.construction_tool().flattening(chord)
         else:
-            piece = list(edge.construction_tool().flattening(chord, 16))
-        piece = [(p[0], p[1]) for p in piece]
-        if out and math.dist(piece[0], out[-1]) > 1e-6 > math.dist(piece[-1], out[-1]):
-            piece.reverse()
-        out += piece if not out else piece[1:]
-    return [ocs.to_wcs((p[0], p[1], z)) for p in out]
+            piece = edge.construction_tool().flattening(chord, 16)
+        yield False, [ocs.to_wcs((p[0], p[1], z)) for p in piece]
 
 
 def main():
