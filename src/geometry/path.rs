@@ -3,7 +3,7 @@
 //! A place on a path is its arc length from the start in mm, as entries of the search slide continuously.
 
 use super::aabb::Aabb;
-use super::segment::Segment;
+use super::segment::{Arc, Segment};
 use glam::DVec2;
 
 /// Places nearer than this to an element's end are that end, mm: a sum of lengths is off by its last bits, and an
@@ -88,25 +88,26 @@ impl Path {
         Some((self.segments.len().checked_sub(1)?, 1.0))
     }
 
-    /// A closed path re-cut to start `s` mm along it, in its own direction; an open path as it is.
+    /// A closed path re-cut to start `s` mm along it, in its own direction; an open path as it is. A circle stays one
+    /// arc.
     pub fn starting_at(&self, s: f64) -> Self {
-        let Some((i, f)) = self.locate(s) else { return self.clone() };
-        if !self.closed {
-            return self.clone();
-        }
-        let mut out = Vec::with_capacity(self.segments.len() + 1);
+        let Some((i, f)) = self.locate(s).filter(|_| self.closed) else { return self.clone() };
         let cut = self.segments[i];
-        if f > 0.0 && f < 1.0 {
-            out.push(cut.piece(f, 1.0));
-        } else if f <= 0.0 {
-            out.push(cut);
+        if let (Segment::Arc(a), [_]) = (cut, self.segments.as_slice())
+            && a.is_circle()
+        {
+            let start = cut.at(f);
+            return Self::new(vec![Segment::Arc(Arc { start, end: start, ..a })], true);
+        }
+        let inside = f > 0.0 && f < 1.0;
+        let mut out = Vec::with_capacity(self.segments.len() + 1);
+        if f < 1.0 {
+            out.push(if inside { cut.piece(f, 1.0) } else { cut });
         }
         out.extend(self.segments[i + 1..].iter().chain(&self.segments[..i]).copied());
-        if f > 0.0 && f < 1.0 {
-            out.push(cut.piece(0.0, f));
-        } else if f >= 1.0 {
-            out.push(cut);
+        if f > 0.0 {
+            out.push(if inside { cut.piece(0.0, f) } else { cut });
         }
-        Self { segments: out, closed: true }
+        Self::new(out, true)
     }
 }

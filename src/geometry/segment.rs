@@ -7,7 +7,7 @@
 use super::aabb::Aabb;
 use super::math;
 use glam::DVec2;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// A straight element.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,8 +78,9 @@ impl Arc {
         if !finite || b.abs() < 1e-9 {
             return None;
         }
-        // Centre = middle of the chord, moved along its left normal by c/2 * (1 - b^2) / (2 b).
-        let center = (start + end) * 0.5 + chord.perp() * ((1.0 - b * b) / (4.0 * b));
+        // Centre = middle of the chord, moved along its left normal by c/2 * (1 - b^2) / (2 b); as written here a
+        // huge bulge does not overflow.
+        let center = (start + end) * 0.5 + chord.perp() * ((1.0 / b - b) * 0.25);
         Some(Self { start, end, center, sweep: 4.0 * math::atan(b) })
     }
 
@@ -103,13 +104,23 @@ impl Arc {
         self.sweep.abs() >= TAU
     }
 
-    /// Fraction of the sweep, in [0, 1], at which direction `v` from the centre is met; `None` outside the arc.
+    /// Fraction of the sweep, in [0, 1], at which direction `v` from the centre is met; `None` outside the arc. A
+    /// direction that misses an end by rounding meets it.
     pub fn fraction_of(&self, v: DVec2) -> Option<f64> {
-        let from = self.start - self.center;
-        let turn = math::turn(from, v);
-        let along = if self.ccw() { math::wrap_tau(turn) } else { math::wrap_tau(-turn) };
-        let f = along / self.sweep.abs();
-        (f <= 1.0).then_some(f)
+        /// Directions closer than this are the same, rad: 1e-6 mm at the largest radius of 1e6 mm.
+        const SAME: f64 = 1e-12;
+        let turn = math::turn(self.start - self.center, v);
+        let along = math::wrap_tau(if self.ccw() { turn } else { -turn });
+        let sweep = self.sweep.abs();
+        if along <= sweep {
+            Some(along / sweep)
+        } else if along - sweep <= SAME {
+            Some(1.0)
+        } else if TAU - along <= SAME {
+            Some(0.0)
+        } else {
+            None
+        }
     }
 }
 
@@ -195,9 +206,20 @@ impl Segment {
         let mut b = Aabb::of(self.start()).with(self.end());
         if let Self::Arc(a) = self {
             let r = a.radius();
-            for v in [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y] {
-                if a.fraction_of(v).is_some() {
+            let from = a.start_angle();
+            let (low, high) = (from.min(from + a.sweep), from.max(from + a.sweep));
+            // Quarter turns inside the arc, from the least: a quarter turn lies at every multiple of pi / 2.
+            let mut quarter = (low / FRAC_PI_2).ceil();
+            for _ in 0..5 {
+                if quarter * FRAC_PI_2 <= high {
+                    let v = match quarter.rem_euclid(4.0) {
+                        q if q < 0.5 => DVec2::X,
+                        q if q < 1.5 => DVec2::Y,
+                        q if q < 2.5 => DVec2::NEG_X,
+                        _ => DVec2::NEG_Y,
+                    };
                     b = b.with(a.center + v * r);
+                    quarter += 1.0;
                 }
             }
         }
