@@ -62,6 +62,8 @@ struct Element<'s> {
     length: f64,
     /// How far its ends are off its own circle, mm: ends that were joined over a gap are.
     slack: f64,
+    /// A full circle: a piece may run on past its start.
+    circle: bool,
 }
 
 impl<'s> Element<'s> {
@@ -70,7 +72,8 @@ impl<'s> Element<'s> {
             Segment::Line(_) => 0.0,
             Segment::Arc(a) => (a.start.distance(a.center) - a.end.distance(a.center)).abs(),
         };
-        Self { shape, length: shape.length(), slack }
+        let circle = matches!(shape, Segment::Arc(a) if a.is_circle());
+        Self { shape, length: shape.length(), slack, circle }
     }
 }
 
@@ -98,12 +101,16 @@ impl Walk<'_> {
             let element = &self.elements[self.index];
             for t in [0.0, 0.25, 0.5, 0.75, 1.0] {
                 let there = (self.at + self.direction * t * length) / element.length;
+                let there = if element.circle { there.rem_euclid(1.0) } else { there };
                 // A place past the element's end is compared with that end.
                 if element.shape.at(there).distance(piece.at(t)) > SAME + element.slack {
                     return Err(Fault::Strays(piece.at(t)));
                 }
             }
             self.at += self.direction * length;
+            if element.circle {
+                self.at = self.at.rem_euclid(element.length);
+            }
             self.worked += length;
         }
         Ok(())
