@@ -17,17 +17,17 @@ test('everything can be done by keyboard', async (t) => {
 
   await key('ArrowRight');
   const card = page.getByRole('region', { name: 'Selected contour' });
-  assert.match(await card.textContent(), /^No\. 1 of 100/);
+  assert.match(await card.textContent(), /^No\. 1 of 500/);
   await key('ArrowRight');
-  assert.match(await card.textContent(), /^No\. 2 of 100/);
+  assert.match(await card.textContent(), /^No\. 2 of 500/);
   await key('End');
-  assert.match(await card.textContent(), /^No\. 100 of 100/);
+  assert.match(await card.textContent(), /^No\. 500 of 500/);
   await key('Escape');
   assert.equal(await card.isVisible(), false);
 
   await key('t');
   const table = page.getByRole('table', { name: 'Cutting order' });
-  assert.equal(await table.getAttribute('aria-rowcount'), '101');
+  assert.equal(await table.getAttribute('aria-rowcount'), '501');
   assert.match(await table.getByRole('row').nth(1).textContent(), /^1/);
   await key('Escape');
   await key('t');
@@ -43,7 +43,7 @@ test('everything can be done by keyboard', async (t) => {
   const slider = page.getByRole('slider', { name: 'Moment of the job' });
   await page.waitForFunction(() => Number(document.querySelector('#playback input').value) > 0 && Number(document.querySelector('#playback input').value) < 9000);
   await key(' ');
-  assert.match(await slider.getAttribute('aria-valuetext'), /contour \d+ of 100/);
+  assert.match(await slider.getAttribute('aria-valuetext'), /contour \d+ of 500/);
 
   // Every control is reached by Tab and shows where the focus is.
   const seen = new Set();

@@ -1,8 +1,8 @@
 // Helpers of the page's tests: the built page in Chromium, files dropped on it, drawings made up, G-code read back.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { existsSync, readFileSync } from 'node:fs';
+import { delimiter, dirname, isAbsolute, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { serve } from '../../scripts/serve.mjs';
@@ -18,14 +18,12 @@ export const SIZES = { desktop: { width: 1440, height: 900 }, phone: { width: 39
 /** Opens the built page; everything is closed when the test ends. Errors on the page fail the test. */
 export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch = false, prepare } = {}) {
   const server = await serve(join(ROOT, 'dist', 'app'));
+  t.after(() => server.close());
   const browser = await chromium.launch({
-    executablePath: findBrowser(),
+    executablePath: browserPath(),
     args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
   });
-  t.after(async () => {
-    await browser.close();
-    await server.close();
-  });
+  t.after(() => browser.close());
   const context = await browser.newContext({ viewport: size, colorScheme: theme, hasTouch: touch, acceptDownloads: true });
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE);
@@ -38,6 +36,14 @@ export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch
   if (prepare) await page.addInitScript(prepare);
   await page.goto(server.url);
   return { page, requests, url: server.url };
+}
+
+/** Where the browser is: playwright wants a path, not a name. */
+function browserPath() {
+  const found = findBrowser();
+  assert.ok(found, 'the browser tests need Chromium: npm run setup');
+  if (isAbsolute(found)) return found;
+  return process.env.PATH.split(delimiter).map((folder) => join(folder, found)).find(existsSync);
 }
 
 /** Waits until the page is in one of these states. */
@@ -70,9 +76,6 @@ export async function download(page, press) {
   const [file] = await Promise.all([page.waitForEvent('download'), press()]);
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
 }
-
-/** A fixture's bytes. */
-export const fixture = (name) => readFileSync(join(ROOT, 'tests', 'fixtures', name));
 
 /** A file of the page's own samples. */
 export const sample = (name) => readFileSync(join(ROOT, 'www', 'app', 'public', 'samples', name));

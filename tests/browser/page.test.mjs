@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { beamRuns, download, drop, fixture, grid, openPage, phase, planned, sample } from './page-support.mjs';
+import { beamRuns, download, drop, grid, openPage, phase, planned, sample } from './page-support.mjs';
 
 /** The job's time as the panel shows it, s. */
 const best = (page) => page.locator('.compare .solid td').first().textContent();
@@ -10,10 +10,10 @@ const best = (page) => page.locator('.compare .solid td').first().textContent();
 test('the page opens with a sample already being planned', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning', 'done');
-  assert.equal(await page.locator('.file-name').textContent(), 'sheet_100.dxf');
+  assert.equal(await page.locator('.file-name').textContent(), 'sheet_500.dxf');
   assert.equal(await page.locator('#hint').textContent(), 'Drop a DXF anywhere');
-  await page.waitForFunction(() => document.querySelector('.section .gist').textContent.startsWith('100 contours'));
-  assert.match(await page.locator('.measure').textContent(), /^\d+(\.\d)? × \d+(\.\d)? mm$/);
+  await page.waitForFunction(() => document.querySelector('.section .gist').textContent.startsWith('500 contours'));
+  assert.equal(await page.locator('.measure').textContent(), '1500 × 1000 mm');
 });
 
 test('a dropped drawing is planned, improves, stops at once and gives G-code that cuts each contour once', async (t) => {
@@ -29,9 +29,12 @@ test('a dropped drawing is planned, improves, stops at once and gives G-code tha
     },
   });
   await phase(page, 'planning');
-  const bytes = sample('sheet_500.dxf');
-  await drop(page, 'mine.dxf', bytes);
+  await drop(page, 'mine.dxf', sample('sheet_500.dxf'));
   await planned(page, 'mine.dxf', 'planning');
+  // The sheet's border is seen for what it is, and left out with one click.
+  await page.getByLabel('Leave out the border around everything').check();
+  await page.waitForFunction(() => document.querySelector('.section .gist').textContent.startsWith('500 contours'));
+  await page.evaluate(() => window.reports.clear());
   await page.waitForFunction(() => window.reports.size >= 3);
   assert.equal(await page.locator('#hint').isVisible(), false);
 
@@ -58,18 +61,18 @@ test('the other downloads are what they say', async (t) => {
   await phase(page, 'done');
   const get = (label) => download(page, () => page.locator('.downloads').getByRole('button', { name: label, exact: true }).click());
   const plan = await get('Plan');
-  assert.equal(plan.name, 'sheet_100.plan.json');
+  assert.equal(plan.name, 'sheet_500.plan.json');
   const document = JSON.parse(plan.bytes.toString());
   assert.equal(document.schema, 'kerfway.plan/1');
-  assert.equal(document.summary.contours, 100);
+  assert.equal(document.summary.contours, 500);
   const svg = await get('SVG');
-  assert.equal(svg.name, 'sheet_100.svg');
+  assert.equal(svg.name, 'sheet_500.svg');
   assert.match(svg.bytes.toString().slice(0, 200), /<svg/);
   const dxf = await get('DXF');
-  assert.equal(dxf.name, 'sheet_100-ordered.dxf');
+  assert.equal(dxf.name, 'sheet_500-ordered.dxf');
   assert.match(dxf.bytes.toString().slice(-40), /EOF\s*$/);
   const png = await get('PNG');
-  assert.equal(png.name, 'sheet_100.png');
+  assert.equal(png.name, 'sheet_500.png');
   assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
 });
 
@@ -140,13 +143,31 @@ test('a drawing whose units are in doubt is asked about before it is planned', a
   assert.equal(await card.isVisible(), false);
 });
 
-test('findings are listed and shown on the sheet', async (t) => {
+test('findings are listed by kind, and one click shows their place', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning');
-  await drop(page, 'reviung.dxf', fixture('dxf-dev/gtips_reviung__reviung53_2mm_450x300_ver1.1.dxf'));
-  await planned(page, 'reviung.dxf', 'planning', 'done', 'question');
+  await drop(page, 'flawed.dxf', flawed());
+  await planned(page, 'flawed.dxf');
+  await page.keyboard.press('s');
+  await phase(page, 'done');
   await page.locator('.section').first().evaluate((section) => {
     for (const details of [section, ...section.querySelectorAll('details')]) details.open = true;
   });
-  assert.ok((await page.locator('.finding').count()) > 0);
+  const list = page.locator('.findings');
+  assert.match(await list.textContent(), /copies/i);
+  assert.match(await list.textContent(), /open/i);
+  assert.match(await list.textContent(), /TEXT/);
+  const before = await page.locator('#canvas').screenshot();
+  await list.getByRole('button', { name: /show/ }).first().click();
+  await page.waitForTimeout(800);
+  assert.notDeepEqual(await page.locator('#canvas').screenshot(), before);
 });
+
+/** Two copies of a circle, a line that meets nothing, a word. */
+function flawed() {
+  const circle = ['0', 'CIRCLE', '8', 'CUT', '10', '200', '20', '200', '40', '8'];
+  const line = ['0', 'LINE', '8', 'CUT', '10', '220', '20', '220', '11', '240', '21', '220'];
+  const word = ['0', 'TEXT', '8', 'CUT', '10', '0', '20', '0', '40', '5', '1', 'PART 7'];
+  const extra = [...circle, ...circle, ...line, ...word].join('\n');
+  return Buffer.from(grid(30).toString().replace('0\nENDSEC\n0\nEOF', `${extra}\n0\nENDSEC\n0\nEOF`));
+}

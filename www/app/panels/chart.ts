@@ -21,7 +21,8 @@ const FAR = 8;
 
 export function chart(session: Session, theme: Theme): HTMLElement {
   const holder = h('div', { class: 'chart', role: 'img', 'aria-label': 'Job time over search time' });
-  const caption = h('figcaption', { class: 'soft' });
+  const off = h('span', { class: 'number' });
+  const caption = h('figcaption', { class: 'soft' }, h('span', {}, 'Job over search, s'), off);
   const color = (name: string) => () => getComputedStyle(holder).getPropertyValue(`--${name}`).trim();
   const soft = color('ink-soft'), hair = color('line');
   const axis = { stroke: soft, font: '12px system-ui', grid: { stroke: hair, width: 1 }, ticks: { show: false }, gap: 4 };
@@ -56,7 +57,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
     if (plot.width !== holder.clientWidth) plot.setSize({ width: holder.clientWidth, height: HEIGHT });
     const { data, above } = dataOf(session.state);
     plot.setData(data);
-    setText(caption, `Job over search, seconds${above === null ? '' : `; drawing order, ${narrow(above)}, is above`}`);
+    setText(off, above === null ? '' : `drawing order ${narrow(above)} ↑`);
     holder.setAttribute('aria-label', describe(session.state));
   };
   const soon = () => {
