@@ -7,10 +7,9 @@ import { download, drop, grid, openPage, phase, planned } from './page-support.m
 /** Milliseconds: a frame longer than this is seen as a jerk. */
 const FRAME = 50;
 
+/** Runs in the page: keeps the time between frames. */
 const watch = () => {
-  window.tasks = [];
   window.frames = [];
-  new PerformanceObserver((list) => window.tasks.push(...list.getEntries().map((e) => e.duration))).observe({ type: 'longtask' });
   let before = 0;
   const frame = (now) => {
     if (before) window.frames.push(now - before);
@@ -20,33 +19,51 @@ const watch = () => {
   requestAnimationFrame(frame);
 };
 
+/** Processor milliseconds of each task the page's thread ran while `act` went on, longest first. */
+async function tasksOf(page, act) {
+  const browser = page.context().browser();
+  await browser.startTracing(page, { categories: ['toplevel', 'devtools.timeline', 'disabled-by-default-devtools.timeline'] });
+  await act();
+  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
+  const main = new Set(traceEvents.filter((e) => e.name === 'thread_name' && e.args.name === 'CrRendererMain').map((e) => `${e.pid} ${e.tid}`));
+  const tasks = traceEvents.filter((e) => e.ph === 'X' && e.name.endsWith('RunTask') && e.tdur !== undefined && main.has(`${e.pid} ${e.tid}`));
+  return tasks.map((e) => e.tdur / 1000).sort((a, b) => b - a);
+}
+
 test('10,000 contours pan and zoom while planning without a frame over 50 ms', async (t) => {
   const { page } = await openPage(t, { prepare: watch });
   await phase(page, 'planning');
   await drop(page, 'ten-thousand.dxf', grid(10_000));
   await planned(page, 'ten-thousand.dxf', 'planning');
   await page.waitForFunction(() => document.querySelector('.section .gist').textContent.startsWith('10,000 contours'));
-  await page.waitForTimeout(500);
-  await page.evaluate(() => (window.tasks.length = window.frames.length = 0));
+  // Long enough for a busy machine to get through what follows.
+  await page.getByRole('heading', { name: 'Plan', exact: true }).click();
+  await page.getByLabel('Search for').selectOption('1 min');
+  await phase(page, 'planning');
+  await page.evaluate(() => (window.frames.length = 0));
 
-  await page.mouse.move(500, 450);
-  await page.mouse.down();
-  for (let i = 0; i < 40; i += 1) await page.mouse.move(500 + 4 * i, 450 + 30 * Math.sin(i / 5));
-  await page.mouse.up();
-  for (let i = 0; i < 12; i += 1) {
-    await page.mouse.wheel(0, i < 6 ? -240 : 240);
-    await page.waitForTimeout(60);
-  }
-  await page.waitForTimeout(1000);
+  const tasks = await tasksOf(page, async () => {
+    await page.mouse.move(500, 450);
+    await page.mouse.down();
+    for (let i = 0; i < 40; i += 1) await page.mouse.move(500 + 4 * i, 450 + 30 * Math.sin(i / 5));
+    await page.mouse.up();
+    for (let i = 0; i < 12; i += 1) {
+      await page.mouse.wheel(0, i < 6 ? -240 : 240);
+      await page.waitForTimeout(60);
+    }
+    for (let i = 0; i < 20; i += 1) await page.mouse.move(300 + 20 * i, 400);
+    await page.waitForTimeout(500);
+  });
   assert.equal(await page.evaluate(() => document.body.dataset.phase), 'planning');
 
-  const { tasks, frames } = await page.evaluate(() => ({ tasks: window.tasks, frames: window.frames.sort((a, b) => a - b) }));
+  const frames = await page.evaluate(() => window.frames.sort((a, b) => a - b));
   const at = (share) => frames[Math.floor((frames.length - 1) * share)].toFixed(1);
-  t.diagnostic(`frames ${frames.length}: median ${at(0.5)} ms, 95 % ${at(0.95)} ms, longest ${at(1)} ms; tasks over 50 ms: ${tasks.map((d) => d.toFixed(0)).join(', ') || 'none'}`);
-  // Frames are late when the machine is busy with other things; what the page itself does at a stretch is told by the
-  // tasks of its thread. The planner's and the drawing's work is in workers.
-  assert.ok(Number(at(0.5)) < FRAME / 2, `median frame ${at(0.5)} ms`);
-  assert.ok(tasks.length <= Math.max(1, frames.length / 100), `tasks over ${FRAME} ms: ${tasks}`);
+  t.diagnostic(`${frames.length} frames: median ${at(0.5)} ms, 95 % ${at(0.95)} ms, longest ${at(1)} ms by the clock`);
+  t.diagnostic(`${tasks.length} tasks of the page's thread, the longest ${tasks.slice(0, 3).map((d) => d.toFixed(1)).join(', ')} ms of processor time`);
+  // By the clock a frame is also late when the machine is busy with other things. What the page itself takes for a
+  // frame is the processor time of its tasks; planning and drawing are in workers.
+  assert.ok(tasks.length > 200, 'the trace holds the tasks');
+  assert.ok(tasks[0] < FRAME, `the longest task took ${tasks[0]} ms`);
 });
 
 test('nothing is fetched after the page has loaded', async (t) => {

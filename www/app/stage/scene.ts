@@ -46,6 +46,7 @@ export class Scene {
   showAir = true;
   private loaded: Loaded | null = null;
   private extent: Box = [0, 0, 1, 1];
+  /** Made when the pointer first comes over the sheet. */
   private grid: HitGrid | null = null;
   private path: BestPath | null = null;
   private stopOf: Int32Array | null = null;
@@ -91,8 +92,8 @@ export class Scene {
     this.lengths = new Float64Array(0);
     if (loaded) {
       const shapes = (this.shapes = prepare(loaded.geometry));
-      this.lengths = Float64Array.from({ length: shapes.count }, (_, c) => chainLength(shapes, c));
-      this.grid = new HitGrid(shapes, loaded.bounds);
+      this.lengths = new Float64Array(shapes.count);
+      for (let c = 0; c < shapes.count; c += 1) this.lengths[c] = chainLength(shapes, c);
       this.raster.setGeometry(loaded.geometry, rolesOf(loaded), loaded.ignored.geometry);
       if (fit) this.viewport.setBounds(extent);
     }
@@ -123,8 +124,10 @@ export class Scene {
 
   /** The contour under a point of the screen, within `reach` CSS pixels. */
   pick(x: number, y: number, reach: number): number | null {
-    const v = this.viewport;
-    return this.grid?.nearest(v.worldX(x), v.worldY(y), reach / v.scale) ?? null;
+    const { viewport: v, shapes, loaded } = this;
+    if (!shapes || !loaded) return null;
+    this.grid ??= new HitGrid(shapes, loaded.bounds);
+    return this.grid.nearest(v.worldX(x), v.worldY(y), reach / v.scale);
   }
 
   /** The finding whose marker is under a point of the screen. */
