@@ -31,8 +31,8 @@ test('a dropped drawing is planned, improves, stops at once and gives G-code tha
   await phase(page, 'planning');
   await drop(page, 'mine.dxf', sample('sheet_500.dxf'));
   await planned(page, 'mine.dxf', 'planning');
-  // The sheet's border is seen for what it is, and left out with one click.
-  await page.getByLabel('Leave out the border around everything').check();
+  // The layer of the sheet's border is seen for what it is, and left out with one click.
+  await page.getByRole('button', { name: 'Leave it out' }).click();
   await page.waitForFunction(() => document.querySelector('.section .gist').textContent.startsWith('500 contours'));
   await page.evaluate(() => window.reports.clear());
   await page.waitForFunction(() => window.reports.size >= 3);

@@ -50,11 +50,11 @@ const FILES: Record<OutputKind, { suffix: string; type: string }> = {
 export async function startPage(): Promise<void> {
   const place = (id: string) => document.getElementById(id)!;
   const first = SAMPLES[0]!;
-  // The sample is fetched while the planner starts.
+  // The sample is fetched and the page stands while the planner starts.
   const sampleBytes = fetchSample(first);
   sampleBytes.catch(() => {});
   const theme = new Theme();
-  const session = await Session.start();
+  const session = new Session();
   const { state } = session;
   const stage = place('stage');
   const canvas = place('canvas') as HTMLCanvasElement;

@@ -32,13 +32,14 @@ export function seconds(s: number): string {
   return `${sign}${count(Math.floor(minutes / 60))} h ${String(minutes % 60).padStart(2, '0')} min`;
 }
 
-/** Job time in a narrow column: "627 s", "16:40", "1:23:45". */
+/** Job time in a narrow column: "627 s", "16:40", "1 h 23". */
 export function narrow(s: number): string {
   if (Math.abs(s) < 999.5) return seconds(s);
   const whole = Math.round(s);
   const rest = String(whole % 60).padStart(2, '0');
   if (whole < 3600) return `${Math.floor(whole / 60)}:${rest}`;
-  return `${Math.floor(whole / 3600)}:${String(Math.floor(whole / 60) % 60).padStart(2, '0')}:${rest}`;
+  const minutes = Math.round(whole / 60);
+  return `${Math.floor(minutes / 60)} h ${String(minutes % 60).padStart(2, '0')}`;
 }
 
 /** A place on the job's clock: "1:23.4", "1:02:03". */
@@ -53,8 +54,9 @@ export function clock(s: number): string {
   return `${Math.floor(tenths / 600)}:${String(Math.floor(tenths / 10) % 60).padStart(2, '0')}.${tenths % 10}`;
 }
 
-/** A length in mm as metres: "2.76 m". */
+/** A length in mm as metres: "2.76 m"; from 10 km on in those. */
 export function metres(mm: number): string {
+  if (mm >= 1e7) return `${three(mm / 1e6)} km`;
   return `${three(mm / 1000)} m`;
 }
 

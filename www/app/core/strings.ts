@@ -3,13 +3,13 @@
 import type { DoneReason, Operation, Unit, UnitsTaken } from 'kerfway';
 
 export const UNIT_NAMES: Record<Unit, string> = {
-  mm: 'millimetres', cm: 'centimetres', dm: 'decimetres', m: 'metres', um: 'micrometres',
+  mm: 'millimetres', cm: 'centimetres', m: 'metres', dm: 'decimetres', um: 'micrometres',
   in: 'inches', ft: 'feet', yd: 'yards', mil: 'mils', microinch: 'microinches',
 };
 
 /** Millimetres in a unit. */
 export const UNIT_SIZES: Record<Unit, number> = {
-  mm: 1, cm: 10, dm: 100, m: 1000, um: 0.001, in: 25.4, ft: 304.8, yd: 914.4, mil: 0.0254, microinch: 2.54e-5,
+  mm: 1, in: 25.4, cm: 10, m: 1000, dm: 100, um: 0.001, ft: 304.8, yd: 914.4, mil: 0.0254, microinch: 2.54e-5,
 };
 
 export const UNIT_SOURCES: Record<UnitsTaken['source'], string> = {

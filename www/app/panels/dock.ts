@@ -19,7 +19,7 @@ export interface DockActions {
 export function dock(session: Session, actions: DockActions): HTMLElement {
   const headline = h('p', { class: 'dock-head' });
   const detail = h('p', { class: 'soft number' });
-  const bar = h('div', { class: 'budget', role: 'progressbar', 'aria-label': 'Search time used', 'aria-valuemin': 0, 'aria-valuemax': 100 }, h('span'));
+  const bar = h('div', { class: 'budget', role: 'progressbar', 'aria-label': 'Progress', 'aria-valuemin': 0, 'aria-valuemax': 100 }, h('span'));
   const stop = button('Stop', { icon: 'stop', class: 'stop', onclick: () => session.stop() });
   const pause = button('Pause', { icon: 'pause', onclick: () => session.pause() });
   const resume = button('Resume', { icon: 'play', onclick: () => session.resume() });
@@ -38,14 +38,17 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     more.hidden = phase !== 'done' || state.reason === 'exhausted';
     gcode.hidden = phase !== 'done';
     open.hidden = phase !== 'failed' && phase !== 'ready';
-    bar.hidden = !running;
+    const busy = phase === 'starting' || phase === 'reading';
+    bar.hidden = !running && !busy;
+    bar.classList.toggle('busy', busy);
     root.dataset.phase = phase;
     setText(headline, head(state));
     setText(detail, tail(state));
     detail.hidden = detail.textContent === '';
     const share = progress ? Math.min(1, progress.seconds / state.budget) : 0;
     bar.style.setProperty('--share', String(share));
-    bar.setAttribute('aria-valuenow', String(Math.round(share * 100)));
+    if (busy) bar.removeAttribute('aria-valuenow');
+    else bar.setAttribute('aria-valuenow', String(Math.round(share * 100)));
   };
   session.on('change', show);
   session.on('progress', show);

@@ -41,7 +41,7 @@ export function drawingPanel(session: Session, onFinding: (finding: Finding) => 
     setText(counts, [counted(loaded.parts.length, 'part'), open ? counted(open, 'open contour') : '', loaded.version ? versionName(loaded.version) : '']
       .filter(Boolean).join(' · '));
     layers.replaceChildren(layerList(session, loaded));
-    outline.root.hidden = loaded.outline === null && !load.ignoreOutline;
+    outline.root.hidden = !load.ignoreOutline && (loaded.outline === null || suggestedAnyway(loaded, loaded.outline));
     outline.input.checked = load.ignoreOutline ?? false;
     findings.show(loaded.findings);
   };
@@ -58,6 +58,12 @@ export function drawingPanel(session: Session, onFinding: (finding: Finding) => 
 /** Whether there is something in a drawing for a person to decide or see. */
 function wantsALook({ findings, layers, outline }: Loaded): boolean {
   return outline !== null || findings.some((f) => f.severity !== 'info') || layers.some((l) => l.suggestion !== null);
+}
+
+/** Whether the border is alone on a layer that is suggested to be left out: one suggestion is enough. */
+function suggestedAnyway({ contours, layers }: Loaded, outline: number): boolean {
+  const layer = layers.find((l) => l.name === contours[outline]?.layer);
+  return layer?.suggestion === 'ignore' && layer.contours === 1;
 }
 
 function toleranceField(session: Session, key: keyof typeof DEFAULTS, label: string): HTMLElement {

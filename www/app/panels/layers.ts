@@ -11,7 +11,10 @@ const COLORS = ['', '#e5484d', '#c9a400', '#3aa655', '#1ea7b8', '#4565e6', '#b34
 
 export function layerList(session: Session, loaded: Loaded): HTMLElement {
   const ordered = session.state.load.orderByLayer === true;
-  const layers = ordered ? [...loaded.layers].sort((a, b) => a.rank - b.rank) : loaded.layers;
+  // Layers that hold nothing to cut or show would only be in the way.
+  const shown = new Set(loaded.ignored.layers);
+  const used = loaded.layers.filter((l, i) => l.contours > 0 || shown.has(i));
+  const layers = ordered ? used.sort((a, b) => a.rank - b.rank) : used;
   const suggestions = layers.filter((l) => l.suggestion && l.suggestion !== l.operation);
   return h('div', { class: 'stack' },
     h('ul', { class: 'layers', 'aria-label': 'Layers' }, ...layers.map((l, i) => row(session, l, ordered ? [i > 0, i < layers.length - 1] : null))),

@@ -41,8 +41,7 @@ const TRAVELS: { value: MachineProfile['travel']; label: string }[] = [
 
 export function machinePanel(session: Session): HTMLElement {
   const { root, body, setGist } = section('Machine', false);
-  const { machines } = session.planner;
-  const preset = () => machines.find((m) => m.name === session.state.machine?.name);
+  const preset = () => session.machines.find((m) => m.name === session.state.machine?.name);
   const edit = (change: (m: MachineProfile) => void) => {
     const { machine } = session.state;
     if (!machine) return;
@@ -52,7 +51,7 @@ export function machinePanel(session: Session): HTMLElement {
   };
 
   const choice = select<string>((name) => {
-    const chosen = machines.find((m) => m.name === name);
+    const chosen = session.machines.find((m) => m.name === name);
     if (chosen) session.setMachine(structuredClone(chosen));
   });
   const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)));
@@ -72,7 +71,7 @@ export function machinePanel(session: Session): HTMLElement {
     const original = preset();
     const changed = original !== undefined && JSON.stringify(original) !== JSON.stringify(machine);
     setGist(machine.title + (changed ? ', changed' : ''));
-    choice.fill(machines.map((m) => ({ value: m.name, label: m.title })), machine.name);
+    choice.fill(session.machines.map((m) => ({ value: m.name, label: m.title })), machine.name);
     travel.fill(TRAVELS, machine.travel);
     home.input.checked = machine.return_home;
     back.hidden = !changed;

@@ -11,7 +11,6 @@ const span = (s: number) => (s < 60 ? `${s} s` : `${s / 60} min`);
 
 export function planPanel(session: Session): HTMLElement {
   const { root, body, setGist } = section('Plan', false);
-  const { methods } = session.planner;
   const method = select<string>((value) => session.setSearch({ method: value }));
   const budget = select<number>((value) => session.setSearch({ seconds: value }));
   const about = h('p', { class: 'soft' });
@@ -28,6 +27,7 @@ export function planPanel(session: Session): HTMLElement {
     h('p', { class: 'soft' }, 'Always on: cut inner shapes first, reduce travel, choose best starting point, choose best direction, remove overlapping lines.')));
 
   session.on('change', ({ search, seed: taken, load, loaded }) => {
+    const { methods } = session;
     const chosen = methods.find((m) => m.name === search.method);
     method.fill(methods.map((m) => ({ value: m.name, label: m.title })), search.method);
     budget.fill(BUDGETS.map((s) => ({ value: s, label: span(s) })), search.seconds);

@@ -25,7 +25,7 @@ export function topBar(session: Session, theme: Theme, actions: TopActions): { n
 
   const name = h('span', { class: 'file-name' });
   const units = h('button', { type: 'button', class: 'quiet units' });
-  const unitList = h('div', { class: 'menu' });
+  const unitList = h('div', { class: 'menu rows-only' });
   const unitMenu = popover(units, 'Units', unitList, () => fillUnits(session, unitList));
   const measure = h('span', { class: 'measure number' });
 

@@ -3,7 +3,7 @@
  * drawing, machine or options starts it anew. The newest wish wins: answers to older ones are dropped.
  */
 
-import { createPlanner, type LoadOptions, type Loaded, type MachineProfile, type Operation, type OutputKind, type PlanHandle, type Planner, type Progress, type Unit } from 'kerfway';
+import { createPlanner, type LoadOptions, type Loaded, type MachineProfile, type MethodInfo, type Operation, type OutputKind, type PlanHandle, type Planner, type Progress, type Unit } from 'kerfway';
 import { Emitter } from '../core/emitter.js';
 import { messageOf } from '../core/strings.js';
 import { extentOf } from './extent.js';
@@ -31,18 +31,31 @@ export class Session extends Emitter<Events> {
   private wish = 0;
   private settle = 0;
 
-  private constructor(readonly planner: Planner) {
+  /** There from the moment its worker answers. */
+  private planner: Planner | null = null;
+  private readonly ready: Promise<Planner>;
+
+  constructor() {
     super();
-    this.state.machine = planner.machines.find((m) => m.name === 'co2-100w') ?? planner.machines[0] ?? null;
-    this.state.search.method = planner.methods[0]?.name ?? '';
+    this.ready = createPlanner({ onReplaced: (message) => this.emit('notice', message) }).then((planner) => this.greet(planner));
+    this.ready.catch((error: unknown) => this.fail(error));
   }
 
-  /** Starts the planner's worker. */
-  static async start(): Promise<Session> {
-    let session: Session | null = null;
-    const planner = await createPlanner({ onReplaced: (message) => session?.emit('notice', message) });
-    session = new Session(planner);
-    return session;
+  /** The machines and methods there are; none before the planner is there. */
+  get machines(): readonly MachineProfile[] {
+    return this.planner?.machines ?? [];
+  }
+
+  get methods(): readonly MethodInfo[] {
+    return this.planner?.methods ?? [];
+  }
+
+  private greet(planner: Planner): Planner {
+    this.planner = planner;
+    this.state.machine = planner.machines.find((m) => m.name === 'co2-100w') ?? planner.machines[0] ?? null;
+    this.state.search.method = planner.methods[0]?.name ?? '';
+    this.emit('change', this.state);
+    return planner;
   }
 
   /** Takes a drawing into work. */
@@ -55,7 +68,9 @@ export class Session extends Emitter<Events> {
     this.emit('cleared', undefined);
     this.emit('change', state);
     try {
-      const loaded = await this.planner.load(bytes, name, state.load);
+      const planner = await this.ready;
+      if (wish !== this.wish) return;
+      const loaded = await planner.load(bytes, name, state.load);
       if (wish === this.wish) this.take(loaded, true);
     } catch (error) {
       if (wish === this.wish) this.fail(error);
@@ -65,11 +80,12 @@ export class Session extends Emitter<Events> {
   /** Reads the same drawing with other options. */
   async reread(options: LoadOptions): Promise<void> {
     const { state } = this;
-    if (!state.loaded) return;
+    const { planner } = this;
+    if (!state.loaded || !planner) return;
     const wish = this.begin();
     state.load = options;
     try {
-      const loaded = await this.planner.reload(options);
+      const loaded = await planner.reload(options);
       if (wish === this.wish) this.take(loaded, false);
     } catch (error) {
       if (wish === this.wish) this.fail(error);
@@ -143,16 +159,16 @@ export class Session extends Emitter<Events> {
 
   /** Goes on with the plan for another budget. */
   keepImproving(): void {
-    const { state } = this;
-    if (state.phase !== 'done') return;
+    const { state, planner } = this;
+    if (state.phase !== 'done' || !planner) return;
     state.budget = (state.progress?.seconds ?? 0) + state.search.seconds;
     const { wish } = this;
-    this.follow(this.planner.continue({ seconds: state.search.seconds }, (p) => this.hear(p, wish)), wish);
+    this.follow(planner.continue({ seconds: state.search.seconds }, (p) => this.hear(p, wish)), wish);
   }
 
   /** One of the outputs of the best plan. */
-  output(kind: OutputKind, width?: number): Promise<string | Uint8Array> {
-    return this.planner.output(kind, width);
+  async output(kind: OutputKind, width?: number): Promise<string | Uint8Array> {
+    return (await this.ready).output(kind, width);
   }
 
   private layers(): { name: string; operation: Operation }[] {
@@ -207,8 +223,8 @@ export class Session extends Emitter<Events> {
 
   /** Plans from the start. */
   plan(): void {
-    const { state } = this;
-    if (!state.loaded || !state.machine) return;
+    const { state, planner } = this;
+    if (!state.loaded || !state.machine || !planner) return;
     const wish = this.begin();
     this.forget();
     if (state.loaded.contours.length === 0) {
@@ -219,7 +235,7 @@ export class Session extends Emitter<Events> {
     const { method, seed, seconds } = state.search;
     state.budget = seconds;
     const options = { machine: state.machine, method, seconds, ...(seed === null ? {} : { seed }) };
-    this.follow(this.planner.plan(options, (p) => this.hear(p, wish)), wish);
+    this.follow(planner.plan(options, (p) => this.hear(p, wish)), wish);
   }
 
   private follow(run: PlanHandle, wish: number): void {

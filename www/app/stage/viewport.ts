@@ -57,9 +57,9 @@ export class Viewport extends Emitter<{ change: void }> {
     this.fitted = true;
   }
 
-  /** Shows a place with its surroundings: a fifteenth of the sheet around it. */
+  /** Shows a place with its surroundings: a fifth of the sheet around it. */
   showPlace(x: number, y: number): void {
-    const room = this.span() / 30;
+    const room = this.span() / 10;
     this.moveTo(...this.framing([x - room, y - room, x + room, y + room], 1), true);
   }
 
