@@ -133,7 +133,7 @@ test('what happens is announced politely, never more often than every two second
   for (let i = 1; i < said.length; i += 1) assert.ok(said[i][0] - said[i - 1][0] > 1900, JSON.stringify(said));
 });
 
-test('a phone shows the whole page without scrolling sideways, and pinch zooms', async (t) => {
+test('a phone shows the whole page without scrolling sideways', async (t) => {
   const { page } = await openPage(t, { size: SIZES.phone, touch: true });
   await phase(page, 'planning');
   const wide = () => page.evaluate(() => [document.documentElement.scrollWidth, document.body.scrollWidth, innerWidth]);
@@ -146,6 +146,29 @@ test('a phone shows the whole page without scrolling sideways, and pinch zooms',
   assert.deepEqual(await wide(), [390, 390, 390]);
   const cut = await page.evaluate(() => [...document.querySelectorAll('#sections *, #dock *')].filter((e) => e.getClientRects().length > 0 && e.getBoundingClientRect().right > innerWidth + 1 && !e.closest('.hidden')).length);
   assert.equal(cut, 0, 'nothing reaches over the edge');
+});
+
+test('two fingers zoom the sheet, one moves it', async (t) => {
+  const { page } = await openPage(t, { size: SIZES.phone, touch: true });
+  await phase(page, 'planning');
+  await page.getByRole('button', { name: 'Stop' }).tap();
+  await phase(page, 'done');
+  await page.waitForTimeout(1500);
+  const look = () => page.locator('#canvas').screenshot();
+  const fingers = await page.context().newCDPSession(page);
+  const touch = (type, ...points) => fingers.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const fitted = await look();
+  await touch('touchStart', [180, 350], [210, 350]);
+  for (let i = 1; i <= 8; i += 1) await touch('touchMove', [180 - 10 * i, 350], [210 + 10 * i, 350]);
+  await touch('touchEnd');
+  await page.waitForTimeout(800);
+  const near = await look();
+  assert.notDeepEqual(near, fitted);
+  await touch('touchStart', [200, 300]);
+  for (let i = 1; i <= 8; i += 1) await touch('touchMove', [200, 300 + 10 * i]);
+  await touch('touchEnd');
+  await page.waitForTimeout(800);
+  assert.notDeepEqual(await look(), near);
 });
 
 test('the theme follows the system, can be switched and is kept', async (t) => {

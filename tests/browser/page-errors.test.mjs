@@ -38,3 +38,18 @@ test('a truncated file is planned as far as it goes, and the page says that it e
   const text = await page.locator('.findings').textContent();
   assert.match(text, /ends/i);
 });
+
+test('a planner that breaks down is replaced, the best path is kept, and the page says so', async (t) => {
+  const { page } = await openPage(t, { broken: true });
+  await phase(page, 'planning');
+  await page.waitForFunction(() => document.querySelector('.large').textContent !== '');
+  const planner = page.workers().find((w) => !w.url().includes('raster'));
+  await planner.evaluate(() => setTimeout(() => { throw new Error('broken on purpose'); }));
+  const notice = page.locator('.notice');
+  await notice.waitFor({ state: 'visible' });
+  assert.match(await notice.textContent(), /new one has taken its place/);
+  await phase(page, 'done');
+  assert.match(await page.locator('.dock-head').textContent(), /best path is kept/);
+  await page.getByRole('button', { name: 'Keep improving' }).click();
+  await phase(page, 'planning');
+});
