@@ -44,6 +44,7 @@ const start: StartWorker = (heard, died) => {
   const worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
   worker.onmessage = (event) => heard(event.data);
   worker.onmessageerror = () => died('The planner sent something that cannot be read.');
-  worker.onerror = (event) => died(`The planner broke down (${event.message || 'its script did not load'}).`);
+  // What was thrown stands in the browser's console; people are told what it means for them.
+  worker.onerror = (event) => died(`The planner broke down${event.message ? '' : ' (its script did not load)'}.`);
   return { post: (message) => worker.postMessage(message), close: () => worker.terminate() };
 };
