@@ -1,5 +1,6 @@
 /** Words used in more than one place. Plain, short, no blame; what, where, what to do. */
 
+import { seconds } from './format.js';
 import type { DoneReason, Operation, Unit, UnitsTaken } from 'kerfway';
 
 export const UNIT_NAMES: Record<Unit, string> = {
@@ -54,13 +55,16 @@ export const FINDING_TITLES: Record<string, string> = {
   more: 'More, not listed one by one',
 };
 
+/** Seconds without an improvement from which one may say that none is found any more. */
+const QUIET = 1;
+
 /** Why a search ended; `quiet`: seconds since its last improvement. */
-export function doneSentence(reason: DoneReason | null, quiet: string): string {
+export function doneSentence(reason: DoneReason | null, quiet: number): string {
   switch (reason) {
     case 'exhausted': return 'Done. This method finds nothing better.';
     case 'replaced': return 'Stopped: the planner had to be replaced. The best path is kept.';
     case 'stopped': return 'Stopped. The best path is kept.';
-    default: return `Done. No better path found for ${quiet}.`;
+    default: return quiet < QUIET ? 'Time is up, and it was still improving.' : `Done. No better path found for ${seconds(quiet)}.`;
   }
 }
 

@@ -36,7 +36,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
     legend: { show: false },
     cursor: { show: false },
     select: { show: false, left: 0, top: 0, width: 0, height: 0 },
-    scales: { x: { time: false, distr: 3 }, y: { range: (_u, low, high) => pad(low, high) } },
+    scales: { x: { time: false, distr: 3, range: (_u, _low, high) => [FIRST, Math.max(1, high)] }, y: { range: (_u, low, high) => pad(low, high) } },
     axes: [
       { ...axis, size: 22, space: 40, filter: decades, grid: { ...axis.grid, filter: decades }, values: (_u, splits) => splits.map((s) => (s === null ? '' : `${Number(s.toPrecision(3))} s`)) },
       { ...axis, size: 44, space: 32, values: (_u, splits) => splits.map((s) => (s < 1000 ? String(Math.round(s * 100) / 100) : count(s))) },

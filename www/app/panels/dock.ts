@@ -68,7 +68,7 @@ export function head(state: State): string {
     case 'planning': return `Planning${best}`;
     case 'paused': return `Paused${best}`;
     case 'failed': return 'This file cannot be used.';
-    case 'done': return isOptimal(state) ? 'Optimal: no better path exists.' : doneSentence(state.reason, seconds(quietFor(state)));
+    case 'done': return isOptimal(state) ? 'Optimal: no better path exists.' : doneSentence(state.reason, quietFor(state));
   }
 }
 
