@@ -38,7 +38,7 @@ function units(session: Session, loaded: Loaded): HTMLElement[] {
   const { unit } = loaded.units;
   const others = OFFERED.filter((u) => u !== unit);
   const choice = (u: Unit, primary: boolean) =>
-    h('button', { type: 'button', class: primary ? 'primary' : '', onclick: () => (u === unit ? session.answer('units') : session.setUnits(u)) }, h('span', {}, sizeIn(session.state, u)), h('span', {}, `drawn in ${UNIT_NAMES[u]}`));
+    h('button', { type: 'button', class: primary ? 'primary' : '', onclick: () => (u === unit ? session.answer('units') : session.setUnits(u)) }, h('span', {}, sizeIn(session.state, u)), h('span', {}, `in ${UNIT_NAMES[u]}`));
   return [
     h('h2', { id: 'question' }, 'How large is this drawing?'),
     h('p', {}, loaded.units.reason),
