@@ -172,24 +172,26 @@ fn assert_same(read: &Move, planned: &Move) {
 /// there is one.
 #[test]
 fn arcs_next_to_nothing_and_next_to_a_turn_keep_their_length() {
-    let center = DVec2::new(582.642, -722.019);
-    let small = [0.0, 1e-16, 1e-15, 3e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6];
-    for sweep in small.into_iter().flat_map(|d| [d, -d, TAU - d, d - TAU]).filter(|s| *s != 0.0) {
-        for (radius, from) in
-            [1e-3, 1.0, 1e5].into_iter().flat_map(|r| (0..40).map(move |i| (r, f64::from(i) * 0.1)))
-        {
-            let arc = Arc::from_angles(center, radius, from, sweep);
-            let lead = Segment::line(arc.start - DVec2::X, arc.start);
-            let stop = plans::Stop {
-                layer: 0,
-                operation: Operation::Cut,
-                path: Path::new(vec![lead, Segment::Arc(arc)], false),
-            };
-            let (sheet, plan) = plans::plan_of(vec![stop], &[("0", 7)], &plans::machine());
-            let read = moves(&parsed(&plans::document(&sheet, &plan)));
-            for (read, planned) in read.iter().zip(&plan.moves) {
-                assert_same(read, planned);
-            }
+    let center = DVec2::new(123.456, 654.321);
+    let small = [0.0, 1e-15, 1e-12, 1e-8, 1e-6];
+    let sweeps = small.into_iter().flat_map(|d| [d, -d, TAU - d, d - TAU]).filter(|s| *s != 0.0);
+    let mut arcs: Vec<Arc> =
+        sweeps.flat_map(|s| [1e-3, 1.0, 1e5].map(|r| Arc::from_angles(center, r, 1.0, s))).collect();
+    // A hair short of a turn, with ends that differ by one rounding across it: they alone say next to nothing.
+    arcs.push(Arc {
+        start: DVec2::new(560.1296865549168, -702.1898360400562),
+        end: DVec2::new(560.1296865549166, -702.1898360400564),
+        center: DVec2::new(582.6419999999999, -722.0189999999999),
+        sweep: TAU - 2e-15,
+    });
+    for arc in arcs {
+        let lead = Segment::line(arc.start - DVec2::X, arc.start);
+        let path = Path::new(vec![lead, Segment::Arc(arc)], false);
+        let stop = plans::Stop { layer: 0, operation: Operation::Cut, path };
+        let (sheet, plan) = plans::plan_of(vec![stop], &[("0", 7)], &plans::machine());
+        let read = moves(&parsed(&plans::document(&sheet, &plan)));
+        for (read, planned) in read.iter().zip(&plan.moves) {
+            assert_same(read, planned);
         }
     }
 }
