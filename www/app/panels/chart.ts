@@ -5,6 +5,7 @@
 
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
+import { colorOf } from '../core/color.js';
 import { h, setText } from '../core/dom.js';
 import { count, narrow, seconds } from '../core/format.js';
 import type { Session } from '../session/session.js';
@@ -23,7 +24,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
   const holder = h('div', { class: 'chart', role: 'img', 'aria-label': 'Job time over search time' });
   const off = h('span', { class: 'number' });
   const caption = h('figcaption', { class: 'soft' }, h('span', {}, 'Job over search, s'), off);
-  const color = (name: string) => () => getComputedStyle(holder).getPropertyValue(`--${name}`).trim();
+  const color = (name: string) => () => colorOf(name);
   const soft = color('ink-soft'), hair = color('line');
   const axis = { stroke: soft, font: '12px system-ui', grid: { stroke: hair, width: 1 }, ticks: { show: false }, gap: 4 };
   let plot: uPlot | null = null;

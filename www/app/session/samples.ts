@@ -18,7 +18,7 @@ export const SAMPLES: readonly Sample[] = [
   { file: 'sheet_500.dxf', title: 'Sheet, 500 contours', about: 'A full sheet with parts inside parts', options: BORDER },
   { file: 'sheet_100.dxf', title: 'Sheet, 100 contours', about: 'Gears, flanges and brackets on 1000 × 500 mm', options: BORDER },
   { file: 'qu_du_43.dxf', title: '43 contours by Qu and Du', about: 'The test sheet of a paper of 2023', options: {} },
-  { file: 'lumberjack-polaris.dxf', title: 'Keyboard plate', about: 'A real drawing, by P. Jones (MIT)', options: {} },
+  { file: 'lumberjack-polaris.dxf', title: 'Keyboard plate', about: 'A real drawing, by Paul James (MIT)', options: {} },
 ];
 
 /** Bytes of a sample. */

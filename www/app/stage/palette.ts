@@ -1,5 +1,6 @@
 /** The stage's colours, read from the custom properties of `styles/tokens.css`. */
 
+import { colorOf } from '../core/color.js';
 import { ramp } from './ramp.js';
 
 export interface Palette {
@@ -16,10 +17,8 @@ export interface Palette {
 }
 
 export function readPalette(theme: 'light' | 'dark'): Palette {
-  const style = getComputedStyle(document.documentElement);
-  const get = (name: string) => style.getPropertyValue(`--${name}`).trim();
   return {
-    ground: get('ground'), sheet: get('sheet'), line: get('line'), ink: get('contour'), inkSoft: get('contour-inner'),
-    faint: get('contour-ignored'), accent: get('accent'), amber: get('amber-mark'), red: get('red-mark'), ramp: ramp(theme),
+    ground: colorOf('ground'), sheet: colorOf('sheet'), line: colorOf('line'), ink: colorOf('contour'), inkSoft: colorOf('contour-inner'),
+    faint: colorOf('contour-ignored'), accent: colorOf('accent'), amber: colorOf('amber-mark'), red: colorOf('red-mark'), ramp: ramp(theme),
   };
 }
