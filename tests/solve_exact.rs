@@ -62,7 +62,6 @@ fn small_problems_are_solved_exactly() {
             let found = search.best().cost;
             match method.info().name {
                 "greedy" => assert!(found >= least - 1e-9),
-                "two-opt" => assert!((found - least).abs() < 1e-9, "seed {seed}: {found}, least {least}"),
                 // Slides entries off their nodes: may only be better.
                 name => assert!(found <= least + 1e-9, "{name}, seed {seed}: {found}, least {least}"),
             }
@@ -145,14 +144,13 @@ fn the_43_contours_of_qu_and_du() {
     assert_eq!(sheet.contours.iter().filter(|c| c.inside.is_some()).count(), 6);
     let machine = machine("length");
     let problem = problem::from_sheet(&sheet, &machine);
-    for (method, upper) in [("two-opt", 2830.0), ("tour-tree", 2800.0)] {
-        let mut search = solve::method(method).unwrap().start(&problem, 1, None);
+    for seed in 0..3 {
+        let mut search = solve::method("tour-tree").unwrap().start(&problem, seed, None);
         search.step(5_000_000);
         let plan = plan::from_solution(&sheet, &problem, search.best());
         assert_eq!(plan::check(&sheet, &machine, &plan), Ok(()));
         let length = plan.summary.air_length;
-        assert!(length < upper, "{method}: {length}");
-        assert!(length > 2782.0, "{method}: {length} is below the best known");
+        assert!((length - 2782.583).abs() < 0.01, "seed {seed}: {length}");
     }
 }
 

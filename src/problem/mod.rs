@@ -5,9 +5,7 @@ mod buckets;
 mod entries;
 mod from_sheet;
 mod model;
-mod neighbours;
 
 pub use buckets::Buckets;
 pub use from_sheet::from_sheet;
 pub use model::{Item, ItemId, Node, NodeId, Problem};
-pub use neighbours::Neighbours;

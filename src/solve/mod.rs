@@ -4,7 +4,6 @@ mod as_drawn;
 mod greedy;
 mod tour_tree;
 mod traits;
-mod two_opt;
 
 pub use as_drawn::drawing_order;
 pub use greedy::greedy;
@@ -12,7 +11,7 @@ pub use traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telem
 
 /// Every method, the default first.
 pub fn methods() -> &'static [&'static dyn Solver] {
-    &[&tour_tree::TourTree, &two_opt::TwoOpt, &greedy::Greedy]
+    &[&tour_tree::TourTree, &greedy::Greedy]
 }
 
 /// The method of that name.
