@@ -54,6 +54,8 @@ export function machinePanel(session: Session): HTMLElement {
     const chosen = session.machines.find((m) => m.name === name);
     if (chosen) session.setMachine(structuredClone(chosen));
   });
+  choice.root.setAttribute('aria-label', 'Preset');
+  choice.root.classList.add('wide');
   const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)));
   const home = check('Return home at the end', (on) => edit((m) => (m.return_home = on)));
   const inputs = QUANTITIES.map((q) => numberInput(q, edit));
@@ -63,7 +65,7 @@ export function machinePanel(session: Session): HTMLElement {
   } });
   const numbers = h('details', { class: 'more' }, h('summary', {}, 'Numbers'),
     h('div', { class: 'stack' }, field('Air moves', travel.root), ...QUANTITIES.map((q, i) => field(q.label, inputs[i]!, q.unit)), home.root, back));
-  body.append(h('div', { class: 'stack' }, field('Preset', choice.root), numbers));
+  body.append(h('div', { class: 'stack' }, choice.root, numbers));
 
   const show = () => {
     const { machine } = session.state;

@@ -12,6 +12,8 @@ const span = (s: number) => (s < 60 ? `${s} s` : `${s / 60} min`);
 export function planPanel(session: Session): HTMLElement {
   const { root, body, setGist } = section('Plan', false);
   const method = select<string>((value) => session.setSearch({ method: value }));
+  method.root.setAttribute('aria-label', 'Method');
+  method.root.classList.add('wide');
   const budget = select<number>((value) => session.setSearch({ seconds: value }));
   const about = h('p', { class: 'soft' });
   const seed = h('input', { type: 'number', min: 0, max: 4294967295, step: 1, inputmode: 'numeric', placeholder: 'another each time' });
@@ -23,7 +25,7 @@ export function planPanel(session: Session): HTMLElement {
   const byLayer = check('Order by layer', (on) => void session.reread({ ...session.state.load, orderByLayer: on }));
   const used = h('p', { class: 'soft' });
   body.append(h('div', { class: 'stack' },
-    field('Method', method.root), about, field('Search for', budget.root), field('Seed', seed), used, byLayer.root,
+    method.root, about, field('Search for', budget.root), field('Seed', seed), used, byLayer.root,
     h('p', { class: 'soft' }, 'Always on: cut inner shapes first, reduce travel, choose best starting point, choose best direction, remove overlapping lines.')));
 
   session.on('change', ({ search, seed: taken, load, loaded }) => {
