@@ -85,7 +85,8 @@ fn may_meet(contours: &[Contour], a: (Place, &Aabb), b: (Place, &Aabb), toleranc
     let path = &contours[a.0.contour as usize].path;
     let neighbours = a.0.contour == b.0.contour && are_neighbours(path, a.0.element, b.0.element);
     // Two lines that follow each other meet in their corner and nowhere else.
-    !(neighbours && lines) && !misses(first, b.1, tolerance) && !misses(second, a.1, tolerance)
+    let only_corner = neighbours && lines;
+    !(only_corner || misses(first, b.1, tolerance) || misses(second, a.1, tolerance))
 }
 
 fn are_neighbours(path: &Path, i: usize, j: usize) -> bool {

@@ -3,5 +3,8 @@
 mod assemble;
 mod clean;
 mod cross;
+mod fixtures;
+mod layers;
+mod metamorphic;
 mod nest;
 mod sketch;
