@@ -30,15 +30,19 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         }
     }
     contours.sort_by_key(|c| c.first_shape);
-    cross::find(drawing, &mut contours, copy.max(SEEN), &mut findings);
-    nest::nest(&mut contours, join);
+    let mut crossing = cross::find(drawing, &mut contours, copy.max(SEEN), &mut findings);
+    nest::nest(&mut contours, &crossing, join);
     let mut border = outline::find(&contours, &layers);
     if let Some(index) = border {
         findings.push(outline::finding(drawing, &contours[index as usize], options.ignore_outline));
         if options.ignore_outline {
             let c = contours.remove(index as usize);
             ignored.push(Ignored { path: c.path, layer: c.layer });
-            nest::nest(&mut contours, join);
+            // Contours behind it move up; what crossed it is not around it any more.
+            let renumbered = |i: u32| if i > index { i - 1 } else { i };
+            crossing.retain(|&(a, b)| a != index && b != index);
+            crossing.iter_mut().for_each(|(a, b)| (*a, *b) = (renumbered(*a), renumbered(*b)));
+            nest::nest(&mut contours, &crossing, join);
             border = None;
         }
     }

@@ -3,7 +3,8 @@
 //! Elements whose boxes meet are intersected. Where one passes through another between their ends, that is a
 //! crossing. Where they meet at an end, the courses of both contours a little before and behind the place decide:
 //! they cross when each has the other's two arms on its two sides; an end that stops there, and contours that touch
-//! and part again, do not. Only cuts are looked at: engraved lines cross each other as a matter of course.
+//! and part again, do not. Crossings of cuts are told; engraved lines cross whatever they like, but the nesting wants
+//! to know which cuts they cross.
 
 use super::about::{self, count, plural};
 use super::model::{Contour, Operation};
@@ -33,8 +34,14 @@ struct Place {
     element: usize,
 }
 
-/// Finds and tells crossings, and marks contours that cross themselves. `tolerance` in mm: what is nearer touches.
-pub(super) fn find(drawing: &Drawing, contours: &mut [Contour], tolerance: f64, findings: &mut Findings) {
+/// Finds and tells crossings, and marks contours that cross themselves; the pairs of different contours that cross,
+/// at least one of them a cut, come back. `tolerance` in mm: what is nearer touches.
+pub(super) fn find(
+    drawing: &Drawing,
+    contours: &mut [Contour],
+    tolerance: f64,
+    findings: &mut Findings,
+) -> Vec<(u32, u32)> {
     let (places, boxes) = elements(contours);
     let index = BoxIndex::new(boxes.iter().copied());
     let mut look = (LOOKED_AT * places.len()).max(LOOKED_AT_AT_LEAST);
@@ -50,8 +57,10 @@ pub(super) fn find(drawing: &Drawing, contours: &mut [Contour], tolerance: f64, 
             look > 0 && work > 0
         });
     }
-    for ((a, b), at) in found {
-        findings.push(tell(drawing, contours, (a, b), &at));
+    for (&(a, b), at) in &found {
+        if is_cut(&contours[a as usize]) && is_cut(&contours[b as usize]) {
+            findings.push(tell(drawing, contours, (a, b), at));
+        }
         if a == b {
             contours[a as usize].self_crossing = true;
         }
@@ -60,12 +69,17 @@ pub(super) fn find(drawing: &Drawing, contours: &mut [Contour], tolerance: f64, 
         let message = "So many lines lie over each other that crossings were looked for in part only.";
         findings.push(Finding::new(Code::NotAllChecked, Severity::Info, message));
     }
+    found.into_keys().filter(|(a, b)| a != b).collect()
+}
+
+fn is_cut(c: &Contour) -> bool {
+    c.operation == Operation::Cut
 }
 
 fn elements(contours: &[Contour]) -> (Vec<Place>, Vec<Aabb>) {
     let mut places = Vec::new();
     let mut boxes = Vec::new();
-    for (contour, c) in (0_u32..).zip(contours).filter(|(_, c)| c.operation == Operation::Cut) {
+    for (contour, c) in (0_u32..).zip(contours) {
         for (element, s) in c.path.segments.iter().enumerate() {
             places.push(Place { contour, element });
             boxes.push(s.bounds());
@@ -80,6 +94,9 @@ fn segment(contours: &[Contour], p: Place) -> &Segment {
 
 /// Whether it is worth intersecting two elements whose boxes meet.
 fn may_meet(contours: &[Contour], a: (Place, &Aabb), b: (Place, &Aabb), tolerance: f64) -> bool {
+    if [a.0, b.0].iter().all(|p| !is_cut(&contours[p.contour as usize])) {
+        return false;
+    }
     let (first, second) = (segment(contours, a.0), segment(contours, b.0));
     let lines = matches!((first, second), (Segment::Line(_), Segment::Line(_)));
     let path = &contours[a.0.contour as usize].path;

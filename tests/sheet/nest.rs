@@ -83,6 +83,21 @@ fn open_contours_know_what_they_lie_in() {
     assert_eq!(s.parts[0].holes, [1, 2]);
 }
 
+#[test]
+fn a_hole_that_breaks_through_an_edge_is_cut_before_the_edge() {
+    let s = sheet([rect(0.0, 0.0, 100.0, 100.0), circle(100.0, 50.0, 5.0), rect(120.0, 0.0, 50.0, 50.0)]);
+    assert_eq!(inside(&s), [None, None, None], "half of it lies beyond the box");
+    let notched = polyline(&[(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (50.0, 60.0), (0.0, 100.0)], true);
+    let s = sheet([notched, circle(50.0, 63.0, 4.0)]);
+    assert_eq!(inside(&s), [None, Some(0)]);
+}
+
+#[test]
+fn what_lies_in_two_contours_that_cross_has_both_among_its_ancestors() {
+    let s = sheet([rect(0.0, 0.0, 100.0, 50.0), rect(60.0, -40.0, 30.0, 120.0), circle(75.0, 25.0, 5.0)]);
+    assert_eq!(inside(&s), [None, Some(0), Some(1)]);
+}
+
 /// Nested circles and rectangles at random: each free place is filled again.
 fn nested(rng: &mut Xoshiro256PlusPlus, x: f64, y: f64, size: f64, depth: u32, out: &mut Vec<Path>) {
     let shape = if rng.random_bool(0.5) {

@@ -1,20 +1,27 @@
 //! Nesting: which closed cut contour lies directly around each contour.
 //!
 //! A contour lies inside another when the other is larger, its box is around it, and a witness, a point well inside
-//! the contour itself, lies inside the other. A point on the contour would not do: contours touch. Contours that
-//! cross lie in each other only when their boxes do, and are reported by [`super::cross`].
+//! the contour itself, lies inside the other. A point on the contour would not do: contours touch. A contour that
+//! crosses a larger one in whose box it lies counts as inside, too: a hole that breaks through an edge is cut before
+//! the edge.
 //!
 //! For each contour the boxes around it are tried in order of area, smallest first ([`boxes`]), so the first that
 //! holds its witness is its parent, at any depth of nesting; a contour of many elements is asked through slabs
 //! ([`slabs`]), so only elements at the height of the witness are looked at. All in all O(n log n) for contours
 //! whose boxes do not interlock; [`LOOKED_AT`] bounds the rest.
+//!
+//! Contours that cross each other spoil the tree: something may lie in both of two, neither of which lies in the
+//! other. Everything around a contour must be among its ancestors all the same, or it would be cut too late. So
+//! where crossing contours are around one, they are lined up by area, as an elimination tree is built (J. W. H. Liu,
+//! "The role of elimination trees in sparse factorization", 1990): the smallest is the parent, and hands the others
+//! on to be its own ancestors.
 
 mod boxes;
 mod slabs;
 
 use super::model::{Contour, Operation};
 use crate::geometry::{DVec2, Path, interior_point, turns};
-use boxes::BoxTree;
+use boxes::{Answer, BoxTree};
 use slabs::Slabs;
 
 /// Boxes around a contour that do not hold it are passed by up to this many times before it counts as lying in
@@ -22,47 +29,118 @@ use slabs::Slabs;
 /// sheet, but must not take a thousand times the time.
 const LOOKED_AT: usize = 256;
 
-/// Sets `inside` and `depth` of all contours. `slack` in mm: contours that touch may stick out of each other's
-/// boxes by as much as ends were moved.
-pub(super) fn nest(contours: &mut [Contour], slack: f64) {
-    let around: Vec<u32> = (0_u32..)
-        .zip(&*contours)
-        .filter(|(_, c)| c.path.closed && c.operation == Operation::Cut)
-        .map(|(i, _)| i)
-        .collect();
-    let items = around.iter().filter_map(|&i| contours.get(i as usize).map(|c| (c.bounds, c.area, i)));
-    let tree = BoxTree::new(items.collect());
-    let mut slabs: Vec<Option<Slabs>> = contours.iter().map(|_| None).collect();
-    let mut inside = vec![None; contours.len()];
-    for (i, c) in contours.iter().enumerate() {
-        let witnesses = witnesses(&c.path);
-        let needed = witnesses.len() / 2 + 1;
+/// Sets `inside` and `depth` of all contours. `crossing`: pairs of contours that cross. `slack` in mm: contours that
+/// touch may stick out of each other's boxes by as much as ends were moved.
+pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64) {
+    // What is around others comes after them.
+    let mut order: Vec<u32> = (0_u32..).take(contours.len()).collect();
+    order.sort_by(|&a, &b| {
+        let (a, b) = (&contours[a as usize], &contours[b as usize]);
+        bounds_others(a).cmp(&bounds_others(b)).then(a.area.total_cmp(&b.area))
+    });
+    let mut place = vec![0; contours.len()];
+    for (k, &i) in order.iter().enumerate() {
+        place[i as usize] = k;
+    }
+    let mut around = crossed_by(contours, crossing, &place, slack);
+    let mut search = Search::new(contours, crossing, slack);
+    for (i, outer) in (0_u32..).zip(&mut around) {
+        search.add_around(i, outer);
+    }
+    for &i in &order {
+        let mut outer = std::mem::take(&mut around[i as usize]);
+        outer.sort_unstable_by_key(|&o| place[o as usize]);
+        outer.dedup();
+        if let Some((&parent, rest)) = outer.split_first() {
+            contours[i as usize].inside = Some(parent);
+            around[parent as usize].extend_from_slice(rest);
+        } else {
+            contours[i as usize].inside = None;
+        }
+    }
+    for &i in order.iter().rev() {
+        let inside = contours[i as usize].inside;
+        contours[i as usize].depth = inside.map_or(0, |j| contours[j as usize].depth + 1);
+    }
+}
+
+/// Whether something may lie inside it.
+fn bounds_others(c: &Contour) -> bool {
+    c.path.closed && c.operation == Operation::Cut
+}
+
+/// For each contour the larger ones that it crosses and in whose box it lies.
+fn crossed_by(contours: &[Contour], crossing: &[(u32, u32)], place: &[usize], slack: f64) -> Vec<Vec<u32>> {
+    let mut out = vec![Vec::new(); contours.len()];
+    for &(a, b) in crossing {
+        let (inner, outer) = if place[a as usize] < place[b as usize] { (a, b) } else { (b, a) };
+        let (i, o) = (&contours[inner as usize], &contours[outer as usize]);
+        if bounds_others(o) && o.bounds.contains_box(&i.bounds.grown(-slack)) {
+            out[inner as usize].push(outer);
+        }
+    }
+    out
+}
+
+/// Looks for what is around a contour.
+struct Search<'c> {
+    contours: &'c [Contour],
+    /// All contours that bound others.
+    all: BoxTree,
+    /// Those of them that cross another one.
+    crossed: BoxTree,
+    slabs: Vec<Option<Slabs>>,
+    slack: f64,
+}
+
+impl<'c> Search<'c> {
+    fn new(contours: &'c [Contour], crossing: &[(u32, u32)], slack: f64) -> Self {
+        let mut crosses = vec![false; contours.len()];
+        for &(a, b) in crossing {
+            crosses[a as usize] = true;
+            crosses[b as usize] = true;
+        }
+        let bounding = || (0_u32..).zip(contours).filter(|(_, c)| bounds_others(c));
+        let items = bounding().map(|(i, c)| (c.bounds, c.area, i)).collect();
+        let crossed = bounding().filter(|(i, _)| crosses[*i as usize]).map(|(i, c)| (c.bounds, c.area, i));
+        Self {
+            contours,
+            all: BoxTree::new(items),
+            crossed: BoxTree::new(crossed.collect()),
+            slabs: contours.iter().map(|_| None).collect(),
+            slack,
+        }
+    }
+
+    /// Adds the smallest contour around contour `i`, and all around it that cross others.
+    fn add_around(&mut self, i: u32, outer: &mut Vec<u32>) {
+        let Self { contours, all, crossed, slabs, slack } = self;
+        let c = &contours[i as usize];
+        let (inner, witnesses) = (c.bounds.grown(-*slack), witnesses(&c.path));
+        let mut holds = |j: u32| {
+            let other = &contours[j as usize];
+            let slabs = slabs[j as usize].get_or_insert_with(|| Slabs::new(&other.path, other.bounds));
+            let held = witnesses.iter().filter(|p| turns(slabs.at(&other.path, p.y), **p) != 0).count();
+            j != i && 2 * held > witnesses.len()
+        };
         let mut left = LOOKED_AT;
-        inside[i] = tree.smallest_around(&c.bounds.grown(-slack), c.area, |j| {
-            let j = j as usize;
-            let other = &contours[j];
-            left = left.saturating_sub(1);
-            let slabs = slabs[j].get_or_insert_with(|| Slabs::new(&other.path, other.bounds));
-            let holds = |p: &&DVec2| turns(slabs.at(&other.path, p.y), **p) != 0;
-            if j != i && witnesses.iter().filter(holds).count() >= needed {
-                boxes::Answer::Found
-            } else if left == 0 {
-                boxes::Answer::Stop
-            } else {
-                boxes::Answer::Next
+        let smallest = all.smallest_around(&inner, c.area, |j| {
+            left -= 1;
+            match (holds(j), left) {
+                (true, _) => Answer::Found,
+                (false, 0) => Answer::Stop,
+                (false, _) => Answer::Next,
             }
         });
-    }
-    // Parents are larger than their children, so they come first.
-    let mut by_area: Vec<usize> = (0..contours.len()).collect();
-    let is_parent = |c: &Contour| c.path.closed && c.operation == Operation::Cut;
-    by_area.sort_by(|&a, &b| {
-        let (a, b) = (&contours[a], &contours[b]);
-        is_parent(b).cmp(&is_parent(a)).then(b.area.total_cmp(&a.area))
-    });
-    for i in by_area {
-        contours[i].depth = inside[i].map_or(0, |j: u32| contours[j as usize].depth + 1);
-        contours[i].inside = inside[i];
+        outer.extend(smallest);
+        let mut left = LOOKED_AT;
+        crossed.smallest_around(&inner, c.area, |j| {
+            left -= 1;
+            if holds(j) {
+                outer.push(j);
+            }
+            if left == 0 { Answer::Stop } else { Answer::Next }
+        });
     }
 }
 
