@@ -46,7 +46,6 @@ pub(crate) fn exploded(path: &Path) -> Vec<Path> {
 }
 
 /// A drawing of paths on layers; layers in order of first use.
-#[allow(clippy::unwrap_used, reason = "a drawing made by hand has few layers")]
 pub(crate) fn drawing<'a>(shapes: impl IntoIterator<Item = (&'a str, Path)>) -> Drawing {
     let mut layers: Vec<Layer> = Vec::new();
     let mut out = Vec::new();

@@ -51,9 +51,11 @@ fn lies_inside(contour: &Contour, bounds: Aabb, outer: &Path) -> bool {
     }
     let segments = &contour.path.segments;
     let stride = segments.len().div_ceil(SAMPLES / 2).max(1);
+    // Of few elements, a circle say, more points each.
+    let each = u32::try_from(SAMPLES.div_ceil(segments.len().max(1))).unwrap_or(1).max(2);
     let mut some_inside = false;
     for segment in segments.iter().step_by(stride) {
-        for point in [segment.at(0.0), segment.at(0.5)] {
+        for point in (0..each).map(|k| segment.at(f64::from(k) / f64::from(each))) {
             if on(outer, point) {
                 continue;
             }
