@@ -11,6 +11,7 @@
 //! out as what is safe: flatter than [`FLAT`] as its chord, nearer to a full turn than [`NEAR_TURN`] as two halves.
 
 use super::arcs;
+use super::walk::layer_name;
 use crate::dxf::{Drawing, ReadOptions, Unit, UnitsSource};
 use crate::finding::Finding;
 use crate::geometry::{Arc, DVec2, Segment};
@@ -124,7 +125,7 @@ struct LayerView<'a> {
 
 #[derive(Serialize)]
 struct ContourView<'a> {
-    id: usize,
+    id: u32,
     closed: bool,
     layer: &'a str,
     operation: Operation,
@@ -200,7 +201,6 @@ impl<'a> View<'a> {
     fn of(document: &Document<'a>) -> Self {
         let &Document { input, drawing, sheet, read, arrange, machine, method, seed, budget, plan } =
             document;
-        let layer_name = |i: u32| sheet.layers.get(i as usize).map_or("", |l| l.name.as_str());
         Self {
             schema: SCHEMA,
             units: Unit::Mm,
@@ -229,14 +229,12 @@ impl<'a> View<'a> {
                 ignore_outline: arrange.ignore_outline,
             },
             summary: &plan.summary,
-            contours: sheet
-                .contours
-                .iter()
-                .enumerate()
+            contours: (0..)
+                .zip(&sheet.contours)
                 .map(|(id, c)| ContourView {
                     id,
                     closed: c.path.closed,
-                    layer: layer_name(c.layer),
+                    layer: layer_name(sheet, id),
                     operation: c.operation,
                     inside: c.inside,
                     length: c.length,

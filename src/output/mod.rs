@@ -12,6 +12,7 @@ mod number;
 #[cfg(feature = "png")]
 pub mod png;
 mod svg;
+mod walk;
 
 pub use dxf::dxf;
 pub use gcode::gcode;

@@ -10,6 +10,7 @@
 
 use super::arcs;
 use super::number::{Fixed, fixed};
+use super::walk::{Cut, cuts, is_closed, layer_name};
 use crate::geometry::{Aabb, DVec2, Segment};
 use crate::machine::Profile;
 use crate::plan::{Move, Plan};
@@ -76,24 +77,15 @@ fn style(out: &mut String, width: f64) {
 }
 
 fn contours(out: &mut String, plan: &Plan, sheet: &Sheet) {
-    for (order, (contour, path, mark)) in cuts(plan).enumerate() {
-        let Some(first) = path.first() else { continue };
+    for (order, Cut { contour, entry, path, mark }) in cuts(plan).enumerate() {
         let class = if mark { "mark" } else { "cut" };
-        let _ = write!(out, "<path class=\"{class}\" d=\"M{}", Point(first.start()));
+        let _ = write!(out, "<path class=\"{class}\" d=\"M{}", Point(entry));
         for segment in path {
             element(out, segment);
         }
-        let known = sheet.contours.get(contour as usize);
-        if known.is_some_and(|c| c.path.closed) {
-            out.push('Z');
-        }
-        let layer = known.and_then(|c| sheet.layers.get(c.layer as usize)).map_or("", |l| l.name.as_str());
-        let _ = writeln!(
-            out,
-            "\"><title>{}: contour {contour}, layer {}</title></path>",
-            order + 1,
-            Escaped(layer)
-        );
+        let end = if is_closed(sheet, contour) { "Z" } else { "" };
+        let (order, layer) = (order + 1, Escaped(layer_name(sheet, contour)));
+        let _ = writeln!(out, "{end}\"><title>{order}: contour {contour}, layer {layer}</title></path>");
     }
 }
 
@@ -130,7 +122,7 @@ fn air(out: &mut String, plan: &Plan, home: DVec2) {
 }
 
 fn entries(out: &mut String, plan: &Plan, width: f64) {
-    let places: Vec<DVec2> = cuts(plan).filter_map(|(_, path, _)| path.first()).map(Segment::start).collect();
+    let places: Vec<DVec2> = cuts(plan).map(|c| c.entry).collect();
     out.push_str("<path class=\"entry\" d=\"");
     for p in &places {
         let _ = write!(out, "M{}h0", Point(*p));
@@ -143,14 +135,6 @@ fn entries(out: &mut String, plan: &Plan, width: f64) {
             let _ = writeln!(out, "<text x=\"{x}\" y=\"{y}\">{}</text>", order + 1);
         }
     }
-}
-
-/// The cuts and marks of a plan in order: contour, path, whether it marks.
-fn cuts(plan: &Plan) -> impl Iterator<Item = (u32, &[Segment], bool)> {
-    plan.moves.iter().filter_map(|step| match step {
-        Move::Cut { contour, path, mark } => Some((*contour, path.as_slice(), *mark)),
-        Move::Air { .. } | Move::Pierce => None,
-    })
 }
 
 fn number(v: f64) -> Fixed {

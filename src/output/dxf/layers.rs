@@ -38,9 +38,10 @@ impl Layers {
         Self { list }
     }
 
-    /// The name of a layer by its index in the sheet.
-    pub(super) fn name(&self, layer: u32) -> &str {
-        self.list.get(layer as usize).map_or("0", |(name, _)| name)
+    /// The name of a contour's layer as it stands in the file.
+    pub(super) fn of_contour(&self, sheet: &Sheet, contour: u32) -> &str {
+        let known = sheet.contours.get(contour as usize).and_then(|c| self.list.get(c.layer as usize));
+        known.map_or("0", |(name, _)| name)
     }
 
     /// Names and colours to be defined: layer 0, which every drawing has, and the rest.

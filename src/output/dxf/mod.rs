@@ -18,8 +18,9 @@ mod tags;
 
 use super::arcs;
 use super::number::fixed;
+use super::walk::{Cut, cuts, is_closed};
 use crate::geometry::{Arc, DVec2, Segment, math};
-use crate::plan::{Move, Plan};
+use crate::plan::Plan;
 use crate::sheet::Sheet;
 use layers::Layers;
 use std::f64::consts::PI;
@@ -33,17 +34,10 @@ const BULGE_DECIMALS: usize = 12;
 /// The contours of a plan as a DXF drawing.
 pub fn dxf(plan: &Plan, sheet: &Sheet) -> String {
     let layers = Layers::of(sheet);
-    let cuts = plan.moves.iter().filter_map(|step| match step {
-        Move::Cut { contour, path, .. } if !path.is_empty() => Some((*contour as usize, path.as_slice())),
-        _ => None,
-    });
-
     let mut tags = Tags::default();
-    frame::before_entities(&mut tags, plan.summary.bounds, &layers, cuts.clone().count());
-    for (contour, path) in cuts {
-        let known = sheet.contours.get(contour);
-        let layer = known.map_or("0", |c| layers.name(c.layer));
-        polyline(&mut tags, layer, path, known.is_some_and(|c| c.path.closed));
+    frame::before_entities(&mut tags, plan.summary.bounds, &layers, cuts(plan).count());
+    for Cut { contour, path, .. } in cuts(plan) {
+        polyline(&mut tags, layers.of_contour(sheet, contour), path, is_closed(sheet, contour));
     }
     frame::after_entities(&mut tags);
     tags.into_text()

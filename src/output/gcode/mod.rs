@@ -19,6 +19,7 @@
 mod pen;
 
 use super::number::fixed;
+use super::walk::layer_name;
 use crate::geometry::Segment;
 use crate::machine::{Dialect, Process, Profile};
 use crate::plan::{Move, Plan};
@@ -53,16 +54,9 @@ fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
             Move::Pierce => pierce += profile.pierce_time,
             Move::Cut { contour, path, mark } => {
                 order += 1;
-                let layer = sheet
-                    .contours
-                    .get(*contour as usize)
-                    .and_then(|c| sheet.layers.get(c.layer as usize))
-                    .map_or("", |l| l.name.as_str());
+                let (all, layer) = (plan.summary.contours, layer_name(sheet, *contour));
                 let verb = if *mark { "mark" } else { "cut" };
-                comment(
-                    &mut pen,
-                    &format!("{order} of {}: {verb} contour {contour}, layer {layer}", plan.summary.contours),
-                );
+                comment(&mut pen, &format!("{order} of {all}: {verb} contour {contour}, layer {layer}"));
                 let process = if *mark { &profile.mark } else { &profile.cut };
                 work_contour(&mut pen, profile, process, path, mem::take(&mut pierce));
             }

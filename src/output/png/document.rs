@@ -106,7 +106,7 @@ impl Picture {
                         Contours::Shared(ids) => ids.first().copied(),
                     };
                     let known = id.and_then(|id| document.contours.get(id));
-                    let path: Vec<Segment> = path.into_iter().map(|e| e.from(&mut at)).collect();
+                    let path: Vec<Segment> = path.into_iter().map(|e| e.segment(&mut at)).collect();
                     let operation = known.map_or(Operation::Cut, |c| c.operation);
                     strokes.push(Stroke::Beam { operation, path });
                 }
@@ -126,7 +126,7 @@ impl Picture {
 
 impl Element {
     /// The element that starts at `at`, which moves on to its end.
-    fn from(self, at: &mut DVec2) -> Segment {
+    fn segment(self, at: &mut DVec2) -> Segment {
         let start = *at;
         let segment = match self {
             Self::Line { line } => Segment::line(start, point(line)),

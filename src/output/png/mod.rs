@@ -35,7 +35,7 @@ const DASH: [f32; 2] = [6.0, 4.0];
 const LARGEST_SWEEP: f64 = FRAC_PI_4;
 
 /// The plan in `plan_json` as a PNG file `width` px wide ([`WIDTHS`]), as high as the sheet asks for; an error is a
-/// sentence for people. No picture has more than 33.5 million px, see [`Frame`].
+/// sentence for people. No picture has more than 33.5 million px: a higher sheet is drawn smaller.
 pub fn render(plan_json: &str, width: u32) -> Result<Vec<u8>, String> {
     if !WIDTHS.contains(&width) {
         return Err(format!(
