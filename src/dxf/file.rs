@@ -128,10 +128,17 @@ enum Section {
     Unknown,
     Header,
     Tables,
-    /// BLOCKS and ENTITIES.
+    /// What stands outside a block here has lost the start of its block.
+    Blocks,
     Entities,
     /// Holds no geometry.
     Other,
+}
+
+impl Section {
+    fn holds_entities(self) -> bool {
+        matches!(self, Self::Blocks | Self::Entities)
+    }
 }
 
 struct Reader<'a> {
@@ -197,10 +204,11 @@ impl<'a> Reader<'a> {
                 return;
             }
             b"SEQEND" => return self.close_polyline(file, record.damaged && self.polyline.is_some()),
-            _ => self.close_polyline(file, false),
+            // Where something unknown stands in for the end of a polyline, vertices may be lost with it.
+            name => self.close_polyline(file, !is_expected(name)),
         }
         match record.name {
-            b"LAYER" if self.section != Section::Entities => {
+            b"LAYER" if !self.section.holds_entities() => {
                 file.recognised = true;
                 file.layers.define(record);
             }
@@ -233,7 +241,7 @@ impl<'a> Reader<'a> {
             return Some(entities::form(kind, record));
         }
         // Outside its section a keyword nobody knows may be anything.
-        if self.section != Section::Entities && !entities::is_known(record.name) {
+        if !self.section.holds_entities() && !entities::is_known(record.name) {
             return None;
         }
         if record.name.is_empty() {
@@ -255,7 +263,8 @@ impl<'a> Reader<'a> {
         self.push(file, entity);
     }
 
-    fn push(&self, file: &mut File<'a>, entity: Entity<'a>) {
+    fn push(&self, file: &mut File<'a>, mut entity: Entity<'a>) {
+        entity.damaged |= self.section == Section::Blocks && self.block.is_none();
         let block = self.block.and_then(|i| file.blocks.get_mut(i));
         match block {
             // Model space as a block of its own is empty in most files; where it is not, it is the model.
@@ -309,12 +318,18 @@ impl<'a> Reader<'a> {
     }
 }
 
+/// Something that may follow a polyline whose end is not written.
+fn is_expected(name: &[u8]) -> bool {
+    matches!(name, b"BLOCK" | b"ENDBLK") || entities::kind(name).is_some() || entities::is_known(name)
+}
+
 /// The section whose name tag is `tag`.
 fn section_of(tag: &Tag<'_>) -> Section {
     match tag.text() {
         Some(b"HEADER") => Section::Header,
         Some(b"TABLES") => Section::Tables,
-        Some(b"BLOCKS" | b"ENTITIES") => Section::Entities,
+        Some(b"BLOCKS") => Section::Blocks,
+        Some(b"ENTITIES") => Section::Entities,
         Some(b"CLASSES" | b"OBJECTS" | b"THUMBNAILIMAGE" | b"ACDSDATA") => Section::Other,
         _ => Section::Unknown,
     }
