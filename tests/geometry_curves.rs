@@ -267,17 +267,24 @@ fn moved_turned_mirrored_and_reversed_curves_give_the_same_fit() {
         ] {
             let image = curve.transformed(&map).to_segments(TOLERANCE);
             let (l, c) = measure(&image);
-            assert!((l - length).abs() < 1e-3, "round {round}: {l} {length}");
-            assert!(c.abs_diff(count) <= 1 + count / 20, "round {round}: {c} {count}");
+            // A turn or mirror may change from which end the pieces are laid.
+            assert!((l - length).abs() < 1e-4 * length, "round {round}: {l} {length}");
+            assert!(c.abs_diff(count) <= 2 + count / 10, "round {round}: {c} {count}");
             let mapped = |t: f64| map.point(unit(&curve)(t));
             assert!(two_sided(&mapped, &image) <= TOLERANCE + 1e-3 * TOLERANCE);
         }
         let reversed = Nurbs::new(3, points.into_iter().rev().collect(), vec![], vec![]).unwrap();
-        let (l, c) = measure(&reversed.to_segments(TOLERANCE));
-        assert!(
-            (l - length).abs() < 5e-3 && c.abs_diff(count) <= 2 + count / 10,
-            "round {round}: {c} {count} {l} {length}"
-        );
+        let back: Vec<Segment> =
+            reversed.to_segments(TOLERANCE).iter().rev().map(Segment::reversed).collect();
+        assert_eq!(back, fit, "round {round}");
+    }
+    let e =
+        Ellipse { center: v(1.0, 2.0), major: v(30.0, 5.0), minor: v(-3.0, 12.0), start: 0.4, sweep: 5.0 };
+    let reversed = Ellipse { start: e.start + e.sweep, sweep: -e.sweep, ..e };
+    let back: Vec<Segment> = reversed.to_segments(TOLERANCE).iter().rev().map(Segment::reversed).collect();
+    assert_eq!(back.len(), e.to_segments(TOLERANCE).len());
+    for (a, b) in back.iter().zip(e.to_segments(TOLERANCE)) {
+        assert!(a.start().distance(b.start()) < 1e-9 && a.end().distance(b.end()) < 1e-9);
     }
 }
 

@@ -77,14 +77,24 @@ impl Ellipse {
         Some(Arc { start, end, center: self.center, sweep: if mirrored { -sweep } else { sweep } })
     }
 
+    /// The same piece run the other way.
+    pub fn reversed(&self) -> Self {
+        Self { start: self.start + self.sweep, sweep: -self.sweep, ..*self }
+    }
+
     /// The piece as lines and arcs, nowhere farther than `tolerance` mm from it: one exact arc when it is a circle,
     /// lines when it is flat (half axes on one line). The ends are exact; a whole ellipse closes bit for bit. Empty
-    /// when it has no length.
+    /// when it has no length. A piece given from its other end becomes the same elements run the other way.
     pub fn to_segments(&self, tolerance: f64) -> Vec<Segment> {
-        match self.as_arc() {
-            Some(arc) => vec![Segment::Arc(arc)],
-            None => fit::fit(&EllipseCurve::new(self), tolerance),
+        if let Some(arc) = self.as_arc() {
+            return vec![Segment::Arc(arc)];
         }
+        // Pieces are laid counter-clockwise.
+        if self.sweep * self.major.perp_dot(self.minor) < 0.0 {
+            let other = fit::fit(&EllipseCurve::new(&self.reversed()), tolerance);
+            return other.iter().rev().map(Segment::reversed).collect();
+        }
+        fit::fit(&EllipseCurve::new(self), tolerance)
     }
 }
 

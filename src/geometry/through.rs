@@ -5,7 +5,8 @@
 //! (ezdxf, `fit_points_to_cad_cv`, which found it by comparison with BricsCAD). L. Piegl, W. Tiller, "The NURBS
 //! Book", 2nd ed., section 9.2; C. de Boor, "A Practical Guide to Splines", chapter IV, for the slopes.
 
-use super::nurbs::{CurveError, Nurbs};
+use super::knots::CurveError;
+use super::nurbs::Nurbs;
 use glam::DVec2;
 
 impl Nurbs {

@@ -1,0 +1,64 @@
+//! Segments joined end to end as a fit makes them; neighbours on one line or circle become one.
+
+use super::fit::EXACT;
+use super::segment::{Arc, Segment};
+use std::f64::consts::TAU;
+
+/// A growing chain.
+pub(super) struct Chain {
+    pub(super) segments: Vec<Segment>,
+    /// Index of the first segment of the run under way: nothing is merged across a kink.
+    run: usize,
+    tolerance: f64,
+}
+
+impl Chain {
+    /// An empty chain for a fit within `tolerance` mm.
+    pub(super) fn new(tolerance: f64) -> Self {
+        Self { segments: Vec::new(), run: 0, tolerance }
+    }
+
+    /// Distance below which two places of a fit are the same, mm.
+    pub(super) fn same(&self) -> f64 {
+        EXACT * self.tolerance
+    }
+
+    /// A kink: the next segment is not merged with the last.
+    pub(super) fn start_run(&mut self) {
+        self.run = self.segments.len();
+    }
+
+    /// Adds a segment that starts where the last one ended.
+    pub(super) fn push(&mut self, next: Segment) {
+        let last = self.segments.get(self.run..).and_then(|run| run.last());
+        match last.and_then(|last| merged(last, &next, self.same())) {
+            Some(both) => {
+                self.segments.pop();
+                self.segments.push(both);
+            }
+            None => self.segments.push(next),
+        }
+    }
+}
+
+/// Two neighbours as one segment, when they lie on one line or circle within `same` mm.
+fn merged(last: &Segment, next: &Segment, same: f64) -> Option<Segment> {
+    match (last, next) {
+        (Segment::Line(a), Segment::Line(b)) => {
+            let chord = (b.end - a.start).normalize_or_zero();
+            let forward = chord.dot(a.end - a.start) > 0.0 && chord.dot(b.end - b.start) > 0.0;
+            (forward && chord.perp_dot(a.end - a.start).abs() <= same).then(|| Segment::line(a.start, b.end))
+        }
+        (Segment::Arc(a), Segment::Arc(b)) => {
+            let one = a.center.distance(b.center) + (a.radius() - b.radius()).abs() <= same;
+            let sweep = a.sweep + b.sweep;
+            let closes = sweep.abs() > TAU - 1e-9;
+            let fits = if closes { a.start == b.end && sweep.abs() < TAU + 1e-6 } else { a.start != b.end };
+            (one && a.ccw() == b.ccw() && fits).then(|| {
+                let sweep = if closes { TAU.copysign(sweep) } else { sweep };
+                Segment::Arc(Arc { start: a.start, end: b.end, center: a.center, sweep })
+            })
+        }
+        _ => None,
+    }
+}
