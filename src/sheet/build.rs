@@ -90,7 +90,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         ));
     }
     let length = a.path.length();
-    if !a.path.closed && operation == Operation::Cut {
+    if !a.path.closed && !a.is_rest && operation == Operation::Cut {
         let message = format!(
             "This contour of {length:.3} mm does not close: it is cut as an open line and frees no part. \
              Close it in the drawing, or raise the joining tolerance."
@@ -110,10 +110,11 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         inside: None,
         depth: 0,
         length,
-        area: if a.path.closed { a.path.area().abs() } else { 0.0 },
+        area: if a.path.closed { Some(&a.path) } else { a.outline.as_ref() }.map_or(0.0, |p| p.area().abs()),
         bounds: a.path.bounds(),
         self_crossing: false,
         first_shape: a.first_shape,
+        outline: a.outline,
         path: a.path,
     }
 }

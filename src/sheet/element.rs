@@ -4,7 +4,7 @@
 //! elements that are joined bit for bit by birth: an untouched polyline is one chain, a LINE is a chain of one. Both
 //! stand in flat lists ([`Chains`]), so 200,000 loose lines cost no allocation each.
 
-use crate::geometry::{DVec2, Segment};
+use crate::geometry::{DVec2, Path, Segment};
 use std::ops::Range;
 
 /// Distances up to this are rounding, mm: files carry six decimals at best, and sheets are under 10 m, where a
@@ -29,6 +29,8 @@ pub(super) struct Chain {
     pub(super) elements: Range<usize>,
     /// The last end is the first start.
     pub(super) closed: bool,
+    /// What is left of this one of [`Chains::outlines`].
+    pub(super) rest_of: Option<u32>,
 }
 
 /// All elements of one operation, in chains, in drawing order.
@@ -38,6 +40,8 @@ pub(super) struct Chains {
     pub(super) elements: Vec<Element>,
     /// Chains in drawing order.
     pub(super) chains: Vec<Chain>,
+    /// Closed shapes of which a part lies along another one and was taken out.
+    pub(super) outlines: Vec<Path>,
 }
 
 impl Chains {

@@ -48,17 +48,20 @@ impl Default for SheetOptions {
 pub struct Contour {
     /// Geometry in mm. Closed ones are counter-clockwise when outer (even depth) and clockwise when holes.
     pub path: Path,
+    /// The closed outline that an open contour is the rest of, when another contour cuts the side they share. It
+    /// bounds a part or a hole as a closed contour does.
+    pub outline: Option<Path>,
     /// Index into [`Sheet::layers`]: the layer most of its length is on.
     pub layer: u32,
     /// Cut or mark.
     pub operation: Operation,
-    /// The smallest closed cut contour around it.
+    /// The smallest cut contour around it that bounds an area.
     pub inside: Option<u32>,
-    /// How many closed cut contours lie around it.
+    /// How many such contours lie around it.
     pub depth: u32,
     /// Length, mm.
     pub length: f64,
-    /// Unsigned area of a closed one, mm2; 0 for open ones.
+    /// Unsigned area of a closed one or of its outline, mm2; 0 for other open ones.
     pub area: f64,
     /// The smallest box around it.
     pub bounds: Aabb,
@@ -66,6 +69,18 @@ pub struct Contour {
     pub self_crossing: bool,
     /// Smallest index of the shapes it was made of: drawing order.
     pub first_shape: u32,
+}
+
+impl Contour {
+    /// What bounds an area: the path of a closed contour, or the outline that an open one is the rest of.
+    pub fn boundary(&self) -> Option<&Path> {
+        if self.path.closed { Some(&self.path) } else { self.outline.as_ref() }
+    }
+
+    /// Whether it bounds a part or a hole: a cut around an area.
+    pub fn bounds_area(&self) -> bool {
+        self.operation == Operation::Cut && self.boundary().is_some()
+    }
 }
 
 /// A part: an outer contour with its holes (contours at depth + 1 inside it) and what is marked on it.

@@ -38,7 +38,7 @@ fn alone_on_layer(contours: &[Contour], index: u32) -> bool {
 
 fn holds_parts(contours: &[Contour], border: u32) -> bool {
     let mut has_holes = vec![false; contours.len()];
-    for c in contours.iter().filter(|c| c.path.closed && c.operation == Operation::Cut) {
+    for c in contours.iter().filter(|c| c.bounds_area()) {
         if let Some(around) = c.inside {
             has_holes[around as usize] = true;
         }

@@ -15,7 +15,7 @@ pub(super) fn orient(contours: &mut [Contour]) {
 
 /// The parts, in drawing order of their outer contours. Parts in holes are parts of their own.
 pub(super) fn parts(contours: &[Contour]) -> Vec<Part> {
-    let is_outer = |c: &Contour| c.path.closed && c.operation == Operation::Cut && c.depth.is_multiple_of(2);
+    let is_outer = |c: &Contour| c.bounds_area() && c.depth.is_multiple_of(2);
     let mut part_of = vec![None; contours.len()];
     let mut parts = Vec::new();
     for (i, c) in (0_u32..).zip(contours).filter(|(_, c)| is_outer(c)) {

@@ -85,6 +85,7 @@ impl Builder {
             self.sheet.parts.push(Part { outer: id, holes: Vec::new(), inside: None });
         }
         self.sheet.contours.push(Contour {
+            outline: None,
             layer: u32::from(operation == Operation::Mark),
             operation,
             inside,

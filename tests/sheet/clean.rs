@@ -196,6 +196,26 @@ fn a_spike_out_and_back_leaves_its_outline_closed() {
 }
 
 #[test]
+fn a_part_that_shares_a_side_is_still_a_part_with_its_holes() {
+    let s = sheet([
+        rect(0.0, 0.0, 20.0, 10.0),
+        circle(10.0, 5.0, 2.0),
+        rect(20.0, -5.0, 30.0, 20.0),
+        circle(35.0, 5.0, 2.0),
+        rect(0.0, 10.0, 20.0, 10.0),
+    ]);
+    assert_eq!(counts(&s), (3, 2));
+    close(total_length(&s), 60.0 + 90.0 + 35.0 + 8.0 * PI);
+    assert_eq!(
+        s.parts.iter().map(|p| (p.outer, p.holes.clone())).collect::<Vec<_>>(),
+        [(0, vec![1]), (2, vec![3]), (4, vec![])]
+    );
+    close(s.contours[2].area, 600.0);
+    assert!(findings(&s, Code::OpenContour).is_empty() && findings(&s, Code::Branch).is_empty());
+    assert_eq!(findings(&s, Code::OverlapRemoved).len() + findings(&s, Code::DuplicateRemoved).len(), 2);
+}
+
+#[test]
 fn hostile_a_hundred_thousand_lines_on_top_of_each_other() {
     let s = sheet((0..100_000).map(|i| line(f64::from(i) * 0.01, 7.0, f64::from(i) * 0.01 + 3.0, 7.0)));
     assert_eq!(counts(&s), (0, 1));

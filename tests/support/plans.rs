@@ -73,6 +73,7 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
         moves.push(Move::Cut { contour: id as u32, path: stop.path.segments.clone(), mark });
         at = to;
         contours.push(Contour {
+            outline: None,
             layer: stop.layer,
             operation: stop.operation,
             inside: None,

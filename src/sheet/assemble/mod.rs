@@ -62,6 +62,8 @@ struct Ends {
     at_branch: Vec<bool>,
     /// No other end is near enough to be joined to.
     lonely: Vec<bool>,
+    /// What is left of a closed shape joins nothing else.
+    rest_of: Vec<Option<u32>>,
 }
 
 impl Ends {
@@ -77,6 +79,7 @@ impl Ends {
             length: Vec::with_capacity(n),
             at_branch: vec![false; n],
             lonely: Vec::new(),
+            rest_of: Vec::with_capacity(n),
         };
         let mut next = 0_u32;
         for chain in &chains.chains {
@@ -95,6 +98,7 @@ impl Ends {
                 ends.mate.push(if chain.closed { own } else { NONE });
                 ends.far.push(far);
                 ends.length.push(length);
+                ends.rest_of.push(chain.rest_of);
             }
             next += 2;
         }
@@ -133,7 +137,12 @@ impl Ends {
     /// otherwise a short line would be folded onto itself.
     fn may_join(&self, a: u32, b: u32) -> bool {
         let closes = self.far[a as usize] == b;
-        a != b && self.free(a) && self.free(b) && (!closes || self.length[a as usize] > 4.0 * self.gap(a, b))
+        let akin = self.rest_of[a as usize] == self.rest_of[b as usize];
+        a != b
+            && akin
+            && self.free(a)
+            && self.free(b)
+            && (!closes || self.length[a as usize] > 4.0 * self.gap(a, b))
     }
 
     fn join(&mut self, a: u32, b: u32) {

@@ -16,6 +16,10 @@ pub(crate) struct Assembled {
     pub(crate) first_shape: u32,
     /// Length on each layer, mm, by index of the layer.
     pub(crate) layers: BTreeMap<u32, f64>,
+    /// What is left of a closed shape of which another one cuts the rest.
+    pub(crate) is_rest: bool,
+    /// The outline of that shape, on the longest of its rests.
+    pub(crate) outline: Option<Path>,
 }
 
 /// Walks all contours, in drawing order, and tells the gaps closed.
@@ -26,7 +30,8 @@ pub(super) fn contours(
     findings: &mut Findings,
 ) -> Vec<Assembled> {
     let mut visited = vec![false; chains.chains.len()];
-    let mut out = Vec::new();
+    let mut out: Vec<Assembled> = Vec::new();
+    let mut rests: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
     for first in 0_u32.. {
         let Some(false) = visited.get(first as usize) else {
             if first as usize >= visited.len() {
@@ -50,9 +55,29 @@ pub(super) fn contours(
         }
         walk.finish();
         walk.tell_gaps(drawing, findings);
+        if let Some(of) = chains.chains[first as usize].rest_of {
+            walk.contour.is_rest = true;
+            rests.entry(of).or_default().push(out.len());
+        }
         out.push(walk.contour);
     }
+    for (of, rests) in rests {
+        give_outline(&mut out, &rests, &chains.outlines[of as usize]);
+    }
     out
+}
+
+/// Gives the outline of a closed shape to the longest of its rests, unless one of them closes by itself.
+fn give_outline(contours: &mut [Assembled], rests: &[usize], outline: &Path) {
+    if rests.iter().any(|&i| contours[i].path.closed) {
+        return;
+    }
+    let length = |i: usize| contours[i].path.length();
+    // The first of equals.
+    let longest = rests.iter().copied().rev().max_by(|&a, &b| length(a).total_cmp(&length(b)));
+    if let Some(i) = longest {
+        contours[i].outline = Some(outline.clone());
+    }
 }
 
 /// The end at which the contour begins that passes through chain end `start`: the free end behind it, or `start`
@@ -77,7 +102,13 @@ struct Walk {
 
 impl Default for Walk {
     fn default() -> Self {
-        let contour = Assembled { path: Path::default(), first_shape: u32::MAX, layers: BTreeMap::new() };
+        let contour = Assembled {
+            path: Path::default(),
+            first_shape: u32::MAX,
+            layers: BTreeMap::new(),
+            is_rest: false,
+            outline: None,
+        };
         Self { contour, closed: false, gaps: Vec::new() }
     }
 }

@@ -7,7 +7,9 @@
 //!    co-circular overlap, in O(n log n) however many lie on top of each other.
 //! 3. **Near copies** ([`near`]). What lies within the tolerance of another element without sharing its carrier:
 //!    an arc beside its chord, a spline fitted twice, lines turned by a hair.
-//! 4. **Rebuild.** Runs are cut where something was taken out, and become chains.
+//! 4. **Rebuild.** Runs are cut where something was taken out, and become chains. A closed shape that shares a side
+//!    with another one loses it, as it is cut once; what is left of it stays apart from other chains and remembers
+//!    its outline, so that what lies inside it still does.
 //!
 //! The union is kept: of two elements on top of each other one stays whole, the other loses what is covered. Which
 //! one, decides what stays closed, so closed shapes come first (a whole shape before the next), then elements whose
@@ -23,7 +25,7 @@ use super::cluster::cluster;
 use super::element::{Chain, Chains, Element, ROUNDING, with_start};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
-use crate::geometry::{DVec2, Segment};
+use crate::geometry::{DVec2, Path, Segment};
 use std::ops::Range;
 
 /// Elements that follow each other bit for bit in one shape.
@@ -157,26 +159,31 @@ fn ranks(elements: &[Element], runs: &[Run], join: f64) -> Vec<u32> {
     rank
 }
 
-/// Chains of what was kept. A closed run that lost something opens there.
+/// Chains of what was kept. A closed run that lost something opens there; its outline is kept beside.
 fn rebuild(elements: &[Element], runs: &[Run], kept: &[Kept], tolerance: f64) -> Chains {
-    let mut out =
-        Chains { elements: Vec::with_capacity(elements.len()), chains: Vec::with_capacity(runs.len()) };
+    let mut out = Chains::default();
+    out.elements.reserve(elements.len());
+    out.chains.reserve(runs.len());
     for run in runs {
         let range = run.elements.clone();
         if kept[range.clone()].iter().all(|k| *k == Kept::Whole) {
             let from = out.elements.len();
             out.elements.extend_from_slice(&elements[range]);
-            out.chains.push(Chain { elements: from..out.elements.len(), closed: run.closed });
+            let elements = from..out.elements.len();
+            out.chains.push(Chain { elements, closed: run.closed, rest_of: None });
             continue;
         }
-        let mut chains = broken(&elements[range.clone()], &kept[range], run.closed);
-        if run.closed {
+        let mut chains = broken(&elements[range.clone()], &kept[range.clone()], run.closed);
+        let mut rest_of = None;
+        if run.closed && !chains.is_empty() {
             chains = parted(chains, tolerance);
+            rest_of = u32::try_from(out.outlines.len()).ok();
+            out.outlines.push(Path::new(elements[range].iter().map(|e| e.segment).collect(), true));
         }
         for pieces in chains {
             let from = out.elements.len();
             out.elements.extend(pieces);
-            out.chains.push(Chain { elements: from..out.elements.len(), closed: false });
+            out.chains.push(Chain { elements: from..out.elements.len(), closed: false, rest_of });
         }
     }
     out

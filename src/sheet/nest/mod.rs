@@ -19,7 +19,7 @@
 mod boxes;
 mod slabs;
 
-use super::model::{Contour, Operation};
+use super::model::Contour;
 use crate::geometry::{DVec2, Path, interior_point, turns};
 use boxes::{Answer, BoxTree};
 use slabs::Slabs;
@@ -36,7 +36,7 @@ pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64
     let mut order: Vec<u32> = (0_u32..).take(contours.len()).collect();
     order.sort_by(|&a, &b| {
         let (a, b) = (&contours[a as usize], &contours[b as usize]);
-        bounds_others(a).cmp(&bounds_others(b)).then(a.area.total_cmp(&b.area))
+        a.bounds_area().cmp(&b.bounds_area()).then(a.area.total_cmp(&b.area))
     });
     let mut place = vec![0; contours.len()];
     for (k, &i) in order.iter().enumerate() {
@@ -64,18 +64,13 @@ pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64
     }
 }
 
-/// Whether something may lie inside it.
-fn bounds_others(c: &Contour) -> bool {
-    c.path.closed && c.operation == Operation::Cut
-}
-
 /// For each contour the larger ones that it crosses and in whose box it lies.
 fn crossed_by(contours: &[Contour], crossing: &[(u32, u32)], place: &[usize], slack: f64) -> Vec<Vec<u32>> {
     let mut out = vec![Vec::new(); contours.len()];
     for &(a, b) in crossing {
         let (inner, outer) = if place[a as usize] < place[b as usize] { (a, b) } else { (b, a) };
         let (i, o) = (&contours[inner as usize], &contours[outer as usize]);
-        if bounds_others(o) && o.bounds.contains_box(&i.bounds.grown(-slack)) {
+        if o.bounds_area() && o.bounds.contains_box(&i.bounds.grown(-slack)) {
             out[inner as usize].push(outer);
         }
     }
@@ -100,13 +95,16 @@ impl<'c> Search<'c> {
             crosses[a as usize] = true;
             crosses[b as usize] = true;
         }
-        let bounding = || (0_u32..).zip(contours).filter(|(_, c)| bounds_others(c));
-        let items = bounding().map(|(i, c)| (c.bounds, c.area, i)).collect();
-        let crossed = bounding().filter(|(i, _)| crosses[*i as usize]).map(|(i, c)| (c.bounds, c.area, i));
+        let item = |(i, c): (u32, &Contour)| {
+            let bounds = c.outline.as_ref().map_or(c.bounds, Path::bounds);
+            c.bounds_area().then_some((bounds, c.area, i))
+        };
+        let items: Vec<_> = (0_u32..).zip(contours).filter_map(item).collect();
+        let crossed = items.iter().filter(|i| crosses[i.2 as usize]).copied();
         Self {
             contours,
-            all: BoxTree::new(items),
             crossed: BoxTree::new(crossed.collect()),
+            all: BoxTree::new(items),
             slabs: contours.iter().map(|_| None).collect(),
             slack,
         }
@@ -116,12 +114,16 @@ impl<'c> Search<'c> {
     fn add_around(&mut self, i: u32, outer: &mut Vec<u32>) {
         let Self { contours, all, crossed, slabs, slack } = self;
         let c = &contours[i as usize];
-        let (inner, witnesses) = (c.bounds.grown(-*slack), witnesses(&c.path));
+        let own = c.boundary().unwrap_or(&c.path);
+        let (inner, witnesses) = (own.bounds().grown(-*slack), witnesses(own));
         let mut holds = |j: u32| {
             let other = &contours[j as usize];
-            let slabs = slabs[j as usize].get_or_insert_with(|| Slabs::new(&other.path, other.bounds));
-            let held = witnesses.iter().filter(|p| turns(slabs.at(&other.path, p.y), **p) != 0).count();
-            j != i && 2 * held > witnesses.len()
+            let Some(around) = other.boundary() else { return false };
+            // A rest of a shape runs along the shape's outline, not inside it.
+            let akin = other.outline.is_some() && other.first_shape == c.first_shape;
+            let slabs = slabs[j as usize].get_or_insert_with(|| Slabs::new(around));
+            let held = || witnesses.iter().filter(|p| turns(slabs.at(around, p.y), **p) != 0).count();
+            j != i && !akin && 2 * held() > witnesses.len()
         };
         let mut left = LOOKED_AT;
         let smallest = all.smallest_around(&inner, c.area, |j| {

@@ -1,6 +1,6 @@
 //! The elements of a contour by height, so that a point is tested against those at its height only.
 
-use crate::geometry::{Aabb, Path, Segment};
+use crate::geometry::{Path, Segment};
 
 /// Contours of fewer elements are tested whole.
 const WHOLE: usize = 24;
@@ -26,7 +26,8 @@ pub(super) enum Slabs {
 
 impl Slabs {
     /// Slabs of a contour.
-    pub(super) fn new(path: &Path, bounds: Aabb) -> Self {
+    pub(super) fn new(path: &Path) -> Self {
+        let bounds = path.bounds();
         let height = bounds.size().y;
         let n = path.segments.len();
         if n < WHOLE || height <= 0.0 {
