@@ -96,7 +96,7 @@ fn left_at_joints(drawing: &Drawing, ends: &Ends, free: &[u32], tolerance: f64, 
     let cells = Cells::new(ends, &open, tolerance.max(ROUNDING));
     for &e in free.iter().filter(|&&e| !ends.at_branch[e as usize]) {
         let p = ends.point[e as usize];
-        let met = cells.around(p).find(|&o| !ends.free(o) && ends.gap(e, o) <= tolerance);
+        let met = cells.around(p).find(|&o| !ends.free(o) && ends.akin(e, o) && ends.gap(e, o) <= tolerance);
         if met.is_some() {
             let message = "An end meets two others that fit each other better: it stays open.".to_owned();
             let shape = ends.shape[e as usize];
