@@ -133,13 +133,17 @@ impl Ends {
         self.point[a as usize].distance(self.point[b as usize])
     }
 
+    /// Whether two ends are both of ordinary chains, or of rests of one shape.
+    fn akin(&self, a: u32, b: u32) -> bool {
+        self.rest_of[a as usize] == self.rest_of[b as usize]
+    }
+
     /// Whether two ends may be joined. A chain may close on itself only when it is clearly longer than the gap:
     /// otherwise a short line would be folded onto itself.
     fn may_join(&self, a: u32, b: u32) -> bool {
         let closes = self.far[a as usize] == b;
-        let akin = self.rest_of[a as usize] == self.rest_of[b as usize];
         a != b
-            && akin
+            && self.akin(a, b)
             && self.free(a)
             && self.free(b)
             && (!closes || self.length[a as usize] > 4.0 * self.gap(a, b))
