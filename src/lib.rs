@@ -14,6 +14,7 @@ pub mod dxf;
 pub mod finding;
 pub mod job;
 pub mod machine;
+mod order;
 pub mod output;
 pub mod plan;
 pub mod problem;

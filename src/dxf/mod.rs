@@ -119,7 +119,8 @@ fn counts(file: &File<'_>, decoder: &mut Decoder) -> Vec<EntityKindCount> {
             supported,
         })
         .collect();
-    counts.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.kind.cmp(&b.kind)));
+    // Of equal counts those whose name comes first in the map.
+    crate::order::sort_by(&mut counts, |c| [u64::MAX - u64::from(c.count), 0, 0]);
     counts
 }
 

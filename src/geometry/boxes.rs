@@ -1,6 +1,7 @@
 //! Which boxes meet a box: a packed Hilbert R-tree, for overlaps, containment and crossings over many segments.
 
 use super::aabb::Aabb;
+use crate::order::sort_by;
 use static_aabb2d_index::{Control, StaticAABB2DIndex, StaticAABB2DIndexBuilder};
 
 /// An index of boxes that is built once and asked often.
@@ -34,7 +35,7 @@ impl BoxIndex {
             out.push(i);
             true
         });
-        out.sort_unstable();
+        sort_by(&mut out, |&i| [i as u64, 0, 0]);
         out
     }
 

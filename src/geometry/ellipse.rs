@@ -120,7 +120,7 @@ impl EllipseCurve {
             .collect();
         breaks.extend(quarters);
         breaks.push(1.0);
-        breaks.sort_by(f64::total_cmp);
+        crate::order::sort_by(&mut breaks, |&b| [crate::order::real(b), 0, 0]);
         Self { ellipse: Ellipse { sweep, ..*e }, breaks }
     }
 }

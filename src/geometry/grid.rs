@@ -5,6 +5,7 @@
 //! the structures tried, and the smallest in wasm.
 
 use super::aabb::Aabb;
+use crate::order::sort_by;
 use glam::DVec2;
 
 /// Cells per point at most: keeps memory in proportion when a few points lie far from the others.
@@ -104,7 +105,7 @@ impl Grid {
     pub fn within(&self, p: DVec2, radius: f64) -> Vec<usize> {
         let mut out = Vec::new();
         self.each_within(p, radius, |i, _| out.push(i));
-        out.sort_unstable();
+        sort_by(&mut out, |&i| [i as u64, 0, 0]);
         out
     }
 

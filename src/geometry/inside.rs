@@ -8,6 +8,7 @@
 
 use super::path::Path;
 use super::segment::{Arc, Segment};
+use crate::order::{real, sort_by, whole};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -67,7 +68,7 @@ pub fn interior_point(path: &Path) -> Option<DVec2> {
         let mut cross = |x, rise| crossings.push((x, rise));
         each_crossing(&path.segments, y, &mut cross);
         closing_line(path, |line| each_crossing([line], y, &mut cross));
-        crossings.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        sort_by(&mut crossings, |c: &(f64, i32)| [real(c.0), whole(c.1.into()), 0]);
         let mut number = 0;
         for w in crossings.windows(2) {
             number -= w[0].1;

@@ -8,6 +8,7 @@
 //! places decide.
 
 use super::segment::{Arc, Line, Segment};
+use crate::order::{real, sort_by};
 use glam::DVec2;
 
 /// A place where two segments meet.
@@ -155,8 +156,10 @@ fn circle_circle(a: &Arc, b: &Arc, cross: &mut impl FnMut(DVec2, bool)) {
 /// Sorts meetings along `a` and keeps one of those that are the same place within the tolerance.
 fn thin(meetings: &mut Vec<Meeting>, a: &Segment, b: &Segment, tolerance: f64) {
     // An end explains a crossing right beside it; a crossing explains a touch.
-    let rank = |m: &Meeting| (!is_end(a, m.a), !is_end(b, m.b), !m.crossing);
-    meetings.sort_by(|m, n| rank(m).cmp(&rank(n)).then(m.a.total_cmp(&n.a)).then(m.b.total_cmp(&n.b)));
+    let rank = |m: &Meeting| {
+        4 * u64::from(!is_end(a, m.a)) + 2 * u64::from(!is_end(b, m.b)) + u64::from(!m.crossing)
+    };
+    sort_by(meetings, |m| [rank(m), real(m.a), real(m.b)]);
     let apart = |s: &Segment, f: f64, g: f64| {
         let d = (f - g).abs();
         s.length() * if is_circle(s) { d.min(1.0 - d) } else { d }
@@ -168,7 +171,7 @@ fn thin(meetings: &mut Vec<Meeting>, a: &Segment, b: &Segment, tolerance: f64) {
             kept.push(*m);
         }
     }
-    kept.sort_by(|m, n| m.a.total_cmp(&n.a).then(m.b.total_cmp(&n.b)));
+    sort_by(&mut kept, |m| [real(m.a), real(m.b), 0]);
     *meetings = kept;
 }
 
@@ -183,7 +186,7 @@ fn overlaps(meetings: &[Meeting], a: &Segment, b: &Segment, tolerance: f64) -> V
     if is_circle(b) {
         stations.push(a.nearest(b.start()).0);
     }
-    stations.sort_by(f64::total_cmp);
+    sort_by(&mut stations, |&s| [real(s), 0, 0]);
     let mut out: Vec<Overlap> = Vec::new();
     for w in stations.windows(2) {
         let place = |f: f64| w[0] + (w[1] - w[0]) * f;

@@ -3,6 +3,7 @@
 use super::entries::entries;
 use super::model::{Item, ItemId, Node, NodeId, Problem};
 use crate::machine::{Process, Profile, cut_time};
+use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
 
 /// The problem of cutting a sheet on a machine. The item of a contour has the contour's index.
@@ -73,7 +74,7 @@ fn ranks(sheet: &Sheet) -> Vec<u32> {
         .collect();
     // Innermost first, so that a raised rank goes on outwards.
     let mut inwards: Vec<usize> = (0..ranks.len()).collect();
-    inwards.sort_by_key(|&c| std::cmp::Reverse(sheet.contours[c].depth));
+    sort_by(&mut inwards, |&c| [u64::MAX - u64::from(sheet.contours[c].depth), 0, 0]);
     for c in inwards {
         let rank = ranks[c];
         if let Some(outer) = sheet.contours[c].inside.and_then(|o| ranks.get_mut(o as usize)) {

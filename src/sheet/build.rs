@@ -8,6 +8,7 @@ use super::{cross, layers, nest, outline, parts};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Findings, Severity};
 use crate::geometry::Aabb;
+use crate::order::sort_by;
 
 /// Crossings less deep than this, mm, are rounding of drawings in which lines end on each other.
 const SEEN: f64 = 0.001;
@@ -29,7 +30,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
             contours.push(contour(drawing, a, operation, &mut findings));
         }
     }
-    contours.sort_by_key(|c| c.first_shape);
+    sort_by(&mut contours, |c| [c.first_shape.into(), 0, 0]);
     let mut crossing = cross::find(drawing, &mut contours, copy.max(SEEN), &mut findings);
     nest::nest(&mut contours, &crossing, join);
     let mut border = outline::find(&contours, &layers);

@@ -6,6 +6,7 @@
 use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
 use crate::geometry::{Aabb, DVec2};
 use crate::machine::AirTime;
+use crate::order::sort_by;
 use crate::problem::{Buckets, ItemId, NodeId, Problem};
 
 /// Always to the nearest entry that may come next; ties go to the lower node. Feasible.
@@ -46,7 +47,7 @@ impl<'p> Candidates<'p> {
         // An item without nodes cannot be visited and stands for nothing.
         let mut by_rank: Vec<ItemId> =
             (0..).zip(&problem.items).filter(|(_, i)| !i.nodes.is_empty()).map(|(id, _)| id).collect();
-        by_rank.sort_by_key(|&i| problem.items[i as usize].rank);
+        sort_by(&mut by_rank, |&i| [problem.items[i as usize].rank.into(), 0, 0]);
         let ranks = by_rank
             .chunk_by(|&a, &b| problem.items[a as usize].rank == problem.items[b as usize].rank)
             .rev()

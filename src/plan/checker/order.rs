@@ -2,6 +2,7 @@
 
 use super::nesting;
 use super::violation::Violation;
+use crate::order::sort_by;
 use crate::sheet::{Operation, Sheet};
 
 /// `visits`: when each contour is worked.
@@ -29,7 +30,7 @@ pub(super) fn check(sheet: &Sheet, visits: &[Option<usize>], found: &mut Vec<Vio
 
     let mut worked: Vec<(usize, u32)> =
         (0..).zip(visits).filter_map(|(contour, visit): (u32, _)| Some(((*visit)?, contour))).collect();
-    worked.sort_unstable();
+    sort_by(&mut worked, |w| [w.0 as u64, w.1.into(), 0]);
     let mut highest: Option<u32> = None;
     for (_, contour) in worked {
         match highest {

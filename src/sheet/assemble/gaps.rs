@@ -34,9 +34,14 @@ pub(super) fn join(ends: &mut Ends, tolerance: f64) {
                 let gap = ends.gap(a, b);
                 if a < b && gap <= reach && ends.may_join(a, b) {
                     // Distances that differ by less than rounding are equal.
-                    #[allow(clippy::cast_possible_truncation, reason = "a tolerance is well under 1e9 mm")]
-                    let distance = (gap / ROUNDING).round() as i64;
-                    pairs.push(((distance, ends.preference(a, b)), a, b));
+                    #[allow(
+                        clippy::cast_possible_truncation,
+                        clippy::cast_sign_loss,
+                        reason = "a tolerance is well under 1e9 mm"
+                    )]
+                    let distance = (gap / ROUNDING).round() as u64;
+                    let [bend, names] = ends.preference(a, b);
+                    pairs.push(([distance, bend, names], a, b));
                 }
             }
         }

@@ -22,6 +22,7 @@ use super::element::{Chains, ROUNDING};
 use crate::dxf::Drawing;
 use crate::finding::Findings;
 use crate::geometry::DVec2;
+use crate::order::{Key, sort_by};
 
 pub(super) use trace::Assembled;
 
@@ -164,16 +165,17 @@ impl Ends {
     /// then the straighter continuation (0 straight on, 2 straight back, in steps of 1e-9 so that the last bit does
     /// not decide), then drawing order. The layer comes first because two contours of different layers often touch
     /// in a corner with sides in line, and are two contours all the same.
-    fn preference(&self, a: u32, b: u32) -> (bool, i64, u32, u32) {
+    fn preference(&self, a: u32, b: u32) -> [u64; 2] {
         let (i, j) = (a as usize, b as usize);
-        #[allow(clippy::cast_possible_truncation, reason = "between 0 and 2e9")]
-        let bend = ((1.0 + self.out[i].dot(self.out[j])) * 1e9).round() as i64;
-        (self.layer[i] != self.layer[j], bend, a.min(b), a.max(b))
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 2e9")]
+        let bend = ((1.0 + self.out[i].dot(self.out[j])) * 1e9).round() as u64;
+        let other_layer = u64::from(self.layer[i] != self.layer[j]);
+        [other_layer << 32 | bend, u64::from(a.min(b)) << 32 | u64::from(a.max(b))]
     }
 
     /// Joins the pairs in order of the keys, as far as both ends are still free.
-    fn join_in_order<K: Ord>(&mut self, mut pairs: Vec<(K, u32, u32)>) {
-        pairs.sort_unstable();
+    fn join_in_order(&mut self, mut pairs: Vec<(Key, u32, u32)>) {
+        sort_by(&mut pairs, |p| p.0);
         for (_, a, b) in pairs {
             if self.may_join(a, b) {
                 self.join(a, b);

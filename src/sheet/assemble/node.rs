@@ -2,6 +2,7 @@
 
 use super::{Ends, NONE};
 use crate::geometry::{DVec2, math};
+use crate::order;
 use crate::sheet::cluster::cluster;
 use crate::sheet::element::ROUNDING;
 
@@ -26,7 +27,7 @@ pub(super) fn join(ends: &mut Ends) -> Vec<Branch> {
     let points: Vec<DVec2> = free.iter().map(|&e| ends.point[e as usize]).collect();
     let node_of = cluster(&points, 2.0 * ROUNDING);
     let mut by_node: Vec<(u32, u32)> = node_of.into_iter().zip(free).collect();
-    by_node.sort_unstable();
+    order::sort_by(&mut by_node, |n| [n.0.into(), n.1.into(), 0]);
     let nodes = || by_node.chunk_by(|a, b| a.0 == b.0);
     for node in nodes() {
         if let [(_, a), (_, b)] = *node
@@ -59,8 +60,12 @@ fn pair_up(ends: &mut Ends, members: &[u32]) {
     let left: Vec<u32> = members.iter().copied().filter(|&e| ends.free(e)).collect();
     let pairs = if left.len() <= ALL_PAIRS { all_pairs(&left) } else { opposite_pairs(ends, &left) };
     // Tails last: what leads on, leads to a contour that closes.
-    let tails = |a, b| u8::from(ends.is_tail(a)) + u8::from(ends.is_tail(b));
-    let keyed = pairs.into_iter().map(|(a, b)| ((tails(a, b), ends.preference(a, b)), a, b)).collect();
+    let tails = |a, b| u64::from(ends.is_tail(a)) + u64::from(ends.is_tail(b));
+    let key = |a, b| {
+        let [bend, names] = ends.preference(a, b);
+        [tails(a, b), bend, names]
+    };
+    let keyed = pairs.into_iter().map(|(a, b)| (key(a, b), a, b)).collect();
     ends.join_in_order(keyed);
     if left.len() > ALL_PAIRS {
         pair_rest(ends, &left);
@@ -103,6 +108,6 @@ fn pair_rest(ends: &mut Ends, of: &[u32]) {
 fn by_angle(ends: &Ends, of: &[u32]) -> Vec<(u32, f64, u32)> {
     let angle = |e: u32| math::angle_of(ends.out[e as usize]);
     let mut sorted: Vec<_> = of.iter().map(|&e| (ends.layer[e as usize], angle(e), e)).collect();
-    sorted.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+    order::sort_by(&mut sorted, |e| [e.0.into(), order::real(e.1), e.2.into()]);
     sorted
 }

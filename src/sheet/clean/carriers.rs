@@ -9,6 +9,7 @@
 use super::Kept;
 use super::cover::{Cover, Key, rest};
 use crate::geometry::{Aabb, Arc, Line, Segment, math};
+use crate::order;
 use crate::sheet::element::{Element, ROUNDING};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
@@ -37,11 +38,11 @@ struct Span {
 pub(super) fn unite(elements: &[Element], rank: &[u32], tolerance: f64, kept: &mut [Kept]) {
     let tolerance = tolerance.max(ROUNDING);
     for mut spans in on_lines(elements, tolerance) {
-        spans.sort_unstable_by_key(|s| rank[s.element as usize]);
+        order::sort_by(&mut spans, |s| [rank[s.element as usize].into(), 0, 0]);
         unite_on_one(&spans, tolerance, None, kept);
     }
     for (radius, mut spans) in on_circles(elements, tolerance) {
-        spans.sort_unstable_by_key(|s| rank[s.element as usize]);
+        order::sort_by(&mut spans, |s| [rank[s.element as usize].into(), 0, 0]);
         unite_on_one(&spans, tolerance / radius, Some(TAU), kept);
     }
 }
@@ -72,7 +73,7 @@ fn on_lines(elements: &[Element], tolerance: f64) -> Vec<Vec<Span>> {
             (cell(angle, direction_cell), offset, Span { element, from, to, reversed })
         })
         .collect();
-    keyed.sort_unstable_by_key(|(a, o, s)| (*a, *o, s.element));
+    order::sort_by(&mut keyed, |(a, o, s)| [order::whole(*a), order::whole(*o), s.element.into()]);
     let mut groups: Vec<Vec<Span>> = Vec::new();
     let mut last = None;
     for (angle, offset, span) in keyed {

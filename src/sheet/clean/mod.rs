@@ -26,6 +26,7 @@ use super::element::{Chain, Chains, Element, ROUNDING, with_start};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{DVec2, Path, Segment};
+use crate::order;
 use std::ops::Range;
 
 /// Elements that follow each other bit for bit in one shape.
@@ -151,7 +152,7 @@ fn ranks(elements: &[Element], runs: &[Run], join: f64) -> Vec<u32> {
             });
         }
     }
-    keys.sort_unstable();
+    order::sort_by(&mut keys, |k| [k.0, k.1 as u64, order::whole(k.2)]);
     let mut rank = vec![0; elements.len()];
     for (r, key) in (0_u32..).zip(keys) {
         rank[key.3] = r;

@@ -9,6 +9,7 @@
 use super::Kept;
 use super::cover::rest;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Segment, intersect};
+use crate::order;
 use crate::sheet::element::Element;
 
 /// Elements are copies within an eighth of their length at most: what is as short as the tolerance is not a copy of
@@ -39,7 +40,7 @@ struct Piece {
 pub(super) fn unite(elements: &[Element], rank: &[u32], tolerance: f64, kept: &mut [Kept]) -> bool {
     let mut pieces = pieces(elements, kept);
     pieces.retain(|p| p.segment.length() >= LONG_ENOUGH * tolerance);
-    pieces.sort_by_key(|p| (rank[p.element as usize], p.element));
+    order::sort_by(&mut pieces, |p| [rank[p.element as usize].into(), p.element.into(), 0]);
     let (pairs, complete) = pairs(elements, &pieces, tolerance);
     // Pieces stand in order of rank: the first of a pair stays, the second loses; what stays is settled before.
     for group in pairs.chunk_by(|a, b| a.1 == b.1) {
@@ -48,7 +49,7 @@ pub(super) fn unite(elements: &[Element], rank: &[u32], tolerance: f64, kept: &m
         let mut shared: Vec<Shared> = shared.collect();
         if !shared.is_empty() {
             let is_copy = shared.iter().any(|s| s.is_copy);
-            shared.sort_by(|a, b| a.from.total_cmp(&b.from));
+            order::sort_by(&mut shared, |s| [order::real(s.from), 0, 0]);
             take(&mut pieces[loser], &shared, is_copy, tolerance, kept);
         }
     }
@@ -93,7 +94,7 @@ fn pairs(elements: &[Element], pieces: &[Piece], tolerance: f64) -> (Vec<(usize,
             complete &= looked_at < LOOKED_AT;
         }
     }
-    pairs.sort_unstable_by_key(|&(winner, loser)| (loser, winner));
+    order::sort_by(&mut pairs, |&(winner, loser)| [loser as u64, winner as u64, 0]);
     pairs.dedup();
     (pairs, complete)
 }
@@ -169,7 +170,7 @@ fn take(piece: &mut Piece, shared: &[Shared], is_copy: bool, tolerance: f64, kep
         _ => Vec::new(),
     };
     parts.extend(of_element);
-    parts.sort_by(|a: &(f64, f64), b| a.0.total_cmp(&b.0));
+    order::sort_by(&mut parts, |p: &(f64, f64)| [order::real(p.0), 0, 0]);
     *kept = match parts[..] {
         [] if is_copy && piece.from <= 0.0 && piece.to >= 1.0 => Kept::Copy,
         [] => Kept::Covered,

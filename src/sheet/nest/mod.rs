@@ -21,6 +21,7 @@ mod slabs;
 
 use super::model::Contour;
 use crate::geometry::{DVec2, Path, interior_point, turns};
+use crate::order::{real, sort_by};
 use boxes::{Answer, BoxTree};
 use slabs::Slabs;
 
@@ -34,9 +35,9 @@ const LOOKED_AT: usize = 256;
 pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64) {
     // What is around others comes after them.
     let mut order: Vec<u32> = (0_u32..).take(contours.len()).collect();
-    order.sort_by(|&a, &b| {
-        let (a, b) = (&contours[a as usize], &contours[b as usize]);
-        a.bounds_area().cmp(&b.bounds_area()).then(a.area.total_cmp(&b.area))
+    sort_by(&mut order, |&i| {
+        let c = &contours[i as usize];
+        [c.bounds_area().into(), real(c.area), 0]
     });
     let mut place = vec![0; contours.len()];
     for (k, &i) in order.iter().enumerate() {
@@ -49,7 +50,7 @@ pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64
     }
     for &i in &order {
         let mut outer = std::mem::take(&mut around[i as usize]);
-        outer.sort_unstable_by_key(|&o| place[o as usize]);
+        sort_by(&mut outer, |&o| [place[o as usize] as u64, 0, 0]);
         outer.dedup();
         if let Some((&parent, rest)) = outer.split_first() {
             contours[i as usize].inside = Some(parent);

@@ -7,6 +7,7 @@
 use super::space::{Space, index};
 use super::tour::Tour;
 use crate::geometry::{Aabb, DVec2};
+use crate::order::{real, sort_by};
 use crate::problem::Buckets;
 
 /// Items listed for a gate: 8 hold the wanted edge in all but a few in a thousand cases (planar tours mostly use the
@@ -51,7 +52,7 @@ impl Neighbours {
                 merge(&mut all, n);
             }
         }
-        all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        sort_by(&mut all, |n| [real(n.0), n.1.into(), 0]);
         all.truncate(PER_ITEM);
         self.by_item.push(all.into_iter().map(|n| n.1).collect());
         true
@@ -71,7 +72,7 @@ impl Neighbours {
                     merge(&mut found, (space.air.seconds(place, there), other));
                 }
             }
-            found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            sort_by(&mut found, |n| [real(n.0), n.1.into(), 0]);
         }
         found.truncate(PER_GATE);
         found
