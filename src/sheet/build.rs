@@ -6,7 +6,7 @@ use super::clean::clean;
 use super::model::{Contour, Ignored, Operation, Sheet, SheetOptions};
 use super::{cross, layers, nest, outline, parts};
 use crate::dxf::Drawing;
-use crate::finding::{Code, Findings, Severity};
+use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::Aabb;
 use crate::order::sort_by;
 
@@ -32,7 +32,11 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     }
     sort_by(&mut contours, |c| [c.first_shape.into(), 0, 0]);
     let mut crossing = cross::find(drawing, &mut contours, copy.max(SEEN), &mut findings);
-    nest::nest(&mut contours, &crossing, join);
+    if !nest::nest(&mut contours, &crossing, join) {
+        let message =
+            "So many contours lock into each other that what lies inside what was found in part only.";
+        findings.push(Finding::new(Code::NotAllChecked, Severity::Warning, message));
+    }
     let mut border = outline::find(&contours, &layers);
     if let Some(index) = border {
         findings.push(outline::finding(drawing, &contours[index as usize], options.ignore_outline));

@@ -1,6 +1,7 @@
 //! Containment, parts, orientation.
 
 use crate::sketch::*;
+use kerfway::finding::Code;
 use kerfway::geometry::{Path, Segment, math};
 use kerfway::sheet::Sheet;
 use rand::{RngExt, SeedableRng};
@@ -166,6 +167,23 @@ fn ten_thousand_circles_around_each_other() {
         assert_eq!(c.depth, n - i);
     }
     assert_eq!(s.parts.len(), 5_000);
+}
+
+/// A C of width 1 that opens to the right, around everything within `r` of the origin.
+fn c_shape(r: f64) -> Path {
+    let (o, w) = (r + 1.0, 3_000.0);
+    polyline(&[(-o, -o), (w, -o), (w, -r), (-r, -r), (-r, r), (w, r), (w, o), (-o, o)], true)
+}
+
+#[test]
+fn hostile_contours_that_lock_into_each_other_are_given_up_and_told() {
+    let within =
+        |n: i32| sheet((0..n).map(|i| c_shape(10.0 + 2.0 * f64::from(i))).chain([circle(0.0, 0.0, 5.0)]));
+    let few = within(200);
+    assert!(few.findings.is_empty() && few.contours.iter().all(|c| c.inside.is_none()));
+    let many = within(500);
+    assert_eq!(findings(&many, Code::NotAllChecked).len(), 1);
+    assert!(many.contours.iter().all(|c| c.inside.is_none()));
 }
 
 #[test]

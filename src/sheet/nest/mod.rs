@@ -31,8 +31,8 @@ use slabs::Slabs;
 const LOOKED_AT: usize = 256;
 
 /// Sets `inside` and `depth` of all contours. `crossing`: pairs of contours that cross. `slack` in mm: contours that
-/// touch may stick out of each other's boxes by as much as ends were moved.
-pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64) {
+/// touch may stick out of each other's boxes by as much as ends were moved. `false` when some were given up.
+pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64) -> bool {
     // What is around others comes after them.
     let mut order: Vec<u32> = (0_u32..).take(contours.len()).collect();
     sort_by(&mut order, |&i| {
@@ -48,6 +48,7 @@ pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64
     for (i, outer) in (0_u32..).zip(&mut around) {
         search.add_around(i, outer);
     }
+    let complete = search.complete;
     for &i in &order {
         let mut outer = std::mem::take(&mut around[i as usize]);
         sort_by(&mut outer, |&o| [place[o as usize] as u64, 0, 0]);
@@ -63,6 +64,7 @@ pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64
         let inside = contours[i as usize].inside;
         contours[i as usize].depth = inside.map_or(0, |j| contours[j as usize].depth + 1);
     }
+    complete
 }
 
 /// For each contour the larger ones that it crosses and in whose box it lies.
@@ -87,6 +89,7 @@ struct Search<'c> {
     crossed: BoxTree,
     slabs: Vec<Option<Slabs>>,
     slack: f64,
+    complete: bool,
 }
 
 impl<'c> Search<'c> {
@@ -108,12 +111,13 @@ impl<'c> Search<'c> {
             all: BoxTree::new(items),
             slabs: contours.iter().map(|_| None).collect(),
             slack,
+            complete: true,
         }
     }
 
     /// Adds the smallest contour around contour `i`, and all around it that cross others.
     fn add_around(&mut self, i: u32, outer: &mut Vec<u32>) {
-        let Self { contours, all, crossed, slabs, slack } = self;
+        let Self { contours, all, crossed, slabs, slack, complete } = self;
         let c = &contours[i as usize];
         let own = c.boundary().unwrap_or(&c.path);
         let (inner, witnesses) = (own.bounds().grown(-*slack), witnesses(own));
@@ -135,6 +139,7 @@ impl<'c> Search<'c> {
                 (false, _) => Answer::Next,
             }
         });
+        *complete &= left > 0 || smallest.is_some();
         outer.extend(smallest);
         let mut left = LOOKED_AT;
         crossed.smallest_around(&inner, c.area, |j| {
@@ -144,6 +149,7 @@ impl<'c> Search<'c> {
             }
             if left == 0 { Answer::Stop } else { Answer::Next }
         });
+        *complete &= left > 0;
     }
 }
 
