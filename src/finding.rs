@@ -165,8 +165,7 @@ impl Findings {
     pub fn into_list(mut self) -> Vec<Finding> {
         for (code, (_, rest)) in self.seen {
             if rest > 0 {
-                let name = serde_json::to_value(code).ok();
-                let name = name.as_ref().and_then(|v| v.as_str()).unwrap_or("finding").to_owned();
+                let name = name(code);
                 self.list.push(
                     Finding::new(
                         Code::More,
@@ -181,6 +180,30 @@ impl Findings {
     }
 }
 
+/// The code as JSON has it.
+fn name(code: Code) -> String {
+    let mut name = String::new();
+    for c in format!("{code:?}").chars() {
+        if c.is_ascii_uppercase() && !name.is_empty() {
+            name.push('-');
+        }
+        name.push(c.to_ascii_lowercase());
+    }
+    name
+}
+
 fn place<S: serde::Serializer>(p: &Option<DVec2>, s: S) -> Result<S::Ok, S::Error> {
     p.map(|p| [p.x, p.y]).serialize(s)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_those_of_json() {
+        for code in [Code::More, Code::GapClosed, Code::UnsupportedEntity] {
+            assert_eq!(serde_json::to_value(code).unwrap(), name(code));
+        }
+    }
 }

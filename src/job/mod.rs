@@ -36,7 +36,7 @@ pub enum JobError {
     Options(String),
     /// Nothing on the sheet is to be cut or marked.
     #[error("There is nothing to cut: {0}")]
-    NothingToCut(String),
+    NothingToCut(&'static str),
     /// Asked for a plan before there was one.
     #[error("There is no plan yet. Start one first.")]
     NoPlan,
@@ -141,11 +141,11 @@ impl Job {
         self.run.as_mut().ok_or(JobError::NoPlan)
     }
 
-    fn why_empty(&self) -> String {
+    fn why_empty(&self) -> &'static str {
         if self.sheet.ignored.is_empty() {
-            "the drawing holds no outlines.".into()
+            "the drawing holds no outlines."
         } else {
-            format!("all {} outlines are on layers that are left out.", self.sheet.ignored.len())
+            "every layer that holds something is left out. Set one to cut or mark."
         }
     }
 }

@@ -6,7 +6,10 @@ use super::{JobError, Warm};
 use crate::dxf::{ReadOptions, Unit};
 use crate::machine::{self, Profile};
 use crate::sheet::{Operation, SheetOptions};
-use serde::{Deserialize, Serialize};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+use std::fmt;
 
 /// What is done with one layer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -92,13 +95,37 @@ fn within(what: &str, mm: f64, range: std::ops::RangeInclusive<f64>) -> Result<(
 }
 
 /// A preset by name, or a whole profile.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum MachineChoice {
     /// Name of a preset.
     Preset(String),
     /// Everything given.
     Profile(Box<Profile>),
+}
+
+// By hand: serde's own untagged enums buffer whatever comes, which is 5 kB gzip of wasm.
+impl<'de> Deserialize<'de> for MachineChoice {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Choice;
+        impl<'de> Visitor<'de> for Choice {
+            type Value = MachineChoice;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("the name of a machine or a machine profile")
+            }
+
+            fn visit_str<E>(self, name: &str) -> Result<MachineChoice, E> {
+                Ok(MachineChoice::Preset(name.to_owned()))
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<MachineChoice, A::Error> {
+                let profile = Profile::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(MachineChoice::Profile(Box::new(profile)))
+            }
+        }
+        deserializer.deserialize_any(Choice)
+    }
 }
 
 impl Default for MachineChoice {

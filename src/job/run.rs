@@ -54,6 +54,9 @@ pub struct Run {
     pub budget: Budget,
     /// How the job would run without it.
     pub baselines: Baselines,
+    /// Moves worked off so far, as the search counts what it was given: its telemetry may run ahead by the last move's
+    /// candidates.
+    pub moves: u64,
     running: Running,
 }
 
@@ -74,17 +77,25 @@ impl Run {
         let warm = options.warm.as_ref().map(|w| warm::solution(w, &problem)).transpose()?;
         let running =
             Running::new(problem, |p| method.start(p, seed, Some(warm.as_ref().unwrap_or(&greedy))));
-        Ok(Self { machine, method: method.info(), seed, budget: options.budget(), baselines, running })
+        Ok(Self {
+            machine,
+            method: method.info(),
+            seed,
+            budget: options.budget(),
+            baselines,
+            moves: 0,
+            running,
+        })
     }
 
     /// Works for at most `work` moves, and never past the budget.
     pub fn step(&mut self, work: u64) -> Slice {
-        let before = self.telemetry().moves;
-        let left = self.budget.moves.map_or(u64::MAX, |all| all.saturating_sub(before));
+        let left = self.budget.moves.map_or(u64::MAX, |all| all.saturating_sub(self.moves));
         if left == 0 {
             return Slice { done: 0, improved: false, end: SliceEnd::Budget };
         }
         let step = self.running.with_dependent_mut(|_, search| search.step(work.min(left)));
+        self.moves = self.moves.saturating_add(step.done);
         let end = match step.status {
             Status::Exhausted => SliceEnd::Exhausted,
             Status::Running if step.done >= left => SliceEnd::Budget,
@@ -95,8 +106,8 @@ impl Run {
 
     /// Grants another budget on top of what is done.
     pub fn extend(&mut self, more: Budget) {
-        let done = self.telemetry().moves;
-        self.budget = Budget { seconds: more.seconds, moves: more.moves.map(|m| done.saturating_add(m)) };
+        let moves = more.moves.map(|m| self.moves.saturating_add(m));
+        self.budget = Budget { seconds: more.seconds, moves };
     }
 
     /// Numbers of the search.

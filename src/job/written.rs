@@ -65,11 +65,7 @@ impl Job {
                 machine: &run.machine,
                 method: run.method.name,
                 seed: run.seed,
-                budget: Budget {
-                    moves: run.budget.moves,
-                    seconds: run.budget.seconds,
-                    done: run.telemetry().moves,
-                },
+                budget: Budget { moves: run.budget.moves, seconds: run.budget.seconds, done: run.moves },
                 plan: &plan,
             }),
         })

@@ -112,7 +112,7 @@ impl Job {
 
     /// Moves done so far.
     pub fn moves(&self) -> Result<f64, JsError> {
-        Ok(self.0.run()?.telemetry().moves as f64)
+        Ok(self.0.run()?.moves as f64)
     }
 
     /// The best path so far and what it adds up to.

@@ -42,6 +42,8 @@ interface Answers {
   restore: Extract<FromWorker, { type: 'done' }>;
 }
 
+const CLOSED = 'The planner was closed.';
+
 /** The messages that answer a request for good. */
 const FINAL = new Set(['loaded', 'output', 'done', 'failed']);
 
@@ -77,6 +79,7 @@ export class Planner {
   /** Whether the present worker has ever spoken. */
   private greeted = false;
   private restoring = false;
+  private closed = false;
 
   private constructor(private readonly parts: Parts) {}
 
@@ -132,8 +135,9 @@ export class Planner {
 
   /** Ends the worker; whatever was under way is told so. */
   close(): void {
+    this.closed = true;
     this.line.close();
-    this.abandon('The planner was closed.');
+    this.abandon(CLOSED);
   }
 
   private newPlan(options: PlanOptions, onProgress: (progress: Progress) => void): RunningPlan {
@@ -141,6 +145,10 @@ export class Planner {
   }
 
   private begin(plan: RunningPlan, message: ToWorker): PlanHandle {
+    if (this.closed) {
+      plan.fail(CLOSED);
+      return plan.handle;
+    }
     this.current = plan;
     this.plans.set(plan.id, plan);
     this.whenReady(message);
@@ -156,6 +164,7 @@ export class Planner {
 
   private ask<K extends keyof Answers>(message: (id: number) => ToWorker): Promise<Answers[K]> {
     return new Promise((resolve, reject) => {
+      if (this.closed) return reject(new Error(CLOSED));
       const id = ++this.lastId;
       this.requests.set(id, { resolve, reject });
       this.line.post(message(id));

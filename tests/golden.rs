@@ -1,0 +1,68 @@
+//! Golden plans: the same seed and moves give the same bytes natively, under Node and in a browser.
+//!
+//! `tests/golden/cases.json` says what is planned, `tests/golden/NAME.json` is the plan expected. The package and
+//! browser tests read the same files. `KERFWAY_BLESS=1 cargo test --test golden` writes them anew, after a change that
+//! is meant to change plans.
+
+use kerfway::job::{Job, LoadOptions, OutputKind, PlanOptions, SliceEnd};
+use std::fs;
+use std::path::PathBuf;
+
+#[derive(serde::Deserialize)]
+struct Case {
+    name: String,
+    drawing: String,
+    load: LoadOptions,
+    plan: PlanOptions,
+}
+
+fn at(path: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests").join(path)
+}
+
+fn cases() -> Vec<Case> {
+    serde_json::from_str(&fs::read_to_string(at("golden/cases.json")).unwrap()).unwrap()
+}
+
+/// Plans a case in slices of `work` moves.
+fn planned(case: &Case, work: u64) -> String {
+    let bytes = fs::read(at("fixtures").join(&case.drawing)).unwrap();
+    let name = case.drawing.rsplit('/').next().unwrap();
+    let mut job = Job::load(bytes, name, &case.load).unwrap();
+    job.start(&case.plan).unwrap();
+    while job.run_mut().unwrap().step(work).end == SliceEnd::Running {}
+    job.output(OutputKind::Json).unwrap()
+}
+
+#[test]
+fn plans_are_the_bytes_expected() {
+    for case in cases() {
+        let file = at("golden").join(format!("{}.json", case.name));
+        let plan = planned(&case, u64::MAX);
+        if std::env::var_os("KERFWAY_BLESS").is_some() {
+            fs::write(&file, &plan).unwrap();
+        }
+        assert!(plan == fs::read_to_string(&file).unwrap(), "{} differs from {}", case.name, file.display());
+    }
+}
+
+#[test]
+fn slices_of_any_size_give_the_same_plan() {
+    for case in cases() {
+        let whole = planned(&case, u64::MAX);
+        for work in [1, 7, 1000] {
+            assert!(planned(&case, work) == whole, "{} in slices of {work} moves", case.name);
+        }
+    }
+}
+
+#[test]
+fn another_seed_may_give_another_plan_but_never_one_that_fails_its_check() {
+    for mut case in cases() {
+        for seed in 100..105 {
+            case.plan.seed = seed;
+            // Writing checks the plan; `planned` unwraps.
+            assert!(planned(&case, 4096).contains(&format!("\"seed\":{seed}")));
+        }
+    }
+}
