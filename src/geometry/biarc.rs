@@ -62,16 +62,6 @@ impl Bow {
         (chord * (2.0 * chord.dot(self.tangent)) - self.tangent).normalize_or_zero()
     }
 
-    /// Length of the chord, mm.
-    fn chord(&self) -> f64 {
-        self.end.distance(self.start)
-    }
-
-    /// Curvature, 1/mm, counter-clockwise positive.
-    fn curvature(&self) -> f64 {
-        2.0 * self.tangent.perp_dot(self.end - self.start) / (self.end - self.start).length_squared()
-    }
-
     /// Distance from a sample to the bow's circle or line; `None` when it runs another way.
     pub(super) fn distance(&self, s: &Sample) -> Option<f64> {
         match self.circle {
@@ -115,7 +105,7 @@ impl Biarc {
     /// The biarc with equal control legs between two places and directions; `None` where no biarc exists whose
     /// arcs both turn by less than half a circle.
     pub(super) fn new(from: Sample, to: Sample) -> Option<Self> {
-        Self::with_leg(from, to, equal_leg(from, to))
+        Self::through(from, to, joint(from, to, equal_leg(from, to))?)
     }
 
     /// The biarc whose joint lies on the curve given by the samples between the two places: where the curvature
@@ -124,29 +114,17 @@ impl Biarc {
         /// Step of the leg to see which way the joint moves.
         const STEP: f64 = 0.1;
         let leg = equal_leg(from, to);
-        let equal = Self::with_leg(from, to, leg)?;
-        let offset = |b: &Self| side(b.second.start, from, between, to);
-        let Some(other) = Self::with_leg(from, to, leg * (1.0 - STEP)) else { return Some(equal) };
-        let (here, there) = (offset(&equal), offset(&other));
-        // One step of the secant rule: joints move nearly in proportion to the leg.
-        let factor = 1.0 - STEP * here / (here - there);
-        if !(0.5..=2.0).contains(&factor) {
-            return Some(equal);
-        }
-        Self::with_leg(from, to, leg * factor).or(Some(equal))
+        let equal = joint(from, to, leg)?;
+        let better = joint(from, to, leg * (1.0 - STEP)).and_then(|other| {
+            // One step of the secant rule: joints move nearly in proportion to the leg.
+            let (here, there) = (side(equal, from, between, to), side(other, from, between, to));
+            let factor = 1.0 - STEP * here / (here - there);
+            (0.5..=2.0).contains(&factor).then(|| joint(from, to, leg * factor)).flatten()
+        });
+        better.and_then(|j| Self::through(from, to, j)).or_else(|| Self::through(from, to, equal))
     }
 
-    /// The biarc whose first control leg has length `d`; the second follows.
-    fn with_leg(from: Sample, to: Sample, d: f64) -> Option<Self> {
-        if !(d.is_finite() && d > 0.0) {
-            return None;
-        }
-        // The inner control points are as far from each other as the legs are long together:
-        // |p1 - e t1 - p0 - d t0| = d + e.
-        let v = to.point - from.point;
-        let bent = (1.0 - from.tangent.dot(to.tangent)).max(0.0);
-        let e = (0.5 * v.length_squared() - d * v.dot(from.tangent)) / (v.dot(to.tangent) + d * bent);
-        let joint = ((from.point + from.tangent * d) * e + (to.point - to.tangent * e) * d) / (d + e);
+    fn through(from: Sample, to: Sample, joint: DVec2) -> Option<Self> {
         let first = Bow::new(from.point, from.tangent, joint)?;
         let second = Bow::new(joint, first.end_tangent(), to.point)?;
         Some(Self { first, second })
@@ -157,23 +135,38 @@ impl Biarc {
         Sample { point: self.second.start, tangent: self.second.tangent }
     }
 
-    /// Change of curvature (1/mm) from the first arc to the second, and the mean length of their
-    /// chords (mm).
-    pub(super) fn bend(&self) -> (f64, f64) {
-        (self.second.curvature() - self.first.curvature(), (self.first.chord() + self.second.chord()) * 0.5)
-    }
-
-    /// The largest distance of samples in order of travel from the biarc, mm; `None` when one of them runs
-    /// another way.
-    pub(super) fn deviation(&self, samples: &[Sample]) -> Option<f64> {
+    /// Whether samples in order of travel lie within `limit` mm of the biarc and run its way.
+    pub(super) fn within(&self, samples: &[Sample], limit: f64) -> bool {
         let (joint, across) = (self.second.start, self.second.tangent);
-        let mut worst = 0.0_f64;
-        for s in samples {
+        samples.iter().all(|s| {
             let bow = if (s.point - joint).dot(across) < 0.0 { &self.first } else { &self.second };
-            worst = worst.max(bow.distance(s)?);
-        }
-        Some(worst)
+            bow.distance(s).is_some_and(|d| d <= limit)
+        })
     }
+}
+
+/// Of the biarc with equal legs: the change of curvature (1/mm) from the first arc to the second, and the mean length
+/// of their chords (mm).
+pub(super) fn bend(from: Sample, to: Sample) -> Option<(f64, f64)> {
+    let joint = joint(from, to, equal_leg(from, to))?;
+    let (a, b) = (joint - from.point, to.point - joint);
+    // The angle between an arc's direction at an end and its chord is half its turn.
+    let first = 2.0 * from.tangent.perp_dot(a) / a.length_squared();
+    let second = 2.0 * b.perp_dot(to.tangent) / b.length_squared();
+    Some((second - first, (a.length() + b.length()) * 0.5))
+}
+
+/// Where the arcs of the biarc join whose first control leg has length `d`.
+fn joint(from: Sample, to: Sample, d: f64) -> Option<DVec2> {
+    if !(d.is_finite() && d > 0.0) {
+        return None;
+    }
+    // The inner control points are as far from each other as the legs are long together:
+    // |p1 - e t1 - p0 - d t0| = d + e.
+    let v = to.point - from.point;
+    let bent = (1.0 - from.tangent.dot(to.tangent)).max(0.0);
+    let e = (0.5 * v.length_squared() - d * v.dot(from.tangent)) / (v.dot(to.tangent) + d * bent);
+    Some(((from.point + from.tangent * d) * e + (to.point - to.tangent * e) * d) / (d + e))
 }
 
 /// The leg d of `d^2 * 2 (1 - t0.t1) + 2 d (v.(t0 + t1)) - v.v = 0`, in the form that survives t0 = t1; not a positive

@@ -6,7 +6,7 @@
 //! doi:10.1016/j.comgeo.2007.10.009). We go below that number by leaving and arriving at a small angle to the curve
 //! ([`best_tilt`]).
 
-use super::biarc::Biarc;
+use super::biarc::{Biarc, bend};
 use super::chain::Chain;
 use super::fit::MEASURED;
 use super::sample::Sample;
@@ -19,13 +19,16 @@ const TURN: f64 = 3.0;
 pub(super) fn cover(run: &[Sample], tolerance: f64, chain: &mut Chain) {
     let stretch = Stretch::new(run, tolerance);
     let (mut i, mut tilt) = (0, 0.0);
+    // Neighbours reach about as far as each other: half the last reach is a good first try.
+    let mut step = 1;
     while i + 1 < run.len() {
-        let found = reach(run, i, |j| stretch.biarc(i, tilt, j));
+        let found = reach(run, i, step, |j| stretch.biarc(i, tilt, j));
         let found = found.map(|(j, b)| stretch.shared(i, tilt, j).unwrap_or((j, b)));
         match found {
             Some((j, (biarc, at_end))) => {
                 chain.push(biarc.first.segment(chain.same()));
                 chain.push(biarc.second.segment(chain.same()));
+                step = ((j - i) / 2).max(1);
                 (i, tilt) = (j, at_end);
             }
             None => {
@@ -69,12 +72,12 @@ impl<'r> Stretch<'r> {
             // Off by this angle, a piece over the next gap alone misses the curve by 0.15 tolerances at most.
             Some(next) => {
                 let most = self.tolerance / next.point.distance(to.point);
-                best_tilt(&Biarc::new(from, to)?, tilt).clamp(-most, most)
+                best_tilt(bend(from, to)?, tilt).clamp(-most, most)
             }
             None => 0.0,
         };
         let biarc = Biarc::along(from, tilted(to, best), between)?;
-        (biarc.deviation(between)? <= MEASURED * self.tolerance).then_some((biarc, best))
+        biarc.within(between, MEASURED * self.tolerance).then_some((biarc, best))
     }
 
     /// When a piece that reaches from `i` to `j` leaves but a sliver to the end: one to the middle of both instead.
@@ -96,28 +99,32 @@ fn tilted(s: Sample, angle: f64) -> Sample {
     Sample { tangent: (s.tangent + s.tangent.perp() * angle).normalize_or_zero(), ..s }
 }
 
-/// The angle (rad) between fit and curve at a joint that lets the pieces be longest, given a biarc that ends in the
-/// direction of the curve and starts `tilt` off it.
+/// The angle (rad) between fit and curve at a joint that lets the pieces be longest, given the [`bend`] of the
+/// biarc that ends in the direction of the curve and starts `tilt` off it.
 ///
 /// Where the curvature changes at rate k, arcs of length h with all joints on the curve stay nearest to it when they
 /// leave and arrive at an angle of -k h^2 / 12: their distance is then the even wave of amplitude k h^3 / 125, a third
-/// of what biarcs in the curve's own directions reach. The biarc given changes its curvature by
+/// of what biarcs in the curve's own directions reach. That biarc changes its curvature by
 /// 4/3 k h + 2 tilt / h, hence k.
-fn best_tilt(biarc: &Biarc, tilt: f64) -> f64 {
+fn best_tilt((change, h): (f64, f64), tilt: f64) -> f64 {
     /// Beyond 6 degrees the small-angle reckoning is void.
     const MOST: f64 = 0.1;
     /// 1/16 follows from the above; a quarter less gave the fewest pieces on ellipses and random splines, since the
     /// rate k changes along a piece.
     const DAMPED: f64 = 0.75 / 16.0;
-    let (bend, h) = biarc.bend();
-    (-(bend * h - 2.0 * tilt) * DAMPED).clamp(-MOST, MOST)
+    (-(change * h - 2.0 * tilt) * DAMPED).clamp(-MOST, MOST)
 }
 
-/// The farthest sample that `piece` reaches from `i`, and its piece: steps double while it fits, then halve.
-pub(super) fn reach<T>(run: &[Sample], i: usize, piece: impl Fn(usize) -> Option<T>) -> Option<(usize, T)> {
+/// The farthest sample that `piece` reaches from `i`, and its piece: a first try `step` samples away, then steps
+/// double while it fits and halve when it does not.
+pub(super) fn reach<T>(
+    run: &[Sample],
+    i: usize,
+    mut step: usize,
+    piece: impl Fn(usize) -> Option<T>,
+) -> Option<(usize, T)> {
     let last = run.len() - 1;
     let mut best: Option<(usize, T)> = None;
-    let mut step = 1;
     let mut beyond = last + 1;
     loop {
         let from = best.as_ref().map_or(i, |(j, _)| *j);

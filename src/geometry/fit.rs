@@ -80,20 +80,26 @@ fn doubled(run: &[Sample]) -> Vec<Sample> {
 
 /// Stretches that are a line or an arc as drawn: index of first and last sample, and the piece.
 fn drawn(run: &[Sample], tolerance: f64) -> Vec<(usize, usize, Bow)> {
+    /// A drawn piece takes at least one interval of the sampling, of four gaps, doubled.
+    const LEAST: usize = 8;
     let mut out: Vec<(usize, usize, Bow)> = Vec::new();
     let mut i = 0;
-    while i + 2 < run.len() {
-        let exact = reach(run, i, |j| bow(run, i, j, EXACT * tolerance, ARRIVES));
-        let step = exact.as_ref().map_or(1, |(j, _)| ((j - i) / 2).max(1));
-        if let Some((j, piece)) = exact
-            && j >= i + 4
-            && let Some((full, _)) = reach(run, i, |j| bow(run, i, j, MEASURED * tolerance, 1.0))
-            && run[i].point.distance(run[j].point) >= DRAWN * run[i].point.distance(run[full].point)
+    while i + LEAST < run.len() {
+        let exact = |j: usize| bow(run, i, j, EXACT * tolerance, ARRIVES);
+        let near = |j: usize| bow(run, i, j, MEASURED * tolerance, 1.0);
+        let far = |j: usize| run[i].point.distance(run[j].point);
+        if exact(i + LEAST).is_some()
+            && let Some((j, piece)) = reach(run, i, LEAST, exact)
+            && let Some((full, _)) = reach(run, i, LEAST, near)
         {
-            out.push((i, j, piece));
-            i = j;
+            if far(j) >= DRAWN * far(full) {
+                out.push((i, j, piece));
+                i = j;
+            } else {
+                i += (j - i) / 2;
+            }
         } else {
-            i += step;
+            i += 1;
         }
     }
     out
@@ -104,6 +110,7 @@ fn drawn(run: &[Sample], tolerance: f64) -> Vec<(usize, usize, Bow)> {
 fn bow(run: &[Sample], i: usize, j: usize, within: f64, off: f64) -> Option<Bow> {
     let (a, b) = (run.get(i)?, run.get(j)?);
     let bow = Bow::new(a.point, a.tangent, b.point)?;
-    let near = run.get(i + 1..j)?.iter().all(|s| bow.distance(s).is_some_and(|d| d <= within));
+    // Farthest first: a bow that leaves in the right direction strays there.
+    let near = run.get(i + 1..j)?.iter().rev().all(|s| bow.distance(s).is_some_and(|d| d <= within));
     (near && bow.end_tangent().perp_dot(b.tangent).abs() <= off).then_some(bow)
 }

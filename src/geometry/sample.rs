@@ -206,6 +206,6 @@ fn judge(samples: &[Sample; 5], tolerance: f64) -> Shape {
     }
     let fits = short
         || Biarc::new(samples[0], samples[4])
-            .is_some_and(|b| b.deviation(&samples[1..4]).is_some_and(|d| d <= RESOLUTION * tolerance));
+            .is_some_and(|b| b.within(&samples[1..4], RESOLUTION * tolerance));
     if fits { Shape::Smooth } else { Shape::Open }
 }
