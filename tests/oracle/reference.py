@@ -120,7 +120,7 @@ def _spline(spline, chord):
     degree, knots = spline.dxf.degree, list(spline.knots)
     clamped = len(set(knots[: degree + 1])) <= 1 and len(set(knots[-degree - 1:])) <= 1
     if not spline.control_points or (degree <= 10 and clamped):
-        return list(spline.flattening(chord, segments=16))
+        return list(spline.flattening(chord, segments=64))
     weights = list(spline.weights) or [1.0] * len(spline.control_points)
     control = [(w * p[0], w * p[1], w) for p, w in zip(spline.control_points, weights)]
     return de_boor(degree, knots, control)

@@ -11,6 +11,7 @@
 pub mod compare;
 pub mod dxf_text;
 pub mod mutate;
+pub mod promises;
 pub mod rng;
 
 use std::path::{Path, PathBuf};

@@ -20,7 +20,7 @@ mod boxes;
 mod slabs;
 
 use super::model::Contour;
-use crate::geometry::{DVec2, Path, interior_point, turns};
+use crate::geometry::{Aabb, DVec2, Path, interior_point, turns};
 use crate::order::{real, sort_by};
 use boxes::{Answer, BoxTree};
 use slabs::Slabs;
@@ -67,13 +67,19 @@ pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64
     complete
 }
 
+/// The box made smaller by `slack` on every side, down to its middle and no further.
+fn shrunk(b: Aabb, slack: f64) -> Aabb {
+    let middle = b.center();
+    Aabb { min: (b.min + slack).min(middle), max: (b.max - slack).max(middle) }
+}
+
 /// For each contour the larger ones that it crosses and in whose box it lies.
 fn crossed_by(contours: &[Contour], crossing: &[(u32, u32)], place: &[usize], slack: f64) -> Vec<Vec<u32>> {
     let mut out = vec![Vec::new(); contours.len()];
     for &(a, b) in crossing {
         let (inner, outer) = if place[a as usize] < place[b as usize] { (a, b) } else { (b, a) };
         let (i, o) = (&contours[inner as usize], &contours[outer as usize]);
-        if o.bounds_area() && o.bounds.contains_box(&i.bounds.grown(-slack)) {
+        if o.bounds_area() && o.bounds.contains_box(&shrunk(i.bounds, slack)) {
             out[inner as usize].push(outer);
         }
     }
@@ -120,7 +126,7 @@ impl<'c> Search<'c> {
         let Self { contours, all, crossed, slabs, slack, complete } = self;
         let c = &contours[i as usize];
         let own = c.boundary().unwrap_or(&c.path);
-        let (inner, witnesses) = (own.bounds().grown(-*slack), witnesses(own));
+        let (inner, witnesses) = (shrunk(own.bounds(), *slack), witnesses(own));
         let mut holds = |j: u32| {
             let other = &contours[j as usize];
             let Some(around) = other.boundary() else { return false };
