@@ -91,5 +91,5 @@ pub(super) fn shapes_of(drawing: &Drawing, layers: &[LayerUse], operation: Opera
 }
 
 fn key(name: &str) -> String {
-    name.to_lowercase()
+    name.chars().map(words::lower).collect()
 }

@@ -92,7 +92,7 @@ const IGNORE: &[&str] = &[
 /// What is probably to be done with a layer of that name; `None` when the name says nothing.
 pub(super) fn suggestion(name: &str) -> Option<Operation> {
     let words = words(name);
-    let any = |list: &[&str]| words.iter().any(|w| list.contains(&w.as_str()));
+    let any = |list: &[&str]| words.iter().any(|w| list.iter().any(|l| l.eq_ignore_ascii_case(w)));
     if any(CUT) {
         None
     } else if any(IGNORE) {
@@ -104,22 +104,35 @@ pub(super) fn suggestion(name: &str) -> Option<Operation> {
     }
 }
 
-/// The words of a name, in upper case.
+/// The words of a name, in lower case.
 fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let mut lower_before = false;
     for c in name.chars() {
-        let boundary = !c.is_alphabetic() || (lower_before && c.is_uppercase());
+        let letter = c.is_ascii_alphabetic() || (c >= 'À' && c != '×' && c != '÷');
+        let small = lower(c);
+        let boundary = !letter || (lower_before && small != c);
         if boundary && words.last().is_some_and(|w| !w.is_empty()) {
             words.push(String::new());
         }
-        if let (true, Some(word)) = (c.is_alphabetic(), words.last_mut()) {
-            // Capital sharp s would become SS; the list holds it as written.
-            if c == 'ß' { word.push(c) } else { word.extend(c.to_uppercase()) }
+        if let (true, Some(word)) = (letter, words.last_mut()) {
+            word.push(small);
         }
-        lower_before = c.is_lowercase();
+        lower_before = letter && small == c;
     }
     words
+}
+
+/// A letter of the Latin, Greek or Cyrillic alphabets in lower case; anything else as it is. Layer names are in these;
+/// the tables for all of Unicode are 9 KB of the wasm file.
+pub(super) fn lower(c: char) -> char {
+    let distance = match c {
+        'À'..='Þ' if c != '×' => 0x20,
+        'Α'..='Ω' | 'А'..='Я' => 0x20,
+        'Ѐ'..='Џ' => 0x50,
+        _ => return c.to_ascii_lowercase(),
+    };
+    char::from_u32(c as u32 + distance).unwrap_or(c)
 }
 
 #[cfg(test)]
