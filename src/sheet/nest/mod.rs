@@ -91,7 +91,7 @@ struct Search<'c> {
     contours: &'c [Contour],
     /// All contours that bound others.
     all: BoxTree,
-    /// Those of them that cross another one.
+    /// Those of them that may cross or overlap another one.
     crossed: BoxTree,
     slabs: Vec<Option<Slabs>>,
     slack: f64,
@@ -110,7 +110,9 @@ impl<'c> Search<'c> {
             c.bounds_area().then_some((bounds, c.area, i))
         };
         let items: Vec<_> = (0_u32..).zip(contours).filter_map(item).collect();
-        let crossed = items.iter().filter(|i| crosses[i.2 as usize]).copied();
+        // Shapes that lost a side they shared with another may overlap it without crossing it.
+        let shared = contours.iter().any(|c| c.outline.is_some());
+        let crossed = items.iter().filter(|i| shared || crosses[i.2 as usize]).copied();
         Self {
             contours,
             crossed: BoxTree::new(crossed.collect()),
