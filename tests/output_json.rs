@@ -92,9 +92,9 @@ fn everything_a_plan_came_from_is_in_it() {
     );
     assert_eq!((&document["seed"], &document["method"]), (&json!(1), &json!("greedy")));
     assert_eq!(document["budget"], json!({ "moves": 1000, "seconds": null, "done": 1000 }));
-    assert_eq!(document["machine"]["cut"], json!({ "speed": 25.0, "accel": 1000.0, "power": 0.8 }));
+    assert_eq!(document["machine"]["cut"], json!({ "speed": 25, "accel": 1000, "power": 0.8 }));
     assert_eq!(document["options"]["tolerance"], json!(0.005));
-    assert_eq!(document["summary"]["bounds"], json!([10.0, 10.0, 50.0, 40.0]));
+    assert_eq!(document["summary"]["bounds"], json!([10, 10, 50, 40]));
     assert_eq!(
         document["contours"][1],
         json!({
@@ -104,7 +104,7 @@ fn everything_a_plan_came_from_is_in_it() {
     );
     // The drawing's findings, then the sheet's.
     assert_eq!(document["findings"][0]["code"], "unsupported-entity");
-    assert_eq!(document["findings"][1]["at"], json!([10.0, 40.0]));
+    assert_eq!(document["findings"][1]["at"], json!([10, 40]));
 }
 
 #[test]
