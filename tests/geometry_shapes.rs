@@ -217,9 +217,9 @@ fn maps_compose_and_keep_what_they_promise() {
     assert!(Affine::rotation(0.3).then(&Affine::scale(v(-4.0, 4.0))).is_similarity());
     assert!(!Affine::scale(v(0.0, 0.0)).is_similarity() && !Affine::scale(v(1.0, 1.000_001)).is_similarity());
     assert!(!Affine::translation(v(f64::NAN, 0.0)).is_finite());
-    for quarter in 0..4 {
-        let a = Affine::rotation(f64::from(quarter) * FRAC_PI_2).point(v(3.0, 0.0));
-        assert_eq!(a, [v(3.0, 0.0), v(0.0, 3.0), v(-3.0, 0.0), v(0.0, -3.0)][quarter as usize]);
+    let quarters = [v(3.0, 0.0), v(0.0, 3.0), v(-3.0, 0.0), v(0.0, -3.0)];
+    for (quarter, wanted) in (0..).zip(quarters) {
+        assert_eq!(Affine::rotation(f64::from(quarter) * FRAC_PI_2).point(v(3.0, 0.0)), wanted);
     }
     let image = map.path(&slot(), 0.005);
     assert!(image.largest_gap() <= 0.0);

@@ -4,6 +4,8 @@
 //! browser tests read the same files. `KERFWAY_BLESS=1 cargo test --test golden` writes them anew, after a change that
 //! is meant to change plans.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use kerfway::job::{Job, LoadOptions, OutputKind, PlanOptions, SliceEnd};
 use std::fs;
 use std::path::PathBuf;
