@@ -125,6 +125,13 @@ impl Biarc {
     }
 
     fn through(from: Sample, to: Sample, joint: DVec2) -> Option<Self> {
+        /// Way over the joint against the chord: 1.4 for a half circle, 2.6 for three quarters. Where a curve turns
+        /// back on itself within a hair, two half circles of any size would lead from before to behind the turn.
+        const DETOUR: f64 = 3.0;
+        let way = from.point.distance(joint) + joint.distance(to.point);
+        if way > DETOUR * from.point.distance(to.point) {
+            return None;
+        }
         let first = Bow::new(from.point, from.tangent, joint)?;
         let second = Bow::new(joint, first.end_tangent(), to.point)?;
         Some(Self { first, second })

@@ -101,6 +101,22 @@ def splines():
     return d
 
 
+def hairpin():
+    """A curve that turns back on itself within a micrometre (a cusp but for rounding): no loop of its own may be
+    made of it."""
+    d = Drawing("spline-hairpin")
+    control = [(76.3581956437, 299.61006169), (36.2397488197, 298.35825226),
+               (76.6147050052, 278.919063305), (39.6344543594, 296.365642796),
+               (54.1925584128, 305.863158234), (31.3042252849, 283.569719207),
+               (35.4671230422, 299.06449089), (32.7473397262, 291.230432688),
+               (31.123914058, 292.116166519)]
+    weights = [1.84116284088, 2.79817849631, 2.86384268952, 2.51739971862, 0.391520308654,
+               1.14616582299, 2.95077205494, 0.345935333628, 0.49145163262]
+    step = 17.8275125602
+    d.add(e.spline(5, control, e.clamped_knots(5, 9, step=step), weights))
+    return d
+
+
 def fit_splines():
     """Splines given by fit points only, with and without end tangents."""
     d = Drawing("splines-fit", version="AC1024")
@@ -235,7 +251,7 @@ def odd_files():
 
 
 def all_cases():
-    out = [plain(), bulges(), old_polylines("AC1009"), old_polylines("AC1015"), ellipses(), splines(), fit_splines(),
+    out = [plain(), bulges(), old_polylines("AC1009"), old_polylines("AC1015"), ellipses(), splines(), hairpin(), fit_splines(),
            filled(), hatches(), inserts(), hidden(), far()]
     out += [extrusions(n, name) for n, name in ((MIRROR, "below"), (TILTED, "tilted"), (SKEW, "skew"))]
     # mm per unit, by $INSUNITS code.

@@ -3,6 +3,7 @@
 //! The trapezoid of an air move stands here a second time on purpose, in the plain form of the textbooks: speed,
 //! acceleration, distance. A slip in `machine/motion.rs` would otherwise pass unseen.
 
+use super::SAME;
 use super::violation::Violation;
 use crate::geometry::{Aabb, DVec2};
 use crate::machine::{Profile, Travel, cut_time};
@@ -60,9 +61,13 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     if !bounds.is_empty() {
         let names = ["the least x", "the least y", "the greatest x", "the greatest y"];
         let all = [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y];
-        sums.extend(
-            names.into_iter().zip(s.bounds).zip(all).map(|((name, says), found)| (name, says, found)),
-        );
+        for ((what, says), place) in names.into_iter().zip(s.bounds).zip(all) {
+            // Places, not sums: an arc that is entered on its way has its box from another end.
+            let agrees = (says - place).abs() <= SAME;
+            if !agrees {
+                found.push(Violation::Sum { what, says, found: place });
+            }
+        }
     }
     if s.lower_bound > 0.0 {
         sums.push(("the lower bound", s.lower_bound, s.lower_bound.min(total)));
