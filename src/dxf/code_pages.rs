@@ -203,7 +203,8 @@ pub(super) static IBM852: SingleByte = SingleByte {
            ÍÎě┘┌█▄ŢŮ▀ÓßÔŃńňŠšŔÚŕŰýÝţ´\u{AD}˝˛ˇ˘§÷¸°¨˙űŘř■\u{A0}",
 };
 
-#[cfg(test)]
+// The reference is not there in wasm.
+#[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
     use encoding_rs::Encoding;
