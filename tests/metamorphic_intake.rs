@@ -257,6 +257,20 @@ fn wrapped_in_blocks() {
 }
 
 #[test]
+fn a_hole_in_a_bow_tie_is_inside_it() {
+    let at = DVec2::new;
+    let corners = [at(0.0, 0.0), at(100.0, 50.0), at(100.0, 0.0), at(0.0, 50.0)];
+    let bow_tie = Entity::Polyline(corners.iter().map(|p| (*p, 0.0)).collect(), true);
+    let entities = vec![(bow_tie, "0".to_owned()), (Entity::Circle(at(85.0, 25.0), 5.0), "0".to_owned())];
+    let census = census(&Scene { entities, units: 4 }.dxf());
+    assert_eq!(
+        census.contours.iter().map(|c| c.depth).collect::<Vec<_>>(),
+        [1, 0],
+        "the circle is the shorter one"
+    );
+}
+
+#[test]
 fn every_entity_twice_is_every_entity_once() {
     for seed in SEEDS {
         let (scene, ..) = scene(seed);

@@ -28,6 +28,11 @@ pub fn lines(bytes: &[u8]) -> Vec<&[u8]> {
     bytes.split_inclusive(|b| *b == b'\n').collect()
 }
 
+/// A line and its LF as the lines that CR alone makes of it; a stray CR at its start or end makes none.
+fn cr_lines(line: &[u8]) -> impl Iterator<Item = &[u8]> {
+    line.trim_ascii().split(|b| *b == b'\r')
+}
+
 fn trimmed(line: &[u8]) -> &[u8] {
     line.trim_ascii()
 }
@@ -136,7 +141,8 @@ fn required(kind: &[u8]) -> &'static [i32] {
 /// right after its x, sections opened and closed, EOF at the end, entities complete. Damage that leaves such a
 /// file has made another drawing, and nobody can tell; any other damage a reader must notice.
 pub fn is_well_formed(bytes: &[u8]) -> bool {
-    let mut all: Vec<&[u8]> = bytes.split(|b| *b == b'\n').map(trimmed).collect();
+    // CR LF, LF or CR, as readers take them.
+    let mut all: Vec<&[u8]> = lines(bytes).into_iter().flat_map(cr_lines).map(trimmed).collect();
     while all.last().is_some_and(|l| l.is_empty()) {
         all.pop();
     }

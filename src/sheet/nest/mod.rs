@@ -37,7 +37,7 @@ pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64
     let mut order: Vec<u32> = (0_u32..).take(contours.len()).collect();
     sort_by(&mut order, |&i| {
         let c = &contours[i as usize];
-        [c.bounds_area().into(), real(c.area), 0]
+        [c.bounds_area().into(), real(size(c)), 0]
     });
     let mut place = vec![0; contours.len()];
     for (k, &i) in order.iter().enumerate() {
@@ -65,6 +65,16 @@ pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64
         contours[i as usize].depth = inside.map_or(0, |j| contours[j as usize].depth + 1);
     }
     complete
+}
+
+/// What contours are ordered by, so that what is around comes after what is inside, mm2. The area; but the lobes of
+/// a contour that crosses itself cancel in it (a bow tie has none): that of its box there.
+fn size(c: &Contour) -> f64 {
+    if !c.self_crossing {
+        return c.area;
+    }
+    let box_size = c.boundary().unwrap_or(&c.path).bounds().size();
+    box_size.x * box_size.y
 }
 
 /// The box made smaller by `slack` on every side, down to its middle and no further.
@@ -107,7 +117,7 @@ impl<'c> Search<'c> {
         }
         let item = |(i, c): (u32, &Contour)| {
             let bounds = c.outline.as_ref().map_or(c.bounds, Path::bounds);
-            c.bounds_area().then_some((bounds, c.area, i))
+            c.bounds_area().then_some((bounds, size(c), i))
         };
         let items: Vec<_> = (0_u32..).zip(contours).filter_map(item).collect();
         // Shapes that lost a side they shared with another may overlap it without crossing it.
@@ -139,7 +149,7 @@ impl<'c> Search<'c> {
             j != i && !akin && 2 * held() > witnesses.len()
         };
         let mut left = LOOKED_AT;
-        let smallest = all.smallest_around(&inner, c.area, |j| {
+        let smallest = all.smallest_around(&inner, size(c), |j| {
             left -= 1;
             match (holds(j), left) {
                 (true, _) => Answer::Found,
@@ -150,7 +160,7 @@ impl<'c> Search<'c> {
         *complete &= left > 0 || smallest.is_some();
         outer.extend(smallest);
         let mut left = LOOKED_AT;
-        crossed.smallest_around(&inner, c.area, |j| {
+        crossed.smallest_around(&inner, size(c), |j| {
             left -= 1;
             if holds(j) {
                 outer.push(j);
