@@ -24,7 +24,7 @@ mod tests;
 mod tour;
 
 use super::greedy::greedy;
-use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Telemetry};
+use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
 use crate::problem::Problem;
 use anneal::Annealing;
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -52,7 +52,18 @@ impl Solver for TourTree {
         let kept = space.kept(&first);
         let tour = Tour::new(space, kept);
         let rng = Xoshiro256PlusPlus::seed_from_u64(seed);
-        Box::new(TourTreeSearch { annealing: Annealing::new(tour, rng), granted: 0, best: first, best_at: 0 })
+        let annealing = Annealing::new(tour, rng);
+        let mut search = TourTreeSearch {
+            annealing,
+            granted: 0,
+            look_at: 0,
+            looked_at: f64::INFINITY,
+            best: first,
+            seconds: f64::INFINITY,
+            best_at: 0,
+        };
+        search.seconds = search.seconds(&search.best);
+        Box::new(search)
     }
 }
 
@@ -60,37 +71,65 @@ struct TourTreeSearch<'p> {
     annealing: Annealing<'p>,
     /// Work handed out so far: what one slice did too much, the next does less.
     granted: u64,
+    /// Moves at which the best tour is looked at next.
+    look_at: u64,
+    /// Seconds of air of the tour last looked at.
+    looked_at: f64,
     best: Solution,
+    /// Seconds of the best with the run along its contours.
+    seconds: f64,
     best_at: u64,
 }
 
+/// Moves between two looks at the best tour, for each item; a look prices every item once, exactly.
+const LOOK_EVERY: u64 = 20;
+
 impl TourTreeSearch<'_> {
-    /// Takes a solution over, if it is better.
+    /// Seconds of a solution with the runs along its contours, which depend on where they are entered.
+    fn seconds(&self, solution: &Solution) -> f64 {
+        let problem = self.annealing.tour().space.problem;
+        let run = |s: &Stop| problem.run_seconds(problem.nodes[s.node as usize].item, s.along);
+        solution.cost + solution.stops.iter().map(run).sum::<f64>()
+    }
+
+    /// Takes a solution over, if it is better as a whole: the search prices the air moves, which is nearly all that an
+    /// order can save; whether the entries pay along the contours, too, is decided here.
     fn take(&mut self, found: Solution) {
-        if found.cost < self.best.cost {
+        let seconds = self.seconds(&found);
+        if seconds < self.seconds {
             self.best = found;
+            self.seconds = seconds;
             self.best_at = self.annealing.priced();
+        }
+    }
+
+    /// Looks at the best tour. At fixed counts of moves, not at the end of slices, so that these decide nothing.
+    fn look(&mut self) {
+        self.look_at = self.annealing.priced() + LOOK_EVERY * self.annealing.tour().last() as u64;
+        self.annealing.save();
+        let (seconds, kept) = self.annealing.best();
+        if seconds < self.looked_at {
+            self.looked_at = seconds;
+            self.take(polish::unpolished(self.annealing.tour(), kept));
         }
     }
 }
 
 impl Search for TourTreeSearch<'_> {
     fn step(&mut self, work: u64) -> Step {
-        let cost = self.best.cost;
+        let before = self.seconds;
         self.granted = self.granted.saturating_add(work);
         while !self.annealing.is_finished() && self.annealing.priced() < self.granted {
             if self.annealing.advance() {
                 self.take(polish::polished(self.annealing.tour(), self.annealing.best().1));
             }
-        }
-        self.annealing.save();
-        let (seconds, kept) = self.annealing.best();
-        if seconds < self.best.cost {
-            self.take(polish::unpolished(self.annealing.tour(), kept));
+            if self.annealing.priced() >= self.look_at {
+                self.look();
+            }
         }
         let (status, done) =
             if self.annealing.is_finished() { (Status::Exhausted, 0) } else { (Status::Running, work) };
-        Step { status, done, improved: self.best.cost < cost }
+        Step { status, done, improved: self.seconds < before }
     }
 
     fn best(&self) -> &Solution {
@@ -102,10 +141,8 @@ impl Search for TourTreeSearch<'_> {
     }
 
     fn offer(&mut self, other: &Solution) {
-        if other.cost < self.best.cost {
-            let kept = self.annealing.tour().space.kept(other);
-            self.annealing.offer(other.cost, kept);
-            self.take(other.clone());
-        }
+        let kept = self.annealing.tour().space.kept(other);
+        self.annealing.offer(other.cost, kept);
+        self.take(other.clone());
     }
 }
