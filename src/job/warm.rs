@@ -40,7 +40,7 @@ fn stop(problem: &Problem, item: u32, along: f64, reversed: bool) -> Option<Stop
     let item = problem.items.get(item as usize)?;
     let mut stops = item.nodes.clone().map(|node| Stop::at(problem, node));
     match &item.track {
-        Some(track) if (0.0..=track.path.length()).contains(&along) => {
+        Some(track) if (0.0..=track.length()).contains(&along) => {
             stops.find(|s| problem.nodes[s.node as usize].reversed == reversed).map(|s| Stop { along, ..s })
         }
         Some(_) => None,

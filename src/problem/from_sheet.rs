@@ -1,7 +1,7 @@
 //! From contours to a problem: one item a contour, entries along it, precedence from the nesting, order by rank.
 
 use super::entries::entries;
-use super::model::{Item, ItemId, Node, NodeId, Problem, Track};
+use super::model::{Item, ItemId, Node, NodeId, Problem};
 use crate::machine::{Process, Profile, cut_time};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
@@ -25,10 +25,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
             before: contour.inside.filter(|&outer| outer != item && (outer as usize) < sheet.contours.len()),
             rank,
             fixed: fixed_seconds(machine, contour),
-            track: contour
-                .path
-                .closed
-                .then(|| Track { path: contour.path.clone(), process: *process(machine, contour) }),
+            track: contour.path.closed.then(|| contour.path.clone()),
         });
     }
     Problem { items, nodes, home: machine.home(), closed: machine.return_home, machine: machine.clone() }
@@ -56,17 +53,13 @@ fn count(nodes: &[Node]) -> NodeId {
     NodeId::try_from(nodes.len()).unwrap_or(NodeId::MAX)
 }
 
-fn process<'m>(machine: &'m Profile, contour: &Contour) -> &'m Process {
-    match contour.operation {
-        Operation::Cut => &machine.cut,
-        Operation::Mark | Operation::Ignore => &machine.mark,
-    }
-}
-
 fn fixed_seconds(machine: &Profile, contour: &Contour) -> f64 {
-    let pierce = if contour.operation == Operation::Cut { machine.pierce_time } else { 0.0 };
+    let (process, pierce): (&Process, f64) = match contour.operation {
+        Operation::Cut => (&machine.cut, machine.pierce_time),
+        Operation::Mark | Operation::Ignore => (&machine.mark, 0.0),
+    };
     let delays = machine.beam_on_delay + machine.beam_off_delay;
-    pierce + delays + cut_time(machine, process(machine, contour), &contour.path.segments)
+    pierce + delays + cut_time(machine, process, &contour.path.segments)
 }
 
 /// Rank of each contour: by layer, marks before cuts, never below that of anything inside it.

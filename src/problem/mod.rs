@@ -8,4 +8,4 @@ mod model;
 
 pub use buckets::Buckets;
 pub use from_sheet::from_sheet;
-pub use model::{Item, ItemId, Node, NodeId, Problem, Track};
+pub use model::{Item, ItemId, Node, NodeId, Problem};

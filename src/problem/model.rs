@@ -4,7 +4,7 @@
 //! other end for open ones. The tour starts at home and, when `closed`, comes back.
 
 use crate::geometry::Path;
-use crate::machine::{Process, Profile, cut_time};
+use crate::machine::Profile;
 use glam::DVec2;
 
 /// Index of an item; for sheets, the contour's id.
@@ -41,16 +41,7 @@ pub struct Item {
     /// Seconds it costs wherever it is entered: pierce, cut.
     pub fixed: f64,
     /// A closed path along which it may be entered anywhere, not at its nodes only; its nodes lie on it.
-    pub track: Option<Track>,
-}
-
-/// A closed path to be entered anywhere, and how it is run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Track {
-    /// The contour.
-    pub path: Path,
-    /// Speed and acceleration along it: they decide what standing still at the entry costs.
-    pub process: Process,
+    pub track: Option<Path>,
 }
 
 /// Items, nodes, travel, precedence.
@@ -66,13 +57,4 @@ pub struct Problem {
     pub closed: bool,
     /// The machine whose air time is the cost of travel.
     pub machine: Profile,
-}
-
-impl Problem {
-    /// Seconds along an item's track when it is entered `along` mm from its start: an entry in a corner, where the
-    /// head slows down anyway, costs less than one on a straight. 0 for items without a track.
-    pub fn run_seconds(&self, item: ItemId, along: f64) -> f64 {
-        let track = self.items.get(item as usize).and_then(|i| i.track.as_ref());
-        track.map_or(0.0, |t| cut_time(&self.machine, &t.process, &t.path.starting_at(along).segments))
-    }
 }

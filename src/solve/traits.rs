@@ -41,7 +41,7 @@ impl Stop {
         let node = problem.nodes.get(self.node as usize)?;
         let track = problem.items.get(node.item as usize)?.track.as_ref();
         #[expect(clippy::float_cmp, reason = "a stop that did not slide has its node's place bit for bit")]
-        let slid = track.filter(|_| self.along != node.along).and_then(|t| t.path.at(self.along));
+        let slid = track.filter(|_| self.along != node.along).and_then(|t| t.at(self.along));
         Some(slid.map_or((node.entry, node.exit), |p| (p, p)))
     }
 }

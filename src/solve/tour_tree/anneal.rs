@@ -147,16 +147,15 @@ impl<'p> Annealing<'p> {
         }
     }
 
-    /// Takes the tour over as the best, if it is; it changes nothing of what follows.
+    /// Takes the tour over as the best, if it is: called between slices, it changes nothing of what follows.
     pub(super) fn save(&mut self) {
-        if self.tour.free {
-            return;
-        }
-        if self.top.unsaved {
-            self.save_top();
-        }
-        if self.top.cost < self.best.0 - EPSILON {
-            self.best = (self.top.cost, self.top.kept.clone());
+        if !self.tour.free {
+            if self.top.unsaved {
+                self.save_top();
+            }
+            if self.top.cost < self.best.0 - EPSILON {
+                self.best = (self.top.cost, self.top.kept.clone());
+            }
         }
     }
 

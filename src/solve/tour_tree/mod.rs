@@ -24,7 +24,7 @@ mod tests;
 mod tour;
 
 use super::greedy::greedy;
-use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
+use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Telemetry};
 use crate::problem::Problem;
 use anneal::Annealing;
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -52,18 +52,7 @@ impl Solver for TourTree {
         let kept = space.kept(&first);
         let tour = Tour::new(space, kept);
         let rng = Xoshiro256PlusPlus::seed_from_u64(seed);
-        let annealing = Annealing::new(tour, rng);
-        let mut search = TourTreeSearch {
-            annealing,
-            granted: 0,
-            look_at: 0,
-            looked_at: f64::INFINITY,
-            best: first,
-            seconds: f64::INFINITY,
-            best_at: 0,
-        };
-        search.seconds = search.seconds(&search.best);
-        Box::new(search)
+        Box::new(TourTreeSearch { annealing: Annealing::new(tour, rng), granted: 0, best: first, best_at: 0 })
     }
 }
 
@@ -71,65 +60,37 @@ struct TourTreeSearch<'p> {
     annealing: Annealing<'p>,
     /// Work handed out so far: what one slice did too much, the next does less.
     granted: u64,
-    /// Moves at which the best tour is looked at next.
-    look_at: u64,
-    /// Seconds of air of the tour last looked at.
-    looked_at: f64,
     best: Solution,
-    /// Seconds of the best with the run along its contours.
-    seconds: f64,
     best_at: u64,
 }
 
-/// Moves between two looks at the best tour, for each item; a look prices every item once, exactly.
-const LOOK_EVERY: u64 = 20;
-
 impl TourTreeSearch<'_> {
-    /// Seconds of a solution with the runs along its contours, which depend on where they are entered.
-    fn seconds(&self, solution: &Solution) -> f64 {
-        let problem = self.annealing.tour().space.problem;
-        let run = |s: &Stop| problem.run_seconds(problem.nodes[s.node as usize].item, s.along);
-        solution.cost + solution.stops.iter().map(run).sum::<f64>()
-    }
-
-    /// Takes a solution over, if it is better as a whole: the search prices the air moves, which is nearly all that an
-    /// order can save; whether the entries pay along the contours, too, is decided here.
+    /// Takes a solution over, if it is better.
     fn take(&mut self, found: Solution) {
-        let seconds = self.seconds(&found);
-        if seconds < self.seconds {
+        if found.cost < self.best.cost {
             self.best = found;
-            self.seconds = seconds;
             self.best_at = self.annealing.priced();
-        }
-    }
-
-    /// Looks at the best tour. At fixed counts of moves, not at the end of slices, so that these decide nothing.
-    fn look(&mut self) {
-        self.look_at = self.annealing.priced() + LOOK_EVERY * self.annealing.tour().last() as u64;
-        self.annealing.save();
-        let (seconds, kept) = self.annealing.best();
-        if seconds < self.looked_at {
-            self.looked_at = seconds;
-            self.take(polish::unpolished(self.annealing.tour(), kept));
         }
     }
 }
 
 impl Search for TourTreeSearch<'_> {
     fn step(&mut self, work: u64) -> Step {
-        let before = self.seconds;
+        let cost = self.best.cost;
         self.granted = self.granted.saturating_add(work);
         while !self.annealing.is_finished() && self.annealing.priced() < self.granted {
             if self.annealing.advance() {
                 self.take(polish::polished(self.annealing.tour(), self.annealing.best().1));
             }
-            if self.annealing.priced() >= self.look_at {
-                self.look();
-            }
+        }
+        self.annealing.save();
+        let (seconds, kept) = self.annealing.best();
+        if seconds < self.best.cost {
+            self.take(polish::unpolished(self.annealing.tour(), kept));
         }
         let (status, done) =
             if self.annealing.is_finished() { (Status::Exhausted, 0) } else { (Status::Running, work) };
-        Step { status, done, improved: self.seconds < before }
+        Step { status, done, improved: self.best.cost < cost }
     }
 
     fn best(&self) -> &Solution {
@@ -141,8 +102,10 @@ impl Search for TourTreeSearch<'_> {
     }
 
     fn offer(&mut self, other: &Solution) {
-        let kept = self.annealing.tour().space.kept(other);
-        self.annealing.offer(other.cost, kept);
-        self.take(other.clone());
+        if other.cost < self.best.cost {
+            let kept = self.annealing.tour().space.kept(other);
+            self.annealing.offer(other.cost, kept);
+            self.take(other.clone());
+        }
     }
 }

@@ -7,7 +7,6 @@
 use super::space::{Gap, Space};
 use super::tour::{Kept, Tour};
 use crate::geometry::{DVec2, Path, Segment};
-use crate::problem::Track;
 use crate::solve::{Solution, Stop};
 
 /// Rounds over all stops at most: the third gains under a thousandth of the first.
@@ -62,7 +61,7 @@ impl<'p> Slide<'p> {
     fn new(space: &Space<'p>, item: u32, at: u32) -> Self {
         let (entry, exit) = (space.places(item)[at as usize], space.exit(item, at));
         let track = space.problem.items[item as usize].track.as_ref().filter(|_| space.is_ring(item));
-        let track = track.map(|Track { path: track, .. }| {
+        let track = track.map(|track| {
             let mut starts = vec![0.0];
             for g in &track.segments {
                 starts.push(starts[starts.len() - 1] + g.length());

@@ -87,7 +87,7 @@ impl<'p> Space<'p> {
         };
         for item in &problem.items {
             let nodes = &problem.nodes[item.nodes.start as usize..item.nodes.end as usize];
-            let spacing = item.track.as_ref().and_then(|track| ring(&track.path, &mut s.place));
+            let spacing = item.track.as_ref().and_then(|track| ring(track, &mut s.place));
             let kind = match spacing {
                 Some(_) => Kind::Ring,
                 None if nodes.len() == 2 && nodes[0].twin == nodes[1].twin + 1 => Kind::Open,

@@ -4,7 +4,7 @@
 use super::*;
 use crate::geometry::{Arc, DVec2, Path, Segment};
 use crate::machine::{self, AirTime};
-use crate::problem::{Item, Node, NodeId, Track};
+use crate::problem::{Item, Node, NodeId};
 use rand_xoshiro::rand_core::Rng;
 
 struct Dice(Xoshiro256PlusPlus);
@@ -96,10 +96,9 @@ fn circles(centers: &[DVec2]) -> Problem {
     let mut nodes = Vec::new();
     let items = (0..).zip(centers).map(|(item, &c)| {
         let path = Path::new(vec![Segment::Arc(Arc::circle(c, 10.0))], true);
-        let track = Track { path, process: machine::preset("length").unwrap().cut };
         let entry = c + DVec2::new(10.0, 0.0);
         nodes.push(Node { item, entry, exit: entry, along: 0.0, reversed: false, twin: item });
-        Item { nodes: item..item + 1, before: None, rank: 0, fixed: 0.0, track: Some(track) }
+        Item { nodes: item..item + 1, before: None, rank: 0, fixed: 0.0, track: Some(path) }
     });
     let items = items.collect();
     let machine = machine::preset("length").unwrap();
