@@ -1,6 +1,8 @@
 //! The bindings under Node, by wasm-bindgen's own test runner: what crosses into JavaScript, and that wasm computes
 //! what the native build does.
 #![cfg(target_arch = "wasm32")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+#![allow(clippy::float_cmp, reason = "counts are exact")]
 
 use js_sys::{Array, Float64Array, JSON, Reflect, Uint32Array};
 use kerfway::job::{self, LoadOptions, OutputKind, PlanOptions, SliceEnd};
