@@ -98,6 +98,8 @@ mod tests {
             home: DVec2::ZERO,
             closed: false,
             machine,
+            pairs: Vec::new(),
+            table: None,
         }
     }
 

@@ -28,7 +28,15 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
             track: contour.path.closed.then(|| contour.path.clone()),
         });
     }
-    Problem { items, nodes, home: machine.home(), closed: machine.return_home, machine: machine.clone() }
+    Problem {
+        items,
+        nodes,
+        home: machine.home(),
+        closed: machine.return_home,
+        machine: machine.clone(),
+        pairs: Vec::new(),
+        table: None,
+    }
 }
 
 fn push_nodes(nodes: &mut Vec<Node>, item: ItemId, contour: &Contour) {

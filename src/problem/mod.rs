@@ -5,7 +5,9 @@ mod buckets;
 mod entries;
 mod from_sheet;
 mod model;
+mod table;
 
 pub use buckets::Buckets;
 pub use from_sheet::from_sheet;
 pub use model::{Item, ItemId, Node, NodeId, Problem};
+pub use table::Table;

@@ -2,7 +2,12 @@
 //!
 //! An item is entered at one of its nodes and left at that node's exit: the same point for closed contours, the
 //! other end for open ones. The tour starts at home and, when `closed`, comes back.
+//!
+//! Travel is a machine's, between places, or given by a table of costs between nodes. A table knows no home: the
+//! tour is then a closed cycle that starts at the last item. (A path between two ends is a cycle, too: give the
+//! start a way back that costs nothing.)
 
+use super::table::Table;
 use crate::geometry::Path;
 use crate::machine::Profile;
 use glam::DVec2;
@@ -57,4 +62,10 @@ pub struct Problem {
     pub closed: bool,
     /// The machine whose air time is the cost of travel.
     pub machine: Profile,
+    /// Pairs of items, the first to be visited before the second, besides what [`Item::before`] says: an order
+    /// without circles.
+    pub pairs: Vec<(ItemId, ItemId)>,
+    /// Costs of travel from node to node, when they are given: places, home and machine then mean nothing, no item
+    /// has a track, and the last item is the start of a closed tour.
+    pub table: Option<Table>,
 }

@@ -44,7 +44,7 @@ fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Problem {
         items.push(Item { nodes: first..end, before, rank, fixed: 0.0, track: None });
     }
     let machine = machine::preset(machine).unwrap();
-    Problem { items, nodes, home: DVec2::new(-20.0, 10.0), closed, machine }
+    Problem { items, nodes, home: DVec2::new(-20.0, 10.0), closed, machine, pairs: Vec::new(), table: None }
 }
 
 /// Least seconds over all allowed orders and entries.
@@ -102,7 +102,7 @@ fn circles(centers: &[DVec2]) -> Problem {
     });
     let items = items.collect();
     let machine = machine::preset("length").unwrap();
-    Problem { items, nodes, home: DVec2::ZERO, closed: true, machine }
+    Problem { items, nodes, home: DVec2::ZERO, closed: true, machine, pairs: Vec::new(), table: None }
 }
 
 #[test]
