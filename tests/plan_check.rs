@@ -3,7 +3,7 @@
 
 mod plan_support;
 
-use kerfway::geometry::{DVec2, Segment};
+use kerfway::geometry::{Arc, DVec2, Path, Segment};
 use kerfway::machine::{Profile, presets};
 use kerfway::plan::{self, Move, Plan, Violation};
 use kerfway::problem;
@@ -244,5 +244,34 @@ fn sums_that_do_not_add_up() {
         change(&mut plan.summary);
         let found = plan::check(&sheet, &machine, &plan).unwrap_err();
         assert!(matches!(found[0], Violation::Sum { what, .. } if what == name), "{name}: {found:?}");
+    }
+}
+
+#[test]
+fn sound_plans_at_large_coordinates_pass_and_faults_are_found() {
+    let mut b = Builder::new();
+    let corner = p(6e5, -5.9e5);
+    let plate = b.cut(rectangle(corner, p(900.0, 700.0)), None);
+    // A lens of two arcs of radius 8e9 mm, a hair inside the plate's edge.
+    let (from, to) = (corner + p(0.1, 350.0), corner + p(899.9, 350.0));
+    let arc = |a, b| Segment::Arc(Arc::from_bulge(a, b, 5.7e-8).unwrap());
+    let lens = b.cut(Path::new(vec![arc(from, to), arc(to, from)], true), Some(plate));
+    b.cut(circle(corner + p(30.0, 30.0), 4.0), Some(plate));
+    let sheet = b.sheet;
+    for machine in presets() {
+        let good = planned(&sheet, &machine);
+        assert_eq!(plan::check(&sheet, &machine, &good), Ok(()), "{}", machine.name);
+        let mut bad = good.clone();
+        let hole = take_out(&mut bad.moves, 2);
+        let at = cut_of(&bad.moves, plate) + 1;
+        bad.moves.splice(at..at, hole);
+        bad.summary = plan::evaluate(&bad.moves, &machine);
+        bad.summary.parts = good.summary.parts;
+        let found = plan::check(&sheet, &machine, &bad).unwrap_err();
+        assert_eq!(found, [Violation::CutFree { outer: plate, inner: 2 }], "{}", machine.name);
+        let mut bad = good;
+        path_of(&mut bad.moves, lens).pop();
+        let found = plan::check(&sheet, &machine, &bad).unwrap_err();
+        assert!(found.iter().any(|v| matches!(v, Violation::Partly { contour, .. } if *contour == lens)));
     }
 }

@@ -4,7 +4,7 @@
 //! it lies the walk is tried in both directions, cut element by cut element, compared at five points each. A walk
 //! never turns back, so when its length is the contour's, each place has been passed once.
 
-use super::SAME;
+use super::{SAME, rounding};
 use crate::geometry::{DVec2, Path, Segment};
 
 /// How a cut fails to be its contour.
@@ -26,6 +26,7 @@ pub(super) fn follows(contour: &Path, cut: &[Segment]) -> Result<(), Fault> {
     let elements: Vec<Element> =
         contour.segments.iter().filter(|s| s.length() > 0.0).map(Element::new).collect();
     let length: f64 = elements.iter().map(|e| e.length).sum();
+    let same = SAME + elements.iter().map(|e| e.slack).sum::<f64>();
     let Some(first) = cut.first() else { return Err(Fault::Length { worked: 0.0, length }) };
 
     let mut farthest: Option<(f64, Fault)> = None;
@@ -44,7 +45,7 @@ pub(super) fn follows(contour: &Path, cut: &[Segment]) -> Result<(), Fault> {
                 worked: 0.0,
             };
             let fault = match walk.along(cut) {
-                Ok(()) if (walk.worked - length).abs() <= SAME => return Ok(()),
+                Ok(()) if (walk.worked - length).abs() <= same => return Ok(()),
                 Ok(()) => Fault::Length { worked: walk.worked, length },
                 Err(fault) => fault,
             };
@@ -60,7 +61,8 @@ pub(super) fn follows(contour: &Path, cut: &[Segment]) -> Result<(), Fault> {
 struct Element<'s> {
     shape: &'s Segment,
     length: f64,
-    /// How far its ends are off its own circle, mm: ends that were joined over a gap are.
+    /// How far places on it may be off by right, mm: by rounding, and by as much as its ends are off its own circle,
+    /// as ends that were joined over a gap are.
     slack: f64,
     /// A full circle: a piece may run on past its start.
     circle: bool,
@@ -68,10 +70,11 @@ struct Element<'s> {
 
 impl<'s> Element<'s> {
     fn new(shape: &'s Segment) -> Self {
-        let slack = match shape {
+        let ends = match shape {
             Segment::Line(_) => 0.0,
             Segment::Arc(a) => (a.start.distance(a.center) - a.end.distance(a.center)).abs(),
         };
+        let slack = ends + rounding(shape);
         let circle = matches!(shape, Segment::Arc(a) if a.is_circle());
         Self { shape, length: shape.length(), slack, circle }
     }
@@ -120,10 +123,10 @@ impl Walk<'_> {
     fn enter_next(&mut self) -> Option<()> {
         let element = &self.elements[self.index];
         let last = self.elements.len() - 1;
-        if self.direction > 0.0 && self.at >= element.length - SAME {
+        if self.direction > 0.0 && self.at >= element.length - SAME - element.slack {
             self.index = if self.index < last { self.index + 1 } else { self.closed.then_some(0)? };
             self.at = 0.0;
-        } else if self.direction < 0.0 && self.at <= SAME {
+        } else if self.direction < 0.0 && self.at <= SAME + element.slack {
             self.index = if self.index > 0 { self.index - 1 } else { self.closed.then_some(last)? };
             self.at = self.elements[self.index].length;
         }
@@ -198,6 +201,54 @@ mod tests {
         assert_eq!(follows(&open, &open.segments), Ok(()));
         assert_eq!(follows(&open, &open.reversed().segments), Ok(()));
         assert!(matches!(follows(&open, &open.segments[1..]), Err(Fault::Length { .. })));
+    }
+
+    /// A lens of two flat arcs between two points, and a contour of several: bulges from nearly straight to round,
+    /// as fuzzing found them at 6e5 mm.
+    fn lens(corner: DVec2, chord: DVec2, bulge: f64) -> Path {
+        let (a, b) = (corner, corner + chord);
+        let arc = |from, to| Segment::Arc(Arc::from_bulge(from, to, bulge).unwrap());
+        Path::new(vec![arc(a, b), arc(b, a)], true)
+    }
+
+    #[test]
+    fn sound_cuts_at_large_coordinates_and_radii_do_not_stray() {
+        for corner in [DVec2::new(6e5, -3e5), DVec2::new(6.123e5, 5.9e5)] {
+            for chord in [DVec2::new(0.37, 0.11), DVec2::new(-310.0, 77.0), DVec2::new(-3.3e5, 2.1e5)] {
+                for bulge in [1e-9, 1e-7, 1e-5, 1e-3, 0.3, 1.0] {
+                    let path = lens(corner, chord, bulge);
+                    for k in 0..40 {
+                        let cut = path.starting_at(path.length() * f64::from(k) / 40.0);
+                        assert_eq!(follows(&path, &cut.segments), Ok(()), "{corner} {chord} {bulge} {k}");
+                        assert_eq!(follows(&path, &cut.reversed().segments), Ok(()));
+                        assert_eq!(follows(&path.reversed(), &cut.segments), Ok(()));
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn faults_at_large_coordinates_are_told() {
+        // Radius 26 m: rounding may be 9 nm.
+        let path = lens(DVec2::new(6e5, -3e5), DVec2::new(-310.0, 77.0), 3e-3);
+        let cut = path.starting_at(100.0).segments;
+        let moved = |by: DVec2| -> Vec<Segment> {
+            let moved = |s: &Segment| match *s {
+                Segment::Arc(a) => {
+                    Segment::Arc(Arc { start: a.start + by, end: a.end + by, center: a.center + by, ..a })
+                }
+                Segment::Line(l) => Segment::line(l.start + by, l.end + by),
+            };
+            cut.iter().map(moved).collect()
+        };
+        assert_eq!(follows(&path, &moved(DVec2::ZERO)), Ok(()));
+        for by in [DVec2::X, DVec2::Y, DVec2::ONE] {
+            assert!(matches!(follows(&path, &moved(by * 5e-6)), Err(Fault::Strays(_))));
+        }
+        assert!(matches!(follows(&path, &cut[..2]), Err(Fault::Length { .. })));
+        let chords: Vec<Segment> = cut.iter().map(|s| Segment::line(s.start(), s.end())).collect();
+        assert!(matches!(follows(&path, &chords), Err(Fault::Strays(_))));
     }
 
     #[test]

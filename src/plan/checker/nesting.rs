@@ -1,6 +1,6 @@
 //! What lies inside what, found again from the geometry: by winding numbers, exact for arcs.
 
-use super::SAME;
+use super::{SAME, rounding};
 use crate::geometry::{Aabb, DVec2, Path, Segment, math};
 use crate::sheet::{Contour, Operation, Sheet};
 use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};
@@ -46,7 +46,8 @@ fn index(outers: &[u32], sheet: &Sheet) -> Option<StaticAABB2DIndex<f64>> {
 }
 
 fn lies_inside(contour: &Contour, bounds: Aabb, outer: &Path) -> bool {
-    if !outer.bounds().grown(SAME).contains_box(&bounds) {
+    let slack = outer.segments.iter().chain(&contour.path.segments).map(rounding).fold(0.0, f64::max);
+    if !outer.bounds().grown(SAME + slack).contains_box(&bounds) {
         return false;
     }
     let segments = &contour.path.segments;
@@ -69,7 +70,10 @@ fn lies_inside(contour: &Contour, bounds: Aabb, outer: &Path) -> bool {
 }
 
 fn on(path: &Path, point: DVec2) -> bool {
-    path.segments.iter().any(|s| s.bounds().grown(SAME).contains(point) && s.nearest(point).1 <= SAME * SAME)
+    path.segments.iter().any(|s| {
+        let same = SAME + rounding(s);
+        s.bounds().grown(same).contains(point) && s.nearest(point).1 <= same * same
+    })
 }
 
 /// How often a closed path winds around a point that is not on it.

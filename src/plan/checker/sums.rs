@@ -3,8 +3,8 @@
 //! The trapezoid of an air move stands here a second time on purpose, in the plain form of the textbooks: speed,
 //! acceleration, distance. A slip in `machine/motion.rs` would otherwise pass unseen.
 
-use super::SAME;
 use super::violation::Violation;
+use super::{SAME, rounding};
 use crate::geometry::{Aabb, DVec2};
 use crate::machine::{Profile, Travel, cut_time};
 use crate::plan::model::{Move, Plan};
@@ -17,7 +17,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let mut head = machine.home();
     let (mut contours, mut open, mut pierces) = (0u32, 0u32, 0u32);
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
-    let mut bounds = Aabb::EMPTY;
+    let (mut bounds, mut slack) = (Aabb::EMPTY, 0.0_f64);
     for m in &plan.moves {
         match m {
             Move::Air { to } => {
@@ -31,6 +31,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 if let Some(c) = sheet.contours.get(*contour as usize) {
                     open += u32::from(!c.path.closed);
                     bounds = bounds.union(c.path.bounds());
+                    slack = c.path.segments.iter().map(rounding).fold(slack, f64::max);
                 }
                 cut_length += path.iter().map(|s| s.length()).sum::<f64>();
                 cut_seconds += cut_time(machine, if *mark { &machine.mark } else { &machine.cut }, path);
@@ -63,7 +64,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         let all = [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y];
         for ((what, says), place) in names.into_iter().zip(s.bounds).zip(all) {
             // Places, not sums: an arc that is entered on its way has its box from another end.
-            let agrees = (says - place).abs() <= SAME;
+            let agrees = (says - place).abs() <= SAME + slack;
             if !agrees {
                 found.push(Violation::Sum { what, says, found: place });
             }
