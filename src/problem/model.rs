@@ -69,3 +69,11 @@ pub struct Problem {
     /// has a track, and the last item is the start of a closed tour.
     pub table: Option<Table>,
 }
+
+impl Problem {
+    /// The item at which the cycle of a problem with a table starts: the last one.
+    pub fn start(&self) -> Option<ItemId> {
+        self.table.as_ref()?;
+        ItemId::try_from(self.items.len()).ok()?.checked_sub(1)
+    }
+}

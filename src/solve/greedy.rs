@@ -1,10 +1,12 @@
 //! The nearest-neighbour construction: from where the head is, always to the nearest entry that may come next.
 //!
-//! May come next: contours of the lowest rank left whose inner contours are done. Only their nodes are in the
-//! grid, so every query looks at candidates only; together about n log n.
+//! May come next: items of the lowest rank left for which all they wait for is done. Only their nodes are in the
+//! grid, so every query looks at candidates only; together about n log n. With a table of costs there is no grid:
+//! all nodes are looked through, from the first node of the start on.
 
+use super::precedence::Precedence;
 use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
-use crate::geometry::{Aabb, DVec2};
+use crate::geometry::Aabb;
 use crate::machine::AirTime;
 use crate::order::sort_by;
 use crate::problem::{Buckets, ItemId, NodeId, Problem};
@@ -14,21 +16,25 @@ pub fn greedy(problem: &Problem) -> Solution {
     let air = AirTime::new(&problem.machine);
     let mut open = Candidates::new(problem);
     let mut stops = Vec::with_capacity(problem.items.len());
-    let mut head = problem.home;
-    while let Some(node) = open.nearest(&air, head) {
+    let mut last = problem.start().map(|item| problem.items[item as usize].nodes.start);
+    stops.extend(last.map(|node| Stop::at(problem, node)));
+    while let Some(node) = open.nearest(&air, last) {
         stops.push(Stop::at(problem, node));
-        head = problem.nodes[node as usize].exit;
+        last = Some(node);
         open.done(problem.nodes[node as usize].item);
     }
     Solution::new(problem, stops)
 }
 
-/// The contours that may come next.
+/// The items that may come next.
 struct Candidates<'p> {
     problem: &'p Problem,
     grid: Buckets,
-    /// Inner contours left, by item.
-    inner_left: Vec<u32>,
+    /// Whether an item may come next.
+    open: Vec<bool>,
+    precedence: Precedence,
+    /// Items left that an item waits for.
+    waits_for: Vec<usize>,
     /// Items by rank, the ranks still to come; the last is next.
     ranks: Vec<Vec<ItemId>>,
     /// Rank in work, and how many of its items are left.
@@ -38,15 +44,12 @@ struct Candidates<'p> {
 
 impl<'p> Candidates<'p> {
     fn new(problem: &'p Problem) -> Self {
-        let mut inner_left = vec![0; problem.items.len()];
-        for item in &problem.items {
-            if let Some(outer) = item.before {
-                inner_left[outer as usize] += 1;
-            }
-        }
+        let precedence = Precedence::new(problem);
+        let waits_for = (0..).zip(&problem.items).map(|(id, _)| precedence.before(id).len()).collect();
         // An item without nodes cannot be visited and stands for nothing.
-        let mut by_rank: Vec<ItemId> =
-            (0..).zip(&problem.items).filter(|(_, i)| !i.nodes.is_empty()).map(|(id, _)| id).collect();
+        let start = problem.start();
+        let visited = (0..).zip(&problem.items).filter(|(id, i)| !i.nodes.is_empty() && Some(*id) != start);
+        let mut by_rank: Vec<ItemId> = visited.map(|(id, _)| id).collect();
         sort_by(&mut by_rank, |&i| [problem.items[i as usize].rank.into(), 0, 0]);
         let ranks = by_rank
             .chunk_by(|&a, &b| problem.items[a as usize].rank == problem.items[b as usize].rank)
@@ -55,9 +58,10 @@ impl<'p> Candidates<'p> {
             .collect();
         let bounds = problem.nodes.iter().fold(Aabb::EMPTY, |b, n| b.with(n.entry));
         let grid = Buckets::new(bounds, problem.nodes.len());
-        let mut open = Self { problem, grid, inner_left, ranks, rank: 0, left: 0 };
-        open.next_rank();
-        open
+        let open = vec![false; problem.items.len()];
+        let mut all = Self { problem, grid, open, precedence, waits_for, ranks, rank: 0, left: 0 };
+        all.next_rank();
+        all
     }
 
     /// Opens the next rank: those of its items that wait for nothing.
@@ -66,27 +70,36 @@ impl<'p> Candidates<'p> {
         self.left = items.len();
         for item in items {
             self.rank = self.problem.items[item as usize].rank;
-            if self.inner_left[item as usize] == 0 {
+            if self.waits_for[item as usize] == 0 {
                 self.open(item);
             }
         }
     }
 
+    /// The nodes of an item that have a place.
+    fn placed(&self, item: ItemId) -> std::ops::Range<NodeId> {
+        if self.problem.table.is_some() { 0..0 } else { self.problem.items[item as usize].nodes.clone() }
+    }
+
     fn open(&mut self, item: ItemId) {
-        for node in self.problem.items[item as usize].nodes.clone() {
+        self.open[item as usize] = true;
+        for node in self.placed(item) {
             self.grid.insert(node, self.problem.nodes[node as usize].entry);
         }
     }
 
     /// Takes an item out, and lets in what waited for it.
     fn done(&mut self, item: ItemId) {
-        for node in self.problem.items[item as usize].nodes.clone() {
+        for node in self.placed(item) {
             self.grid.remove(node, self.problem.nodes[node as usize].entry);
         }
-        if let Some(outer) = self.problem.items[item as usize].before {
-            self.inner_left[outer as usize] -= 1;
-            if self.inner_left[outer as usize] == 0 && self.problem.items[outer as usize].rank == self.rank {
-                self.open(outer);
+        self.open[item as usize] = false;
+        for k in 0..self.precedence.after(item).len() {
+            let waiting = self.precedence.after(item)[k];
+            self.waits_for[waiting as usize] -= 1;
+            if self.waits_for[waiting as usize] == 0 && self.problem.items[waiting as usize].rank == self.rank
+            {
+                self.open(waiting);
             }
         }
         self.left -= 1;
@@ -95,8 +108,19 @@ impl<'p> Candidates<'p> {
         }
     }
 
-    fn nearest(&self, air: &AirTime, head: DVec2) -> Option<NodeId> {
+    /// The nearest of them after a node, or after home.
+    fn nearest(&self, air: &AirTime, last: Option<NodeId>) -> Option<NodeId> {
         let mut best: Option<(f64, NodeId)> = None;
+        if let Some(table) = &self.problem.table {
+            for (node, _) in (0..).zip(&self.problem.nodes).filter(|(_, to)| self.open[to.item as usize]) {
+                let cost = last.map_or(0.0, |from| table.cost(from, node));
+                if best.is_none_or(|b| cost < b.0) {
+                    best = Some((cost, node));
+                }
+            }
+            return best.map(|b| b.1);
+        }
+        let head = last.map_or(self.problem.home, |node| self.problem.nodes[node as usize].exit);
         for r in 0..self.grid.rings(head) {
             let least = air.seconds_at_least(self.grid.distance_of_ring(r));
             if best.is_some_and(|(seconds, _)| least > seconds) {

@@ -2,6 +2,7 @@
 
 mod as_drawn;
 mod greedy;
+mod precedence;
 mod tour_tree;
 mod traits;
 

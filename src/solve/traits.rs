@@ -107,8 +107,13 @@ pub trait Search {
 }
 
 impl Solution {
-    /// Stops with the seconds of travel they take: from home, from exit to entry, and home again when closed.
+    /// Stops with the seconds of travel they take: from home, from exit to entry, and home again when closed; with a
+    /// table of costs, around the cycle of their nodes, which the start is one of.
     pub fn new(problem: &Problem, stops: Vec<Stop>) -> Self {
+        if let Some(table) = &problem.table {
+            let nodes: Vec<NodeId> = stops.iter().map(|s| s.node).collect();
+            return Self { cost: table.around(&nodes), stops };
+        }
         let air = AirTime::new(&problem.machine);
         let mut cost = 0.0;
         let mut head = problem.home;

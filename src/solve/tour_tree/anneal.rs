@@ -189,7 +189,7 @@ impl<'p> Annealing<'p> {
     fn begin_cycle(&mut self) {
         self.tour.put(self.best.1.clone());
         self.start_top();
-        self.tour.free = self.tour.space.nested;
+        self.tour.free = self.tour.space.precedence.nested_only;
         self.begin_part(if self.tour.free { FREE_SHARE } else { 100 });
     }
 

@@ -63,7 +63,7 @@ pub(super) fn improve(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, ite
 
 /// A better entry where the item stands.
 pub(super) fn reenter(tour: &mut Tour, queue: &mut Queue, item: u32) -> Option<f64> {
-    if item == tour.space.home {
+    if tour.space.places(item).len() == 1 {
         return None;
     }
     let (before, after) = (tour.previous(item), tour.next(item));
@@ -99,8 +99,8 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
             tour.priced += 1;
             let gap = tour.gap(from, to);
             let given = freed + tour.edge(from, to);
-            let on = gap.to.map_or(0.0, |q| tour.space.at_least(q, item));
-            if given - tour.space.at_least(gap.from, item) - on <= most {
+            let on = gap.to.map_or(0.0, |q| tour.space.at_least(q, item, true));
+            if given - tour.space.at_least(gap.from, item, false) - on <= most {
                 continue;
             }
             let (at, seconds) = tour.space.best_entry(item, gap);
@@ -133,11 +133,14 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
 
 /// 2-opt: the stretch between `a` and a near `b` reversed, so that one leaves for the other's exit.
 fn turn_ahead(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
+    if !tour.space.travel.symmetric {
+        return None;
+    }
     let here = tour.position(a);
     let after_a = tour.next(a);
     let given = tour.edge(a, after_a);
     for &b in near.of_exit(tour, a) {
-        let taken = tour.space.air.seconds(tour.exit(a), tour.exit(b));
+        let taken = tour.space.travel.seconds(tour.exit(a), tour.exit(b));
         if taken >= given - EPSILON {
             continue;
         }
@@ -160,6 +163,9 @@ fn turn_ahead(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> 
 
 /// 2-opt: the stretch between `a` and a near `b` reversed, so that one is entered from the other's entry.
 fn turn_behind(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
+    if !tour.space.travel.symmetric {
+        return None;
+    }
     // Coming back home is the end of the tour here.
     let end = |tour: &Tour, i: u32| if i == tour.space.home { tour.last() + 1 } else { tour.position(i) };
     let here = end(tour, a);
@@ -174,7 +180,7 @@ fn turn_behind(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) ->
         }
         tour.priced += 1;
         let before_b = tour.previous(b);
-        let into = tour.space.air.seconds(tour.exit(before_a), tour.exit(before_b));
+        let into = tour.space.travel.seconds(tour.exit(before_a), tour.exit(before_b));
         let gain = given + tour.edge(before_b, b) - taken - into;
         let (from, to) = (here.min(there), here.max(there) - 1);
         if gain > EPSILON && from < to && tour.may_reverse(from, to) {
@@ -273,6 +279,9 @@ fn place_chain(
     for behind in [true, false] {
         // Behind a near item the chain starts with `a`, in front of it it ends with `a`.
         let turned = (a == first) != behind;
+        if turned && !tour.space.travel.symmetric {
+            continue;
+        }
         let (enter, leave) =
             if turned { (tour.exit(last), tour.entry(first)) } else { (tour.entry(first), tour.exit(last)) };
         let candidates = if (a == first) == turned { near.of_exit(tour, a) } else { near.of_entry(tour, a) };
@@ -282,7 +291,7 @@ fn place_chain(
                 continue;
             }
             let link = if behind {
-                tour.space.air.seconds(tour.exit(u), enter)
+                tour.space.travel.seconds(tour.exit(u), enter)
             } else {
                 tour.way(leave, w, tour.entry(w))
             };
@@ -293,7 +302,7 @@ fn place_chain(
             let other = if behind {
                 tour.way(leave, w, tour.entry(w))
             } else {
-                tour.space.air.seconds(tour.exit(u), enter)
+                tour.space.travel.seconds(tour.exit(u), enter)
             };
             let gain = freed + tour.edge(u, w) - link - other;
             if gain <= EPSILON || (turned && !tour.may_reverse(from, to)) {

@@ -22,6 +22,7 @@ mod space;
 #[cfg(test)]
 mod tests;
 mod tour;
+mod travel;
 
 use super::greedy::greedy;
 use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Telemetry};

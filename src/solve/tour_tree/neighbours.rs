@@ -2,11 +2,13 @@
 //! item the items nearest to any of its gates.
 //!
 //! Lists by gate, not by item: what is near a frame's left edge is of no use when it is entered on the right.
-//! Nearness is by the machine's air time. Built item by item, so that a worker can take its turns in between.
+//! Nearness is by the cost of travel: out of a place, and, where a way costs more than the way back, into it as well.
+//! Built item by item, so that a worker can take its turns in between.
 
 use super::space::{Space, index};
 use super::tour::Tour;
-use crate::geometry::{Aabb, DVec2};
+use super::travel::Place;
+use crate::geometry::Aabb;
 use crate::order::{real, sort_by};
 use crate::problem::Buckets;
 
@@ -20,8 +22,9 @@ const PER_ITEM: usize = 10;
 pub(super) struct Neighbours {
     grid: Buckets,
     /// Item and place of each gate.
-    gates: Vec<(u32, DVec2)>,
-    by_gate: Vec<Vec<u32>>,
+    gates: Vec<(u32, Place)>,
+    /// Items near to go to, and near to come from; the second is empty where it would be the same.
+    by_gate: [Vec<Vec<u32>>; 2],
     by_item: Vec<Vec<u32>>,
 }
 
@@ -29,13 +32,14 @@ impl Neighbours {
     /// Empty lists; [`Neighbours::extend`] fills them.
     pub(super) fn new(space: &Space) -> Self {
         let bounds = space.place.iter().fold(Aabb::EMPTY, |b, p| b.with(*p));
-        let gates: Vec<(u32, DVec2)> =
-            (0..=space.home).flat_map(|item| space.gates(item).map(move |place| (item, place))).collect();
+        let listed = if space.travel.by_table() { 0 } else { space.home + 1 };
+        let gates: Vec<(u32, Place)> =
+            (0..listed).flat_map(|item| space.gates(item).map(move |place| (item, place))).collect();
         let mut grid = Buckets::new(bounds, gates.len());
         for (gate, &(_, place)) in (0..).zip(&gates) {
             grid.insert(gate, place);
         }
-        Self { grid, gates, by_gate: Vec::new(), by_item: Vec::new() }
+        Self { grid, gates, by_gate: [Vec::new(), Vec::new()], by_item: Vec::new() }
     }
 
     /// Lists the neighbours of the next item; false when all are listed.
@@ -46,10 +50,16 @@ impl Neighbours {
         }
         let mut all: Vec<(f64, u32)> = Vec::new();
         for place in space.gates(item) {
-            let nearest = self.nearest(space, item, place);
-            self.by_gate.push(nearest.iter().map(|n| n.1).collect());
-            for n in nearest {
-                merge(&mut all, n);
+            for back in [false, true].into_iter().take(1 + usize::from(!space.travel.symmetric)) {
+                let nearest = if space.travel.by_table() {
+                    nearest_by_table(space, item, place, back)
+                } else {
+                    self.nearest(space, item, place)
+                };
+                self.by_gate[usize::from(back)].push(nearest.iter().map(|n| n.1).collect());
+                for n in nearest {
+                    merge(&mut all, n);
+                }
             }
         }
         sort_by(&mut all, |n| [real(n.0), n.1.into(), 0]);
@@ -59,17 +69,17 @@ impl Neighbours {
     }
 
     /// Seconds to, and item of, the nearest other items.
-    fn nearest(&self, space: &Space, item: u32, place: DVec2) -> Vec<(f64, u32)> {
+    fn nearest(&self, space: &Space, item: u32, place: Place) -> Vec<(f64, u32)> {
         let mut found: Vec<(f64, u32)> = Vec::new();
         for r in 0..self.grid.rings(place) {
             let d = self.grid.distance_of_ring(r);
-            if found.len() >= PER_GATE && found[PER_GATE - 1].0 <= space.air.seconds_at_least(d) {
+            if found.len() >= PER_GATE && found[PER_GATE - 1].0 <= space.travel.seconds_at_least(d) {
                 break;
             }
             for gate in self.grid.ring(place, r) {
                 let (other, there) = self.gates[gate as usize];
                 if other != item {
-                    merge(&mut found, (space.air.seconds(place, there), other));
+                    merge(&mut found, (space.travel.seconds(place, there), other));
                 }
             }
             sort_by(&mut found, |n| [real(n.0), n.1.into(), 0]);
@@ -83,17 +93,27 @@ impl Neighbours {
         &self.by_item[item as usize]
     }
 
-    /// Items near the place where an item is entered now.
+    /// Items near to come from to the place where an item is entered now.
     pub(super) fn of_entry(&self, tour: &Tour, item: u32) -> &[u32] {
-        &self.by_gate[tour.space.gate(item, tour.at(item))]
+        &self.by_gate[usize::from(!tour.space.travel.symmetric)][tour.space.gate(item, tour.at(item))]
     }
 
-    /// Items near the place where an item is left now.
+    /// Items near to go to from the place where an item is left now.
     pub(super) fn of_exit(&self, tour: &Tour, item: u32) -> &[u32] {
         let at = tour.at(item);
         let at = if tour.space.two_ends(item) { 1 - at } else { at };
-        &self.by_gate[tour.space.gate(item, at)]
+        &self.by_gate[0][tour.space.gate(item, at)]
     }
+}
+
+/// Cost to (`back`: from), and item of, the nearest other items, by the table.
+fn nearest_by_table(space: &Space, item: u32, place: Place, back: bool) -> Vec<(f64, u32)> {
+    let others = (0..=space.home).filter(|&other| other != item);
+    let mut found: Vec<(f64, u32)> =
+        others.map(|other| (space.at_least(place, other, back), other)).collect();
+    sort_by(&mut found, |n| [real(n.0), n.1.into(), 0]);
+    found.truncate(PER_GATE);
+    found
 }
 
 /// Keeps one entry an item, with the least seconds.

@@ -20,13 +20,19 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// A tour as a solution, entered at its places.
 pub(super) fn unpolished(tour: &Tour, kept: &Kept) -> Solution {
-    let stops = kept.order[1..].iter().map(|&item| tour.space.stop(item, kept.at[item as usize])).collect();
+    // Home is a stop only where it is an item of the problem.
+    let first = usize::from(!tour.space.travel.by_table());
+    let stops =
+        kept.order[first..].iter().map(|&item| tour.space.stop(item, kept.at[item as usize])).collect();
     Solution::new(tour.space.problem, stops)
 }
 
 /// A tour as a solution, entered where it costs least.
 pub(super) fn polished(tour: &Tour, kept: &Kept) -> Solution {
     let space = &tour.space;
+    if space.travel.by_table() {
+        return unpolished(tour, kept);
+    }
     let mut stops: Vec<Slide> =
         kept.order[1..].iter().map(|&item| Slide::new(space, item, kept.at[item as usize])).collect();
     let mut cost = f64::INFINITY;
@@ -74,8 +80,9 @@ impl<'p> Slide<'p> {
     /// Moves to the best place within a spacing of where it is.
     fn slide(&mut self, space: &Space, gap: Gap) {
         let Some((track, starts, spacing)) = &self.track else { return };
-        let price =
-            |p: DVec2| space.air.seconds(gap.from, p) + gap.to.map_or(0.0, |to| space.air.seconds(p, to));
+        let price = |p: DVec2| {
+            space.travel.seconds(gap.from, p) + gap.to.map_or(0.0, |to| space.travel.seconds(p, to))
+        };
         let length = starts[starts.len() - 1];
         let mut best = (price(self.entry), self.stop.along, self.entry);
         let (from, to) = (self.stop.along - spacing, self.stop.along + spacing);

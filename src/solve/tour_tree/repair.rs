@@ -3,7 +3,7 @@
 //! Measured on nested sheets (DESIGN.md, "precedence"): an unconstrained tour repaired so and then improved ends
 //! within half a percent of the unconstrained best; a search that starts from a feasible greedy ends 8 % above.
 
-use super::space::{NONE, Space};
+use super::space::Space;
 use super::tour::Kept;
 
 /// The tour `free`, and the tour run backwards, with every outer item delayed until all inside it is done.
@@ -20,18 +20,20 @@ pub(super) fn repaired(space: &Space, free: &Kept) -> [Kept; 2] {
 }
 
 fn delayed(space: &Space, tour: &Kept) -> Kept {
-    let mut waits_for: Vec<usize> = (0..=space.home).map(|i| space.inner(i).len()).collect();
+    let mut waits_for: Vec<usize> = (0..=space.home).map(|i| space.precedence.before(i).len()).collect();
     let mut met = vec![false; tour.order.len()];
     let mut order = Vec::with_capacity(tour.order.len());
     for &item in &tour.order {
         met[item as usize] = true;
-        // Done items let the ones around them follow at once, if they were met and now wait for nothing.
-        let mut next = item;
-        while next != NONE && met[next as usize] && waits_for[next as usize] == 0 {
-            order.push(next);
-            next = space.outer[next as usize];
-            if next != NONE {
-                waits_for[next as usize] -= 1;
+        // Done items let those that wait for them follow at once, if they were met and now wait for nothing.
+        let mut next = vec![item];
+        while let Some(done) = next.pop().filter(|&i| waits_for[i as usize] == 0) {
+            order.push(done);
+            for &after in space.precedence.after(done) {
+                waits_for[after as usize] -= 1;
+                if met[after as usize] && waits_for[after as usize] == 0 {
+                    next.push(after);
+                }
             }
         }
     }

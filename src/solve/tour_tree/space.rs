@@ -5,16 +5,16 @@
 //! 2^k-th place) first, then ever smaller steps to both sides. What is left, under a spacing, is slid away exactly on
 //! export (`polish.rs`). An item without a track has the places of its nodes; an open contour has two, its ends.
 //!
-//! Home is one more item, the last, with one place; the tour starts at it.
+//! Home is one more item, the last, with one place; the tour starts at it. With a table of costs it is the problem's
+//! last item, with all its nodes.
 
 use super::tour::Kept;
+use super::travel::{Place, Travel, node_place};
 use crate::geometry::{Aabb, DVec2, Path, Segment};
-use crate::machine::AirTime;
 use crate::problem::Problem;
+use crate::solve::precedence::Precedence;
 use crate::solve::{Solution, Stop};
 
-/// No item.
-pub(super) const NONE: u32 = u32::MAX;
 /// Coarse places of a ring: as many as tell its sides apart; neighbour lists are kept for each.
 pub(super) const GATES: usize = 16;
 /// Places at most this far apart, mm: half of it, seen across a gap of 5 mm, is 0.3 % of the gap.
@@ -25,12 +25,12 @@ const MOST: usize = 4096;
 /// The unchanging side of a search.
 pub(super) struct Space<'p> {
     pub(super) problem: &'p Problem,
-    pub(super) air: AirTime,
-    /// The home item: one past the problem's items.
+    pub(super) travel: Travel<'p>,
+    /// The home item: one past the problem's items; with a table the last of them.
     pub(super) home: u32,
     /// Places of item i: `first[i]..first[i + 1]`.
     first: Vec<u32>,
-    pub(super) place: Vec<DVec2>,
+    pub(super) place: Vec<Place>,
     /// Gates of item i: `gate_first[i]..gate_first[i + 1]`.
     pub(super) gate_first: Vec<u32>,
     kind: Vec<Kind>,
@@ -38,13 +38,8 @@ pub(super) struct Space<'p> {
     /// Box of an item's places: middle and half size.
     middle: Vec<DVec2>,
     half: Vec<DVec2>,
-    /// The item around, or [`NONE`].
-    pub(super) outer: Vec<u32>,
-    inner_first: Vec<u32>,
-    inner: Vec<u32>,
     pub(super) rank: Vec<u32>,
-    /// Some item must come before another.
-    pub(super) nested: bool,
+    pub(super) precedence: Precedence,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -61,8 +56,8 @@ enum Kind {
 /// stop of a path without return).
 #[derive(Clone, Copy)]
 pub(super) struct Gap {
-    pub(super) from: DVec2,
-    pub(super) to: Option<DVec2>,
+    pub(super) from: Place,
+    pub(super) to: Option<Place>,
 }
 
 impl<'p> Space<'p> {
@@ -70,8 +65,8 @@ impl<'p> Space<'p> {
         let n = problem.items.len();
         let mut s = Self {
             problem,
-            air: AirTime::new(&problem.machine),
-            home: index(n),
+            travel: Travel::new(problem),
+            home: problem.start().unwrap_or(index(n)),
             first: vec![0],
             place: Vec::new(),
             gate_first: vec![0],
@@ -79,11 +74,8 @@ impl<'p> Space<'p> {
             spacing: Vec::with_capacity(n + 1),
             middle: Vec::with_capacity(n + 1),
             half: Vec::with_capacity(n + 1),
-            outer: problem.items.iter().map(|i| i.before.unwrap_or(NONE)).collect(),
-            inner_first: Vec::new(),
-            inner: Vec::new(),
             rank: problem.items.iter().map(|i| i.rank).collect(),
-            nested: problem.items.iter().any(|i| i.before.is_some()),
+            precedence: Precedence::new(problem),
         };
         for item in &problem.items {
             let nodes = &problem.nodes[item.nodes.start as usize..item.nodes.end as usize];
@@ -93,16 +85,18 @@ impl<'p> Space<'p> {
                 None if nodes.len() == 2 && nodes[0].twin == nodes[1].twin + 1 => Kind::Open,
                 None => Kind::Loose,
             };
-            if kind != Kind::Ring {
+            if s.travel.by_table() {
+                s.place.extend(item.nodes.clone().map(node_place));
+            } else if kind != Kind::Ring {
                 s.place.extend(nodes.iter().map(|node| node.entry));
             }
             s.close_item(kind, spacing.unwrap_or(0.0));
         }
-        s.place.push(problem.home);
-        s.close_item(Kind::Loose, 0.0);
-        s.outer.push(NONE);
-        s.rank.push(0);
-        s.link_inner();
+        if !s.travel.by_table() {
+            s.place.push(problem.home);
+            s.close_item(Kind::Loose, 0.0);
+            s.rank.push(0);
+        }
         s
     }
 
@@ -113,39 +107,15 @@ impl<'p> Space<'p> {
         let b = places.iter().fold(Aabb::EMPTY, |b, p| b.with(*p));
         self.middle.push(b.center());
         self.half.push(b.size() * 0.5);
-        let gates = places.len().min(GATES);
+        let gates = if self.travel.by_table() { places.len() } else { places.len().min(GATES) };
         self.gate_first.push(self.gate_first[self.gate_first.len() - 1] + index(gates));
         self.first.push(index(self.place.len()));
         self.kind.push(kind);
         self.spacing.push(spacing);
     }
 
-    /// Inner items by outer item, from the outer ones.
-    fn link_inner(&mut self) {
-        let mut count = vec![0; self.outer.len() + 1];
-        for &o in self.outer.iter().filter(|&&o| o != NONE) {
-            count[o as usize + 1] += 1;
-        }
-        for i in 1..count.len() {
-            count[i] += count[i - 1];
-        }
-        let mut next = count.clone();
-        self.inner = vec![0; count[count.len() - 1] as usize];
-        for (item, &o) in (0..).zip(&self.outer).filter(|(_, o)| **o != NONE) {
-            self.inner[next[o as usize] as usize] = item;
-            next[o as usize] += 1;
-        }
-        self.inner_first = count;
-    }
-
-    /// Items right inside an item.
-    pub(super) fn inner(&self, item: u32) -> &[u32] {
-        let i = item as usize;
-        &self.inner[self.inner_first[i] as usize..self.inner_first[i + 1] as usize]
-    }
-
     /// An item's places.
-    pub(super) fn places(&self, item: u32) -> &[DVec2] {
+    pub(super) fn places(&self, item: u32) -> &[Place] {
         &self.place[self.first[item as usize] as usize..self.first[item as usize + 1] as usize]
     }
 
@@ -168,7 +138,9 @@ impl<'p> Space<'p> {
         let mut kept = Kept { order: vec![self.home], at: vec![0; self.kind.len()] };
         for stop in &solution.stops {
             let item = self.problem.nodes[stop.node as usize].item;
-            kept.order.push(item);
+            if item != self.home {
+                kept.order.push(item);
+            }
             let first = self.problem.items[item as usize].nodes.start;
             kept.at[item as usize] = match self.kind[item as usize] {
                 Kind::Ring => nearest(stop.along / self.spacing(item)) % index(self.places(item).len()),
@@ -184,12 +156,12 @@ impl<'p> Space<'p> {
     }
 
     /// Where the head leaves an item entered at place `at`.
-    pub(super) fn exit(&self, item: u32, at: u32) -> DVec2 {
+    pub(super) fn exit(&self, item: u32, at: u32) -> Place {
         let places = self.places(item);
         match self.kind[item as usize] {
             Kind::Open => places[1 - at as usize],
             Kind::Ring => places[at as usize],
-            Kind::Loose if item == self.home => places[0],
+            Kind::Loose if item == self.home || self.travel.by_table() => places[at as usize],
             Kind::Loose => {
                 self.problem.nodes[self.problem.items[item as usize].nodes.start as usize + at as usize].exit
             }
@@ -209,30 +181,37 @@ impl<'p> Space<'p> {
                 let step = self.places(item).len() / GATES;
                 (at as usize + step / 2) / step % GATES
             }
-            Kind::Open | Kind::Loose => (at as usize).min(GATES - 1),
+            Kind::Open | Kind::Loose => (at as usize).min(self.gate_count(item) - 1),
         };
         self.gate_first[i] as usize + gate
     }
 
-    /// Places of an item's gates.
-    pub(super) fn gates(&self, item: u32) -> impl Iterator<Item = DVec2> {
-        let places = self.places(item);
-        let step = if self.is_ring(item) { places.len() / GATES } else { 1 };
-        places.iter().step_by(step).take(GATES).copied()
+    fn gate_count(&self, item: u32) -> usize {
+        (self.gate_first[item as usize + 1] - self.gate_first[item as usize]) as usize
     }
 
-    /// No way from `p` to any place of `item` takes less than this.
-    pub(super) fn at_least(&self, p: DVec2, item: u32) -> f64 {
+    /// Places of an item's gates.
+    pub(super) fn gates(&self, item: u32) -> impl Iterator<Item = Place> {
+        let places = self.places(item);
+        let step = if self.is_ring(item) { places.len() / GATES } else { 1 };
+        places.iter().step_by(step).take(self.gate_count(item)).copied()
+    }
+
+    /// No way from `p` to any place of `item` (`back`: from any place of it to `p`) takes less than this.
+    pub(super) fn at_least(&self, p: Place, item: u32, back: bool) -> f64 {
+        if self.travel.by_table() {
+            return self.travel.least(p, item, self.places(item), back);
+        }
         let i = item as usize;
         let outside = ((p - self.middle[i]).abs() - self.half[i]).max(DVec2::ZERO);
-        self.air.seconds(DVec2::ZERO, outside)
+        self.travel.seconds(DVec2::ZERO, outside)
     }
 
     /// Seconds from `gap.from` into an item at place `at` and on to `gap.to`.
     pub(super) fn through(&self, item: u32, at: u32, gap: Gap) -> f64 {
         let entry = self.places(item)[at as usize];
-        let on = gap.to.map_or(0.0, |to| self.air.seconds(self.exit(item, at), to));
-        self.air.seconds(gap.from, entry) + on
+        let on = gap.to.map_or(0.0, |to| self.travel.seconds(self.exit(item, at), to));
+        self.travel.seconds(gap.from, entry) + on
     }
 
     /// The best entry of an item in a gap, from all its places: index and seconds.

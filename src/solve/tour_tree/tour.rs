@@ -4,8 +4,8 @@
 //! sequence of reversals, which undo themselves: a kick that did not pay is taken back by its journal. An open
 //! contour in a reversed stretch is run the other way.
 
-use super::space::{Gap, NONE, Space, index};
-use crate::geometry::DVec2;
+use super::space::{Gap, Space, index};
+use super::travel::Place;
 
 /// One change, to be taken back.
 #[derive(Clone, Copy)]
@@ -32,8 +32,8 @@ pub(super) struct Tour<'p> {
     /// Position by item.
     position: Vec<u32>,
     /// Where the head enters and leaves, by item.
-    entry: Vec<DVec2>,
-    exit: Vec<DVec2>,
+    entry: Vec<Place>,
+    exit: Vec<Place>,
     journal: Vec<Change>,
     /// Heeds ranks, but not what lies inside what: see `anneal.rs`.
     pub(super) free: bool,
@@ -49,8 +49,8 @@ impl<'p> Tour<'p> {
             space,
             now: kept,
             position: vec![0; n],
-            entry: vec![DVec2::ZERO; n],
-            exit: vec![DVec2::ZERO; n],
+            entry: vec![Place::ZERO; n],
+            exit: vec![Place::ZERO; n],
             journal: Vec::new(),
             free: false,
             priced: 0,
@@ -131,17 +131,21 @@ impl<'p> Tour<'p> {
         self.now.at[item as usize]
     }
 
-    pub(super) fn entry(&self, item: u32) -> DVec2 {
+    pub(super) fn entry(&self, item: u32) -> Place {
         self.entry[item as usize]
     }
 
-    pub(super) fn exit(&self, item: u32) -> DVec2 {
+    pub(super) fn exit(&self, item: u32) -> Place {
         self.exit[item as usize]
     }
 
     /// Seconds from `p` into `item` at point `q`; home costs nothing when the path does not return.
-    pub(super) fn way(&self, p: DVec2, item: u32, q: DVec2) -> f64 {
-        if item == self.space.home && !self.space.problem.closed { 0.0 } else { self.space.air.seconds(p, q) }
+    pub(super) fn way(&self, p: Place, item: u32, q: Place) -> f64 {
+        if item == self.space.home && !self.space.problem.closed {
+            0.0
+        } else {
+            self.space.travel.seconds(p, q)
+        }
     }
 
     /// Seconds from one item to the one after it.
@@ -164,11 +168,8 @@ impl<'p> Tour<'p> {
     pub(super) fn is_feasible(&self) -> bool {
         let rank = |p: usize| self.space.rank[self.item(p) as usize];
         let ranks = (2..=self.last()).all(|p| rank(p - 1) <= rank(p));
-        let waits = |item: u32| {
-            let outer = self.space.outer[item as usize];
-            outer == NONE || self.position(item) < self.position(outer)
-        };
-        ranks && (self.free || self.now.order.iter().all(|&i| waits(i)))
+        let late = |i: u32| self.space.precedence.waits(i, |o| self.position(o) < self.position(i));
+        ranks && (self.free || !self.now.order.iter().any(|&i| late(i)))
     }
 
     /// The gap between two items that follow each other, or would.
@@ -233,18 +234,15 @@ impl<'p> Tour<'p> {
         }
     }
 
-    /// Whether a stretch may be run the other way round: nothing in it lies inside something else in it.
+    /// Whether a stretch may be run the other way round: nothing in it waits for anything else in it.
     pub(super) fn may_reverse(&self, from: usize, to: usize) -> bool {
         let stretch = &self.now.order[from..=to];
         self.same_rank(from, to)
             && (self.is_free()
-                || stretch.iter().all(|&i| {
-                    let outer = self.space.outer[i as usize];
-                    outer == NONE || self.position(outer) > to
-                }))
+                || !stretch.iter().any(|&i| self.space.precedence.waits(i, |o| self.position(o) <= to)))
     }
 
-    /// Whether two neighbouring stretches may change places: nothing in the first lies inside anything in the second.
+    /// Whether two neighbouring stretches may change places: nothing in the second waits for anything in the first.
     pub(super) fn may_exchange(&self, from: usize, middle: usize, to: usize) -> bool {
         if !self.same_rank(from, to) {
             return false;
@@ -254,19 +252,19 @@ impl<'p> Tour<'p> {
         }
         // Whichever is shorter is looked through.
         if middle - from < to - middle {
-            self.now.order[from..=middle].iter().all(|&i| {
-                let outer = self.space.outer[i as usize];
-                outer == NONE || !(middle + 1..=to).contains(&self.position(outer))
-            })
-        } else {
-            self.now.order[middle + 1..=to]
+            let second = middle + 1..=to;
+            !self.now.order[from..=middle]
                 .iter()
-                .all(|&i| self.space.inner(i).iter().all(|&c| !(from..=middle).contains(&self.position(c))))
+                .any(|&i| self.space.precedence.waits(i, |o| second.contains(&self.position(o))))
+        } else {
+            self.now.order[middle + 1..=to].iter().all(|&i| {
+                self.space.precedence.before(i).iter().all(|&c| !(from..=middle).contains(&self.position(c)))
+            })
         }
     }
 
     fn is_free(&self) -> bool {
-        self.free || !self.space.nested
+        self.free || !self.space.precedence.any
     }
 
     /// Ranks never fall along the tour, so the ends of a stretch tell.
