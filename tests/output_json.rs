@@ -129,6 +129,7 @@ fn moves(document: &Value) -> Vec<Move> {
             Move::Air { to: at }
         }
         "pierce" => Move::Pierce,
+        "pre-cut" => Move::PreCut { contour: m["contour"].as_u64().unwrap() as u32, to: point(&m["to"]) },
         "cut" => {
             let contour = m["contour"].as_u64().unwrap() as u32;
             let path = m["path"].as_array().unwrap().iter().map(|e| element(e, &mut at)).collect();

@@ -103,11 +103,14 @@ fn assert_same(sheet: &Sheet, plan: &Plan, profile: &Profile) {
     let svg = output::svg(plan, sheet, profile);
     let drawn = attributes(&svg, &["path class=\""], "d");
     // Two more: air moves and entries.
-    assert_eq!(drawn.len(), sheet.contours.len() + 2);
+    assert_eq!(drawn.len(), cuts(plan).len() + 2);
     for ((contour, path), data) in cuts(plan).into_iter().zip(drawn) {
         let (list, closed) = elements(data);
         assert_same_path(&list, path, DEVIATION);
-        assert_eq!(closed, sheet.contours[contour].path.closed);
+        // A stretch of a contour that is left unfinished does not close.
+        let contour = &sheet.contours[contour];
+        let length: f64 = path.iter().map(Segment::length).sum();
+        assert_eq!(closed, contour.path.closed && length > contour.length - 1e-6);
     }
 }
 

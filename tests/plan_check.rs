@@ -8,7 +8,7 @@ use kerfway::machine::{Profile, presets};
 use kerfway::plan::{self, Move, Plan, Violation};
 use kerfway::problem;
 use kerfway::sheet::Sheet;
-use kerfway::solve;
+use kerfway::solve::{self, Stop};
 use plan_support::{Builder, circle, line, machine, p, rectangle, slot};
 
 /// A plate with two holes (one a slot) and a mark, an open cut, and a disc with a part in its hole.
@@ -274,4 +274,111 @@ fn sound_plans_at_large_coordinates_pass_and_faults_are_found() {
         let found = plan::check(&sheet, &machine, &bad).unwrap_err();
         assert!(found.iter().any(|v| matches!(v, Violation::Partly { contour, .. } if *contour == lens)));
     }
+}
+
+/// A machine that leaves contours for a pre-cut of 0.3 s, and the sheet on it: the plate is left for its hole and its
+/// slot, and again for the ring, which is left for what lies in it, the hole in turn for the part.
+fn left(sheet: &Sheet) -> (Profile, Plan) {
+    let machine = Profile { pre_cut_time: Some(0.3), ..machine("co2-100w") };
+    let problem = problem::from_sheet(sheet, &machine);
+    let node = |item: usize| problem.items[item].nodes.start;
+    let whole = |item| Stop::at(&problem, node(item));
+    let stretch = |item, along, until| Stop { node: node(item), along, until };
+    let stops = vec![
+        whole(3),
+        stretch(0, 5.0, 40.0),
+        whole(1),
+        whole(2),
+        stretch(0, 40.0, 190.0),
+        stretch(5, 0.0, 30.0),
+        stretch(6, 90.0, 50.0),
+        whole(7),
+        stretch(6, 50.0, 90.0),
+        stretch(5, 30.0, 0.0),
+        whole(4),
+        stretch(0, 190.0, 5.0),
+    ];
+    let solution = solve::Solution::new(&problem, stops);
+    let plan = plan::from_solution(sheet, &problem, &solution);
+    // What the search counts: air, pre-cuts, and the beam four times more on and off.
+    let delays = 4.0 * (machine.beam_on_delay + machine.beam_off_delay);
+    let counted = plan.summary.air_time + plan.summary.pre_cut_time + delays;
+    assert!((counted - solution.cost).abs() < 1e-9, "{counted} {}", solution.cost);
+    (machine, plan)
+}
+
+#[test]
+fn contours_left_unfinished_pass_where_the_machine_allows_it() {
+    let sheet = sheet();
+    let (machine, plan) = left(&sheet);
+    assert_eq!(plan::check(&sheet, &machine, &plan), Ok(()));
+    let s = &plan.summary;
+    assert_eq!((s.contours, s.open_contours, s.pierces, s.pre_cuts), (8, 2, 7, 4));
+    assert!((s.pre_cut_time - 1.2).abs() < 1e-12);
+    // Free of charge there are no pre-cuts.
+    let free = Profile { pre_cut_time: Some(0.0), ..machine };
+    let mut moves = plan.moves.clone();
+    moves.retain(|m| !matches!(m, Move::PreCut { .. }));
+    let parts = s.parts;
+    let mut summary = plan::evaluate(&moves, &free);
+    summary.parts = parts;
+    assert_eq!(plan::check(&sheet, &free, &Plan { moves, summary }), Ok(()));
+}
+
+#[test]
+fn contours_left_where_that_is_forbidden() {
+    let sheet = sheet();
+    let (machine, plan) = left(&sheet);
+    let found = plan::check(&sheet, &Profile { pre_cut_time: None, ..machine }, &plan).unwrap_err();
+    for id in [0, 5, 6] {
+        let told =
+            found.iter().filter(|v| matches!(v, Violation::Left { contour, .. } if *contour == id)).count();
+        assert_eq!(told, if id == 0 { 2 } else { 1 });
+    }
+}
+
+#[test]
+fn faults_of_contours_left_unfinished() {
+    let sheet = sheet();
+    let (machine, good) = left(&sheet);
+    let after = |change: &dyn Fn(&mut Vec<Move>)| {
+        let mut plan = good.clone();
+        change(&mut plan.moves);
+        plan.summary = plan::evaluate(&plan.moves, &machine);
+        plan.summary.parts = good.summary.parts;
+        plan::check(&sheet, &machine, &plan).unwrap_err()
+    };
+    let beam = |found: &[Violation], words: &str| {
+        assert!(
+            found.iter().any(|v| matches!(v, Violation::Beam { what, .. } if *what == words)),
+            "{found:?}"
+        );
+    };
+    let cuts = |moves: &[Move], id: u32| -> Vec<usize> {
+        let of = |m: &Move| matches!(m, Move::Cut { contour, .. } if *contour == id);
+        (0..moves.len()).filter(|&k| of(&moves[k])).collect()
+    };
+    // Without its pre-cut a contour may not be resumed; with one it is not pierced again.
+    beam(&after(&|m| drop(m.remove(cuts(m, 6)[0] + 1))), "cuts without piercing");
+    beam(&after(&|m| m.insert(cuts(m, 6)[1], Move::Pierce)), "pierces where it goes on with a cut");
+    beam(
+        &after(&|m| m.insert(cuts(m, 7)[0] + 1, Move::PreCut { contour: 7, to: p(0.0, 0.0) })),
+        "makes a pre-cut where it leaves nothing unfinished",
+    );
+    // The last stretch of the plate is never cut.
+    let found = after(&|m| drop(m.remove(cuts(m, 0)[2])));
+    assert!(found.iter().any(|v| matches!(v, Violation::Partly { contour: 0, .. })), "{found:?}");
+    // Two stretches in the wrong order.
+    let found = after(&|m| {
+        let at = cuts(m, 0);
+        m.swap(at[1], at[2]);
+    });
+    assert!(found.iter().any(|v| matches!(v, Violation::Strays { contour: 0, .. })), "{found:?}");
+    // The ring goes on while its hole is unfinished: visits cross, and the part inside comes after the ring.
+    let found = after(&|m| {
+        let (hole, ring) = (cuts(m, 6)[1], cuts(m, 5)[1]);
+        m.swap(hole, ring);
+    });
+    assert!(found.iter().any(|v| matches!(v, Violation::Crossed { contour: 5, inner: 6, .. })), "{found:?}");
+    assert!(found.contains(&Violation::CutFree { outer: 5, inner: 6 }), "{found:?}");
 }

@@ -88,6 +88,28 @@ impl Path {
         Some((self.segments.len().checked_sub(1)?, 1.0))
     }
 
+    /// The elements from `from` to `to` mm along a closed path, in its own direction, over its end where `to` lies before
+    /// `from`.
+    pub fn between(&self, from: f64, to: f64) -> Vec<Segment> {
+        let (Some((i, f)), Some((j, g))) = (self.locate(from), self.locate(to)) else { return Vec::new() };
+        if i == j && f < g {
+            return vec![self.segments[i].piece(f, g)];
+        }
+        let mut out = Vec::new();
+        if f < 1.0 {
+            out.push(self.segments[i].piece(f, 1.0));
+        }
+        if i < j {
+            out.extend(&self.segments[i + 1..j]);
+        } else {
+            out.extend(self.segments[i + 1..].iter().chain(&self.segments[..j]));
+        }
+        if g > 0.0 {
+            out.push(self.segments[j].piece(0.0, g));
+        }
+        out
+    }
+
     /// A closed path re-cut to start `s` mm along it, in its own direction; an open path as it is. A circle stays one
     /// arc.
     pub fn starting_at(&self, s: f64) -> Self {

@@ -1,4 +1,4 @@
-//! The best path as numbers in a row, for drawing it: stop k cuts `contours[k]`.
+//! The best path as numbers in a row, for drawing it: stop k cuts `contours[k]`, or a stretch of it.
 
 use super::Run;
 use crate::geometry::Segment;
@@ -15,6 +15,8 @@ pub struct BestPath {
     pub points: Vec<f64>,
     /// Arc length from the contour's stored start to the entry, mm.
     pub along: Vec<f64>,
+    /// The same to where the stop ends; equal: all of the contour. One that is left unfinished has several stops.
+    pub until: Vec<f64>,
     /// 1 where a stop runs its contour against the stored direction.
     pub reversed: Vec<u8>,
     /// Seconds from the start of the job at which each stop's beam goes on along its contour, and off.
@@ -33,6 +35,7 @@ impl BestPath {
             path.contours.push(node.item);
             path.points.extend([entry.x, entry.y, exit.x, exit.y]);
             path.along.push(stop.along);
+            path.until.push(stop.until);
             path.reversed.push(node.reversed.into());
         }
         (path, plan)
@@ -52,6 +55,10 @@ fn cutting_times(plan: &Plan, machine: &Profile) -> Vec<f64> {
                 head = *to;
             }
             Move::Pierce => now += machine.pierce_time,
+            Move::PreCut { to, .. } => {
+                now += machine.pre_cut_time.unwrap_or(0.0);
+                head = *to;
+            }
             Move::Cut { path, mark, .. } => {
                 let process = if *mark { &machine.mark } else { &machine.cut };
                 let begin = now + machine.beam_on_delay;

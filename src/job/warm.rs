@@ -12,6 +12,9 @@ pub struct Warm {
     pub contours: Vec<u32>,
     /// Arc length from the contour's stored start to the entry, mm.
     pub along: Vec<f64>,
+    /// The same to where the stop ends; left out: every stop is all of its contour.
+    #[serde(default)]
+    pub until: Vec<f64>,
     /// 1 where a stop runs its contour against the stored direction.
     pub reversed: Vec<u8>,
 }
@@ -22,12 +25,14 @@ const SAME_PLACE: f64 = 1e-6;
 
 /// The stops a path names, when it visits every contour of the problem once, in an allowed order.
 pub(super) fn solution(warm: &Warm, problem: &Problem) -> Result<Solution, JobError> {
+    let places =
+        warm.along.iter().enumerate().map(|(k, &along)| (along, *warm.until.get(k).unwrap_or(&along)));
     let stops = warm
         .contours
         .iter()
-        .zip(&warm.along)
+        .zip(places)
         .zip(&warm.reversed)
-        .map(|((&item, &along), &reversed)| stop(problem, item, along, reversed != 0));
+        .map(|((&item, (along, until)), &reversed)| stop(problem, item, along, until, reversed != 0));
     stops
         .collect::<Option<Vec<Stop>>>()
         .filter(|stops| allowed(stops, problem))
@@ -35,36 +40,62 @@ pub(super) fn solution(warm: &Warm, problem: &Problem) -> Result<Solution, JobEr
         .ok_or_else(|| JobError::Options("The path to start from is not one of this drawing.".into()))
 }
 
-/// The stop at a place: anywhere along a track, otherwise at a node.
-fn stop(problem: &Problem, item: u32, along: f64, reversed: bool) -> Option<Stop> {
+/// The stop from one place to another: anywhere along a track, otherwise at nodes.
+fn stop(problem: &Problem, item: u32, along: f64, until: f64, reversed: bool) -> Option<Stop> {
     let item = problem.items.get(item as usize)?;
-    let mut stops = item.nodes.clone().map(|node| Stop::at(problem, node));
-    match &item.track {
-        Some(track) if (0.0..=track.length()).contains(&along) => {
-            stops.find(|s| problem.nodes[s.node as usize].reversed == reversed).map(|s| Stop { along, ..s })
+    let at = |along: f64| {
+        let mut stops = item.nodes.clone().map(|node| Stop::at(problem, node));
+        let same_way = |s: &Stop| problem.nodes[s.node as usize].reversed == reversed;
+        match &item.track {
+            Some(track) if (0.0..=track.length()).contains(&along) => {
+                stops.find(same_way).map(|s| Stop::whole(s.node, along))
+            }
+            Some(_) => None,
+            None => stops.find(|s| same_way(s) && (s.along - along).abs() <= SAME_PLACE),
         }
-        Some(_) => None,
-        None => stops.find(|s| {
-            problem.nodes[s.node as usize].reversed == reversed && (s.along - along).abs() <= SAME_PLACE
-        }),
-    }
+    };
+    Some(Stop { until: at(until)?.along, ..at(along)? })
 }
 
-/// Every item that can be visited is, once; none before what lies inside it or what has a lower rank.
+/// A contour under way: where it was begun and where it was left.
+struct Open {
+    item: usize,
+    start: f64,
+    left: f64,
+}
+
+/// Every item that can be visited is, once round; none is finished before what lies inside it or begun before what has
+/// a lower rank; what is left unfinished may be, is resumed where it was left, and visits nest.
+#[expect(clippy::float_cmp, reason = "visits of a contour join bit for bit")]
 fn allowed(stops: &[Stop], problem: &Problem) -> bool {
-    let mut place = vec![None; problem.items.len()];
+    let mut finished = vec![None; problem.items.len()];
+    let mut open: Vec<Open> = Vec::new();
     let mut rank = 0;
     for (k, stop) in stops.iter().enumerate() {
         let item = problem.nodes[stop.node as usize].item as usize;
-        if place[item].replace(k).is_some() || problem.items[item].rank < rank {
+        let resumed = open.pop_if(|o| o.item == item);
+        let start = resumed.as_ref().map_or(stop.along, |o| o.start);
+        let joined = resumed.is_none_or(|o| o.left == stop.along) && !open.iter().any(|o| o.item == item);
+        if !joined || finished[item].is_some() || problem.items[item].rank < rank {
             return false;
         }
         rank = problem.items[item].rank;
+        if stop.until == start {
+            finished[item] = Some(k);
+        } else {
+            // Places in the order of a round from the start.
+            let order = |place: f64| (place < start, place);
+            if problem.items[item].leave.is_none() || order(stop.until) <= order(stop.along) {
+                return false;
+            }
+            open.push(Open { item, start, left: stop.until });
+        }
     }
-    problem.items.iter().zip(&place).all(|(item, at)| match at {
-        None => item.nodes.is_empty(),
-        Some(_) => item.before.is_none_or(|outer| place[outer as usize].is_none_or(|o| Some(o) > *at)),
-    })
+    open.is_empty()
+        && problem.items.iter().zip(&finished).all(|(item, at)| match at {
+            None => item.nodes.is_empty(),
+            Some(_) => item.before.is_none_or(|outer| finished[outer as usize].is_none_or(|o| Some(o) > *at)),
+        })
 }
 
 #[cfg(test)]
@@ -89,8 +120,14 @@ mod tests {
         for (node, id) in nodes.iter_mut().zip(0..) {
             node.twin = id;
         }
-        let item =
-            |i: u32, before| Item { nodes: 2 * i..2 * i + 2, before, rank: 0, fixed: 1.0, track: None };
+        let item = |i: u32, before| Item {
+            nodes: 2 * i..2 * i + 2,
+            before,
+            rank: 0,
+            fixed: 1.0,
+            leave: None,
+            track: None,
+        };
         let machine = machine::preset("length").unwrap();
         Problem {
             items: vec![item(0, Some(2)), item(1, None), item(2, None)],
@@ -104,7 +141,41 @@ mod tests {
     }
 
     fn warm(contours: &[u32], along: &[f64]) -> Warm {
-        Warm { contours: contours.to_vec(), along: along.to_vec(), reversed: vec![0; contours.len()] }
+        Warm {
+            contours: contours.to_vec(),
+            along: along.to_vec(),
+            until: vec![],
+            reversed: vec![0; contours.len()],
+        }
+    }
+
+    /// The same with the outer contour left at places 10 and resumed, where that is allowed.
+    fn left(contours: &[u32], places: &[(f64, f64)], leave: Option<f64>) -> Result<Solution, JobError> {
+        let mut problem = problem();
+        problem.items[2].leave = leave;
+        let (along, until) = places.iter().copied().unzip();
+        let reversed = vec![0; contours.len()];
+        solution(&Warm { contours: contours.to_vec(), along, until, reversed }, &problem)
+    }
+
+    #[test]
+    fn a_contour_left_unfinished_is_resumed_where_it_was_left() {
+        let places = [(0.0, 10.0), (0.0, 0.0), (0.0, 0.0), (10.0, 0.0)];
+        let order = [2, 0, 1, 2];
+        let found = left(&order, &places, Some(4.0)).unwrap();
+        // From home at 0 to 2, along to 2.5, back to 0, to 1, to 2.5, along to 2: air, and the charge.
+        assert!((found.cost - (2.0 + 2.5 + 1.0 + 1.5 + 4.0)).abs() < 1e-12, "{}", found.cost);
+        assert!(left(&order, &places, None).is_err(), "where nothing may be left");
+        let refused: [(&str, &[u32], &[(f64, f64)]); 5] = [
+            ("never resumed", &order[..3], &places[..3]),
+            ("resumed elsewhere", &order, &[places[0], places[1], places[2], (0.0, 0.0)]),
+            ("round twice", &order, &[places[0], places[1], places[2], (10.0, 10.0)]),
+            ("finished before what is inside", &[2, 1, 2, 0], &[places[0], places[1], places[3], places[2]]),
+            ("begun where it is not left", &[2, 2, 0, 1], &[places[0], places[0], places[1], places[2]]),
+        ];
+        for (what, order, places) in refused {
+            assert!(left(order, places, Some(4.0)).is_err(), "{what}");
+        }
     }
 
     #[test]

@@ -16,6 +16,10 @@ pub fn presets() -> Vec<Profile> {
         fibre_6kw_thick(),
         length("length", "Length only: air moves in mm along straight lines", Travel::Vector),
         length("length-chebyshev", "Length only: air moves in mm of the longer axis", Travel::PerAxis),
+        Profile {
+            pre_cut_time: Some(0.0),
+            ..length("length-partial", "Length only, contours may be left unfinished", Travel::Vector)
+        },
     ]
 }
 
@@ -48,6 +52,7 @@ fn co2_100w() -> Profile {
         junction_deviation: Some(0.01),
         // Acrylic is pierced while the tube comes up.
         pierce_time: 0.1,
+        pre_cut_time: None,
         // Rise and fall of a high-voltage CO2 supply: a few ms.
         beam_on_delay: 0.005,
         beam_off_delay: 0.005,
@@ -78,6 +83,7 @@ fn diode_hobby() -> Profile {
         junction_deviation: Some(0.01),
         // With M4 the head starts at once; at 5 mm/s the beam pierces on the way.
         pierce_time: 0.0,
+        pre_cut_time: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         dialect: Dialect::GrblM4,
@@ -109,6 +115,7 @@ fn fibre_3kw_thin() -> Profile {
         junction_deviation: Some(0.02),
         // Thin sheet is pierced in one pulse.
         pierce_time: 0.1,
+        pre_cut_time: None,
         // Gas and height control settle.
         beam_on_delay: 0.05,
         beam_off_delay: 0.02,
@@ -127,6 +134,7 @@ fn fibre_6kw_thick() -> Profile {
         mark: Process { speed: 250.0, accel: Some(3000.0), power: 0.1 },
         // Staged piercing of 12 mm: half a second to a second.
         pierce_time: 0.8,
+        pre_cut_time: None,
         // Oxygen builds up and is blown off again.
         beam_on_delay: 0.2,
         beam_off_delay: 0.1,
@@ -148,6 +156,7 @@ fn length(name: &str, title: &str, travel: Travel) -> Profile {
         mark: Process { speed: 1.0, accel: None, power: 0.1 },
         junction_deviation: None,
         pierce_time: 0.0,
+        pre_cut_time: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         dialect: Dialect::GrblM4,
@@ -192,7 +201,15 @@ mod tests {
         );
         assert!(says(|p| p.home[0] = f64::INFINITY).contains("home[0]"));
         assert!(says(|p| p.pierce_time = -0.1).contains("pierce_time = -0.1"));
+        assert!(says(|p| p.pre_cut_time = Some(-1.0)).contains("pre_cut_time = -1"));
         assert!(says(|p| p.version = 2).contains("is of version 2"));
+    }
+
+    #[test]
+    fn profiles_written_before_pre_cuts_cut_in_one_go() {
+        let text = serde_json::to_string(&co2_100w()).unwrap().replace("\"pre_cut_time\":null,", "");
+        assert!(!text.contains("pre_cut"));
+        assert_eq!(serde_json::from_str::<Profile>(&text).unwrap(), co2_100w());
     }
 
     #[test]

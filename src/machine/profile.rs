@@ -71,6 +71,11 @@ pub struct Profile {
     pub junction_deviation: Option<f64>,
     /// Seconds to pierce.
     pub pierce_time: f64,
+    /// Seconds of a pre-cut: a contour may be left unfinished wherever one is made, and resumed there without piercing.
+    /// 0: contours are left free of charge and without pre-cuts (the hull-part papers' partial cutting); `None`:
+    /// contours are cut in one go.
+    #[serde(default)]
+    pub pre_cut_time: Option<f64>,
     /// Beam settling before a cut, s.
     pub beam_on_delay: f64,
     /// Beam settling after a cut, s.
@@ -152,6 +157,7 @@ impl Profile {
             ("mark.power", self.mark.power, FRACTION),
             ("junction_deviation", self.junction_deviation.unwrap_or(0.0), NOT_NEGATIVE),
             ("pierce_time", self.pierce_time, NOT_NEGATIVE),
+            ("pre_cut_time", self.pre_cut_time.unwrap_or(0.0), NOT_NEGATIVE),
             ("beam_on_delay", self.beam_on_delay, NOT_NEGATIVE),
             ("beam_off_delay", self.beam_off_delay, NOT_NEGATIVE),
             ("max_s", self.max_s, POSITIVE),

@@ -152,6 +152,7 @@ struct ContourView<'a> {
 enum MoveView<'a> {
     Air { to: Place },
     Pierce,
+    PreCut { contour: u32, to: Place },
     Cut { contour: u32, path: PathView<'a> },
 }
 
@@ -260,6 +261,7 @@ impl<'a> View<'a> {
                 .map(|step| match step {
                     Move::Air { to } => MoveView::Air { to: Place(*to) },
                     Move::Pierce => MoveView::Pierce,
+                    Move::PreCut { contour, to } => MoveView::PreCut { contour: *contour, to: Place(*to) },
                     Move::Cut { contour, path, .. } => {
                         MoveView::Cut { contour: *contour, path: PathView(path) }
                     }

@@ -1,7 +1,7 @@
 //! The plan as a picture: SVG in millimetres, y up turned into y down, no script, readable on light and dark.
 //!
 //! Contours stand in cutting order as exact arcs, each with a title that names it; air moves are dashed; entries are
-//! dots with the number of the contour in the order of cutting. Widths and letters follow the size of the sheet, so
+//! dots with their number in the order of cutting; a contour that is left unfinished has one for each stretch. Widths and letters follow the size of the sheet, so
 //! the picture reads the same on a tag and on a three-metre plate.
 //!
 //! An SVG arc is given by its ends and radius: near half a turn its centre hangs on the last digit, so arcs go out in
@@ -10,7 +10,7 @@
 
 use super::arcs;
 use super::number::{Fixed, fixed};
-use super::walk::{Cut, cuts, is_closed, layer_name};
+use super::walk::{Cut, closes, cuts, layer_name};
 use crate::geometry::{Aabb, DVec2, Segment};
 use crate::machine::Profile;
 use crate::plan::{Move, Plan};
@@ -57,7 +57,7 @@ pub fn svg(plan: &Plan, sheet: &Sheet, profile: &Profile) -> String {
 /// The box of everything the head visits.
 fn reach(plan: &Plan, home: DVec2) -> Aabb {
     plan.moves.iter().fold(Aabb::of(home), |b, step| match step {
-        Move::Air { to } => b.with(*to),
+        Move::Air { to } | Move::PreCut { to, .. } => b.with(*to),
         Move::Pierce => b,
         Move::Cut { path, .. } => path.iter().fold(b, |b, s| b.union(s.bounds())),
     })
@@ -77,13 +77,14 @@ fn style(out: &mut String, width: f64) {
 }
 
 fn contours(out: &mut String, plan: &Plan, sheet: &Sheet) {
-    for (order, Cut { contour, entry, path, mark }) in cuts(plan).enumerate() {
+    for (order, cut) in cuts(plan).enumerate() {
+        let Cut { contour, entry, path, mark } = cut;
         let class = if mark { "mark" } else { "cut" };
         let _ = write!(out, "<path class=\"{class}\" d=\"M{}", Point(entry));
         for segment in path {
             element(out, segment);
         }
-        let end = if is_closed(sheet, contour) { "Z" } else { "" };
+        let end = if closes(sheet, &cut) { "Z" } else { "" };
         let (order, layer) = (order + 1, Escaped(layer_name(sheet, contour)));
         let _ = writeln!(out, "{end}\"><title>{order}: contour {contour}, layer {layer}</title></path>");
     }
@@ -115,6 +116,7 @@ fn air(out: &mut String, plan: &Plan, home: DVec2) {
                 at = *to;
             }
             Move::Pierce => {}
+            Move::PreCut { to, .. } => at = *to,
             Move::Cut { path, .. } => at = path.last().map_or(at, Segment::end),
         }
     }

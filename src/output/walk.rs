@@ -4,7 +4,7 @@ use crate::geometry::{DVec2, Segment};
 use crate::plan::{Move, Plan};
 use crate::sheet::Sheet;
 
-/// A cut or mark of a plan.
+/// A cut or mark of a plan: all of a contour, or a stretch of one that is left unfinished.
 #[derive(Clone, Copy)]
 pub(super) struct Cut<'a> {
     /// The contour's id.
@@ -24,7 +24,7 @@ pub(super) fn cuts(plan: &Plan) -> impl Iterator<Item = Cut<'_>> {
             let entry = path.first()?.start();
             Some(Cut { contour: *contour, entry, path, mark: *mark })
         }
-        Move::Air { .. } | Move::Pierce => None,
+        Move::Air { .. } | Move::Pierce | Move::PreCut { .. } => None,
     })
 }
 
@@ -34,7 +34,14 @@ pub(super) fn layer_name(sheet: &Sheet, contour: u32) -> &str {
     known.map_or("", |l| l.name.as_str())
 }
 
-/// Whether a contour closes.
-pub(super) fn is_closed(sheet: &Sheet, contour: u32) -> bool {
-    sheet.contours.get(contour as usize).is_some_and(|c| c.path.closed)
+/// Stretches are shorter than their contour by more than this, mm: what is less is a sum of lengths in another order.
+const WHOLE: f64 = 1e-6;
+
+/// Whether a cut closes: it is all of a contour that does.
+pub(super) fn closes(sheet: &Sheet, cut: &Cut) -> bool {
+    let length = || cut.path.iter().map(Segment::length).sum::<f64>();
+    sheet
+        .contours
+        .get(cut.contour as usize)
+        .is_some_and(|c| c.path.closed && length() >= c.path.length() - WHOLE)
 }

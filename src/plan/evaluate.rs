@@ -1,17 +1,20 @@
 //! What a list of moves adds up to on a machine, from the moves alone.
 
 use super::model::{Move, Summary};
-use crate::geometry::{Aabb, Segment};
+use crate::geometry::{Aabb, DVec2, Segment};
 use crate::machine::{AirTime, Profile, cut_time};
 
 /// Sums over moves that start at the machine's home. `parts`, bound and gap are not in the moves: 0 and `None`.
 ///
-/// Every cut and mark is charged the beam delays, every pierce the pierce time; both are in `pierce_time`.
+/// Every cut and mark is charged the beam delays, every pierce the pierce time; both are in `pierce_time`. A contour
+/// that is cut in several goes counts once.
 pub fn evaluate(moves: &[Move], machine: &Profile) -> Summary {
     let air = AirTime::new(machine);
     let mut sum = Summary::default();
     let mut bounds = Aabb::EMPTY;
     let mut head = machine.home();
+    // First and last place of each contour worked.
+    let mut worked: Vec<Option<(DVec2, DVec2)>> = Vec::new();
     for step in moves {
         match step {
             Move::Air { to } => {
@@ -23,11 +26,19 @@ pub fn evaluate(moves: &[Move], machine: &Profile) -> Summary {
                 sum.pierces += 1;
                 sum.pierce_time += machine.pierce_time;
             }
-            Move::Cut { path, mark, .. } => {
+            Move::PreCut { to, .. } => {
+                sum.pre_cuts += 1;
+                sum.pre_cut_time += machine.pre_cut_time.unwrap_or(0.0);
+                head = *to;
+            }
+            Move::Cut { contour, path, mark } => {
                 let (Some(first), Some(last)) = (path.first(), path.last()) else { continue };
                 let process = if *mark { &machine.mark } else { &machine.cut };
-                sum.contours += 1;
-                sum.open_contours += u32::from(first.start() != last.end());
+                let contour = *contour as usize;
+                if contour >= worked.len() {
+                    worked.resize(contour + 1, None);
+                }
+                worked[contour] = Some((worked[contour].map_or(first.start(), |w| w.0), last.end()));
                 sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
                 sum.cut_time += cut_time(machine, process, path);
                 sum.pierce_time += machine.beam_on_delay + machine.beam_off_delay;
@@ -35,6 +46,10 @@ pub fn evaluate(moves: &[Move], machine: &Profile) -> Summary {
                 head = last.end();
             }
         }
+    }
+    for (start, end) in worked.into_iter().flatten() {
+        sum.contours += 1;
+        sum.open_contours += u32::from(start != end);
     }
     sum.total_time = sum.air_time + sum.cut_time + sum.pierce_time + sum.pre_cut_time + sum.macro_time;
     if !bounds.is_empty() {

@@ -5,27 +5,39 @@ use super::model::{Move, Plan};
 use crate::geometry::{DVec2, Path, Segment};
 use crate::problem::Problem;
 use crate::sheet::{Operation, Sheet};
-use crate::solve::Solution;
+use crate::solve::{Solution, Stop};
 
 /// The moves of a solution, with their sums. `solution` is one of `problem`, `problem` one of `sheet`.
 ///
-/// Cuts are pierced, marks are not. There is no air move where the head is in place already.
+/// Cuts are pierced, marks are not. A contour that is left unfinished gets a pre-cut where it is left, if the machine
+/// charges for them, and is resumed without piercing. There is no air move where the head is in place already.
 pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> Plan {
     let mut moves = Vec::with_capacity(3 * solution.stops.len() + 1);
     let mut head = problem.home;
+    let pre_cuts = problem.machine.pre_cut_time.is_some_and(|seconds| seconds > 0.0);
+    // Where each contour was begun.
+    let mut begun: Vec<Option<f64>> = vec![None; sheet.contours.len()];
     for stop in &solution.stops {
         let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
-        let Some(contour) = sheet.contours.get(node.item as usize) else { continue };
-        let path = path_from(&contour.path, stop.along, node.reversed);
+        let contour = node.item;
+        let Some(known) = sheet.contours.get(contour as usize) else { continue };
+        let path = path_of(&known.path, stop, node.reversed);
         let (Some(first), Some(last)) = (path.first(), path.last()) else { continue };
         let (entry, exit) = (first.start(), last.end());
         go(&mut moves, &mut head, entry);
-        let mark = contour.operation != Operation::Cut;
-        if !mark {
+        let mark = known.operation != Operation::Cut;
+        let resumed = begun[contour as usize].is_some();
+        if !mark && !resumed {
             moves.push(Move::Pierce);
         }
-        moves.push(Move::Cut { contour: node.item, path, mark });
+        moves.push(Move::Cut { contour, path, mark });
         head = exit;
+        let start = *begun[contour as usize].get_or_insert(stop.along);
+        #[expect(clippy::float_cmp, reason = "the last visit ends where the first began, bit for bit")]
+        let left = stop.until != start;
+        if left && pre_cuts {
+            moves.push(Move::PreCut { contour, to: head });
+        }
     }
     if problem.closed {
         go(&mut moves, &mut head, problem.home);
@@ -42,8 +54,11 @@ fn go(moves: &mut Vec<Move>, head: &mut DVec2, to: DVec2) {
     }
 }
 
-/// A contour's elements from `along` on, run forwards or back.
-fn path_from(path: &Path, along: f64, reversed: bool) -> Vec<Segment> {
-    let from_entry = path.starting_at(along);
+/// The elements of a visit; one that is all of its contour may run it back.
+fn path_of(path: &Path, stop: &Stop, reversed: bool) -> Vec<Segment> {
+    if !stop.is_whole() {
+        return path.between(stop.along, stop.until);
+    }
+    let from_entry = path.starting_at(stop.along);
     if reversed { from_entry.reversed().segments } else { from_entry.segments }
 }

@@ -12,11 +12,20 @@ pub enum Move {
     },
     /// Piercing at the spot.
     Pierce,
-    /// Beam on along a contour.
+    /// Beam on at the end of a cut that leaves its contour unfinished: a bit cut ahead, so that the contour is resumed
+    /// from within it without piercing.
+    PreCut {
+        /// The contour's id.
+        contour: u32,
+        /// Where to, mm.
+        to: DVec2,
+    },
+    /// Beam on along a contour, or a stretch of it: a contour left unfinished goes on in a later cut from where this one
+    /// ended.
     Cut {
         /// The contour's id.
         contour: u32,
-        /// Its elements from entry on, in the direction of travel.
+        /// Its elements from where it is entered or resumed, in the direction of travel.
         path: Vec<Segment>,
         /// Marks instead of cutting through.
         mark: bool,

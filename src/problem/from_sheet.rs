@@ -13,6 +13,7 @@ use crate::sheet::{Contour, Operation, Sheet};
 /// * Rank: by layer when the sheet is ordered by layer, and within it marks before cuts. A contour around another
 ///   one has at least that one's rank: where the order by layer would cut an outer contour first, the nesting wins.
 /// * Fixed seconds: piercing (cuts only), beam delays, and the run along the contour from its stored start.
+/// * Leaving: closed cuts may be left unfinished where the machine allows it.
 pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
     let ranks = ranks(sheet);
     let mut items = Vec::with_capacity(sheet.contours.len());
@@ -25,6 +26,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
             before: contour.inside.filter(|&outer| outer != item && (outer as usize) < sheet.contours.len()),
             rank,
             fixed: fixed_seconds(machine, contour),
+            leave: leave_seconds(machine, contour),
             track: contour.path.closed.then(|| contour.path.clone()),
         });
     }
@@ -68,6 +70,16 @@ fn fixed_seconds(machine: &Profile, contour: &Contour) -> f64 {
     };
     let delays = machine.beam_on_delay + machine.beam_off_delay;
     pierce + delays + cut_time(machine, process, &contour.path.segments)
+}
+
+/// Leaving a contour and resuming it: the pre-cut, and the beam once more off and on. Marks and open contours are run
+/// in one go.
+fn leave_seconds(machine: &Profile, contour: &Contour) -> Option<f64> {
+    let delays = machine.beam_on_delay + machine.beam_off_delay;
+    machine
+        .pre_cut_time
+        .filter(|_| contour.path.closed && contour.operation == Operation::Cut)
+        .map(|pre_cut| pre_cut + delays)
 }
 
 /// Rank of each contour: by layer, marks before cuts, never below that of anything inside it.

@@ -45,6 +45,9 @@ pub struct Item {
     pub rank: u32,
     /// Seconds it costs wherever it is entered: pierce, cut.
     pub fixed: f64,
+    /// Seconds each time it is left unfinished and resumed; `None`: it is done in one go. What may be left is closed,
+    /// with its nodes in the order of their places along it.
+    pub leave: Option<f64>,
     /// A closed path along which it may be entered anywhere, not at its nodes only; its nodes lie on it.
     pub track: Option<Path>,
 }

@@ -21,28 +21,55 @@ pub struct SolverInfo {
     pub source: Option<&'static str>,
 }
 
-/// One visit of a route.
+/// One visit of a route: an item cut from one place to another, in its stored direction when that is not all of it.
+///
+/// A contour that is left unfinished has several visits in order, each from where the one before it ended; the last
+/// ends where the first began, so together they are one loop. What lies between two visits of a contour is its child
+/// route: visits nest like brackets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
     /// The node at which its item is entered, or the one it slid away from.
     pub node: NodeId,
     /// Place of entry along the item's track, mm; for an item without one, its node's.
     pub along: f64,
+    /// Place where this visit ends, mm; the same as `along`: once round, all of the item in one visit.
+    pub until: f64,
 }
 
 impl Stop {
     /// The stop at a node itself.
     pub fn at(problem: &Problem, node: NodeId) -> Self {
-        Self { node, along: problem.nodes.get(node as usize).map_or(0.0, |n| n.along) }
+        Self::whole(node, problem.nodes.get(node as usize).map_or(0.0, |n| n.along))
+    }
+
+    /// All of an item in one visit.
+    pub fn whole(node: NodeId, along: f64) -> Self {
+        Self { node, along, until: along }
+    }
+
+    /// Whether this visit is all of its item.
+    #[expect(clippy::float_cmp, reason = "the places of a stop are one number, bit for bit, or two")]
+    pub fn is_whole(&self) -> bool {
+        self.along == self.until
     }
 
     /// Where the head enters and leaves; `None` for a node that is none.
     pub fn ends(&self, problem: &Problem) -> Option<(DVec2, DVec2)> {
         let node = problem.nodes.get(self.node as usize)?;
-        let track = problem.items.get(node.item as usize)?.track.as_ref();
+        let item = problem.items.get(node.item as usize)?;
         #[expect(clippy::float_cmp, reason = "a stop that did not slide has its node's place bit for bit")]
-        let slid = track.filter(|_| self.along != node.along).and_then(|t| t.at(self.along));
-        Some(slid.map_or((node.entry, node.exit), |p| (p, p)))
+        let slid = |along: f64| item.track.as_ref().filter(|_| along != node.along).and_then(|t| t.at(along));
+        if self.is_whole() {
+            return Some(slid(self.along).map_or((node.entry, node.exit), |p| (p, p)));
+        }
+        #[expect(clippy::float_cmp, reason = "as above")]
+        let place = |along: f64| {
+            let at_node = || {
+                item.nodes.clone().find_map(|n| problem.nodes.get(n as usize).filter(|n| n.along == along))
+            };
+            slid(along).or_else(|| at_node().map(|n| n.entry))
+        };
+        Some((place(self.along)?, place(self.until)?))
     }
 }
 
@@ -51,7 +78,7 @@ impl Stop {
 pub struct Solution {
     /// In order of visit.
     pub stops: Vec<Stop>,
-    /// Seconds of travel: what the search minimises.
+    /// Seconds of travel and of contours left unfinished: what the search minimises.
     pub cost: f64,
 }
 
@@ -107,8 +134,8 @@ pub trait Search {
 }
 
 impl Solution {
-    /// Stops with the seconds of travel they take: from home, from exit to entry, and home again when closed; with a
-    /// table of costs, around the cycle of their nodes, which the start is one of.
+    /// Stops with the seconds they take: from home, from exit to entry, and home again when closed, and the charge for each
+    /// time an item is resumed; with a table of costs, around the cycle of their nodes, which the start is one of.
     pub fn new(problem: &Problem, stops: Vec<Stop>) -> Self {
         if let Some(table) = &problem.table {
             let nodes: Vec<NodeId> = stops.iter().map(|s| s.node).collect();
@@ -117,9 +144,15 @@ impl Solution {
         let air = AirTime::new(&problem.machine);
         let mut cost = 0.0;
         let mut head = problem.home;
-        for (entry, exit) in stops.iter().filter_map(|s| s.ends(problem)) {
+        let mut begun = vec![false; problem.items.len()];
+        for stop in &stops {
+            let Some((entry, exit)) = stop.ends(problem) else { continue };
             cost += air.seconds(head, entry);
             head = exit;
+            let item = problem.nodes[stop.node as usize].item as usize;
+            if std::mem::replace(&mut begun[item], true) {
+                cost += problem.items[item].leave.unwrap_or(0.0);
+            }
         }
         if problem.closed {
             cost += air.seconds(head, problem.home);

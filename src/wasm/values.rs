@@ -44,6 +44,7 @@ pub(super) fn path(p: &BestPath) -> Result<JsValue, JsError> {
         ("contours", Uint32Array::from(p.contours.as_slice()).into()),
         ("points", Float64Array::from(p.points.as_slice()).into()),
         ("along", Float64Array::from(p.along.as_slice()).into()),
+        ("until", Float64Array::from(p.until.as_slice()).into()),
         ("reversed", Uint8Array::from(p.reversed.as_slice()).into()),
         ("times", Float64Array::from(p.times.as_slice()).into()),
     ])

@@ -111,6 +111,11 @@ export interface MachineProfile {
   mark: { speed: number; accel: number | null; power: number };
   junction_deviation: number | null;
   pierce_time: number;
+  /**
+   * Seconds of a pre-cut: a contour may be left unfinished wherever one is made, and resumed there without piercing.
+   * 0: left free of charge; null or nothing: contours are cut in one go.
+   */
+  pre_cut_time?: number | null;
   beam_on_delay: number;
   beam_off_delay: number;
   dialect: 'grbl-m4';
@@ -133,7 +138,7 @@ export interface PlanOptions extends Budget {
   /** Decides every random choice. Default: invented, and told in the result. */
   seed?: number;
   /** A path to start from. */
-  warm?: Pick<BestPath, 'contours' | 'along' | 'reversed'>;
+  warm?: Pick<BestPath, 'contours' | 'along' | 'reversed'> & Partial<Pick<BestPath, 'until'>>;
 }
 
 /** What a plan adds up to, mm and s; see `plan/model.rs`. */
@@ -156,13 +161,15 @@ export interface Summary {
   bounds: [number, number, number, number];
 }
 
-/** The order of the head, for drawing: stop k cuts `contours[k]`. */
+/** The order of the head, for drawing: stop k cuts `contours[k]`, or a stretch of it. */
 export interface BestPath {
   contours: Uint32Array;
   /** Entry x, y and exit x, y of each stop. */
   points: Float64Array;
   /** Arc length from the contour's stored start to the entry, mm. */
   along: Float64Array;
+  /** The same to where the stop ends; equal: all of the contour. One that is left unfinished has several stops. */
+  until: Float64Array;
   /** 1 where a stop runs its contour against the stored direction. */
   reversed: Uint8Array;
   /** Seconds from the start of the job at which each stop's cut begins and ends: 2 a stop. */

@@ -143,7 +143,7 @@ function given<T extends LoadOptions | PlanOptions>(options: T): T {
 }
 
 function pathBuffers({ path }: { path: import('./protocol.js').BestPath | null }): ArrayBuffer[] {
-  return path === null ? [] : buffers([path.contours, path.points, path.along, path.reversed, path.times]);
+  return path === null ? [] : buffers([path.contours, path.points, path.along, path.until, path.reversed, path.times]);
 }
 
 function buffers(arrays: ArrayBufferView[]): ArrayBuffer[] {

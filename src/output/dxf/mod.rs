@@ -2,7 +2,7 @@
 //! and runs in the direction of the cut. mm.
 //!
 //! Software that cuts "in drawing order, as drawn" then cuts the plan. Layers keep their names and colours. Air moves
-//! are not in the file: they would be cut.
+//! are not in the file: they would be cut. A contour that is left unfinished is one open polyline a stretch.
 //!
 //! **Why R2000 (AC1015), ASCII.** It is the oldest version that can say its unit ($INSUNITS; R12 cannot, and AutoCAD
 //! refuses header variables it does not know), that keeps layer names as they are (R12 has 31 upper-case letters), and
@@ -18,7 +18,7 @@ mod tags;
 
 use super::arcs;
 use super::number::fixed;
-use super::walk::{Cut, cuts, is_closed};
+use super::walk::{closes, cuts};
 use crate::geometry::{Arc, DVec2, Segment, math};
 use crate::plan::Plan;
 use crate::sheet::Sheet;
@@ -36,8 +36,8 @@ pub fn dxf(plan: &Plan, sheet: &Sheet) -> String {
     let layers = Layers::of(sheet);
     let mut tags = Tags::default();
     frame::before_entities(&mut tags, plan.summary.bounds, &layers, cuts(plan).count());
-    for Cut { contour, path, .. } in cuts(plan) {
-        polyline(&mut tags, layers.of_contour(sheet, contour), path, is_closed(sheet, contour));
+    for cut in cuts(plan) {
+        polyline(&mut tags, layers.of_contour(sheet, cut.contour), cut.path, closes(sheet, &cut));
     }
     frame::after_entities(&mut tags);
     tags.into_text()

@@ -10,6 +10,9 @@
 //! mode G0, left by the rapid, GRBL would hold the beam off), `G4 P..` with the beam on, and `M4` back to dynamic
 //! power. The settling time of the beam before a cut is part of that dwell; the one after a cut is a dwell at S0.
 //!
+//! **Contours left unfinished** go on with the beam as it comes, under M4 and without the dwell of a pierce: a cut that no
+//! pierce precedes is resumed from its pre-cut.
+//!
 //! **Comments** begin with a semicolon, which nests in nothing and needs no closing. GRBL picks its real-time commands
 //! (`?`, `!`, `~`, and every byte from 0x80) out of the stream before it knows of comments, so names are written in
 //! plain letters, digits and a few marks. Lines are short of the 80 characters GRBL holds.
@@ -19,7 +22,7 @@
 mod pen;
 
 use super::number::fixed;
-use super::walk::layer_name;
+use super::walk::{cuts, layer_name};
 use crate::geometry::Segment;
 use crate::machine::{Dialect, Process, Profile};
 use crate::plan::{Move, Plan};
@@ -47,14 +50,17 @@ fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
         Some((Move::Air { to }, work)) => (work, Some(*to)),
         _ => (plan.moves.as_slice(), None),
     };
+    let all = cuts(plan).count();
     let (mut order, mut pierce) = (0, 0.0);
     for step in work {
         match step {
             Move::Air { to } => pen.rapid(*to),
             Move::Pierce => pierce += profile.pierce_time,
+            // A charge of time at the end of a cut, without a length of its own: nothing to burn.
+            Move::PreCut { .. } => {}
             Move::Cut { contour, path, mark } => {
                 order += 1;
-                let (all, layer) = (plan.summary.contours, layer_name(sheet, *contour));
+                let layer = layer_name(sheet, *contour);
                 let verb = if *mark { "mark" } else { "cut" };
                 comment(&mut pen, &format!("{order} of {all}: {verb} contour {contour}, layer {layer}"));
                 let process = if *mark { &profile.mark } else { &profile.cut };

@@ -10,6 +10,7 @@ mod nesting;
 mod order;
 mod sums;
 mod violation;
+mod visits;
 
 pub use violation::Violation;
 
@@ -17,6 +18,7 @@ use super::model::{Move, Plan};
 use crate::geometry::Segment;
 use crate::machine::Profile;
 use crate::sheet::{Operation, Sheet};
+use visits::Visits;
 
 /// Moves are joined within this, mm: far below any machine's step, far above the last bits of a coordinate.
 const JOIN: f64 = 1e-9;
@@ -26,15 +28,17 @@ const SAME: f64 = 1e-6;
 /// takes an angle times a radius for a length, the checker does both again; three dozen in all, here with room.
 const ROUNDINGS: f64 = 64.0;
 
-/// Checks that every contour is worked exactly once and wholly, inner before outer, by rank, with moves joined end
-/// to end from home (and back, if the machine goes back), piercing where it belongs, and sums that add up.
+/// Checks that every contour is worked exactly once and wholly, in one go or as the machine allows, inner ones finished
+/// before outer ones, by rank, with moves joined end to end from home (and back, if the machine goes back), piercing and
+/// pre-cuts where they belong, and sums that add up.
 ///
 /// # Errors
 /// All violations found, in order of the moves where they have one.
 pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Violation>> {
     let mut found = Vec::new();
-    follow(sheet, machine, plan, &mut found);
-    let visits = visits(sheet, plan, &mut found);
+    let mut visits = Visits::new(sheet, machine);
+    follow(&mut visits, sheet, machine, plan, &mut found);
+    visits.finish(&mut found);
     order::check(sheet, &visits, &mut found);
     sums::check(sheet, machine, plan, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
@@ -49,10 +53,13 @@ fn rounding(element: &Segment) -> f64 {
 }
 
 /// Follows the head: joined, finite, the beam on only along contours and after piercing, home at the end.
-fn follow(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+fn follow(visits: &mut Visits, sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     let mut head = machine.home();
     let mut pierced = false;
+    // The contour of the move before, if that was a cut.
+    let mut just_cut = None;
     for (step, m) in plan.moves.iter().enumerate() {
+        let before = just_cut.take();
         match m {
             Move::Air { to } => {
                 if !to.is_finite() {
@@ -70,11 +77,30 @@ fn follow(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violati
                 }
                 pierced = true;
             }
+            Move::PreCut { contour, to } => {
+                if !visits.pre_cut(*contour) || before != Some(*contour) {
+                    found.push(Violation::Beam {
+                        step,
+                        what: "makes a pre-cut where it leaves nothing unfinished",
+                    });
+                }
+                // A pre-cut has no length: the time it takes is a charge.
+                let gap = to.distance(head);
+                let joined = gap <= JOIN;
+                if !joined {
+                    found.push(Violation::NotJoined { step, gap });
+                }
+                head = *to;
+            }
             Move::Cut { contour, path, mark } => {
+                let resumed = visits.is_unfinished(*contour);
                 if *mark && pierced {
                     found.push(Violation::Beam { step, what: "pierces for a mark" });
                 }
-                if !*mark && !pierced {
+                if resumed && pierced {
+                    found.push(Violation::Beam { step, what: "pierces where it goes on with a cut" });
+                }
+                if !*mark && !pierced && !(resumed && visits.is_ready(*contour)) {
                     found.push(Violation::Beam { step, what: "cuts without piercing" });
                 }
                 pierced = false;
@@ -92,6 +118,8 @@ fn follow(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violati
                     }
                     head = s.end();
                 }
+                visits.cut(step, *contour, path, found);
+                just_cut = Some(*contour);
                 if path.is_empty() {
                     found.push(Violation::Beam { step, what: "cuts nothing" });
                 }
@@ -105,39 +133,4 @@ fn follow(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violati
     if machine.return_home && left > JOIN {
         found.push(Violation::NotHome { left });
     }
-}
-
-/// When each contour is worked: the index among the cuts, `None` for those that are not. Every cut is compared with
-/// its contour on the way.
-fn visits(sheet: &Sheet, plan: &Plan, found: &mut Vec<Violation>) -> Vec<Option<usize>> {
-    let mut visits = vec![None; sheet.contours.len()];
-    for (step, m) in plan.moves.iter().enumerate() {
-        let Move::Cut { contour, path, .. } = m else { continue };
-        let (Some(c), Some(visit)) =
-            (sheet.contours.get(*contour as usize), visits.get_mut(*contour as usize))
-        else {
-            found.push(Violation::Unknown { step, contour: *contour });
-            continue;
-        };
-        if visit.is_some() {
-            found.push(Violation::Again { step, contour: *contour });
-            continue;
-        }
-        *visit = Some(step);
-        if let Err(fault) = coverage::follows(&c.path, path) {
-            found.push(match fault {
-                coverage::Fault::Strays(at) => Violation::Strays { step, contour: *contour, at },
-                coverage::Fault::Length { worked, length } => {
-                    Violation::Partly { step, contour: *contour, worked, length }
-                }
-            });
-        }
-    }
-    for ((contour, visit), c) in (0..).zip(&visits).zip(&sheet.contours) {
-        let nothing_to_do = c.path.segments.iter().all(|s: &Segment| s.length() <= SAME);
-        if visit.is_none() && !nothing_to_do {
-            found.push(Violation::Missing { contour });
-        }
-    }
-    visits
 }

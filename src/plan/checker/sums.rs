@@ -7,6 +7,7 @@ use super::violation::Violation;
 use super::{SAME, rounding};
 use crate::geometry::{Aabb, DVec2};
 use crate::machine::{Profile, Travel, cut_time};
+use crate::order::sort_by;
 use crate::plan::model::{Move, Plan};
 use crate::sheet::Sheet;
 
@@ -15,7 +16,8 @@ const RELATIVE: f64 = 1e-9;
 
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     let mut head = machine.home();
-    let (mut contours, mut open, mut pierces) = (0u32, 0u32, 0u32);
+    let (mut cuts, mut pierces, mut pre_cuts) = (0u32, 0u32, 0u32);
+    let mut worked: Vec<u32> = Vec::new();
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
     let (mut bounds, mut slack) = (Aabb::EMPTY, 0.0_f64);
     for m in &plan.moves {
@@ -26,10 +28,11 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 head = *to;
             }
             Move::Pierce => pierces += 1,
+            Move::PreCut { .. } => pre_cuts += 1,
             Move::Cut { contour, path, mark } => {
-                contours += 1;
+                cuts += 1;
+                worked.push(*contour);
                 if let Some(c) = sheet.contours.get(*contour as usize) {
-                    open += u32::from(!c.path.closed);
                     bounds = bounds.union(c.path.bounds());
                     slack = c.path.segments.iter().map(rounding).fold(slack, f64::max);
                 }
@@ -40,22 +43,28 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         }
     }
     let delays = machine.beam_on_delay + machine.beam_off_delay;
-    let pierce_seconds = f64::from(pierces) * machine.pierce_time + f64::from(contours) * delays;
+    let pierce_seconds = f64::from(pierces) * machine.pierce_time + f64::from(cuts) * delays;
+    let pre_cut_seconds = f64::from(pre_cuts) * machine.pre_cut_time.unwrap_or(0.0);
+    // A contour cut in several goes counts once.
+    sort_by(&mut worked, |&c| [c.into(), 0, 0]);
+    worked.dedup();
+    let is_open = |c: &&u32| sheet.contours.get(**c as usize).is_some_and(|c| !c.path.closed);
+    let (contours, open) = (worked.len() as f64, worked.iter().filter(is_open).count() as f64);
     let s = &plan.summary;
     let parts = u32::try_from(sheet.parts.len()).unwrap_or(u32::MAX);
-    let total = air_seconds + cut_seconds + pierce_seconds;
+    let total = air_seconds + cut_seconds + pierce_seconds + pre_cut_seconds;
     let mut sums = vec![
-        ("the number of contours", f64::from(s.contours), f64::from(contours)),
-        ("the number of open contours", f64::from(s.open_contours), f64::from(open)),
+        ("the number of contours", f64::from(s.contours), contours),
+        ("the number of open contours", f64::from(s.open_contours), open),
         ("the number of parts", f64::from(s.parts), f64::from(parts)),
         ("the number of piercings", f64::from(s.pierces), f64::from(pierces)),
-        ("the number of pre-cuts", f64::from(s.pre_cuts), 0.0),
+        ("the number of pre-cuts", f64::from(s.pre_cuts), f64::from(pre_cuts)),
         ("the length of air moves", s.air_length, air_length),
         ("the length of cuts", s.cut_length, cut_length),
         ("the time of air moves", s.air_time, air_seconds),
         ("the time of cuts", s.cut_time, cut_seconds),
         ("the time of piercing", s.pierce_time, pierce_seconds),
-        ("the time of pre-cuts", s.pre_cut_time, 0.0),
+        ("the time of pre-cuts", s.pre_cut_time, pre_cut_seconds),
         ("the time of macros", s.macro_time, 0.0),
         ("the total time", s.total_time, total),
     ];

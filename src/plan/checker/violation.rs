@@ -54,6 +54,24 @@ pub enum Violation {
         /// Which contour.
         contour: u32,
     },
+    /// Left unfinished and resumed where that is not allowed.
+    #[error("move {step} goes on with contour {contour}, which is to be worked in one go")]
+    Left {
+        /// Which move.
+        step: usize,
+        /// Which contour.
+        contour: u32,
+    },
+    /// Resumed while what was begun after it is unfinished.
+    #[error("move {step} goes on with contour {contour} before contour {inner}, begun after it, is finished")]
+    Crossed {
+        /// Which move.
+        step: usize,
+        /// Which contour.
+        contour: u32,
+        /// The one that is unfinished.
+        inner: u32,
+    },
     /// Never worked.
     #[error("contour {contour} is not worked")]
     Missing {
@@ -82,8 +100,8 @@ pub enum Violation {
         /// Length there is, mm.
         length: f64,
     },
-    /// An outer contour is cut before something inside it.
-    #[error("contour {outer} is cut before contour {inner} inside it")]
+    /// An outer contour is finished before something inside it.
+    #[error("contour {outer} is finished before contour {inner} inside it")]
     CutFree {
         /// The outer contour.
         outer: u32,

@@ -104,6 +104,7 @@ impl<'p> Slide<'p> {
             }
         }
         (_, self.stop.along, self.entry) = best;
+        self.stop.until = self.stop.along;
         self.exit = self.entry;
     }
 }

@@ -128,7 +128,7 @@ impl<'p> Space<'p> {
     pub(super) fn stop(&self, item: u32, at: u32) -> Stop {
         let first = self.problem.items[item as usize].nodes.start;
         match self.kind[item as usize] {
-            Kind::Ring => Stop { node: first, along: self.spacing(item) * f64::from(at) },
+            Kind::Ring => Stop::whole(first, self.spacing(item) * f64::from(at)),
             Kind::Open | Kind::Loose => Stop::at(self.problem, first + at),
         }
     }

@@ -41,7 +41,7 @@ fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Problem {
         let before = (item + 1 < count && dice.below(2) == 0)
             .then(|| item + 1 + dice.below(u64::from(count - item - 1)));
         let end = NodeId::try_from(nodes.len()).unwrap();
-        items.push(Item { nodes: first..end, before, rank, fixed: 0.0, track: None });
+        items.push(Item { nodes: first..end, before, rank, fixed: 0.0, leave: None, track: None });
     }
     let machine = machine::preset(machine).unwrap();
     Problem { items, nodes, home: DVec2::new(-20.0, 10.0), closed, machine, pairs: Vec::new(), table: None }
@@ -98,7 +98,7 @@ fn circles(centers: &[DVec2]) -> Problem {
         let path = Path::new(vec![Segment::Arc(Arc::circle(c, 10.0))], true);
         let entry = c + DVec2::new(10.0, 0.0);
         nodes.push(Node { item, entry, exit: entry, along: 0.0, reversed: false, twin: item });
-        Item { nodes: item..item + 1, before: None, rank: 0, fixed: 0.0, track: Some(path) }
+        Item { nodes: item..item + 1, before: None, rank: 0, fixed: 0.0, leave: None, track: Some(path) }
     });
     let items = items.collect();
     let machine = machine::preset("length").unwrap();

@@ -1,0 +1,120 @@
+//! Which contours are worked when: in one go or, where the machine allows it, left unfinished and resumed.
+//!
+//! The cuts of a contour, in order, are followed as one: each must go on from where the one before it ended, and
+//! together they must be the contour, once. What is worked between two cuts of a contour is worked wholly between them.
+
+use super::coverage::{Fault, follows};
+use super::violation::Violation;
+use super::{SAME, rounding};
+use crate::geometry::Segment;
+use crate::machine::Profile;
+use crate::sheet::{Operation, Sheet};
+
+/// What has been done to one contour.
+#[derive(Clone, Default)]
+struct Work {
+    /// Index of its first and last move.
+    steps: Option<(usize, usize)>,
+    /// Everything cut of it, mm in all.
+    path: Vec<Segment>,
+    length: f64,
+    /// May be resumed without piercing.
+    ready: bool,
+}
+
+/// The contours of a sheet as they are worked.
+pub(super) struct Visits<'s> {
+    sheet: &'s Sheet,
+    /// What a pre-cut costs; `None`: nothing may be left.
+    pre_cut: Option<f64>,
+    work: Vec<Work>,
+    /// Begun and not finished, the outermost first.
+    open: Vec<u32>,
+    /// The contours of all cuts in order.
+    pub(super) order: Vec<u32>,
+}
+
+impl<'s> Visits<'s> {
+    pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
+        let work = vec![Work::default(); sheet.contours.len()];
+        Self { sheet, pre_cut: machine.pre_cut_time, work, open: Vec::new(), order: Vec::new() }
+    }
+
+    /// Whether a contour was begun and something of it is left.
+    pub(super) fn is_unfinished(&self, contour: u32) -> bool {
+        self.open.contains(&contour)
+    }
+
+    /// Whether a contour may go on without piercing.
+    pub(super) fn is_ready(&self, contour: u32) -> bool {
+        self.pre_cut == Some(0.0) || self.work.get(contour as usize).is_some_and(|w| w.ready)
+    }
+
+    /// A pre-cut after the cut of a contour: whether there is anything to make it for.
+    pub(super) fn pre_cut(&mut self, contour: u32) -> bool {
+        let fits = self.is_unfinished(contour) && self.pre_cut.is_some_and(|seconds| seconds > 0.0);
+        if let Some(work) = self.work.get_mut(contour as usize) {
+            work.ready = fits;
+        }
+        fits
+    }
+
+    /// The next cut.
+    pub(super) fn cut(&mut self, step: usize, contour: u32, path: &[Segment], found: &mut Vec<Violation>) {
+        let (Some(known), Some(work)) =
+            (self.sheet.contours.get(contour as usize), self.work.get_mut(contour as usize))
+        else {
+            found.push(Violation::Unknown { step, contour });
+            return;
+        };
+        let length = known.path.length() - SAME - known.path.segments.iter().map(rounding).sum::<f64>();
+        if let Some((first, _)) = work.steps {
+            if work.length >= length {
+                found.push(Violation::Again { step, contour });
+                return;
+            }
+            let may_be_left =
+                self.pre_cut.is_some() && known.path.closed && known.operation == Operation::Cut;
+            if !may_be_left {
+                found.push(Violation::Left { step, contour });
+            }
+            if let Some(&inner) = self.open.last().filter(|&&last| last != contour) {
+                found.push(Violation::Crossed { step, contour, inner });
+            }
+            work.steps = Some((first, step));
+        } else {
+            work.steps = Some((step, step));
+            self.open.push(contour);
+        }
+        work.path.extend(path);
+        work.length += path.iter().map(Segment::length).sum::<f64>();
+        work.ready = false;
+        if work.length >= length {
+            self.open.retain(|&o| o != contour);
+        }
+        self.order.push(contour);
+    }
+
+    /// The move at which a contour was last cut.
+    pub(super) fn ends(&self, contour: u32) -> Option<usize> {
+        self.work.get(contour as usize)?.steps.map(|s| s.1)
+    }
+
+    /// After the last move: every contour once and wholly.
+    pub(super) fn finish(&self, found: &mut Vec<Violation>) {
+        for ((contour, work), known) in (0..).zip(&self.work).zip(&self.sheet.contours) {
+            let Some((_, step)) = work.steps else {
+                if known.path.segments.iter().any(|s| s.length() > SAME) {
+                    found.push(Violation::Missing { contour });
+                }
+                continue;
+            };
+            if let Err(fault) = follows(&known.path, &work.path) {
+                found.push(match fault {
+                    Fault::Strays(at) => Violation::Strays { step, contour, at },
+                    Fault::Length { worked, length } => Violation::Partly { step, contour, worked, length },
+                });
+            }
+        }
+    }
+}
