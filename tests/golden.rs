@@ -6,9 +6,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use kerfway::job::{Job, LoadOptions, OutputKind, PlanOptions, SliceEnd};
+mod support;
+
+use kerfway::job::{Job, LoadOptions, OutputKind, PlanOptions};
 use std::fs;
 use std::path::PathBuf;
+use support::crew;
 
 #[derive(serde::Deserialize)]
 struct Case {
@@ -28,12 +31,16 @@ fn cases() -> Vec<Case> {
 
 /// Plans a case in slices of `work` moves.
 fn planned(case: &Case, work: u64) -> String {
+    let jobs: Vec<Job> = (0..case.plan.workers.unwrap_or(1)).map(|member| started(case, member)).collect();
+    crew::planned(jobs, work).output(OutputKind::Json).unwrap()
+}
+
+fn started(case: &Case, member: u32) -> Job {
     let bytes = fs::read(at("fixtures").join(&case.drawing)).unwrap();
     let name = case.drawing.rsplit('/').next().unwrap();
     let mut job = Job::load(bytes, name, &case.load).unwrap();
-    job.start(&case.plan).unwrap();
-    while job.run_mut().unwrap().step(work).end == SliceEnd::Running {}
-    job.output(OutputKind::Json).unwrap()
+    job.start(&PlanOptions { member, ..case.plan.clone() }).unwrap();
+    job
 }
 
 #[test]

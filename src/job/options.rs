@@ -180,9 +180,35 @@ pub struct PlanOptions {
     pub seconds: Option<f64>,
     /// When to stop: moves of the search.
     pub moves: Option<u64>,
+    /// Searches side by side that hand on the best path at fixed counts of moves; `None`: one.
+    pub workers: Option<u32>,
+    /// Which of them this is: each draws on random numbers of its own, the first on those of the seed itself.
+    pub member: u32,
 }
 
+/// Searches side by side at most: more workers than any machine of today has cores gain nothing.
+const WORKERS: std::ops::RangeInclusive<u32> = 1..=64;
+
 impl PlanOptions {
+    /// Searches side by side.
+    pub fn workers(&self) -> Result<u32, JobError> {
+        let workers = self.workers.unwrap_or(1);
+        if WORKERS.contains(&workers) {
+            return Ok(workers);
+        }
+        Err(JobError::Options(format!(
+            "The number of workers is {workers}. Give one from {} to {}.",
+            WORKERS.start(),
+            WORKERS.end()
+        )))
+    }
+
+    /// What decides the random choices of this member: far apart for neighbouring seeds and members.
+    pub(super) fn stream(&self) -> u64 {
+        // The odd constant of Weyl sequences, 2^64 / golden ratio: multiples of it are spread evenly over 64 bits.
+        self.seed ^ u64::from(self.member).wrapping_mul(0x9E37_79B9_7F4A_7C15)
+    }
+
     /// When to stop.
     pub fn budget(&self) -> Budget {
         Budget { seconds: self.seconds, moves: self.moves }

@@ -1,7 +1,7 @@
 //! A plan under way: the problem, the search that works on it, its budget and what it has found.
 
 use super::options::{Budget, PlanOptions};
-use super::{Baselines, JobError, warm};
+use super::{Baselines, JobError, Warm, warm};
 use crate::machine::Profile;
 use crate::plan::{self, Plan};
 use crate::problem::{self, Problem};
@@ -52,6 +52,8 @@ pub struct Run {
     pub seed: u64,
     /// When it stops.
     pub budget: Budget,
+    /// Searches side by side, this one among them.
+    pub workers: u32,
     /// How the job would run without it.
     pub baselines: Baselines,
     /// Moves worked off so far, as the search counts what it was given: its telemetry may run ahead by the last move's
@@ -73,15 +75,16 @@ impl Run {
         let greedy = solve::greedy(&problem);
         let baselines =
             Baselines { drawing: summary(&solve::drawing_order(sheet, &problem)), greedy: summary(&greedy) };
-        let seed = options.seed;
+        let (workers, stream) = (options.workers()?, options.stream());
         let warm = options.warm.as_ref().map(|w| warm::solution(w, &problem)).transpose()?;
         let running =
-            Running::new(problem, |p| method.start(p, seed, Some(warm.as_ref().unwrap_or(&greedy))));
+            Running::new(problem, |p| method.start(p, stream, Some(warm.as_ref().unwrap_or(&greedy))));
         Ok(Self {
             machine,
             method: method.info(),
-            seed,
+            seed: options.seed,
             budget: options.budget(),
+            workers,
             baselines,
             moves: 0,
             running,
@@ -102,6 +105,14 @@ impl Run {
             Status::Running => SliceEnd::Running,
         };
         Slice { done: step.done, improved: step.improved, end }
+    }
+
+    /// Takes over a path found by another search, if it is better: true when it was.
+    pub fn offer(&mut self, path: &Warm) -> Result<bool, JobError> {
+        let found = warm::solution(path, self.problem())?;
+        let better = found.cost < self.best().cost;
+        self.running.with_dependent_mut(|_, search| search.offer(&found));
+        Ok(better)
     }
 
     /// Grants another budget on top of what is done.

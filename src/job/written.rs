@@ -65,7 +65,12 @@ impl Job {
                 machine: &run.machine,
                 method: run.method.name,
                 seed: run.seed,
-                budget: Budget { moves: run.budget.moves, seconds: run.budget.seconds, done: run.moves },
+                budget: Budget {
+                    moves: run.budget.moves,
+                    seconds: run.budget.seconds,
+                    done: run.moves,
+                    workers: (run.workers > 1).then_some(run.workers),
+                },
                 plan: &plan,
             }),
         })

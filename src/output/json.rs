@@ -48,6 +48,9 @@ pub struct Budget {
     pub seconds: Option<f64>,
     /// Moves done.
     pub done: u64,
+    /// Searches side by side, each with this budget; `None`: one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub workers: Option<u32>,
 }
 
 /// A plan with all it came from.

@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = "import type {
-  Baselines, BestPath, Budget, Geometry, Loaded, LoadOptions, MachineProfile, MethodInfo, PlanOptions, Slice, Summary,
+  Baselines, BestPath, Budget, Geometry, Loaded, LoadOptions, MachineProfile, MethodInfo, PlanOptions, Slice, Summary, WarmPath,
 } from '../protocol.js';";
 
 #[wasm_bindgen]
@@ -108,6 +108,14 @@ impl Job {
     ) -> Result<(), JsError> {
         self.0.run_mut()?.extend(options::<Budget>(more)?);
         Ok(())
+    }
+
+    /// Takes over a path found by another search, if it is better: true when it was.
+    pub fn offer(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "WarmPath")] path: JsValue,
+    ) -> Result<bool, JsError> {
+        Ok(self.0.run_mut()?.offer(&options(path)?)?)
     }
 
     /// Moves done so far.

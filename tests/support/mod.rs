@@ -9,6 +9,7 @@
 )]
 
 pub mod compare;
+pub mod crew;
 pub mod dxf_text;
 pub mod mutate;
 pub mod promises;

@@ -170,7 +170,7 @@ pub(crate) fn document(sheet: &Sheet, plan: &Plan) -> String {
         machine: &machine(),
         method: "greedy",
         seed: 1,
-        budget: Budget { moves: Some(1000), seconds: None, done: 1000 },
+        budget: Budget { moves: Some(1000), seconds: None, done: 1000, workers: None },
         plan,
     })
 }

@@ -4,6 +4,7 @@
  * nothing that was reached is lost.
  */
 
+import { Crew, type Drawing } from './crew.js';
 import { Line, PATIENCE, type StartWorker } from './line.js';
 import { RunningPlan, type PlanHandle, type PlanMessage } from './plan-handle.js';
 import type {
@@ -47,12 +48,6 @@ const CLOSED = 'The planner was closed.';
 /** The messages that answer a request for good. */
 const FINAL = new Set(['loaded', 'output', 'done', 'failed']);
 
-interface Drawing {
-  bytes: ArrayBuffer;
-  name: string;
-  options: LoadOptions;
-}
-
 interface Request {
   resolve: (answer: never) => void;
   reject: (error: Error) => void;
@@ -81,7 +76,16 @@ export class Planner {
   private restoring = false;
   private closed = false;
 
-  private constructor(private readonly parts: Parts) {}
+  /** The workers that help with a plan. */
+  private readonly crew: Crew;
+
+  private constructor(private readonly parts: Parts) {
+    this.crew = new Crew({
+      ...parts,
+      toFirst: (message) => this.line.post(message),
+      tell: (message) => this.tell(message),
+    });
+  }
 
   /** A planner whose worker is ready. */
   static async open(parts: Parts): Promise<Planner> {
@@ -120,6 +124,7 @@ export class Planner {
   continue(budget: Budget, onProgress: (progress: Progress) => void = () => {}): PlanHandle {
     const plan = this.newPlan({ ...this.current?.options, ...budget }, onProgress);
     if (this.current !== null) plan.follow(this.current);
+    this.crew.again(plan.id, budget);
     return this.begin(plan, { type: 'continue', id: plan.id, budget });
   }
 
@@ -136,12 +141,17 @@ export class Planner {
   /** Ends the worker; whatever was under way is told so. */
   close(): void {
     this.closed = true;
+    this.crew.close();
     this.line.close();
     this.abandon(CLOSED);
   }
 
   private newPlan(options: PlanOptions, onProgress: (progress: Progress) => void): RunningPlan {
-    return new RunningPlan(++this.lastId, options, onProgress, (message) => this.whenReady(message));
+    const id = ++this.lastId;
+    return new RunningPlan(id, options, onProgress, (message) => {
+      this.whenReady(message);
+      if (this.crew.works(id)) this.crew.post(message);
+    });
   }
 
   private begin(plan: RunningPlan, message: ToWorker): PlanHandle {
@@ -198,8 +208,12 @@ export class Planner {
     const plan = this.plans.get(message.id);
     const request = this.requests.get(message.id);
     if (plan !== undefined) {
-      plan.hear(message as PlanMessage);
-      if (plan.ended) this.plans.delete(message.id);
+      const { workers = 1 } = plan.options;
+      if (message.type === 'started' && workers > 1 && this.drawing !== null) {
+        this.crew.begin(plan.id, { ...plan.options, seed: message.seed }, this.drawing);
+      }
+      if (this.crew.works(plan.id)) this.crew.hear(0, message);
+      else this.tell(message as PlanMessage);
     } else if (request !== undefined && FINAL.has(message.type)) {
       this.requests.delete(message.id);
       if (message.type === 'failed') request.reject(new Error(message.message));
@@ -207,10 +221,19 @@ export class Planner {
     }
   }
 
+  private tell(message: PlanMessage): void {
+    const plan = this.plans.get(message.id);
+    plan?.hear(message);
+    if (plan?.ended === true) this.plans.delete(message.id);
+    this.attend();
+  }
+
   // Judges the silence of the worker by what it has to do.
   private attend(): void {
     const plans = [...this.plans.values()].filter((p) => !p.paused);
-    const searching = plans.length > 0 && plans.every((p) => p.begun !== null) && this.requests.size === 0;
+    // One of several may wait for the others without a word.
+    const talks = (p: RunningPlan) => p.begun !== null && !this.crew.works(p.id);
+    const searching = plans.length > 0 && plans.every(talks) && this.requests.size === 0;
     const busy = plans.length > 0 || this.requests.size > 0;
     this.line.expect(searching ? 'searching' : busy ? 'working' : 'idle');
   }
@@ -247,6 +270,7 @@ export class Planner {
   }
 
   private abandon(message: string): void {
+    this.crew.end();
     for (const request of this.requests.values()) request.reject(new Error(message));
     for (const plan of this.plans.values()) plan.interrupt(message);
     this.requests.clear();

@@ -138,7 +138,20 @@ export interface PlanOptions extends Budget {
   /** Decides every random choice. Default: invented, and told in the result. */
   seed?: number;
   /** A path to start from. */
-  warm?: Pick<BestPath, 'contours' | 'along' | 'reversed'> & Partial<Pick<BestPath, 'until'>>;
+  warm?: WarmPath;
+  /**
+   * Searches side by side, each in a worker of its own and on random numbers of its own, that hand the best path on
+   * at fixed counts of moves; a budget in moves is that of each. Default 1; the same number gives the same bytes.
+   */
+  workers?: number;
+}
+
+/** As much of a path as a search needs to start from it. */
+export type WarmPath = Pick<BestPath, 'contours' | 'along' | 'reversed'> & Partial<Pick<BestPath, 'until'>>;
+
+/** What a worker is told of its place among others: which of the random streams of the seed is its own. */
+export interface Membership {
+  member?: number;
 }
 
 /** What a plan adds up to, mm and s; see `plan/model.rs`. */
@@ -224,9 +237,11 @@ export type ToWorker =
   | { type: 'load'; id: number; bytes: ArrayBuffer; name: string; options: LoadOptions }
   /** Reads the bytes of the last load again with other options. */
   | { type: 'reload'; id: number; options: LoadOptions }
-  | { type: 'plan'; id: number; options: PlanOptions }
+  | { type: 'plan'; id: number; options: PlanOptions & Membership }
   /** Goes on with the plan that is done, for another budget. */
   | { type: 'continue'; id: number; budget: Budget }
+  /** All have met: goes on, from a better path if there is one. After the end it is taken over and told in `done`. */
+  | { type: 'meet'; id: number; path: WarmPath | null }
   | { type: 'pause' }
   | { type: 'resume' }
   | { type: 'stop' }
@@ -237,6 +252,8 @@ export type FromWorker =
   | { type: 'loaded'; id: number; loaded: Loaded }
   | { type: 'started'; id: number; seed: number; method: string; baselines: Baselines }
   | { type: 'progress'; id: number; progress: Progress }
+  /** One of several searches has come to where they meet, and waits. */
+  | { type: 'meeting'; id: number; progress: Progress }
   | { type: 'bound'; id: number; lowerBound: number }
   | { type: 'done'; id: number; reason: DoneReason; progress: Progress }
   | { type: 'output'; id: number; kind: OutputKind; data: string | Uint8Array }

@@ -4,12 +4,13 @@
  */
 
 import type { Job } from './pkg/kerfway.js';
-import type { Budget, DoneReason, Progress, Summary } from './protocol.js';
+import type { Budget, DoneReason, Progress, Summary, WarmPath } from './protocol.js';
 
 /** What a search tells. */
 export interface Listener {
   progress(message: { id: number; progress: Progress }): void;
   done(message: { id: number; reason: DoneReason; progress: Progress }): void;
+  meeting(message: { id: number; progress: Progress }): void;
   failed(id: number, error: unknown): void;
 }
 
@@ -25,12 +26,21 @@ const TELLING_SHARE = 4;
 const FIRST_WORK = 256;
 /** The most moves asked for at once: fits the 32 bits of the call. */
 const MOST_WORK = 1e9;
+/**
+ * Moves at which several searches meet: first after so many, a third of a second's worth, then as often as they double,
+ * as the cycles of the search do, and from the second on after so many each, some five seconds' worth.
+ */
+const MEETINGS = { first: 2 ** 20, apart: 2 ** 24 };
 
 export class Search {
   private id = -1;
   private work = FIRST_WORK;
   private scheduled = false;
   private state: 'running' | 'paused' | 'ended' = 'ended';
+  /** Moves at which the others are met; none when alone. */
+  private meetAt = Infinity;
+  /** When it came to where they meet; it waits. */
+  private waitingSince: number | null = null;
   /** Milliseconds of work, pauses left out. */
   private worked = 0;
   /** When this budget is used up, on the same clock. */
@@ -44,7 +54,10 @@ export class Search {
   constructor(
     private readonly job: Job,
     private readonly listener: Listener,
-  ) {}
+    workers = 1,
+  ) {
+    if (workers > 1) this.meetAt = MEETINGS.first;
+  }
 
   /** Starts on a budget; every message bears this id. */
   run(id: number, budget: Budget): void {
@@ -76,6 +89,18 @@ export class Search {
     if (this.state !== 'ended') this.end('stopped');
   }
 
+  /** Goes on after a meeting; after the end, takes the path over and tells it. */
+  meet(path: WarmPath | null): void {
+    if (path !== null) this.untold = this.job.offer(path) || this.untold;
+    if (this.state === 'ended') return this.end('stopped');
+    if (this.waitingSince === null) return;
+    // Seconds are granted by the clock: waiting counts.
+    this.worked += performance.now() - this.waitingSince;
+    this.waitingSince = null;
+    this.meetAt += Math.min(this.meetAt, MEETINGS.apart);
+    this.schedule();
+  }
+
   // One slice waits at most, also when a pause and a resume come before it has its turn.
   private schedule(): void {
     if (this.scheduled) return;
@@ -85,13 +110,15 @@ export class Search {
 
   private readonly slice = (): void => {
     this.scheduled = false;
-    if (this.state !== 'running') return;
+    if (this.state !== 'running' || this.waitingSince !== null) return;
     try {
       const start = performance.now();
-      const { done, improved, end } = this.job.step(Math.round(this.work));
+      const toMeeting = this.meetAt - this.job.moves();
+      const { done, improved, end } = this.job.step(Math.min(Math.round(this.work), toMeeting));
       this.account(done, improved, performance.now() - start);
       if (end !== 'running') return this.end(end);
       if (this.worked >= this.until) return this.end('budget');
+      if (done === toMeeting) return this.wait();
       const now = performance.now();
       if ((this.untold && now >= this.tellAfter) || now >= this.pulseAt) this.tell();
       this.schedule();
@@ -100,6 +127,12 @@ export class Search {
       this.listener.failed(this.id, error);
     }
   };
+
+  private wait(): void {
+    this.waitingSince = performance.now();
+    this.untold = true;
+    this.listener.meeting({ id: this.id, progress: this.progress() });
+  }
 
   private account(done: number, improved: boolean, ms: number): void {
     this.worked += ms;
@@ -114,6 +147,7 @@ export class Search {
   // The last message always holds the path, told before or not: whoever waits for the end alone has all of it.
   private end(reason: DoneReason): void {
     this.state = 'ended';
+    this.waitingSince = null;
     this.untold = true;
     this.listener.done({ id: this.id, reason, progress: this.progress() });
   }
@@ -128,14 +162,13 @@ export class Search {
   }
 
   private progress(): Progress {
-    let path: Progress['path'] = null;
-    if (this.untold || this.summary === null) {
-      const best = this.job.best();
-      path = best.path;
-      this.summary = best.summary;
+    let [path, summary]: [Progress['path'], Summary | null] = [null, this.summary];
+    if (this.untold || summary === null) {
+      ({ path, summary } = this.job.best());
+      this.summary = summary;
       this.untold = false;
     }
-    return { moves: this.job.moves(), seconds: this.worked / 1000, rate: this.rate, summary: this.summary, path };
+    return { moves: this.job.moves(), seconds: this.worked / 1000, rate: this.rate, summary, path };
   }
 }
 

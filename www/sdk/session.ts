@@ -4,7 +4,7 @@
  */
 
 import { initSync, Job, machines, methods } from './pkg/kerfway.js';
-import type { FromWorker, LoadOptions, OutputKind, PlanOptions, ToWorker } from './protocol.js';
+import type { FromWorker, LoadOptions, Membership, OutputKind, PlanOptions, ToWorker } from './protocol.js';
 import { Search } from './search.js';
 
 /** What a session needs of the place it runs in. */
@@ -62,6 +62,9 @@ export class Session {
         this.search.stop();
         this.search.extend(message.id, message.budget);
         return;
+      case 'meet':
+        this.search?.meet(message.path);
+        return;
       case 'pause':
         this.search?.pause();
         return;
@@ -89,7 +92,7 @@ export class Session {
     this.host.post({ type: 'loaded', id, loaded }, buffers([...arrays, loaded.ignored.layers]));
   }
 
-  private plan(id: number, options: PlanOptions): void {
+  private plan(id: number, options: PlanOptions & Membership): void {
     const job = this.loaded();
     const budget = options.moves === undefined && options.seconds === undefined ? { seconds: DEFAULT_SECONDS } : {};
     const seed = options.seed ?? inventSeed();
@@ -98,8 +101,9 @@ export class Session {
     this.search = new Search(job, {
       progress: (progress) => this.host.post({ type: 'progress', ...progress }, pathBuffers(progress.progress)),
       done: (done) => this.host.post({ type: 'done', ...done }, pathBuffers(done.progress)),
+      meeting: (met) => this.host.post({ type: 'meeting', ...met }, pathBuffers(met.progress)),
       failed: (of, error) => this.fail(of, error),
-    });
+    }, options.workers);
     this.search.run(id, { ...options, ...budget });
   }
 

@@ -12,6 +12,12 @@ import { initialState, type Question, type Search, type State } from './state.js
 /** Milliseconds typed numbers rest before the plan starts anew, so that it does not at each digit. */
 const SETTLE = 350;
 
+/**
+ * Searches side by side: a core is left for the page and the person's other work; more than four hold the drawing more
+ * often than they gain.
+ */
+const WORKERS = Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4);
+
 interface Events extends Record<string, unknown> {
   /** Anything but progress changed. */
   change: State;
@@ -234,7 +240,7 @@ export class Session extends Emitter<Events> {
     }
     const { method, seed, seconds } = state.search;
     state.budget = seconds;
-    const options = { machine: state.machine, method, seconds, ...(seed === null ? {} : { seed }) };
+    const options = { machine: state.machine, method, seconds, workers: WORKERS, ...(seed === null ? {} : { seed }) };
     this.follow(planner.plan(options, (p) => this.hear(p, wish)), wish);
   }
 

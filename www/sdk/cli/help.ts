@@ -20,6 +20,7 @@ How to plan:
   --method NAME        see kerfway methods
   --seconds S          how long to search (default 10)
   --moves N            how many moves to search: the same result everywhere
+  --workers N          searches side by side that share the best path (default 1)
   --seed N             decides every random choice
   --no-return          stay where the last cut ends
 

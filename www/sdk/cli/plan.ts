@@ -12,7 +12,7 @@ const DEFAULT_MACHINE = 'co2-100w';
 
 const OPTIONS = {
   ...READING,
-  ...Object.fromEntries([...OUTPUTS, 'machine', 'method', 'seconds', 'moves', 'seed'].map((o) => [o, { type: 'string' }])),
+  ...Object.fromEntries([...OUTPUTS, 'machine', 'method', 'seconds', 'moves', 'workers', 'seed'].map((o) => [o, { type: 'string' }])),
   'no-return': { type: 'boolean' },
 } as const;
 
@@ -26,7 +26,8 @@ export async function plan(args: string[]): Promise<void> {
   const { file, values } = given;
   const outputs = outputsOf(given);
   const load = loadOptions(values);
-  const budget = { seconds: seconds(values), moves: whole(values, 'moves'), seed: whole(values, 'seed') };
+  const [moves, workers, seed] = ['moves', 'workers', 'seed'].map((name) => whole(values, name));
+  const budget = { seconds: seconds(values), moves, workers, seed };
   const bytes = await bytesOf(file);
   const planner = await createPlanner();
   try {
@@ -100,7 +101,7 @@ function showProgress({ seconds, rate, summary }: Progress): void {
   process.stderr.write(`\r\x1b[K${seconds.toFixed(1)} s  job ${duration(summary.total_time)}  ${pace} moves a second`);
 }
 
-function told(file: string, loaded: Loaded, result: PlanResult, { machine }: PlanOptions): string {
+function told(file: string, loaded: Loaded, result: PlanResult, { machine, workers = 1 }: PlanOptions): string {
   const { summary: s, moves, seconds } = result.progress;
   const { drawing, greedy } = result.baselines;
   const findings = loaded.findings.filter((f) => f.severity !== 'info').length;
@@ -110,7 +111,8 @@ function told(file: string, loaded: Loaded, result: PlanResult, { machine }: Pla
     `Job        ${duration(s.total_time)}: cut ${duration(s.cut_time)}, air ${duration(s.air_time)} ` +
       `(${meters(s.air_length)}), pierce ${duration(s.pierce_time)}`,
     `Before     ${duration(drawing.total_time)} as drawn, ${duration(greedy.total_time)} nearest first`,
-    `Search     ${result.method}, seed ${result.seed}, ${moves} moves in ${seconds.toFixed(1)} s; ` +
+    `Search     ${result.method}, seed ${result.seed}, ${moves} moves in ${seconds.toFixed(1)} s` +
+      `${workers > 1 ? ` by ${workers} workers` : ''}; ` +
       `machine ${(machine as MachineProfile).name}`,
   ];
   if (findings > 0) lines.push(`Findings   ${findings}: kerfway inspect ${file} tells them`);
