@@ -59,7 +59,9 @@ fn plans_are_the_bytes_expected() {
 fn slices_of_any_size_give_the_same_plan() {
     for case in cases() {
         let whole = planned(&case, u64::MAX);
-        for work in [1, 7, 1000] {
+        // Millions of moves in slices of one would take minutes.
+        let slices: &[u64] = if case.plan.workers.is_some() { &[4097] } else { &[1, 7, 1000] };
+        for &work in slices {
             assert!(planned(&case, work) == whole, "{} in slices of {work} moves", case.name);
         }
     }

@@ -21,7 +21,7 @@ pub fn planned(mut jobs: Vec<Job>, work: u64) -> Job {
             end == SliceEnd::Running
         });
         share(&mut jobs, &waiting);
-        meet_at += meet_at.min(APART);
+        meet_at = meet_at.saturating_add(meet_at.min(APART));
     }
     let all: Vec<usize> = (0..jobs.len()).collect();
     share(&mut jobs, &all);
