@@ -31,7 +31,9 @@ pub fn planned(mut jobs: Vec<Job>, work: u64) -> Job {
 /// Offers the best path among some to all of them; of equals, the lowest number's.
 fn share(jobs: &mut [Job], among: &[usize]) {
     let total = |k: usize| jobs[k].plan().unwrap().summary.total_time;
-    let Some(best) = among.iter().copied().reduce(|a, b| if total(b) < total(a) { b } else { a }) else { return };
+    let Some(best) = among.iter().copied().reduce(|a, b| if total(b) < total(a) { b } else { a }) else {
+        return;
+    };
     let (path, _) = BestPath::of(jobs[best].run().unwrap(), jobs[best].sheet());
     let BestPath { contours, along, until, reversed, .. } = path;
     let warm = Warm { contours, along, until, reversed };
