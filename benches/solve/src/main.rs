@@ -1,0 +1,140 @@
+//! The search on benchmark instances, natively: `kerfway-bench-solve FILE... [--seconds S | --moves N] [--seeds K]
+//! [--first SEED] [--json]`. One line an instance, or one JSON line a run. Each run ends as soon as the best value
+//! known is reached, unless `--on` is given.
+
+mod source;
+
+use kerfway::solve::{self, Status};
+use source::Source;
+use std::time::Instant;
+
+/// Moves between two looks at the clock: about a millisecond.
+const SLICE: u64 = 5_000;
+
+struct Options {
+    files: Vec<String>,
+    seconds: f64,
+    moves: u64,
+    seeds: u64,
+    first: u64,
+    json: bool,
+    on: bool,
+}
+
+/// What one run came to.
+struct Run {
+    value: f64,
+    seconds: f64,
+    moves: u64,
+    /// Seconds until the best was found.
+    found: f64,
+    reached: bool,
+}
+
+fn main() {
+    let outcome = options().and_then(|options| {
+        for file in &options.files {
+            for source in Source::read(file)? {
+                bench(&source, &options)?;
+            }
+        }
+        Ok(())
+    });
+    if let Err(why) = outcome {
+        eprintln!("{why}");
+        std::process::exit(1);
+    }
+}
+
+fn options() -> Result<Options, String> {
+    let mut o = Options {
+        files: Vec::new(),
+        seconds: 10.0,
+        moves: u64::MAX,
+        seeds: 5,
+        first: 1,
+        json: false,
+        on: false,
+    };
+    let mut args = std::env::args().skip(1);
+    while let Some(word) = args.next() {
+        let mut number = || {
+            args.next().and_then(|n| n.parse::<f64>().ok()).ok_or_else(|| format!("{word} needs a number."))
+        };
+        match word.as_str() {
+            "--seconds" => o.seconds = number()?,
+            "--moves" => (o.moves, o.seconds) = (number()? as u64, f64::INFINITY),
+            "--seeds" => o.seeds = number()? as u64,
+            "--first" => o.first = number()? as u64,
+            "--json" => o.json = true,
+            "--on" => o.on = true,
+            _ => o.files.push(word),
+        }
+    }
+    Ok(o)
+}
+
+fn bench(source: &Source, options: &Options) -> Result<(), String> {
+    let mut runs = Vec::new();
+    for seed in options.first..options.first + options.seeds {
+        let run =
+            run(source, seed, options).map_err(|fault| format!("{} seed {seed}: {fault}", source.name))?;
+        if options.json {
+            let row = serde_json::json!({
+                "instance": source.name, "items": source.problem.items.len(), "nodes": source.problem.nodes.len(),
+                "known": source.known, "seed": seed, "value": run.value, "gap": gap(source, &run),
+                "seconds": run.seconds, "found": run.found, "moves": run.moves, "reached": run.reached,
+            });
+            println!("{row}");
+        }
+        runs.push(run);
+    }
+    if !options.json {
+        let gaps: Vec<f64> = runs.iter().filter_map(|r| gap(source, r)).collect();
+        let reached = runs.iter().filter(|r| r.reached).count();
+        let mut found: Vec<f64> = runs.iter().map(|r| r.found).collect();
+        found.sort_by(f64::total_cmp);
+        let best = runs.iter().map(|r| r.value).fold(f64::INFINITY, f64::min);
+        let rate =
+            runs.iter().map(|r| r.moves as f64).sum::<f64>() / runs.iter().map(|r| r.seconds).sum::<f64>();
+        let values: Vec<String> = runs.iter().take(8).map(|r| format!("{:.3}", r.value)).collect();
+        println!(
+            "{:28} {:4} items known {:10.3} best {best:10.3} reached {reached}/{} mean gap {:.3} % median found {:.3} s {:.1} M/s  {}",
+            source.name,
+            source.problem.items.len(),
+            source.known.unwrap_or(f64::NAN),
+            runs.len(),
+            gaps.iter().sum::<f64>() / gaps.len() as f64,
+            found[found.len() / 2],
+            rate / 1e6,
+            values.join(" "),
+        );
+    }
+    Ok(())
+}
+
+fn run(source: &Source, seed: u64, options: &Options) -> Result<Run, String> {
+    let clock = Instant::now();
+    let method = solve::method("tour-tree").ok_or("There is no default method.")?;
+    let mut search = method.start(&source.problem, seed, None);
+    let (mut moves, mut found) = (0, 0.0);
+    let reached = |cost: f64| source.known.is_some_and(|k| cost <= k + 1e-6);
+    let mut least = source.checked(search.best())?;
+    loop {
+        let step = search.step(SLICE.min(options.moves - moves));
+        moves += step.done;
+        if step.improved {
+            found = clock.elapsed().as_secs_f64();
+            least = source.checked(search.best())?;
+        }
+        let over = moves >= options.moves || clock.elapsed().as_secs_f64() >= options.seconds;
+        if over || step.status == Status::Exhausted || (reached(least) && !options.on) {
+            let seconds = clock.elapsed().as_secs_f64();
+            return Ok(Run { value: least, seconds, moves, found, reached: reached(least) });
+        }
+    }
+}
+
+fn gap(source: &Source, run: &Run) -> Option<f64> {
+    source.known.map(|known| 100.0 * (run.value - known) / known)
+}

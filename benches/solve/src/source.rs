@@ -1,0 +1,178 @@
+//! What is solved: instances of the TSPLIB family, the variants of Qu & Du's 43 contours, sheets.
+
+use kerfway::geometry::DVec2;
+use kerfway::job::{Job, LoadOptions};
+use kerfway::machine::{self, Profile};
+use kerfway::problem::{self, Instance, Item, Node, Problem};
+use kerfway::solve::Solution;
+use kerfway::{plan, sheet::Sheet};
+use serde_json::Value;
+use std::path::Path;
+
+/// Something to solve, and what others reach on it.
+pub struct Source {
+    pub name: String,
+    pub problem: Problem,
+    /// Best value known.
+    pub known: Option<f64>,
+    kind: Kind,
+}
+
+enum Kind {
+    Instance(Instance),
+    Points,
+    Sheet(Box<Sheet>),
+}
+
+impl Source {
+    /// The sources in a file.
+    pub fn read(file: &str) -> Result<Vec<Self>, String> {
+        let path = Path::new(file);
+        let text = || format!("{file} cannot be read.");
+        let bytes = std::fs::read(path).map_err(|_| text())?;
+        match path.extension().and_then(|e| e.to_str()) {
+            Some("json") => variants(&serde_json::from_slice(&bytes).map_err(|e| e.to_string())?),
+            Some("dxf") => Ok(vec![sheet(path, bytes)?]),
+            _ => {
+                let instance = problem::instance(&bytes).map_err(|e| format!("{file}: {e}"))?;
+                let name = stem(path);
+                let known = known(path, &name);
+                let problem = instance.problem.clone();
+                Ok(vec![Self { name, problem, known, kind: Kind::Instance(instance) }])
+            }
+        }
+    }
+
+    /// The length of a solution, checked by code that shares nothing with the search.
+    pub fn checked(&self, solution: &Solution) -> Result<f64, String> {
+        match &self.kind {
+            Kind::Instance(instance) => {
+                let tour = instance.tour(solution.stops.iter().map(|s| s.node));
+                problem::check(instance, &tour).map_err(|fault| fault.to_string())
+            }
+            Kind::Points => points_checked(&self.problem, solution),
+            Kind::Sheet(sheet) => {
+                let plan = plan::from_solution(sheet, &self.problem, solution);
+                plan::check(sheet, &self.problem.machine, &plan).map_err(|v| format!("{v:?}"))?;
+                Ok(plan.summary.air_length)
+            }
+        }
+    }
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem().map_or(String::new(), |s| s.to_string_lossy().into_owned())
+}
+
+/// The best value known, from the list beside the file; PCGLNS's where that is lower than the list's best.
+fn known(path: &Path, name: &str) -> Option<f64> {
+    let beside = |list: &str| {
+        let text = std::fs::read(path.parent()?.join(list)).ok()?;
+        serde_json::from_slice::<Value>(&text).ok()
+    };
+    if let Some(list) = beside("best_known.json") {
+        return list[name]["best"].as_f64();
+    }
+    let table = beside("../tsplib_table.json")?;
+    table["instances"].as_array()?.iter().find(|row| row["name"] == name)?["optimal"].as_f64()
+}
+
+fn sheet(path: &Path, bytes: Vec<u8>) -> Result<Source, String> {
+    let ignored =
+        r#"{"layers":[{"name":"SHEET","operation":"ignore"},{"name":"MARK","operation":"ignore"}]}"#;
+    let options: LoadOptions = serde_json::from_str(ignored).map_err(|e| e.to_string())?;
+    let job = Job::load(bytes, "sheet", &options).map_err(|e| e.to_string())?;
+    let sheet = Box::new(job.sheet().clone());
+    let problem = problem::from_sheet(&sheet, &preset("length")?);
+    let name = stem(path);
+    let best = [
+        ("sheet_100", 2737.496),
+        ("sheet_500", 11814.876),
+        ("sheet_2000", 35614.349),
+        ("sheet_10000", 83950.522),
+    ];
+    let known = best.iter().find(|b| b.0 == name).map(|b| b.1);
+    Ok(Source { name, problem, known, kind: Kind::Sheet(sheet) })
+}
+
+fn preset(name: &str) -> Result<Profile, String> {
+    machine::preset(name).ok_or_else(|| format!("There is no machine {name}."))
+}
+
+/// Lengths of the 43 contours of Qu & Du (data/README.md, table of optima), by machine, whether the tour is closed,
+/// and whether cuts start on the boundary only and holes come first.
+const QU_DU: [(&str, bool, bool, f64); 8] = [
+    ("length", false, false, 2545.445),
+    ("length", true, false, 2819.222),
+    ("length", false, true, 2550.624),
+    ("length", true, true, 2821.939),
+    ("length-chebyshev", false, false, 2205.600),
+    ("length-chebyshev", true, false, 2448.600),
+    ("length-chebyshev", false, true, 2214.500),
+    ("length-chebyshev", true, true, 2460.600),
+];
+
+fn variants(data: &Value) -> Result<Vec<Source>, String> {
+    QU_DU
+        .iter()
+        .map(|&(machine, closed, boundary, value)| {
+            let mut profile = preset(machine)?;
+            profile.return_home = closed;
+            let problem = points(data, profile, boundary).ok_or("The contours are not as expected.")?;
+            let way = if closed { "closed" } else { "open" };
+            let which = if boundary { "boundary" } else { "paper" };
+            let name =
+                format!("qu-du {} {way} {which}", if machine == "length" { "euclid" } else { "chebyshev" });
+            // The table gives three decimals.
+            Ok(Source { name, problem, known: Some(value + 0.0005), kind: Kind::Points })
+        })
+        .collect()
+}
+
+/// Contours entered at their feature points only.
+fn points(data: &Value, machine: Profile, boundary: bool) -> Option<Problem> {
+    let contours = data["contours"].as_array()?;
+    let (mut items, mut nodes): (Vec<Item>, Vec<Node>) = (Vec::new(), Vec::new());
+    for (contour, item) in contours.iter().zip(0..) {
+        let first = u32::try_from(nodes.len()).ok()?;
+        for point in contour["points"].as_array()? {
+            if boundary && point["on_boundary"] == false {
+                continue;
+            }
+            let entry = DVec2::new(point["x"].as_f64()?, point["y"].as_f64()?);
+            let twin = u32::try_from(nodes.len()).ok()?;
+            nodes.push(Node { item, entry, exit: entry, along: 0.0, reversed: false, twin });
+        }
+        let outer = contours.iter().position(|c| c["id"] == contour["parent"]).filter(|_| boundary);
+        let before = outer.and_then(|o| u32::try_from(o).ok());
+        items.push(Item {
+            nodes: first..u32::try_from(nodes.len()).ok()?,
+            before,
+            rank: 0,
+            fixed: 0.0,
+            track: None,
+        });
+    }
+    let (home, closed) = (DVec2::ZERO, machine.return_home);
+    Some(Problem { items, nodes, home, closed, machine, pairs: Vec::new(), table: None })
+}
+
+fn points_checked(problem: &Problem, solution: &Solution) -> Result<f64, String> {
+    let nodes: Vec<&Node> = solution.stops.iter().map(|s| &problem.nodes[s.node as usize]).collect();
+    let place = |item: u32| nodes.iter().position(|n| n.item == item);
+    for (item, id) in problem.items.iter().zip(0..) {
+        let late = item.before.is_some_and(|outer| place(outer) < place(id));
+        if late || nodes.iter().filter(|n| n.item == id).count() != 1 {
+            return Err(format!("Contour {} is cut too late or not once.", id + 1));
+        }
+    }
+    let end = problem.closed.then_some(problem.home);
+    let way: Vec<DVec2> =
+        [problem.home].into_iter().chain(nodes.iter().map(|n| n.entry)).chain(end).collect();
+    let chebyshev = problem.machine.name == "length-chebyshev";
+    Ok(way
+        .windows(2)
+        .map(|w| (w[1] - w[0]).abs())
+        .map(|d| if chebyshev { d.max_element() } else { d.length() })
+        .sum())
+}
