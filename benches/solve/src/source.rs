@@ -150,6 +150,7 @@ fn points(data: &Value, machine: Profile, boundary: bool) -> Option<Problem> {
             before,
             rank: 0,
             fixed: 0.0,
+            leave: None,
             track: None,
         });
     }
