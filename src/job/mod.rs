@@ -68,7 +68,7 @@ impl Job {
         let read_options = options.read_options()?;
         let sheet_options = options.sheet_options()?;
         let drawing = dxf::read(&bytes, &read_options)?;
-        let sheet = sheet::build(&drawing, &sheet_options);
+        let sheet = built(&drawing, &sheet_options)?;
         let sha256 = Sha256::digest(&bytes).iter().map(|b| format!("{b:02x}")).collect();
         Ok(Self {
             name: name.to_owned(),
@@ -87,11 +87,14 @@ impl Job {
     pub fn reload(&mut self, options: &LoadOptions) -> Result<(), JobError> {
         let read_options = options.read_options()?;
         let sheet_options = options.sheet_options()?;
-        if read_options != self.read_options {
-            self.drawing = dxf::read(&self.bytes, &read_options)?;
+        if read_options == self.read_options {
+            self.sheet = built(&self.drawing, &sheet_options)?;
+        } else {
+            let drawing = dxf::read(&self.bytes, &read_options)?;
+            self.sheet = built(&drawing, &sheet_options)?;
+            self.drawing = drawing;
             self.read_options = read_options;
         }
-        self.sheet = sheet::build(&self.drawing, &sheet_options);
         self.sheet_options = sheet_options;
         self.run = None;
         Ok(())
@@ -147,5 +150,16 @@ impl Job {
         } else {
             "every layer that holds something is left out. Set one to cut or mark."
         }
+    }
+}
+
+fn built(drawing: &Drawing, options: &SheetOptions) -> Result<Sheet, JobError> {
+    let sheet = sheet::build(drawing, options);
+    let count = sheet.contours.len();
+    match options.first.iter().chain(&options.last).find(|&&id| id as usize >= count) {
+        None => Ok(sheet),
+        Some(id) => Err(JobError::Options(format!(
+            "Contour {id} was to be worked first or last, but there are only {count}, counted from 0."
+        ))),
     }
 }

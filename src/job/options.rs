@@ -38,6 +38,12 @@ pub struct LoadOptions {
     pub order_by_layer: bool,
     /// Leave out the lone border around everything.
     pub ignore_outline: bool,
+    /// Work a part wholly, with all that lies in its holes, before the next one.
+    pub part_by_part: bool,
+    /// Contours worked before all others, by id.
+    pub first: Vec<u32>,
+    /// Contours worked after all others, by id.
+    pub last: Vec<u32>,
 }
 
 impl Default for LoadOptions {
@@ -51,6 +57,9 @@ impl Default for LoadOptions {
             layers: Vec::new(),
             order_by_layer: sheet.order_by_layer,
             ignore_outline: sheet.ignore_outline,
+            part_by_part: sheet.part_by_part,
+            first: sheet.first,
+            last: sheet.last,
         }
     }
 }
@@ -81,6 +90,9 @@ impl LoadOptions {
             layers: self.layers.iter().map(|l| (l.name.clone(), l.operation)).collect(),
             order_by_layer: self.order_by_layer,
             ignore_outline: self.ignore_outline,
+            part_by_part: self.part_by_part,
+            first: self.first.clone(),
+            last: self.last.clone(),
             ..SheetOptions::default()
         })
     }

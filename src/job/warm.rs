@@ -91,7 +91,9 @@ fn allowed(stops: &[Stop], problem: &Problem) -> bool {
             open.push(Open { item, start, left: stop.until });
         }
     }
+    let order = stops.iter().map(|s| problem.nodes[s.node as usize].item);
     open.is_empty()
+        && problem.groups.kept(order, |i| problem.items[i as usize].rank)
         && problem.items.iter().zip(&finished).all(|(item, at)| match at {
             None => item.nodes.is_empty(),
             Some(_) => item.before.is_none_or(|outer| finished[outer as usize].is_none_or(|o| Some(o) > *at)),
@@ -103,7 +105,7 @@ mod tests {
     use super::*;
     use crate::geometry::DVec2;
     use crate::machine;
-    use crate::problem::{Item, Node};
+    use crate::problem::{Groups, Item, Node};
 
     /// Three items with two entries each, the first inside the last.
     fn problem() -> Problem {
@@ -136,6 +138,7 @@ mod tests {
             closed: false,
             machine,
             pairs: Vec::new(),
+            groups: Groups::default(),
             table: None,
         }
     }

@@ -131,6 +131,9 @@ struct OptionsView<'a> {
     layers: Vec<LayerView<'a>>,
     order_by_layer: bool,
     ignore_outline: bool,
+    part_by_part: bool,
+    first: &'a [u32],
+    last: &'a [u32],
 }
 
 #[derive(Serialize)]
@@ -244,6 +247,9 @@ impl<'a> View<'a> {
                     .collect(),
                 order_by_layer: arrange.order_by_layer,
                 ignore_outline: arrange.ignore_outline,
+                part_by_part: arrange.part_by_part,
+                first: &arrange.first,
+                last: &arrange.last,
             },
             summary: &plan.summary,
             contours: (0..)

@@ -1,6 +1,7 @@
 //! From contours to a problem: one item a contour, entries along it, precedence from the nesting, order by rank.
 
 use super::entries::entries;
+use super::groups::Groups;
 use super::model::{Item, ItemId, Node, NodeId, Problem};
 use crate::machine::{Process, Profile, cut_time};
 use crate::order::sort_by;
@@ -10,10 +11,11 @@ use crate::sheet::{Contour, Operation, Sheet};
 ///
 /// * Nodes: see `entries.rs` for where a contour may be entered.
 /// * Precedence: a contour is cut after everything inside it, as what is cut free may shift.
-/// * Rank: by layer when the sheet is ordered by layer, and within it marks before cuts. A contour around another
+/// * Rank: what is pinned first or last, then by layer when the sheet is ordered by layer, then marks before cuts. A contour around another
 ///   one has at least that one's rank: where the order by layer would cut an outer contour first, the nesting wins.
 /// * Fixed seconds: piercing (cuts only), beam delays, and the run along the contour from its stored start.
-/// * Leaving: closed cuts may be left unfinished where the machine allows it.
+/// * Leaving: closed cuts may be left unfinished where the machine allows it, but not part by part.
+/// * Groups: the parts, when the sheet is worked part by part.
 pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
     let ranks = ranks(sheet);
     let mut items = Vec::with_capacity(sheet.contours.len());
@@ -26,7 +28,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
             before: contour.inside.filter(|&outer| outer != item && (outer as usize) < sheet.contours.len()),
             rank,
             fixed: fixed_seconds(machine, contour),
-            leave: leave_seconds(machine, contour),
+            leave: leave_seconds(machine, contour).filter(|_| !sheet.part_by_part),
             track: contour.path.closed.then(|| contour.path.clone()),
         });
     }
@@ -37,6 +39,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
         closed: machine.return_home,
         machine: machine.clone(),
         pairs: Vec::new(),
+        groups: if sheet.part_by_part { parts(sheet) } else { Groups::default() },
         table: None,
     }
 }
@@ -82,14 +85,28 @@ fn leave_seconds(machine: &Profile, contour: &Contour) -> Option<f64> {
         .map(|pre_cut| pre_cut + delays)
 }
 
-/// Rank of each contour: by layer, marks before cuts, never below that of anything inside it.
+/// The parts as groups, those in holes within those around them.
+fn parts(sheet: &Sheet) -> Groups {
+    let mut of = vec![None; sheet.contours.len()];
+    for (part, p) in (0..).zip(&sheet.parts) {
+        for &contour in p.holes.iter().chain([&p.outer]) {
+            if let Some(group) = of.get_mut(contour as usize) {
+                *group = Some(part);
+            }
+        }
+    }
+    Groups::new(of, sheet.parts.iter().map(|p| p.inside).collect())
+}
+
+/// Rank of each contour: by pin, by layer, marks before cuts, never below that of anything inside it.
 fn ranks(sheet: &Sheet) -> Vec<u32> {
+    let layers = 1 + sheet.layers.iter().map(|l| l.rank).max().unwrap_or(0);
     let mut ranks: Vec<u32> = sheet
         .contours
         .iter()
         .map(|c| {
             let layer = sheet.layers.get(c.layer as usize).map_or(0, |l| l.rank);
-            2 * layer + u32::from(c.operation == Operation::Cut)
+            2 * (layers * c.pin as u32 + layer) + u32::from(c.operation == Operation::Cut)
         })
         .collect();
     // Innermost first, so that a raised rank goes on outwards.

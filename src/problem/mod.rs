@@ -4,12 +4,14 @@
 mod buckets;
 mod entries;
 mod from_sheet;
+mod groups;
 mod instance;
 mod model;
 mod table;
 
 pub use buckets::Buckets;
 pub use from_sheet::from_sheet;
+pub use groups::Groups;
 pub use instance::{Fault, Instance, InstanceError, check, instance};
 pub use model::{Item, ItemId, Node, NodeId, Problem};
 pub use table::Table;

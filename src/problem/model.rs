@@ -7,6 +7,7 @@
 //! tour is then a closed cycle that starts at the last item. (A path between two ends is a cycle, too: give the
 //! start a way back that costs nothing.)
 
+use super::groups::Groups;
 use super::table::Table;
 use crate::geometry::Path;
 use crate::machine::Profile;
@@ -68,6 +69,8 @@ pub struct Problem {
     /// Pairs of items, the first to be visited before the second, besides what [`Item::before`] says: an order
     /// without circles.
     pub pairs: Vec<(ItemId, ItemId)>,
+    /// Items that follow each other with nothing else in between; none of them is left unfinished.
+    pub groups: Groups,
     /// Costs of travel from node to node, when they are given: places, home and machine then mean nothing, no item
     /// has a track, and the last item is the start of a closed tour.
     pub table: Option<Table>,

@@ -3,7 +3,7 @@
 use super::about::{self, layer_name, plural};
 use super::assemble::{Assembled, assemble};
 use super::clean::clean;
-use super::model::{Contour, Ignored, Operation, Sheet, SheetOptions};
+use super::model::{Contour, Ignored, Operation, Pin, Sheet, SheetOptions};
 use super::{cross, layers, nest, outline, parts};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
@@ -52,6 +52,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         }
     }
     parts::orient(&mut contours);
+    pin(&mut contours, options);
     for c in &contours {
         if let Some(l) = layers.get_mut(c.layer as usize) {
             l.contours += 1;
@@ -59,12 +60,33 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     }
     Sheet {
         parts: parts::parts(&contours),
+        part_by_part: options.part_by_part,
         bounds: contours.iter().fold(Aabb::EMPTY, |b, c| b.union(c.bounds)),
         contours,
         layers,
         ignored,
         outline: border,
         findings: findings.into_list(),
+    }
+}
+
+/// Pins contours, with what lies inside those that come first. What lies around those that come last waits for them
+/// anyway.
+fn pin(contours: &mut [Contour], options: &SheetOptions) {
+    for (ids, pin) in [(&options.first, Pin::First), (&options.last, Pin::Last)] {
+        for &id in ids {
+            if let Some(c) = contours.get_mut(id as usize) {
+                c.pin = pin;
+            }
+        }
+    }
+    let mut inwards: Vec<usize> = (0..contours.len()).collect();
+    sort_by(&mut inwards, |&c| [contours[c].depth.into(), 0, 0]);
+    for c in inwards {
+        let around = contours[c].inside.and_then(|o| contours.get(o as usize)).map(|o| o.pin);
+        if around == Some(Pin::First) && contours[c].pin == Pin::None {
+            contours[c].pin = Pin::First;
+        }
     }
 }
 
@@ -118,6 +140,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         area: if a.path.closed { Some(&a.path) } else { a.outline.as_ref() }.map_or(0.0, |p| p.area().abs()),
         bounds: a.path.bounds(),
         self_crossing: false,
+        pin: Pin::None,
         first_shape: a.first_shape,
         outline: a.outline,
         path: a.path,

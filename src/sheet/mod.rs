@@ -28,4 +28,4 @@ mod parts;
 mod words;
 
 pub use build::build;
-pub use model::{Contour, Ignored, LayerUse, Operation, Part, Sheet, SheetOptions};
+pub use model::{Contour, Ignored, LayerUse, Operation, Part, Pin, Sheet, SheetOptions};

@@ -29,6 +29,12 @@ pub struct SheetOptions {
     pub order_by_layer: bool,
     /// Leave out the lone border around everything.
     pub ignore_outline: bool,
+    /// Work a part wholly, with all that lies in its holes, before the next one.
+    pub part_by_part: bool,
+    /// Contours worked before all others, by id; what lies inside them, too.
+    pub first: Vec<u32>,
+    /// Contours worked after all others, by id; what lies around them, too.
+    pub last: Vec<u32>,
 }
 
 impl Default for SheetOptions {
@@ -39,8 +45,23 @@ impl Default for SheetOptions {
             layers: Vec::new(),
             order_by_layer: false,
             ignore_outline: false,
+            part_by_part: false,
+            first: Vec::new(),
+            last: Vec::new(),
         }
     }
+}
+
+/// Whether a contour is worked before or after all that is not pinned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub enum Pin {
+    /// Before.
+    First,
+    /// Wherever it is best.
+    #[default]
+    None,
+    /// After.
+    Last,
 }
 
 /// One contour: a closed or open chain that is cut (or marked) in one go.
@@ -65,6 +86,8 @@ pub struct Contour {
     pub area: f64,
     /// The smallest box around it.
     pub bounds: Aabb,
+    /// Worked first or last.
+    pub pin: Pin,
     /// Crosses itself: its inside is in doubt.
     pub self_crossing: bool,
     /// Smallest index of the shapes it was made of: drawing order.
@@ -133,6 +156,8 @@ pub struct Sheet {
     pub ignored: Vec<Ignored>,
     /// The contour that looks like the sheet's border, when there is one and it is not ignored yet.
     pub outline: Option<u32>,
+    /// A part is worked wholly before the next one.
+    pub part_by_part: bool,
     /// Box around all contours to cut and mark.
     pub bounds: Aabb,
     /// Everything worth knowing.

@@ -37,9 +37,12 @@ struct Candidates<'p> {
     waits_for: Vec<usize>,
     /// Items by rank, the ranks still to come; the last is next.
     ranks: Vec<Vec<ItemId>>,
-    /// Rank in work, and how many of its items are left.
+    /// Rank in work, and how many of its items are left: in all, and in each group.
     rank: u32,
     left: usize,
+    left_in: Vec<usize>,
+    /// The smallest group begun and not done: no other item may come in between.
+    within: Option<u32>,
 }
 
 impl<'p> Candidates<'p> {
@@ -59,7 +62,18 @@ impl<'p> Candidates<'p> {
         let bounds = problem.nodes.iter().fold(Aabb::EMPTY, |b, n| b.with(n.entry));
         let grid = Buckets::new(bounds, problem.nodes.len());
         let open = vec![false; problem.items.len()];
-        let mut all = Self { problem, grid, open, precedence, waits_for, ranks, rank: 0, left: 0 };
+        let mut all = Self {
+            problem,
+            grid,
+            open,
+            precedence,
+            waits_for,
+            ranks,
+            rank: 0,
+            left: 0,
+            left_in: Vec::new(),
+            within: None,
+        };
         all.next_rank();
         all
     }
@@ -68,7 +82,10 @@ impl<'p> Candidates<'p> {
     fn next_rank(&mut self) {
         let Some(items) = self.ranks.pop() else { return };
         self.left = items.len();
+        self.within = None;
+        self.left_in = vec![0; self.problem.groups.count()];
         for item in items {
+            self.problem.groups.of(item).for_each(|g| self.left_in[g as usize] += 1);
             self.rank = self.problem.items[item as usize].rank;
             if self.waits_for[item as usize] == 0 {
                 self.open(item);
@@ -103,9 +120,17 @@ impl<'p> Candidates<'p> {
             }
         }
         self.left -= 1;
+        self.problem.groups.of(item).for_each(|g| self.left_in[g as usize] -= 1);
+        self.within = self.problem.groups.of(item).find(|&g| self.left_in[g as usize] > 0);
         if self.left == 0 {
             self.next_rank();
         }
+    }
+
+    /// Whether a node is in the group that is to be finished.
+    fn stays(&self, node: NodeId) -> bool {
+        let item = self.problem.nodes[node as usize].item;
+        self.within.is_none_or(|group| self.problem.groups.of(item).any(|g| g == group))
     }
 
     /// The nearest of them after a node, or after home.
@@ -126,7 +151,7 @@ impl<'p> Candidates<'p> {
             if best.is_some_and(|(seconds, _)| least > seconds) {
                 break;
             }
-            for node in self.grid.ring(head, r) {
+            for node in self.grid.ring(head, r).filter(|&n| self.stays(n)) {
                 let seconds = air.seconds(head, self.problem.nodes[node as usize].entry);
                 if best.is_none_or(|b| (seconds, node) < b) {
                     best = Some((seconds, node));

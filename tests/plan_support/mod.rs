@@ -5,7 +5,7 @@
 use kerfway::geometry::{Arc, DVec2, Path, Segment};
 use kerfway::machine::{Profile, preset};
 use kerfway::problem::Problem;
-use kerfway::sheet::{Contour, LayerUse, Operation, Part, Sheet};
+use kerfway::sheet::{Contour, LayerUse, Operation, Part, Pin, Sheet};
 
 pub fn p(x: f64, y: f64) -> DVec2 {
     DVec2::new(x, y)
@@ -65,7 +65,18 @@ impl Builder {
         let layers = vec![layer("CUT", Operation::Cut), layer("MARK", Operation::Mark)];
         let bounds = kerfway::geometry::Aabb::EMPTY;
         let (contours, parts, ignored, findings) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { sheet: Sheet { contours, parts, layers, ignored, outline: None, bounds, findings } }
+        Self {
+            sheet: Sheet {
+                contours,
+                parts,
+                layers,
+                ignored,
+                part_by_part: false,
+                outline: None,
+                bounds,
+                findings,
+            },
+        }
     }
 
     pub fn cut(&mut self, path: Path, inside: Option<u32>) -> u32 {
@@ -94,6 +105,7 @@ impl Builder {
             area: path.area().abs(),
             bounds,
             self_crossing: false,
+            pin: Pin::None,
             first_shape: id,
             path,
         });

@@ -15,7 +15,7 @@ use kerfway::job::{Job, LoadOptions, PlanOptions};
 use kerfway::machine::{Axes, Dialect, Process, Profile, Travel};
 use kerfway::output::{self, Budget, Document, Input};
 use kerfway::plan::{Move, Plan, Summary};
-use kerfway::sheet::{Contour, LayerUse, Operation, Sheet, SheetOptions};
+use kerfway::sheet::{Contour, LayerUse, Operation, Pin, Sheet, SheetOptions};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use std::f64::consts::{PI, TAU};
@@ -83,6 +83,7 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
             area: if stop.path.closed { stop.path.area().abs() } else { 0.0 },
             bounds: stop.path.bounds(),
             self_crossing: false,
+            pin: Pin::None,
             first_shape: id as u32,
             path: stop.path,
         });
@@ -102,8 +103,16 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
             contours: 0,
         })
         .collect();
-    let sheet =
-        Sheet { contours, parts: vec![], layers, ignored: vec![], outline: None, bounds, findings: vec![] };
+    let sheet = Sheet {
+        contours,
+        parts: vec![],
+        layers,
+        ignored: vec![],
+        part_by_part: false,
+        outline: None,
+        bounds,
+        findings: vec![],
+    };
     (sheet, Plan { moves, summary })
 }
 

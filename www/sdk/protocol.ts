@@ -24,6 +24,12 @@ export interface LoadOptions {
   orderByLayer?: boolean;
   /** Leave out the lone border around everything. Default false. */
   ignoreOutline?: boolean;
+  /** Work a part wholly, with all that lies in its holes, before the next one. Default false. */
+  partByPart?: boolean;
+  /** Contours worked before all others, by id; what lies inside them, too. */
+  first?: number[];
+  /** Contours worked after all others, by id; what lies around them, too. */
+  last?: number[];
 }
 
 /** Something a person should know about the drawing, with its place. */

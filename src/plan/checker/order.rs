@@ -3,17 +3,17 @@
 use super::nesting;
 use super::violation::Violation;
 use super::visits::Visits;
-use crate::sheet::{Operation, Sheet};
+use crate::sheet::{Operation, Pin, Sheet};
 
 /// `visits`: when each contour is worked.
 pub(super) fn check(sheet: &Sheet, visits: &Visits, found: &mut Vec<Violation>) {
-    // By layer first, then marks before cuts.
-    let own: Vec<(u32, bool)> = sheet
+    // By pin first, then by layer, then marks before cuts.
+    let own: Vec<(Pin, u32, bool)> = sheet
         .contours
         .iter()
         .map(|c| {
             let layer = sheet.layers.get(c.layer as usize).map_or(0, |l| l.rank);
-            (layer, c.operation == Operation::Cut)
+            (c.pin, layer, c.operation == Operation::Cut)
         })
         .collect();
     let mut rank = own.clone();
@@ -35,6 +35,34 @@ pub(super) fn check(sheet: &Sheet, visits: &Visits, found: &mut Vec<Violation>) 
                 found.push(Violation::Rank { earlier: h, later: contour });
             }
             _ => highest = Some(contour),
+        }
+    }
+    if sheet.part_by_part {
+        part_by_part(sheet, visits, &rank, found);
+    }
+}
+
+/// Whether everything of a part that has one rank, with what lies in its holes, is worked with nothing of that rank in
+/// between.
+fn part_by_part<R: Copy + PartialEq>(sheet: &Sheet, visits: &Visits, rank: &[R], found: &mut Vec<Violation>) {
+    let mut parts: Vec<Vec<u32>> = vec![Vec::new(); sheet.contours.len()];
+    for (part, p) in (0..).zip(&sheet.parts) {
+        for contour in p.holes.iter().chain([&p.outer]) {
+            let around = |&k: &u32| sheet.parts.get(k as usize).and_then(|p| p.inside);
+            parts[*contour as usize] = std::iter::successors(Some(part), around).collect();
+        }
+    }
+    // Of each part, where its last contour so far stands among those of its rank.
+    let mut last: Vec<Option<(usize, u32)>> = vec![None; sheet.parts.len()];
+    for (k, &contour) in visits.order.iter().enumerate() {
+        for &part in &parts[contour as usize] {
+            let seen = last[part as usize].replace((k, contour));
+            if let Some((before, earlier)) = seen
+                && before + 1 != k
+                && rank[earlier as usize] == rank[contour as usize]
+            {
+                found.push(Violation::Torn { part, contour });
+            }
         }
     }
 }

@@ -116,6 +116,14 @@ pub enum Violation {
         /// Worked after it, against its rank.
         later: u32,
     },
+    /// Part by part, a part was left and taken up again.
+    #[error("contour {contour} of part {part} is not worked together with the rest of the part")]
+    Torn {
+        /// Which part.
+        part: u32,
+        /// The contour at which it is taken up again.
+        contour: u32,
+    },
     /// Ends elsewhere than at home.
     #[error("the head ends {left} mm away from home")]
     NotHome {

@@ -114,6 +114,7 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
         closed: true,
         machine: machine::presets().swap_remove(0),
         pairs: pairs.collect(),
+        groups: Groups::default(),
         table: Some(table),
     };
     Ok(Instance { name: file.name(), problem, numbers, fixed, lowered })

@@ -308,7 +308,10 @@ impl<'p> Annealing<'p> {
 
     /// A length of stretch.
     fn stretch(&mut self) -> usize {
-        let longest = LONGEST.min(self.tour.last() / 2).max(1);
+        // Of two stretches one is no longer than half of all; but a large group only moves as a whole.
+        let all = self.tour.last();
+        let most = if self.tour.space.problem.groups.is_empty() { all / 2 } else { all };
+        let longest = LONGEST.min(most).max(1);
         let length = math::exp(self.even() * math::ln(longest as f64));
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and LONGEST")]
         (length as usize).clamp(1, longest)

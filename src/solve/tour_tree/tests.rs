@@ -4,7 +4,7 @@
 use super::*;
 use crate::geometry::{Arc, DVec2, Path, Segment};
 use crate::machine::{self, AirTime};
-use crate::problem::{Item, Node, NodeId};
+use crate::problem::{Groups, Item, Node, NodeId};
 use rand_xoshiro::rand_core::Rng;
 
 struct Dice(Xoshiro256PlusPlus);
@@ -44,36 +44,56 @@ fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Problem {
         items.push(Item { nodes: first..end, before, rank, fixed: 0.0, leave: None, track: None });
     }
     let machine = machine::preset(machine).unwrap();
-    Problem { items, nodes, home: DVec2::new(-20.0, 10.0), closed, machine, pairs: Vec::new(), table: None }
+    Problem {
+        items,
+        nodes,
+        home: DVec2::new(-20.0, 10.0),
+        closed,
+        machine,
+        pairs: Vec::new(),
+        groups: Groups::default(),
+        table: None,
+    }
+}
+
+/// The same, with every item and what must come before it as a group.
+fn grouped(mut problem: Problem) -> Problem {
+    let inner = |i: u32| problem.items.iter().any(|item| item.before == Some(i));
+    let ids = 0..u32::try_from(problem.items.len()).unwrap();
+    let of = ids.clone().map(|i| if inner(i) { Some(i) } else { problem.items[i as usize].before }).collect();
+    let around = ids.map(|i| problem.items[i as usize].before).collect();
+    problem.groups = Groups::new(of, around);
+    problem
 }
 
 /// Least seconds over all allowed orders and entries.
 fn brute(problem: &Problem) -> f64 {
-    fn go(p: &Problem, air: &AirTime, done: &mut Vec<bool>, head: DVec2, spent: f64, least: &mut f64) {
-        if spent >= *least {
+    fn go(p: &Problem, air: &AirTime, order: &mut Vec<u32>, head: DVec2, spent: f64, least: &mut f64) {
+        let together = p.groups.kept(order.iter().copied(), |i| p.items[i as usize].rank);
+        if spent >= *least || !together {
             return;
         }
-        if done.iter().all(|d| *d) {
+        if order.len() == p.items.len() {
             *least = least.min(spent + if p.closed { air.seconds(head, p.home) } else { 0.0 });
             return;
         }
-        let rank = (0..done.len()).filter(|&i| !done[i]).map(|i| p.items[i].rank).min();
-        for i in 0..done.len() {
-            let waits = (0..done.len()).any(|c| !done[c] && p.items[c].before == u32::try_from(i).ok());
-            if done[i] || waits || Some(p.items[i].rank) != rank {
+        let left: Vec<u32> = (0..).take(p.items.len()).filter(|i| !order.contains(i)).collect();
+        let rank = left.iter().map(|&i| p.items[i as usize].rank).min();
+        for &i in &left {
+            let waits = left.iter().any(|&c| p.items[c as usize].before == Some(i));
+            if waits || Some(p.items[i as usize].rank) != rank {
                 continue;
             }
-            done[i] = true;
-            for n in p.items[i].nodes.clone() {
+            order.push(i);
+            for n in p.items[i as usize].nodes.clone() {
                 let node = &p.nodes[n as usize];
-                go(p, air, done, node.exit, spent + air.seconds(head, node.entry), least);
+                go(p, air, order, node.exit, spent + air.seconds(head, node.entry), least);
             }
-            done[i] = false;
+            order.pop();
         }
     }
     let mut least = f64::INFINITY;
-    let mut done = vec![false; problem.items.len()];
-    go(problem, &AirTime::new(&problem.machine), &mut done, problem.home, 0.0, &mut least);
+    go(problem, &AirTime::new(&problem.machine), &mut Vec::new(), problem.home, 0.0, &mut least);
     least
 }
 
@@ -82,6 +102,7 @@ fn reaches_the_optimum_of_small_problems_of_every_kind() {
     for machine in ["length", "length-chebyshev", "co2-100w"] {
         for seed in 0..40 {
             let problem = small(seed, 1 + u32::try_from(seed % 6).unwrap(), machine, seed % 3 > 0);
+            let problem = if seed % 4 > 1 { grouped(problem) } else { problem };
             let mut search = TourTree.start(&problem, seed, None);
             search.step(60_000);
             let (found, least) = (search.best().cost, brute(&problem));
@@ -102,7 +123,16 @@ fn circles(centers: &[DVec2]) -> Problem {
     });
     let items = items.collect();
     let machine = machine::preset("length").unwrap();
-    Problem { items, nodes, home: DVec2::ZERO, closed: true, machine, pairs: Vec::new(), table: None }
+    Problem {
+        items,
+        nodes,
+        home: DVec2::ZERO,
+        closed: true,
+        machine,
+        pairs: Vec::new(),
+        groups: Groups::default(),
+        table: None,
+    }
 }
 
 #[test]

@@ -169,7 +169,9 @@ impl<'p> Tour<'p> {
         let rank = |p: usize| self.space.rank[self.item(p) as usize];
         let ranks = (2..=self.last()).all(|p| rank(p - 1) <= rank(p));
         let late = |i: u32| self.space.precedence.waits(i, |o| self.position(o) < self.position(i));
-        ranks && (self.free || !self.now.order.iter().any(|&i| late(i)))
+        let items = self.now.order[1..].iter().copied();
+        let together = self.space.problem.groups.kept(items, |i| self.space.rank[i as usize]);
+        ranks && together && (self.free || !self.now.order.iter().any(|&i| late(i)))
     }
 
     /// The gap between two items that follow each other, or would.
@@ -238,13 +240,15 @@ impl<'p> Tour<'p> {
     pub(super) fn may_reverse(&self, from: usize, to: usize) -> bool {
         let stretch = &self.now.order[from..=to];
         self.same_rank(from, to)
+            && self.keeps_groups(from, to, [self.item(from), self.item(to)])
             && (self.is_free()
                 || !stretch.iter().any(|&i| self.space.precedence.waits(i, |o| self.position(o) <= to)))
     }
 
     /// Whether two neighbouring stretches may change places: nothing in the second waits for anything in the first.
     pub(super) fn may_exchange(&self, from: usize, middle: usize, to: usize) -> bool {
-        if !self.same_rank(from, to) {
+        let between = [self.item(middle), self.item(middle + 1)];
+        if !self.same_rank(from, to) || !self.keeps_groups(from, to, between) {
             return false;
         }
         if self.is_free() {
@@ -265,6 +269,23 @@ impl<'p> Tour<'p> {
 
     fn is_free(&self) -> bool {
         self.free || !self.space.precedence.any
+    }
+
+    /// Whether groups stay together when a stretch changes its order as things that lie side by side in the group of
+    /// two items: see `problem/groups.rs`.
+    fn keeps_groups(&self, from: usize, to: usize, of: [u32; 2]) -> bool {
+        let groups = &self.space.problem.groups;
+        let seam = |p: usize| {
+            let (a, b) = (self.item(p - 1), self.item(p));
+            let one_rank = self.space.rank[a as usize] == self.space.rank[b as usize];
+            if one_rank { groups.common(a, b) } else { None }
+        };
+        groups.is_empty()
+            || groups.may_change(
+                groups.common(of[0], of[1]),
+                [self.item(from), self.item(to)],
+                [seam(from), seam(to + 1)],
+            )
     }
 
     /// Ranks never fall along the tour, so the ends of a stretch tell.

@@ -23,9 +23,10 @@ export function planPanel(session: Session): HTMLElement {
     else if (Number.isInteger(value) && value >= 0 && value <= 4294967295) session.setSearch({ seed: value }, true);
   });
   const byLayer = check('Order by layer', (on) => void session.reread({ ...session.state.load, orderByLayer: on }));
+  const byPart = check('Part by part', (on) => void session.reread({ ...session.state.load, partByPart: on }));
   const used = h('p', { class: 'soft' });
   body.append(h('div', { class: 'stack' },
-    method.root, about, field('Search for', budget.root), field('Seed', seed), used, byLayer.root,
+    method.root, about, field('Search for', budget.root), field('Seed', seed), used, byLayer.root, byPart.root,
     h('p', { class: 'soft' }, 'Always on: cut inner shapes first, reduce travel, choose best starting point, choose best direction, remove overlapping lines.')));
 
   session.on('change', ({ search, seed: taken, load, loaded }) => {
@@ -36,6 +37,8 @@ export function planPanel(session: Session): HTMLElement {
     setText(about, chosen?.about ?? '');
     byLayer.root.hidden = (loaded?.layers.length ?? 0) < 2;
     byLayer.input.checked = load.orderByLayer ?? false;
+    byPart.root.hidden = (loaded?.parts.length ?? 0) < 2;
+    byPart.input.checked = load.partByPart ?? false;
     setGist(span(search.seconds));
     setText(used, taken === null ? '' : `Seed used: ${taken}`);
     used.hidden = taken === null || search.seed !== null;

@@ -8,7 +8,14 @@ const UNITS: readonly Unit[] = ['mm', 'cm', 'dm', 'm', 'um', 'in', 'ft', 'yd', '
 const OPERATIONS: readonly Operation[] = ['cut', 'mark', 'ignore'];
 
 /** The options of reading, which `plan` and `inspect` share. */
-export const READING = { units: { type: 'string' }, layer: { type: 'string', multiple: true } } as const;
+export const READING = {
+  units: { type: 'string' },
+  layer: { type: 'string', multiple: true },
+  'order-by-layer': { type: 'boolean' },
+  'part-by-part': { type: 'boolean' },
+  first: { type: 'string', multiple: true },
+  last: { type: 'string', multiple: true },
+} as const;
 
 type Values = Record<string, string | boolean | string[] | undefined>;
 
@@ -47,6 +54,12 @@ export function loadOptions(values: Values): LoadOptions {
   if (units !== undefined) options.units = oneOf('--units', units, UNITS);
   const layers = (values['layer'] as string[] | undefined) ?? [];
   if (layers.length > 0) options.layers = layers.map(layerChoice);
+  if (values['order-by-layer'] === true) options.orderByLayer = true;
+  if (values['part-by-part'] === true) options.partByPart = true;
+  for (const pin of ['first', 'last'] as const) {
+    const contours = (values[pin] as string[] | undefined) ?? [];
+    if (contours.length > 0) options[pin] = contours.map((word) => wholeNumber(pin, word));
+  }
   return options;
 }
 
@@ -64,7 +77,10 @@ export function text(values: Values, name: string): string | undefined {
 /** A whole number from 0 on, as far as JavaScript counts. */
 export function whole(values: Values, name: string): number | undefined {
   const word = text(values, name);
-  if (word === undefined) return undefined;
+  return word === undefined ? undefined : wholeNumber(name, word);
+}
+
+function wholeNumber(name: string, word: string): number {
   const n = Number(word);
   if (!/^\d+$/.test(word) || !Number.isSafeInteger(n)) {
     throw new WrongUse(`--${name} ${word}: give a whole number from 0 to ${Number.MAX_SAFE_INTEGER}.`);

@@ -27,6 +27,9 @@ How to plan:
 How to read, for plan and inspect:
   --units UNIT         mm, in, cm, m, ... when the file says nothing or lies
   --layer NAME=cut|mark|ignore   what to do with a layer; may be repeated
+  --order-by-layer     layer after layer, in the order of --layer
+  --part-by-part       a part wholly, with all in its holes, before the next
+  --first ID, --last ID          a contour before or after all others; may be repeated
 
 Of inspect:
   --json OUT           the whole report
