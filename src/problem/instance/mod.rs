@@ -21,6 +21,7 @@ mod sets;
 
 pub use check::{Fault, check};
 
+use super::groups::Groups;
 use super::model::{Item, Node, NodeId, Problem};
 use super::table::Table;
 use crate::machine;
