@@ -27,6 +27,7 @@ fn exact(problem: &Problem) -> f64 {
     for done in 0..all {
         for item in (0..items.len()).filter(|&i| done >> i & 1 == 0 && allowed(done, i)) {
             for node in items[item].nodes.clone().map(|n| n as usize) {
+                let extra = items[item].extra(nodes[node].along);
                 let before = if done == 0 {
                     time(problem.home, nodes[node].entry)
                 } else {
@@ -34,7 +35,7 @@ fn exact(problem: &Problem) -> f64 {
                         (0..nodes.len()).map(|n| least[done][n] + time(nodes[n].exit, nodes[node].entry));
                     legs.fold(f64::INFINITY, f64::min)
                 };
-                least[done | 1 << item][node] = before;
+                least[done | 1 << item][node] = before + extra;
             }
         }
     }

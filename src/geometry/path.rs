@@ -72,18 +72,20 @@ impl Path {
         self.segments.get(i).map(|g| g.at(f))
     }
 
-    /// The element `s` mm along the path, and the fraction along it; 0 within [`SNAP`] of an element's start.
+    /// The element `s` mm along the path, and the fraction along it; 0 within 1e-9 mm of an element's start.
     pub fn locate(&self, s: f64) -> Option<(usize, f64)> {
-        let mut rest = s.max(0.0);
+        // Summed up as whoever names a corner by its arc length sums it up: the corner is met bit for bit.
+        let mut before = 0.0;
         for (i, g) in self.segments.iter().enumerate() {
             let len = g.length();
+            let rest = s.max(0.0) - before;
             if rest <= SNAP && len > 0.0 {
                 return Some((i, 0.0));
             }
             if rest < len - SNAP {
                 return Some((i, rest / len));
             }
-            rest = (rest - len).max(0.0);
+            before += len;
         }
         Some((self.segments.len().checked_sub(1)?, 1.0))
     }

@@ -128,6 +128,7 @@ mod tests {
             rank: 0,
             fixed: 1.0,
             leave: None,
+            run: None,
             track: None,
         };
         let machine = machine::preset("length").unwrap();

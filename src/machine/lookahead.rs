@@ -27,8 +27,7 @@ pub fn cut_time(profile: &Profile, process: &Process, path: &[Segment]) -> f64 {
     // Squares of the speeds at the junctions; both ends at rest.
     let mut speed2 = vec![0.0; runs.len() + 1];
     for (i, pair) in runs.windows(2).enumerate() {
-        let corner = junction_speed2(profile.junction_deviation, accel, pair[0].leaves, pair[1].enters);
-        speed2[i + 1] = corner.min(pair[0].top2).min(pair[1].top2);
+        speed2[i + 1] = corner_speed2(profile, accel, &pair[0], &pair[1]);
     }
     for (i, run) in runs.iter().enumerate() {
         speed2[i + 1] = speed2[i + 1].min(speed2[i] + 2.0 * accel * run.length);
@@ -36,41 +35,47 @@ pub fn cut_time(profile: &Profile, process: &Process, path: &[Segment]) -> f64 {
     for (i, run) in runs.iter().enumerate().rev() {
         speed2[i] = speed2[i].min(speed2[i + 1] + 2.0 * accel * run.length);
     }
-    runs.iter().zip(speed2.windows(2)).map(|(run, v2)| run.seconds(v2[0], v2[1], accel)).sum()
+    runs.iter().zip(speed2.windows(2)).map(|(r, v2)| seconds(r.length, r.top2, v2[0], v2[1], accel)).sum()
 }
 
 /// One element as the look-ahead sees it.
-struct Run {
-    length: f64,
+pub(super) struct Run {
+    pub(super) length: f64,
     /// Square of the highest speed along it.
-    top2: f64,
+    pub(super) top2: f64,
     /// Unit direction at its start and end.
     enters: DVec2,
     leaves: DVec2,
 }
 
 impl Run {
-    fn new(element: &Segment, speed: f64, accel: f64) -> Self {
+    pub(super) fn new(element: &Segment, speed: f64, accel: f64) -> Self {
         let top2 = match element {
             Segment::Line(_) => speed * speed,
             Segment::Arc(a) => (speed * speed).min(accel * a.radius()),
         };
         Self { length: element.length(), top2, enters: element.tangent(0.0), leaves: element.tangent(1.0) }
     }
+}
 
-    /// Seconds between two speeds (given as squares) that are within reach of each other.
-    fn seconds(&self, from2: f64, to2: f64, accel: f64) -> f64 {
-        // Without a limit the speed would rise to the peak where the ramp up meets the ramp down.
-        let peak2 = accel * self.length + 0.5 * (from2 + to2);
-        let (from, to) = (from2.sqrt(), to2.sqrt());
-        if peak2 <= self.top2 {
-            return (2.0 * peak2.sqrt() - from - to) / accel;
-        }
-        let top = self.top2.sqrt();
-        // The peak is above the limit: cut off, the flat part is what the ramps leave of the length.
-        let flat = (peak2 - self.top2) / accel;
-        (2.0 * top - from - to) / accel + flat / top
+/// Seconds over `length` at no more than `top2` between two speeds (all given as squares) that are within reach of each
+/// other.
+pub(super) fn seconds(length: f64, top2: f64, from2: f64, to2: f64, accel: f64) -> f64 {
+    // Without a limit the speed would rise to the peak where the ramp up meets the ramp down.
+    let peak2 = accel * length + 0.5 * (from2 + to2);
+    let (from, to) = (from2.sqrt(), to2.sqrt());
+    if peak2 <= top2 {
+        return (2.0 * peak2.sqrt() - from - to) / accel;
     }
+    let top = top2.sqrt();
+    // The peak is above the limit: cut off, the flat part is what the ramps leave of the length.
+    let flat = (peak2 - top2) / accel;
+    (2.0 * top - from - to) / accel + flat / top
+}
+
+/// Square of the highest speed from one element into the next.
+pub(super) fn corner_speed2(profile: &Profile, accel: f64, a: &Run, b: &Run) -> f64 {
+    junction_speed2(profile.junction_deviation, accel, a.leaves, b.enters).min(a.top2).min(b.top2)
 }
 
 /// Square of the speed at the corner between two directions; infinite where they agree or corners do not count.

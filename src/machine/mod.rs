@@ -1,10 +1,12 @@
 //! The machine: what it can do ([`Profile`]), and the seconds that follow from it ([`air_time`], [`cut_time`]).
 
+mod closed_run;
 mod lookahead;
 mod motion;
 mod presets;
 mod profile;
 
+pub use closed_run::ClosedRun;
 pub use lookahead::cut_time;
 pub use motion::{AirTime, air_time};
 pub use presets::{preset, presets};

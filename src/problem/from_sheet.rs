@@ -3,7 +3,7 @@
 use super::entries::entries;
 use super::groups::Groups;
 use super::model::{Item, ItemId, Node, NodeId, Problem};
-use crate::machine::{Process, Profile, cut_time};
+use crate::machine::{ClosedRun, Process, Profile, cut_time};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
 
@@ -13,7 +13,8 @@ use crate::sheet::{Contour, Operation, Sheet};
 /// * Precedence: a contour is cut after everything inside it, as what is cut free may shift.
 /// * Rank: what is pinned first or last, then by layer when the sheet is ordered by layer, then marks before cuts. A contour around another
 ///   one has at least that one's rank: where the order by layer would cut an outer contour first, the nesting wins.
-/// * Fixed seconds: piercing (cuts only), beam delays, and the run along the contour from its stored start.
+/// * Fixed seconds: piercing (cuts only), beam delays, and the run along the contour, as little as that takes from
+///   wherever it is entered; what an entry costs on top of it is charged by its place.
 /// * Leaving: closed cuts may be left unfinished where the machine allows it, but not part by part.
 /// * Groups: the parts, when the sheet is worked part by part.
 pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
@@ -23,11 +24,13 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
     for ((contour, &rank), item) in sheet.contours.iter().zip(&ranks).zip(0..) {
         let first = count(&nodes);
         push_nodes(&mut nodes, item, contour);
+        let (fixed, run) = seconds(machine, contour);
         items.push(Item {
             nodes: first..count(&nodes),
             before: contour.inside.filter(|&outer| outer != item && (outer as usize) < sheet.contours.len()),
             rank,
-            fixed: fixed_seconds(machine, contour),
+            fixed,
+            run,
             leave: leave_seconds(machine, contour).filter(|_| !sheet.part_by_part),
             track: contour.path.closed.then(|| contour.path.clone()),
         });
@@ -66,13 +69,17 @@ fn count(nodes: &[Node]) -> NodeId {
     NodeId::try_from(nodes.len()).unwrap_or(NodeId::MAX)
 }
 
-fn fixed_seconds(machine: &Profile, contour: &Contour) -> f64 {
+/// Fixed seconds of a contour, and what they depend on.
+fn seconds(machine: &Profile, contour: &Contour) -> (f64, Option<ClosedRun>) {
     let (process, pierce): (&Process, f64) = match contour.operation {
         Operation::Cut => (&machine.cut, machine.pierce_time),
         Operation::Mark | Operation::Ignore => (&machine.mark, 0.0),
     };
     let delays = machine.beam_on_delay + machine.beam_off_delay;
-    pierce + delays + cut_time(machine, process, &contour.path.segments)
+    let path = &contour.path;
+    let run = if path.closed { ClosedRun::new(machine, process, &path.segments) } else { None };
+    let least = run.as_ref().map_or_else(|| cut_time(machine, process, &path.segments), ClosedRun::least);
+    (pierce + delays + least, run)
 }
 
 /// Leaving a contour and resuming it: the pre-cut, and the beam once more off and on. Marks and open contours are run

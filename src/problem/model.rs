@@ -10,7 +10,7 @@
 use super::groups::Groups;
 use super::table::Table;
 use crate::geometry::Path;
-use crate::machine::Profile;
+use crate::machine::{ClosedRun, Profile};
 use glam::DVec2;
 
 /// Index of an item; for sheets, the contour's id.
@@ -46,11 +46,31 @@ pub struct Item {
     pub rank: u32,
     /// Seconds it costs wherever it is entered: pierce, cut.
     pub fixed: f64,
+    /// The run along it, closed, where stopping costs time: what it costs on top by the place of entry.
+    pub run: Option<ClosedRun>,
     /// Seconds each time it is left unfinished and resumed; `None`: it is done in one go. What may be left is closed,
     /// with its nodes in the order of their places along it.
     pub leave: Option<f64>,
     /// A closed path along which it may be entered anywhere, not at its nodes only; its nodes lie on it.
     pub track: Option<Path>,
+}
+
+impl Item {
+    /// Seconds on top of [`Item::fixed`] when entered `along` mm from the start of its track; never less than 0.
+    pub fn extra(&self, along: f64) -> f64 {
+        self.run.as_ref().map_or(0.0, |run| run.extra(along))
+    }
+
+    /// The run along it, when it takes more or less by the place of entry.
+    pub fn uneven(&self) -> Option<&ClosedRun> {
+        self.run.as_ref().filter(|run| !run.is_even())
+    }
+
+    /// Seconds of leaving and resuming it, [`Item::extra`] of the place apart: what [`Item::leave`] says, and one more
+    /// stop on the way.
+    pub fn resume(&self) -> f64 {
+        self.leave.unwrap_or(0.0) + self.run.as_ref().map_or(0.0, ClosedRun::stop)
+    }
 }
 
 /// Items, nodes, travel, precedence.

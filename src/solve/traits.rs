@@ -78,7 +78,8 @@ impl Stop {
 pub struct Solution {
     /// In order of visit.
     pub stops: Vec<Stop>,
-    /// Seconds of travel and of contours left unfinished: what the search minimises.
+    /// Seconds that depend on order and entries, which the search minimises: travel, contours left unfinished, and what
+    /// items cost on top of their fixed seconds by where they are entered.
     pub cost: f64,
 }
 
@@ -134,8 +135,9 @@ pub trait Search {
 }
 
 impl Solution {
-    /// Stops with the seconds they take: from home, from exit to entry, and home again when closed, and the charge for each
-    /// time an item is resumed; with a table of costs, around the cycle of their nodes, which the start is one of.
+    /// Stops with the seconds they take: from home, from exit to entry, and home again when closed, for each entry by
+    /// its place, and the charge for each time an item is resumed; with a table of costs, around the cycle of their
+    /// nodes, which the start is one of.
     pub fn new(problem: &Problem, stops: Vec<Stop>) -> Self {
         if let Some(table) = &problem.table {
             let nodes: Vec<NodeId> = stops.iter().map(|s| s.node).collect();
@@ -147,11 +149,13 @@ impl Solution {
         let mut begun = vec![false; problem.items.len()];
         for stop in &stops {
             let Some((entry, exit)) = stop.ends(problem) else { continue };
-            cost += air.seconds(head, entry);
+            let before = head;
             head = exit;
-            let item = problem.nodes[stop.node as usize].item as usize;
-            if std::mem::replace(&mut begun[item], true) {
-                cost += problem.items[item].leave.unwrap_or(0.0);
+            let id = problem.nodes[stop.node as usize].item as usize;
+            let item = &problem.items[id];
+            cost += air.seconds(before, entry) + item.extra(stop.along);
+            if std::mem::replace(&mut begun[id], true) {
+                cost += item.resume();
             }
         }
         if problem.closed {

@@ -59,7 +59,7 @@ describe('a worker that dies', () => {
     await control.workers[0].terminate();
     await until(() => control.replaced.length === 1);
     const gone = await control.planner.continue({ moves: 5_000 }).done;
-    assert.ok(gone.progress.summary.air_time <= progress.summary.air_time + 1e-9);
+    assert.ok(gone.progress.summary.total_time <= progress.summary.total_time + 1e-9);
     assert.equal(gone.seed, 4);
   });
 

@@ -102,6 +102,7 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
             before: None,
             rank: 0,
             fixed: 0.0,
+            run: None,
             leave: None,
             track: None,
         });

@@ -299,11 +299,11 @@ impl<'p> Annealing<'p> {
         let at = self.below(self.tour.space.places(item).len());
         let t = &mut self.tour;
         let (before, after) = (t.previous(item), t.next(item));
-        let given = t.edge(before, item) + t.edge(item, after);
+        let given = t.edge(before, item) + t.edge(item, after) + t.extra(item);
         t.enter(item, index(at));
         self.queue.push(before);
         self.queue.push(after);
-        t.edge(before, item) + t.edge(item, after) - given
+        t.edge(before, item) + t.edge(item, after) + t.extra(item) - given
     }
 
     /// A length of stretch.

@@ -88,7 +88,8 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
     }
     let here = tour.position(item);
     let (before, after) = (tour.previous(item), tour.next(item));
-    let freed = tour.edge(before, item) + tour.edge(item, after) - tour.edge(before, after);
+    let freed =
+        tour.edge(before, item) + tour.edge(item, after) + tour.extra(item) - tour.edge(before, after);
     let mut best: Option<(u32, u32, u32)> = None;
     let mut most = EPSILON;
     for &b in near.of_item(item) {

@@ -18,6 +18,7 @@ mod improve;
 mod neighbours;
 mod polish;
 mod repair;
+mod ring;
 mod space;
 #[cfg(test)]
 mod tests;

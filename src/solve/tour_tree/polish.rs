@@ -2,11 +2,13 @@
 //! shortest together, by turns, until a round gains nothing worth while.
 //!
 //! Between two corners the sum of both ways has one minimum within a place's spacing (air time grows with distance),
-//! so a golden section search on each element near the place finds it; corners are tried by themselves.
+//! so a golden section search on each element near the place finds it; corners are tried by themselves. The run along
+//! the contour is charged by its exact price at each place tried.
 
 use super::space::{Gap, Space};
 use super::tour::{Kept, Tour};
 use crate::geometry::{DVec2, Path, Segment};
+use crate::problem::Item;
 use crate::solve::{Solution, Stop};
 
 /// Rounds over all stops at most: the third gains under a thousandth of the first.
@@ -59,33 +61,36 @@ struct Slide<'p> {
     stop: Stop,
     entry: DVec2,
     exit: DVec2,
-    /// Track, arc length at the start of each element and at the end, and distance of ring places.
+    item: &'p Item,
+    /// Track, arc length at the start of each element and at the end, and how far to look.
     track: Option<(&'p Path, Vec<f64>, f64)>,
 }
 
 impl<'p> Slide<'p> {
     fn new(space: &Space<'p>, item: u32, at: u32) -> Self {
         let (entry, exit) = (space.places(item)[at as usize], space.exit(item, at));
-        let track = space.problem.items[item as usize].track.as_ref().filter(|_| space.is_ring(item));
+        let it = &space.problem.items[item as usize];
+        let track = it.track.as_ref().filter(|_| space.is_ring(item));
         let track = track.map(|track| {
             let mut starts = vec![0.0];
             for g in &track.segments {
                 starts.push(starts[starts.len() - 1] + g.length());
             }
-            (track, starts, space.spacing(item))
+            (track, starts, space.reach(item))
         });
-        Self { stop: space.stop(item, at), entry, exit, track }
+        Self { stop: space.stop(item, at), entry, exit, item: it, track }
     }
 
-    /// Moves to the best place within a spacing of where it is.
+    /// Moves to the best place between those next to where it is.
     fn slide(&mut self, space: &Space, gap: Gap) {
-        let Some((track, starts, spacing)) = &self.track else { return };
-        let price = |p: DVec2| {
-            space.travel.seconds(gap.from, p) + gap.to.map_or(0.0, |to| space.travel.seconds(p, to))
+        let Some((track, starts, reach)) = &self.track else { return };
+        let price = |along: f64, p: DVec2| {
+            let on = gap.to.map_or(0.0, |to| space.travel.seconds(p, to));
+            space.travel.seconds(gap.from, p) + on + self.item.extra(along)
         };
         let length = starts[starts.len() - 1];
-        let mut best = (price(self.entry), self.stop.along, self.entry);
-        let (from, to) = (self.stop.along - spacing, self.stop.along + spacing);
+        let mut best = (price(self.stop.along, self.entry), self.stop.along, self.entry);
+        let (from, to) = (self.stop.along - reach, self.stop.along + reach);
         // The window may hang over either end of the track.
         for shift in [-length, 0.0, length] {
             let (from, to) = ((from + shift).max(0.0), (to + shift).min(length));
@@ -96,7 +101,7 @@ impl<'p> Slide<'p> {
                     break;
                 }
                 for (along, p) in least(g, span, low, high, &price) {
-                    let seconds = price(p);
+                    let seconds = price(along, p);
                     if seconds < best.0 {
                         best = (seconds, along, p);
                     }
@@ -110,21 +115,27 @@ impl<'p> Slide<'p> {
 }
 
 /// Candidates for the least price on one element between two arc lengths: both ends and the golden section's find.
-fn least(g: &Segment, span: &[f64], low: f64, high: f64, price: &impl Fn(DVec2) -> f64) -> [(f64, DVec2); 3] {
+fn least(
+    g: &Segment,
+    span: &[f64],
+    low: f64,
+    high: f64,
+    price: &impl Fn(f64, DVec2) -> f64,
+) -> [(f64, DVec2); 3] {
     let length = (span[1] - span[0]).max(f64::MIN_POSITIVE);
     let point = |along: f64| g.at((along - span[0]) / length);
     let (mut a, mut b) = (low, high);
     let (mut c, mut d) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
-    let (mut at_c, mut at_d) = (price(point(c)), price(point(d)));
+    let (mut at_c, mut at_d) = (price(c, point(c)), price(d, point(d)));
     for _ in 0..SECTIONS {
         if at_c < at_d {
             (b, d, at_d) = (d, c, at_c);
             c = b - GOLDEN * (b - a);
-            at_c = price(point(c));
+            at_c = price(c, point(c));
         } else {
             (a, c, at_c) = (c, d, at_d);
             d = a + GOLDEN * (b - a);
-            at_d = price(point(d));
+            at_d = price(d, point(d));
         }
     }
     let middle = 0.5 * (a + b);

@@ -1,26 +1,24 @@
 //! What stays the same during a search, laid out for speed: places to enter, boxes, precedence.
 //!
-//! A closed contour may be entered anywhere along it. Its places are an evenly spaced ring of [`GATES`] * 2^k points,
-//! at most [`SPACING`] apart, so the best entry between two given points is found coarse to fine: all gates (every
-//! 2^k-th place) first, then ever smaller steps to both sides. What is left, under a spacing, is slid away exactly on
-//! export (`polish.rs`). An item without a track has the places of its nodes; an open contour has two, its ends.
+//! A closed contour may be entered anywhere along it. Its places are a ring of [`GATES`] * 2^k points (`ring.rs`), so
+//! the best entry between two given points is found coarse to fine: all gates (every 2^k-th place) first, then ever
+//! smaller steps to both sides; then the corners, where the run along the contour costs less. What is left, under a
+//! spacing, is slid away exactly on export (`polish.rs`). An item without a track has the places of its nodes; an open
+//! contour has two, its ends.
 //!
 //! Home is one more item, the last, with one place; the tour starts at it. With a table of costs it is the problem's
 //! last item, with all its nodes.
 
+use super::ring::{nearest, ring};
 use super::tour::Kept;
 use super::travel::{Place, Travel, node_place};
-use crate::geometry::{Aabb, DVec2, Path, Segment};
-use crate::problem::Problem;
+use crate::geometry::{Aabb, DVec2};
+use crate::problem::{Node, NodeId, Problem};
 use crate::solve::precedence::Precedence;
 use crate::solve::{Solution, Stop};
 
 /// Coarse places of a ring: as many as tell its sides apart; neighbour lists are kept for each.
 pub(super) const GATES: usize = 16;
-/// Places at most this far apart, mm: half of it, seen across a gap of 5 mm, is 0.3 % of the gap.
-const SPACING: f64 = 0.8;
-/// Places of one ring at most: a contour of 3 m at 0.8 mm needs no more; longer ones get wider spacing.
-const MOST: usize = 4096;
 
 /// The unchanging side of a search.
 pub(super) struct Space<'p> {
@@ -31,6 +29,13 @@ pub(super) struct Space<'p> {
     /// Places of item i: `first[i]..first[i + 1]`.
     first: Vec<u32>,
     pub(super) place: Vec<Place>,
+    /// Arc length of each place along its track, mm.
+    along: Vec<f64>,
+    /// Seconds on top for entering at each place; empty when no item has any.
+    extra: Vec<f64>,
+    /// Corners of item i: `corner_first[i]..corner_first[i + 1]`.
+    corner_first: Vec<u32>,
+    corner: Vec<u32>,
     /// Gates of item i: `gate_first[i]..gate_first[i + 1]`.
     pub(super) gate_first: Vec<u32>,
     kind: Vec<Kind>,
@@ -69,6 +74,10 @@ impl<'p> Space<'p> {
             home: problem.start().unwrap_or(index(n)),
             first: vec![0],
             place: Vec::new(),
+            along: Vec::new(),
+            extra: Vec::new(),
+            corner_first: vec![0],
+            corner: Vec::new(),
             gate_first: vec![0],
             kind: Vec::with_capacity(n + 1),
             spacing: Vec::with_capacity(n + 1),
@@ -77,31 +86,41 @@ impl<'p> Space<'p> {
             rank: problem.items.iter().map(|i| i.rank).collect(),
             precedence: Precedence::new(problem),
         };
+        let charged = problem.items.iter().any(|i| i.uneven().is_some());
         for item in &problem.items {
             let nodes = &problem.nodes[item.nodes.start as usize..item.nodes.end as usize];
-            let spacing = item.track.as_ref().and_then(|track| ring(track, &mut s.place));
-            let kind = match spacing {
-                Some(_) => Kind::Ring,
-                None if nodes.len() == 2 && nodes[0].twin == nodes[1].twin + 1 => Kind::Open,
-                None => Kind::Loose,
+            let (kind, spacing) = match ring(item) {
+                Some(ring) => {
+                    s.place.extend(ring.points);
+                    s.along.extend(ring.along);
+                    s.extra.extend(ring.extra);
+                    s.corner.extend(ring.corners);
+                    (Kind::Ring, ring.spacing)
+                }
+                None => {
+                    let by_table = s.travel.by_table();
+                    let place =
+                        |(node, id): (&Node, NodeId)| if by_table { node_place(id) } else { node.entry };
+                    s.place.extend(nodes.iter().zip(item.nodes.clone()).map(place));
+                    s.along.extend(nodes.iter().map(|node| node.along));
+                    s.extra.extend(nodes.iter().filter(|_| charged).map(|n| item.extra(n.along)));
+                    let ends = nodes.len() == 2 && nodes[0].twin == nodes[1].twin + 1;
+                    (if ends { Kind::Open } else { Kind::Loose }, 0.0)
+                }
             };
-            if s.travel.by_table() {
-                s.place.extend(item.nodes.clone().map(node_place));
-            } else if kind != Kind::Ring {
-                s.place.extend(nodes.iter().map(|node| node.entry));
-            }
-            s.close_item(kind, spacing.unwrap_or(0.0));
+            s.close_item(kind, spacing, charged);
         }
         if !s.travel.by_table() {
             s.place.push(problem.home);
-            s.close_item(Kind::Loose, 0.0);
+            s.along.push(0.0);
+            s.close_item(Kind::Loose, 0.0, charged);
             s.rank.push(0);
         }
         s
     }
 
     /// Ends the places of the item being built.
-    fn close_item(&mut self, kind: Kind, spacing: f64) {
+    fn close_item(&mut self, kind: Kind, spacing: f64, charged: bool) {
         let from = self.first[self.first.len() - 1] as usize;
         let places = &self.place[from..];
         let b = places.iter().fold(Aabb::EMPTY, |b, p| b.with(*p));
@@ -110,6 +129,10 @@ impl<'p> Space<'p> {
         let gates = if self.travel.by_table() { places.len() } else { places.len().min(GATES) };
         self.gate_first.push(self.gate_first[self.gate_first.len() - 1] + index(gates));
         self.first.push(index(self.place.len()));
+        self.corner_first.push(index(self.corner.len()));
+        if charged {
+            self.extra.resize(self.place.len(), 0.0);
+        }
         self.kind.push(kind);
         self.spacing.push(spacing);
     }
@@ -119,16 +142,22 @@ impl<'p> Space<'p> {
         &self.place[self.first[item as usize] as usize..self.first[item as usize + 1] as usize]
     }
 
-    /// Distance of a ring's places along its track, mm; 0 for other items.
-    pub(super) fn spacing(&self, item: u32) -> f64 {
-        self.spacing[item as usize]
+    /// How far from a place its neighbours on a ring are at most, mm.
+    pub(super) fn reach(&self, item: u32) -> f64 {
+        let item = item as usize;
+        self.spacing[item] * if self.problem.items[item].uneven().is_some() { 2.0 } else { 1.0 }
+    }
+
+    /// Seconds on top for entering an item at a place.
+    pub(super) fn extra(&self, item: u32, at: u32) -> f64 {
+        if self.extra.is_empty() { 0.0 } else { self.extra[(self.first[item as usize] + at) as usize] }
     }
 
     /// The stop that enters an item at a place.
     pub(super) fn stop(&self, item: u32, at: u32) -> Stop {
         let first = self.problem.items[item as usize].nodes.start;
         match self.kind[item as usize] {
-            Kind::Ring => Stop::whole(first, self.spacing(item) * f64::from(at)),
+            Kind::Ring => Stop::whole(first, self.along[(self.first[item as usize] + at) as usize]),
             Kind::Open | Kind::Loose => Stop::at(self.problem, first + at),
         }
     }
@@ -143,11 +172,23 @@ impl<'p> Space<'p> {
             }
             let first = self.problem.items[item as usize].nodes.start;
             kept.at[item as usize] = match self.kind[item as usize] {
-                Kind::Ring => nearest(stop.along / self.spacing(item)) % index(self.places(item).len()),
+                Kind::Ring => self.nearest(item, stop.along),
                 Kind::Open | Kind::Loose => stop.node - first,
             };
         }
         kept
+    }
+
+    /// The place of a ring nearest to an arc length: no place is off its even spacing by more than half of it.
+    fn nearest(&self, item: u32, along: f64) -> u32 {
+        let (first, count) = (self.first[item as usize] as usize, self.places(item).len());
+        let (guess, spacing) = (nearest(along / self.spacing[item as usize]), self.spacing[item as usize]);
+        let off = |k: usize| {
+            let off = (self.along[first + k] - along).abs();
+            off.min(spacing * count as f64 - off)
+        };
+        let near = [guess, guess + count - 1, guess + 1].map(|k| k % count);
+        index(near.into_iter().fold(near[0], |best, k| if off(k) < off(best) { k } else { best }))
     }
 
     /// Whether an item may be entered anywhere along its track.
@@ -207,11 +248,11 @@ impl<'p> Space<'p> {
         self.travel.seconds(DVec2::ZERO, outside)
     }
 
-    /// Seconds from `gap.from` into an item at place `at` and on to `gap.to`.
+    /// Seconds from `gap.from` into an item at place `at` and on to `gap.to`, with what that place costs on top.
     pub(super) fn through(&self, item: u32, at: u32, gap: Gap) -> f64 {
         let entry = self.places(item)[at as usize];
         let on = gap.to.map_or(0.0, |to| self.travel.seconds(self.exit(item, at), to));
-        self.travel.seconds(gap.from, entry) + on
+        self.travel.seconds(gap.from, entry) + on + self.extra(item, at)
     }
 
     /// The best entry of an item in a gap, from all its places: index and seconds.
@@ -225,7 +266,16 @@ impl<'p> Space<'p> {
                 best = (index(at), seconds);
             }
         }
-        self.better_near(item, best, gap)
+        let mut best = self.better_near(item, best, gap);
+        let corners =
+            self.corner_first[item as usize] as usize..self.corner_first[item as usize + 1] as usize;
+        for &at in &self.corner[corners] {
+            let seconds = self.through(item, at, gap);
+            if seconds < best.1 {
+                best = (at, seconds);
+            }
+        }
+        best
     }
 
     /// A better entry near a given one, by halving steps to both sides; only rings have a near.
@@ -248,37 +298,6 @@ impl<'p> Space<'p> {
         }
         best
     }
-}
-
-/// Lays the ring of places along a closed track: their distance, or nothing where it has no length.
-fn ring(track: &Path, out: &mut Vec<DVec2>) -> Option<f64> {
-    let lengths: Vec<f64> = track.segments.iter().map(Segment::length).collect();
-    let length: f64 = lengths.iter().sum();
-    if !track.closed || length <= 0.0 || !length.is_finite() {
-        return None;
-    }
-    let mut count = GATES;
-    while count < MOST && length > SPACING * count as f64 {
-        count *= 2;
-    }
-    let spacing = length / count as f64;
-    let (mut element, mut before) = (0, 0.0);
-    for k in 0..count {
-        let along = spacing * k as f64;
-        while element + 1 < lengths.len() && before + lengths[element] < along {
-            before += lengths[element];
-            element += 1;
-        }
-        let f = if lengths[element] > 0.0 { (along - before) / lengths[element] } else { 0.0 };
-        out.push(track.segments[element].at(f));
-    }
-    Some(spacing)
-}
-
-/// The nearest whole number; places along tracks are small and not negative.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cast from float saturates")]
-fn nearest(x: f64) -> u32 {
-    x.round() as u32
 }
 
 /// Counts fit 32 bits: the reader's limits leave fewer than 2^32 places.

@@ -3,7 +3,7 @@
 
 use super::*;
 use crate::geometry::{Arc, DVec2, Path, Segment};
-use crate::machine::{self, AirTime};
+use crate::machine::{self, AirTime, ClosedRun};
 use crate::problem::{Groups, Item, Node, NodeId};
 use rand_xoshiro::rand_core::Rng;
 
@@ -22,6 +22,7 @@ impl Dice {
 /// Closed items with up to three loose entries, open items, some inside others, some of a later rank.
 fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Problem {
     let mut dice = Dice(Xoshiro256PlusPlus::seed_from_u64(seed));
+    let machine = machine::preset(machine).unwrap();
     let (mut items, mut nodes): (Vec<Item>, Vec<Node>) = (Vec::new(), Vec::new());
     for item in 0..count {
         let first = NodeId::try_from(nodes.len()).unwrap();
@@ -32,7 +33,7 @@ fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Problem {
         } else {
             for k in 0..=dice.below(3) {
                 let entry = dice.place();
-                let along = f64::from(k);
+                let along = 0.25 * f64::from(k);
                 nodes.push(Node { item, entry, exit: entry, along, reversed: false, twin: first + k });
             }
         }
@@ -41,9 +42,13 @@ fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Problem {
         let before = (item + 1 < count && dice.below(2) == 0)
             .then(|| item + 1 + dice.below(u64::from(count - item - 1)));
         let end = NodeId::try_from(nodes.len()).unwrap();
-        items.push(Item { nodes: first..end, before, rank, fixed: 0.0, leave: None, track: None });
+        // Closed ones cost more or less by entry, as a polygon entered at a corner or on the way along its sides.
+        let corner: Vec<DVec2> = (0..5).map(|_| dice.place() * 1e-3).collect();
+        let run = (0..5).map(|k| Segment::line(corner[k], corner[(k + 1) % 5])).collect::<Vec<_>>();
+        let open = nodes[first as usize].twin != first;
+        let run = if open { None } else { ClosedRun::new(&machine, &machine.cut, &run) };
+        items.push(Item { nodes: first..end, before, rank, fixed: 0.0, run, leave: None, track: None });
     }
-    let machine = machine::preset(machine).unwrap();
     Problem {
         items,
         nodes,
@@ -87,7 +92,8 @@ fn brute(problem: &Problem) -> f64 {
             order.push(i);
             for n in p.items[i as usize].nodes.clone() {
                 let node = &p.nodes[n as usize];
-                go(p, air, order, node.exit, spent + air.seconds(head, node.entry), least);
+                let there = air.seconds(head, node.entry) + p.items[i as usize].extra(node.along);
+                go(p, air, order, node.exit, spent + there, least);
             }
             order.pop();
         }
@@ -119,7 +125,15 @@ fn circles(centers: &[DVec2]) -> Problem {
         let path = Path::new(vec![Segment::Arc(Arc::circle(c, 10.0))], true);
         let entry = c + DVec2::new(10.0, 0.0);
         nodes.push(Node { item, entry, exit: entry, along: 0.0, reversed: false, twin: item });
-        Item { nodes: item..item + 1, before: None, rank: 0, fixed: 0.0, leave: None, track: Some(path) }
+        Item {
+            nodes: item..item + 1,
+            before: None,
+            rank: 0,
+            fixed: 0.0,
+            run: None,
+            leave: None,
+            track: Some(path),
+        }
     });
     let items = items.collect();
     let machine = machine::preset("length").unwrap();

@@ -153,9 +153,15 @@ impl<'p> Tour<'p> {
         self.way(self.exit(from), to, self.entry(to))
     }
 
-    /// Seconds of the whole tour.
+    /// Seconds on top of an item's fixed ones for being entered where it is.
+    pub(super) fn extra(&self, item: u32) -> f64 {
+        self.space.extra(item, self.at(item))
+    }
+
+    /// Seconds of the whole tour: travel and entries.
     pub(super) fn cost(&self) -> f64 {
-        (0..=self.last()).map(|p| self.edge(self.item(p), self.item(p + 1))).sum()
+        let seconds = |p| self.edge(self.item(p), self.item(p + 1)) + self.extra(self.item(p));
+        (0..=self.last()).map(seconds).sum()
     }
 
     /// Whether the tour takes `seconds`, but for rounding: for debug assertions.

@@ -1,0 +1,138 @@
+//! Against the look-ahead itself, run over the path re-cut to start at the place.
+
+use super::*;
+use crate::geometry::{Arc, DVec2, Path, math};
+use crate::machine::{cut_time, presets};
+use std::f64::consts::{PI, TAU};
+
+fn polygon(points: &[(f64, f64)]) -> Path {
+    let point = |k: usize| DVec2::from(points[k % points.len()]);
+    Path::new((0..points.len()).map(|k| Segment::line(point(k), point(k + 1))).collect(), true)
+}
+
+/// Regular, with one corner cut flat by a hair: long and very short elements side by side.
+fn regular(sides: u32, radius: f64) -> Path {
+    let at = |k: u32| radius * math::unit(TAU * f64::from(k) / f64::from(sides));
+    let mut points: Vec<(f64, f64)> = (0..sides).map(|k| at(k).into()).collect();
+    points.push((radius, -1e-3));
+    polygon(&points)
+}
+
+/// Two half circles joined by lines.
+fn slot(length: f64, radius: f64) -> Path {
+    let p = DVec2::new;
+    let turn = |x: f64, from: f64, to: f64| {
+        Segment::Arc(Arc::new(p(x, from * radius), p(x, to * radius), p(x, 0.0), true))
+    };
+    let lines = [(0.0, -radius, length), (length, radius, 0.0)];
+    let [a, b] = lines.map(|(from, y, to)| Segment::line(p(from, y), p(to, y)));
+    Path::new(vec![a, turn(length, -1.0, 1.0), b, turn(0.0, 1.0, -1.0)], true)
+}
+
+/// A wave of tight tangent arcs, as a fitted spline has, closed by corners and a line back.
+fn wave(bends: u32, radius: f64) -> Path {
+    let mut segments = Vec::new();
+    for k in 0..bends {
+        let centre = DVec2::new(2.0 * radius * f64::from(k), 0.0);
+        let sweep = if k % 2 == 0 { -PI } else { PI };
+        segments.push(Segment::Arc(Arc::new(
+            centre - DVec2::X * radius,
+            centre + DVec2::X * radius,
+            centre,
+            sweep > 0.0,
+        )));
+    }
+    let (from, to) = (segments[segments.len() - 1].end(), segments[0].start());
+    let corner = DVec2::new(0.3 * from.x, -30.0);
+    segments.extend([Segment::line(from, corner), Segment::line(corner, to)]);
+    Path::new(segments, true)
+}
+
+fn shapes() -> Vec<(&'static str, Path)> {
+    vec![
+        ("square", polygon(&[(0.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0)])),
+        ("small square", polygon(&[(0.0, 0.0), (0.2, 0.0), (0.2, 0.2), (0.0, 0.2)])),
+        ("spike", polygon(&[(0.0, 0.0), (100.0, 0.5), (0.0, 1.0), (50.0, 0.5)])),
+        ("60 sides", regular(60, 20.0)),
+        ("2,000 sides", regular(2000, 15.0)),
+        ("slot", slot(30.0, 0.4)),
+        ("large slot", slot(300.0, 90.0)),
+        ("wave", wave(9, 0.3)),
+        ("wide wave", wave(4, 12.0)),
+        ("out and back", polygon(&[(0.0, 0.0), (25.0, 0.0)])),
+        (
+            "half disc",
+            Path::new(
+                vec![
+                    Segment::Arc(Arc::from_angles(DVec2::ZERO, 6.0, 0.0, PI)),
+                    Segment::line(6.0 * math::unit(PI), DVec2::new(6.0, 0.0)),
+                ],
+                true,
+            ),
+        ),
+    ]
+}
+
+#[test]
+fn extra_seconds_are_those_of_the_path_started_there() {
+    for mut profile in presets() {
+        for deviation in [profile.junction_deviation, None, Some(0.0), Some(0.4)] {
+            profile.junction_deviation = deviation;
+            for (name, path) in shapes() {
+                for process in [&profile.cut, &profile.mark] {
+                    let time = |along: f64| cut_time(&profile, process, &path.starting_at(along).segments);
+                    let Some(run) = ClosedRun::new(&profile, process, &path.segments) else {
+                        assert_eq!(process.accel, None);
+                        continue;
+                    };
+                    let length = path.length();
+                    let every = (path.segments.len() / 50).max(1);
+                    let corners =
+                        run.joints().step_by(every).flat_map(|(c, _)| [c, c + 1e-4, c + length - 1e-4]);
+                    let inside = (0..=97).map(|k| length * f64::from(k) / 97.0);
+                    for along in corners.chain(inside).map(|a| a % length).chain([length]) {
+                        let (wanted, extra) = (time(along), run.extra(along));
+                        let found = run.least() + extra;
+                        assert!(
+                            (found - wanted).abs() <= 1e-9 * wanted,
+                            "{} {name} {deviation:?} at {along}: {found}, not {wanted}",
+                            profile.name
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// GRBL's 7 mm/s at a right angle, 35 mm/s on the sides: the corner takes a fraction of what the side takes.
+#[test]
+fn a_sharp_corner_costs_next_to_nothing_and_the_middle_of_a_side_a_stop() {
+    let profile = presets().swap_remove(0);
+    let (_, square) = shapes().swap_remove(0);
+    let run = ClosedRun::new(&profile, &profile.cut, &square.segments).unwrap();
+    let (v, a) = (35.0, 2000.0);
+    // To stop and to come back to v takes v / a each, over v^2 / 2a each, which take half of that at speed.
+    let middle = run.extra(20.0) + run.stop;
+    assert!((middle - v / a).abs() < 1e-12, "{middle}");
+    let corner = (a * 0.01 * (1.0 + 2.0_f64.sqrt())).sqrt();
+    // Two ramps between rest and the corner's speed less the way that the ramps from rest take longer.
+    let lost = corner * corner / (2.0 * a) / v;
+    let at_corner = run.extra(40.0) + run.stop;
+    assert!((at_corner - 2.0 * (corner / a - lost)).abs() < 1e-12, "{at_corner}");
+    assert!(run.extra(40.0) < 0.5 * run.extra(20.0));
+}
+
+#[test]
+fn what_is_the_same_everywhere_has_no_price() {
+    for profile in presets() {
+        let circle = [Segment::Arc(Arc::circle(DVec2::ONE, 5.0))];
+        let run = ClosedRun::new(&profile, &profile.cut, &circle);
+        assert!(run.is_none_or(|r| r.is_even() && r.extra(1.0) == 0.0));
+        assert_eq!(ClosedRun::new(&profile, &profile.cut, &[]), None);
+        let point = [Segment::line(DVec2::ONE, DVec2::ONE)];
+        assert_eq!(ClosedRun::new(&profile, &profile.cut, &point), None);
+    }
+    let length = presets().into_iter().find(|p| p.name == "length").unwrap();
+    assert_eq!(ClosedRun::new(&length, &length.cut, &shapes()[0].1.segments), None);
+}
