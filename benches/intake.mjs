@@ -2,14 +2,14 @@
 // Everything in wasm under Node, as in a browser: processor time, which a busy machine changes little; reading also
 // natively, by the clock. Medians of repeated runs.
 
-import { spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { build } from '../scripts/build.mjs';
 import { setup } from '../scripts/setup.mjs';
-import { DIST, ENV, ROOT, run, Stop } from '../scripts/tools.mjs';
+import { DIST, ROOT, run } from '../scripts/tools.mjs';
 import { drawing } from './intake/drawing.mjs';
+import { mb, median, ms, rows, table } from './common/table.mjs';
 
 const HERE = join(ROOT, 'benches', 'intake');
 const SHEETS = join(ROOT, 'tests', 'fixtures', 'sheets');
@@ -71,7 +71,7 @@ function assembling(file) {
 }
 
 function planning() {
-  const rows = [100, 500, 2000, 10000].map((n) => {
+  const sheets = [100, 500, 2000, 10000].map((n) => {
     const runs = [1, 2, 3].map(() => measure('plan', join(SHEETS, `sheet_${n}.dxf`)));
     const of = (key) => median(runs.map((r) => r[key]));
     const { contours, drawnSeconds, firstSeconds, seconds, memory } = runs[0];
@@ -79,7 +79,7 @@ function planning() {
     return [`sheet_${n}`, String(contours), ms(of('load')), ms(of('first')), ms(of('search')), ...machine, `${mb(memory)} MB`];
   });
   const columns = ['contours', 'loaded', 'first plan', 'then 100,000 moves', 'as drawn', 'first', 'best', 'wasm memory'];
-  table('Four sheets: from bytes to a first plan, then a search', ['', ...columns], rows);
+  table('Four sheets: from bytes to a first plan, then a search', ['', ...columns], sheets);
 }
 
 /** One case in a process of its own. */
@@ -87,24 +87,6 @@ function measure(kind, file) {
   return outside(process.execPath, [join(HERE, 'measure.mjs'), kind, file, String(RUNS)]);
 }
 
-function outside(command, args) {
-  const r = spawnSync(command, args, { env: ENV, encoding: 'utf8', maxBuffer: 1 << 24 });
-  if (r.status !== 0) throw new Stop(`${command} ${args.join(' ')} failed:\n${r.stderr ?? r.error}`);
-  return JSON.parse(r.stdout);
-}
-
-function median(values) {
-  const sorted = [...values].sort((a, b) => a - b);
-  return sorted[Math.floor(sorted.length / 2)];
-}
+const outside = (command, args) => rows(command, args)[0];
 
 const ratio = (a, b) => (median(a) / median(b)).toFixed(1);
-const ms = (value) => `${value.toFixed(0)} ms`;
-const mb = (bytes) => (bytes / 1e6).toFixed(0);
-
-function table(title, columns, rows) {
-  const widths = columns.map((c, i) => Math.max(c.length, ...rows.map((r) => r[i].length)));
-  const line = (cells) => cells.map((c, i) => (i === 0 ? c.padEnd(widths[i]) : c.padStart(widths[i]))).join('  ');
-  console.log(`\n${title}\n${line(columns)}\n${widths.map((w) => '-'.repeat(w)).join('  ')}`);
-  for (const row of rows) console.log(line(row));
-}

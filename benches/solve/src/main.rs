@@ -2,10 +2,8 @@
 //! [--first SEED] [--json]`. One line an instance, or one JSON line a run. Each run ends as soon as the best value
 //! known is reached, unless `--on` is given.
 
-mod source;
-
 use kerfway::solve::{self, Status};
-use source::Source;
+use kerfway_bench_solve::source::Source;
 use std::time::Instant;
 
 /// Moves between two looks at the clock: about a millisecond.
@@ -29,6 +27,8 @@ struct Run {
     /// Seconds until the best was found.
     found: f64,
     reached: bool,
+    /// Seconds and value at the start and at every improvement.
+    trace: Vec<(f64, f64)>,
 }
 
 fn main() {
@@ -84,6 +84,7 @@ fn bench(source: &Source, options: &Options) -> Result<(), String> {
                 "instance": source.name, "items": source.problem.items.len(), "nodes": source.problem.nodes.len(),
                 "known": source.known, "seed": seed, "value": run.value, "gap": gap(source, &run),
                 "seconds": run.seconds, "found": run.found, "moves": run.moves, "reached": run.reached,
+                "trace": run.trace,
             });
             println!("{row}");
         }
@@ -120,17 +121,19 @@ fn run(source: &Source, seed: u64, options: &Options) -> Result<Run, String> {
     let (mut moves, mut found) = (0, 0.0);
     let reached = |cost: f64| source.known.is_some_and(|k| cost <= k + 1e-6);
     let mut least = source.checked(search.best())?;
+    let mut trace = vec![(clock.elapsed().as_secs_f64(), least)];
     loop {
         let step = search.step(SLICE.min(options.moves - moves));
         moves += step.done;
         if step.improved {
             found = clock.elapsed().as_secs_f64();
             least = source.checked(search.best())?;
+            trace.push((found, least));
         }
         let over = moves >= options.moves || clock.elapsed().as_secs_f64() >= options.seconds;
         if over || step.status == Status::Exhausted || (reached(least) && !options.on) {
             let seconds = clock.elapsed().as_secs_f64();
-            return Ok(Run { value: least, seconds, moves, found, reached: reached(least) });
+            return Ok(Run { value: least, seconds, moves, found, reached: reached(least), trace });
         }
     }
 }

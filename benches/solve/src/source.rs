@@ -3,7 +3,7 @@
 use kerfway::geometry::DVec2;
 use kerfway::job::{Job, LoadOptions};
 use kerfway::machine::{self, Profile};
-use kerfway::problem::{self, Instance, Item, Node, Problem};
+use kerfway::problem::{self, Groups, Instance, Item, Node, Problem};
 use kerfway::solve::Solution;
 use kerfway::{plan, sheet::Sheet};
 use serde_json::Value;
@@ -25,20 +25,27 @@ enum Kind {
 }
 
 impl Source {
-    /// The sources in a file.
+    /// The sources in a file, with the values that lists beside it know.
     pub fn read(file: &str) -> Result<Vec<Self>, String> {
         let path = Path::new(file);
-        let text = || format!("{file} cannot be read.");
-        let bytes = std::fs::read(path).map_err(|_| text())?;
+        let bytes = std::fs::read(path).map_err(|_| format!("{file} cannot be read."))?;
+        let mut sources = Self::of(file, bytes)?;
+        for source in &mut sources {
+            source.known = source.known.or_else(|| known(path, &source.name));
+        }
+        Ok(sources)
+    }
+
+    /// The sources in the bytes of a file.
+    pub fn of(file: &str, bytes: Vec<u8>) -> Result<Vec<Self>, String> {
+        let path = Path::new(file);
         match path.extension().and_then(|e| e.to_str()) {
             Some("json") => variants(&serde_json::from_slice(&bytes).map_err(|e| e.to_string())?),
             Some("dxf") => Ok(vec![sheet(path, bytes)?]),
             _ => {
                 let instance = problem::instance(&bytes).map_err(|e| format!("{file}: {e}"))?;
-                let name = stem(path);
-                let known = known(path, &name);
-                let problem = instance.problem.clone();
-                Ok(vec![Self { name, problem, known, kind: Kind::Instance(instance) }])
+                let (name, problem) = (stem(path), instance.problem.clone());
+                Ok(vec![Self { name, problem, known: None, kind: Kind::Instance(instance) }])
             }
         }
     }
@@ -155,7 +162,7 @@ fn points(data: &Value, machine: Profile, boundary: bool) -> Option<Problem> {
         });
     }
     let (home, closed) = (DVec2::ZERO, machine.return_home);
-    Some(Problem { items, nodes, home, closed, machine, pairs: Vec::new(), table: None })
+    Some(Problem { items, nodes, home, closed, machine, pairs: Vec::new(), groups: Groups::default(), table: None })
 }
 
 fn points_checked(problem: &Problem, solution: &Solution) -> Result<f64, String> {

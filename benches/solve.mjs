@@ -1,0 +1,160 @@
+// The search against the best values known and against other solvers, on every kind of instance, natively and in wasm
+// under Node:
+//
+//     npm run bench -- solve [sheets|qu-du|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME]
+//
+// Instances come from ../shared/data. Runs go one after the other, each in a process of its own, and end early when the
+// best value known is reached. Every value is that of a tour checked by code that shares nothing with the search. Other
+// solvers run on the same instances in the same run where Python has them (`KERFWAY_PYTHON`, else python3; what they
+// need stands in ../shared/tools/README.md).
+
+import { existsSync, readdirSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { parseArgs } from 'node:util';
+import { setup } from '../scripts/setup.mjs';
+import { ask, DIST, ENV, ROOT, run, Stop } from '../scripts/tools.mjs';
+import { LEAN } from '../scripts/build.mjs';
+import { mb, mean, median, ms, rows, table } from './common/table.mjs';
+
+const HERE = join(ROOT, 'benches', 'solve');
+const NATIVE = join(HERE, 'target', 'release', 'kerfway-bench-solve');
+const DATA = join(ROOT, '..', 'shared', 'data');
+const BASELINES = join(ROOT, '..', 'shared', 'tools', 'gtsp_baselines.py');
+const PYTHON = process.env.KERFWAY_PYTHON ?? 'python3';
+
+/** Seconds at which values are told. */
+const MARKS = [1, 10, 30, 60];
+const SOLVERS = ['elkai', 'pyvrp', 'ortools'];
+
+const SETS = { sheets, 'qu-du': quDu, gtsplib, pcgtsp, scaling };
+
+export async function bench(args) {
+  const { values, positionals } = parseArgs({
+    args,
+    allowPositionals: true,
+    options: { seconds: { type: 'string' }, seeds: { type: 'string' }, only: { type: 'string' } },
+  });
+  const unknown = positionals.find((name) => !(name in SETS));
+  if (unknown !== undefined) throw new Stop(`There is no set ${unknown}: ${Object.keys(SETS).join(', ')}.`);
+  if (!existsSync(DATA)) throw new Stop(`The instances are not here: ${DATA}.`);
+  setup();
+  build();
+  const chosen = positionals.length > 0 ? positionals : Object.keys(SETS);
+  for (const name of chosen) {
+    await SETS[name]({ seconds: Number(values.seconds ?? 10), seeds: Number(values.seeds ?? 5), only: values.only });
+  }
+}
+
+function build() {
+  console.log('bench: the search, natively and in wasm');
+  run('cargo', ['build', '--release', '--manifest-path', join(HERE, 'Cargo.toml')]);
+  const args = [
+    ...['build', HERE, '--release', '--target', 'web', '--mode', 'no-install', '--no-pack'],
+    ...['--out-dir', join(DIST, 'bench-solve'), '--out-name', 'solve'],
+  ];
+  run('wasm-pack', args, { env: { ...ENV, CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS: LEAN } });
+}
+
+/** Every seed natively: the instances of a file, each with its runs. */
+function natively(file, { seconds, seeds }, ...more) {
+  const args = [file, '--seconds', String(seconds), '--seeds', String(seeds), '--json', ...more];
+  const all = rows(NATIVE, args);
+  return [...new Set(all.map((row) => row.instance))].map((name, index) => {
+    const runs = all.filter((row) => row.instance === name);
+    return { name, index, known: runs[0].known, items: runs[0].items, runs };
+  });
+}
+
+/** One seed in wasm. */
+function inWasm(file, { index, known }, seed, seconds, moves = Infinity) {
+  return rows(process.execPath, [join(HERE, 'wasm.mjs'), file, ...[index, seed, seconds, moves, known ?? NaN].map(String)])[0];
+}
+
+/** The best value a run had at a time. */
+function at(run, seconds) {
+  return run.trace.findLast(([s]) => s <= seconds)?.[1] ?? run.trace[0][1];
+}
+
+const percent = (value, known) => (known === null ? '' : `${((100 * (value - known)) / known).toFixed(3)} %`);
+const files = (set, ext, only) =>
+  readdirSync(join(DATA, set)).filter((f) => ext.test(f) && (only === undefined || f.includes(only))).sort(bySize).map((f) => join(DATA, set, f));
+const bySize = (a, b) => (parseInt(a) || 0) - (parseInt(b) || 0) || (a < b ? -1 : 1);
+
+async function sheets({ seconds, seeds, only }) {
+  const lines = [];
+  for (const n of [100, 500, 2000, 10000]) {
+    const file = join(DATA, 'sheets', `sheet_${n}.dxf`);
+    if (only !== undefined && !file.includes(only)) continue;
+    const { known } = natively(file, { seconds: 0, seeds: 1 }, '--on')[0];
+    const ours = Array.from({ length: seeds }, (_, k) => inWasm(file, { index: 0, known: null }, k + 1, seconds));
+    const of = (key) => median(ours.map((r) => at(r, key)));
+    const marks = MARKS.filter((m) => m <= seconds);
+    lines.push([
+      `sheet_${n}`, ms(1000 * median(ours.map((r) => r.trace[0][0]))), ...marks.map((m) => of(m).toFixed(1)),
+      Math.min(...ours.map((r) => r.value)).toFixed(1), known.toFixed(1), percent(of(seconds), known),
+      `${mb(Math.max(...ours.map((r) => r.memory)))} MB`,
+    ]);
+  }
+  const marks = MARKS.filter((m) => m <= seconds).map((m) => `${m} s`);
+  table(`Sheets in wasm, one worker: air length in mm, median of ${seeds} seeds`, ['', 'first plan', ...marks, 'best', 'best known before', 'median to it', 'memory'], lines);
+}
+
+async function quDu({ seconds, seeds }) {
+  const file = join(DATA, 'qu-du-43', 'qu_du_43.json');
+  const lines = natively(file, { seconds, seeds }).map((source) => {
+    const wasm = source.runs.map(({ seed }) => inWasm(file, source, seed, seconds));
+    const reached = (runs) => `${runs.filter((r) => r.reached).length}/${runs.length}`;
+    const found = (runs) => `${median(runs.map((r) => r.found)).toFixed(3)} s`;
+    const best = Math.min(...wasm.map((r) => r.value));
+    return [source.name, source.known.toFixed(3), best.toFixed(3), reached(source.runs), found(source.runs), reached(wasm), found(wasm)];
+  });
+  table('Qu & Du, 43 contours, fixed points: optima of data/README.md', ['', 'optimum', 'best', 'natively', 'median', 'wasm', 'median'], lines);
+}
+
+const gtsplib = (options) => library('gtsplib', /\.gtsp$/, options, true);
+const pcgtsp = (options) => library('pcgtsp', /\.pcglns$/, options, false);
+
+function library(set, ext, options, baselines) {
+  const { seconds, seeds, only } = options;
+  const gaps = [];
+  const solvers = baselines ? SOLVERS.filter((s) => ask(PYTHON, '-c', `import ${s}`) !== null) : [];
+  if (baselines && solvers.length < SOLVERS.length) {
+    console.log(`bench: not measured, as ${PYTHON} has them not: ${SOLVERS.filter((s) => !solvers.includes(s)).join(', ')}`);
+  }
+  const lines = files(set, ext, only).map((file) => {
+    const [source] = natively(file, options);
+    const wasm = inWasm(file, source, 1, seconds);
+    const values = source.runs.map((r) => r.value);
+    gaps.push(...values.map((v) => (100 * (v - source.known)) / source.known));
+    const others = solvers.map((solver) => {
+      const [row] = rows(PYTHON, [BASELINES, file, '--seconds', String(seconds), '--solver', solver]);
+      return row.length === undefined || row.length === null ? 'none' : percent(row.length, source.known);
+    });
+    const line = [
+      basename(file).replace(ext, ''), String(source.known), `${source.runs.filter((r) => r.reached).length}/${values.length}`,
+      percent(Math.min(...values), source.known), percent(mean(values), source.known),
+      `${median(source.runs.map((r) => r.found)).toFixed(2)} s`, percent(wasm.value, source.known), ...others,
+    ];
+    console.log(line.join('  '));
+    return line;
+  });
+  const columns = ['', 'best known', 'reached', 'best', 'mean', 'median found', 'wasm, seed 1', ...solvers];
+  table(`${set}: gap to the best known after ${seconds} s, ${seeds} seeds`, columns, lines);
+  const reached = gaps.filter((g) => g <= 1e-6).length;
+  console.log(`reached ${reached} of ${gaps.length} runs, mean gap ${mean(gaps).toFixed(4)} %`);
+}
+
+/** Moves in wasm against natively, and what a move costs as sheets grow. */
+async function scaling() {
+  const MOVES = 8_000_000;
+  const lines = [100, 500, 2000, 10000].map((n) => {
+    const file = join(DATA, 'sheets', `sheet_${n}.dxf`);
+    const work = (r) => r.seconds - r.trace[0][0];
+    const native = [1, 2, 3].map((seed) => rows(NATIVE, [file, '--moves', String(MOVES), '--seeds', '1', '--first', String(seed), '--on', '--json'])[0]);
+    const wasm = [1, 2, 3].map((seed) => inWasm(file, { index: 0, known: null }, seed, Infinity, MOVES));
+    const same = native.every((r, k) => r.value === wasm[k].value) ? 'yes' : 'NO';
+    const [a, b] = [native, wasm].map((runs) => median(runs.map(work)));
+    return [`sheet_${n}`, `${((1e9 * a) / MOVES).toFixed(0)} ns`, `${((1e9 * b) / MOVES).toFixed(0)} ns`, (b / a).toFixed(2), same];
+  });
+  table(`${MOVES / 1e6} million moves: time a move, and whether both come to the same value`, ['', 'natively', 'wasm', 'ratio', 'same'], lines);
+}

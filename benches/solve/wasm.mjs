@@ -1,0 +1,40 @@
+// One search in wasm, in a process of its own: node wasm.mjs FILE INDEX SEED SECONDS MOVES KNOWN. One line of JSON out, as the native
+// program prints. It ends as soon as KNOWN is reached, unless that is NaN.
+
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { DIST } from '../../scripts/tools.mjs';
+
+const [file, index, seed, seconds, moves, known] = process.argv.slice(2);
+/** Moves between two looks at the clock: about a millisecond. */
+const SLICE = 5_000;
+
+const at = join(DIST, 'bench-solve');
+const bench = await import(pathToFileURL(join(at, 'solve.js')).href);
+const { memory } = bench.initSync({ module: readFileSync(join(at, 'solve_bg.wasm')) });
+const bytes = readFileSync(file);
+
+// A first time to have the machine code ready, as in a worker that has planned before.
+const open = () => bench.Runner.open(file, bytes, Number(index), Number(seed));
+open().value();
+const start = performance.now();
+const now = () => (performance.now() - start) / 1000;
+const runner = open();
+let value = runner.value();
+const trace = [[now(), value]];
+let [done, found] = [0, trace[0][0]];
+const reached = () => value <= Number(known) + 1e-6;
+while (now() < Number(seconds) && done < Number(moves) && !reached()) {
+  const work = Math.min(SLICE, Number(moves) - done);
+  const came = runner.step(work);
+  done += work;
+  if (came === 1) {
+    value = runner.value();
+    found = now();
+    trace.push([found, value]);
+  }
+  if (came === 2) break;
+}
+const row = { seed: Number(seed), value, seconds: now(), moves: done, found, reached: reached(), memory: memory.buffer.byteLength, trace };
+console.log(JSON.stringify(row));
