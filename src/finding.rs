@@ -50,7 +50,7 @@ pub enum Code {
     Encoding,
     /// A three-dimensional entity was projected on the sheet.
     Projected,
-    /// Filled areas and points: their outline is taken, or not, and said.
+    /// Filled areas and wide lines: their outline or their middle line is taken.
     OutlineTaken,
     // Contours
     /// Ends joined over a gap.

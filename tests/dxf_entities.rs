@@ -304,3 +304,29 @@ fn a_file_without_anything_to_cut_says_why() {
     let sentence = read(&text).unwrap_err().to_string();
     assert!(sentence.contains("1 without an outline"), "{sentence}");
 }
+
+#[test]
+fn wide_polylines_are_read_along_their_middle_and_counted() {
+    let points = "10 0 20 0 10 30 20 0 10 30 20 40";
+    let light = |width: &str| entities(&format!("0 LWPOLYLINE 8 CUT 90 3 70 0 {width} {points}"));
+    assert_eq!(shapes(&light("43 0")), [("LWPOLYLINE", 70.0)]);
+    assert!(light("43 0").findings.is_empty());
+    let heavy = |head: &str, vertex: &str| {
+        entities(&format!(
+            "0 POLYLINE 8 CUT 66 1 70 0 {head} 0 VERTEX 8 CUT 10 0 20 0 0 VERTEX 8 CUT 10 30 20 0 {vertex} 0 SEQEND"
+        ))
+    };
+    let varying = entities("0 LWPOLYLINE 8 CUT 90 2 70 0 10 0 20 0 40 0 41 1.5 10 70 20 0");
+    for (drawing, kind, length) in [
+        (light("43 2.5"), "LWPOLYLINE", 70.0),
+        (varying, "LWPOLYLINE", 70.0),
+        (heavy("40 1 41 1", ""), "POLYLINE", 30.0),
+        (heavy("", "41 0.5"), "POLYLINE", 30.0),
+    ] {
+        assert_eq!(shapes(&drawing), [(kind, length)]);
+        let finding = found(&drawing, Code::OutlineTaken);
+        assert_eq!((finding.count, finding.layer.as_deref()), (1, Some("CUT")));
+        assert!(finding.message.contains("drawn with a width"), "{finding:?}");
+    }
+    assert!(heavy("40 0 41 0", "40 0").findings.is_empty());
+}

@@ -351,3 +351,19 @@ fn other_formats_are_named_with_what_to_do() {
         }
     }
 }
+
+#[test]
+fn a_misspelt_section_is_read_and_told() {
+    let text =
+        file("0 BLOCK 2 B 10 0 20 0 0 LINE 8 0 10 0 20 0 11 300 21 400 0 ENDBLK", "0 INSERT 2 B 10 0 20 0");
+    let sound = read(&text).unwrap();
+    assert_eq!(shapes(&sound), [("LINE", 500.0)]);
+    for (name, right) in [("HEADER", 1), ("BLOCKS", 2), ("ENTITIES", 3)] {
+        let wrong = text.replace(&format!("SECTION\n2\n{name}"), &format!("SUCTION\n2\n{name}"));
+        let drawing = read(&wrong).unwrap();
+        assert_eq!((shapes(&drawing), &drawing.units), (shapes(&sound), &sound.units), "section {right}");
+        let [finding] = &drawing.findings[..] else { panic!("{:?}", drawing.findings) };
+        assert_eq!(finding.code, Code::Resynchronised);
+        assert!(finding.message.starts_with("The word SUCTION stands where SECTION must"), "{finding:?}");
+    }
+}

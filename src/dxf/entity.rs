@@ -162,6 +162,8 @@ pub(super) enum Form<'a> {
         vertices: Vec<Vertex>,
         /// Comes back to its start.
         closed: bool,
+        /// Drawn with a width somewhere.
+        wide: bool,
         /// Height of its plane.
         elevation: f64,
         /// Extrusion direction.

@@ -115,6 +115,9 @@ impl<'a> Walk<'_, 'a, '_> {
                         if matches!(entity.kind, "SOLID" | "TRACE" | "3DFACE" | "HATCH") {
                             self.notes.count(Subject::Outline(entity.kind), layer, entity.handle, at());
                         }
+                        if matches!(form, Form::Polyline { wide: true, .. }) {
+                            self.notes.count(Subject::Wide(entity.kind), layer, entity.handle, at());
+                        }
                         for path in outline.paths {
                             self.shape(entity, layer, color, path);
                         }

@@ -178,7 +178,9 @@ impl<'a> Reader<'a> {
                 Some(_) => {
                     next = record.gather(tag, &mut self.tokens);
                     self.note_breaks(file, Some(&record));
-                    self.take(&record, file);
+                    if !self.opens_section(&record, file) {
+                        self.take(&record, file);
+                    }
                 }
                 None if tag.code == 9 => variable = tag.text().unwrap_or_default(),
                 None => file.header.take(variable, &tag),
@@ -191,6 +193,33 @@ impl<'a> Reader<'a> {
         self.close_polyline(file, !self.ended);
         self.note_breaks(file, None);
         self.note_end(file);
+    }
+
+    /// Whether a record whose name nobody knows is the misspelt start of a section: outside every section, and named
+    /// as one. The section is entered.
+    fn opens_section(&mut self, record: &Record<'a>, file: &mut File<'a>) -> bool {
+        let Some((name, rest)) = record.tags.split_first().filter(|(tag, _)| tag.code == 2) else {
+            return false;
+        };
+        let section = section_of(name);
+        if self.section != Section::Unknown || section == Section::Unknown || is_expected(record.name) {
+            return false;
+        }
+        self.close_polyline(file, false);
+        self.block = None;
+        self.section = section;
+        let mut variable: &[u8] = b"";
+        for tag in rest {
+            match tag.code {
+                9 => variable = tag.text().unwrap_or_default(),
+                _ => file.header.take(variable, tag),
+            }
+        }
+        file.recognised = true;
+        let message = "The word {} stands where SECTION must: what follows is read as the section it names.";
+        file.notes
+            .push(Note { name: record.name, ..Note::new(Code::Resynchronised, Severity::Warning, message) });
+        true
     }
 
     /// Takes one record, whatever it is.

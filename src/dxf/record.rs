@@ -65,7 +65,8 @@ impl<'a> Record<'a> {
             210 => self.normal.x = tag.real().unwrap_or(0.0),
             220 => self.normal.y = tag.real().unwrap_or(0.0),
             230 => self.normal.z = tag.real().unwrap_or(1.0),
-            // Line type, thickness, plot styles and owners have no part in the outline.
+            // Line type, thickness, plot styles and owners have no part in the outline. Nor has a true colour (420):
+            // who writes one writes the nearest colour number (62) beside it, and colours are only shown.
             6 | 39 | 48 | 330 | 347 | 348 | 370 | 390 | 410 | 420 | 430 | 440 => {}
             _ => self.tags.push(tag),
         }

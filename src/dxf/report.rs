@@ -64,6 +64,8 @@ pub(super) enum Subject<'a> {
     Hidden(Hidden),
     /// A kind of filled area whose outline is taken.
     Outline(&'static str),
+    /// A kind of polyline drawn with a width.
+    Wide(&'static str),
     /// A kind of entity tilted against the sheet.
     Projected(&'static str),
     /// An insert of a block that is not there.
@@ -154,6 +156,10 @@ impl<'a> Tally<'a> {
                 let message = format!(
                     "The outline of {n} {kind} is taken as lines to cut; the filling is not. Where it lies on other lines it is cut once."
                 );
+                (Code::OutlineTaken, Severity::Info, b"", message)
+            }
+            Subject::Wide(kind) => {
+                let message = format!("{n} {kind} drawn with a width: cut along the middle line, once.");
                 (Code::OutlineTaken, Severity::Info, b"", message)
             }
             Subject::Projected(kind) => {

@@ -35,7 +35,7 @@ pub(super) fn outline(form: &Form<'_>, to_sheet: &DAffine3, tolerance: f64) -> R
             let arc = arc(center.truncate(), *radius, *start, *end).ok_or("it has no length")?;
             Ok(flat(plane, vec![tracer.arc(&arc, &plane.map)]))
         }
-        Form::Polyline { vertices, closed, elevation, normal } => {
+        Form::Polyline { vertices, closed, elevation, normal, .. } => {
             let plane = tracer.plane(*normal, *elevation);
             Ok(flat(plane, vec![tracer.polyline(vertices, *closed, &plane.map)]))
         }

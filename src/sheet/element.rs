@@ -29,6 +29,8 @@ pub(super) struct Chain {
     pub(super) elements: Range<usize>,
     /// The last end is the first start.
     pub(super) closed: bool,
+    /// Beside it something was taken out that lies along another one.
+    pub(super) left_over: bool,
     /// What is left of this one of [`Chains::outlines`].
     pub(super) rest_of: Option<u32>,
 }

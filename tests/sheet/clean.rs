@@ -245,3 +245,25 @@ fn hostile_a_hatch_of_slanted_lines_is_looked_at_in_part() {
         findings(&s, Code::NotAllChecked).iter().map(|f| f.message.contains("near copies")).collect();
     assert_eq!(told, [true, false], "of near copies and of crossings");
 }
+
+/// As in DRAAK, where 0.013 mm of a line stuck out beyond a shared border and were cut by themselves.
+#[test]
+fn pieces_shorter_than_the_joining_tolerance_left_over_are_dropped_and_told() {
+    let beside = |over: f64| {
+        let mut shapes = exploded(&rect(0.0, 0.0, 50.0, 20.0));
+        shapes.extend([line(30.0, 0.0, 50.0 + over, 0.0), line(0.0, 40.0, 0.04, 40.0)]);
+        sheet(shapes)
+    };
+    let s = beside(0.013);
+    // What is as short but was drawn so stays.
+    assert_eq!(counts(&s), (1, 1));
+    close(total_length(&s), 140.04);
+    let scrap = findings(&s, Code::OverlapRemoved)
+        .into_iter()
+        .find(|f| f.message.starts_with("1 piece no longer than the joining tolerance"));
+    assert_eq!(scrap.unwrap().at.map(|at| at.distance(p(50.0, 0.0)) < 0.02), Some(true));
+    // What sticks out farther stays.
+    let s = beside(0.2);
+    assert_eq!(counts(&s), (1, 2));
+    close(total_length(&s), 140.24);
+}

@@ -9,27 +9,12 @@
  *     const gcode = await planner.output('gcode');
  */
 
-import { Planner, type PlannerOptions } from './planner.js';
 import type { StartWorker } from './line.js';
+import { opener } from './opener.js';
 
 export { Planner, type PlannerOptions } from './planner.js';
 export type { PlanHandle, PlanResult, Started } from './plan-handle.js';
 export type * from './protocol.js';
-
-/** A planner with its worker ready. The drawing never leaves the machine. */
-export async function createPlanner(options: PlannerOptions = {}): Promise<Planner> {
-  return Planner.open({ module: await compiled(options.wasm), start, onReplaced: options.onReplaced });
-}
-
-/** Compiled once, whoever asks: all workers share it. */
-let own: Promise<WebAssembly.Module> | undefined;
-
-function compiled(wasm: PlannerOptions['wasm']): WebAssembly.Module | Promise<WebAssembly.Module> {
-  if (wasm instanceof WebAssembly.Module) return wasm;
-  if (wasm !== undefined) return WebAssembly.compile(wasm);
-  own ??= fetchModule(new URL('./pkg/kerfway_bg.wasm', import.meta.url));
-  return own;
-}
 
 // Streaming needs the type application/wasm, which some servers do not send.
 async function fetchModule(url: URL): Promise<WebAssembly.Module> {
@@ -48,3 +33,6 @@ const start: StartWorker = (heard, died) => {
   worker.onerror = (event) => died(`The planner broke down${event.message ? '' : ' (its script did not load)'}.`);
   return { post: (message) => worker.postMessage(message), close: () => worker.terminate() };
 };
+
+/** A planner with its worker ready. The drawing never leaves the machine. */
+export const createPlanner = opener(() => fetchModule(new URL('./pkg/kerfway_bg.wasm', import.meta.url)), start);

@@ -8,7 +8,7 @@ pub(super) fn light<'a>(record: &Record<'a>) -> Form<'a> {
     let count = record.int(90).and_then(|n| usize::try_from(n).ok()).unwrap_or(0);
     // The count is the file's word: memory follows the tags that are really there.
     let mut vertices: Vec<Vertex> = Vec::with_capacity(count.min(record.tags.len()));
-    let mut elevation = 0.0;
+    let (mut elevation, mut wide) = (0.0, false);
     for tag in &record.tags {
         let (Some(value), last) = (tag.real(), vertices.last_mut()) else { continue };
         match (tag.code, last) {
@@ -16,18 +16,20 @@ pub(super) fn light<'a>(record: &Record<'a>) -> Form<'a> {
             (20, Some(v)) => v.at.y = value,
             (42, Some(v)) => v.bulge = value,
             (38, _) => elevation = value,
+            // Constant width; width at the start and end of a stretch.
+            (40 | 41 | 43, _) => wide |= value > 0.0,
             _ => {}
         }
     }
-    flat(vertices, record.flag(1), elevation, record.normal)
+    flat(vertices, record.flag(1), wide, elevation, record.normal)
 }
 
-fn flat<'a>(vertices: Vec<Vertex>, closed: bool, elevation: f64, normal: DVec3) -> Form<'a> {
+fn flat<'a>(vertices: Vec<Vertex>, closed: bool, wide: bool, elevation: f64, normal: DVec3) -> Form<'a> {
     if vertices.len() < 2 {
         let place = vertices.first().map(|v| v.at.extend(elevation));
         return Form::Invalid("it has fewer than two vertices", place);
     }
-    Form::Polyline { vertices, closed, elevation, normal }
+    Form::Polyline { vertices, closed, wide, elevation, normal }
 }
 
 /// What kind of POLYLINE it is (group 70).
@@ -44,6 +46,7 @@ enum Style {
 pub(in crate::dxf) struct Gathering {
     style: Style,
     closed: bool,
+    wide: bool,
     elevation: f64,
     normal: DVec3,
     flat: Vec<Vertex>,
@@ -65,6 +68,7 @@ pub(in crate::dxf) fn begin(record: &Record<'_>) -> Gathering {
     Gathering {
         style,
         closed: record.flag(1),
+        wide: is_wide(record),
         // Group 10 and 20 of the POLYLINE itself are always 0; 30 is its elevation.
         elevation: record.real(30).unwrap_or(0.0),
         normal: record.normal,
@@ -72,6 +76,11 @@ pub(in crate::dxf) fn begin(record: &Record<'_>) -> Gathering {
         spatial: Vec::new(),
         first: None,
     }
+}
+
+/// Whether a POLYLINE or a VERTEX gives a width, at the start or the end of a stretch.
+fn is_wide(record: &Record<'_>) -> bool {
+    [40, 41].into_iter().any(|code| record.real(code).is_some_and(|width| width > 0.0))
 }
 
 impl Gathering {
@@ -85,6 +94,7 @@ impl Gathering {
         }
         let Some(at) = vertex.point(10) else { return };
         self.first = self.first.or(Some(at));
+        self.wide |= is_wide(vertex);
         match self.style {
             Style::Flat => {
                 self.flat.push(Vertex { at: at.truncate(), bulge: vertex.real(42).unwrap_or(0.0) });
@@ -97,7 +107,7 @@ impl Gathering {
     /// The geometry; or the name of the kind that has none to cut, and its place.
     pub(in crate::dxf) fn end<'a>(self) -> Result<Form<'a>, (&'static str, Option<DVec3>)> {
         match self.style {
-            Style::Flat => Ok(flat(self.flat, self.closed, self.elevation, self.normal)),
+            Style::Flat => Ok(flat(self.flat, self.closed, self.wide, self.elevation, self.normal)),
             Style::Spatial if self.spatial.len() < 2 => {
                 Ok(Form::Invalid("it has fewer than two vertices", self.spatial.first().copied()))
             }

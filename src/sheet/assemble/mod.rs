@@ -40,7 +40,7 @@ pub(super) fn assemble(
     let branches = node::join(&mut ends);
     gaps::join(&mut ends, tolerance);
     gaps::report(drawing, &ends, &branches, tolerance, findings);
-    trace::contours(drawing, chains, &ends, findings)
+    trace::contours(drawing, chains, &ends, tolerance, findings)
 }
 
 /// The ends of all chains: chain `c` starts at end `2 c` and ends at end `2 c + 1`.

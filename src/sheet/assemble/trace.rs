@@ -2,7 +2,7 @@
 
 use super::{Ends, NONE, close};
 use crate::dxf::Drawing;
-use crate::finding::{Code, Findings, Severity};
+use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{DVec2, Path};
 use crate::sheet::about::{self, count, plural};
 use crate::sheet::element::{Chain, Chains, ROUNDING};
@@ -22,13 +22,16 @@ pub(crate) struct Assembled {
     pub(crate) outline: Option<Path>,
 }
 
-/// Walks all contours, in drawing order, and tells the gaps closed.
+/// Walks all contours, in drawing order, and tells the gaps closed. What was left over where lines lay along each other,
+/// joins nothing and is no longer than the distance at which ends meet, is dropped: a burnt spot beside a cut.
 pub(super) fn contours(
     drawing: &Drawing,
     chains: &Chains,
     ends: &Ends,
+    tolerance: f64,
     findings: &mut Findings,
 ) -> Vec<Assembled> {
+    let mut scraps: Vec<DVec2> = Vec::new();
     let mut visited = vec![false; chains.chains.len()];
     let mut out: Vec<Assembled> = Vec::new();
     let mut rests: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
@@ -40,11 +43,13 @@ pub(super) fn contours(
             continue;
         };
         let mut walk = Walk::default();
+        let mut left_over = true;
         let start = first_end(ends, 2 * first);
         let mut end = start;
         loop {
             let chain = end / 2;
             visited[chain as usize] = true;
+            left_over &= chains.chains[chain as usize].left_over;
             walk.take(chains, &chains.chains[chain as usize], end % 2 == 1);
             let mate = ends.mate[(end ^ 1) as usize];
             if mate == NONE || mate == start || mate == end ^ 1 {
@@ -54,12 +59,24 @@ pub(super) fn contours(
             end = mate;
         }
         walk.finish();
+        if left_over && !walk.closed && walk.contour.path.length() <= tolerance {
+            scraps.extend(walk.contour.path.start());
+            continue;
+        }
         walk.tell_gaps(drawing, findings);
         if let Some(of) = chains.chains[first as usize].rest_of {
             walk.contour.is_rest = true;
             rests.entry(of).or_default().push(out.len());
         }
         out.push(walk.contour);
+    }
+    if let Some(&at) = scraps.first() {
+        let text = plural(scraps.len(), "piece", "pieces");
+        let message = format!(
+            "{text} no longer than the joining tolerance, left over beside removed overlaps, left out."
+        );
+        let finding = Finding::new(Code::OverlapRemoved, Severity::Info, message);
+        findings.push(finding.at(at).times(count(scraps.len())));
     }
     for (of, rests) in rests {
         give_outline(&mut out, &rests, &chains.outlines[of as usize]);

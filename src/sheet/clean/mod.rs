@@ -171,7 +171,7 @@ fn rebuild(elements: &[Element], runs: &[Run], kept: &[Kept], tolerance: f64) ->
             let from = out.elements.len();
             out.elements.extend_from_slice(&elements[range]);
             let elements = from..out.elements.len();
-            out.chains.push(Chain { elements, closed: run.closed, rest_of: None });
+            out.chains.push(Chain { elements, closed: run.closed, left_over: false, rest_of: None });
             continue;
         }
         let mut chains = broken(&elements[range.clone()], &kept[range.clone()], run.closed);
@@ -184,7 +184,12 @@ fn rebuild(elements: &[Element], runs: &[Run], kept: &[Kept], tolerance: f64) ->
         for pieces in chains {
             let from = out.elements.len();
             out.elements.extend(pieces);
-            out.chains.push(Chain { elements: from..out.elements.len(), closed: false, rest_of });
+            out.chains.push(Chain {
+                elements: from..out.elements.len(),
+                closed: false,
+                left_over: true,
+                rest_of,
+            });
         }
     }
     out

@@ -55,7 +55,7 @@ export const FINDING_TITLES: Record<string, string> = {
   more: 'More, not listed one by one',
 };
 
-/** Seconds without an improvement from which one may say that none is found any more. */
+/** Seconds without an improvement, as people round them, from which one may say that none is found any more. */
 const QUIET = 1;
 
 /** Why a search ended; `quiet`: seconds since its last improvement. */
@@ -64,7 +64,10 @@ export function doneSentence(reason: DoneReason | null, quiet: number): string {
     case 'exhausted': return 'Done. This method finds nothing better.';
     case 'replaced': return 'Stopped: the planner had to be replaced. The best path is kept.';
     case 'stopped': return 'Stopped. The best path is kept.';
-    default: return quiet < QUIET ? 'Time is up, and it was still improving.' : `Done. No better path found for ${seconds(quiet)}.`;
+    default: {
+      const whole = Math.round(quiet);
+      return whole < QUIET ? 'Time is up, and it was still improving.' : `Done. No better path found for ${whole === 1 ? 'a second' : seconds(whole)}.`;
+    }
   }
 }
 

@@ -29,23 +29,12 @@ const BATCH = 256;
 /** A contour smaller than this many pixels is a dot. */
 const DOT = 1.2;
 
-/** Strokes those chains that `take` picks, in batches. */
-function* strokeChains(pen: Pen, view: View, shapes: Shapes, take: (chain: number) => boolean): Generator<void> {
-  const { boxes, offsets } = shapes;
+/** Strokes what `add` traces for each of `count` things, in batches; `add` says how many elements it traced. */
+function* strokeAll(pen: Pen, count: number, add: (i: number) => number): Generator<void> {
   let held = 0;
   pen.beginPath();
-  for (let c = 0; c < shapes.count; c += 1) {
-    if (!take(c)) continue;
-    const x0 = view.x + boxes[c * 4]! * view.scale, x1 = view.x + boxes[c * 4 + 2]! * view.scale;
-    const y0 = view.y - boxes[c * 4 + 3]! * view.scale, y1 = view.y - boxes[c * 4 + 1]! * view.scale;
-    if (x1 < -4 || y1 < -4 || x0 > view.width + 4 || y0 > view.height + 4) continue;
-    if (x1 - x0 < DOT && y1 - y0 < DOT) {
-      pen.rect(x0, y0, DOT / 2, DOT / 2);
-      held += 1;
-    } else {
-      traceChain(pen, view, shapes, c);
-      held += offsets[c + 1]! - offsets[c]!;
-    }
+  for (let i = 0; i < count; i += 1) {
+    held += add(i);
     if (held >= BATCH) {
       pen.stroke();
       pen.beginPath();
@@ -55,6 +44,23 @@ function* strokeChains(pen: Pen, view: View, shapes: Shapes, take: (chain: numbe
   }
   pen.stroke();
   yield;
+}
+
+/** Strokes those chains that `take` picks. */
+function strokeChains(pen: Pen, view: View, shapes: Shapes, take: (chain: number) => boolean): Generator<void> {
+  const { boxes, offsets } = shapes;
+  return strokeAll(pen, shapes.count, (c) => {
+    if (!take(c)) return 0;
+    const x0 = view.x + boxes[c * 4]! * view.scale, x1 = view.x + boxes[c * 4 + 2]! * view.scale;
+    const y0 = view.y - boxes[c * 4 + 3]! * view.scale, y1 = view.y - boxes[c * 4 + 1]! * view.scale;
+    if (x1 < -4 || y1 < -4 || x0 > view.width + 4 || y0 > view.height + 4) return 0;
+    if (x1 - x0 < DOT && y1 - y0 < DOT) {
+      pen.rect(x0, y0, DOT / 2, DOT / 2);
+      return 1;
+    }
+    traceChain(pen, view, shapes, c);
+    return offsets[c + 1]! - offsets[c]!;
+  });
 }
 
 /** Size of a contour on screen, CSS pixels, in the mean of a sample of them. */
@@ -103,30 +109,20 @@ export function* paintSheet(pen: Pen, view: View, subject: Subject): Generator<v
   yield* strokeChains(pen, view, shapes, (c) => roles[c] === Role.outer);
 }
 
-/** Adds the air moves into stops `from` to `to` (and home after the last), those that `take` picks. */
+/** Strokes the air moves into the stops up to `to` (and home after the last), those that `take` picks. */
 function* strokeAir(pen: Pen, view: View, subject: Subject, to: number, take: (stop: number) => boolean): Generator<void> {
   const { path, travel } = subject;
   if (!path) return;
   const p = path.points;
   const stops = path.contours.length;
-  let held = 0;
-  pen.beginPath();
-  for (let k = 0; k <= Math.min(to, travel.returnHome ? stops : stops - 1); k += 1) {
-    if (!take(k)) continue;
+  yield* strokeAll(pen, Math.min(to, travel.returnHome ? stops : stops - 1) + 1, (k) => {
+    if (!take(k)) return 0;
     const [x0, y0] = k === 0 ? travel.home : [p[k * 4 - 2]!, p[k * 4 - 1]!];
     const [x1, y1] = k === stops ? travel.home : [p[k * 4]!, p[k * 4 + 1]!];
-    if (offScreen(view, x0, y0, x1, y1)) continue;
+    if (offScreen(view, x0, y0, x1, y1)) return 0;
     traceAir(pen, view, travel, x0, y0, x1, y1);
-    held += 1;
-    if (held >= BATCH) {
-      pen.stroke();
-      pen.beginPath();
-      held = 0;
-      yield;
-    }
-  }
-  pen.stroke();
-  yield;
+    return 1;
+  });
 }
 
 function offScreen(view: View, x0: number, y0: number, x1: number, y1: number): boolean {
