@@ -26,7 +26,13 @@ const PYTHON = process.env.KERFWAY_PYTHON ?? 'python3';
 const MARKS = [1, 10, 30, 60];
 const SOLVERS = ['elkai', 'pyvrp', 'ortools'];
 
-const SETS = { sheets, 'qu-du': quDu, gtsplib, pcgtsp, scaling };
+const SETS = {
+  sheets,
+  'qu-du': quDu,
+  gtsplib: (options) => library('gtsplib', /\.gtsp$/, options, true),
+  pcgtsp: (options) => library('pcgtsp', /\.pcglns$/, options, false),
+  scaling,
+};
 
 export async function bench(args) {
   const { values, positionals } = parseArgs({
@@ -111,8 +117,6 @@ async function quDu({ seconds, seeds }) {
   table('Qu & Du, 43 contours, fixed points: optima of data/README.md', ['', 'optimum', 'best', 'natively', 'median', 'wasm', 'median'], lines);
 }
 
-const gtsplib = (options) => library('gtsplib', /\.gtsp$/, options, true);
-const pcgtsp = (options) => library('pcgtsp', /\.pcglns$/, options, false);
 
 function library(set, ext, options, baselines) {
   const { seconds, seeds, only } = options;

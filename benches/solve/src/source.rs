@@ -157,6 +157,7 @@ fn points(data: &Value, machine: Profile, boundary: bool) -> Option<Problem> {
             before,
             rank: 0,
             fixed: 0.0,
+            run: None,
             leave: None,
             track: None,
         });
