@@ -9,6 +9,7 @@ import { build } from '../scripts/build.mjs';
 import { setup } from '../scripts/setup.mjs';
 import { DIST, ROOT, run } from '../scripts/tools.mjs';
 import { drawing } from './intake/drawing.mjs';
+import { hostile } from './intake/hostile.mjs';
 import { mb, median, ms, rows, table } from './common/table.mjs';
 
 const HERE = join(ROOT, 'benches', 'intake');
@@ -18,7 +19,7 @@ const ENTITIES = 63_000;
 const SEED = 1;
 
 /** What the figures should stay below. */
-const TARGETS = { read: 500, memory: 250, assemble: 1000 };
+const TARGETS = { read: 500, memory: 250, assemble: 1000, hostile: 1000 };
 
 export async function bench() {
   setup();
@@ -38,6 +39,7 @@ export async function bench() {
     reading(large);
     assembling(join(SHEETS, 'sheet_10000.dxf'));
     planning();
+    enduring(folder);
   } finally {
     rmSync(folder, { recursive: true });
   }
@@ -80,6 +82,19 @@ function planning() {
   });
   const columns = ['contours', 'loaded', 'first plan', 'then 100,000 moves', 'as drawn', 'first', 'best', 'wasm memory'];
   table('Four sheets: from bytes to a first plan, then a search', ['', ...columns], sheets);
+}
+
+function enduring(folder) {
+  const lines = Object.entries(hostile).map(([name, text]) => {
+    const path = join(folder, 'hostile.dxf');
+    writeFileSync(path, text());
+    const { times, found } = measure('hostile', path);
+    return [name, ms(median(times)), found];
+  });
+  table('Files made to hang a reader, through contours and parts', ['', 'wasm', 'ends with'], [
+    ...lines,
+    ['target', ms(TARGETS.hostile), ''],
+  ]);
 }
 
 /** One case in a process of its own. */

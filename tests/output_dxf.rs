@@ -31,18 +31,7 @@ fn element(s: &Segment) -> Element {
 
 #[test]
 fn contours_come_back_in_cutting_order_entry_first() {
-    for seed in 0..200 {
-        let (sheet, plan) = plans::random(seed);
-        assert_same(&sheet, &plan);
-    }
-}
-
-#[test]
-fn real_drawings_come_back_in_cutting_order_entry_first() {
-    for (name, job) in plans::real() {
-        println!("{name}");
-        assert_same(job.sheet(), &job.plan().unwrap());
-    }
+    plans::each(200, |sheet, plan, _| assert_same(sheet, plan));
 }
 
 fn assert_same(sheet: &Sheet, plan: &Plan) {

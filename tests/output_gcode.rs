@@ -143,20 +143,8 @@ M2
 }
 
 #[test]
-fn random_plans_come_back_as_planned() {
-    for seed in 0..400 {
-        let (sheet, plan) = plans::random(seed);
-        assert_same(&sheet, &plan, &plans::machine());
-    }
-}
-
-#[test]
-fn real_drawings_come_back_as_planned() {
-    for (name, job) in plans::real() {
-        println!("{name}");
-        let (plan, run) = (job.plan().unwrap(), job.run().unwrap());
-        assert_same(job.sheet(), &plan, &run.machine);
-    }
+fn plans_come_back_as_planned() {
+    plans::each(400, assert_same);
 }
 
 #[test]

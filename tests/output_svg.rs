@@ -85,18 +85,7 @@ fn cuts(plan: &Plan) -> Vec<(usize, &[Segment])> {
 
 #[test]
 fn contours_come_back_in_order_as_planned() {
-    for seed in 0..300 {
-        let (sheet, plan) = plans::random(seed);
-        assert_same(&sheet, &plan, &plans::machine());
-    }
-}
-
-#[test]
-fn real_drawings_come_back_as_planned() {
-    for (name, job) in plans::real() {
-        println!("{name}");
-        assert_same(job.sheet(), &job.plan().unwrap(), &job.run().unwrap().machine);
-    }
+    plans::each(300, assert_same);
 }
 
 fn assert_same(sheet: &Sheet, plan: &Plan, profile: &Profile) {

@@ -60,6 +60,20 @@ const cases = {
     const read = Read.open(bytes);
     return repeat(memory, () => read.assemble());
   },
+  /** From bytes to contours and parts, or to the sentence that refuses them. */
+  async hostile() {
+    const { memory, Job } = await planner();
+    return repeat(memory, () => {
+      try {
+        const job = new Job(new Uint8Array(bytes), basename(file), {});
+        const { contours, findings } = job.report();
+        job.free();
+        return `${contours.length} contours, ${findings.length} findings`;
+      } catch (error) {
+        return error.message ?? String(error);
+      }
+    });
+  },
   /** From bytes to a first whole path, as the page does it; then a search of `MOVES` moves. */
   async plan() {
     const MOVES = 100_000;

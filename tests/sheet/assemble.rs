@@ -83,9 +83,9 @@ fn equal_distances_are_decided_by_layer_then_by_the_straighter_course() {
             (b, line(10.0, 0.0, 10.0, 9.0)),
         ])
     };
-    let s = built(&arms("A", "A"), &SheetOptions::default());
+    let s = arranged(&arms("A", "A"));
     assert_eq!(s.contours.iter().map(|c| c.length).collect::<Vec<_>>(), [20.0, 9.0]);
-    let s = built(&arms("B", "A"), &SheetOptions::default());
+    let s = arranged(&arms("B", "A"));
     assert_eq!(s.contours.iter().map(|c| c.length).collect::<Vec<_>>(), [19.0, 10.0]);
     assert_eq!(findings(&s, Code::Branch).len(), 1);
     assert_eq!(findings(&s, Code::Branch)[0].at, Some(p(10.0, 0.0)));
@@ -165,10 +165,8 @@ fn an_arc_that_comes_nearly_round_closes_on_itself_and_a_short_line_does_not() {
 fn one_contour_over_several_layers_goes_to_the_one_with_most_of_it() {
     let mut sides = exploded(&rect(0.0, 0.0, 20.0, 10.0));
     let last = sides.pop().unwrap();
-    let s = built(
-        &drawing([("SMALL", last)].into_iter().chain(sides.into_iter().map(|p| ("LARGE", p)))),
-        &SheetOptions::default(),
-    );
+    let large = sides.into_iter().map(|p| ("LARGE", p));
+    let s = arranged(&drawing([("SMALL", last)].into_iter().chain(large)));
     assert_eq!(counts(&s), (1, 0));
     assert_eq!(s.layers[s.contours[0].layer as usize].name, "LARGE");
     let told = findings(&s, Code::SeveralLayers);

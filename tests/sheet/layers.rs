@@ -112,7 +112,7 @@ fn sheet_of_parts(border: &'static str, parts: &'static str) -> Drawing {
 
 #[test]
 fn a_lone_border_is_recognised_by_the_parts_in_it() {
-    let s = built(&sheet_of_parts("0", "0"), &SheetOptions::default());
+    let s = arranged(&sheet_of_parts("0", "0"));
     assert_eq!(s.outline, Some(0));
     let told = findings(&s, Code::SheetOutline);
     assert_eq!((told.len(), told[0].handle.as_deref()), (1, Some("100")));
@@ -146,13 +146,13 @@ fn a_border_named_so_needs_no_parts_with_holes() {
             ("0", circle(200.0, 50.0, 30.0)),
         ])
     };
-    assert_eq!(built(&plates("Rahmen"), &SheetOptions::default()).outline, Some(0));
-    assert_eq!(built(&plates("0"), &SheetOptions::default()).outline, None);
+    assert_eq!(arranged(&plates("Rahmen")).outline, Some(0));
+    assert_eq!(arranged(&plates("0")).outline, None);
 }
 
 #[test]
 fn something_outside_the_border_means_it_is_none() {
     let mut d = sheet_of_parts("0", "0");
     d.shapes.push(drawing([("0", circle(500.0, 0.0, 5.0))]).shapes.remove(0));
-    assert_eq!(built(&d, &SheetOptions::default()).outline, None);
+    assert_eq!(arranged(&d).outline, None);
 }

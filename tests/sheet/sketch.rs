@@ -83,6 +83,11 @@ pub(crate) fn sheet_with(paths: impl IntoIterator<Item = Path>, options: &SheetO
     checked(build(&drawing(paths.into_iter().map(|p| ("0", p))), options))
 }
 
+/// The sheet of a drawing with the usual options.
+pub(crate) fn arranged(drawing: &Drawing) -> Sheet {
+    built(drawing, &SheetOptions::default())
+}
+
 /// The sheet of a drawing, with everything checked that holds for every sheet.
 pub(crate) fn built(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     checked(build(drawing, options))

@@ -4,6 +4,7 @@
     dead_code,
     clippy::cast_possible_truncation,
     clippy::unwrap_used,
+    clippy::print_stdout,
     reason = "each test takes the plans it needs, of a few contours each"
 )]
 
@@ -201,6 +202,18 @@ pub(crate) fn real() -> Vec<(String, Job)> {
     let jobs: Vec<_> = jobs.collect();
     assert!(jobs.len() >= 15, "only {} drawings could be planned", jobs.len());
     jobs
+}
+
+/// Checks plans made at random, from that many seeds, and plans of real drawings; what is checked is told first.
+pub(crate) fn each(seeds: u64, check: impl Fn(&Sheet, &Plan, &Profile)) {
+    for seed in 0..seeds {
+        let (sheet, plan) = random(seed);
+        check(&sheet, &plan, &machine());
+    }
+    for (name, job) in real() {
+        println!("{name}");
+        check(job.sheet(), &job.plan().unwrap(), &job.run().unwrap().machine);
+    }
 }
 
 /// The plan with every third contour or so left unfinished after a stretch, with a pre-cut, for the one after it.
