@@ -4,12 +4,12 @@
 mod plan_support;
 
 use kerfway::geometry::{Arc, DVec2, Path, Segment, math};
-use kerfway::machine::air_time;
+use kerfway::machine::{air_time, presets};
 use kerfway::problem::{self, NodeId, Problem};
 use kerfway::sheet::Sheet;
-use kerfway::solve;
+use kerfway::solve::{self, Stop};
 use kerfway::{dxf, plan, sheet};
-use plan_support::{Dice, assert_feasible, machine, nested_sheet, p};
+use plan_support::{Builder, Dice, assert_feasible, machine, nested_sheet, p, rectangle, slot};
 
 /// The least cost over all orders and nodes, by dynamic programming over sets of items (Held & Karp, 1962).
 fn exact(problem: &Problem) -> f64 {
@@ -65,6 +65,46 @@ fn small_problems_are_solved_exactly() {
                 "greedy" => assert!(found >= least - 1e-9),
                 // Slides entries off their nodes: may only be better.
                 name => assert!(found <= least + 1e-9, "{name}, seed {seed}: {found}, least {least}"),
+            }
+        }
+    }
+}
+
+/// Two contours, entered where the whole job is fastest: against a fine scan of all places of one, corners among them,
+/// with the other held where the search left it.
+#[test]
+fn contours_are_entered_where_the_whole_job_is_fastest() {
+    for profile in presets() {
+        for seed in 0..9 {
+            let mut dice = Dice::new(seed);
+            let size = p(dice.between(8.0, 60.0), dice.between(5.0, 40.0));
+            let mut b = Builder::new();
+            b.cut(rectangle(p(40.0, 30.0), size), None);
+            b.cut(slot(p(150.0, dice.between(-50.0, 90.0)), size.x, 0.3 + 0.02 * size.y), None);
+            let mut machine = profile.clone();
+            machine.home = [dice.between(-30.0, 120.0), dice.between(-60.0, 20.0)];
+            let problem = problem::from_sheet(&b.sheet, &machine);
+            let mut search = solve::methods()[0].start(&problem, seed, None);
+            search.step(30_000);
+            let found = search.best();
+            for (k, stop) in found.stops.iter().enumerate() {
+                let item = problem.nodes[stop.node as usize].item;
+                let path = &b.sheet.contours[item as usize].path;
+                let corners = (0..path.segments.len())
+                    .map(|n| path.segments[..n].iter().map(Segment::length).sum::<f64>());
+                let scan = (0..3000).map(|n| path.length() * f64::from(n) / 3000.0);
+                for along in corners.chain(scan) {
+                    let mut stops = found.stops.clone();
+                    stops[k] = Stop::whole(stop.node, along);
+                    let cost = solve::Solution::new(&problem, stops).cost;
+                    assert!(
+                        found.cost <= cost * (1.0 + 1e-7),
+                        "{} {seed}: contour {item} entered at {along} instead of {}: {cost}, not {}",
+                        machine.name,
+                        stop.along,
+                        found.cost
+                    );
+                }
             }
         }
     }

@@ -140,6 +140,7 @@ impl Walk<'_, '_> {
             return Ok(());
         }
         let what = match insert {
+            Some((name, [1, 1])) => format!("The block \"{}\" makes", String::from_utf8_lossy(name)),
             Some((name, [columns, rows])) => format!(
                 "The block \"{}\", inserted {columns} x {rows} times, makes",
                 String::from_utf8_lossy(name)
