@@ -1,0 +1,161 @@
+//! The problem as the bound sees it: items with knots where legs of the tour may end.
+//!
+//! An item is left and entered at two knots: the same one for closed contours, the two ends for open ones (`paired`:
+//! knots 0 and 1 belong together, 2 and 3, and so on). Between knots lie pieces; a contour that may be entered
+//! anywhere is a ring of them, a plain node a piece of one knot. Item 0 is home.
+
+use crate::geometry::{Aabb, DVec2, Path, Segment};
+use crate::order::{real, sort_by};
+use crate::problem::{self, Problem};
+
+/// A stretch of a contour between two knots, followed at even speed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece {
+    /// The knots at its ends, counted within the item.
+    pub knots: [usize; 2],
+    /// Their places, mm.
+    pub ends: [DVec2; 2],
+    /// No place on it is farther than this from the place of the same share of its chord, mm.
+    pub off: f64,
+    /// The box around all of it.
+    pub around: Aabb,
+}
+
+/// Something to be visited.
+#[derive(Clone, Debug)]
+pub(super) struct Item {
+    /// Number of knots.
+    pub knots: usize,
+    /// Arrived at one knot of a pair, left from the other.
+    pub paired: bool,
+    pub pieces: Vec<Piece>,
+    /// Arc length of each knot along the track, ascending; empty without a track.
+    pub along: Vec<f64>,
+    track: Option<Track>,
+    /// The box around all of it.
+    pub around: Aabb,
+}
+
+#[derive(Clone, Debug)]
+struct Track {
+    path: Path,
+    /// Arc length at which each element starts, the whole length at the end.
+    starts: Vec<f64>,
+}
+
+/// All items of a problem: home first, and for an open path a second one, wherever it ends.
+pub(super) fn items(problem: &Problem) -> Vec<Item> {
+    let home = points(&[problem.home], false);
+    let mut items = if problem.closed { vec![home] } else { vec![home.clone(), home] };
+    items.extend(problem.items.iter().map(|item| of_item(problem, item)));
+    items
+}
+
+fn of_item(problem: &Problem, item: &problem::Item) -> Item {
+    let nodes = &problem.nodes[item.nodes.start as usize..item.nodes.end as usize];
+    if let Some(path) = &item.track {
+        let mut along: Vec<f64> = nodes.iter().map(|n| n.along).collect();
+        sort_by(&mut along, |&s| [real(s), 0, 0]);
+        along.dedup();
+        let mut starts = vec![0.0];
+        for s in &path.segments {
+            starts.push(starts[starts.len() - 1] + s.length());
+        }
+        return ring(Track { path: path.clone(), starts }, along);
+    }
+    if nodes.iter().all(|n| n.entry == n.exit) {
+        return points(&nodes.iter().map(|n| n.entry).collect::<Vec<_>>(), false);
+    }
+    let ends: Vec<DVec2> =
+        nodes.iter().zip(item.nodes.clone()).filter(|(n, id)| *id <= n.twin).flat_map(|(n, _)| [n.entry, n.exit]).collect();
+    points(&ends, true)
+}
+
+fn points(places: &[DVec2], paired: bool) -> Item {
+    let pieces: Vec<Piece> = places
+        .iter()
+        .enumerate()
+        .map(|(k, &p)| Piece { knots: [k; 2], ends: [p; 2], off: 0.0, around: Aabb::of(p) })
+        .collect();
+    Item { knots: places.len(), paired, along: Vec::new(), track: None, around: hull(&pieces), pieces }
+}
+
+fn ring(track: Track, along: Vec<f64>) -> Item {
+    let places: Vec<DVec2> = along.iter().filter_map(|&s| track.path.at(s)).collect();
+    let count = places.len();
+    let length = track.starts[track.starts.len() - 1];
+    let pieces: Vec<Piece> = (0..count)
+        .map(|k| {
+            let next = (k + 1) % count;
+            let to = if next > k { along[next] } else { along[next] + length };
+            let ends = [places[k], places[next]];
+            let off = track.off_chord(along[k], to, ends);
+            let around = Aabb::of(ends[0]).with(ends[1]).grown(off);
+            Piece { knots: [k, next], ends, off, around }
+        })
+        .collect();
+    Item { knots: count, paired: false, along, track: Some(track), around: hull(&pieces), pieces }
+}
+
+fn hull(pieces: &[Piece]) -> Aabb {
+    pieces.iter().fold(Aabb::EMPTY, |b, p| b.union(p.around))
+}
+
+impl Item {
+    /// Whether its pieces can be halved.
+    pub fn can_halve(&self) -> bool {
+        self.track.is_some()
+    }
+
+    /// The same item with the marked pieces halved.
+    pub fn halved(&self, marked: &[bool]) -> Option<Self> {
+        let track = self.track.as_ref()?;
+        let length = track.starts[track.starts.len() - 1];
+        let mut along = Vec::with_capacity(2 * self.knots);
+        for (k, &s) in self.along.iter().enumerate() {
+            along.push(s);
+            let to = self.along.get(k + 1).copied().unwrap_or(self.along[0] + length);
+            if marked[k] {
+                along.push(0.5 * (s + to));
+            }
+        }
+        // A middle beyond the start of the path comes round to its beginning.
+        if let Some(&last) = along.last()
+            && last >= length
+        {
+            along.rotate_right(1);
+            along[0] -= length;
+        }
+        Some(ring(track.clone(), along))
+    }
+}
+
+impl Track {
+    /// Largest distance between the track from `from` to `to` (which may go beyond its end) and its chord, both run at
+    /// even speed, mm. Between element ends the distance to a straight element is greatest at an end; a curve of radius
+    /// r and length h lies within h^2 / 8 r of its own chord.
+    fn off_chord(&self, from: f64, to: f64, ends: [DVec2; 2]) -> f64 {
+        let length = self.starts[self.starts.len() - 1];
+        let span = to - from;
+        if span <= 0.0 {
+            return 0.0;
+        }
+        let (mut at_joints, mut of_curves): (f64, f64) = (0.0, 0.0);
+        for lap in [0.0, length] {
+            for (s, w) in self.path.segments.iter().zip(self.starts.windows(2)) {
+                let (a, b) = ((w[0] + lap).max(from), (w[1] + lap).min(to));
+                if a >= b {
+                    continue;
+                }
+                if let Segment::Arc(arc) = s {
+                    of_curves = of_curves.max((b - a) * (b - a) / (8.0 * arc.radius()));
+                }
+                if b < to {
+                    let share = (b - from) / span;
+                    at_joints = at_joints.max(s.end().distance(ends[0] + (ends[1] - ends[0]) * share));
+                }
+            }
+        }
+        at_joints + of_curves
+    }
+}

@@ -1,0 +1,116 @@
+//! What a walk remembers: the item it is at, and which of that item's own short list it has just been to.
+//!
+//! Each item keeps a list of others (its company). A walk carries along only what is in the company of every item it
+//! has passed since (Baldacci, Mingozzi & Roberti, 2011: ng-routes): it does not go back to an item it remembers, nor
+//! to one that must come before one it remembers. With empty lists a walk may go back and forth, with complete ones it
+//! is a tour; lists grow where walks go round in circles.
+
+use super::order::Order;
+use super::pairs::Pairs;
+use crate::order::sort_by;
+use std::ops::Range;
+
+/// An item and what is remembered of its company, a bit each.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct State {
+    pub item: usize,
+    pub memory: u32,
+}
+
+/// Legs from one item to a state of another.
+#[derive(Clone, Debug)]
+pub(super) struct Step {
+    pub from: usize,
+    pub to: usize,
+    /// The pair and which of its two items is left; `None`: only the boxes are known.
+    pub pair: Option<(usize, usize)>,
+    /// The states left, a range of [`Space::sources`].
+    pub sources: Range<usize>,
+}
+
+/// All states and the legs between them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Space {
+    pub states: Vec<State>,
+    /// Where each state's knots start in a row of values.
+    pub at: Vec<usize>,
+    /// Length of a row.
+    pub width: usize,
+    /// By the state they lead to.
+    pub steps: Vec<Step>,
+    pub sources: Vec<usize>,
+    /// The states of each item.
+    pub of: Vec<Vec<usize>>,
+}
+
+impl Space {
+    /// All states a walk can come to, for walks along the order or against it.
+    pub fn new(company: &[Vec<usize>], order: &Order, backwards: bool, pairs: &Pairs, first: usize) -> Self {
+        let count = company.len();
+        let mut space = Self { of: vec![Vec::new(); count], ..Self::default() };
+        for item in first..count {
+            space.state(item, 0);
+        }
+        // State led to, item left, state left.
+        let mut legs: Vec<[usize; 3]> = Vec::new();
+        let mut known: Vec<Option<(usize, usize)>> = vec![None; count];
+        let mut s = 0;
+        while s < space.states.len() {
+            let State { item, memory } = space.states[s];
+            let past = remembered(company, item, memory);
+            for next in (first..count).filter(|&j| j != item) {
+                let out = past.iter().any(|&p| p == next || order.forbids(p, next, backwards));
+                if out || order.forbids(item, next, backwards) {
+                    continue;
+                }
+                let kept = |c: &usize| *c == item || past.contains(c);
+                let bits = company[next].iter().enumerate().filter(|(_, c)| kept(c));
+                let to = space.state(next, bits.fold(0, |m, (bit, _)| m | 1 << bit));
+                legs.push([to, item, s]);
+            }
+            s += 1;
+        }
+        sort_by(&mut legs, |l| l.map(|x| x as u64));
+        for [to, from, source] in legs {
+            let last = space.steps.last_mut().filter(|l| l.to == to && l.from == from);
+            if let Some(step) = last {
+                step.sources.end += 1;
+            } else {
+                if space.steps.last().is_none_or(|l| l.to != to) {
+                    known.fill(None);
+                    for &(e, side) in &pairs.of[space.states[to].item] {
+                        known[pairs.list[e].items[1 - side]] = Some((e, 1 - side));
+                    }
+                }
+                let start = space.sources.len();
+                space.steps.push(Step { from, to, pair: known[from], sources: start..start + 1 });
+            }
+            space.sources.push(source);
+        }
+        space
+    }
+
+    /// Lays the knots of all states out in a row.
+    pub fn lay_out(&mut self, knots: impl Fn(usize) -> usize) {
+        self.width = 0;
+        self.at.clear();
+        for s in &self.states {
+            self.at.push(self.width);
+            self.width += knots(s.item);
+        }
+    }
+
+    fn state(&mut self, item: usize, memory: u32) -> usize {
+        let known = self.of[item].iter().find(|&&s| self.states[s].memory == memory);
+        known.copied().unwrap_or_else(|| {
+            self.of[item].push(self.states.len());
+            self.states.push(State { item, memory });
+            self.states.len() - 1
+        })
+    }
+}
+
+/// The items remembered at an item.
+pub(super) fn remembered(company: &[Vec<usize>], item: usize, memory: u32) -> Vec<usize> {
+    company[item].iter().enumerate().filter(|(bit, _)| memory >> bit & 1 == 1).map(|(_, &c)| c).collect()
+}
