@@ -11,38 +11,6 @@ use kerfway::solve::{self, Stop};
 use kerfway::{dxf, plan, sheet};
 use plan_support::{Builder, Dice, assert_feasible, machine, nested_sheet, p, rectangle, slot};
 
-/// The least cost over all orders and nodes, by dynamic programming over sets of items (Held & Karp, 1962).
-fn exact(problem: &Problem) -> f64 {
-    let (items, nodes) = (&problem.items, &problem.nodes);
-    let all = (1_usize << items.len()) - 1;
-    let time = |a: DVec2, b: DVec2| air_time(&problem.machine, a, b);
-    // An item may come next when all inside it and all of lower rank are done.
-    let allowed = |done: usize, item: usize| {
-        items.iter().enumerate().all(|(i, other)| {
-            let first = other.before == u32::try_from(item).ok() || other.rank < items[item].rank;
-            !first || done >> i & 1 == 1
-        })
-    };
-    let mut least = vec![vec![f64::INFINITY; nodes.len()]; all + 1];
-    for done in 0..all {
-        for item in (0..items.len()).filter(|&i| done >> i & 1 == 0 && allowed(done, i)) {
-            for node in items[item].nodes.clone().map(|n| n as usize) {
-                let extra = items[item].extra(nodes[node].along);
-                let before = if done == 0 {
-                    time(problem.home, nodes[node].entry)
-                } else {
-                    let legs =
-                        (0..nodes.len()).map(|n| least[done][n] + time(nodes[n].exit, nodes[node].entry));
-                    legs.fold(f64::INFINITY, f64::min)
-                };
-                least[done | 1 << item][node] = before + extra;
-            }
-        }
-    }
-    let back = |n: usize| if problem.closed { time(nodes[n].exit, problem.home) } else { 0.0 };
-    (0..nodes.len()).map(|n| least[all][n] + back(n)).fold(f64::INFINITY, f64::min)
-}
-
 #[test]
 fn small_problems_are_solved_exactly() {
     for seed in 0..25 {
@@ -55,7 +23,7 @@ fn small_problems_are_solved_exactly() {
         if problem.items.len() > 8 {
             continue;
         }
-        let least = exact(&problem);
+        let least = solve::exact(&problem).unwrap().cost;
         for method in solve::methods() {
             let mut search = method.start(&problem, seed, None);
             search.step(400_000);
@@ -163,7 +131,8 @@ fn moved_turned_mirrored_scaled_shuffled_sheets_cost_the_same() {
             machine.home = place(machine.home()).to_array();
             let other = problem::from_sheet(&carried(&sheet, place, mirrored, &order), &machine);
             if problem.items.len() <= 8 {
-                let (a, b) = (exact(&problem), exact(&other) / factor);
+                let (a, b) =
+                    (solve::exact(&problem).unwrap().cost, solve::exact(&other).unwrap().cost / factor);
                 assert!((a - b).abs() < 1e-9 * a, "{name}: {a} and {b}");
             }
             // Ties and random choices fall otherwise: the search comes close to itself, not bit for bit.

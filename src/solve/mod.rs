@@ -1,12 +1,14 @@
 //! Solvers behind two traits, and the registry that names them.
 
 mod as_drawn;
+mod exact;
 mod greedy;
 mod precedence;
 mod tour_tree;
 mod traits;
 
 pub use as_drawn::drawing_order;
+pub use exact::{TooLarge, exact};
 pub use greedy::greedy;
 pub use traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
 

@@ -9,39 +9,39 @@ use crate::geometry::math::exp;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ascent {
     /// What each item pays for a leg that ends at it, s.
-    pub pay: Vec<f64>,
+    pub(super) pay: Vec<f64>,
     /// What is paid besides at a knot for a leg to one other item, s; see [`super::pairs::Pair::at`].
-    pub extra: Vec<f64>,
+    pub(super) extra: Vec<f64>,
     pay_way: Vec<f64>,
     extra_way: Vec<f64>,
     /// Cost of each pair at these multipliers.
-    pub cost: Vec<f64>,
-    pub knobs: [f64; 8],
+    pub(super) cost: Vec<f64>,
+    pub(super) knobs: [f64; 8],
 }
 
 /// What one look at the multipliers found.
 pub(super) struct Look {
-    pub value: f64,
+    pub(super) value: f64,
     /// What items get back in all, and what home's legs cost.
-    pub back: f64,
-    pub home: f64,
-    pub size: f64,
-    pub legs: Vec<usize>,
+    pub(super) back: f64,
+    pub(super) home: f64,
+    pub(super) size: f64,
+    pub(super) legs: Vec<usize>,
 }
 
 impl Ascent {
-    pub fn new(items: usize) -> Self {
+    pub(super) fn new(items: usize) -> Self {
         Self { pay: vec![0.0; items], pay_way: vec![0.0; items], ..Self::default() }
     }
 
-    pub fn grow(&mut self, pairs: &Pairs) {
+    pub(super) fn grow(&mut self, pairs: &Pairs) {
         self.extra.resize(pairs.multipliers, 0.0);
         self.extra_way.resize(pairs.multipliers, 0.0);
         self.cost.resize(pairs.list.len(), 0.0);
     }
 
     /// Prices all pairs, finds the least tree and legs, and moves towards `target`.
-    pub fn step(&mut self, items: &[Item], first: usize, pairs: &Pairs, flat: bool, target: f64, go: bool) -> Look {
+    pub(super) fn step(&mut self, items: &[Item], first: usize, pairs: &Pairs, flat: bool, target: f64, go: bool) -> Look {
         let [keep, share, soft_leg, soft_star, scale, ..] = self.knobs;
         for e in 0..pairs.list.len() {
             self.cost[e] = self.price(items, pairs, e, flat);

@@ -4,9 +4,9 @@
 //! twice comes to end two legs at each. Over the pairs at hand first; from time to time over all pairs there could be,
 //! which alone says what is proven, and what pairs were missing.
 
-use super::minorant::Minorant;
-use super::net::{Item, items};
+use super::net::{Item, homes, items};
 use super::pairs::{Pairs, Scan};
+use super::prices::Prices;
 use super::tree::{Whole, home_legs, over_pairs};
 use crate::problem::Problem;
 
@@ -35,7 +35,7 @@ enum Task {
 pub(super) struct Cheap {
     items: Vec<Item>,
     first: usize,
-    minorant: Minorant,
+    prices: Prices,
     pairs: Pairs,
     /// Contours may be left and resumed: charges must not be rebates, see [`super`].
     resumes: bool,
@@ -52,17 +52,17 @@ pub(super) struct Cheap {
 }
 
 impl Cheap {
-    pub fn new(problem: &Problem, resumes: bool) -> Self {
+    pub(super) fn new(problem: &Problem, resumes: bool) -> Self {
         let items = items(problem);
         let count = items.len();
-        let first = if problem.closed { 1 } else { 2 };
-        let minorant = Minorant::new(&problem.machine);
+        let first = homes(problem);
+        let prices = Prices::new(problem);
         Self {
             pairs: Pairs::new(count),
             task: Task::Scan(Box::new(Scan::new(&items, first))),
             items,
             first,
-            minorant,
+            prices,
             resumes,
             nearest: Vec::new(),
             pay: vec![0.0; count],
@@ -75,15 +75,15 @@ impl Cheap {
         }
     }
 
-    pub fn value(&self) -> f64 {
+    pub(super) fn value(&self) -> f64 {
         self.best
     }
 
     /// One piece of work; returns how large it was, 0 when there is nothing left to do.
-    pub fn once(&mut self) -> u64 {
+    pub(super) fn once(&mut self) -> u64 {
         let task = std::mem::replace(&mut self.task, Task::Nothing);
         let (task, work) = match task {
-            Task::Scan(mut scan) => match scan.next(&self.items, self.first, &self.minorant) {
+            Task::Scan(mut scan) => match scan.next(&self.items, self.first, &self.prices) {
                 Some(work) => (Task::Scan(scan), work),
                 None => {
                     self.nearest = std::mem::take(&mut scan.nearest);
@@ -92,8 +92,7 @@ impl Cheap {
             },
             Task::Price(mut wanted) => match wanted.pop() {
                 Some(ends) => {
-                    let price = (self.first == 1 || ends[0] != 1).then_some(&self.minorant);
-                    self.pairs.add(&self.items, price, ends, false);
+                    self.pairs.add(&self.items, &self.prices, ends, false);
                     (Task::Price(wanted), 16 * (self.items[ends[0]].knots * self.items[ends[1]].knots) as u64)
                 }
                 None => (Task::Step(0), 1),
@@ -101,7 +100,10 @@ impl Cheap {
             Task::Step(done) => {
                 self.step(done);
                 let whole = || Task::Whole(Box::new(Whole::new(self.first, self.items.len())));
-                (if done + 1 < STEPS { Task::Step(done + 1) } else { whole() }, 16 * self.pairs.list.len() as u64)
+                (
+                    if done + 1 < STEPS { Task::Step(done + 1) } else { whole() },
+                    16 * self.pairs.list.len() as u64,
+                )
             }
             Task::Whole(mut whole) => {
                 let costs = self.costs(&self.best_pay);
@@ -109,7 +111,7 @@ impl Cheap {
                 // Some rows at a time: their costs are the same for all.
                 for _ in 0..64 {
                     work += 4 * self.items.len() as u64;
-                    if whole.row(&self.items, &self.minorant, &self.pairs, &costs, &self.best_pay) {
+                    if whole.row(&self.items, &self.prices, &self.pairs, &costs, &self.best_pay) {
                         let next = self.prove(&whole, &costs);
                         self.task = next;
                         return work;

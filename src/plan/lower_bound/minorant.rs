@@ -24,17 +24,17 @@ pub(super) struct Minorant {
 }
 
 impl Minorant {
-    pub fn new(machine: &Profile) -> Self {
+    pub(super) fn new(machine: &Profile) -> Self {
         Self { air: AirTime::new(machine), by_distance: machine.travel == Travel::Vector }
     }
 
-    pub fn air(&self) -> &AirTime {
+    pub(super) fn air(&self) -> &AirTime {
         &self.air
     }
 
     /// Lower bounds of the seconds from the ends of `p` to the ends of `q`, `[p end][q end]`, such that what lies
     /// between is at least what lies straight between them.
-    pub fn corners(&self, p: &Piece, q: &Piece) -> [[f64; 2]; 2] {
+    pub(super) fn corners(&self, p: &Piece, q: &Piece) -> [[f64; 2]; 2] {
         let exact = [0, 1].map(|i| [0, 1].map(|j| self.air.seconds(p.ends[i], q.ends[j])));
         if p.knots[0] == p.knots[1] && q.knots[0] == q.knots[1] && p.off + q.off <= 0.0 {
             return exact;
@@ -73,7 +73,8 @@ impl Minorant {
 
     /// The chord of the seconds over a distance along an axis between two distances: its value at 0, its slope.
     fn chord(&self, axis: DVec2, near: f64, far: f64) -> (f64, f64) {
-        let (low, high) = (self.air.seconds(DVec2::ZERO, axis * near), self.air.seconds(DVec2::ZERO, axis * far));
+        let (low, high) =
+            (self.air.seconds(DVec2::ZERO, axis * near), self.air.seconds(DVec2::ZERO, axis * far));
         let slope = if far > near { (high - low) / (far - near) } else { 0.0 };
         (low - slope * near, slope)
     }

@@ -12,28 +12,28 @@ use crate::problem::{self, Problem};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
     /// The knots at its ends, counted within the item.
-    pub knots: [usize; 2],
+    pub(super) knots: [usize; 2],
     /// Their places, mm.
-    pub ends: [DVec2; 2],
+    pub(super) ends: [DVec2; 2],
     /// No place on it is farther than this from the place of the same share of its chord, mm.
-    pub off: f64,
+    pub(super) off: f64,
     /// The box around all of it.
-    pub around: Aabb,
+    pub(super) around: Aabb,
 }
 
 /// Something to be visited.
 #[derive(Clone, Debug)]
 pub(super) struct Item {
     /// Number of knots.
-    pub knots: usize,
+    pub(super) knots: usize,
     /// Arrived at one knot of a pair, left from the other.
-    pub paired: bool,
-    pub pieces: Vec<Piece>,
+    pub(super) paired: bool,
+    pub(super) pieces: Vec<Piece>,
     /// Arc length of each knot along the track, ascending; empty without a track.
-    pub along: Vec<f64>,
+    pub(super) along: Vec<f64>,
     track: Option<Track>,
     /// The box around all of it.
-    pub around: Aabb,
+    pub(super) around: Aabb,
 }
 
 #[derive(Clone, Debug)]
@@ -43,12 +43,24 @@ struct Track {
     starts: Vec<f64>,
 }
 
-/// All items of a problem: home first, and for an open path a second one, wherever it ends.
+/// All items of a problem: home first, and for an open path a second one, wherever it ends. With a table home is the
+/// item at which the cycle starts.
 pub(super) fn items(problem: &Problem) -> Vec<Item> {
+    let contours = problem.items.iter().map(|item| of_item(problem, item));
+    if problem.table.is_some() {
+        let mut items: Vec<Item> = contours.collect();
+        items.rotate_right(1);
+        return items;
+    }
     let home = points(&[problem.home], false);
     let mut items = if problem.closed { vec![home] } else { vec![home.clone(), home] };
-    items.extend(problem.items.iter().map(|item| of_item(problem, item)));
+    items.extend(contours);
     items
+}
+
+/// How many of the items are home.
+pub(super) fn homes(problem: &Problem) -> usize {
+    if problem.table.is_some() || problem.closed { 1 } else { 2 }
 }
 
 fn of_item(problem: &Problem, item: &problem::Item) -> Item {
@@ -63,11 +75,15 @@ fn of_item(problem: &Problem, item: &problem::Item) -> Item {
         }
         return ring(Track { path: path.clone(), starts }, along);
     }
-    if nodes.iter().all(|n| n.entry == n.exit) {
+    if problem.table.is_some() || nodes.iter().all(|n| n.entry == n.exit) {
         return points(&nodes.iter().map(|n| n.entry).collect::<Vec<_>>(), false);
     }
-    let ends: Vec<DVec2> =
-        nodes.iter().zip(item.nodes.clone()).filter(|(n, id)| *id <= n.twin).flat_map(|(n, _)| [n.entry, n.exit]).collect();
+    let ends: Vec<DVec2> = nodes
+        .iter()
+        .zip(item.nodes.clone())
+        .filter(|(n, id)| *id <= n.twin)
+        .flat_map(|(n, _)| [n.entry, n.exit])
+        .collect();
     points(&ends, true)
 }
 
@@ -103,12 +119,12 @@ fn hull(pieces: &[Piece]) -> Aabb {
 
 impl Item {
     /// Whether its pieces can be halved.
-    pub fn can_halve(&self) -> bool {
+    pub(super) fn can_halve(&self) -> bool {
         self.track.is_some()
     }
 
     /// The same item with the marked pieces halved.
-    pub fn halved(&self, marked: &[bool]) -> Option<Self> {
+    pub(super) fn halved(&self, marked: &[bool]) -> Option<Self> {
         let track = self.track.as_ref()?;
         let length = track.starts[track.starts.len() - 1];
         let mut along = Vec::with_capacity(2 * self.knots);

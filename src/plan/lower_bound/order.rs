@@ -1,4 +1,4 @@
-//! What must come before what: containment and ranks, all that follows from them, and the places in a tour it leaves.
+//! What must come before what: containment, ranks and given pairs, all that follows from them, and the places in a tour it leaves.
 
 use crate::problem::Problem;
 
@@ -9,47 +9,54 @@ pub(super) struct Order {
     /// Whether the row must come before the column; empty when nothing must.
     before: Vec<bool>,
     /// First and last place of each item in a tour, from 1.
-    pub places: Vec<[usize; 2]>,
+    pub(super) places: Vec<[usize; 2]>,
 }
 
 impl Order {
-    pub fn new(problem: &Problem, first: usize) -> Self {
-        let items = &problem.items;
-        let count = items.len() + first;
-        let mut order = Self { count, before: Vec::new(), places: vec![[1, items.len()]; count] };
-        let free = items.iter().all(|i| i.before.is_none() && i.rank == items[0].rank);
-        if free {
+    /// The order of a problem's items, numbered from `first` on.
+    pub(super) fn new(problem: &Problem, first: usize) -> Self {
+        let items = if problem.table.is_some() { problem.items.len() - 1 } else { problem.items.len() };
+        let count = items + first;
+        let mut order = Self { count, before: vec![false; count * count], places: vec![[1, items]; count] };
+        let mut any = false;
+        let mut put = |a: usize, b: usize| {
+            if a < items && b < items && a != b {
+                order.before[(a + first) * count + b + first] = true;
+                any = true;
+            }
+        };
+        for (i, item) in problem.items.iter().enumerate() {
+            item.before.into_iter().for_each(|outer| put(i, outer as usize));
+            (0..items).filter(|&j| problem.items[j].rank > item.rank).for_each(|j| put(i, j));
+        }
+        problem.pairs.iter().for_each(|&(a, b)| put(a as usize, b as usize));
+        if !any {
+            order.before.clear();
             return order;
         }
-        order.before = vec![false; count * count];
-        for (i, item) in items.iter().enumerate() {
-            // Bad data could lead round in a circle.
-            let mut outer = item.before;
-            for _ in 0..items.len() {
-                let Some(o) = outer.map(|o| o as usize).filter(|&o| o < items.len() && o != i) else { break };
-                order.before[(i + first) * count + o + first] = true;
-                outer = items[o].before;
-            }
-            for (j, other) in items.iter().enumerate().filter(|(_, other)| other.rank > item.rank) {
-                let _ = other;
-                order.before[(i + first) * count + j + first] = true;
+        // What comes before something comes before all that follows it (Warshall, 1962).
+        for middle in first..count {
+            for a in (first..count).filter(|&a| order.before[a * count + middle]).collect::<Vec<_>>() {
+                for b in first..count {
+                    order.before[a * count + b] |= order.before[middle * count + b];
+                }
             }
         }
         for i in first..count {
             let earlier = (first..count).filter(|&j| order.before[j * count + i]).count();
             let later = (first..count).filter(|&j| order.before[i * count + j]).count();
-            order.places[i] = [1 + earlier, items.len().saturating_sub(later)];
+            order.places[i] = [1 + earlier, items.saturating_sub(later)];
         }
         order
     }
 
     /// Nothing must come before anything.
-    pub fn is_free(&self) -> bool {
+    pub(super) fn is_free(&self) -> bool {
         self.before.is_empty()
     }
 
     /// Whether a tour that has been to `past` may not go to `next` any more; backwards: a tour run from its end.
-    pub fn forbids(&self, past: usize, next: usize, backwards: bool) -> bool {
+    pub(super) fn forbids(&self, past: usize, next: usize, backwards: bool) -> bool {
         let (a, b) = if backwards { (past, next) } else { (next, past) };
         self.before.get(a * self.count + b).is_some_and(|&x| x)
     }

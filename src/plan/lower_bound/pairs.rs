@@ -3,8 +3,8 @@
 //! Few items: all pairs. Many: each item with its nearest, and with every item whose box overlaps its own (nested
 //! contours), so that all other pairs are at least as far apart as their boxes. More pairs can be added later.
 
-use super::minorant::Minorant;
 use super::net::{Item, Piece};
+use super::prices::Prices;
 use crate::geometry::{BoxIndex, DVec2};
 use crate::order::{real, sort_by};
 
@@ -16,46 +16,35 @@ const NEAREST: usize = 10;
 /// Two items with the seconds between their knots.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pair {
-    pub items: [usize; 2],
+    pub(super) items: [usize; 2],
     /// Where the table starts: a row for each knot of the first item.
     table: usize,
     /// Least seconds of the table.
-    pub least: f64,
+    pub(super) least: f64,
 }
 
 /// Pairs with their tables.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pairs {
-    pub list: Vec<Pair>,
+    pub(super) list: Vec<Pair>,
     tables: Vec<f64>,
     /// For each item its pairs, and which of the two it is.
-    pub of: Vec<Vec<(usize, usize)>>,
+    pub(super) of: Vec<Vec<(usize, usize)>>,
 }
 
 impl Pairs {
-    pub fn new(items: usize) -> Self {
+    pub(super) fn new(items: usize) -> Self {
         Self { of: vec![Vec::new(); items], ..Self::default() }
     }
 
-    /// Adds a pair that is not there yet, with its table or only the least of it. Without a way of pricing it costs
-    /// nothing: an open path ends wherever it is.
-    pub fn add(&mut self, items: &[Item], minorant: Option<&Minorant>, [a, b]: [usize; 2], keep: bool) {
+    /// Adds a pair that is not there yet, with its table or only the least of it.
+    pub(super) fn add(&mut self, items: &[Item], prices: &Prices, [a, b]: [usize; 2], keep: bool) {
         let table = self.tables.len();
-        let columns = items[b].knots;
-        self.tables.resize(table + items[a].knots * columns, f64::INFINITY);
-        let numbers = &mut self.tables[table..];
-        for p in &items[a].pieces {
-            for q in &items[b].pieces {
-                let corners = minorant.map_or([[0.0; 2]; 2], |m| m.corners(p, q));
-                for (i, row) in p.knots.iter().zip(corners) {
-                    for (j, seconds) in q.knots.iter().zip(row) {
-                        let entry = &mut numbers[i * columns + j];
-                        *entry = entry.min(seconds);
-                    }
-                }
-            }
+        self.fill(items, prices, [a, b]);
+        if !keep && prices.directed() {
+            self.fill(items, prices, [b, a]);
         }
-        let least = numbers.iter().fold(f64::INFINITY, |m, &s| m.min(s));
+        let least = self.tables[table..].iter().fold(f64::INFINITY, |m, &s| m.min(s));
         if !keep {
             self.tables.truncate(table);
         }
@@ -64,8 +53,27 @@ impl Pairs {
         self.list.push(Pair { items: [a, b], table, least });
     }
 
+    /// Appends the table of two items.
+    fn fill(&mut self, items: &[Item], prices: &Prices, [a, b]: [usize; 2]) {
+        let start = self.tables.len();
+        let columns = items[b].knots;
+        self.tables.resize(start + items[a].knots * columns, f64::INFINITY);
+        let numbers = &mut self.tables[start..];
+        for p in &items[a].pieces {
+            for q in &items[b].pieces {
+                let corners = prices.corners([a, b], p, q);
+                for (i, row) in p.knots.iter().zip(corners) {
+                    for (j, seconds) in q.knots.iter().zip(row) {
+                        let entry = &mut numbers[i * columns + j];
+                        *entry = entry.min(seconds);
+                    }
+                }
+            }
+        }
+    }
+
     /// The first numbers of a pair's table, row by row.
-    pub fn table(&self, pair: &Pair, numbers: usize) -> &[f64] {
+    pub(super) fn table(&self, pair: &Pair, numbers: usize) -> &[f64] {
         &self.tables[pair.table..pair.table + numbers]
     }
 }
@@ -78,11 +86,11 @@ pub(super) struct Scan {
     next: usize,
     found: Vec<[usize; 2]>,
     /// For each item: no other is nearer, s.
-    pub nearest: Vec<f64>,
+    pub(super) nearest: Vec<f64>,
 }
 
 impl Scan {
-    pub fn new(items: &[Item], first: usize) -> Self {
+    pub(super) fn new(items: &[Item], first: usize) -> Self {
         let count = items.len() as f64;
         let sheet = items.iter().fold(items[0].around, |b, i| b.union(i.around)).size();
         // Side of the square each would have to itself; along a line, its share of that.
@@ -97,34 +105,42 @@ impl Scan {
     }
 
     /// Looks around the next item; `None` when all are done.
-    pub fn next(&mut self, items: &[Item], first: usize, minorant: &Minorant) -> Option<u64> {
+    pub(super) fn next(&mut self, items: &[Item], first: usize, prices: &Prices) -> Option<u64> {
         let a = self.next;
         let item = items.get(a)?;
         self.next += 1;
+        if items.len() <= COMPLETE || prices.given() {
+            self.found.extend((a + 1..items.len()).map(|b| [a, b]));
+            let near =
+                items[first..].iter().zip(first..).filter(|n| n.1 != a).map(|n| apart(prices, item, n.0));
+            self.nearest[a] = if prices.given() { 0.0 } else { near.fold(f64::INFINITY, f64::min) };
+            return Some(items.len() as u64);
+        }
         let mut reach = self.spacing;
         let near = loop {
-            let near = if items.len() <= COMPLETE { (0..items.len()).collect() } else { self.index.query(item.around.grown(reach)) };
-            if near.len() > NEAREST + 2 || near.len() >= items.len().min(COMPLETE) {
+            let near = self.index.query(item.around.grown(reach));
+            if near.len() > NEAREST + 2 {
                 break near;
             }
             reach *= 2.0;
         };
-        let beyond = if near.len() < items.len() { minorant.air().seconds_at_least(reach) } else { f64::INFINITY };
-        let mut near: Vec<(usize, f64)> =
-            near.into_iter().filter(|&b| b != a && b >= first).map(|b| (b, apart(minorant, item, &items[b]))).collect();
-        let work = near.iter().map(|n| item.pieces.len() * items[n.0].pieces.len()).sum::<usize>();
+        let beyond = prices.minorant.air().seconds_at_least(reach);
+        let mut near: Vec<(usize, f64)> = near
+            .into_iter()
+            .filter(|&b| b != a && b >= first)
+            .map(|b| (b, apart(prices, item, &items[b])))
+            .collect();
+        let work = 1 + near.iter().map(|n| item.pieces.len() * items[n.0].pieces.len()).sum::<usize>();
         sort_by(&mut near, |n| [real(n.1), n.0 as u64, 0]);
         self.nearest[a] = near.first().map_or(beyond, |n| n.1.min(beyond));
-        let wanted = |k: usize, b: usize| {
-            items.len() <= COMPLETE || k < NEAREST || items[b].around.overlaps(&item.around)
-        };
+        let wanted = |k: usize, b: usize| k < NEAREST || items[b].around.overlaps(&item.around);
         let chosen = near.iter().enumerate().filter(|&(k, n)| wanted(k, n.0)).map(|(_, n)| n.0);
         self.found.extend(chosen.map(|b| [a.min(b), a.max(b)]));
         Some(work as u64)
     }
 
     /// All pairs found, and home's with every item.
-    pub fn wanted(&mut self, first: usize, count: usize) -> Vec<[usize; 2]> {
+    pub(super) fn wanted(&mut self, first: usize, count: usize) -> Vec<[usize; 2]> {
         let mut wanted: Vec<[usize; 2]> =
             (0..first).flat_map(|home| (first..count).map(move |b| [home, b])).collect();
         sort_by(&mut self.found, |p| [p[0] as u64, p[1] as u64, 0]);
@@ -135,13 +151,14 @@ impl Scan {
 }
 
 /// Seconds between two items at least, by the boxes of their pieces.
-fn apart(minorant: &Minorant, a: &Item, b: &Item) -> f64 {
-    let seconds = |p: &Piece, q: &Piece| box_seconds(minorant, p.around.min, p.around.max, q.around.min, q.around.max);
+fn apart(prices: &Prices, a: &Item, b: &Item) -> f64 {
+    let seconds =
+        |p: &Piece, q: &Piece| box_seconds(prices, p.around.min, p.around.max, q.around.min, q.around.max);
     a.pieces.iter().flat_map(|p| b.pieces.iter().map(move |q| seconds(p, q))).fold(f64::INFINITY, f64::min)
 }
 
 /// Seconds between two boxes at least.
-pub(super) fn box_seconds(minorant: &Minorant, amin: DVec2, amax: DVec2, bmin: DVec2, bmax: DVec2) -> f64 {
+pub(super) fn box_seconds(prices: &Prices, amin: DVec2, amax: DVec2, bmin: DVec2, bmax: DVec2) -> f64 {
     let gap = (bmin - amax).max(amin - bmax).max(DVec2::ZERO);
-    minorant.air().seconds(DVec2::ZERO, gap)
+    prices.minorant.air().seconds(DVec2::ZERO, gap)
 }

@@ -1,10 +1,10 @@
 //! The strong bound: walks, charges that drive them to visit every item once, and rounds that sharpen both what walks
 //! remember and how finely contours are divided.
 
-use super::net::{Item, items};
-use super::minorant::Minorant;
+use super::net::{Item, homes, items};
 use super::order::Order;
 use super::pairs::{Pairs, Scan};
+use super::prices::Prices;
 use super::space::Space;
 use super::walks::{Ground, Pass, Visit};
 use crate::geometry::DVec2;
@@ -27,11 +27,6 @@ const SHORTER: f64 = 0.6;
 const KEEP: f64 = 0.5;
 /// Numbers in the rows of a pass and states at most: some 100 MB.
 const MOST_NUMBERS: usize = 12_000_000;
-/// Rounds that gained less than this of the gap, in a row, before nothing more is expected.
-const LITTLE: f64 = 0.01;
-/// How many of those.
-const WEARY: usize = 4;
-
 /// What is to be done next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Task {
@@ -61,16 +56,15 @@ pub(super) struct Strong {
     round_best: f64,
     stalled: usize,
     looks: usize,
-    weary: usize,
     walks: Vec<Vec<Visit>>,
 }
 
 impl Strong {
-    pub fn new(problem: &Problem) -> Self {
+    pub(super) fn new(problem: &Problem) -> Self {
         let items = items(problem);
         let count = items.len();
-        let first = if problem.closed { 1 } else { 2 };
-        let minorant = Minorant::new(&problem.machine);
+        let first = homes(problem);
+        let prices = Prices::new(problem);
         let order = Order::new(problem, first);
         let scan = Scan::new(&items, first);
         let ground = Ground {
@@ -79,7 +73,7 @@ impl Strong {
             spaces: Vec::new(),
             items,
             first,
-            minorant,
+            prices,
             order,
         };
         Self {
@@ -96,22 +90,25 @@ impl Strong {
             round_best: f64::NEG_INFINITY,
             stalled: 0,
             looks: 0,
-            weary: 0,
             walks: Vec::new(),
         }
     }
 
-    pub fn value(&self) -> f64 {
+    pub(super) fn value(&self) -> f64 {
         self.best
     }
 
     /// One piece of work; returns how large it was, 0 when nothing is left to do.
-    pub fn once(&mut self, upper: f64) -> u64 {
+    pub(super) fn once(&mut self, upper: f64) -> u64 {
         match self.task {
             Task::Scan => {
                 let ground = &self.ground;
-                self.scan.next(&ground.items, ground.first, &ground.minorant).unwrap_or_else(|| {
+                self.scan.next(&ground.items, ground.first, &ground.prices).unwrap_or_else(|| {
                     self.wanted = self.scan.wanted(ground.first, ground.items.len());
+                    if ground.prices.directed() {
+                        let back: Vec<_> = self.wanted.iter().map(|&[a, b]| [b, a]).collect();
+                        self.wanted.extend(back);
+                    }
                     self.task = Task::Table(0);
                     1
                 })
@@ -122,8 +119,7 @@ impl Strong {
                     return 1;
                 };
                 let ground = &mut self.ground;
-                let price = (ground.first == 1 || a != 1).then_some(&ground.minorant);
-                ground.pairs.add(&ground.items, price, [a, b], true);
+                ground.pairs.add(&ground.items, &ground.prices, [a, b], true);
                 self.task = Task::Table(next + 1);
                 // A price takes about as long as 16 numbers of a row.
                 16 * (ground.items[a].knots * ground.items[b].knots) as u64
@@ -136,7 +132,8 @@ impl Strong {
             Task::Row(side) => {
                 self.ground.advance(side, &mut self.passes[side], &self.pay);
                 if self.passes[side].rows() >= self.ground.stops()[side] {
-                    self.task = if side + 1 < self.ground.spaces.len() { Task::Row(side + 1) } else { Task::Meet };
+                    self.task =
+                        if side + 1 < self.ground.spaces.len() { Task::Row(side + 1) } else { Task::Meet };
                 }
                 self.ground.work(side)
             }
@@ -155,10 +152,10 @@ impl Strong {
         if ground.company.iter().all(Vec::is_empty) {
             ground.company = nearest_company(&ground.items, ground.first, &ground.pairs);
         }
-        let symmetric = ground.first == 1 && ground.order.is_free();
+        let symmetric = ground.first == 1 && ground.order.is_free() && !ground.prices.directed();
         ground.spaces = (0..if symmetric { 1 } else { 2 })
             .map(|side| {
-                let mut space = Space::new(&ground.company, &ground.order, side == 1, &ground.pairs, ground.first);
+                let mut space = Space::new(ground, side == 1);
                 space.lay_out(|i| ground.items[i].knots);
                 space
             })
@@ -250,25 +247,29 @@ impl Strong {
         }
     }
 
-    /// Breaks the shortest circles of the walks: what lies between two visits to an item remembers it. No more in a
-    /// round than there are items, as each may double the states of one.
+    /// Breaks the shortest faults of the walks, circles and stops out of order: what lies between the two stops
+    /// remembers both. No more in a round than there are items, as each may double the states of one.
     fn remember(&mut self) -> bool {
-        let mut circles: Vec<[usize; 3]> = Vec::new();
+        let order = &self.ground.order;
+        let mut faults: Vec<[usize; 3]> = Vec::new();
         for (w, walk) in self.walks.iter().enumerate() {
             for (i, v) in walk.iter().enumerate() {
-                let again = walk[i + 1..].iter().take(MOST_COMPANY).position(|other| other.item == v.item);
-                circles.extend(again.map(|length| [length, w, i]));
+                let wrong = |other: &Visit| other.item == v.item || order.forbids(v.item, other.item, false);
+                let length = walk[i + 1..].iter().position(wrong);
+                faults.extend(length.map(|length| [length, w, i]));
             }
         }
-        sort_by(&mut circles, |c| c.map(|x| x as u64));
+        sort_by(&mut faults, |c| c.map(|x| x as u64));
         let mut added = 0;
-        for [length, w, i] in circles {
-            let again = self.walks[w][i].item;
-            for between in &self.walks[w][i + 1..i + 1 + length] {
-                let company = &mut self.ground.company[between.item];
-                if company.len() < MOST_COMPANY && !company.contains(&again) {
-                    company.push(again);
-                    added += 1;
+        for [length, w, i] in faults {
+            let (walk, last) = (&self.walks[w], i + 1 + length);
+            for between in &walk[i + 1..last] {
+                for fault in [walk[i].item, walk[last].item] {
+                    let company = &mut self.ground.company[between.item];
+                    if company.len() < MOST_COMPANY && between.item != fault && !company.contains(&fault) {
+                        company.push(fault);
+                        added += 1;
+                    }
                 }
             }
             if added >= self.ground.count() {
@@ -281,6 +282,9 @@ impl Strong {
     /// Halves the pieces at knots between which legs of the walks cost less than they should.
     fn refine(&mut self, upper: f64) -> bool {
         let ground = &self.ground;
+        if !ground.items.iter().any(Item::can_halve) {
+            return false;
+        }
         // What an average leg may lose without counting.
         let little = 0.1 * (upper - self.best).max(0.0) / ground.count() as f64;
         let mut marks: Vec<Vec<bool>> = ground.items.iter().map(|i| vec![false; i.pieces.len()]).collect();
@@ -319,12 +323,13 @@ impl Strong {
 
 /// What a leg between two knots costs less than it should.
 fn lost(ground: &Ground, item: usize, knot: usize, to: Visit) -> f64 {
-    let pair = ground.pairs.of[item].iter().find(|&&(e, side)| ground.pairs.list[e].items[1 - side] == to.item);
+    let pair =
+        ground.pairs.of[item].iter().find(|&&(e, side)| ground.pairs.list[e].items[1 - side] == to.item);
     let Some(&(e, side)) = pair else { return 0.0 };
     let (a, b) = (&ground.items[item], &ground.items[to.item]);
     let table = ground.pairs.table(&ground.pairs.list[e], a.knots * b.knots);
     let seconds = if side == 0 { table[knot * b.knots + to.knot] } else { table[to.knot * a.knots + knot] };
-    ground.minorant.air().seconds(place(a, knot), place(b, to.knot)) - seconds
+    ground.prices.minorant.air().seconds(place(a, knot), place(b, to.knot)) - seconds
 }
 
 fn place(item: &Item, knot: usize) -> DVec2 {
@@ -345,9 +350,4 @@ fn nearest_company(items: &[Item], first: usize, pairs: &Pairs) -> Vec<Vec<usize
         list.extend(near.iter().take(COMPANY).map(|n| n.0));
     }
     company
-}
-impl Strong {
-    pub fn state(&self) -> String {
-        format!("looks {} share {:.4} states {:?} steps {:?} knots {} work {:?}", self.looks, self.share, self.ground.spaces.iter().map(|s| s.states.len()).collect::<Vec<_>>(), self.ground.spaces.iter().map(|s| s.steps.len()).collect::<Vec<_>>(), self.ground.items.iter().map(|i| i.knots).sum::<usize>(), (0..self.ground.spaces.len()).map(|s| self.ground.work(s)).collect::<Vec<_>>())
-    }
 }

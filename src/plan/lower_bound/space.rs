@@ -5,47 +5,48 @@
 //! to one that must come before one it remembers. With empty lists a walk may go back and forth, with complete ones it
 //! is a tour; lists grow where walks go round in circles.
 
-use super::order::Order;
-use super::pairs::Pairs;
+use super::walks::Ground;
 use crate::order::sort_by;
 use std::ops::Range;
 
 /// An item and what is remembered of its company, a bit each.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct State {
-    pub item: usize,
-    pub memory: u32,
+    pub(super) item: usize,
+    pub(super) memory: u32,
 }
 
 /// Legs from one item to a state of another.
 #[derive(Clone, Debug)]
 pub(super) struct Step {
-    pub from: usize,
-    pub to: usize,
+    pub(super) from: usize,
+    pub(super) to: usize,
     /// The pair and which of its two items is left; `None`: only the boxes are known.
-    pub pair: Option<(usize, usize)>,
+    pub(super) pair: Option<(usize, usize)>,
     /// The states left, a range of [`Space::sources`].
-    pub sources: Range<usize>,
+    pub(super) sources: Range<usize>,
 }
 
 /// All states and the legs between them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Space {
-    pub states: Vec<State>,
+    pub(super) states: Vec<State>,
     /// Where each state's knots start in a row of values.
-    pub at: Vec<usize>,
+    pub(super) at: Vec<usize>,
     /// Length of a row.
-    pub width: usize,
+    pub(super) width: usize,
     /// By the state they lead to.
-    pub steps: Vec<Step>,
-    pub sources: Vec<usize>,
+    pub(super) steps: Vec<Step>,
+    pub(super) sources: Vec<usize>,
     /// The states of each item.
-    pub of: Vec<Vec<usize>>,
+    pub(super) of: Vec<Vec<usize>>,
 }
 
 impl Space {
     /// All states a walk can come to, for walks along the order or against it.
-    pub fn new(company: &[Vec<usize>], order: &Order, backwards: bool, pairs: &Pairs, first: usize) -> Self {
+    pub(super) fn new(ground: &Ground, backwards: bool) -> Self {
+        let Ground { company, order, pairs, first, .. } = ground;
+        let first = *first;
         let count = company.len();
         let mut space = Self { of: vec![Vec::new(); count], ..Self::default() };
         for item in first..count {
@@ -79,7 +80,10 @@ impl Space {
                 if space.steps.last().is_none_or(|l| l.to != to) {
                     known.fill(None);
                     for &(e, side) in &pairs.of[space.states[to].item] {
-                        known[pairs.list[e].items[1 - side]] = Some((e, 1 - side));
+                        // Of two tables, one each way, that for legs to this item; backwards: from it.
+                        if !ground.prices.directed() || (side == 1) != backwards {
+                            known[pairs.list[e].items[1 - side]] = Some((e, 1 - side));
+                        }
                     }
                 }
                 let start = space.sources.len();
@@ -91,7 +95,7 @@ impl Space {
     }
 
     /// Lays the knots of all states out in a row.
-    pub fn lay_out(&mut self, knots: impl Fn(usize) -> usize) {
+    pub(super) fn lay_out(&mut self, knots: impl Fn(usize) -> usize) {
         self.width = 0;
         self.at.clear();
         for s in &self.states {

@@ -1,9 +1,9 @@
 //! Least trees over all items but home: over the pairs at hand by Kruskal's method, and over all pairs there could be,
 //! row by row, by Prim's.
 
-use super::minorant::Minorant;
 use super::net::Item;
 use super::pairs::{Pairs, box_seconds};
+use super::prices::Prices;
 use crate::order::{real, sort_by};
 
 /// The least tree over the pairs at hand that are not home's, or its pieces when they do not join all items.
@@ -62,13 +62,13 @@ pub(super) struct Whole {
     seen: Vec<usize>,
     next: usize,
     /// Cost of the tree so far.
-    pub cost: f64,
+    pub(super) cost: f64,
     /// Legs of the tree that are no pairs at hand.
-    pub missing: Vec<(usize, usize)>,
+    pub(super) missing: Vec<(usize, usize)>,
 }
 
 impl Whole {
-    pub fn new(first: usize, count: usize) -> Self {
+    pub(super) fn new(first: usize, count: usize) -> Self {
         Self {
             join: vec![(f64::INFINITY, 0); count],
             left: (first + 1..count).collect(),
@@ -80,7 +80,14 @@ impl Whole {
     }
 
     /// One row. Says whether that was the last.
-    pub fn row(&mut self, items: &[Item], minorant: &Minorant, pairs: &Pairs, cost: &[f64], pay: &[f64]) -> bool {
+    pub(super) fn row(
+        &mut self,
+        items: &[Item],
+        prices: &Prices,
+        pairs: &Pairs,
+        cost: &[f64],
+        pay: &[f64],
+    ) -> bool {
         let a = self.next;
         // Marked before the boxes are looked at: a pair at hand may cost more or less than its boxes say.
         for &(e, side) in &pairs.of[a] {
@@ -97,7 +104,7 @@ impl Whole {
             let base = pay[a] + pay[b];
             // Most boxes are too far: their seconds are looked at only when the item is not already nearer.
             if base < self.join[b].0 && self.seen[b] != a {
-                let seconds = base + box_seconds(minorant, near.min, near.max, far.min, far.max);
+                let seconds = base + box_seconds(prices, near.min, near.max, far.min, far.max);
                 if seconds < self.join[b].0 {
                     self.join[b] = (seconds, a | FAR);
                 }

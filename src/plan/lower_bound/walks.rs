@@ -6,22 +6,22 @@
 use super::net::Item;
 use super::order::Order;
 use super::pairs::{Pairs, box_seconds};
-use super::minorant::Minorant;
+use super::prices::Prices;
 use super::space::{Space, remembered};
 
 /// What walks are made of.
 #[derive(Clone, Debug)]
 pub(super) struct Ground {
-    pub items: Vec<Item>,
+    pub(super) items: Vec<Item>,
     /// Items from here on are contours, those before home.
-    pub first: usize,
-    pub minorant: Minorant,
-    pub pairs: Pairs,
-    pub order: Order,
+    pub(super) first: usize,
+    pub(super) prices: Prices,
+    pub(super) pairs: Pairs,
+    pub(super) order: Order,
     /// Which items each item remembers.
-    pub company: Vec<Vec<usize>>,
+    pub(super) company: Vec<Vec<usize>>,
     /// From home on, and from the end back; the latter only where it differs.
-    pub spaces: Vec<Space>,
+    pub(super) spaces: Vec<Space>,
 }
 
 /// The values of all stops done so far, from one end.
@@ -32,7 +32,7 @@ pub(super) struct Pass {
 }
 
 impl Pass {
-    pub fn rows(&self) -> usize {
+    pub(super) fn rows(&self) -> usize {
         self.rows.len()
     }
 }
@@ -40,34 +40,36 @@ impl Pass {
 /// A stop of a walk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Visit {
-    pub item: usize,
+    pub(super) item: usize,
     /// Where it arrives.
-    pub knot: usize,
+    pub(super) knot: usize,
 }
 
 impl Ground {
     /// Number of items to visit.
-    pub fn count(&self) -> usize {
+    pub(super) fn count(&self) -> usize {
         self.items.len() - self.first
     }
 
     /// Stops that the passes from either end have to make.
-    pub fn stops(&self) -> [usize; 2] {
+    pub(super) fn stops(&self) -> [usize; 2] {
         let forth = self.count().div_ceil(2);
         let back = self.count() + 1 - forth;
         if self.spaces.len() == 1 { [forth.max(back), 0] } else { [forth, back] }
     }
 
     /// Work of one more stop.
-    pub fn work(&self, side: usize) -> u64 {
+    pub(super) fn work(&self, side: usize) -> u64 {
         let entries = |s: &super::space::Step| {
-            self.items[s.from].knots * (s.sources.len() + s.pair.map_or(1, |_| self.items[self.spaces[side].states[s.to].item].knots))
+            self.items[s.from].knots
+                * (s.sources.len()
+                    + s.pair.map_or(1, |_| self.items[self.spaces[side].states[s.to].item].knots))
         };
         self.spaces[side].steps.iter().map(|s| entries(s) as u64).sum()
     }
 
     /// Adds a row to a pass.
-    pub fn advance(&self, side: usize, pass: &mut Pass, pay: &[f64]) {
+    pub(super) fn advance(&self, side: usize, pass: &mut Pass, pay: &[f64]) {
         let space = &self.spaces[side];
         let mut row = vec![f64::INFINITY; space.width];
         let stop = pass.rows.len() + 1;
@@ -78,12 +80,18 @@ impl Ground {
         };
         let Some(last) = pass.rows.last() else {
             let home = if side == 0 { 0 } else { self.first - 1 };
-            for &(e, _) in &self.pairs.of[home] {
+            let homes = self.items[home].knots;
+            for &(e, end) in &self.pairs.of[home] {
                 let pair = &self.pairs.list[e];
-                let item = pair.items[1];
+                let item = pair.items[1 - end];
+                if item < self.first || !open(item) || (self.prices.directed() && end != side) {
+                    continue;
+                }
                 let at = space.at[space.of[item][0]];
-                for (value, seconds) in row[at..].iter_mut().zip(self.pairs.table(pair, self.items[item].knots)) {
-                    *value = if open(item) { seconds + pay[item] } else { f64::INFINITY };
+                let knots = self.items[item].knots;
+                for (i, seconds) in self.pairs.table(pair, homes * knots).iter().enumerate() {
+                    let value = &mut row[at + if end == 0 { i % knots } else { i / homes }];
+                    *value = value.min(seconds + pay[item]);
                 }
             }
             pass.rows.push(row);
@@ -111,7 +119,7 @@ impl Ground {
             let at = space.at[step.to];
             relax(&mut row[at..at + to.knots], &least, pay[item], self.legs(step.pair), || {
                 let (a, b) = (from.around, to.around);
-                box_seconds(&self.minorant, a.min, a.max, b.min, b.max)
+                box_seconds(&self.prices, a.min, a.max, b.min, b.max)
             });
         }
         pass.rows.push(row);
@@ -121,12 +129,15 @@ impl Ground {
     fn legs(&self, pair: Option<(usize, usize)>) -> Option<(&[f64], bool)> {
         pair.map(|(e, side)| {
             let pair = &self.pairs.list[e];
-            (self.pairs.table(pair, self.items[pair.items[0]].knots * self.items[pair.items[1]].knots), side == 0)
+            (
+                self.pairs.table(pair, self.items[pair.items[0]].knots * self.items[pair.items[1]].knots),
+                side == 0,
+            )
         })
     }
 
     /// The least walk over both passes: what it costs and its stops.
-    pub fn meet(&self, passes: &[Pass; 2], pay: &[f64]) -> Option<(f64, Vec<Visit>)> {
+    pub(super) fn meet(&self, passes: &[Pass; 2], pay: &[f64]) -> Option<(f64, Vec<Visit>)> {
         let forth = self.count().div_ceil(2);
         let back = self.count() + 1 - forth;
         let other = self.spaces.len() - 1;
@@ -156,9 +167,11 @@ impl Ground {
         walk.reverse();
         let rest = self.trace(other, &passes[other].rows[..back], t, l, pay);
         // From the end back it arrives where the tour leaves.
-        walk.extend(rest.into_iter().skip(1).map(|v| {
-            if self.items[v.item].paired { Visit { knot: v.knot ^ 1, ..v } } else { v }
-        }));
+        walk.extend(
+            rest.into_iter()
+                .skip(1)
+                .map(|v| if self.items[v.item].paired { Visit { knot: v.knot ^ 1, ..v } } else { v }),
+        );
         Some((value, walk))
     }
 
@@ -176,7 +189,14 @@ impl Ground {
     }
 
     /// The stops of the least walk to a state and knot, last first.
-    fn trace(&self, side: usize, rows: &[Vec<f64>], mut state: usize, mut knot: usize, pay: &[f64]) -> Vec<Visit> {
+    fn trace(
+        &self,
+        side: usize,
+        rows: &[Vec<f64>],
+        mut state: usize,
+        mut knot: usize,
+        pay: &[f64],
+    ) -> Vec<Visit> {
         let space = &self.spaces[side];
         let mut walk = vec![Visit { item: space.states[state].item, knot }];
         for row in rows.iter().rev().skip(1) {
@@ -193,7 +213,13 @@ impl Ground {
                         let seconds = match legs {
                             Some((table, true)) => table[left * to.knots + knot],
                             Some((table, false)) => table[knot * from.knots + left],
-                            None => box_seconds(&self.minorant, from.around.min, from.around.max, to.around.min, to.around.max),
+                            None => box_seconds(
+                                &self.prices,
+                                from.around.min,
+                                from.around.max,
+                                to.around.min,
+                                to.around.max,
+                            ),
                         };
                         let value = row[space.at[source] + k] + seconds + pay[item];
                         if value < best.0 {
@@ -225,7 +251,11 @@ fn relax(row: &mut [f64], least: &[f64], pay: f64, legs: Option<(&[f64], bool)>,
         }
         Some((table, false)) => {
             for (value, seconds) in row.iter_mut().zip(table.chunks_exact(least.len().max(1))) {
-                let new = least.iter().zip(seconds).fold(f64::INFINITY, |m, (l, s)| if l + s < m { l + s } else { m }) + pay;
+                let new = least
+                    .iter()
+                    .zip(seconds)
+                    .fold(f64::INFINITY, |m, (l, s)| if l + s < m { l + s } else { m })
+                    + pay;
                 *value = if new < *value { new } else { *value };
             }
         }
