@@ -3,7 +3,7 @@
 use super::options::{Budget, PlanOptions};
 use super::{Baselines, JobError, Warm, warm};
 use crate::machine::Profile;
-use crate::plan::{self, Plan};
+use crate::plan::{self, LowerBound, Plan};
 use crate::problem::{self, Problem};
 use crate::sheet::Sheet;
 use crate::solve::{self, Search, Solution, SolverInfo, Status, Telemetry};
@@ -19,6 +19,14 @@ self_cell::self_cell!(
     }
 );
 
+/// Moves before the lower bound is begun: the first paths come first. A second of search on large sheets; on small ones
+/// the best path is found by then and only the proof is left.
+const BOUND_FROM: u64 = 1_000_000;
+/// Moves between two slices of work on it, and that work: a fifth or so of the time, and no slice long enough to be felt.
+/// Counted in moves, so that a budget in moves gives the same bound however it is sliced.
+const BOUND_EVERY: u64 = 100_000;
+const BOUND_WORK: u32 = 4_000_000;
+
 /// Why a slice ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -32,7 +40,7 @@ pub enum SliceEnd {
 }
 
 /// What came of a slice of work.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Slice {
     /// Moves done in it.
     pub done: u64,
@@ -40,6 +48,8 @@ pub struct Slice {
     pub improved: bool,
     /// Why it ended.
     pub end: SliceEnd,
+    /// Seconds that no plan takes less than; 0 before the first is known.
+    pub bound: f64,
 }
 
 /// A plan under way or done.
@@ -60,6 +70,10 @@ pub struct Run {
     /// candidates.
     pub moves: u64,
     running: Running,
+    /// Of what the search minimises; one search of several is enough to work on it.
+    bound: Option<LowerBound>,
+    /// Moves at which work on it goes on.
+    bound_at: u64,
 }
 
 impl Run {
@@ -77,6 +91,7 @@ impl Run {
             Baselines { drawing: summary(&solve::drawing_order(sheet, &problem)), greedy: summary(&greedy) };
         let (workers, stream) = (options.workers()?, options.stream());
         let warm = options.warm.as_ref().map(|w| warm::solution(w, &problem)).transpose()?;
+        let bound = (options.member == 0).then(|| LowerBound::new(&problem));
         let running =
             Running::new(problem, |p| method.start(p, stream, Some(warm.as_ref().unwrap_or(&greedy))));
         Ok(Self {
@@ -88,6 +103,8 @@ impl Run {
             baselines,
             moves: 0,
             running,
+            bound,
+            bound_at: BOUND_FROM,
         })
     }
 
@@ -95,16 +112,24 @@ impl Run {
     pub fn step(&mut self, work: u64) -> Slice {
         let left = self.budget.moves.map_or(u64::MAX, |all| all.saturating_sub(self.moves));
         if left == 0 {
-            return Slice { done: 0, improved: false, end: SliceEnd::Budget };
+            return Slice { done: 0, improved: false, end: SliceEnd::Budget, bound: self.bound() };
         }
-        let step = self.running.with_dependent_mut(|_, search| search.step(work.min(left)));
+        let work = work.min(left).min(self.bound_at.saturating_sub(self.moves).max(1));
+        let step = self.running.with_dependent_mut(|_, search| search.step(work));
         self.moves = self.moves.saturating_add(step.done);
+        if self.moves >= self.bound_at {
+            self.bound_at += BOUND_EVERY;
+            let cost = self.best().cost;
+            if let Some(bound) = &mut self.bound {
+                bound.improve(BOUND_WORK, cost);
+            }
+        }
         let end = match step.status {
             Status::Exhausted => SliceEnd::Exhausted,
             Status::Running if step.done >= left => SliceEnd::Budget,
             Status::Running => SliceEnd::Running,
         };
-        Slice { done: step.done, improved: step.improved, end }
+        Slice { done: step.done, improved: step.improved, end, bound: self.bound() }
     }
 
     /// Takes over a path found by another search, if it is better: true when it was.
@@ -138,7 +163,15 @@ impl Run {
 
     /// The best solution so far as moves of the head, with times.
     pub fn plan(&self, sheet: &Sheet) -> Plan {
-        plan::from_solution(sheet, self.problem(), self.best())
+        let mut plan = plan::from_solution(sheet, self.problem(), self.best());
+        plan.summary.set_bound(self.bound());
+        plan
+    }
+
+    /// Seconds that no plan takes less than: what is proven of travel, and what every plan pays; 0 before anything is.
+    pub fn bound(&self) -> f64 {
+        let fixed = || self.problem().items.iter().map(|i| i.fixed).sum::<f64>();
+        self.bound.as_ref().filter(|_| self.bound_at > BOUND_FROM).map_or(0.0, |b| fixed() + b.value())
     }
 }
 

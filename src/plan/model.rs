@@ -69,6 +69,16 @@ pub struct Summary {
     pub bounds: [f64; 4],
 }
 
+impl Summary {
+    /// Takes in a lower bound of the total, s; 0: none. One above it is off by rounding: the plan is optimal.
+    pub fn set_bound(&mut self, bound: f64) {
+        if bound > 0.0 {
+            self.lower_bound = bound.min(self.total_time);
+            self.gap = Some((self.total_time - self.lower_bound) / self.lower_bound);
+        }
+    }
+}
+
 /// Moves and what they add up to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {

@@ -5,6 +5,7 @@
  * hears is the best of all; at the end the first worker takes it over, and writes the outputs.
  */
 
+import { bounded } from './bound.js';
 import { Line, type PATIENCE, type StartWorker } from './line.js';
 import type { PlanMessage } from './plan-handle.js';
 import type { Budget, FromWorker, LoadOptions, PlanOptions, Progress, ToWorker } from './protocol.js';
@@ -97,6 +98,10 @@ export class Crew {
         return;
       case 'progress':
         this.captain.tell({ ...message, progress: plan.merged(member, message.progress) });
+        return;
+      case 'bound':
+        plan.bound = message.lowerBound;
+        this.captain.tell(message);
         return;
       case 'meeting':
         this.captain.tell({ type: 'progress', id: plan.id, progress: plan.merged(member, message.progress) });
@@ -199,6 +204,8 @@ class SharedPlan {
   readonly inMoves: boolean;
   /** Its caller knows that it is over. */
   told = false;
+  /** What no plan can be under, s: the first worker proves it. */
+  bound = 0;
   private readonly last = new Map<number, Progress>();
   private best: Progress | null = null;
 
@@ -224,7 +231,7 @@ class SharedPlan {
     if (progress.path !== null && (better || withPath)) this.best = progress;
     const path = progress.path !== null && (better || withPath) ? progress.path : null;
     const of = (number: (p: Progress) => number) => [...this.last.values()].reduce((sum, p) => sum + number(p), 0);
-    const summary = (this.best ?? progress).summary;
+    const summary = bounded((this.best ?? progress).summary, this.bound);
     const seconds = this.last.get(FIRST)?.seconds ?? progress.seconds;
     return { moves: of((p) => p.moves), seconds, rate: of((p) => p.rate), summary, path };
   }

@@ -1,5 +1,6 @@
 /** A plan under way, as its caller holds it, and what is known of it. */
 
+import { bounded } from './bound.js';
 import type { Baselines, BestPath, DoneReason, FromWorker, PlanOptions, Progress } from './protocol.js';
 
 /** What a plan started with. */
@@ -28,7 +29,7 @@ export interface PlanHandle {
 }
 
 /** The messages that concern a plan. */
-export type PlanMessage = Extract<FromWorker, { type: 'started' | 'progress' | 'done' | 'failed' }>;
+export type PlanMessage = Extract<FromWorker, { type: 'started' | 'progress' | 'bound' | 'done' | 'failed' }>;
 
 /** A plan from its start to its end. */
 export class RunningPlan {
@@ -74,6 +75,11 @@ export class RunningPlan {
       case 'progress':
         this.keep(message.progress);
         this.onProgress(message.progress);
+        return;
+      case 'bound':
+        if (this.last === null) return;
+        this.last = { ...this.last, summary: bounded(this.last.summary, message.lowerBound) };
+        this.onProgress({ ...this.last, path: null });
         return;
       case 'done':
         this.keep(message.progress);

@@ -3,6 +3,7 @@
  * at once. Reports every improvement, at most one a frame, and never loses the last.
  */
 
+import { bounded } from './bound.js';
 import type { Job } from './pkg/kerfway.js';
 import type { Budget, DoneReason, Progress, Summary, WarmPath } from './protocol.js';
 
@@ -11,6 +12,7 @@ export interface Listener {
   progress(message: { id: number; progress: Progress }): void;
   done(message: { id: number; reason: DoneReason; progress: Progress }): void;
   meeting(message: { id: number; progress: Progress }): void;
+  bound(message: { id: number; lowerBound: number }): void;
   failed(id: number, error: unknown): void;
 }
 
@@ -48,6 +50,7 @@ export class Search {
   private rate = 0;
   private untold = true;
   private summary: Summary | null = null;
+  private bound = 0;
   private tellAfter = 0;
   private pulseAt = 0;
 
@@ -114,8 +117,12 @@ export class Search {
     try {
       const start = performance.now();
       const toMeeting = this.meetAt - this.job.moves();
-      const { done, improved, end } = this.job.step(Math.min(Math.round(this.work), toMeeting));
+      const { done, improved, end, bound } = this.job.step(Math.min(Math.round(this.work), toMeeting));
       this.account(done, improved, performance.now() - start);
+      if (bound > this.bound) {
+        this.bound = bound;
+        this.listener.bound({ id: this.id, lowerBound: bound });
+      }
       if (end !== 'running') return this.end(end);
       if (this.worked >= this.until) return this.end('budget');
       if (done === toMeeting) return this.wait();
@@ -168,7 +175,7 @@ export class Search {
       this.summary = summary;
       this.untold = false;
     }
-    return { moves: this.job.moves(), seconds: this.worked / 1000, rate: this.rate, summary, path };
+    return { moves: this.job.moves(), seconds: this.worked / 1000, rate: this.rate, summary: bounded(summary, this.bound), path };
   }
 }
 

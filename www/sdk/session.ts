@@ -102,6 +102,7 @@ export class Session {
       progress: (progress) => this.host.post({ type: 'progress', ...progress }, pathBuffers(progress.progress)),
       done: (done) => this.host.post({ type: 'done', ...done }, pathBuffers(done.progress)),
       meeting: (met) => this.host.post({ type: 'meeting', ...met }, pathBuffers(met.progress)),
+      bound: (bound) => this.host.post({ type: 'bound', ...bound }),
       failed: (of, error) => this.fail(of, error),
     }, options.workers);
     this.search.run(id, { ...options, ...budget });

@@ -15,8 +15,11 @@ use crate::problem::Problem;
 const COMPANY: usize = 4;
 /// The most there may be: the states of an item may double with each.
 const MOST_COMPANY: usize = 16;
-/// Looks at the charges in a round. More of them settle the charges, more rounds sharpen what they work on.
-const LOOKS: usize = 40;
+/// Looks at the charges in a round at most, and at least.
+const LOOKS: [usize; 2] = [12, 60];
+/// A round goes on while this many looks gain this part of what is missing: charges that have settled need not be exact
+/// for what they work on to be sharpened.
+const WORTH: (usize, f64) = (8, 0.06);
 /// Walks kept for a round to learn from: the last ones, when charges have settled.
 const KEPT: usize = 12;
 /// Looks without a better value after which steps get shorter.
@@ -56,6 +59,8 @@ pub(super) struct Strong {
     round_best: f64,
     stalled: usize,
     looks: usize,
+    /// The best value of the round some looks ago.
+    before: f64,
     walks: Vec<Vec<Visit>>,
 }
 
@@ -90,6 +95,7 @@ impl Strong {
             round_best: f64::NEG_INFINITY,
             stalled: 0,
             looks: 0,
+            before: f64::NEG_INFINITY,
             walks: Vec::new(),
         }
     }
@@ -204,7 +210,7 @@ impl Strong {
         self.looks += 1;
         if self.best >= upper * (1.0 - 1e-10) {
             self.task = Task::Nothing;
-        } else if tour || self.looks >= LOOKS || self.share < 1e-3 {
+        } else if tour || self.settled(upper) {
             self.next_round(upper);
         } else {
             let mut norm = 0.0;
@@ -223,6 +229,16 @@ impl Strong {
         }
     }
 
+    /// Whether a round has given what it can.
+    fn settled(&mut self, upper: f64) -> bool {
+        if !self.looks.is_multiple_of(WORTH.0) {
+            return self.looks >= LOOKS[1];
+        }
+        let gained = self.round_best - self.before;
+        self.before = self.round_best;
+        self.looks >= LOOKS[0] && gained < WORTH.1 * (upper - self.round_best)
+    }
+
     /// Longer memory where walks went round, halved pieces where legs lost seconds.
     fn next_round(&mut self, upper: f64) {
         let fuller = self.remember();
@@ -235,7 +251,7 @@ impl Strong {
         self.pay.clone_from(&self.best_pay);
         self.way.fill(0.0);
         self.round_best = f64::NEG_INFINITY;
-        (self.looks, self.stalled) = (0, 0);
+        (self.looks, self.stalled, self.before) = (0, 0, f64::NEG_INFINITY);
         // The charges are nearly right already: a third of the first step is enough to follow.
         self.share = 0.3;
         self.walks.clear();

@@ -65,7 +65,7 @@ impl Ground {
                 * (s.sources.len()
                     + s.pair.map_or(1, |_| self.items[self.spaces[side].states[s.to].item].knots))
         };
-        self.spaces[side].steps.iter().map(|s| entries(s) as u64).sum()
+        1 + self.spaces[side].steps.iter().map(|s| entries(s) as u64).sum::<u64>()
     }
 
     /// Adds a row to a pass.

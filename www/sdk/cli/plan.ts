@@ -5,7 +5,7 @@ import { createPlanner, type Planner, type PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, OutputKind, PlanOptions, Progress } from '../protocol.js';
 import { loadOptions, oneOf, READING, seconds, text, whole, words, type Words } from './arguments.js';
 import { bytesOf, put, Unusable, usable, WrongUse } from './io.js';
-import { duration, meters, plural } from './words.js';
+import { duration, percent, meters, plural } from './words.js';
 
 const OUTPUTS: readonly OutputKind[] = ['json', 'gcode', 'svg', 'dxf', 'png'];
 const DEFAULT_MACHINE = 'co2-100w';
@@ -101,6 +101,9 @@ function showProgress({ seconds, rate, summary }: Progress): void {
   process.stderr.write(`\r\x1b[K${seconds.toFixed(1)} s  job ${duration(summary.total_time)}  ${pace} moves a second`);
 }
 
+/** A path this near to what is proven is optimal: what is left is rounding. */
+const PROVEN = 1e-9;
+
 function told(file: string, loaded: Loaded, result: PlanResult, { machine, workers = 1 }: PlanOptions): string {
   const { summary: s, moves, seconds } = result.progress;
   const { drawing, greedy } = result.baselines;
@@ -115,6 +118,9 @@ function told(file: string, loaded: Loaded, result: PlanResult, { machine, worke
       `${workers > 1 ? ` by ${workers} workers` : ''}; ` +
       `machine ${(machine as MachineProfile).name}`,
   ];
+  if (s.gap !== null) {
+    lines.push(`Optimum    ${s.gap <= PROVEN ? 'this is it: proven' : `at least ${duration(s.lower_bound)}: this is at most ${percent(s.gap)} above`}`);
+  }
   if (findings > 0) lines.push(`Findings   ${findings}: kerfway inspect ${file} tells them`);
   return `${lines.join('\n')}\n`;
 }

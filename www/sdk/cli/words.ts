@@ -12,6 +12,11 @@ export function duration(s: number): string {
   return `${minutes} min ${String(Math.round(s) - 60 * minutes).padStart(2, '0')} s`;
 }
 
+/** A share, in per cent: two digits below one. */
+export function percent(share: number): string {
+  return `${(100 * share).toFixed(share < 0.01 ? 2 : 1)} %`;
+}
+
 /** Width and height of a box in mm. */
 export function size([x0, y0, x1, y1]: [number, number, number, number]): string {
   return `${(x1 - x0).toFixed(1)} x ${(y1 - y0).toFixed(1)} mm`;
