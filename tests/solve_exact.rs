@@ -4,7 +4,7 @@
 mod plan_support;
 
 use kerfway::geometry::{Arc, DVec2, Path, Segment, math};
-use kerfway::machine::{air_time, presets};
+use kerfway::machine::presets;
 use kerfway::problem::{self, NodeId, Problem};
 use kerfway::sheet::Sheet;
 use kerfway::solve::{self, Stop};
