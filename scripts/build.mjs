@@ -27,6 +27,7 @@ export function build() {
   mkdirSync(WASM, { recursive: true });
   wasm('kerfway', ['planner']);
   wasm('kerfway_png', ['png']);
+  wasm('kerfway_lab', ['lab']);
   sdk();
   console.log('build: the page');
   run('tsc', ['-p', join(ROOT, 'www', 'app')]);
@@ -63,6 +64,7 @@ function weigh() {
   const rows = [
     ['planner wasm', [join(WASM, 'kerfway_bg.wasm')], BUDGETS.wasm],
     ['PNG wasm, on demand', [join(WASM, 'kerfway_png_bg.wasm')], null],
+    ['instances wasm, on demand', [join(WASM, 'kerfway_lab_bg.wasm')], null],
     ['page, all of a first visit', filesIn(APP).filter(firstVisit), BUDGETS.page],
   ];
   let over = false;

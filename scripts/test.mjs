@@ -14,7 +14,7 @@ const CHECKS = [
   ['Rust formatting', 'cargo', ['fmt', '--check']],
   ['clippy', 'cargo', ['clippy', '--locked', '--all-targets', ...DENY]],
   ['clippy, PNG renderer', 'cargo', ['clippy', '--locked', '--all-targets', '--features', 'png', ...DENY]],
-  ['clippy, wasm', 'cargo', ['clippy', '--locked', ...WASM, ...DENY]],
+  ['clippy, wasm', 'cargo', ['clippy', '--locked', ...WASM, '--features', 'lab', ...DENY]],
   ['Rust tests', 'cargo', ['test', '--locked', '--features', 'png', '--no-fail-fast']],
   ['wasm tests under Node', 'wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--locked', '--test', 'wasm']],
 ];

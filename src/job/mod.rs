@@ -9,6 +9,7 @@ mod options;
 mod path;
 mod report;
 mod run;
+mod solving;
 mod warm;
 mod written;
 
@@ -16,6 +17,7 @@ pub use options::{Budget, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
 pub use path::BestPath;
 pub use report::{Baselines, ContourInfo, Geometry, Loaded};
 pub use run::{Run, Slice, SliceEnd};
+pub use solving::Solving;
 pub use warm::Warm;
 pub use written::OutputKind;
 

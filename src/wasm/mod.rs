@@ -3,6 +3,8 @@
 //! The types of the objects are those of `www/sdk/protocol.ts`. A panic aborts the instance and leaves it unusable;
 //! whoever holds it replaces the worker it runs in.
 
+#[cfg(feature = "lab")]
+mod lab;
 #[cfg(feature = "planner")]
 mod planner;
 #[cfg(feature = "png")]
@@ -11,6 +13,8 @@ mod text;
 #[cfg(feature = "planner")]
 mod values;
 
+#[cfg(feature = "lab")]
+pub use lab::*;
 #[cfg(feature = "planner")]
 pub use planner::*;
 #[cfg(feature = "png")]

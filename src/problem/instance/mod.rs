@@ -5,7 +5,7 @@
 //! 3. `sets.rs` reads the sets of a GTSP, their order and the start, and makes sure that an order exists.
 //! 4. Here they become a [`Problem`]: an item a set (a node, where there are no sets), the start last.
 //!
-//! All tours are closed. A file that names no start group is a cycle without one: its first set is taken.
+//! All tours are closed. A file that names no start group is a cycle without one: its smallest set is taken.
 //! In a PCGLNS file the line `3 2 5 -1` under `GTSP_SET_ORDERING` says that set 3 comes before sets 2 and 5, and
 //! the cycle starts at the start group and comes back to it (so do the published lengths: the tour that PCGLNS
 //! prints for ESC07 costs its published 1730 only with the way back).

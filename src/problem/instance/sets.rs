@@ -46,7 +46,8 @@ pub(super) fn sets(file: &File, nodes: usize) -> Result<Sets, InstanceError> {
     }
     let start = match file.part("START_GROUP_SECTION") {
         Some(start) => start.ordinal(0, rows.len())?,
-        None => 0,
+        // A cycle starts anywhere; with few nodes the start is settled soonest.
+        None => (0..rows.len()).min_by_key(|&s| members[s].len()).unwrap_or(0),
     };
     let pairs = match file.part("GTSP_SET_ORDERING") {
         Some(order) => ordering(order, rows.len(), start)?,

@@ -134,9 +134,6 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
 
 /// 2-opt: the stretch between `a` and a near `b` reversed, so that one leaves for the other's exit.
 fn turn_ahead(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
-    if !tour.space.travel.symmetric {
-        return None;
-    }
     let here = tour.position(a);
     let after_a = tour.next(a);
     let given = tour.edge(a, after_a);
@@ -152,8 +149,14 @@ fn turn_ahead(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> 
         // The first of the stretch becomes its last and goes on to what follows.
         let (first, follows) = if here < there { (after_a, after_b) } else { (after_b, after_a) };
         let on = tour.way(tour.entry(first), follows, tour.entry(follows));
-        let gain = given + tour.edge(b, after_b) - taken - on;
-        if gain > EPSILON && from < to && tour.may_reverse(from, to) {
+        // Into the stretch the way is from the earlier of the two, whichever is nearer to go to.
+        let into = if here < there { taken } else { tour.space.travel.seconds(tour.exit(b), tour.exit(a)) };
+        let gain = given + tour.edge(b, after_b) - into - on;
+        if gain <= EPSILON || from >= to || !tour.may_reverse(from, to) {
+            continue;
+        }
+        let gain = gain - tour.turning(from, to);
+        if gain > EPSILON {
             tour.reverse(from, to);
             queue.push_all(&[a, b, after_a, after_b]);
             return Some(gain);
@@ -164,9 +167,6 @@ fn turn_ahead(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> 
 
 /// 2-opt: the stretch between `a` and a near `b` reversed, so that one is entered from the other's entry.
 fn turn_behind(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
-    if !tour.space.travel.symmetric {
-        return None;
-    }
     // Coming back home is the end of the tour here.
     let end = |tour: &Tour, i: u32| if i == tour.space.home { tour.last() + 1 } else { tour.position(i) };
     let here = end(tour, a);
@@ -181,10 +181,15 @@ fn turn_behind(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) ->
         }
         tour.priced += 1;
         let before_b = tour.previous(b);
-        let into = tour.space.travel.seconds(tour.exit(before_a), tour.exit(before_b));
+        let (u, w) = if here < there { (before_a, before_b) } else { (before_b, before_a) };
+        let into = tour.space.travel.seconds(tour.exit(u), tour.exit(w));
         let gain = given + tour.edge(before_b, b) - taken - into;
         let (from, to) = (here.min(there), here.max(there) - 1);
-        if gain > EPSILON && from < to && tour.may_reverse(from, to) {
+        if gain <= EPSILON || from >= to || !tour.may_reverse(from, to) {
+            continue;
+        }
+        let gain = gain - tour.turning(from, to);
+        if gain > EPSILON {
             tour.reverse(from, to);
             queue.push_all(&[a, b, before_a, before_b]);
             return Some(gain);
@@ -280,9 +285,6 @@ fn place_chain(
     for behind in [true, false] {
         // Behind a near item the chain starts with `a`, in front of it it ends with `a`.
         let turned = (a == first) != behind;
-        if turned && !tour.space.travel.symmetric {
-            continue;
-        }
         let (enter, leave) =
             if turned { (tour.exit(last), tour.entry(first)) } else { (tour.entry(first), tour.exit(last)) };
         let candidates = if (a == first) == turned { near.of_exit(tour, a) } else { near.of_entry(tour, a) };
@@ -305,8 +307,14 @@ fn place_chain(
             } else {
                 tour.space.travel.seconds(tour.exit(u), enter)
             };
-            let gain = freed + tour.edge(u, w) - link - other;
-            if gain <= EPSILON || (turned && !tour.may_reverse(from, to)) {
+            let mut gain = freed + tour.edge(u, w) - link - other;
+            if turned && gain > EPSILON {
+                if !tour.may_reverse(from, to) {
+                    continue;
+                }
+                gain -= tour.turning(from, to);
+            }
+            if gain <= EPSILON {
                 continue;
             }
             let there = tour.position(u);

@@ -14,9 +14,13 @@
 //! Computing 12 (2000).
 
 mod anneal;
+mod dice;
+mod entries;
+mod exchange;
 mod improve;
 mod neighbours;
 mod polish;
+mod rebuild;
 mod repair;
 mod ring;
 mod space;

@@ -14,6 +14,8 @@ enum Change {
     Reversed(usize, usize),
     /// Item, and the place where it was entered before.
     Entered(u32, u32),
+    /// Another order altogether; the one before is the last of [`Tour::orders`].
+    Reordered,
 }
 
 /// Order and entries, for keeping.
@@ -35,6 +37,7 @@ pub(super) struct Tour<'p> {
     entry: Vec<Place>,
     exit: Vec<Place>,
     journal: Vec<Change>,
+    orders: Vec<Vec<u32>>,
     /// Heeds ranks, but not what lies inside what: see `anneal.rs`.
     pub(super) free: bool,
     /// Moves priced so far.
@@ -52,6 +55,7 @@ impl<'p> Tour<'p> {
             entry: vec![Place::ZERO; n],
             exit: vec![Place::ZERO; n],
             journal: Vec::new(),
+            orders: Vec::new(),
             free: false,
             priced: 0,
         };
@@ -66,12 +70,16 @@ impl<'p> Tour<'p> {
     }
 
     fn settle(&mut self) {
-        self.journal.clear();
-        for (position, &item) in (0..).zip(&self.now.order) {
-            self.position[item as usize] = position;
-        }
+        self.commit();
+        self.number();
         for item in 0..index(self.now.at.len()) {
             self.place(item);
+        }
+    }
+
+    fn number(&mut self) {
+        for (position, &item) in (0..).zip(&self.now.order) {
+            self.position[item as usize] = position;
         }
     }
 
@@ -90,6 +98,7 @@ impl<'p> Tour<'p> {
     /// Order and entries as they were when the journal began.
     pub(super) fn before(&self) -> Kept {
         let mut kept = self.now.clone();
+        let mut orders = self.orders.iter().rev();
         for change in self.journal.iter().rev() {
             match *change {
                 Change::Reversed(from, to) => {
@@ -99,6 +108,7 @@ impl<'p> Tour<'p> {
                     }
                 }
                 Change::Entered(item, at) => kept.at[item as usize] = at,
+                Change::Reordered => orders.next().into_iter().for_each(|o| kept.order.clone_from(o)),
             }
         }
         kept
@@ -224,9 +234,17 @@ impl<'p> Tour<'p> {
         self.reverse(from + second, to);
     }
 
+    /// Puts the items into another order, home first.
+    pub(super) fn reorder(&mut self, order: Vec<u32>) {
+        self.journal.push(Change::Reordered);
+        self.orders.push(std::mem::replace(&mut self.now.order, order));
+        self.number();
+    }
+
     /// Forgets how to go back.
     pub(super) fn commit(&mut self) {
         self.journal.clear();
+        self.orders.clear();
     }
 
     /// Back to where the journal began.
@@ -237,6 +255,12 @@ impl<'p> Tour<'p> {
                 Change::Entered(item, at) => {
                     self.now.at[item as usize] = at;
                     self.place(item);
+                }
+                Change::Reordered => {
+                    if let Some(order) = self.orders.pop() {
+                        self.now.order = order;
+                        self.number();
+                    }
                 }
             }
         }
@@ -249,6 +273,16 @@ impl<'p> Tour<'p> {
             && self.keeps_groups(from, to, [self.item(from), self.item(to)])
             && (self.is_free()
                 || !stretch.iter().any(|&i| self.space.precedence.waits(i, |o| self.position(o) <= to)))
+    }
+
+    /// Seconds that a stretch costs more when run the other way round: none, unless ways cost more than the ways back.
+    /// Looks at the whole stretch then, so it is asked last.
+    pub(super) fn turning(&self, from: usize, to: usize) -> f64 {
+        if self.space.travel.symmetric {
+            return 0.0;
+        }
+        let pairs = self.now.order[from..=to].windows(2);
+        pairs.map(|p| self.edge(p[1], p[0]) - self.edge(p[0], p[1])).sum()
     }
 
     /// Whether two neighbouring stretches may change places: nothing in the second waits for anything in the first.

@@ -25,10 +25,14 @@ export interface Words {
   values: Values;
 }
 
-export function words(args: string[], options: NonNullable<ParseArgsConfig['options']>): Words {
+export function words(
+  args: string[],
+  options: NonNullable<ParseArgsConfig['options']>,
+  what = 'a DXF file',
+): Words {
   const { values, positionals } = parsed(args, options);
   const [file, second] = positionals;
-  if (file === undefined) throw new WrongUse('Name a DXF file.');
+  if (file === undefined) throw new WrongUse(`Name ${what}.`);
   if (second !== undefined) throw new WrongUse(`One file at a time: ${second} is one too many.`);
   return { file, values };
 }

@@ -7,6 +7,7 @@ export const HELP = `Kerfway plans the path of a laser cutter.
 kerfway plan FILE.dxf [options]      plan the path and write it
 kerfway inspect FILE.dxf [options]   tell what the drawing holds, without planning
 kerfway methods                      list the methods of planning
+kerfway solve FILE [options]         solve a benchmark instance: .tsp, .gtsp or .pcglns
 
 Outputs of plan; - is standard output:
   --gcode OUT          G-code for the machine
@@ -33,6 +34,9 @@ How to read, for plan and inspect:
 
 Of inspect:
   --json OUT           the whole report
+
+Of solve, besides --seconds, --moves and --seed:
+  --json OUT           length, tour, seconds, moves, lower_bound
 
 Exit code: 0 done, 1 the input is unusable, 2 wrong usage.
 `;

@@ -1,0 +1,29 @@
+//! Random numbers of a search: the same on every machine.
+
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rand_xoshiro::rand_core::Rng;
+
+use crate::geometry::math;
+
+/// A source of random numbers.
+pub(super) struct Dice(pub(super) Xoshiro256PlusPlus);
+
+impl Dice {
+    /// An even number in [0, 1).
+    pub(super) fn even(&mut self) -> f64 {
+        (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// An even index below `n` (n < 2^32).
+    pub(super) fn below(&mut self, n: usize) -> usize {
+        let high = self.0.next_u64() >> 32;
+        usize::try_from((high * n as u64) >> 32).unwrap_or(0)
+    }
+
+    /// A length of 1 to `longest`, even on a log scale: mostly short.
+    pub(super) fn length(&mut self, longest: usize) -> usize {
+        let length = math::exp(self.even() * math::ln(longest as f64));
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and longest")]
+        (length as usize).clamp(1, longest)
+    }
+}

@@ -1,0 +1,47 @@
+//! Benchmark instances for JavaScript, in a wasm file of its own: nobody who plans a sheet loads them.
+
+use crate::job;
+use wasm_bindgen::prelude::*;
+
+/// The default method on an instance of the TSPLIB family.
+#[wasm_bindgen]
+pub struct Solving(job::Solving);
+
+#[wasm_bindgen]
+impl Solving {
+    /// Reads an instance and starts the search.
+    #[wasm_bindgen(constructor)]
+    pub fn new(bytes: &[u8], seed: f64) -> Result<Solving, JsError> {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a seed is a whole number"
+        )]
+        Ok(Solving(job::Solving::start(bytes, seed as u64)?))
+    }
+
+    /// What the file calls the instance.
+    pub fn name(&self) -> String {
+        self.0.name().to_owned()
+    }
+
+    /// Works for at most `work` moves; false when nothing more can be gained.
+    pub fn step(&mut self, work: u32) -> bool {
+        self.0.step(work.into())
+    }
+
+    /// Moves done so far.
+    pub fn moves(&self) -> f64 {
+        self.0.moves() as f64
+    }
+
+    /// The best tour so far, by the numbers of the file.
+    pub fn tour(&self) -> Vec<u32> {
+        self.0.tour()
+    }
+
+    /// Its length, added up anew, once the tour has passed its check.
+    pub fn length(&self) -> Result<f64, JsError> {
+        Ok(self.0.length()?)
+    }
+}

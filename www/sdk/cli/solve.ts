@@ -1,0 +1,65 @@
+/** `kerfway solve`: a benchmark instance (TSPLIB, GTSPLIB, PCGTSP) solved by the default method. */
+
+import { readFile } from 'node:fs/promises';
+import { basename } from 'node:path';
+import { seconds, text, whole, words } from './arguments.js';
+import { bytesOf, put, Unusable, WrongUse } from './io.js';
+
+const OPTIONS = Object.fromEntries(['json', 'seconds', 'moves', 'seed'].map((o) => [o, { type: 'string' as const }]));
+/** As for `plan`. */
+const DEFAULT_SECONDS = 10;
+/** Moves between two looks at the clock: a few milliseconds. */
+const SLICE = 20_000;
+
+/** What is written for `--json`. */
+interface Solved {
+  name: string;
+  length: number;
+  tour: number[];
+  seconds: number;
+  moves: number;
+  seed: number;
+  lower_bound: number | null;
+}
+
+export async function solve(args: string[]): Promise<void> {
+  const { file, values } = words(args, OPTIONS, 'a .tsp, .gtsp or .pcglns file');
+  const moves = whole(values, 'moves');
+  const limit = seconds(values);
+  if (moves !== undefined && limit !== undefined) throw new WrongUse('Give --seconds or --moves, not both.');
+  const seed = whole(values, 'seed') ?? Math.floor(Math.random() * 2 ** 32);
+  const found = await searched(file, seed, moves ?? Infinity, moves === undefined ? (limit ?? DEFAULT_SECONDS) : Infinity);
+  const out = text(values, 'json');
+  if (out !== undefined) await put(out, `${JSON.stringify(found)}\n`);
+  const told = `${basename(file)}: length ${found.length}, ${found.tour.length} stops\n` +
+    `Search     seed ${seed}, ${found.moves} moves in ${found.seconds.toFixed(1)} s\n`;
+  if (out === '-') process.stderr.write(told);
+  else await put('-', told);
+}
+
+async function searched(file: string, seed: number, moves: number, limit: number): Promise<Solved> {
+  const bytes = await bytesOf(file);
+  const lab = await import('../pkg/kerfway_lab.js');
+  lab.initSync({ module: await readFile(new URL('../pkg/kerfway_lab_bg.wasm', import.meta.url)) });
+  const start = performance.now();
+  const passed = () => (performance.now() - start) / 1000;
+  let solving;
+  try {
+    solving = new lab.Solving(bytes, seed);
+  } catch (error) {
+    throw new Unusable(`${file}: ${(error as Error).message}`);
+  }
+  while (solving.moves() < moves && passed() < limit) {
+    if (!solving.step(Math.min(SLICE, moves - solving.moves()))) break;
+  }
+  const tour = [...solving.tour()];
+  return {
+    name: solving.name(),
+    length: solving.length(),
+    tour,
+    seconds: passed(),
+    moves: solving.moves(),
+    seed,
+    lower_bound: null,
+  };
+}
