@@ -330,3 +330,16 @@ fn wide_polylines_are_read_along_their_middle_and_counted() {
     }
     assert!(heavy("40 0 41 0", "40 0").findings.is_empty());
 }
+
+/// The sweep of an arc from 200 degrees to an angle of 1e42 did not fit its ends.
+#[test]
+fn angles_many_turns_away_still_fit_the_ends() {
+    for (start, end) in
+        [("200", "-4.878288012178574e42"), ("1e17", "90"), ("36000000030", "7e15"), ("720", "810")]
+    {
+        let path = one(&format!("0 ARC 8 0 10 0 20 0 40 9 50 {start} 51 {end}"));
+        let Segment::Arc(a) = path.segments[0] else { panic!("not an arc") };
+        let there = a.center + kerfway::geometry::math::rotate(a.start - a.center, a.sweep);
+        assert!(there.distance(a.end) < 1e-9, "{start} {end}: {there} is not {}", a.end);
+    }
+}

@@ -42,6 +42,13 @@ pub(super) fn project(to_sheet: &DAffine3) -> Projection {
     Projection { map, tilted }
 }
 
+/// An angle of an arc, degrees. Of one that is many turns away the whole turns are taken off: in differences and sums
+/// with another angle that one's digits would be lost, and the sweep would not fit the ends.
+pub(super) fn few_turns(degrees: f64) -> f64 {
+    const MANY: f64 = 3600.0;
+    if degrees.abs() > MANY { degrees % 360.0 } else { degrees }
+}
+
 /// The unit vector at `degrees`, exact at multiples of a right angle, where most arcs and turns in drawings are.
 pub(super) fn unit_at_degrees(degrees: f64) -> DVec2 {
     let turn = degrees % 360.0;

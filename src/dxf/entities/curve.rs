@@ -1,6 +1,7 @@
 //! LINE, CIRCLE, ARC, ELLIPSE.
 
 use crate::dxf::entity::Form;
+use crate::dxf::ocs::few_turns;
 use crate::dxf::record::Record;
 use crate::geometry::math;
 use std::f64::consts::TAU;
@@ -27,7 +28,8 @@ pub(super) fn arc<'a>(record: &Record<'a>) -> Form<'a> {
     match circle(record) {
         Form::Arc { center, radius, normal, .. } => {
             // Programs leave out an angle of 0, hence also both ends of a full turn.
-            let (start, end) = (record.real(50).unwrap_or(0.0), record.real(51).unwrap_or(360.0));
+            let [start, end] =
+                [(50, 0.0), (51, 360.0)].map(|(code, or)| record.real(code).map_or(or, few_turns));
             Form::Arc { center, radius, start, end: Some(end), normal }
         }
         invalid => invalid,

@@ -5,6 +5,7 @@
 //! removes it as a copy.
 
 use crate::dxf::entity::{Edge, Form, Loop, PlaneEllipse, Spline, Vertex};
+use crate::dxf::ocs::few_turns;
 use crate::dxf::record::Record;
 use crate::dxf::tag::Tag;
 use crate::geometry::math;
@@ -99,8 +100,8 @@ impl Numbers {
             23 => set_y(self.tangents[1].as_mut()),
             40 => self.values.push(v),
             42 => self.weights.push(v),
-            50 => self.angles[0] = v,
-            51 => self.angles[1] = v,
+            50 => self.angles[0] = few_turns(v),
+            51 => self.angles[1] = few_turns(v),
             73 => self.ccw = v > 0.0,
             74 => self.periodic = v > 0.0,
             94 => self.degree = tag.int().and_then(|n| usize::try_from(n).ok()).unwrap_or(0),
