@@ -192,20 +192,40 @@ pub fn nested_sheet(contours: usize, seed: u64) -> Sheet {
     b.sheet
 }
 
-/// Whether a solution visits every item once, inner before outer, by rank.
+/// Whether a solution does every item once round, in one go or left unfinished where that is allowed, visits nested, inner
+/// finished before outer, by rank.
 pub fn assert_feasible(problem: &Problem, solution: &kerfway::solve::Solution) {
-    let mut visit = vec![None; problem.items.len()];
+    let mut finished = vec![None; problem.items.len()];
+    // Items left unfinished: first place and the one they were left at.
+    let mut open: Vec<(usize, u64, u64)> = Vec::new();
     let mut rank = 0;
     for (k, stop) in solution.stops.iter().enumerate() {
-        let node = &problem.nodes[stop.node as usize];
-        assert!(visit[node.item as usize].replace(k).is_none(), "item {} twice", node.item);
-        assert!(problem.items[node.item as usize].rank >= rank, "rank of item {}", node.item);
-        rank = problem.items[node.item as usize].rank;
+        let item = problem.nodes[stop.node as usize].item as usize;
+        let (along, until) = (stop.along.to_bits(), stop.until.to_bits());
+        let first = match open.last() {
+            Some(&(inner, first, left)) if inner == item => {
+                assert_eq!(left, along, "item {item} resumed elsewhere");
+                open.pop();
+                first
+            }
+            _ => along,
+        };
+        assert!(open.iter().all(|o| o.0 != item), "visits of item {item} cross others");
+        assert!(finished[item].is_none(), "item {item} twice");
+        if until == first {
+            finished[item] = Some(k);
+        } else {
+            assert!(problem.items[item].leave.is_some(), "item {item} left");
+            open.push((item, first, until));
+        }
+        assert!(problem.items[item].rank >= rank, "rank of item {item}");
+        rank = problem.items[item].rank;
     }
-    for (item, at) in problem.items.iter().zip(&visit) {
+    assert!(open.is_empty(), "left unfinished for good: {open:?}");
+    for (item, at) in problem.items.iter().zip(&finished) {
         assert!(at.is_some(), "left out");
         if let Some(outer) = item.before {
-            assert!(*at < visit[outer as usize], "item {outer} before what is inside it");
+            assert!(*at < finished[outer as usize], "item {outer} before what is inside it");
         }
     }
     let again = kerfway::solve::Solution::new(problem, solution.stops.clone());

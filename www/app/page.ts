@@ -118,12 +118,16 @@ export async function startPage(): Promise<void> {
     if (contour !== null && reveal) announcer.say(describe(session, playback, contour).join(', '));
     scene.invalidate();
   };
+  // The stop stepped to: a contour that is left unfinished has several.
+  let stepped = 0;
   const step = (to: number) => {
-    const contour = playback.path?.contours[Math.max(0, Math.min(playback.stops - 1, to))];
+    stepped = Math.max(0, Math.min(playback.stops - 1, to));
+    const contour = playback.path?.contours[stepped];
     if (contour !== undefined) select(contour, true);
   };
   const stepBy = (by: number) => {
-    const at = scene.selected === null ? null : playback.stopOf(scene.selected);
+    const there = scene.selected !== null && playback.path?.contours[stepped] === scene.selected;
+    const at = scene.selected === null ? null : there ? stepped : playback.stopOf(scene.selected);
     step(at === null ? (by > 0 ? 0 : playback.stops - 1) : at + by);
   };
   const card = new ContourCard(session, playback, { step: stepBy, close: () => select(null) });

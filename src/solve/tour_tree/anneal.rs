@@ -18,8 +18,6 @@ use super::neighbours::Neighbours;
 use super::rebuild::rebuild;
 use super::repair::repaired;
 use super::tour::{Kept, Tour};
-use crate::geometry::math;
-use rand_xoshiro::Xoshiro256PlusPlus;
 
 /// Kicks in the first cycle, for every item: enough to see an improvement within a tenth of a second.
 const FIRST_CYCLE: u64 = 2;
@@ -80,7 +78,7 @@ pub(super) struct Annealing<'p> {
 
 impl<'p> Annealing<'p> {
     /// From a feasible tour.
-    pub(super) fn new(mut tour: Tour<'p>, rng: Xoshiro256PlusPlus) -> Self {
+    pub(super) fn new(mut tour: Tour<'p>, dice: Dice) -> Self {
         let near = Neighbours::new(&tour.space);
         let queue = Queue::new(tour.last() + 1);
         let (cost, kept) = (tour.cost(), tour.now().clone());
@@ -91,7 +89,7 @@ impl<'p> Annealing<'p> {
             tour,
             near,
             queue,
-            dice: Dice(rng),
+            dice,
             stage: Stage::Listing,
             cost,
             top: Top { cost, kept: kept.clone(), unsaved: false },
@@ -114,6 +112,11 @@ impl<'p> Annealing<'p> {
     /// The tour, for its space.
     pub(super) fn tour(&self) -> &Tour<'p> {
         &self.tour
+    }
+
+    /// What is near what.
+    pub(super) fn near(&self) -> &Neighbours {
+        &self.near
     }
 
     /// The best feasible tour so far.
@@ -293,9 +296,7 @@ impl<'p> Annealing<'p> {
                 change -= improve(&mut self.tour, &self.near, &mut self.queue, item);
             }
         }
-        // -ln of an even number in (0, 1]: worse by x passes with probability e^(-x / heat).
-        let allowed = if change > EPSILON { -math::ln(1.0 - self.dice.even()) * heat } else { f64::INFINITY };
-        if change >= allowed {
+        if !self.dice.passes(change, heat) {
             self.tour.undo();
             return;
         }

@@ -1,14 +1,26 @@
 //! Random numbers of a search: the same on every machine.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
-use rand_xoshiro::rand_core::Rng;
+use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
+use super::improve::EPSILON;
 use crate::geometry::math;
 
 /// A source of random numbers.
-pub(super) struct Dice(pub(super) Xoshiro256PlusPlus);
+pub(super) struct Dice(Xoshiro256PlusPlus);
 
 impl Dice {
+    /// The numbers of a seed.
+    pub(super) fn new(seed: u64) -> Self {
+        Self(Xoshiro256PlusPlus::seed_from_u64(seed))
+    }
+
+    /// Whether a change for the worse by so many seconds passes at this heat (Metropolis): with probability
+    /// e^(-change / heat). Changes for the better draw no number.
+    pub(super) fn passes(&mut self, change: f64, heat: f64) -> bool {
+        change <= EPSILON || change < -math::ln(1.0 - self.even()) * heat
+    }
+
     /// An even number in [0, 1).
     pub(super) fn even(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64

@@ -5,8 +5,9 @@
 //! 3. Cycles of annealed kicks, each twice as long as the one before (`anneal.rs`): first free of the nesting, then
 //!    repaired (`repair.rs`) and within it.
 //! 4. Entries slide to the exact minimum at the end of every cycle (`polish.rs`).
+//! 5. Where contours may be left unfinished, cycles of the root alternate with cycles over all routes (`children`), which
+//!    start from the better of both.
 //!
-//! So far one route, the root: children (leaving a contour unfinished) come with the charges that they need.
 //! Sources: neighbour lists and queue instead of don't-look bits: Bentley, ORSA J. Computing 4 (1992); Or-opt: Or,
 //! PhD thesis, Northwestern (1976); gain criterion: Lin & Kernighan, Operations Research 21 (1973); segment
 //! double-bridge kicks: Martin, Otto & Felten, Complex Systems 5 (1991), local as in Applegate, Cook & Rohe, INFORMS
@@ -14,6 +15,7 @@
 //! Computing 12 (2000).
 
 mod anneal;
+mod children;
 mod dice;
 mod entries;
 mod exchange;
@@ -30,11 +32,11 @@ mod tour;
 mod travel;
 
 use super::greedy::greedy;
-use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Telemetry};
+use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
 use crate::problem::Problem;
 use anneal::Annealing;
-use rand_xoshiro::Xoshiro256PlusPlus;
-use rand_xoshiro::rand_core::SeedableRng;
+use children::Children;
+use dice::Dice;
 use space::Space;
 use tour::Tour;
 
@@ -55,15 +57,30 @@ impl Solver for TourTree {
     fn start<'p>(&self, problem: &'p Problem, seed: u64, warm: Option<&Solution>) -> Box<dyn Search + 'p> {
         let first = warm.cloned().unwrap_or_else(|| greedy(problem));
         let space = Space::new(problem);
-        let kept = space.kept(&first);
-        let tour = Tour::new(space, kept);
-        let rng = Xoshiro256PlusPlus::seed_from_u64(seed);
-        Box::new(TourTreeSearch { annealing: Annealing::new(tour, rng), granted: 0, best: first, best_at: 0 })
+        let leaving = children::may_leave(&space);
+        // One more seed for the routes: the root's cycles are the same with and without them.
+        let children = leaving.then(|| Children::new(&space, &first, Dice::new(seed.wrapping_add(1))));
+        let kept = if leaving { children::flattened(&space, &first) } else { space.kept(&first) };
+        let annealing = Annealing::new(Tour::new(space, kept), Dice::new(seed));
+        Box::new(TourTreeSearch {
+            annealing,
+            children,
+            hanging: false,
+            began: 0,
+            granted: 0,
+            best: first,
+            best_at: 0,
+        })
     }
 }
 
 struct TourTreeSearch<'p> {
     annealing: Annealing<'p>,
+    /// The search over all routes, where contours may be left unfinished; `hanging`: its cycle is under way.
+    children: Option<Children>,
+    hanging: bool,
+    /// Work the root had done when its cycle began.
+    began: u64,
     /// Work handed out so far: what one slice did too much, the next does less.
     granted: u64,
     best: Solution,
@@ -75,7 +92,48 @@ impl TourTreeSearch<'_> {
     fn take(&mut self, found: Solution) {
         if found.cost < self.best.cost {
             self.best = found;
-            self.best_at = self.annealing.priced();
+            self.best_at = self.priced();
+        }
+    }
+
+    fn priced(&self) -> u64 {
+        self.annealing.priced() + self.children.as_ref().map_or(0, Children::priced)
+    }
+
+    /// The smallest piece of work there is.
+    fn advance(&mut self) {
+        if let Some(children) = self.children.as_mut().filter(|_| self.hanging) {
+            let space = &self.annealing.tour().space;
+            if children.advance(space, self.annealing.near()) {
+                self.hanging = false;
+                let found = children.polished(space);
+                self.take(found);
+            }
+        } else if self.annealing.advance() {
+            let (tour, kept) = (self.annealing.tour(), self.annealing.best().1);
+            if let Some(children) = &mut self.children {
+                let work = self.annealing.priced() - self.began;
+                self.began = self.annealing.priced();
+                children.begin(&tour.space, &polish::unpolished(tour, kept), work);
+                self.hanging = true;
+            }
+            self.take(polish::polished(tour, kept));
+        }
+    }
+
+    /// Takes over what is better since the last slice.
+    fn collect(&mut self) {
+        self.annealing.save();
+        let (seconds, kept) = self.annealing.best();
+        if seconds < self.best.cost {
+            self.take(polish::unpolished(self.annealing.tour(), kept));
+        }
+        if let Some(children) = &mut self.children {
+            children.save(&self.annealing.tour().space);
+            if children.best().cost < self.best.cost {
+                let found = children.best().clone();
+                self.take(found);
+            }
         }
     }
 }
@@ -84,16 +142,10 @@ impl Search for TourTreeSearch<'_> {
     fn step(&mut self, work: u64) -> Step {
         let cost = self.best.cost;
         self.granted = self.granted.saturating_add(work);
-        while !self.annealing.is_finished() && self.annealing.priced() < self.granted {
-            if self.annealing.advance() {
-                self.take(polish::polished(self.annealing.tour(), self.annealing.best().1));
-            }
+        while !self.annealing.is_finished() && self.priced() < self.granted {
+            self.advance();
         }
-        self.annealing.save();
-        let (seconds, kept) = self.annealing.best();
-        if seconds < self.best.cost {
-            self.take(polish::unpolished(self.annealing.tour(), kept));
-        }
+        self.collect();
         let (status, done) =
             if self.annealing.is_finished() { (Status::Exhausted, 0) } else { (Status::Running, work) };
         Step { status, done, improved: self.best.cost < cost }
@@ -104,13 +156,18 @@ impl Search for TourTreeSearch<'_> {
     }
 
     fn telemetry(&self) -> Telemetry {
-        Telemetry { moves: self.annealing.priced(), best_at: self.best_at, best: self.best.cost }
+        Telemetry { moves: self.priced(), best_at: self.best_at, best: self.best.cost }
     }
 
     fn offer(&mut self, other: &Solution) {
         if other.cost < self.best.cost {
-            let kept = self.annealing.tour().space.kept(other);
-            self.annealing.offer(other.cost, kept);
+            if let Some(children) = &mut self.children {
+                children.offer(other);
+            }
+            if other.stops.iter().all(Stop::is_whole) {
+                let kept = self.annealing.tour().space.kept(other);
+                self.annealing.offer(other.cost, kept);
+            }
             self.take(other.clone());
         }
     }

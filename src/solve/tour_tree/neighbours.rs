@@ -93,6 +93,11 @@ impl Neighbours {
         &self.by_item[item as usize]
     }
 
+    /// Items near to go to from a place of an item.
+    pub(super) fn of_place(&self, space: &Space, item: u32, at: u32) -> &[u32] {
+        &self.by_gate[0][space.gate(item, at)]
+    }
+
     /// Items near to come from to the place where an item is entered now.
     pub(super) fn of_entry(&self, tour: &Tour, item: u32) -> &[u32] {
         &self.by_gate[usize::from(!tour.space.travel.symmetric)][tour.space.gate(item, tour.at(item))]

@@ -12,9 +12,9 @@ use crate::problem::Item;
 use crate::solve::{Solution, Stop};
 
 /// Rounds over all stops at most: the third gains under a thousandth of the first.
-const ROUNDS: usize = 4;
+pub(super) const ROUNDS: usize = 4;
 /// A round that gains a smaller share than this is the last.
-const ENOUGH: f64 = 1e-7;
+pub(super) const ENOUGH: f64 = 1e-7;
 /// Steps of the golden section: 0.618^26 of two spacings of 0.8 mm is 6 nm.
 const SECTIONS: usize = 26;
 /// 1 / golden ratio.
@@ -57,17 +57,18 @@ pub(super) fn polished(tour: &Tour, kept: &Kept) -> Solution {
 }
 
 /// A stop that slides.
-struct Slide<'p> {
-    stop: Stop,
-    entry: DVec2,
-    exit: DVec2,
+#[derive(Clone)]
+pub(super) struct Slide<'p> {
+    pub(super) stop: Stop,
+    pub(super) entry: DVec2,
+    pub(super) exit: DVec2,
     item: &'p Item,
     /// Track, arc length at the start of each element and at the end, and how far to look.
     track: Option<(&'p Path, Vec<f64>, f64)>,
 }
 
 impl<'p> Slide<'p> {
-    fn new(space: &Space<'p>, item: u32, at: u32) -> Self {
+    pub(super) fn new(space: &Space<'p>, item: u32, at: u32) -> Self {
         let (entry, exit) = (space.places(item)[at as usize], space.exit(item, at));
         let it = &space.problem.items[item as usize];
         let track = it.track.as_ref().filter(|_| space.is_ring(item));
@@ -82,7 +83,7 @@ impl<'p> Slide<'p> {
     }
 
     /// Moves to the best place between those next to where it is.
-    fn slide(&mut self, space: &Space, gap: Gap) {
+    pub(super) fn slide(&mut self, space: &Space, gap: Gap) {
         let Some((track, starts, reach)) = &self.track else { return };
         let price = |along: f64, p: DVec2| {
             let on = gap.to.map_or(0.0, |to| space.travel.seconds(p, to));

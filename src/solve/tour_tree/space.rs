@@ -148,6 +148,11 @@ impl<'p> Space<'p> {
         self.spacing[item] * if self.problem.items[item].uneven().is_some() { 2.0 } else { 1.0 }
     }
 
+    /// Once round a ring, mm; 0 for other items.
+    pub(super) fn round(&self, item: u32) -> f64 {
+        self.spacing[item as usize] * self.places(item).len() as f64
+    }
+
     /// Seconds on top for entering an item at a place.
     pub(super) fn extra(&self, item: u32, at: u32) -> f64 {
         if self.extra.is_empty() { 0.0 } else { self.extra[(self.first[item as usize] + at) as usize] }
@@ -170,13 +175,29 @@ impl<'p> Space<'p> {
             if item != self.home {
                 kept.order.push(item);
             }
-            let first = self.problem.items[item as usize].nodes.start;
-            kept.at[item as usize] = match self.kind[item as usize] {
-                Kind::Ring => self.nearest(item, stop.along),
-                Kind::Open | Kind::Loose => stop.node - first,
-            };
+            kept.at[item as usize] = self.entered_at(stop);
         }
         kept
+    }
+
+    /// The place nearest to where a stop begins.
+    pub(super) fn entered_at(&self, stop: &Stop) -> u32 {
+        let item = self.problem.nodes[stop.node as usize].item;
+        match self.kind[item as usize] {
+            Kind::Ring => self.nearest(item, stop.along),
+            Kind::Open | Kind::Loose => stop.node - self.problem.items[item as usize].nodes.start,
+        }
+    }
+
+    /// The place nearest to where a stop leaves its item unfinished.
+    #[expect(clippy::float_cmp, reason = "an item without a track is left at a node, bit for bit")]
+    pub(super) fn left_at(&self, stop: &Stop) -> u32 {
+        let item = self.problem.nodes[stop.node as usize].item;
+        if self.is_ring(item) {
+            return self.nearest(item, stop.until);
+        }
+        let nodes = self.problem.items[item as usize].nodes.clone();
+        nodes.zip(0..).find(|(n, _)| self.problem.nodes[*n as usize].along == stop.until).map_or(0, |n| n.1)
     }
 
     /// The place of a ring nearest to an arc length: no place is off its even spacing by more than half of it.

@@ -5,7 +5,8 @@ use super::*;
 use crate::geometry::{Arc, DVec2, Path, Segment};
 use crate::machine::{self, AirTime, ClosedRun};
 use crate::problem::{Groups, Item, Node, NodeId};
-use rand_xoshiro::rand_core::Rng;
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
 struct Dice(Xoshiro256PlusPlus);
 

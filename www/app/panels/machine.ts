@@ -10,6 +10,8 @@ interface Quantity {
   unit: string;
   least: number;
   /** Null where the profile says "at once" or "no limit". */
+  /** What the empty field says then, if not "no limit". */
+  none?: string;
   get(m: MachineProfile): number | null;
   set(m: MachineProfile, value: number): void;
 }
@@ -26,12 +28,16 @@ const QUANTITIES: readonly Quantity[] = [
   { label: 'Rapid acceleration, y', unit: 'mm/s²', least: 1, get: (m) => m.rapid.accel?.[1] ?? null, set: (m, v) => (m.rapid.accel = [m.rapid.accel?.[0] ?? v, v]) },
   { label: 'Corner deviation', unit: 'mm', least: 0, get: (m) => m.junction_deviation, set: (m, v) => (m.junction_deviation = v) },
   { label: 'Pierce time', unit: 's', least: 0, get: (m) => m.pierce_time, set: (m, v) => (m.pierce_time = v) },
+  { label: 'Pre-cut time', unit: 's', least: 0, none: 'in one go', get: (m) => m.pre_cut_time ?? null, set: (m, v) => (m.pre_cut_time = v) },
   { label: 'Beam on delay', unit: 's', least: 0, get: (m) => m.beam_on_delay, set: (m, v) => (m.beam_on_delay = v) },
   { label: 'Beam off delay', unit: 's', least: 0, get: (m) => m.beam_off_delay, set: (m, v) => (m.beam_off_delay = v) },
   { label: 'Home, x', unit: 'mm', least: -1e6, get: (m) => m.home[0], set: (m, v) => (m.home[0] = v) },
   { label: 'Home, y', unit: 'mm', least: -1e6, get: (m) => m.home[1], set: (m, v) => (m.home[1] = v) },
   { label: 'S word of full power', unit: '', least: 1, get: (m) => m.max_s, set: (m, v) => (m.max_s = v) },
 ];
+
+/** Seconds of a pre-cut when contours may first be left: a few millimetres of cut, to be replaced by one's own. */
+const PRE_CUT = 0.2;
 
 const TRAVELS: { value: MachineProfile['travel']; label: string }[] = [
   { value: 'straight', label: 'Straight, axis limits' },
@@ -58,6 +64,7 @@ export function machinePanel(session: Session): HTMLElement {
   choice.root.classList.add('wide');
   const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)));
   const home = check('Return home at the end', (on) => edit((m) => (m.return_home = on)));
+  const leaving = check('Leave contours unfinished where that saves time', (on) => edit((m) => (m.pre_cut_time = on ? PRE_CUT : null)));
   const inputs = QUANTITIES.map((q) => numberInput(q, edit));
   const back = button('Back to the preset', { class: 'small', onclick: () => {
     const original = preset();
@@ -65,7 +72,7 @@ export function machinePanel(session: Session): HTMLElement {
   } });
   const numbers = h('details', { class: 'more' }, h('summary', {}, 'Numbers'),
     h('div', { class: 'stack' }, field('Air moves', travel.root), ...QUANTITIES.map((q, i) => field(q.label, inputs[i]!, q.unit)), home.root, back));
-  body.append(h('div', { class: 'stack' }, choice.root, numbers));
+  body.append(h('div', { class: 'stack' }, choice.root, leaving.root, numbers));
 
   const show = () => {
     const { machine } = session.state;
@@ -76,6 +83,7 @@ export function machinePanel(session: Session): HTMLElement {
     choice.fill(session.machines.map((m) => ({ value: m.name, label: m.title })), machine.name);
     travel.fill(TRAVELS, machine.travel);
     home.input.checked = machine.return_home;
+    leaving.input.checked = typeof machine.pre_cut_time === 'number';
     back.hidden = !changed;
     QUANTITIES.forEach((q, i) => {
       const input = inputs[i]!;
@@ -92,7 +100,7 @@ function shown(value: number | null): string {
 }
 
 function numberInput(quantity: Quantity, edit: (change: (m: MachineProfile) => void) => void): HTMLInputElement {
-  const input = h('input', { type: 'number', step: 'any', min: quantity.least, inputmode: 'decimal', placeholder: 'no limit' });
+  const input = h('input', { type: 'number', step: 'any', min: quantity.least, inputmode: 'decimal', placeholder: quantity.none ?? 'no limit' });
   input.addEventListener('input', () => {
     const value = input.valueAsNumber;
     const sound = Number.isFinite(value) && value >= quantity.least;

@@ -5,6 +5,7 @@
 
 import { button, h } from '../core/dom.js';
 import { clock, count, millimetres, size } from '../core/format.js';
+import { cutLength } from '../stage/shapes.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
 
@@ -86,7 +87,7 @@ export class OrderTable {
     const cell = (text: string, extra = '') => h('span', { role: 'cell', class: extra }, text);
     const row = h('div', { role: 'row', class: contour === this.selected ? 'order-row selected' : 'order-row', 'aria-rowindex': stop + 2, 'data-stop': stop },
       h('span', { role: 'cell' }, h('button', { type: 'button', class: 'row-button number', 'aria-label': `Contour ${stop + 1}, show on the sheet`, onclick: () => this.onSelect(contour) }, count(stop + 1))),
-      cell(info?.layer ?? ''), cell(info ? millimetres(info.length) : '', 'number'), cell(clock(this.playback.begin(stop)), 'number'),
+      cell(info?.layer ?? ''), cell(info ? millimetres(cutLength(path, stop, info.length)) : '', 'number'), cell(clock(this.playback.begin(stop)), 'number'),
       cell(`${size(path.points[stop * 4]!)}, ${size(path.points[stop * 4 + 1]!)}`, 'number'),
       cell(info?.closed ? (path.reversed[stop] ? 'reversed' : 'as drawn') : 'open'));
     row.style.transform = `translateY(${stop * ROW}px)`;

@@ -5,6 +5,7 @@
 
 import { Emitter } from '../core/emitter.js';
 import type { BestPath } from 'kerfway';
+import { firstStops } from '../stage/shapes.js';
 import { Timeline, type Moment } from './timeline.js';
 
 /** Seconds a job of any length plays in at speed "whole job". */
@@ -48,14 +49,13 @@ export class Playback extends Emitter<{ moment: Moment | null; path: void; state
     return this.timeline?.path ?? null;
   }
 
-  /** Place of a contour in the order. */
+  /** Place of a contour in the order; of one that is left unfinished, where it is begun. */
   stopOf(contour: number): number | null {
     const path = this.path;
     if (!path) return null;
     if (!this.stopOfContour) {
       const most = path.contours.reduce((a, b) => Math.max(a, b), 0);
-      this.stopOfContour = new Int32Array(most + 1).fill(-1);
-      path.contours.forEach((c, k) => (this.stopOfContour![c] = k));
+      this.stopOfContour = firstStops(path, most + 1);
     }
     const stop = this.stopOfContour[contour] ?? -1;
     return stop < 0 ? null : stop;

@@ -4,7 +4,7 @@
  */
 
 import type { BestPath } from 'kerfway';
-import { placeAfter, type Place, type Shapes } from '../stage/shapes.js';
+import { cutLength, firstStops, placeAfter, type Place, type Shapes } from '../stage/shapes.js';
 import type { Travel } from '../stage/raster-messages.js';
 
 export interface Moment {
@@ -20,12 +20,15 @@ export interface Moment {
 
 export class Timeline {
   private readonly place: Place = { x: 0, y: 0, dx: 0, dy: 0 };
+  private readonly first: Int32Array;
 
-  /** `still`: seconds before each cut in which the head stands and pierces. */
+  /** `still`: seconds before each cut in which the head stands and pierces; a contour that goes on is not pierced. */
   constructor(
     readonly path: BestPath, readonly total: number, private readonly shapes: Shapes,
     private readonly contourLengths: Float64Array, private readonly travel: Travel, private readonly still: number,
-  ) {}
+  ) {
+    this.first = firstStops(path, contourLengths.length);
+  }
 
   get stops(): number {
     return this.path.contours.length;
@@ -57,7 +60,7 @@ export class Timeline {
       const begin = times[stop * 2]!, end = times[stop * 2 + 1]!;
       const chain = contours[stop]!;
       out.cutting = true;
-      out.cut = this.contourLengths[chain]! * (end > begin ? Math.min(1, (t - begin) / (end - begin)) : 1);
+      out.cut = cutLength(this.path, stop, this.contourLengths[chain]!) * (end > begin ? Math.min(1, (t - begin) / (end - begin)) : 1);
       placeAfter(this.shapes, chain, this.path.along[stop]!, this.path.reversed[stop] === 1, out.cut, this.place);
       out.x = this.place.x;
       out.y = this.place.y;
@@ -73,7 +76,8 @@ export class Timeline {
       return out;
     }
     const [x1, y1] = last ? home : [points[stop * 4]!, points[stop * 4 + 1]!];
-    const arrive = Math.max(left, last ? this.total : times[stop * 2]! - this.still);
+    const still = this.first[contours[stop]!] === stop ? this.still : 0;
+    const arrive = Math.max(left, last ? this.total : times[stop * 2]! - still);
     this.along(x0, y0, x1, y1, arrive > left ? Math.min(1, (t - left) / (arrive - left)) : 1, out);
     return out;
   }

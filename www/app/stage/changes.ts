@@ -4,6 +4,7 @@
  */
 
 import type { BestPath } from 'kerfway';
+import { firstStops } from './shapes.js';
 
 /** When more than this share of the stops changed at once, the path as a whole is new: nothing in it stands out. */
 const WHOLE = 0.35;
@@ -16,11 +17,12 @@ export function changedStops(before: BestPath | null, after: BestPath): Uint8Arr
   if (!before || before.contours.length !== stops || stops === 0) return null;
   let most = 0;
   for (let k = 0; k < stops; k += 1) most = Math.max(most, before.contours[k]!, after.contours[k]!);
-  const stopOf = new Int32Array(most + 1).fill(-1);
-  for (let k = 0; k < stops; k += 1) stopOf[before.contours[k]!] = k;
+  // Where contours are left unfinished their first stops tell.
+  const stopOf = firstStops(before, most + 1), first = firstStops(after, most + 1);
   const changed = new Uint8Array(stops);
   let sum = 0;
   for (let k = 0; k < stops; k += 1) {
+    if (first[after.contours[k]!] !== k) continue;
     const was = stopOf[after.contours[k]!]!;
     const sameBefore = k === 0 ? was === 0 : was > 0 && before.contours[was - 1] === after.contours[k - 1];
     const samePlaces = was >= 0 && near(before, was * 4, after, k * 4) && (k === 0 || (was > 0 && near(before, was * 4 - 2, after, k * 4 - 2)));

@@ -4,7 +4,7 @@
  * lets one through where there is room.
  */
 
-import { placeAfter, walk, type Place, type Shapes } from './shapes.js';
+import { chainLength, cutLength, isWhole, placeAfter, walk, type Place, type Shapes } from './shapes.js';
 import { traceAir, traceArrow, traceChain, traceElement, type Pen } from './trace.js';
 import { RAMP_STEPS } from './ramp.js';
 import { Role, type Travel, type View } from './raster-messages.js';
@@ -266,7 +266,11 @@ export function* paintDone(pen: Pen, view: View, subject: Subject, upto: number)
   const { shapes, path, palette } = subject;
   if (!path) return;
   const done = new Uint8Array(shapes.count);
-  for (let k = 0; k < Math.min(upto, path.contours.length); k += 1) done[path.contours[k]!] = 1;
+  const parts: number[] = [];
+  for (let k = 0; k < Math.min(upto, path.contours.length); k += 1) {
+    if (isWhole(path, k)) done[path.contours[k]!] = 1;
+    else parts.push(k);
+  }
   pen.lineJoin = 'round';
   if (subject.air) {
     pen.strokeStyle = palette.accent;
@@ -276,6 +280,12 @@ export function* paintDone(pen: Pen, view: View, subject: Subject, upto: number)
   pen.strokeStyle = palette.ink;
   pen.lineWidth = contourWidth(subject, view) * 1.25;
   yield* strokeChains(pen, view, shapes, (c) => done[c] === 1);
+  for (const k of parts) {
+    pen.beginPath();
+    traceStop(pen, view, shapes, path, k);
+    pen.stroke();
+    if (k % BATCH === 0) yield;
+  }
 }
 
 /** The air moves that the last improvement changed. */
@@ -286,6 +296,13 @@ export function* paintGlow(pen: Pen, view: View, subject: Subject): Generator<vo
   pen.lineCap = 'round';
   pen.strokeStyle = palette.accent;
   yield* strokeAir(pen, view, subject, changed.length, (k) => changed[k] === 1);
+}
+
+/** Adds all that a stop cuts to a path. */
+export function traceStop(pen: Pen, view: Pick<View, 'scale' | 'x' | 'y'>, shapes: Shapes, path: BestPath, stop: number): void {
+  const chain = path.contours[stop]!;
+  if (isWhole(path, stop)) traceChain(pen, view, shapes, chain);
+  else traceCut(pen, view, shapes, path, stop, cutLength(path, stop, chainLength(shapes, chain)));
 }
 
 /** Adds the first `distance` mm of a stop's cut to a path. */

@@ -9,12 +9,12 @@ import type { BestPath, Finding, Loaded } from 'kerfway';
 import { changedStops } from './changes.js';
 import { HitGrid } from './hit-grid.js';
 import * as overlay from './overlay.js';
-import { traceCut } from './paint.js';
+import { traceCut, traceStop } from './paint.js';
 import { readPalette, type Palette } from './palette.js';
 import { Raster } from './raster.js';
 import { Role, type Layer, type Travel, type View } from './raster-messages.js';
-import { chainLength, prepare, type Shapes } from './shapes.js';
-import { traceAir, traceChain } from './trace.js';
+import { chainLength, firstStops, prepare, type Shapes } from './shapes.js';
+import { traceAir } from './trace.js';
 import type { Moment } from '../playback/timeline.js';
 import type { Box } from '../session/extent.js';
 import type { Viewport } from './viewport.js';
@@ -239,7 +239,7 @@ export class Scene {
     pen.strokeStyle = palette.ink;
     pen.lineWidth = 1.6 * view.ratio;
     pen.beginPath();
-    for (let k = from; k < moment.stop; k += 1) traceChain(pen, view, shapes, path.contours[k]!);
+    for (let k = from; k < moment.stop; k += 1) traceStop(pen, view, shapes, path, k);
     if (moment.cutting && moment.stop < stops) traceCut(pen, view, shapes, path, moment.stop, moment.cut);
     pen.stroke();
   }
@@ -249,8 +249,7 @@ export class Scene {
     const { path } = this;
     if (!path || !this.shapes) return null;
     if (!this.stopOf) {
-      this.stopOf = new Int32Array(this.shapes.count).fill(-1);
-      path.contours.forEach((c, k) => (this.stopOf![c] = k));
+      this.stopOf = firstStops(path, this.shapes.count);
     }
     const stop = this.stopOf[contour] ?? -1;
     return stop < 0 ? null : stop;

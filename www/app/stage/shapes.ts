@@ -4,7 +4,7 @@
  * counter-clockwise positive. Nothing here makes an object per element: 10,000 contours are walked every frame.
  */
 
-import type { Geometry } from 'kerfway';
+import type { BestPath, Geometry } from 'kerfway';
 
 /** Numbers an element. */
 export const STRIDE = 7;
@@ -82,6 +82,25 @@ export function chainLength(shapes: Shapes, chain: number): number {
   let sum = 0;
   for (let e = shapes.offsets[chain]!; e < shapes.offsets[chain + 1]!; e += 1) sum += shapes.lengths[e]!;
   return sum;
+}
+
+/** Whether a stop cuts all of its contour in one go. */
+export function isWhole(path: BestPath, stop: number): boolean {
+  return path.along[stop] === path.until[stop];
+}
+
+/** Length a stop cuts, mm; `whole`: that of its contour. */
+export function cutLength(path: BestPath, stop: number, whole: number): number {
+  if (isWhole(path, stop)) return whole;
+  const length = path.until[stop]! - path.along[stop]!;
+  return length > 0 ? length : length + whole;
+}
+
+/** The first stop of each contour, by contour; -1 for those without. Contours left unfinished have several. */
+export function firstStops(path: BestPath, contours: number): Int32Array {
+  const first = new Int32Array(contours).fill(-1);
+  for (let k = path.contours.length - 1; k >= 0; k -= 1) first[path.contours[k]!] = k;
+  return first;
 }
 
 /** The point of element `e` at `part` (0 to 1) of its length, with its stored direction of travel. */

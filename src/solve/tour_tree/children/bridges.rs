@@ -1,0 +1,70 @@
+//! The cheapest way from each of its neighbours to an item and back: what a child route with a single stop costs.
+//!
+//! From the cheapest pair of coarse places each end goes by turns to the best place for the other: exact for items of few
+//! places, within a place's spacing nearly always for rings. Built item by item, so that a worker can take its turns.
+
+use super::super::neighbours::Neighbours;
+use super::super::space::{GATES, Gap, Space, index};
+
+/// Turns taken by each end: the second changes little.
+const TURNS: usize = 2;
+
+/// A cheapest way.
+#[derive(Clone, Copy)]
+pub(super) struct Bridge {
+    /// Place on the item.
+    pub(super) from: u32,
+    /// Place on the neighbour.
+    pub(super) to: u32,
+    /// There and back, with what both places cost.
+    pub(super) seconds: f64,
+}
+
+/// Bridges by item, as the neighbours are listed.
+#[derive(Default)]
+pub(super) struct Bridges {
+    by_item: Vec<Vec<Bridge>>,
+}
+
+impl Bridges {
+    /// Finds those of the next item; false when all are there.
+    pub(super) fn extend(&mut self, space: &Space, near: &Neighbours) -> bool {
+        let item = index(self.by_item.len());
+        if item >= space.home {
+            return false;
+        }
+        self.by_item.push(near.of_item(item).iter().map(|&other| bridge(space, item, other)).collect());
+        true
+    }
+
+    /// From an item to its k-th neighbour.
+    pub(super) fn of(&self, item: u32, k: usize) -> Bridge {
+        self.by_item[item as usize][k]
+    }
+}
+
+fn bridge(space: &Space, item: u32, other: u32) -> Bridge {
+    let step = |i: u32| if space.is_ring(i) { space.places(i).len() / GATES } else { 1 };
+    let around =
+        |i: u32, at: u32| Gap { from: space.places(i)[at as usize], to: Some(space.places(i)[at as usize]) };
+    let mut best = Bridge { from: 0, to: 0, seconds: f64::INFINITY };
+    for from in (0..index(space.places(item).len())).step_by(step(item)) {
+        for to in (0..index(space.places(other).len())).step_by(step(other)) {
+            let seconds = space.through(other, to, around(item, from)) + space.extra(item, from);
+            if seconds < best.seconds {
+                best = Bridge { from, to, seconds };
+            }
+        }
+    }
+    for _ in 0..TURNS {
+        let (to, seconds) = space.best_entry(other, around(item, best.from));
+        if seconds + space.extra(item, best.from) < best.seconds {
+            best = Bridge { to, seconds: seconds + space.extra(item, best.from), ..best };
+        }
+        let (from, seconds) = space.best_entry(item, around(other, best.to));
+        if seconds + space.extra(other, best.to) < best.seconds {
+            best = Bridge { from, seconds: seconds + space.extra(other, best.to), ..best };
+        }
+    }
+    best
+}

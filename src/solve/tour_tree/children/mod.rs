@@ -1,0 +1,241 @@
+//! The search over all routes, where contours may be left unfinished: a route may hang from any place of a contour.
+//!
+//! Where leaving is free of charge this is a rural postman problem (every contour is met once or more, and air moves meet
+//! every place an even number of times); with a charge each child route is a pre-cut (Dewil et al., 2014, "the partition
+//! tree"; METHODS.md, 2 and 3). Both are searched as they are: routes that hang from contours (`tree.rs`), stops and whole
+//! routes moving between them (`moves.rs`), kicks accepted by a falling temperature as over the root alone (`anneal.rs`).
+//! Nothing is ever infeasible: an item is finished after all that hangs from it, which is all that precedence asks.
+//!
+//! A cycle works as long as the cycle of the root before it did, from the better of the best routes so far and the best
+//! root route, locally improved.
+
+mod bridges;
+mod closing;
+mod flip;
+mod kick;
+mod moves;
+mod polish;
+mod tree;
+
+use super::dice::Dice;
+use super::improve::{EPSILON, Queue};
+use super::neighbours::Neighbours;
+use super::space::Space;
+use super::tour::Kept;
+use crate::solve::Solution;
+use bridges::Bridges;
+use moves::{Ground, hang_all, improve};
+use tree::Tree;
+
+/// Temperature at the start of a cycle, in mean ways between neighbours; as over the root alone.
+const HEAT: f64 = 0.3;
+/// The same in every other long cycle: routes that are the best of their valley are left only when hot. Of 200 runs on
+/// hull-10-45 sheets 9 ended in one valley or another at 0.3, 2 at both by turns.
+const HOT: f64 = 2.5;
+/// A cycle of so many moves an item is long: shorter ones would forget what they start from and find nothing better.
+const LONG: u64 = 10_000;
+
+/// What comes next.
+enum Stage {
+    /// Bridges between neighbours are found.
+    Listing,
+    /// All routes are improved locally.
+    Settling,
+    /// Kicks.
+    Kicking,
+}
+
+/// The search over routes.
+pub(super) struct Children {
+    bridges: Bridges,
+    tree: Tree,
+    queue: Queue,
+    dice: Dice,
+    stage: Stage,
+    /// Seconds of the routes as they are.
+    cost: f64,
+    /// The best so far, entered at places; `unsaved` while the routes as they are are the best, of that cost.
+    best: Solution,
+    unsaved: Option<f64>,
+    /// The routes are a new root route, as yet without children.
+    fresh: bool,
+    hot: bool,
+    /// Seconds of the root route that the last cycle was offered.
+    offered: f64,
+    /// Work done when this cycle began, and when it ends.
+    began: u64,
+    ends: u64,
+}
+
+/// Whether anything of a space may be left unfinished. Where items are to follow each other with nothing in between,
+/// nothing is.
+pub(super) fn may_leave(space: &Space) -> bool {
+    let problem = space.problem;
+    problem.items.iter().any(|i| i.leave.is_some()) && problem.groups.is_empty() && !space.travel.by_table()
+}
+
+/// A solution as one route: items in the order in which they are finished.
+pub(super) fn flattened(space: &Space, solution: &Solution) -> Kept {
+    let tree = Tree::new(space, solution);
+    let order =
+        std::iter::successors(Some(space.home), |&i| Some(tree.closing.next(i)).filter(|&n| n != space.home));
+    Kept { order: order.collect(), at: (0..=space.home).map(|i| tree.at(i)).collect() }
+}
+
+impl Children {
+    /// From any solution.
+    pub(super) fn new(space: &Space, from: &Solution, dice: Dice) -> Self {
+        let tree = Tree::new(space, from);
+        let cost = tree.cost(space);
+        let best = at_places(space, &tree);
+        Self {
+            bridges: Bridges::default(),
+            tree,
+            queue: Queue::new(2 * space.home as usize + 1),
+            dice,
+            stage: Stage::Listing,
+            cost,
+            best,
+            unsaved: None,
+            fresh: false,
+            hot: false,
+            offered: f64::INFINITY,
+            began: 0,
+            ends: 0,
+        }
+    }
+
+    /// Moves priced so far.
+    pub(super) fn priced(&self) -> u64 {
+        self.tree.priced
+    }
+
+    /// The best so far, entered at places.
+    pub(super) fn best(&self) -> &Solution {
+        &self.best
+    }
+
+    /// The best so far, entered and left where it costs least.
+    pub(super) fn polished(&self, space: &Space) -> Solution {
+        polish::polished(space, &Tree::new(space, &self.best))
+    }
+
+    /// Begins a cycle of so much work; `root` is the best root route.
+    pub(super) fn begin(&mut self, space: &Space, root: &Solution, work: u64) {
+        self.began = self.tree.priced;
+        self.ends = self.began + work;
+        self.hot = !self.hot && work > LONG * u64::from(space.home);
+        let better = root.cost < self.offered - EPSILON;
+        self.offered = root.cost;
+        self.put(space, better.then_some(root));
+        self.fresh = better;
+        if better && matches!(self.stage, Stage::Kicking) {
+            self.settle(space);
+        }
+    }
+
+    /// Goes on from another solution, if it is better.
+    pub(super) fn offer(&mut self, other: &Solution) {
+        if other.cost < self.best.cost - EPSILON {
+            self.unsaved = None;
+            self.best = other.clone();
+        }
+    }
+
+    /// Takes over the routes of a solution; none: of the best.
+    fn put(&mut self, space: &Space, solution: Option<&Solution>) {
+        let priced = self.tree.priced;
+        self.tree = Tree::new(space, solution.unwrap_or(&self.best));
+        self.tree.priced = priced;
+        self.cost = self.tree.cost(space);
+    }
+
+    fn settle(&mut self, space: &Space) {
+        self.stage = Stage::Settling;
+        (0..=2 * space.home).for_each(|t| self.queue.push(t));
+    }
+
+    /// The smallest piece of work there is; true when the cycle ended with it.
+    pub(super) fn advance(&mut self, space: &Space, near: &Neighbours) -> bool {
+        match self.stage {
+            Stage::Listing => {
+                // Ten neighbours, each some three hundred ways looked at.
+                self.tree.priced += 100;
+                if !self.bridges.extend(space, near) {
+                    self.settle(space);
+                }
+            }
+            Stage::Settling => {
+                let g = Ground { space, near, bridges: &self.bridges };
+                match self.queue.pop() {
+                    Some(touch) => self.cost -= improve(g, &mut self.tree, &mut self.queue, touch),
+                    None if self.fresh => {
+                        self.settled(space);
+                        self.fresh = false;
+                        let g = Ground { space, near, bridges: &self.bridges };
+                        hang_all(g, &mut self.tree);
+                        self.cost = self.tree.cost(space);
+                        self.settle(space);
+                    }
+                    None => {
+                        self.settled(space);
+                        self.put(space, None);
+                        self.stage = Stage::Kicking;
+                    }
+                }
+            }
+            Stage::Kicking => {
+                if self.tree.priced < self.ends {
+                    let progress = (self.tree.priced - self.began) as f64 / (self.ends - self.began) as f64;
+                    let mean = self.cost / f64::from(space.home.max(1));
+                    let heat = if self.hot { HOT } else { HEAT } * mean * (1.0 - progress) * (1.0 - progress);
+                    self.kick(space, near, heat);
+                    return false;
+                }
+                self.save(space);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The routes are locally best.
+    fn settled(&mut self, space: &Space) {
+        self.tree.commit();
+        self.check(space);
+        if self.cost < self.best.cost - EPSILON {
+            self.unsaved = Some(self.cost);
+            self.save(space);
+        }
+    }
+
+    /// Takes the routes over as the best, if they are: called between slices, it changes nothing of what follows.
+    pub(super) fn save(&mut self, space: &Space) {
+        if self.unsaved.take().is_some() {
+            self.best = at_places(space, &self.tree);
+        }
+    }
+
+    /// The best was left with the changes in the journal.
+    fn save_before(&mut self, space: &Space) {
+        if self.unsaved.take().is_some() {
+            let mut tree = self.tree.clone();
+            tree.undo(space, 0);
+            self.best = at_places(space, &tree);
+        }
+    }
+
+    /// For debug assertions: gains are what they were priced at, and the routes are feasible.
+    fn check(&self, space: &Space) {
+        debug_assert!({
+            let cost = self.tree.cost(space);
+            (cost - self.cost).abs() <= 1e-6 * cost.max(1.0)
+        });
+        debug_assert!(self.tree.is_sound(space), "a move broke precedence or the order of finishing");
+    }
+}
+
+fn at_places(space: &Space, tree: &Tree) -> Solution {
+    let along = |t: u32| if t == space.home { 0.0 } else { space.stop(tree.item(t), tree.at(t)).along };
+    Solution::new(space.problem, tree.stops(space, along))
+}

@@ -1,0 +1,447 @@
+//! Local search over routes from a queue of touched touches, until no move of theirs gains.
+//!
+//! For a touch, in this order: a better place on its item where it stands (for an anchor: where the route hangs); a chain
+//! of up to 3 stops that starts or ends with it, or its whole route, put elsewhere: in any gap at a near item, in its
+//! route or in one that hangs from it, or as a new route that hangs from it; reversing a stretch so that it meets a near
+//! touch (2-opt). A route whose last stop goes elsewhere is gone, with its charge. Every move is priced in constant time;
+//! whether ranks, precedence and nesting allow it is looked up only when it gains.
+
+use super::super::improve::{EPSILON, Queue};
+use super::super::neighbours::Neighbours;
+use super::super::space::{Gap, Space};
+use super::bridges::{Bridge, Bridges};
+use super::flip::{flip, may_flip};
+use super::tree::Tree;
+use crate::order::{real, sort_by};
+use crate::problem::Item;
+
+/// Longest chain moved, but for whole routes; kicks move longer ones.
+const CHAIN: usize = 3;
+
+/// What stays the same during the search.
+#[derive(Clone, Copy)]
+pub(super) struct Ground<'g, 'p> {
+    pub(super) space: &'g Space<'p>,
+    pub(super) near: &'g Neighbours,
+    pub(super) bridges: &'g Bridges,
+}
+
+/// Where a chain is put.
+#[derive(Clone, Copy)]
+pub(super) enum Spot {
+    /// Behind a touch.
+    Behind(u32),
+    /// On a route of its own, from a place of an item.
+    Child(u32, u32),
+}
+
+/// A chain put elsewhere.
+#[derive(Clone, Copy)]
+pub(super) struct Shift {
+    pub(super) first: u32,
+    pub(super) last: u32,
+    /// The other way round.
+    pub(super) turned: bool,
+    pub(super) spot: Spot,
+    /// The place at which the one that is entered, then the only one of its chain, is entered.
+    pub(super) at: Option<u32>,
+    /// The stop that is entered: `first`, or one of a route that hangs from it and changes parts with it, see
+    /// `flip.rs`.
+    pub(super) enter: u32,
+}
+
+/// Improves the routes around one touch until no move of its gains; gives the seconds gained.
+pub(super) fn improve(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32) -> f64 {
+    let mut total = 0.0;
+    while tree.is_live(touch) {
+        let gain = reenter(g, tree, queue, touch)
+            .or_else(|| relocate(g, tree, queue, touch))
+            .or_else(|| turn(g, tree, queue, touch));
+        match gain {
+            Some(g) => total += g,
+            None => break,
+        }
+    }
+    total
+}
+
+/// A better place on its item where a touch stands.
+pub(super) fn reenter(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32) -> Option<f64> {
+    let (item, now) = (tree.item(touch), tree.at(touch));
+    if g.space.places(item).len() == 1 {
+        return None;
+    }
+    let (before, after) = (tree.previous(touch), tree.next(touch));
+    let gap = tree.gap(before, after);
+    tree.priced += 1;
+    let seconds = g.space.through(item, now, gap);
+    let near = g.space.better_near(item, (now, seconds), gap);
+    let best = g.space.best_entry(item, gap);
+    let best = if best.1 < near.1 { best } else { near };
+    if best.1 >= seconds - EPSILON || is_taken(tree, touch, best.0) {
+        return None;
+    }
+    let mark = tree.changes();
+    tree.place(g.space, touch, best.0);
+    if tree.kids(item).len() > 1 && !in_order(g, tree, item) {
+        tree.undo(g.space, mark);
+        return None;
+    }
+    for t in [touch, before, after] {
+        queue.push(t);
+    }
+    Some(seconds - best.1)
+}
+
+/// Whether a place is another touch's: an item is not left where it is entered.
+pub(super) fn is_taken(tree: &Tree, touch: u32, at: u32) -> bool {
+    let item = tree.item(touch);
+    if tree.is_anchor(touch) {
+        tree.at(item) == at
+    } else {
+        tree.kids(item).iter().any(|&k| tree.at(k) == at)
+    }
+}
+
+/// Whether nothing that hangs from an item waits for something that hangs from it and is finished later.
+pub(super) fn in_order(g: Ground, tree: &Tree, item: u32) -> bool {
+    let after = |i: u32| tree.closing.label(i);
+    !g.space.precedence.any
+        || !tree
+            .closing
+            .stretch(tree.head(item), item)
+            .any(|i| g.space.precedence.waits(i, |o| after(o) < after(i)))
+}
+
+/// A chain at `touch` put elsewhere, a single stop at its best place there: the best of all candidates.
+fn relocate(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32) -> Option<f64> {
+    if tree.is_anchor(touch) {
+        return None;
+    }
+    let (mut most, mut best) = (EPSILON, None);
+    let (mut ahead, mut behind) = (touch, touch);
+    for length in 1..=CHAIN {
+        consider(g, tree, touch, touch, ahead, &mut most, &mut best);
+        if length > 1 {
+            consider(g, tree, touch, behind, touch, &mut most, &mut best);
+        }
+        ahead = if tree.is_anchor(ahead) { ahead } else { tree.next(ahead) };
+        behind = if tree.is_anchor(behind) { behind } else { tree.previous(behind) };
+    }
+    let route = tree.route(touch);
+    let (first, last) = (tree.next(route), tree.previous(route));
+    let long = !tree.is_anchor(ahead) || !tree.is_anchor(behind);
+    if route != g.space.home {
+        if long && (first == touch || last == touch) {
+            consider(g, tree, touch, first, last, &mut most, &mut best);
+        }
+        let host = tree.item(route);
+        if may_flip(g.space, tree, touch) {
+            consider(g, tree, touch, host, host, &mut most, &mut best);
+        }
+    }
+    let shift = best?;
+    perform(g, tree, shift, |t| queue.push(t));
+    Some(most)
+}
+
+/// Looks for the best spot for a chain that starts or ends with `touch`, or is the item that its route hangs from.
+fn consider(
+    g: Ground,
+    tree: &mut Tree,
+    touch: u32,
+    first: u32,
+    last: u32,
+    most: &mut f64,
+    best: &mut Option<Shift>,
+) {
+    if tree.is_anchor(first) || tree.is_anchor(last) {
+        return;
+    }
+    let flips = first != touch && last != touch;
+    let enter = if flips { touch } else { first };
+    // A stop that is entered elsewhere costs what it does there; one that changes parts leaves an anchor where it was.
+    let mut charges = if first == last { tree.extra(g.space, first) } else { 0.0 };
+    if flips {
+        charges += leaving(g.space, first) - leaving(g.space, touch);
+    }
+    let (freed, head) = (freed(g.space, tree, first, last) + charges, tree.head(first));
+    let before = tree.previous(first);
+    let shift = |to: u32| Shift { first, last, turned: false, spot: Spot::Behind(to), at: None, enter };
+    if flips {
+        let after = tree.next(first);
+        let given = tree.edge(g.space, before, first) + tree.edge(g.space, first, after) + charges;
+        put_in(g, tree, shift(before), tree.gap(before, after), given, most, best);
+    }
+    for (k, &b) in g.near.of_item(touch).iter().enumerate() {
+        if freed <= *most {
+            return;
+        }
+        if tree.closing.holds(head, last, b) {
+            continue;
+        }
+        for c in 0..=tree.kids(b).len() {
+            let c = *tree.kids(b).get(c).unwrap_or(&b);
+            for to in [c, tree.previous(c)] {
+                if to == before || (!tree.is_anchor(to) && tree.closing.holds(head, last, to)) {
+                    continue;
+                }
+                tree.priced += 1;
+                let (gap, given) =
+                    (tree.gap(to, tree.next(to)), freed + tree.edge(g.space, to, tree.next(to)));
+                put_in(g, tree, shift(to), gap, given, most, best);
+            }
+        }
+        if !is_left(g.space, b) {
+            continue;
+        }
+        tree.priced += 1;
+        let (at, place, seconds) = if first == last && !g.space.two_ends(enter) {
+            let bridge = g.bridges.of(touch, k);
+            (Some(bridge.from), bridge.to, bridge.seconds)
+        } else {
+            let around = Gap { from: tree.exit(last), to: Some(tree.entry(first)) };
+            let (place, seconds) = g.space.best_entry(b, around);
+            (None, place, seconds)
+        };
+        let shift = Shift { spot: Spot::Child(b, place), at, ..shift(b) };
+        let gain = freed - seconds - leaving(g.space, b);
+        let taken = tree.at(b) == place || at.is_some_and(|at| is_taken(tree, touch, at));
+        if gain > *most && !taken && may_shift(g, tree, shift) {
+            *most = gain;
+            *best = Some(shift);
+        }
+    }
+}
+
+/// Puts every stop on a route of its own, at the nearest item that it may hang from: the other end of what routes may be,
+/// from which the local search makes rings again where those are shorter.
+pub(super) fn hang_all(g: Ground, tree: &mut Tree) {
+    for stop in 0..g.space.home {
+        let spots = g.near.of_item(stop).iter().zip(0..).map(|(&host, k)| (host, g.bridges.of(stop, k)));
+        let mut spots: Vec<(f64, u32, Bridge)> = spots
+            .filter(|s| is_left(g.space, s.0) && !g.space.two_ends(stop))
+            .map(|(host, bridge)| (bridge.seconds + leaving(g.space, host), host, bridge))
+            .collect();
+        sort_by(&mut spots, |s| [real(s.0), s.1.into(), 0]);
+        for (_, host, bridge) in spots {
+            tree.priced += 1;
+            let spot = Spot::Child(host, bridge.to);
+            let shift =
+                Shift { first: stop, last: stop, turned: false, spot, at: Some(bridge.from), enter: stop };
+            let taken = tree.at(host) == bridge.to || is_taken(tree, stop, bridge.from);
+            if !taken && !tree.closing.holds(tree.head(stop), stop, host) && may_shift(g, tree, shift) {
+                perform(g, tree, shift, |_| ());
+                break;
+            }
+        }
+    }
+}
+
+/// Looks at a chain in a gap, either way round; a single stop at its best place.
+fn put_in(
+    g: Ground,
+    tree: &mut Tree,
+    shift: Shift,
+    gap: Gap,
+    given: f64,
+    most: &mut f64,
+    best: &mut Option<Shift>,
+) {
+    let Shift { first, last, enter, .. } = shift;
+    if first == last {
+        let on = gap.to.map_or(0.0, |q| g.space.at_least(q, enter, true));
+        if given - g.space.at_least(gap.from, enter, false) - on <= *most {
+            return;
+        }
+        let (at, seconds) = g.space.best_entry(enter, gap);
+        let shift = Shift { at: Some(at), ..shift };
+        if given - seconds > *most && !is_taken(tree, enter, at) && may_shift(g, tree, shift) {
+            *most = given - seconds;
+            *best = Some(shift);
+        }
+        return;
+    }
+    for turned in [false, true] {
+        let ends = (tree.entry(first), tree.exit(last));
+        let (enter, leave) = if turned { (ends.1, ends.0) } else { ends };
+        let on = gap.to.map_or(0.0, |to| g.space.travel.seconds(leave, to));
+        let gain = given - g.space.travel.seconds(gap.from, enter) - on;
+        let shift = Shift { turned, ..shift };
+        if gain > *most && may_shift(g, tree, shift) {
+            *most = gain;
+            *best = Some(shift);
+        }
+    }
+}
+
+/// Seconds won by taking a chain out; with a whole route its charge.
+pub(super) fn freed(space: &Space, tree: &Tree, first: u32, last: u32) -> f64 {
+    let (before, after) = (tree.previous(first), tree.next(last));
+    let ways = tree.edge(space, before, first) + tree.edge(space, last, after);
+    let left = if before == after { -tree.price(space, before) } else { tree.edge(space, before, after) };
+    ways - left
+}
+
+/// Whether an item may be left unfinished.
+pub(super) fn is_left(space: &Space, item: u32) -> bool {
+    space.problem.items.get(item as usize).is_some_and(|i| i.leave.is_some())
+}
+
+/// What leaving an item and resuming it costs, but for the place.
+pub(super) fn leaving(space: &Space, item: u32) -> f64 {
+    space.problem.items.get(item as usize).map_or(0.0, Item::resume)
+}
+
+/// Whether a chain may go where a shift puts it.
+pub(super) fn may_shift(g: Ground, tree: &mut Tree, shift: Shift) -> bool {
+    let Shift { first, last, turned, spot, at, enter } = shift;
+    let mark = tree.changes();
+    if let Some(at) = at.filter(|_| enter != first) {
+        if at == tree.at(enter) {
+            return false;
+        }
+        let fits = !g.space.precedence.any || {
+            flip(g.space, tree, enter, at);
+            in_order(g, tree, enter)
+        };
+        tree.undo(g.space, mark);
+        if !fits {
+            return false;
+        }
+    }
+    let to = match spot {
+        Spot::Behind(to) => to,
+        Spot::Child(host, at) => tree.open(g.space, host, at),
+    };
+    let may = ranks_allow(g, tree, first, last, to)
+        && order_allows(g, tree, first, last, to)
+        && (!turned || may_turn(g, tree, first, last));
+    tree.undo(g.space, mark);
+    may
+}
+
+/// Ranks do not fall along the root, and a route is of the rank of what it hangs from.
+fn ranks_allow(g: Ground, tree: &Tree, first: u32, last: u32, to: u32) -> bool {
+    let (rank, home) = (|t: u32| g.space.rank[t as usize], g.space.home);
+    let own = rank(first);
+    let fits = if tree.route(to) == home {
+        let next = tree.next(to);
+        (to == home || rank(to) <= own) && (next == home || own <= rank(next))
+    } else {
+        rank(tree.item(tree.route(to))) == own
+    };
+    fits && rank(last) == own
+}
+
+/// Nothing that waits for something in the chain is finished before it there, nor what it waits for after it.
+fn order_allows(g: Ground, tree: &Tree, first: u32, last: u32, to: u32) -> bool {
+    let (precedence, closing, head) = (&g.space.precedence, &tree.closing, tree.head(first));
+    if !precedence.any {
+        return true;
+    }
+    let mut behind = tree.finished_before(to);
+    if closing.holds(head, last, behind) {
+        behind = closing.previous(head);
+    }
+    let sooner = |i: u32| !closing.holds(head, last, i) && closing.label(i) <= closing.label(behind);
+    let later = |i: u32| !closing.holds(head, last, i) && closing.label(i) > closing.label(behind);
+    !closing
+        .stretch(head, last)
+        .any(|i| precedence.waits(i, sooner) || precedence.before(i).iter().any(|&o| later(o)))
+}
+
+/// Whether a stretch may be run the other way round: nothing in it waits for anything else in it.
+pub(super) fn may_turn(g: Ground, tree: &Tree, first: u32, last: u32) -> bool {
+    let label = |i: u32| tree.closing.label(i);
+    if g.space.rank[first as usize] != g.space.rank[last as usize] {
+        return false;
+    }
+    let mut stop = first;
+    while g.space.precedence.any {
+        let later = label(stop) + 1..=label(last);
+        let mut block = tree.closing.stretch(tree.head(stop), stop);
+        if block.any(|i| g.space.precedence.waits(i, |o| later.contains(&label(o)))) {
+            return false;
+        }
+        if stop == last {
+            break;
+        }
+        stop = tree.next(stop);
+    }
+    true
+}
+
+/// Puts a chain elsewhere, and tells which touches that concerns.
+pub(super) fn perform(g: Ground, tree: &mut Tree, shift: Shift, mut touched: impl FnMut(u32)) {
+    let Shift { mut first, mut last, turned, spot, at, enter } = shift;
+    touched(tree.previous(first));
+    touched(tree.next(last));
+    if enter != first {
+        for t in [tree.previous(enter), tree.next(enter), first] {
+            touched(t);
+        }
+        flip(g.space, tree, enter, at.unwrap_or(0));
+        (first, last) = (enter, enter);
+    }
+    if turned {
+        tree.turn(g.space, first, last);
+        (first, last) = (last, first);
+    }
+    let to = match spot {
+        Spot::Behind(to) => to,
+        Spot::Child(host, place) => {
+            touched(host);
+            tree.open(g.space, host, place)
+        }
+    };
+    for t in [first, last, to, tree.next(to)] {
+        touched(t);
+    }
+    if to != tree.previous(first) {
+        tree.shift(first, last, to);
+    }
+    if let Some(at) = at.filter(|_| enter == shift.first) {
+        tree.place(g.space, first, at);
+    }
+}
+
+/// 2-opt: the stretch between a touch and a near one of its route reversed, so that one leaves for the other's exit, or
+/// is entered from the other's entry.
+fn turn(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32) -> Option<f64> {
+    for ahead in [true, false] {
+        let pair = |t: u32| if ahead { (t, tree.next(t)) } else { (tree.previous(t), t) };
+        let one = pair(touch);
+        let given = tree.edge(g.space, one.0, one.1);
+        for &b in g.near.of_place(g.space, tree.item(touch), tree.at(touch)) {
+            for c in 0..=tree.kids(b).len() {
+                let c = *tree.kids(b).get(c).unwrap_or(&b);
+                if tree.route(c) != tree.route(touch)
+                    || g.space.travel.seconds(tree.exit(touch), tree.entry(c)) >= given
+                {
+                    continue;
+                }
+                let other = pair(c);
+                let earlier = tree.is_anchor(one.0)
+                    || (!tree.is_anchor(other.0) && tree.closing.label(one.0) < tree.closing.label(other.0));
+                let ((a, first), (last, d)) = if earlier { (one, other) } else { (other, one) };
+                if a == last || first == last {
+                    continue;
+                }
+                let taken = g.space.travel.seconds(tree.exit(a), tree.exit(last))
+                    + tree.way(g.space, tree.entry(first), d, tree.entry(d));
+                let gain = tree.edge(g.space, a, first) + tree.edge(g.space, last, d) - taken;
+                if gain > EPSILON && may_turn(g, tree, first, last) {
+                    tree.turn(g.space, first, last);
+                    for t in [a, first, last, d] {
+                        queue.push(t);
+                    }
+                    tree.priced += 1;
+                    return Some(gain);
+                }
+            }
+        }
+        tree.priced += 1;
+    }
+    None
+}

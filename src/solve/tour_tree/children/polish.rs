@@ -1,0 +1,55 @@
+//! From places on rings to exact ones: stops and anchors slide along their tracks as stops of the root do.
+
+use super::super::polish::{ENOUGH, ROUNDS, Slide};
+use super::super::space::{Gap, Space, index};
+use super::tree::Tree;
+use crate::solve::Solution;
+
+/// The routes as a solution, entered and left where it costs least.
+pub(super) fn polished(space: &Space, tree: &Tree) -> Solution {
+    let touches = (0..=2 * space.home).map(|t| {
+        let stands = tree.is_live(t) && t != space.home;
+        stands.then(|| Slide::new(space, tree.item(t), tree.at(t)))
+    });
+    let mut slides: Vec<Option<Slide>> = touches.collect();
+    let solution = |slides: &[Option<Slide>]| {
+        let along = |t: u32| slides[t as usize].as_ref().map_or(0.0, |s| s.stop.along);
+        Solution::new(space.problem, tree.stops(space, along))
+    };
+    let mut cost = f64::INFINITY;
+    for _ in 0..ROUNDS {
+        for t in 0..index(slides.len()) {
+            let Some(mut slide) = slides[t as usize].clone() else { continue };
+            let end = |t: u32| slides[t as usize].as_ref();
+            let from = end(tree.previous(t)).map_or(space.problem.home, |s| s.exit);
+            let next = tree.next(t);
+            let to = end(next).map_or(space.problem.home, |s| s.entry);
+            let to = Some(to).filter(|_| next != space.home || space.problem.closed);
+            slide.slide(space, Gap { from, to });
+            let before = slides[t as usize].replace(slide);
+            if !in_order(space, tree, &slides, tree.item(t)) {
+                slides[t as usize] = before;
+            }
+        }
+        let now = solution(&slides).cost;
+        if now > cost * (1.0 - ENOUGH) {
+            break;
+        }
+        cost = now;
+    }
+    solution(&slides)
+}
+
+/// Whether what hangs from an item does so in the same order as before, and not from its entry.
+fn in_order(space: &Space, tree: &Tree, slides: &[Option<Slide>], item: u32) -> bool {
+    let along = |t: u32| slides[t as usize].as_ref().map_or(0.0, |s| s.stop.along);
+    let round = space.round(item);
+    let mut last = 0.0;
+    round <= 0.0
+        || tree.kids(item).iter().all(|&k| {
+            let ahead = (along(k) - along(item)).rem_euclid(round);
+            let fits = ahead > 0.0 && ahead >= last;
+            last = ahead;
+            fits
+        })
+}
