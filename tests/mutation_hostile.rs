@@ -345,3 +345,21 @@ fn splines_made_to_explode_end() {
         }
     }
 }
+
+/// A tenth of a second each, before: they were fitted first and found too far away then.
+#[test]
+fn curves_from_beyond_any_sheet_are_refused_at_once() {
+    let mut body = circle(0.0, 0.0, 5.0);
+    for i in 0..1_000 {
+        let _ = write!(
+            body,
+            "0\nSPLINE\n8\n0\n70\n8\n71\n3\n72\n8\n73\n4\n74\n0\n40\n0.0\n40\n0.0\n40\n0.0\n40\n0.0\n40\n1.0\n40\n\
+             1.0\n40\n1.0\n40\n1.0\n10\n{i}.0\n20\n0.0\n10\n3.7e20\n20\n5.0\n10\n10.0\n20\n0.0\n10\n20.0\n20\n5.0\n\
+             0\nELLIPSE\n8\n0\n10\n{i}.0\n20\n0.0\n11\n1e20\n21\n3e19\n40\n0.5\n41\n0.0\n42\n3.0\n"
+        );
+    }
+    let (drawing, _) = intake(&document(4, "", &body)).unwrap();
+    assert_eq!(drawing.shapes.len(), 1);
+    let told = drawing.findings.iter().filter(|f| f.message.contains("reaches farther than")).count();
+    assert!(told >= 100, "{told} of 2,000 told one by one");
+}

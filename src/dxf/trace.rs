@@ -58,10 +58,7 @@ pub(super) fn outline(form: &Form<'_>, to_sheet: &DAffine3, tolerance: f64) -> R
                 start: *start,
                 sweep: *sweep,
             };
-            Ok(Outline {
-                paths: vec![closed_if_it_is(ellipse.to_segments(tolerance))],
-                tilted: u.z.abs().max(v.z.abs()) > FLAT,
-            })
+            Ok(Outline { paths: vec![tracer.ellipse(&ellipse)], tilted: u.z.abs().max(v.z.abs()) > FLAT })
         }
         Form::Spline(spline) => {
             let place = |p: &DVec3| to_sheet.transform_point3(*p).truncate();
@@ -131,11 +128,11 @@ impl Tracer<'_> {
         match map.segment(&Segment::Arc(*arc)) {
             Some(image) => Path::new(vec![image], arc.is_circle()),
             None => {
-                let mut segments = Ellipse::of_arc(arc, map).to_segments(self.tolerance);
+                let mut path = self.ellipse(&Ellipse::of_arc(arc, map));
                 if !arc.is_circle() {
-                    pin_ends(&mut segments, map.point(arc.start), map.point(arc.end));
+                    pin_ends(&mut path.segments, map.point(arc.start), map.point(arc.end));
                 }
-                closed_if_it_is(segments)
+                closed_if_it_is(path.segments)
             }
         }
     }
@@ -167,6 +164,11 @@ impl Tracer<'_> {
         closed_if_it_is(segments)
     }
 
+    fn ellipse(&self, e: &Ellipse) -> Path {
+        let segments = far(&[e.center, e.center + e.major, e.center + e.minor]);
+        closed_if_it_is(segments.unwrap_or_else(|| e.to_segments(self.tolerance)))
+    }
+
     fn spline(
         &self,
         spline: &Spline,
@@ -194,7 +196,8 @@ impl Tracer<'_> {
             };
             made.or_else(|fault| if spline.fit.is_empty() { Err(fault) } else { through() })
         };
-        let segments = curve.map_err(|fault| fault.to_string())?.to_segments(self.tolerance);
+        let curve = curve.map_err(|fault| fault.to_string())?;
+        let segments = far(curve.control()).unwrap_or_else(|| curve.to_segments(self.tolerance));
         Ok(closed_if_it_is(segments))
     }
 
@@ -210,11 +213,24 @@ impl Tracer<'_> {
             Edge::Ellipse(PlaneEllipse { center, major, minor, start, sweep }) => {
                 let e =
                     Ellipse { center: *center, major: *major, minor: *minor, start: *start, sweep: *sweep };
-                closed_if_it_is(e.transformed(map).to_segments(self.tolerance))
+                self.ellipse(&e.transformed(map))
             }
             Edge::Spline(spline) => self.spline(spline, |p| map.point(p.truncate()), |_| *map)?,
         })
     }
+}
+
+/// What stands for a curve that comes from farther away than any sheet: straight lines there and back through its
+/// points, to be refused by their place. Fitting it would take thousands of elements, and a tenth of a second a curve.
+fn far(points: &[DVec2]) -> Option<Vec<Segment>> {
+    // A hundred times the reader's limit: the control points of a curve on the sheet lie about as near as it does.
+    const FARTHEST: f64 = 1e8;
+    let is_far = |p: &DVec2| p.abs().max_element() > FARTHEST;
+    points.iter().any(is_far).then(|| {
+        let there_and_back = points.iter().chain(points.iter().rev()).copied();
+        let points: Vec<DVec2> = there_and_back.collect();
+        points.windows(2).map(|w| Segment::line(w[0], w[1])).collect()
+    })
 }
 
 /// The chain, closed when it ends where it starts, bit for bit.
