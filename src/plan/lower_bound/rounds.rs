@@ -15,7 +15,9 @@ use crate::problem::Problem;
 const COMPANY: usize = 4;
 /// The most there may be: the states of an item may double with each.
 const MOST_COMPANY: usize = 16;
-/// Looks at the charges in a round at most, and at least.
+/// Circles and faults of order over more stops than this are left alone: all that lies on them would have to remember.
+const LONGEST: usize = 12;
+/// Looks at the charges in a round at least, and at most.
 const LOOKS: [usize; 2] = [12, 60];
 /// A round goes on while this many looks gain this part of what is missing: charges that have settled need not be exact
 /// for what they work on to be sharpened.
@@ -62,6 +64,10 @@ pub(super) struct Strong {
     /// The best value of the round some looks ago.
     before: f64,
     walks: Vec<Vec<Visit>>,
+    /// The company of each item in the round before.
+    company_before: Vec<Vec<usize>>,
+    /// Walks cannot remember more: there would be too many states.
+    full: bool,
 }
 
 impl Strong {
@@ -97,6 +103,8 @@ impl Strong {
             looks: 0,
             before: f64::NEG_INFINITY,
             walks: Vec::new(),
+            company_before: vec![Vec::new(); count],
+            full: false,
         }
     }
 
@@ -130,11 +138,7 @@ impl Strong {
                 // A price takes about as long as 16 numbers of a row.
                 16 * (ground.items[a].knots * ground.items[b].knots) as u64
             }
-            Task::Spaces => {
-                let states = self.new_spaces();
-                self.task = Task::Row(0);
-                states as u64 * self.ground.items.len() as u64
-            }
+            Task::Spaces => self.new_spaces(),
             Task::Row(side) => {
                 self.ground.advance(side, &mut self.passes[side], &self.pay);
                 if self.passes[side].rows() >= self.ground.stops()[side] {
@@ -153,20 +157,27 @@ impl Strong {
         }
     }
 
-    fn new_spaces(&mut self) -> usize {
+    /// Lays out the states of the walks; as they were before, for good, when there would be too many.
+    fn new_spaces(&mut self) -> u64 {
         let ground = &mut self.ground;
         if ground.company.iter().all(Vec::is_empty) {
             ground.company = nearest_company(&ground.items, ground.first, &ground.pairs);
         }
         let symmetric = ground.first == 1 && ground.order.is_free() && !ground.prices.directed();
-        ground.spaces = (0..if symmetric { 1 } else { 2 })
-            .map(|side| {
-                let mut space = Space::new(ground, side == 1);
-                space.lay_out(|i| ground.items[i].knots);
-                space
-            })
-            .collect();
-        ground.spaces.iter().map(|s| s.states.len()).sum()
+        let sides = if symmetric { 0..1 } else { 0..2 };
+        let spaces: Option<Vec<Space>> = sides.map(|side| Space::new(ground, side == 1)).collect();
+        if let Some(mut spaces) = spaces {
+            spaces.iter_mut().for_each(|s| s.lay_out(|i| ground.items[i].knots));
+            ground.spaces = spaces;
+            self.task = Task::Row(0);
+        } else if self.full {
+            self.task = Task::Nothing;
+        } else {
+            ground.company.clone_from(&self.company_before);
+            self.full = true;
+        }
+        let ground = &self.ground;
+        (ground.items.len() * (1 + ground.spaces.iter().map(|s| s.states.len()).sum::<usize>())) as u64
     }
 
     /// Takes in what the passes found, and moves the charges.
@@ -241,7 +252,8 @@ impl Strong {
 
     /// Longer memory where walks went round, halved pieces where legs lost seconds.
     fn next_round(&mut self, upper: f64) {
-        let fuller = self.remember();
+        self.company_before.clone_from(&self.ground.company);
+        let fuller = !self.full && self.remember();
         let finer = self.refine(upper);
         let width: usize = self.ground.spaces.iter().map(|s| s.width + s.steps.len()).sum();
         if !(fuller || finer) || width * self.ground.count() / 2 > MOST_NUMBERS {
@@ -271,7 +283,7 @@ impl Strong {
         for (w, walk) in self.walks.iter().enumerate() {
             for (i, v) in walk.iter().enumerate() {
                 let wrong = |other: &Visit| other.item == v.item || order.forbids(v.item, other.item, false);
-                let length = walk[i + 1..].iter().position(wrong);
+                let length = walk[i + 1..].iter().take(LONGEST).position(wrong);
                 faults.extend(length.map(|length| [length, w, i]));
             }
         }

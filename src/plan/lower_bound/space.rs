@@ -9,6 +9,9 @@ use super::walks::Ground;
 use crate::order::sort_by;
 use std::ops::Range;
 
+/// States times items at most: sorting so many legs takes some tenths of a second.
+const MOST_LEGS: usize = 1_000_000;
+
 /// An item and what is remembered of its company, a bit each.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct State {
@@ -43,8 +46,8 @@ pub(super) struct Space {
 }
 
 impl Space {
-    /// All states a walk can come to, for walks along the order or against it.
-    pub(super) fn new(ground: &Ground, backwards: bool) -> Self {
+    /// All states a walk can come to, for walks along the order or against it; `None` when there are too many.
+    pub(super) fn new(ground: &Ground, backwards: bool) -> Option<Self> {
         let Ground { company, order, pairs, first, .. } = ground;
         let first = *first;
         let count = company.len();
@@ -57,6 +60,9 @@ impl Space {
         let mut known: Vec<Option<(usize, usize)>> = vec![None; count];
         let mut s = 0;
         while s < space.states.len() {
+            if space.states.len() * count > MOST_LEGS {
+                return None;
+            }
             let State { item, memory } = space.states[s];
             let past = remembered(company, item, memory);
             for next in (first..count).filter(|&j| j != item) {
@@ -91,7 +97,7 @@ impl Space {
             }
             space.sources.push(source);
         }
-        space
+        Some(space)
     }
 
     /// Lays the knots of all states out in a row.

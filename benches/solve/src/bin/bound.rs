@@ -45,10 +45,11 @@ fn bound(source: &Source, seconds: f64, upper: Option<f64>) {
     };
     let clock = Instant::now();
     let mut bound = LowerBound::new(&source.problem);
-    let (mut next, mut longest) = (FIRST_LINE, 0.0_f64);
+    let (mut next, mut longest, mut slices) = (FIRST_LINE, 0.0_f64, 0_u64);
     loop {
         let before = clock.elapsed().as_secs_f64();
         let more = bound.improve(SLICE, upper);
+        slices += 1;
         let now = clock.elapsed().as_secs_f64();
         longest = longest.max(now - before);
         let over = !more || now >= seconds;
@@ -57,7 +58,7 @@ fn bound(source: &Source, seconds: f64, upper: Option<f64>) {
             let value = bound.value();
             let row = serde_json::json!({
                 "instance": source.name, "items": source.problem.items.len(), "known": upper, "bound": value,
-                "gap_percent": 100.0 * (upper - value) / value, "seconds": now, "longest_slice": longest,
+                "gap_percent": 100.0 * (upper / value - 1.0), "seconds": now, "numbers": slices * u64::from(SLICE), "longest_slice": longest,
                 "done": !more,
             });
             println!("{row}");
