@@ -217,3 +217,77 @@ fn sheets_of_many_contours() {
     let slices = [1_000_000, 77_777].map(|slice| bound(&problem, cost, 400_000_000, slice));
     assert_eq!(slices[0].to_bits(), slices[1].to_bits());
 }
+
+/// The feature points of P. Qu & F. Du's 43 contours (IEEE Access 11, 2023, table 4); `boundary`: those on the contours
+/// only, holes first.
+fn qu_and_du(name: &str, closed: bool, boundary: bool) -> Problem {
+    let data: serde_json::Value =
+        serde_json::from_slice(include_bytes!("fixtures/qu-du-43/qu_du_43.json")).unwrap();
+    let contours = data["contours"].as_array().unwrap();
+    let mut machine = machine(name);
+    machine.return_home = closed;
+    let (mut items, mut nodes) = (Vec::new(), Vec::<Node>::new());
+    for (item, contour) in (0..).zip(contours) {
+        let first = NodeId::try_from(nodes.len()).unwrap();
+        let points = contour["points"].as_array().unwrap().iter();
+        for (twin, point) in (first..).zip(points.filter(|p| !boundary || p["on_boundary"] == true)) {
+            let entry = p(point["x"].as_f64().unwrap(), point["y"].as_f64().unwrap());
+            nodes.push(Node { item, entry, exit: entry, along: 0.0, reversed: false, twin });
+        }
+        let outer = contours.iter().position(|c| boundary && c["id"] == contour["parent"]);
+        items.push(Item {
+            nodes: first..NodeId::try_from(nodes.len()).unwrap(),
+            before: outer.map(|o| u32::try_from(o).unwrap()),
+            rank: 0,
+            fixed: 0.0,
+            run: None,
+            leave: None,
+            track: None,
+        });
+    }
+    Problem {
+        items,
+        nodes,
+        home: DVec2::ZERO,
+        closed,
+        machine,
+        pairs: Vec::new(),
+        groups: Groups::default(),
+        table: None,
+    }
+}
+
+/// The optima (or best known values: the third and the last two) were found and proven by a mixed-integer programme.
+#[test]
+fn points_of_the_43_contours() {
+    let (euclid, chebyshev) = ("length", "length-chebyshev");
+    let cases = [
+        (euclid, false, false, 2545.445, 0.15),
+        (euclid, true, false, 2819.222, 0.015),
+        (euclid, false, true, 2550.624, 0.25),
+        (euclid, true, true, 2821.939, 0.1),
+        (chebyshev, false, false, 2205.600, 0.25),
+        (chebyshev, true, false, 2448.600, 0.1),
+        (chebyshev, false, true, 2214.500, 0.25),
+        (chebyshev, true, true, 2460.600, 0.25),
+    ];
+    for (name, closed, boundary, optimum, gap) in cases {
+        let problem = qu_and_du(name, closed, boundary);
+        // The table gives three decimals.
+        let upper = optimum + 0.0005;
+        let found = bound(&problem, upper, 600_000_000, 5_000_000);
+        assert!(found <= upper, "{name} {closed} {boundary}: {found} above {optimum}");
+        assert!(upper <= (1.0 + gap) * found, "{name} {closed} {boundary}: {found} of {optimum}");
+    }
+}
+
+/// 2,782.583 mm is the best known with entries anywhere.
+#[test]
+fn the_43_contours_entered_anywhere() {
+    let bytes = include_bytes!("fixtures/qu-du-43/qu_du_43.dxf");
+    let drawing = kerfway::dxf::read(bytes, &kerfway::dxf::ReadOptions::default()).unwrap();
+    let sheet = kerfway::sheet::build(&drawing, &kerfway::sheet::SheetOptions::default());
+    let problem = problem::from_sheet(&sheet, &machine("length"));
+    let found = bound(&problem, 2782.583, 6_000_000_000, 5_000_000);
+    assert!(found <= 2782.583 && 2782.583 <= 1.03 * found, "{found}");
+}

@@ -18,10 +18,10 @@ const MOST_COMPANY: usize = 16;
 /// Circles and faults of order over more stops than this are left alone: all that lies on them would have to remember.
 const LONGEST: usize = 12;
 /// Looks at the charges in a round at least, and at most.
-const LOOKS: [usize; 2] = [12, 60];
+const LOOKS: [usize; 2] = [8, 60];
 /// A round goes on while this many looks gain this part of what is missing: charges that have settled need not be exact
 /// for what they work on to be sharpened.
-const WORTH: (usize, f64) = (8, 0.06);
+const WORTH: (usize, f64) = (4, 0.1);
 /// Walks kept for a round to learn from: the last ones, when charges have settled.
 const KEPT: usize = 12;
 /// Looks without a better value after which steps get shorter.
