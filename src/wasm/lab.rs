@@ -30,6 +30,12 @@ impl Solving {
         self.0.step(work.into())
     }
 
+    /// What no tour is shorter than, if that is known.
+    #[wasm_bindgen(js_name = lowerBound)]
+    pub fn lower_bound(&self) -> Option<f64> {
+        self.0.lower_bound()
+    }
+
     /// Moves done so far.
     pub fn moves(&self) -> f64 {
         self.0.moves() as f64

@@ -140,6 +140,8 @@ describe('kerfway', () => {
     [['plan', 'a.dxf', '--no-return=1'], /--no-return takes no value/],
     [['inspect', 'a.dxf', '--seed', '1'], /no option --seed/],
     [['methods', 'all'], /methods takes no more words/],
+    [['solve'], /Name a \.tsp, \.gtsp or \.pcglns file/],
+    [['solve', 'a.tsp', '--machine', 'x'], /no option --machine/],
   ];
   for (const [args, sentence] of wrong) {
     const words = args.map((a) => a.replace(ROOT, '')).join(' ');

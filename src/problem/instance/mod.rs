@@ -62,6 +62,7 @@ pub struct Instance {
     /// [`Instance::lowered`], which is more than any other change of two edges can save.
     fixed: Vec<[u32; 2]>,
     lowered: f64,
+    whole: bool,
 }
 
 /// Reads an instance of at most [`Table::MOST`] nodes.
@@ -88,6 +89,7 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
     let id = |n: usize| NodeId::try_from(n).unwrap_or(NodeId::MAX);
     let numbers: Vec<u32> = sets.members.iter().flatten().map(|&n| id(n) + 1).collect();
     let costs = costs::costs(&file, &numbers, &fixed, lowered)?;
+    let whole = costs.iter().all(|c| c.fract().abs() < f64::MIN_POSITIVE);
     let table =
         Table::new(nodes, costs).ok_or_else(|| InstanceError::whole("A cost is no number.".into()))?;
     let (mut items, mut list) = (Vec::new(), Vec::new());
@@ -119,10 +121,20 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
         groups: Groups::default(),
         table: Some(table),
     };
-    Ok(Instance { name: file.name(), problem, numbers, fixed, lowered })
+    Ok(Instance { name: file.name(), problem, numbers, fixed, lowered, whole })
 }
 
 impl Instance {
+    /// Whether every tour must take certain edges.
+    pub fn has_fixed_edges(&self) -> bool {
+        !self.fixed.is_empty()
+    }
+
+    /// Whether all costs are whole numbers, so all lengths are.
+    pub fn is_whole(&self) -> bool {
+        self.whole
+    }
+
     /// The numbers that the file gives these nodes of the problem.
     pub fn tour(&self, nodes: impl IntoIterator<Item = NodeId>) -> Vec<u32> {
         nodes.into_iter().filter_map(|node| self.numbers.get(node as usize).copied()).collect()

@@ -3,7 +3,7 @@
 import { readFile } from 'node:fs/promises';
 import { basename } from 'node:path';
 import { seconds, text, whole, words } from './arguments.js';
-import { bytesOf, put, Unusable, WrongUse } from './io.js';
+import { bytesOf, put, Unusable } from './io.js';
 
 const OPTIONS = Object.fromEntries(['json', 'seconds', 'moves', 'seed'].map((o) => [o, { type: 'string' as const }]));
 /** As for `plan`. */
@@ -26,15 +26,20 @@ export async function solve(args: string[]): Promise<void> {
   const { file, values } = words(args, OPTIONS, 'a .tsp, .gtsp or .pcglns file');
   const moves = whole(values, 'moves');
   const limit = seconds(values);
-  if (moves !== undefined && limit !== undefined) throw new WrongUse('Give --seconds or --moves, not both.');
   const seed = whole(values, 'seed') ?? Math.floor(Math.random() * 2 ** 32);
-  const found = await searched(file, seed, moves ?? Infinity, moves === undefined ? (limit ?? DEFAULT_SECONDS) : Infinity);
+  const found = await searched(file, seed, moves ?? Infinity, limit ?? (moves === undefined ? DEFAULT_SECONDS : Infinity));
   const out = text(values, 'json');
   if (out !== undefined) await put(out, `${JSON.stringify(found)}\n`);
-  const told = `${basename(file)}: length ${found.length}, ${found.tour.length} stops\n` +
+  const told = `${basename(file)}: length ${found.length}, ${found.tour.length} stops; ${proven(found)}\n` +
     `Search     seed ${seed}, ${found.moves} moves in ${found.seconds.toFixed(1)} s\n`;
   if (out === '-') process.stderr.write(told);
   else await put('-', told);
+}
+
+function proven({ length, lower_bound: bound }: Solved): string {
+  if (bound === null || bound <= 0) return 'no lower bound';
+  if (bound >= length) return 'optimal';
+  return `at most ${(((length - bound) / bound) * 100).toFixed(1)} % above the optimum`;
 }
 
 async function searched(file: string, seed: number, moves: number, limit: number): Promise<Solved> {
@@ -60,6 +65,6 @@ async function searched(file: string, seed: number, moves: number, limit: number
     seconds: passed(),
     moves: solving.moves(),
     seed,
-    lower_bound: null,
+    lower_bound: solving.lowerBound() ?? null,
   };
 }

@@ -1,0 +1,86 @@
+// kerfway solve: instances in, tours out.
+
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, it } from 'node:test';
+import { folder, kerfway } from './support.mjs';
+
+/** Five towns in a row of pairs, 10 apart: the shortest tour goes there and back. */
+const TOWNS = `NAME: row
+TYPE: TSP
+DIMENSION: 5
+EDGE_WEIGHT_TYPE: EUC_2D
+NODE_COORD_SECTION
+1 0 0
+2 40 0
+3 10 0
+4 30 0
+5 20 0
+EOF
+`;
+
+/** Three sets from 1 on; 3 has to come before 2, and the way against the clock costs ten times as much. */
+const ORDERED = `NAME : own
+TYPE : PCGLNS
+DIMENSION : 4
+GTSP_SETS : 3
+EDGE_WEIGHT_TYPE : EXPLICIT
+EDGE_WEIGHT_FORMAT : FULL_MATRIX
+EDGE_WEIGHT_SECTION
+0 1 5 20
+10 0 1 9
+30 10 0 1
+1 30 10 0
+GTSP_SET_SECTION
+1 1 -1
+2 2 -1
+3 3 4 -1
+GTSP_SET_ORDERING
+3 2 -1
+START_GROUP_SECTION
+1
+EOF
+`;
+
+function instance(t, name, text) {
+  const path = join(folder(t), name);
+  writeFileSync(path, text);
+  return path;
+}
+
+async function solved(path, ...options) {
+  const { code, stdout } = await kerfway('solve', path, '--json', '-', ...options);
+  assert.equal(code, 0);
+  return JSON.parse(stdout);
+}
+
+describe('kerfway solve', () => {
+  it('finds and proves the shortest tour', async (t) => {
+    const found = await solved(instance(t, 'row.tsp', TOWNS), '--moves', '500000', '--seed', '1');
+    assert.equal(found.length, 80);
+    assert.equal(found.lower_bound, 80);
+    assert.deepEqual([...found.tour].sort(), [1, 2, 3, 4, 5]);
+    assert.equal(found.name, 'row');
+    assert.ok(found.moves <= 500_000 && found.seconds > 0);
+  });
+
+  it('keeps the order of sets, and the start first', async (t) => {
+    const found = await solved(instance(t, 'own.pcglns', ORDERED), '--moves', '100000', '--seed', '1');
+    // 1 -> 3 -> 2 -> 1: 5 + 10 + 10; by node 4 it would be 20 + 30 + 10.
+    assert.deepEqual([found.length, found.tour], [25, [1, 3, 2]]);
+  });
+
+  it('gives the same tour for the same seed and moves, and tells its length', async (t) => {
+    const path = instance(t, 'row.tsp', TOWNS);
+    const [a, b] = await Promise.all([solved(path, '--moves', '9000', '--seed', '4'), solved(path, '--moves', '9000', '--seed', '4')]);
+    assert.deepEqual(a.tour, b.tour);
+    assert.match((await kerfway('solve', path, '--moves', '1000')).stdout, /row\.tsp: length 80, 5 stops/);
+  });
+
+  it('says in one sentence what is wrong with a file, and where', async (t) => {
+    const { code, stdout, stderr } = await kerfway('solve', instance(t, 'bad.tsp', TOWNS.replace('4 30 0', '4 x 0')));
+    assert.deepEqual([code, stdout], [1, '']);
+    assert.match(stderr, /^kerfway: .*bad\.tsp: Line 9: "x" is no number\.\n$/);
+  });
+});
