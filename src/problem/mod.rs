@@ -13,5 +13,6 @@ pub use buckets::Buckets;
 pub use from_sheet::from_sheet;
 pub use groups::Groups;
 pub use instance::{Fault, Instance, InstanceError, check, instance};
+pub(crate) use model::TABLES;
 pub use model::{Item, ItemId, Node, NodeId, Problem};
 pub use table::Table;

@@ -18,6 +18,9 @@ pub type ItemId = u32;
 /// Index of a node.
 pub type NodeId = u32;
 
+/// Whether this build knows tables of costs.
+pub(crate) const TABLES: bool = cfg!(feature = "lab");
+
 /// A place where an item may be entered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
@@ -97,9 +100,15 @@ pub struct Problem {
 }
 
 impl Problem {
+    /// The table of costs, if travel is given by one. Only benchmark instances have one, so the planner's wasm file is
+    /// built without (see [`TABLES`]): what asks for one falls away there.
+    pub fn table(&self) -> Option<&Table> {
+        self.table.as_ref().filter(|_| TABLES)
+    }
+
     /// The item at which the cycle of a problem with a table starts: the last one.
     pub fn start(&self) -> Option<ItemId> {
-        self.table.as_ref()?;
+        self.table()?;
         ItemId::try_from(self.items.len()).ok()?.checked_sub(1)
     }
 }

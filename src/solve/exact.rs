@@ -78,7 +78,7 @@ impl<'p> Sets<'p> {
 
     fn leg(&self, from: Option<NodeId>, to: Option<NodeId>) -> f64 {
         let (from, to) = (from.or(self.start), to.or(self.start));
-        if let (Some(table), Some(a), Some(b)) = (&self.problem.table, from, to) {
+        if let (Some(table), Some(a), Some(b)) = (self.problem.table(), from, to) {
             return table.cost(a, b);
         }
         let leave = from.map_or(self.problem.home, |n| self.problem.nodes[n as usize].exit);

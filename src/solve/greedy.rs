@@ -95,7 +95,7 @@ impl<'p> Candidates<'p> {
 
     /// The nodes of an item that have a place.
     fn placed(&self, item: ItemId) -> std::ops::Range<NodeId> {
-        if self.problem.table.is_some() { 0..0 } else { self.problem.items[item as usize].nodes.clone() }
+        if self.problem.table().is_some() { 0..0 } else { self.problem.items[item as usize].nodes.clone() }
     }
 
     fn open(&mut self, item: ItemId) {
@@ -136,7 +136,7 @@ impl<'p> Candidates<'p> {
     /// The nearest of them after a node, or after home.
     fn nearest(&self, air: &AirTime, last: Option<NodeId>) -> Option<NodeId> {
         let mut best: Option<(f64, NodeId)> = None;
-        if let Some(table) = &self.problem.table {
+        if let Some(table) = self.problem.table() {
             for (node, _) in (0..).zip(&self.problem.nodes).filter(|(_, to)| self.open[to.item as usize]) {
                 let cost = last.map_or(0.0, |from| table.cost(from, node));
                 if best.is_none_or(|b| cost < b.0) {

@@ -139,7 +139,7 @@ impl Solution {
     /// its place, and the charge for each time an item is resumed; with a table of costs, around the cycle of their
     /// nodes, which the start is one of.
     pub fn new(problem: &Problem, stops: Vec<Stop>) -> Self {
-        if let Some(table) = &problem.table {
+        if let Some(table) = problem.table() {
             let nodes: Vec<NodeId> = stops.iter().map(|s| s.node).collect();
             return Self { cost: table.around(&nodes), stops };
         }

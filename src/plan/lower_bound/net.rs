@@ -47,7 +47,7 @@ struct Track {
 /// item at which the cycle starts.
 pub(super) fn items(problem: &Problem) -> Vec<Item> {
     let contours = problem.items.iter().map(|item| of_item(problem, item));
-    if problem.table.is_some() {
+    if problem.table().is_some() {
         let mut items: Vec<Item> = contours.collect();
         items.rotate_right(1);
         return items;
@@ -60,7 +60,7 @@ pub(super) fn items(problem: &Problem) -> Vec<Item> {
 
 /// How many of the items are home.
 pub(super) fn homes(problem: &Problem) -> usize {
-    if problem.table.is_some() || problem.closed { 1 } else { 2 }
+    if problem.table().is_some() || problem.closed { 1 } else { 2 }
 }
 
 fn of_item(problem: &Problem, item: &problem::Item) -> Item {
@@ -75,7 +75,7 @@ fn of_item(problem: &Problem, item: &problem::Item) -> Item {
         }
         return ring(Track { path: path.clone(), starts }, along);
     }
-    if problem.table.is_some() || nodes.iter().all(|n| n.entry == n.exit) {
+    if problem.table().is_some() || nodes.iter().all(|n| n.entry == n.exit) {
         return points(&nodes.iter().map(|n| n.entry).collect::<Vec<_>>(), false);
     }
     let ends: Vec<DVec2> = nodes

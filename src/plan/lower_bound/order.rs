@@ -15,7 +15,7 @@ pub(super) struct Order {
 impl Order {
     /// The order of a problem's items, numbered from `first` on.
     pub(super) fn new(problem: &Problem, first: usize) -> Self {
-        let items = if problem.table.is_some() { problem.items.len() - 1 } else { problem.items.len() };
+        let items = if problem.table().is_some() { problem.items.len() - 1 } else { problem.items.len() };
         let count = items + first;
         let mut order = Self { count, before: vec![false; count * count], places: vec![[1, items]; count] };
         let mut any = false;

@@ -2,7 +2,7 @@
 
 use super::minorant::Minorant;
 use super::net::Piece;
-use crate::problem::{NodeId, Problem, Table};
+use crate::problem::{NodeId, Problem, TABLES, Table};
 
 /// Prices legs.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ struct Given {
 
 impl Prices {
     pub(super) fn new(problem: &Problem) -> Self {
-        let given = problem.table.as_ref().map(|table| {
+        let given = problem.table().map(|table| {
             let mut nodes: Vec<NodeId> = problem.items.iter().map(|i| i.nodes.start).collect();
             nodes.rotate_right(1);
             Box::new(Given { table: table.clone(), nodes })
@@ -33,13 +33,13 @@ impl Prices {
             minorant: Minorant::new(&problem.machine),
             end: (given.is_none() && !problem.closed).then_some(1),
             table: given,
-            directed: problem.table.as_ref().is_some_and(|t| !t.is_symmetric()),
+            directed: problem.table().is_some_and(|t| !t.is_symmetric()),
         }
     }
 
     /// Whether costs are given: boxes then say nothing.
     pub(super) fn given(&self) -> bool {
-        self.table.is_some()
+        TABLES && self.table.is_some()
     }
 
     /// Whether a leg may cost more one way than the other.
@@ -50,15 +50,15 @@ impl Prices {
     /// Seconds between the ends of pieces of two items at least: see [`Minorant::corners`].
     pub(super) fn corners(&self, items: [usize; 2], p: &Piece, q: &Piece) -> [[f64; 2]; 2] {
         match &self.table {
-            Some(given) => {
+            Some(given) if TABLES => {
                 let node = |item: usize, knot: usize| {
                     given.nodes[item] + NodeId::try_from(knot).unwrap_or(NodeId::MAX)
                 };
                 let (a, b) = (node(items[0], p.knots[0]), node(items[1], q.knots[0]));
                 [[given.table.cost(a, b); 2]; 2]
             }
-            None if self.end == Some(items[0]) => [[0.0; 2]; 2],
-            None => self.minorant.corners(p, q),
+            _ if self.end == Some(items[0]) => [[0.0; 2]; 2],
+            _ => self.minorant.corners(p, q),
         }
     }
 }

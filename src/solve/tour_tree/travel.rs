@@ -10,7 +10,7 @@
 use super::space::index;
 use crate::geometry::DVec2;
 use crate::machine::AirTime;
-use crate::problem::{NodeId, Problem, Table};
+use crate::problem::{NodeId, Problem, TABLES, Table};
 
 /// Where the head is: a point, or a node of a table.
 pub(super) type Place = DVec2;
@@ -41,7 +41,7 @@ pub(super) fn node_at(place: Place) -> NodeId {
 
 impl<'p> Travel<'p> {
     pub(super) fn new(problem: &'p Problem) -> Self {
-        let table = problem.table.as_ref();
+        let table = problem.table();
         let mut travel = Self {
             air: AirTime::new(&problem.machine),
             table,
@@ -66,8 +66,8 @@ impl<'p> Travel<'p> {
     /// Seconds, or what the table says, from one place to another.
     pub(super) fn seconds(&self, from: Place, to: Place) -> f64 {
         match self.table {
-            None => self.air.seconds(from, to),
-            Some(table) => table.cost(node_at(from), node_at(to)),
+            Some(table) if TABLES => table.cost(node_at(from), node_at(to)),
+            _ => self.air.seconds(from, to),
         }
     }
 
@@ -90,6 +90,6 @@ impl<'p> Travel<'p> {
 
     /// Whether costs come from a table.
     pub(super) fn by_table(&self) -> bool {
-        self.table.is_some()
+        TABLES && self.table.is_some()
     }
 }
