@@ -135,9 +135,18 @@ impl<'c> Search<'c> {
 
     /// Adds the smallest contour around contour `i`, and all around it that cross others.
     fn add_around(&mut self, i: u32, outer: &mut Vec<u32>) {
+        let contours = self.contours;
+        let c = &contours[i as usize];
+        self.add_around_course(i, c.boundary().unwrap_or(&c.path), outer);
+        // What is left of a shape may lie inside of what the shape itself crosses.
+        if c.outline.is_some() {
+            self.add_around_course(i, &c.path, outer);
+        }
+    }
+
+    fn add_around_course(&mut self, i: u32, own: &Path, outer: &mut Vec<u32>) {
         let Self { contours, all, crossed, slabs, slack, complete } = self;
         let c = &contours[i as usize];
-        let own = c.boundary().unwrap_or(&c.path);
         let (inner, witnesses) = (shrunk(own.bounds(), *slack), witnesses(own));
         let mut holds = |j: u32| {
             let other = &contours[j as usize];
