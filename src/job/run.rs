@@ -23,9 +23,10 @@ self_cell::self_cell!(
 /// the best path is found by then and only the proof is left.
 const BOUND_FROM: u64 = 1_000_000;
 /// Moves between two slices of work on it, and that work: a fifth or so of the time, and no slice long enough to be felt.
-/// Counted in moves, so that a budget in moves gives the same bound however it is sliced.
+/// Counted in moves, so that a budget in moves gives the same bound however it is sliced. Once half of all moves have
+/// found nothing better the rest is proof: more of the time is the bound's.
 const BOUND_EVERY: u64 = 100_000;
-const BOUND_WORK: u32 = 4_000_000;
+const BOUND_WORK: [u32; 2] = [4_000_000, 16_000_000];
 
 /// Why a slice ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
@@ -120,8 +121,9 @@ impl Run {
         if self.moves >= self.bound_at {
             self.bound_at += BOUND_EVERY;
             let cost = self.best().cost;
+            let quiet = self.telemetry().best_at < self.moves / 2;
             if let Some(bound) = &mut self.bound {
-                bound.improve(BOUND_WORK, cost);
+                bound.improve(BOUND_WORK[usize::from(quiet)], cost);
             }
         }
         let end = match step.status {

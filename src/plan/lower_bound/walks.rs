@@ -143,14 +143,14 @@ impl Ground {
         let other = self.spaces.len() - 1;
         let (f, g) = (passes[0].rows.get(forth - 1)?, passes[other].rows.get(back - 1)?);
         let mut best = (f64::INFINITY, [0, 0], [0, 0]);
-        for item in self.first..self.items.len() {
+        for (item, at) in self.items.iter().enumerate().skip(self.first) {
             for &s in &self.spaces[0].of[item] {
                 for &t in &self.spaces[other].of[item] {
                     if !self.fit(item, self.spaces[0].states[s].memory, self.spaces[other].states[t].memory) {
                         continue;
                     }
-                    for k in 0..self.items[item].knots {
-                        let l = if self.items[item].paired { k ^ 1 } else { k };
+                    for k in 0..at.knots {
+                        let l = if at.paired { k ^ 1 } else { k };
                         let value = f[self.spaces[0].at[s] + k] + g[self.spaces[other].at[t] + l] - pay[item];
                         if value < best.0 {
                             best = (value, [s, t], [k, l]);
