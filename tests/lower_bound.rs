@@ -42,7 +42,7 @@ fn machines(k: u64) -> Profile {
 /// Scattered items of a few nodes each, with open ones, ranks, and items before others.
 fn scattered(dice: &mut Dice, k: u64) -> Problem {
     let mut machine = machines(k);
-    machine.return_home = k % 2 == 0;
+    machine.return_home = k.is_multiple_of(2);
     let (mut items, mut nodes) = (Vec::new(), Vec::<Node>::new());
     let count = 1 + k % 8;
     for item in 0..u32::try_from(count).unwrap() {
@@ -109,7 +109,7 @@ fn tables_both_ways() {
         problem.pairs = if k % 4 == 3 { vec![(1, 0), (2, 1)] } else { Vec::new() };
         let n = problem.nodes.len();
         let mut costs: Vec<f64> = (0..n * n).map(|_| dice.below(1000) as f64).collect();
-        if k % 2 == 0 {
+        if k.is_multiple_of(2) {
             for a in 0..n {
                 for b in 0..a {
                     costs[a * n + b] = costs[b * n + a];
