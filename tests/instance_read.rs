@@ -1,6 +1,7 @@
 //! Instances of the TSPLIB family: every weight type and format by hand-computed values, sets, order, and what is
 //! wrong with a file in one sentence.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::float_cmp, reason = "costs are whole numbers")]
 
 use kerfway::problem::{Fault, Instance, check, instance};
 

@@ -1,6 +1,7 @@
 //! The search on instances given by tables: against brute force on small ones of every kind, the same in slices of any
 //! size, and never behind its start.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::float_cmp, reason = "costs are whole numbers")]
 
 use kerfway::problem::{Instance, Problem, check, instance};
 use kerfway::solve::{self, Solution};
@@ -19,10 +20,10 @@ impl Dice {
 /// A PCGLNS file: sets of 1 to 3 nodes (all of one, sometimes), some in a given order, costs in the plane or any.
 fn random(seed: u64, sets: u64) -> String {
     let mut dice = Dice(seed);
-    let most = if seed % 5 == 0 { 1 } else { 3 };
+    let most = if seed.is_multiple_of(5) { 1 } else { 3 };
     let sizes: Vec<u64> = (0..sets).map(|_| 1 + dice.below(most)).collect();
     let nodes: u64 = sizes.iter().sum();
-    let symmetric = seed % 2 == 0;
+    let symmetric = seed.is_multiple_of(2);
     let places: Vec<[u64; 2]> = (0..nodes).map(|_| [dice.below(100), dice.below(100)]).collect();
     let mut text = format!("NAME : r\nTYPE : PCGLNS\nDIMENSION : {nodes}\nGTSP_SETS : {sets}\n");
     text += "EDGE_WEIGHT_TYPE : EXPLICIT\nEDGE_WEIGHT_FORMAT : FULL_MATRIX\nEDGE_WEIGHT_SECTION\n";

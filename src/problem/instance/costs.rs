@@ -141,6 +141,7 @@ fn pseudo_euclidean(a: [f64; 2], b: [f64; 2]) -> f64 {
 
 /// GEO: coordinates are degrees and minutes, `DDD.MM`; kilometres on TSPLIB's sphere, with its value of pi.
 fn geographical(a: [f64; 2], b: [f64; 2]) -> f64 {
+    #[expect(clippy::approx_constant, reason = "TSPLIB's: with a better one lengths are not those published")]
     let radians = |x: f64| 3.141_592 * (x.trunc() + 5.0 * x.fract() / 3.0) / 180.0;
     let ([lat_a, lon_a], [lat_b, lon_b]) = (a.map(radians), b.map(radians));
     let (q1, q2, q3) = (math::cos(lon_a - lon_b), math::cos(lat_a - lat_b), math::cos(lat_a + lat_b));
