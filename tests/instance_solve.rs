@@ -45,7 +45,7 @@ fn random(seed: u64, sets: u64) -> String {
     text += "GTSP_SET_ORDERING\n";
     for first in 1..=sets {
         for then in first + 1..=sets {
-            if seed % 3 > 0 && then != start && dice.below(3) == 0 {
+            if !seed.is_multiple_of(3) && then != start && dice.below(3) == 0 {
                 writeln!(text, "{first} {then} -1").unwrap();
             }
         }
