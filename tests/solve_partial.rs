@@ -123,7 +123,7 @@ fn every_improvement_passes_the_checker_on_real_and_nested_sheets() {
         let machine = Profile { pre_cut_time: Some(0.02), ..machine(name) };
         let problem = problem::from_sheet(sheet, &machine);
         let mut search = solve::methods()[0].start(&problem, 3, None);
-        for _ in 0..400 {
+        for _ in 0..150 {
             if !search.step(5_000).improved {
                 continue;
             }

@@ -21,7 +21,7 @@ impl Dice {
 }
 
 /// Closed items with up to three loose entries, open items, some inside others, some of a later rank.
-fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Problem {
+pub(super) fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Problem {
     let mut dice = Dice(Xoshiro256PlusPlus::seed_from_u64(seed));
     let machine = machine::preset(machine).unwrap();
     let (mut items, mut nodes): (Vec<Item>, Vec<Node>) = (Vec::new(), Vec::new());

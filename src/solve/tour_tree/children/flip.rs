@@ -6,18 +6,9 @@
 //! part of the tree could be hung elsewhere only by the contour it hangs from now.
 
 use super::super::space::Space;
-use super::moves::is_left;
 use super::tree::Tree;
 
-/// Whether a stop of a child route may change parts with the route's host.
-pub(super) fn may_flip(space: &Space, tree: &Tree, stop: u32) -> bool {
-    let anchor = tree.route(stop);
-    let host = tree.item(anchor);
-    let alone = |&k: &u32| k == anchor || tree.at(k) != tree.at(anchor);
-    is_left(space, stop) && tree.kids(host).iter().all(alone)
-}
-
-/// Puts `stop` in the place of the item its route hangs from, entered at place `at`, which is not where it is now.
+/// Puts `stop` in the place of the item its route hangs from, entered at place `at`.
 pub(super) fn flip(space: &Space, tree: &mut Tree, stop: u32, at: u32) {
     let anchor = tree.route(stop);
     let (host, hung, met) = (tree.item(anchor), tree.at(anchor), tree.at(stop));

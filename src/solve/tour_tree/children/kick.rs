@@ -6,7 +6,7 @@ use super::super::improve::EPSILON;
 use super::super::neighbours::Neighbours;
 use super::super::space::{Gap, Space, index};
 use super::moves::{
-    Ground, Shift, Spot, freed, improve, in_order, is_left, is_taken, leaving, may_shift, perform, reenter,
+    Ground, Shift, Spot, freed, improve, in_order, is_left, leaving, may_shift, perform, reenter,
 };
 use super::{Children, Tree};
 
@@ -125,7 +125,7 @@ fn draw(dice: &mut Dice, tree: &Tree, g: Ground, first: u32) -> Option<Shift> {
         return None;
     }
     let place = space.best_entry(other, Gap { from: tree.exit(last), to: Some(tree.entry(first)) }).0;
-    if place == tree.at(other) { None } else { shift(Spot::Child(other, place)) }
+    shift(Spot::Child(other, place))
 }
 
 /// Seconds a shift gains.
@@ -156,9 +156,6 @@ fn gain(space: &Space, tree: &Tree, shift: Shift) -> f64 {
 
 /// Enters a stop elsewhere, if that is allowed; gives the seconds it costs.
 fn place_at(g: Ground, tree: &mut Tree, stop: u32, at: u32) -> Option<f64> {
-    if is_taken(tree, stop, at) {
-        return None;
-    }
     let ways = |tree: &Tree| {
         let (before, after) = (tree.previous(stop), tree.next(stop));
         tree.edge(g.space, before, stop) + tree.edge(g.space, stop, after) + tree.extra(g.space, stop)

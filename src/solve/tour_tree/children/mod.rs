@@ -15,6 +15,8 @@ mod flip;
 mod kick;
 mod moves;
 mod polish;
+#[cfg(test)]
+mod tests;
 mod tree;
 
 use super::dice::Dice;

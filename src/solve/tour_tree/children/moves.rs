@@ -10,7 +10,7 @@ use super::super::improve::{EPSILON, Queue};
 use super::super::neighbours::Neighbours;
 use super::super::space::{Gap, Space};
 use super::bridges::{Bridge, Bridges};
-use super::flip::{flip, may_flip};
+use super::flip::flip;
 use super::tree::Tree;
 use crate::order::{real, sort_by};
 use crate::problem::Item;
@@ -78,7 +78,7 @@ pub(super) fn reenter(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32)
     let near = g.space.better_near(item, (now, seconds), gap);
     let best = g.space.best_entry(item, gap);
     let best = if best.1 < near.1 { best } else { near };
-    if best.1 >= seconds - EPSILON || is_taken(tree, touch, best.0) {
+    if best.1 >= seconds - EPSILON {
         return None;
     }
     let mark = tree.changes();
@@ -91,16 +91,6 @@ pub(super) fn reenter(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32)
         queue.push(t);
     }
     Some(seconds - best.1)
-}
-
-/// Whether a place is another touch's: an item is not left where it is entered.
-pub(super) fn is_taken(tree: &Tree, touch: u32, at: u32) -> bool {
-    let item = tree.item(touch);
-    if tree.is_anchor(touch) {
-        tree.at(item) == at
-    } else {
-        tree.kids(item).iter().any(|&k| tree.at(k) == at)
-    }
 }
 
 /// Whether nothing that hangs from an item waits for something that hangs from it and is finished later.
@@ -136,7 +126,7 @@ fn relocate(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32) -> Option
             consider(g, tree, touch, first, last, &mut most, &mut best);
         }
         let host = tree.item(route);
-        if may_flip(g.space, tree, touch) {
+        if is_left(g.space, touch) {
             consider(g, tree, touch, host, host, &mut most, &mut best);
         }
     }
@@ -206,8 +196,7 @@ fn consider(
         };
         let shift = Shift { spot: Spot::Child(b, place), at, ..shift(b) };
         let gain = freed - seconds - leaving(g.space, b);
-        let taken = tree.at(b) == place || at.is_some_and(|at| is_taken(tree, touch, at));
-        if gain > *most && !taken && may_shift(g, tree, shift) {
+        if gain > *most && may_shift(g, tree, shift) {
             *most = gain;
             *best = Some(shift);
         }
@@ -229,8 +218,7 @@ pub(super) fn hang_all(g: Ground, tree: &mut Tree) {
             let spot = Spot::Child(host, bridge.to);
             let shift =
                 Shift { first: stop, last: stop, turned: false, spot, at: Some(bridge.from), enter: stop };
-            let taken = tree.at(host) == bridge.to || is_taken(tree, stop, bridge.from);
-            if !taken && !tree.closing.holds(tree.head(stop), stop, host) && may_shift(g, tree, shift) {
+            if !tree.closing.holds(tree.head(stop), stop, host) && may_shift(g, tree, shift) {
                 perform(g, tree, shift, |_| ());
                 break;
             }
@@ -256,7 +244,7 @@ fn put_in(
         }
         let (at, seconds) = g.space.best_entry(enter, gap);
         let shift = Shift { at: Some(at), ..shift };
-        if given - seconds > *most && !is_taken(tree, enter, at) && may_shift(g, tree, shift) {
+        if given - seconds > *most && may_shift(g, tree, shift) {
             *most = given - seconds;
             *best = Some(shift);
         }
@@ -298,9 +286,6 @@ pub(super) fn may_shift(g: Ground, tree: &mut Tree, shift: Shift) -> bool {
     let Shift { first, last, turned, spot, at, enter } = shift;
     let mark = tree.changes();
     if let Some(at) = at.filter(|_| enter != first) {
-        if at == tree.at(enter) {
-            return false;
-        }
         let fits = !g.space.precedence.any || {
             flip(g.space, tree, enter, at);
             in_order(g, tree, enter)

@@ -40,7 +40,7 @@ pub(super) fn polished(space: &Space, tree: &Tree) -> Solution {
     solution(&slides)
 }
 
-/// Whether what hangs from an item does so in the same order as before, and not from its entry.
+/// Whether what hangs from an item does so in the same order as before.
 fn in_order(space: &Space, tree: &Tree, slides: &[Option<Slide>], item: u32) -> bool {
     let along = |t: u32| slides[t as usize].as_ref().map_or(0.0, |s| s.stop.along);
     let round = space.round(item);
@@ -48,7 +48,7 @@ fn in_order(space: &Space, tree: &Tree, slides: &[Option<Slide>], item: u32) -> 
     round <= 0.0
         || tree.kids(item).iter().all(|&k| {
             let ahead = (along(k) - along(item)).rem_euclid(round);
-            let fits = ahead > 0.0 && ahead >= last;
+            let fits = ahead >= last;
             last = ahead;
             fits
         })

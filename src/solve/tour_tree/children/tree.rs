@@ -410,8 +410,7 @@ impl Tree {
         let linked = (0..index(self.next.len())).filter(|&t| self.is_live(t)).all(|t| {
             let next = self.next(t);
             let kids = self.kids(self.item(t));
-            let hung =
-                t <= self.home || (kids.contains(&t) && next != t && self.at(t) != self.at(self.item(t)));
+            let hung = t <= self.home || (kids.contains(&t) && next != t);
             self.previous(next) == t && self.route(next) == self.route(t) && hung
         });
         let inside = |stop: u32| {
@@ -444,33 +443,30 @@ impl Tree {
         let mut open: Vec<(u32, usize, u32)> = Vec::new();
         let mut touch = self.next(self.home);
         loop {
-            if self.is_anchor(touch) {
-                // The end of a route: on with the item it hangs from.
-                let Some((host, done, from)) = open.pop() else { return out };
-                match self.kids(host).get(done) {
-                    None => {
-                        out.push(visit(from, host));
-                        touch = self.next(host);
-                    }
-                    Some(&kid) => {
-                        // Routes from one place follow each other without going back to it.
-                        #[expect(clippy::float_cmp, reason = "the same place is the same number")]
-                        let same = along(kid) == along(from);
-                        if !same {
-                            out.push(visit(from, kid));
-                        }
-                        open.push((host, done + 1, if same { from } else { kid }));
-                        touch = self.next(kid);
-                    }
+            if !self.is_anchor(touch) {
+                if self.kids(touch).is_empty() {
+                    out.push(visit(touch, touch));
+                    touch = self.next(touch);
+                    continue;
                 }
-            } else if let Some(&kid) = self.kids(touch).first() {
-                out.push(visit(touch, kid));
-                open.push((touch, 1, kid));
-                touch = self.next(kid);
-            } else {
-                out.push(visit(touch, touch));
-                touch = self.next(touch);
+                open.push((touch, 0, touch));
             }
+            // Begun, or at the end of a route that hangs from it: on with the item.
+            let Some((host, done, from)) = open.pop() else { return out };
+            let Some(&kid) = self.kids(host).get(done) else {
+                out.push(visit(from, host));
+                touch = self.next(host);
+                continue;
+            };
+            // Routes from one place follow each other without going back to it, and those from the entry come before the
+            // item: both cost no more, and leave it less often.
+            #[expect(clippy::float_cmp, reason = "the same place is the same number")]
+            let same = along(kid) == along(from);
+            if !same {
+                out.push(visit(from, kid));
+            }
+            open.push((host, done + 1, if same { from } else { kid }));
+            touch = self.next(kid);
         }
     }
 }
