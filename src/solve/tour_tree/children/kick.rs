@@ -5,9 +5,8 @@ use super::super::dice::Dice;
 use super::super::improve::EPSILON;
 use super::super::neighbours::Neighbours;
 use super::super::space::{Gap, Space, index};
-use super::moves::{
-    Ground, Shift, Spot, freed, improve, in_order, is_left, leaving, may_shift, perform, reenter,
-};
+use super::allowed::{in_order, may_shift};
+use super::moves::{Ground, Shift, Spot, freed, improve, is_left, leaving, perform, reenter};
 use super::{Children, Tree};
 
 /// Longest chain taken, and farthest along its route: most are short, see `anneal.rs`.

@@ -9,10 +9,11 @@
 use super::super::improve::{EPSILON, Queue};
 use super::super::neighbours::Neighbours;
 use super::super::space::{Gap, Space};
-use super::bridges::{Bridge, Bridges};
+use super::allowed::{in_order, may_shift};
+use super::bridges::Bridges;
 use super::flip::flip;
 use super::tree::Tree;
-use crate::order::{real, sort_by};
+use super::turn::turn;
 use crate::problem::Item;
 
 /// Longest chain moved, but for whole routes; kicks move longer ones.
@@ -91,16 +92,6 @@ pub(super) fn reenter(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32)
         queue.push(t);
     }
     Some(seconds - best.1)
-}
-
-/// Whether nothing that hangs from an item waits for something that hangs from it and is finished later.
-pub(super) fn in_order(g: Ground, tree: &Tree, item: u32) -> bool {
-    let after = |i: u32| tree.closing.label(i);
-    !g.space.precedence.any
-        || !tree
-            .closing
-            .stretch(tree.head(item), item)
-            .any(|i| g.space.precedence.waits(i, |o| after(o) < after(i)))
 }
 
 /// A chain at `touch` put elsewhere, a single stop at its best place there: the best of all candidates.
@@ -203,29 +194,6 @@ fn consider(
     }
 }
 
-/// Puts every stop on a route of its own, at the nearest item that it may hang from: the other end of what routes may be,
-/// from which the local search makes rings again where those are shorter.
-pub(super) fn hang_all(g: Ground, tree: &mut Tree) {
-    for stop in 0..g.space.home {
-        let spots = g.near.of_item(stop).iter().zip(0..).map(|(&host, k)| (host, g.bridges.of(stop, k)));
-        let mut spots: Vec<(f64, u32, Bridge)> = spots
-            .filter(|s| is_left(g.space, s.0) && !g.space.two_ends(stop))
-            .map(|(host, bridge)| (bridge.seconds + leaving(g.space, host), host, bridge))
-            .collect();
-        sort_by(&mut spots, |s| [real(s.0), s.1.into(), 0]);
-        for (_, host, bridge) in spots {
-            tree.priced += 1;
-            let spot = Spot::Child(host, bridge.to);
-            let shift =
-                Shift { first: stop, last: stop, turned: false, spot, at: Some(bridge.from), enter: stop };
-            if !tree.closing.holds(tree.head(stop), stop, host) && may_shift(g, tree, shift) {
-                perform(g, tree, shift, |_| ());
-                break;
-            }
-        }
-    }
-}
-
 /// Looks at a chain in a gap, either way round; a single stop at its best place.
 fn put_in(
     g: Ground,
@@ -281,82 +249,6 @@ pub(super) fn leaving(space: &Space, item: u32) -> f64 {
     space.problem.items.get(item as usize).map_or(0.0, Item::resume)
 }
 
-/// Whether a chain may go where a shift puts it.
-pub(super) fn may_shift(g: Ground, tree: &mut Tree, shift: Shift) -> bool {
-    let Shift { first, last, turned, spot, at, enter } = shift;
-    let mark = tree.changes();
-    if let Some(at) = at.filter(|_| enter != first) {
-        let fits = !g.space.precedence.any || {
-            flip(g.space, tree, enter, at);
-            in_order(g, tree, enter)
-        };
-        tree.undo(g.space, mark);
-        if !fits {
-            return false;
-        }
-    }
-    let to = match spot {
-        Spot::Behind(to) => to,
-        Spot::Child(host, at) => tree.open(g.space, host, at),
-    };
-    let may = ranks_allow(g, tree, first, last, to)
-        && order_allows(g, tree, first, last, to)
-        && (!turned || may_turn(g, tree, first, last));
-    tree.undo(g.space, mark);
-    may
-}
-
-/// Ranks do not fall along the root, and a route is of the rank of what it hangs from.
-fn ranks_allow(g: Ground, tree: &Tree, first: u32, last: u32, to: u32) -> bool {
-    let (rank, home) = (|t: u32| g.space.rank[t as usize], g.space.home);
-    let own = rank(first);
-    let fits = if tree.route(to) == home {
-        let next = tree.next(to);
-        (to == home || rank(to) <= own) && (next == home || own <= rank(next))
-    } else {
-        rank(tree.item(tree.route(to))) == own
-    };
-    fits && rank(last) == own
-}
-
-/// Nothing that waits for something in the chain is finished before it there, nor what it waits for after it.
-fn order_allows(g: Ground, tree: &Tree, first: u32, last: u32, to: u32) -> bool {
-    let (precedence, closing, head) = (&g.space.precedence, &tree.closing, tree.head(first));
-    if !precedence.any {
-        return true;
-    }
-    let mut behind = tree.finished_before(to);
-    if closing.holds(head, last, behind) {
-        behind = closing.previous(head);
-    }
-    let sooner = |i: u32| !closing.holds(head, last, i) && closing.label(i) <= closing.label(behind);
-    let later = |i: u32| !closing.holds(head, last, i) && closing.label(i) > closing.label(behind);
-    !closing
-        .stretch(head, last)
-        .any(|i| precedence.waits(i, sooner) || precedence.before(i).iter().any(|&o| later(o)))
-}
-
-/// Whether a stretch may be run the other way round: nothing in it waits for anything else in it.
-pub(super) fn may_turn(g: Ground, tree: &Tree, first: u32, last: u32) -> bool {
-    let label = |i: u32| tree.closing.label(i);
-    if g.space.rank[first as usize] != g.space.rank[last as usize] {
-        return false;
-    }
-    let mut stop = first;
-    while g.space.precedence.any {
-        let later = label(stop) + 1..=label(last);
-        let mut block = tree.closing.stretch(tree.head(stop), stop);
-        if block.any(|i| g.space.precedence.waits(i, |o| later.contains(&label(o)))) {
-            return false;
-        }
-        if stop == last {
-            break;
-        }
-        stop = tree.next(stop);
-    }
-    true
-}
-
 /// Puts a chain elsewhere, and tells which touches that concerns.
 pub(super) fn perform(g: Ground, tree: &mut Tree, shift: Shift, mut touched: impl FnMut(u32)) {
     let Shift { mut first, mut last, turned, spot, at, enter } = shift;
@@ -389,44 +281,4 @@ pub(super) fn perform(g: Ground, tree: &mut Tree, shift: Shift, mut touched: imp
     if let Some(at) = at.filter(|_| enter == shift.first) {
         tree.place(g.space, first, at);
     }
-}
-
-/// 2-opt: the stretch between a touch and a near one of its route reversed, so that one leaves for the other's exit, or
-/// is entered from the other's entry.
-fn turn(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32) -> Option<f64> {
-    for ahead in [true, false] {
-        let pair = |t: u32| if ahead { (t, tree.next(t)) } else { (tree.previous(t), t) };
-        let one = pair(touch);
-        let given = tree.edge(g.space, one.0, one.1);
-        for &b in g.near.of_place(g.space, tree.item(touch), tree.at(touch)) {
-            for c in 0..=tree.kids(b).len() {
-                let c = *tree.kids(b).get(c).unwrap_or(&b);
-                if tree.route(c) != tree.route(touch)
-                    || g.space.travel.seconds(tree.exit(touch), tree.entry(c)) >= given
-                {
-                    continue;
-                }
-                let other = pair(c);
-                let earlier = tree.is_anchor(one.0)
-                    || (!tree.is_anchor(other.0) && tree.closing.label(one.0) < tree.closing.label(other.0));
-                let ((a, first), (last, d)) = if earlier { (one, other) } else { (other, one) };
-                if a == last || first == last {
-                    continue;
-                }
-                let taken = g.space.travel.seconds(tree.exit(a), tree.exit(last))
-                    + tree.way(g.space, tree.entry(first), d, tree.entry(d));
-                let gain = tree.edge(g.space, a, first) + tree.edge(g.space, last, d) - taken;
-                if gain > EPSILON && may_turn(g, tree, first, last) {
-                    tree.turn(g.space, first, last);
-                    for t in [a, first, last, d] {
-                        queue.push(t);
-                    }
-                    tree.priced += 1;
-                    return Some(gain);
-                }
-            }
-        }
-        tree.priced += 1;
-    }
-    None
 }

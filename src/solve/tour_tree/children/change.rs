@@ -1,0 +1,183 @@
+//! Changes to routes, each with what takes it back: touches moved along their items, chains moved from route to route,
+//! stretches turned round, routes opened and closed. All keep the order of finishing in line with the routes.
+
+use super::super::space::{Space, index};
+use super::tree::{Change, NONE, Tree};
+
+impl Tree {
+    /// Moves a touch along its item.
+    pub(super) fn place(&mut self, space: &Space, touch: u32, at: u32) {
+        self.journal.push(Change::Placed(touch, self.at(touch)));
+        self.set(space, touch, at);
+    }
+
+    fn set(&mut self, space: &Space, touch: u32, at: u32) {
+        self.at[touch as usize] = at;
+        self.locate(space, touch);
+        let host = self.item(touch);
+        if self.kids(host).len() > 1 && self.sort(space, host) {
+            self.restack(host);
+        }
+    }
+
+    pub(super) fn locate(&mut self, space: &Space, touch: u32) {
+        let (item, at) = (self.item(touch), self.at(touch));
+        self.entry[touch as usize] = space.places(item)[at as usize];
+        self.exit[touch as usize] = space.exit(item, at);
+    }
+
+    /// Brings the anchors of an item in the order of a round from its entry; whether that changed anything.
+    fn sort(&mut self, space: &Space, host: u32) -> bool {
+        let (count, start) = (index(space.places(host).len()), self.at(host));
+        let Self { kids, at, .. } = self;
+        // Routes from one place follow each other by number, so that a change taken back leaves no trace.
+        let along = |k: u32| ((at[k as usize] + count - start) % count, k);
+        let kids = &mut kids[host as usize];
+        let mut changed = false;
+        for i in 1..kids.len() {
+            let mut j = i;
+            while j > 0 && along(kids[j - 1]) > along(kids[j]) {
+                kids.swap(j - 1, j);
+                changed = true;
+                j -= 1;
+            }
+        }
+        changed
+    }
+
+    /// Brings the order of finishing in line with that of an item's anchors.
+    fn restack(&mut self, host: u32) {
+        let blocks: Vec<(u32, u32)> = self
+            .kids(host)
+            .iter()
+            .filter(|&&k| self.next(k) != k)
+            .map(|&k| (self.head(self.next(k)), self.previous(k)))
+            .collect();
+        // Behind everything else, one after the other, ends in the right order right before the host.
+        for (first, last) in blocks {
+            let behind = self.closing.previous(host);
+            if behind != last {
+                self.closing.carry(first, last, behind);
+            }
+        }
+    }
+
+    /// A new, empty route that hangs from `host` at a place.
+    pub(super) fn open(&mut self, space: &Space, host: u32, at: u32) -> u32 {
+        // There are as many anchors as items, and no route is empty for long.
+        let anchor = self.spare.pop().unwrap_or(self.home);
+        self.journal.push(Change::Opened(anchor));
+        self.hang(space, anchor, host, at);
+        anchor
+    }
+
+    fn hang(&mut self, space: &Space, anchor: u32, host: u32, at: u32) {
+        self.item[anchor as usize] = host;
+        self.at[anchor as usize] = at;
+        self.route[anchor as usize] = anchor;
+        self.locate(space, anchor);
+        self.kids[host as usize].push(anchor);
+        self.sort(space, host);
+    }
+
+    /// Takes an empty route away.
+    pub(super) fn close(&mut self, anchor: u32) {
+        self.journal.push(Change::Closed(anchor, self.item(anchor), self.at(anchor)));
+        self.take_down(anchor);
+    }
+
+    fn take_down(&mut self, anchor: u32) {
+        self.kids[self.item[anchor as usize] as usize].retain(|&k| k != anchor);
+        self.route[anchor as usize] = NONE;
+        self.spare.push(anchor);
+    }
+
+    /// Moves the chain from `first` to `last`, and all that hangs from it, behind `to`; a route left empty is taken
+    /// away.
+    pub(super) fn shift(&mut self, first: u32, last: u32, to: u32) {
+        let from = self.previous(first);
+        self.journal.push(Change::Shifted(first, last, from));
+        self.carry(first, last, to);
+        if from > self.home && self.next(from) == from {
+            self.close(from);
+        }
+    }
+
+    fn carry(&mut self, first: u32, last: u32, to: u32) {
+        let (before, after) = (self.previous(first), self.next(last));
+        self.next[before as usize] = after;
+        self.previous[after as usize] = before;
+        let head = self.head(first);
+        let mut behind = self.finished_before(to);
+        if self.closing.holds(head, last, behind) {
+            behind = self.closing.previous(head);
+        }
+        self.link(first, last, to);
+        self.closing.carry(head, last, behind);
+    }
+
+    /// Puts a chain into a ring.
+    pub(super) fn link(&mut self, first: u32, last: u32, to: u32) {
+        let after = self.next(to);
+        self.next[to as usize] = first;
+        self.previous[first as usize] = to;
+        self.next[last as usize] = after;
+        self.previous[after as usize] = last;
+        let route = self.route(to);
+        let mut touch = first;
+        loop {
+            self.route[touch as usize] = route;
+            if touch == last {
+                return;
+            }
+            touch = self.next(touch);
+        }
+    }
+
+    /// Runs the stretch from `first` to `last` the other way round; what hangs from its items stays as it is.
+    pub(super) fn turn(&mut self, space: &Space, first: u32, last: u32) {
+        self.journal.push(Change::Turned(last, first));
+        self.reverse(space, first, last);
+    }
+
+    fn reverse(&mut self, space: &Space, first: u32, last: u32) {
+        let (before, after) = (self.previous(first), self.next(last));
+        let mut behind = self.closing.previous(self.head(first));
+        let mut stops = vec![last];
+        while stops[stops.len() - 1] != first {
+            stops.push(self.previous(stops[stops.len() - 1]));
+        }
+        let mut previous = before;
+        for stop in stops {
+            let head = self.head(stop);
+            self.closing.carry(head, stop, behind);
+            behind = stop;
+            if space.two_ends(stop) {
+                self.at[stop as usize] = 1 - self.at(stop);
+                self.locate(space, stop);
+            }
+            self.next[previous as usize] = stop;
+            self.previous[stop as usize] = previous;
+            previous = stop;
+        }
+        self.next[previous as usize] = after;
+        self.previous[after as usize] = previous;
+    }
+
+    /// Takes changes back until so many are left.
+    pub(super) fn undo(&mut self, space: &Space, left: usize) {
+        while self.journal.len() > left {
+            match self.journal.pop() {
+                Some(Change::Placed(touch, at)) => self.set(space, touch, at),
+                Some(Change::Shifted(first, last, from)) => self.carry(first, last, from),
+                Some(Change::Turned(first, last)) => self.reverse(space, first, last),
+                Some(Change::Opened(anchor)) => self.take_down(anchor),
+                Some(Change::Closed(anchor, host, at)) => {
+                    self.spare.pop();
+                    self.hang(space, anchor, host, at);
+                }
+                None => return,
+            }
+        }
+    }
+}

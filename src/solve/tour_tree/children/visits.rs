@@ -1,0 +1,138 @@
+//! From a solution to routes and back.
+
+use super::super::space::{Space, index};
+use super::closing::Closing;
+use super::tree::{NONE, Tree};
+use crate::solve::{Solution, Stop};
+
+impl Tree {
+    /// The routes of a solution that visits every item of the space, entered and left at the nearest places.
+    pub(super) fn new(space: &Space, solution: &Solution) -> Self {
+        let home = space.home;
+        let touches = 2 * home as usize + 1;
+        let mut tree = Self {
+            home,
+            closed: space.problem.closed,
+            item: (0..=home).chain(std::iter::repeat_n(home, home as usize)).collect(),
+            at: vec![0; touches],
+            entry: vec![space.problem.home; touches],
+            exit: vec![space.problem.home; touches],
+            next: (0..index(touches)).collect(),
+            previous: (0..index(touches)).collect(),
+            route: vec![NONE; touches],
+            kids: vec![Vec::new(); home as usize + 1],
+            spare: (home + 1..index(touches)).rev().collect(),
+            closing: Closing::new(home),
+            journal: Vec::new(),
+            priced: 0,
+        };
+        tree.route[home as usize] = home;
+        tree.fill(space, solution);
+        tree
+    }
+
+    fn fill(&mut self, space: &Space, solution: &Solution) {
+        // Where the next stop goes, and the items left unfinished with their first place.
+        let mut tail = self.home;
+        let mut open: Vec<(u32, f64)> = Vec::new();
+        for stop in &solution.stops {
+            let item = space.problem.nodes[stop.node as usize].item;
+            let resumed = open.pop_if(|o| o.0 == item);
+            if resumed.is_some() {
+                let anchor = self.route[tail as usize];
+                if anchor == tail {
+                    self.close(anchor);
+                }
+            } else {
+                self.at[item as usize] = space.entered_at(stop);
+                self.locate(space, item);
+                self.link(item, item, tail);
+            }
+            let start = resumed.map_or(stop.along, |o| o.1);
+            tail = item;
+            #[expect(clippy::float_cmp, reason = "the last visit ends where the first began, bit for bit")]
+            let finished = stop.until == start;
+            if finished {
+                self.closing.append(item);
+            } else {
+                open.push((item, start));
+                let mut at = space.left_at(stop);
+                if at == self.at[item as usize] {
+                    // Rounded to the entry: one place on or back, so that it stays on its side.
+                    let count = index(space.places(item).len());
+                    let round = space.round(item);
+                    let ahead = (stop.until - start).rem_euclid(round) < 0.5 * round;
+                    at = (at + if ahead { 1 } else { count - 1 }) % count;
+                }
+                tail = self.open(space, item, at);
+            }
+        }
+        self.journal.clear();
+    }
+
+    /// Whether links, order of finishing, ranks and precedence hold: for debug assertions.
+    pub(super) fn is_sound(&self, space: &Space) -> bool {
+        let label = |i: u32| self.closing.label(i);
+        let linked = (0..index(self.next.len())).filter(|&t| self.is_live(t)).all(|t| {
+            let next = self.next(t);
+            let kids = self.kids(self.item(t));
+            let hung = t <= self.home || (kids.contains(&t) && next != t);
+            self.previous(next) == t && self.route(next) == self.route(t) && hung
+        });
+        let inside = |stop: u32| {
+            let route = self.route(stop);
+            let previous = self.previous(stop);
+            let after = self.is_anchor(previous) || label(previous) < label(self.head(stop));
+            after && (route == self.home || label(stop) < label(self.item(route)))
+        };
+        let mut before = 0;
+        let ranked =
+            self.closing.stretch(self.closing.next(self.home), self.closing.previous(self.home)).all(|i| {
+                let rank = space.rank[i as usize];
+                let of_host =
+                    self.route(i) == self.home || space.rank[self.item(self.route(i)) as usize] == rank;
+                std::mem::replace(&mut before, rank) <= rank && of_host
+            });
+        let waits = |i: u32| space.precedence.waits(i, |o| label(o) < label(i));
+        linked && (0..self.home).all(|i| inside(i) && !waits(i)) && ranked
+    }
+
+    /// The visits, with each touch at the place along its item that `along` says.
+    pub(super) fn stops(&self, space: &Space, along: impl Fn(u32) -> f64) -> Vec<Stop> {
+        let mut out = Vec::with_capacity(self.home as usize);
+        let visit = |from: u32, to: u32| Stop {
+            until: along(to),
+            along: along(from),
+            ..space.stop(self.item(from), self.at(from))
+        };
+        // Items left unfinished: how many of their routes are done, and the touch they were left at.
+        let mut open: Vec<(u32, usize, u32)> = Vec::new();
+        let mut touch = self.next(self.home);
+        loop {
+            if !self.is_anchor(touch) {
+                if self.kids(touch).is_empty() {
+                    out.push(visit(touch, touch));
+                    touch = self.next(touch);
+                    continue;
+                }
+                open.push((touch, 0, touch));
+            }
+            // Begun, or at the end of a route that hangs from it: on with the item.
+            let Some((host, done, from)) = open.pop() else { return out };
+            let Some(&kid) = self.kids(host).get(done) else {
+                out.push(visit(from, host));
+                touch = self.next(host);
+                continue;
+            };
+            // Routes from one place follow each other without going back to it, and those from the entry come before the
+            // item: both cost no more, and leave it less often.
+            #[expect(clippy::float_cmp, reason = "the same place is the same number")]
+            let same = along(kid) == along(from);
+            if !same {
+                out.push(visit(from, kid));
+            }
+            open.push((host, done + 1, if same { from } else { kid }));
+            touch = self.next(kid);
+        }
+    }
+}
