@@ -133,7 +133,7 @@ fn every_improvement_passes_the_checker_on_real_and_nested_sheets() {
         }
         left += search.best().stops.len() - problem.items.len();
     }
-    assert!(left > 100, "only {left} times was anything left unfinished");
+    assert!(left > 50, "only {left} times was anything left unfinished");
 }
 
 #[test]

@@ -153,6 +153,9 @@ mod tests {
         }
     }
 
+    /// What is wrong, contours, and where each visit begins and ends.
+    type Refused<'a> = (&'a str, &'a [u32], &'a [(f64, f64)]);
+
     /// The same with the outer contour left at places 10 and resumed, where that is allowed.
     fn left(contours: &[u32], places: &[(f64, f64)], leave: Option<f64>) -> Result<Solution, JobError> {
         let mut problem = problem();
@@ -170,7 +173,7 @@ mod tests {
         // From home at 0 to 2, along to 2.5, back to 0, to 1, to 2.5, along to 2: air, and the charge.
         assert!((found.cost - (2.0 + 2.5 + 1.0 + 1.5 + 4.0)).abs() < 1e-12, "{}", found.cost);
         assert!(left(&order, &places, None).is_err(), "where nothing may be left");
-        let refused: [(&str, &[u32], &[(f64, f64)]); 5] = [
+        let refused: [Refused; 5] = [
             ("never resumed", &order[..3], &places[..3]),
             ("resumed elsewhere", &order, &[places[0], places[1], places[2], (0.0, 0.0)]),
             ("round twice", &order, &[places[0], places[1], places[2], (10.0, 10.0)]),

@@ -100,7 +100,8 @@ fn follow(visits: &mut Visits, sheet: &Sheet, machine: &Profile, plan: &Plan, fo
                 if resumed && pierced {
                     found.push(Violation::Beam { step, what: "pierces where it goes on with a cut" });
                 }
-                if !*mark && !pierced && !(resumed && visits.is_ready(*contour)) {
+                let ready = *mark || pierced || (resumed && visits.is_ready(*contour));
+                if !ready {
                     found.push(Violation::Beam { step, what: "cuts without piercing" });
                 }
                 pierced = false;

@@ -75,17 +75,11 @@ pub(super) fn may_turn(g: Ground, tree: &Tree, first: u32, last: u32) -> bool {
     if g.space.rank[first as usize] != g.space.rank[last as usize] {
         return false;
     }
-    let mut stop = first;
-    while g.space.precedence.any {
-        let later = label(stop) + 1..=label(last);
-        let mut block = tree.closing.stretch(tree.head(stop), stop);
-        if block.any(|i| g.space.precedence.waits(i, |o| later.contains(&label(o)))) {
-            return false;
-        }
-        if stop == last {
-            break;
-        }
-        stop = tree.next(stop);
-    }
-    true
+    let stops = std::iter::successors(Some(first), |&stop| (stop != last).then(|| tree.next(stop)));
+    !g.space.precedence.any
+        || !stops.into_iter().any(|stop| {
+            let later = label(stop) + 1..=label(last);
+            let mut block = tree.closing.stretch(tree.head(stop), stop);
+            block.any(|i| g.space.precedence.waits(i, |o| later.contains(&label(o))))
+        })
 }

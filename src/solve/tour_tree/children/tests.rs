@@ -1,6 +1,8 @@
 //! The search over routes against brute force on small problems of every kind; gains, ranks and precedence are asserted
 //! on every kick by the debug assertions of `mod.rs`.
 
+#![expect(clippy::float_cmp, reason = "places of nodes are the same number, bit for bit, or not")]
+
 use super::super::TourTree;
 use super::super::tests::small;
 use crate::geometry::DVec2;
