@@ -44,7 +44,9 @@ impl Pairs {
         if !keep && prices.directed() {
             self.fill(items, prices, [b, a]);
         }
+        // Coarse pieces of jagged contours may have numbers below 0; no leg takes less than that.
         let least = self.tables[table..].iter().fold(f64::INFINITY, |m, &s| m.min(s));
+        let least = if prices.given() { least } else { least.max(0.0) };
         if !keep {
             self.tables.truncate(table);
         }
