@@ -9,6 +9,7 @@ mod options;
 mod path;
 mod report;
 mod run;
+#[cfg(feature = "lab")]
 mod solving;
 mod warm;
 mod written;
@@ -17,6 +18,7 @@ pub use options::{Budget, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
 pub use path::BestPath;
 pub use report::{Baselines, ContourInfo, Geometry, Loaded};
 pub use run::{Run, Slice, SliceEnd};
+#[cfg(feature = "lab")]
 pub use solving::Solving;
 pub use warm::Warm;
 pub use written::OutputKind;

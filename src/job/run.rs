@@ -3,7 +3,9 @@
 use super::options::{Budget, PlanOptions};
 use super::{Baselines, JobError, Warm, warm};
 use crate::machine::Profile;
-use crate::plan::{self, LowerBound, Plan};
+#[cfg(feature = "lab")]
+use crate::plan::LowerBound;
+use crate::plan::{self, Plan};
 use crate::problem::{self, Problem};
 use crate::sheet::Sheet;
 use crate::solve::{self, Search, Solution, SolverInfo, Status, Telemetry};
@@ -51,6 +53,8 @@ pub struct Slice {
     pub end: SliceEnd,
     /// Seconds that no plan takes less than; 0 before the first is known.
     pub bound: f64,
+    /// Work on the bound that is due, for whoever proves it: see [`Run::set_proven`].
+    pub prove: u32,
 }
 
 /// A plan under way or done.
@@ -71,8 +75,14 @@ pub struct Run {
     /// candidates.
     pub moves: u64,
     running: Running,
-    /// Of what the search minimises; one search of several is enough to work on it.
-    bound: Option<LowerBound>,
+    /// Of what the search minimises; one search of several is enough to work on it. In the planner's wasm it is worked
+    /// on from outside, by a wasm file of its own.
+    #[cfg(feature = "lab")]
+    prover: Option<LowerBound>,
+    /// Proven of what the search minimises; `None` before anything is, and where another search sees to it.
+    proven: Option<f64>,
+    /// Sees to it.
+    proves: bool,
     /// Moves at which work on it goes on.
     bound_at: u64,
 }
@@ -92,7 +102,8 @@ impl Run {
             Baselines { drawing: summary(&solve::drawing_order(sheet, &problem)), greedy: summary(&greedy) };
         let (workers, stream) = (options.workers()?, options.stream());
         let warm = options.warm.as_ref().map(|w| warm::solution(w, &problem)).transpose()?;
-        let bound = (options.member == 0).then(|| LowerBound::new(&problem));
+        #[cfg(feature = "lab")]
+        let prover = (options.member == 0).then(|| LowerBound::new(&problem));
         let running =
             Running::new(problem, |p| method.start(p, stream, Some(warm.as_ref().unwrap_or(&greedy))));
         Ok(Self {
@@ -104,7 +115,10 @@ impl Run {
             baselines,
             moves: 0,
             running,
-            bound,
+            #[cfg(feature = "lab")]
+            prover,
+            proven: None,
+            proves: options.member == 0,
             bound_at: BOUND_FROM,
         })
     }
@@ -113,25 +127,51 @@ impl Run {
     pub fn step(&mut self, work: u64) -> Slice {
         let left = self.budget.moves.map_or(u64::MAX, |all| all.saturating_sub(self.moves));
         if left == 0 {
-            return Slice { done: 0, improved: false, end: SliceEnd::Budget, bound: self.bound() };
+            return Slice { done: 0, improved: false, end: SliceEnd::Budget, bound: self.bound(), prove: 0 };
         }
         let work = work.min(left).min(self.bound_at.saturating_sub(self.moves).max(1));
+        let mut prove = 0;
         let step = self.running.with_dependent_mut(|_, search| search.step(work));
         self.moves = self.moves.saturating_add(step.done);
         if self.moves >= self.bound_at {
             self.bound_at += BOUND_EVERY;
-            let cost = self.best().cost;
-            let quiet = self.telemetry().best_at < self.moves / 2;
-            if let Some(bound) = &mut self.bound {
-                bound.improve(BOUND_WORK[usize::from(quiet)], cost);
-            }
+            prove = self.prove();
         }
         let end = match step.status {
             Status::Exhausted => SliceEnd::Exhausted,
             Status::Running if step.done >= left => SliceEnd::Budget,
             Status::Running => SliceEnd::Running,
         };
-        Slice { done: step.done, improved: step.improved, end, bound: self.bound() }
+        Slice { done: step.done, improved: step.improved, end, bound: self.bound(), prove }
+    }
+
+    /// Works on the bound; gives the work that is left to others.
+    #[cfg(feature = "lab")]
+    fn prove(&mut self) -> u32 {
+        let (cost, work) = (self.best().cost, self.bound_work());
+        if let Some(prover) = &mut self.prover {
+            prover.improve(work, cost);
+            self.proven = Some(prover.value());
+        }
+        0
+    }
+
+    #[cfg(not(feature = "lab"))]
+    fn prove(&mut self) -> u32 {
+        if self.proves { self.bound_work() } else { 0 }
+    }
+
+    /// More of it while the search finds nothing better.
+    fn bound_work(&self) -> u32 {
+        let quiet = self.telemetry().best_at < self.moves / 2;
+        BOUND_WORK[usize::from(quiet)]
+    }
+
+    /// Takes a bound over, proven elsewhere of what the search minimises.
+    pub fn set_proven(&mut self, cost: f64) {
+        if self.proves && cost >= self.proven.unwrap_or(0.0) {
+            self.proven = Some(cost);
+        }
     }
 
     /// Takes over a path found by another search, if it is better: true when it was.
@@ -173,7 +213,7 @@ impl Run {
     /// Seconds that no plan takes less than: what is proven of travel, and what every plan pays; 0 before anything is.
     pub fn bound(&self) -> f64 {
         let fixed = || self.problem().items.iter().map(|i| i.fixed).sum::<f64>();
-        self.bound.as_ref().filter(|_| self.bound_at > BOUND_FROM).map_or(0.0, |b| fixed() + b.value())
+        self.proven.map_or(0.0, |cost| fixed() + cost)
     }
 }
 

@@ -80,10 +80,15 @@ pub struct Document<'a> {
 
 /// The text of a document, in one line.
 pub fn json(document: &Document) -> String {
+    json_text(&View::of(document))
+}
+
+/// Any value as JSON in one line, its numbers in full; what is not finite is null.
+pub fn json_text(value: &impl Serialize) -> String {
     let mut text = Vec::new();
     let mut writer = serde_json::Serializer::with_formatter(&mut text, Plain);
-    // Writing to memory cannot fail, and the format has no maps with keys other than text.
-    let _ = View::of(document).serialize(&mut writer);
+    // Writing to memory cannot fail, and nothing of ours has maps with keys other than text.
+    let _ = value.serialize(&mut writer);
     String::from_utf8(text).unwrap_or_default()
 }
 

@@ -16,5 +16,5 @@ mod walk;
 
 pub use dxf::dxf;
 pub use gcode::gcode;
-pub use json::{Budget, Document, Input, json};
+pub use json::{Budget, Document, Input, json, json_text};
 pub use svg::svg;

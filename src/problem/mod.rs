@@ -7,6 +7,7 @@ mod from_sheet;
 mod groups;
 mod instance;
 mod model;
+mod packed;
 mod table;
 
 pub use buckets::Buckets;

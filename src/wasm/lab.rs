@@ -1,6 +1,8 @@
-//! Benchmark instances for JavaScript, in a wasm file of its own: nobody who plans a sheet loads them.
+//! Benchmark instances and lower bounds for JavaScript, in a wasm file of its own: it is loaded when they are wanted.
 
 use crate::job;
+use crate::plan::LowerBound;
+use crate::problem::Problem;
 use wasm_bindgen::prelude::*;
 
 /// The default method on an instance of the TSPLIB family.
@@ -49,5 +51,25 @@ impl Solving {
     /// Its length, added up anew, once the tour has passed its check.
     pub fn length(&self) -> Result<f64, JsError> {
         Ok(self.0.length()?)
+    }
+}
+
+/// The lower bound of a problem that a planner handed over.
+#[wasm_bindgen]
+pub struct Prover(LowerBound);
+
+#[wasm_bindgen]
+impl Prover {
+    /// From the numbers of `Job.packed`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(numbers: &[f64]) -> Result<Prover, JsError> {
+        let problem = Problem::unpacked(numbers).ok_or(JsError::new("These numbers are no problem."))?;
+        Ok(Prover(LowerBound::new(&problem)))
+    }
+
+    /// Works on it; `upper` is the cost of a known solution. Gives what is proven, in seconds.
+    pub fn improve(&mut self, work: u32, upper: f64) -> f64 {
+        self.0.improve(work, upper);
+        self.0.value()
     }
 }

@@ -118,6 +118,23 @@ impl Job {
         Ok(self.0.run_mut()?.offer(&options(path)?)?)
     }
 
+    /// The problem that is planned, for `Prover`.
+    pub fn packed(&self) -> Result<Vec<f64>, JsError> {
+        Ok(self.0.run()?.problem().packed())
+    }
+
+    /// What the search has come down to, in seconds.
+    pub fn cost(&self) -> Result<f64, JsError> {
+        Ok(self.0.run()?.best().cost)
+    }
+
+    /// Takes over what is proven of it; gives the bound of the whole job.
+    pub fn prove(&mut self, cost: f64) -> Result<f64, JsError> {
+        let run = self.0.run_mut()?;
+        run.set_proven(cost);
+        Ok(run.bound())
+    }
+
     /// Moves done so far.
     pub fn moves(&self) -> Result<f64, JsError> {
         Ok(self.0.run()?.moves as f64)

@@ -2,7 +2,8 @@
 //! receiver may transfer.
 
 use crate::job::{BestPath, Geometry};
-use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
+use crate::output::json_text;
+use js_sys::{Float64Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use wasm_bindgen::prelude::*;
@@ -14,10 +15,10 @@ pub(super) fn options<T: DeserializeOwned>(value: JsValue) -> Result<T, JsError>
         .map_err(|e| JsError::new(&format!("The options are not usable: {e}.")))
 }
 
-/// A plain object, as JSON would have it.
+/// A plain object. By way of JSON text: the writer of plans is there anyway, and a second one, which sets fields one by
+/// one, is slower and larger.
 pub(super) fn plain(value: &impl Serialize) -> Result<JsValue, JsError> {
-    let json = serde_wasm_bindgen::Serializer::json_compatible();
-    value.serialize(&json).map_err(|e| JsError::new(&format!("The report could not be passed on: {e}.")))
+    JSON::parse(&json_text(value)).map_err(|_| JsError::new("The report could not be passed on."))
 }
 
 /// An object with these fields.

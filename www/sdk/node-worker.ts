@@ -7,6 +7,11 @@ import { type Host, Session } from './session.js';
 
 const host: Host = {
   post: (message, transfer = []) => parentPort?.postMessage(message, transfer),
+  lab: async () => {
+    const lab = await import('./pkg/kerfway_lab.js');
+    lab.initSync({ module: await readFile(new URL('./pkg/kerfway_lab_bg.wasm', import.meta.url)) });
+    return lab;
+  },
   png: async () => {
     const renderer = await import('./pkg/kerfway_png.js');
     renderer.initSync({ module: await readFile(new URL('./pkg/kerfway_png_bg.wasm', import.meta.url)) });

@@ -230,8 +230,8 @@ export interface Slice {
   /** The best changed in it. */
   improved: boolean;
   end: 'running' | 'budget' | 'exhausted';
-  /** Seconds that no plan takes less than; 0 before the first is known. */
-  bound: number;
+  /** Work on the lower bound that is due. */
+  prove: number;
 }
 
 export type OutputKind = 'gcode' | 'svg' | 'dxf' | 'json' | 'png';

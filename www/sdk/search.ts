@@ -4,8 +4,9 @@
  */
 
 import { bounded } from './bound.js';
+import type { Prover } from './pkg/kerfway_lab.js';
 import type { Job } from './pkg/kerfway.js';
-import type { Budget, DoneReason, Progress, Summary, WarmPath } from './protocol.js';
+import type { Budget, DoneReason, Progress, Slice, Summary, WarmPath } from './protocol.js';
 
 /** What a search tells. */
 export interface Listener {
@@ -13,6 +14,8 @@ export interface Listener {
   done(message: { id: number; reason: DoneReason; progress: Progress }): void;
   meeting(message: { id: number; progress: Progress }): void;
   bound(message: { id: number; lowerBound: number }): void;
+  /** What works on the bound of the job's problem. */
+  prover(job: Job): Promise<Prover>;
   failed(id: number, error: unknown): void;
 }
 
@@ -51,6 +54,10 @@ export class Search {
   private untold = true;
   private summary: Summary | null = null;
   private bound = 0;
+  /** Works on the bound; `null`: it could not be loaded. */
+  private prover: Prover | null | undefined;
+  /** It is being loaded; the search waits. */
+  private loading = false;
   private tellAfter = 0;
   private pulseAt = 0;
 
@@ -113,27 +120,62 @@ export class Search {
 
   private readonly slice = (): void => {
     this.scheduled = false;
-    if (this.state !== 'running' || this.waitingSince !== null) return;
-    try {
+    if (this.state !== 'running' || this.waitingSince !== null || this.loading) return;
+    this.attempt(() => {
       const start = performance.now();
       const toMeeting = this.meetAt - this.job.moves();
-      const { done, improved, end, bound } = this.job.step(Math.min(Math.round(this.work), toMeeting));
+      const { done, improved, end, prove } = this.job.step(Math.min(Math.round(this.work), toMeeting));
       this.account(done, improved, performance.now() - start);
-      if (bound > this.bound) {
-        this.bound = bound;
-        this.listener.bound({ id: this.id, lowerBound: bound });
-      }
-      if (end !== 'running') return this.end(end);
-      if (this.worked >= this.until) return this.end('budget');
-      if (done === toMeeting) return this.wait();
-      const now = performance.now();
-      if ((this.untold && now >= this.tellAfter) || now >= this.pulseAt) this.tell();
-      this.schedule();
+      const next = () => this.proceed(end, done === toMeeting);
+      if (prove === 0) next();
+      else this.withProver((prover) => {
+        this.prove(prover, prove);
+        next();
+      });
+    });
+  };
+
+  private attempt(work: () => void): void {
+    try {
+      work();
     } catch (error) {
       this.state = 'ended';
       this.listener.failed(this.id, error);
     }
-  };
+  }
+
+  // After a slice: it ends, waits for the others, tells, or just goes on.
+  private proceed(end: Slice['end'], atMeeting: boolean): void {
+    if (this.state !== 'running') return;
+    if (end !== 'running') return this.end(end);
+    if (this.worked >= this.until) return this.end('budget');
+    if (atMeeting) return this.wait();
+    const now = performance.now();
+    if ((this.untold && now >= this.tellAfter) || now >= this.pulseAt) this.tell();
+    this.schedule();
+  }
+
+  // The first time it is loaded. Then it is there at once, so that a budget in moves gives the same bound every time.
+  private withProver(work: (prover: Prover | null) => void): void {
+    if (this.prover !== undefined) return work(this.prover);
+    this.loading = true;
+    const use = (prover: Prover | null) => {
+      this.loading = false;
+      this.prover = prover;
+      this.attempt(() => work(prover));
+    };
+    this.listener.prover(this.job).then(use, () => use(null));
+  }
+
+  private prove(prover: Prover | null, work: number): void {
+    if (prover === null) return;
+    const start = performance.now();
+    const bound = this.job.prove(prover.improve(work, this.job.cost()));
+    this.worked += performance.now() - start;
+    if (bound <= this.bound) return;
+    this.bound = bound;
+    this.listener.bound({ id: this.id, lowerBound: bound });
+  }
 
   private wait(): void {
     this.waitingSince = performance.now();

@@ -10,6 +10,8 @@ import { Search } from './search.js';
 /** What a session needs of the place it runs in. */
 export interface Host {
   post(message: FromWorker, transfer?: ArrayBuffer[]): void;
+  /** The wasm file that proves bounds, loaded when first asked for. */
+  lab(): Promise<typeof import('./pkg/kerfway_lab.js')>;
   /** The PNG renderer, loaded when first asked for: plan JSON and width in pixels to a picture. */
   png(): Promise<(planJson: string, width: number) => Uint8Array>;
 }
@@ -103,6 +105,7 @@ export class Session {
       done: (done) => this.host.post({ type: 'done', ...done }, pathBuffers(done.progress)),
       meeting: (met) => this.host.post({ type: 'meeting', ...met }, pathBuffers(met.progress)),
       bound: (bound) => this.host.post({ type: 'bound', ...bound }),
+      prover: async (of) => new (await this.host.lab()).Prover(of.packed()),
       failed: (of, error) => this.fail(of, error),
     }, options.workers);
     this.search.run(id, { ...options, ...budget });

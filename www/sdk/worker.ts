@@ -13,6 +13,11 @@ const scope = self as unknown as WorkerScope;
 
 const host: Host = {
   post: (message, transfer = []) => scope.postMessage(message, transfer),
+  lab: async () => {
+    const lab = await import('./pkg/kerfway_lab.js');
+    await lab.default();
+    return lab;
+  },
   png: async () => {
     const renderer = await import('./pkg/kerfway_png.js');
     await renderer.default();
