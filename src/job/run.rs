@@ -43,7 +43,7 @@ pub enum SliceEnd {
 }
 
 /// What came of a slice of work.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct Slice {
     /// Moves done in it.
     pub done: u64,
@@ -51,8 +51,6 @@ pub struct Slice {
     pub improved: bool,
     /// Why it ended.
     pub end: SliceEnd,
-    /// Seconds that no plan takes less than; 0 before the first is known.
-    pub bound: f64,
     /// Work on the bound that is due, for whoever proves it: see [`Run::set_proven`].
     pub prove: u32,
 }
@@ -127,7 +125,7 @@ impl Run {
     pub fn step(&mut self, work: u64) -> Slice {
         let left = self.budget.moves.map_or(u64::MAX, |all| all.saturating_sub(self.moves));
         if left == 0 {
-            return Slice { done: 0, improved: false, end: SliceEnd::Budget, bound: self.bound(), prove: 0 };
+            return Slice { done: 0, improved: false, end: SliceEnd::Budget, prove: 0 };
         }
         let work = work.min(left).min(self.bound_at.saturating_sub(self.moves).max(1));
         let mut prove = 0;
@@ -142,7 +140,7 @@ impl Run {
             Status::Running if step.done >= left => SliceEnd::Budget,
             Status::Running => SliceEnd::Running,
         };
-        Slice { done: step.done, improved: step.improved, end, bound: self.bound(), prove }
+        Slice { done: step.done, improved: step.improved, end, prove }
     }
 
     /// Works on the bound; gives the work that is left to others.
