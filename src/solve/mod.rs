@@ -3,6 +3,8 @@
 mod as_drawn;
 mod exact;
 mod greedy;
+#[cfg(feature = "papers")]
+pub mod papers;
 mod precedence;
 mod tour_tree;
 mod traits;

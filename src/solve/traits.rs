@@ -130,6 +130,11 @@ pub trait Search {
     fn best(&self) -> &Solution;
     /// Numbers.
     fn telemetry(&self) -> Telemetry;
+    /// What makes a published method special, as it stands now.
+    #[cfg(feature = "papers")]
+    fn insight(&self) -> super::papers::Insight {
+        super::papers::Insight::default()
+    }
     /// A solution found elsewhere; taken when better.
     fn offer(&mut self, _other: &Solution) {}
 }

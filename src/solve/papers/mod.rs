@@ -1,0 +1,73 @@
+//! Methods of published papers, as published, behind the common traits: to be compared with, and checked by people who
+//! know the papers. They are never the best choice for a sheet; the default method is.
+//!
+//! Every parameter of a paper is a documented field with the paper's value as its default. Where a paper is silent or
+//! its print is wrong, the module of the method says what was built and why; each deviation can be switched off.
+//!
+//! What a method compares is the paper's measure (`legs.rs`), not the seconds of the whole job, and its best solution is
+//! its own, also where a nearest-neighbour tour is better: a comparison would be worth nothing otherwise.
+//!
+//! They live in a wasm file of their own, loaded when one is chosen. There they see a problem as
+//! [`Problem::packed`](crate::problem::Problem::packed) hands it over.
+
+mod insight;
+mod legs;
+mod repair;
+
+pub use insight::{Curve, Grid, Insight};
+pub use legs::{Legs, Measure};
+pub use repair::Repair;
+
+use super::{Solver, SolverInfo};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+/// A method with what may be set of it, for lists.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Card {
+    /// Name, citation.
+    #[serde(flatten)]
+    pub info: SolverInfo,
+    /// Its parameters with their defaults, the paper's where it has them.
+    pub parameters: serde_json::Value,
+}
+
+type Make = fn(&str) -> Result<Box<dyn Solver>, String>;
+
+/// Every method: its default form and how it is made from parameters.
+const METHODS: &[(fn() -> Card, Make)] = &[];
+
+/// Every method with the defaults of its parameters.
+pub fn cards() -> Vec<Card> {
+    METHODS.iter().map(|(card, _)| card()).collect()
+}
+
+/// The method of that name with parameters: a JSON object with those that differ from the defaults, or nothing.
+///
+/// # Errors
+/// One sentence: no such method, or parameters it does not have.
+pub fn method(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
+    let Some((_, make)) = METHODS.iter().find(|(card, _)| card().info.name == name) else {
+        let names: Vec<_> = cards().into_iter().map(|c| c.info.name).collect();
+        return Err(format!("There is no method named {name}. From papers: {}.", names.join(", ")));
+    };
+    make(if parameters.trim().is_empty() { "{}" } else { parameters })
+}
+
+/// An entry of the list for a method whose parameters are its fields.
+#[expect(dead_code, reason = "the first method uses it")]
+const fn entry<M: Solver + Default + Serialize + DeserializeOwned + 'static>() -> (fn() -> Card, Make) {
+    (card::<M>, make::<M>)
+}
+
+fn card<M: Solver + Default + Serialize>() -> Card {
+    let method = M::default();
+    Card { info: method.info(), parameters: serde_json::to_value(&method).unwrap_or_default() }
+}
+
+fn make<M: Solver + DeserializeOwned + 'static>(parameters: &str) -> Result<Box<dyn Solver>, String> {
+    match serde_json::from_str::<M>(parameters) {
+        Ok(method) => Ok(Box::new(method)),
+        Err(e) => Err(format!("The parameters are not usable: {e}.")),
+    }
+}

@@ -1,0 +1,142 @@
+//! Any order made an allowed one: the papers' codes know no precedence, sheets do.
+//!
+//! What has to come before an item is moved to just before it, if its turn comes later: a hole before its outer contour.
+//! Items keep their order otherwise; ranks are worked one after the other, and groups stay together, each at the place
+//! of its first item.
+
+use crate::problem::{ItemId, Problem};
+
+/// Makes orders of a problem's items allowed ones.
+pub struct Repair {
+    items: usize,
+    /// Around each item and then each group: its group; the last index stands for none.
+    parent: Vec<usize>,
+    /// What has to come before each of them, among those with the same parent.
+    first: Vec<Vec<usize>>,
+    rank: Vec<u32>,
+    /// Ranks there are, ascending.
+    ranks: Vec<u32>,
+    start: Option<usize>,
+}
+
+/// On the way down the tree of groups.
+enum Turn {
+    /// What has to come before it, then the thing itself.
+    Enter(usize),
+    /// The thing itself.
+    Emit(usize),
+}
+
+impl Repair {
+    /// For a problem.
+    pub fn new(problem: &Problem) -> Self {
+        let items = problem.items.len();
+        let groups = &problem.groups;
+        let root = items + groups.count();
+        let mut parent = vec![root; root];
+        for id in (0..).take(items) {
+            let mut inner = id as usize;
+            for group in groups.of(id) {
+                parent[inner] = items + group as usize;
+                inner = items + group as usize;
+            }
+        }
+        let mut first = vec![Vec::new(); root];
+        let inside = (0..).zip(&problem.items).filter_map(|(id, item)| item.before.map(|outer| (id, outer)));
+        for (a, b) in inside.chain(problem.pairs.iter().copied()) {
+            let top = groups.common(a, b).map_or(root, |g| items + g as usize);
+            let side = |mut at: usize| {
+                while parent[at] != top {
+                    at = parent[at];
+                }
+                at
+            };
+            first[side(b as usize)].push(side(a as usize));
+        }
+        let rank: Vec<u32> = problem.items.iter().map(|i| i.rank).collect();
+        let mut ranks = rank.clone();
+        crate::order::sort_by(&mut ranks, |&r| [r.into(), 0, 0]);
+        ranks.dedup();
+        Self { items, parent, first, rank, ranks, start: problem.start().map(|s| s as usize) }
+    }
+
+    /// The allowed order nearest to `order`, which names items once each; those it leaves out do not come in.
+    pub fn apply(&self, order: &[ItemId]) -> Vec<ItemId> {
+        let root = self.parent.len();
+        let mut out = Vec::with_capacity(order.len());
+        let mut done = vec![false; root];
+        let mut turns = Vec::new();
+        for &rank in &self.ranks {
+            let mut children: Vec<Vec<usize>> = vec![Vec::new(); root + 1];
+            let begins = order.iter().map(|&i| i as usize).filter(|&i| self.rank[i] == rank);
+            let (starts, others): (Vec<usize>, Vec<usize>) = begins.partition(|&i| Some(i) == self.start);
+            let mut known = vec![false; root];
+            for item in starts.into_iter().chain(others) {
+                let mut at = item;
+                while at != root && !std::mem::replace(&mut known[at], true) {
+                    children[self.parent[at]].push(at);
+                    at = self.parent[at];
+                }
+            }
+            // A group may have items of several ranks: each rank has its turn.
+            done[self.items..].fill(false);
+            turns.extend(children[root].iter().rev().map(|&c| Turn::Enter(c)));
+            while let Some(turn) = turns.pop() {
+                match turn {
+                    Turn::Enter(it) if done[it] || !known[it] => {}
+                    Turn::Enter(it) => {
+                        done[it] = true;
+                        turns.push(Turn::Emit(it));
+                        turns.extend(self.first[it].iter().rev().map(|&f| Turn::Enter(f)));
+                    }
+                    Turn::Emit(it) if it < self.items => out.extend(ItemId::try_from(it)),
+                    Turn::Emit(it) => turns.extend(children[it].iter().rev().map(|&c| Turn::Enter(c))),
+                }
+            }
+        }
+        debug_assert_eq!(out.len(), order.len(), "every item has its place");
+        out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine;
+    use crate::problem::{Groups, Item};
+    use glam::DVec2;
+
+    fn problem(before: &[Option<u32>], ranks: &[u32], groups: Groups) -> Problem {
+        let item = |(&before, &rank): (&Option<u32>, &u32)| Item {
+            nodes: 0..0,
+            before,
+            rank,
+            fixed: 0.0,
+            run: None,
+            leave: None,
+            track: None,
+        };
+        let items = before.iter().zip(ranks).map(item).collect();
+        let machine = machine::presets().into_iter().next().unwrap();
+        let (home, closed) = (DVec2::ZERO, true);
+        Problem { items, nodes: vec![], home, closed, machine, pairs: vec![], groups, table: None }
+    }
+
+    #[test]
+    fn what_lies_inside_comes_just_before_its_outer_contour() {
+        // 1 in 0, 2 in 1; 3 alone.
+        let p = problem(&[None, Some(0), Some(1), None], &[0; 4], Groups::default());
+        let repair = Repair::new(&p);
+        assert_eq!(repair.apply(&[0, 3, 1, 2]), [2, 1, 0, 3]);
+        assert_eq!(repair.apply(&[3, 2, 1, 0]), [3, 2, 1, 0], "an allowed order stays");
+    }
+
+    #[test]
+    fn ranks_groups_and_pairs_are_kept() {
+        let groups = Groups::new(vec![Some(0), Some(0), Some(1), Some(1), None], vec![None, None]);
+        let mut p = problem(&[None, Some(0), None, Some(2), None], &[1, 1, 1, 1, 0], groups);
+        p.pairs = vec![(2, 1)];
+        // Group 0 has its turn first, but item 1 of it waits for item 2 of group 1, which waits for item 3.
+        assert_eq!(Repair::new(&p).apply(&[0, 3, 1, 2, 4]), [4, 3, 2, 1, 0]);
+    }
+}
