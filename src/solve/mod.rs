@@ -1,6 +1,7 @@
 //! Solvers behind two traits, and the registry that names them.
 
 mod as_drawn;
+mod dice;
 mod exact;
 mod greedy;
 #[cfg(feature = "papers")]

@@ -12,6 +12,8 @@
 
 mod insight;
 mod legs;
+#[allow(dead_code, reason = "the first method uses it")]
+mod pace;
 mod repair;
 
 pub use insight::{Curve, Grid, Insight};

@@ -10,7 +10,7 @@
 //! precedence kept. Each cycle starts from the best path so far and is twice as long as the one before, so that the
 //! search is good at any moment and needs no budget in advance. Without nesting there is one part.
 
-use super::dice::Dice;
+use super::super::dice::Dice;
 use super::entries::enter_best;
 use super::exchange::exchange;
 use super::improve::{EPSILON, Queue, improve};

@@ -3,7 +3,7 @@
 //! A segment double-bridge: feasible with precedence, and no local move undoes it at once. Now and then an entry is
 //! drawn with it.
 
-use super::dice::Dice;
+use super::super::dice::Dice;
 use super::improve::{Queue, reenter};
 use super::space::index;
 use super::tour::Tour;

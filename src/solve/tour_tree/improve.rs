@@ -12,7 +12,7 @@ use super::tour::Tour;
 use std::collections::VecDeque;
 
 /// Gains below this many seconds are rounding.
-pub(super) const EPSILON: f64 = 1e-9;
+pub(in crate::solve) const EPSILON: f64 = 1e-9;
 /// Longest chain moved by itself; longer ones are moved by exchanging stretches.
 const CHAIN: usize = 3;
 

@@ -16,7 +16,6 @@
 
 mod anneal;
 mod children;
-mod dice;
 mod entries;
 mod exchange;
 mod improve;
@@ -31,14 +30,16 @@ mod tests;
 mod tour;
 mod travel;
 
+use super::dice::Dice;
 use super::greedy::greedy;
 use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
 use crate::problem::Problem;
 use anneal::Annealing;
 use children::Children;
-use dice::Dice;
 use space::Space;
 use tour::Tour;
+
+pub(super) use improve::EPSILON;
 
 /// The method.
 pub(super) struct TourTree;

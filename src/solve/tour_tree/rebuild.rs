@@ -6,7 +6,7 @@
 //! overlooked. After Christiaens & Vanden Berghe, Transportation Science 54 (2020), and Smith & Imeson, Computers &
 //! Operations Research 87 (2017).
 
-use super::dice::Dice;
+use super::super::dice::Dice;
 use super::improve::Queue;
 use super::neighbours::Neighbours;
 use super::space::Space;

@@ -1,7 +1,7 @@
 //! Kicks: a chain of stops taken somewhere else, further along its route or to something near, the local search after
 //! it, and the decision whether that stays.
 
-use super::super::dice::Dice;
+use super::super::super::dice::Dice;
 use super::super::improve::EPSILON;
 use super::super::neighbours::Neighbours;
 use super::super::space::{Gap, Space, index};

@@ -29,7 +29,7 @@ mod tree;
 mod turn;
 mod visits;
 
-use super::dice::Dice;
+use super::super::dice::Dice;
 use super::improve::{EPSILON, Queue};
 use super::neighbours::Neighbours;
 use super::space::Space;

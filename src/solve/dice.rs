@@ -1,9 +1,9 @@
-//! Random numbers of a search: the same on every machine.
+//! Random numbers of the searches: the same on every machine.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
-use super::improve::EPSILON;
+use super::tour_tree::EPSILON;
 use crate::geometry::math;
 
 /// A source of random numbers.
@@ -24,6 +24,14 @@ impl Dice {
     /// An even number in [0, 1).
     pub(super) fn even(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// A number of the standard normal distribution (Box and Muller).
+    #[cfg(feature = "papers")]
+    #[allow(dead_code, reason = "the first method uses it")]
+    pub(super) fn normal(&mut self) -> f64 {
+        let length = (-2.0 * math::ln(1.0 - self.even())).sqrt();
+        length * math::cos(std::f64::consts::TAU * self.even())
     }
 
     /// An even index below `n` (n < 2^32).
