@@ -28,6 +28,7 @@ export function build() {
   wasm('kerfway', ['planner']);
   wasm('kerfway_png', ['png']);
   wasm('kerfway_lab', ['lab']);
+  wasm('kerfway_papers', ['papers']);
   sdk();
   console.log('build: the page');
   run('tsc', ['-p', join(ROOT, 'www', 'app')]);
@@ -65,6 +66,7 @@ function weigh() {
     ['planner wasm', [join(WASM, 'kerfway_bg.wasm')], BUDGETS.wasm],
     ['PNG wasm, on demand', [join(WASM, 'kerfway_png_bg.wasm')], null],
     ['bounds and instances wasm', [join(WASM, 'kerfway_lab_bg.wasm')], null],
+    ['methods of papers wasm', [join(WASM, 'kerfway_papers_bg.wasm')], null],
     ['page, all of a first visit', filesIn(APP).filter(firstVisit), BUDGETS.page],
   ];
   let over = false;
@@ -81,7 +83,7 @@ function weigh() {
 
 /** Not loaded before somebody asks for it: the PNG renderer, source maps, samples past the first. */
 function firstVisit(file) {
-  return !/kerfway_png|kerfway_lab|\.map$|samples[\\/]/.test(file);
+  return !/kerfway_png|kerfway_lab|kerfway_papers|\.map$|samples[\\/]/.test(file);
 }
 
 const kB = (n) => n.toFixed(1).padStart(9);

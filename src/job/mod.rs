@@ -5,15 +5,21 @@
 //! the caller, who has a clock and a person to listen to, says how many each time. Slices of any size give the same
 //! bytes.
 
+#[cfg(feature = "papers")]
+mod guest;
+mod hosted;
 mod options;
 mod path;
 mod report;
 mod run;
+mod running;
 #[cfg(feature = "lab")]
 mod solving;
 mod warm;
 mod written;
 
+#[cfg(feature = "papers")]
+pub use guest::Guest;
 pub use options::{Budget, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
 pub use path::BestPath;
 pub use report::{Baselines, ContourInfo, Geometry, Loaded};

@@ -184,6 +184,9 @@ pub struct PlanOptions {
     pub machine: MachineChoice,
     /// A method's name; the first of [`crate::solve::methods`] when left out.
     pub method: Option<String>,
+    /// Parameters of a method from a paper: a JSON object with those that differ from the defaults. In a build without
+    /// these methods they say that its code is elsewhere: what it finds is handed over by [`super::Run::offer`].
+    pub parameters: Option<String>,
     /// Decides every random choice.
     pub seed: u64,
     /// A path to start from.

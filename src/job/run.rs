@@ -1,6 +1,8 @@
 //! A plan under way: the problem, the search that works on it, its budget and what it has found.
 
+use super::hosted::Hosted;
 use super::options::{Budget, PlanOptions};
+use super::running::Running;
 use super::{Baselines, JobError, Warm, warm};
 use crate::machine::Profile;
 #[cfg(feature = "lab")]
@@ -8,18 +10,7 @@ use crate::plan::LowerBound;
 use crate::plan::{self, Plan};
 use crate::problem::{self, Problem};
 use crate::sheet::Sheet;
-use crate::solve::{self, Search, Solution, SolverInfo, Status, Telemetry};
-
-type Searching<'p> = Box<dyn Search + 'p>;
-
-// The search borrows its problem; both live as long as the run.
-self_cell::self_cell!(
-    struct Running {
-        owner: Problem,
-        #[covariant]
-        dependent: Searching,
-    }
-);
+use crate::solve::{self, Search, Solution, Solver, Status, Telemetry};
 
 /// Moves before the lower bound is begun: the first paths come first. A second of search on large sheets; on small ones
 /// the best path is found by then and only the proof is left.
@@ -59,8 +50,10 @@ pub struct Slice {
 pub struct Run {
     /// The machine it is for.
     pub machine: Profile,
-    /// The method at work.
-    pub method: SolverInfo,
+    /// Name of the method at work.
+    pub method: String,
+    /// Its parameters, as they were given.
+    pub parameters: Option<String>,
     /// What decides its random choices.
     pub seed: u64,
     /// When it stops.
@@ -88,11 +81,8 @@ pub struct Run {
 impl Run {
     pub(super) fn start(sheet: &Sheet, options: &PlanOptions) -> Result<Self, JobError> {
         let machine = options.machine.profile()?;
-        let method = match &options.method {
-            None => solve::methods().first().copied(),
-            Some(name) => solve::method(name),
-        };
-        let method = method.ok_or_else(|| unknown_method(options.method.as_deref().unwrap_or_default()))?;
+        let name = options.method.as_deref().unwrap_or(solve::methods()[0].info().name);
+        let method = Method::named(name, options)?;
         let problem = problem::from_sheet(sheet, &machine);
         let summary = |s: &Solution| plan::from_solution(sheet, &problem, s).summary;
         let greedy = solve::greedy(&problem);
@@ -102,11 +92,11 @@ impl Run {
         let warm = options.warm.as_ref().map(|w| warm::solution(w, &problem)).transpose()?;
         #[cfg(feature = "lab")]
         let prover = (options.member == 0).then(|| LowerBound::new(&problem));
-        let running =
-            Running::new(problem, |p| method.start(p, stream, Some(warm.as_ref().unwrap_or(&greedy))));
+        let running = Running::try_new(problem, |p| method.start(p, stream, warm, greedy))?;
         Ok(Self {
             machine,
-            method: method.info(),
+            method: name.to_owned(),
+            parameters: options.parameters.clone(),
             seed: options.seed,
             budget: options.budget(),
             workers,
@@ -127,7 +117,7 @@ impl Run {
         if left == 0 {
             return Slice { done: 0, improved: false, end: SliceEnd::Budget, prove: 0 };
         }
-        let work = work.min(left).min(self.bound_at.saturating_sub(self.moves).max(1));
+        let work = self.grant(work);
         let mut prove = 0;
         let step = self.running.with_dependent_mut(|_, search| search.step(work));
         self.moves = self.moves.saturating_add(step.done);
@@ -141,6 +131,12 @@ impl Run {
             Status::Running => SliceEnd::Running,
         };
         Slice { done: step.done, improved: step.improved, end, prove }
+    }
+
+    /// As much of `work` as one step may do: within the budget, and up to where the bound is due.
+    pub fn grant(&self, work: u64) -> u64 {
+        let left = self.budget.moves.map_or(u64::MAX, |all| all.saturating_sub(self.moves));
+        work.min(left).min(self.bound_at.saturating_sub(self.moves).max(1))
     }
 
     /// Works on the bound; gives the work that is left to others.
@@ -172,12 +168,11 @@ impl Run {
         }
     }
 
-    /// Takes over a path found by another search, if it is better: true when it was.
+    /// Takes over a path found by another search, if it is better (from a hosted method, always): true when it did.
     pub fn offer(&mut self, path: &Warm) -> Result<bool, JobError> {
         let found = warm::solution(path, self.problem())?;
-        let better = found.cost < self.best().cost;
         self.running.with_dependent_mut(|_, search| search.offer(&found));
-        Ok(better)
+        Ok(self.best().cost.total_cmp(&found.cost).is_eq())
     }
 
     /// Grants another budget on top of what is done.
@@ -215,7 +210,46 @@ impl Run {
     }
 }
 
-fn unknown_method(name: &str) -> JobError {
-    let names: Vec<_> = solve::methods().iter().map(|m| m.info().name).collect();
-    JobError::Options(format!("There is no method named {name}. Choose one of: {}.", names.join(", ")))
+/// How a run searches.
+enum Method {
+    Own(&'static dyn Solver),
+    #[cfg(feature = "papers")]
+    Paper(Box<dyn Solver>),
+    #[cfg(not(feature = "papers"))]
+    Hosted,
+}
+
+impl Method {
+    fn named(name: &str, options: &PlanOptions) -> Result<Self, JobError> {
+        if let Some(own) = solve::method(name) {
+            return Ok(Self::Own(own));
+        }
+        #[cfg(feature = "papers")]
+        {
+            let method = solve::papers::method(name, options.parameters.as_deref().unwrap_or_default());
+            method.map(Self::Paper).map_err(JobError::Options)
+        }
+        #[cfg(not(feature = "papers"))]
+        if options.parameters.is_some() {
+            Ok(Self::Hosted)
+        } else {
+            Err(JobError::Options(format!("There is no method named {name}.")))
+        }
+    }
+
+    fn start<'p>(
+        &self,
+        p: &'p Problem,
+        seed: u64,
+        warm: Option<Solution>,
+        greedy: Solution,
+    ) -> Result<Box<dyn Search + 'p>, JobError> {
+        match self {
+            Self::Own(own) => Ok(own.start(p, seed, Some(&warm.unwrap_or(greedy)))),
+            #[cfg(feature = "papers")]
+            Self::Paper(paper) => Ok(Box::new(Hosted::new(p, paper.start(p, seed, None), warm)?)),
+            #[cfg(not(feature = "papers"))]
+            Self::Hosted => Ok(Box::new(Hosted::new(p, warm.unwrap_or(greedy)))),
+        }
+    }
 }

@@ -23,6 +23,22 @@ pub struct Warm {
 /// were written down with six digits, and is far below the distance of two entries.
 const SAME_PLACE: f64 = 1e-6;
 
+#[cfg(feature = "papers")]
+impl Warm {
+    /// Of a solution.
+    pub(super) fn of(problem: &Problem, solution: &Solution) -> Self {
+        let mut warm = Self::default();
+        for stop in &solution.stops {
+            let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
+            warm.contours.push(node.item);
+            warm.along.push(stop.along);
+            warm.until.push(stop.until);
+            warm.reversed.push(node.reversed.into());
+        }
+        warm
+    }
+}
+
 /// The stops a path names, when it visits every contour of the problem once, in an allowed order.
 pub(super) fn solution(warm: &Warm, problem: &Problem) -> Result<Solution, JobError> {
     let places =

@@ -63,7 +63,8 @@ impl Job {
                 read: &self.read_options,
                 arrange: &self.sheet_options,
                 machine: &run.machine,
-                method: run.method.name,
+                method: &run.method,
+                parameters: run.parameters.as_deref().filter(|p| *p != "{}"),
                 seed: run.seed,
                 budget: Budget {
                     moves: run.budget.moves,

@@ -70,6 +70,8 @@ pub struct Document<'a> {
     pub machine: &'a Profile,
     /// Name of the method.
     pub method: &'a str,
+    /// Its parameters, where some differ from the defaults: a JSON object.
+    pub parameters: Option<&'a str>,
     /// Decided every random choice.
     pub seed: u64,
     /// What the search was given.
@@ -107,6 +109,8 @@ struct View<'a> {
     schema: &'static str,
     units: Unit,
     method: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    parameters: Option<&'a str>,
     seed: u64,
     budget: Budget,
     input: InputView<'a>,
@@ -224,12 +228,24 @@ fn largest_sweep(arc: &Arc) -> f64 {
 
 impl<'a> View<'a> {
     fn of(document: &Document<'a>) -> Self {
-        let &Document { input, drawing, sheet, read, arrange, machine, method, seed, budget, plan } =
-            document;
+        let &Document {
+            input,
+            drawing,
+            sheet,
+            read,
+            arrange,
+            machine,
+            method,
+            parameters,
+            seed,
+            budget,
+            plan,
+        } = document;
         Self {
             schema: SCHEMA,
             units: Unit::Mm,
             method,
+            parameters,
             seed,
             budget,
             input: InputView {

@@ -9,11 +9,11 @@
 use super::model::ItemId;
 
 /// Which item belongs to which group; empty when nothing has to stay together.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Groups {
-    of: Vec<Option<u32>>,
+    pub(super) of: Vec<Option<u32>>,
     /// The group around each, and how many there are around it.
-    around: Vec<Option<u32>>,
+    pub(super) around: Vec<Option<u32>>,
     depth: Vec<u32>,
 }
 

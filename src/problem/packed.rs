@@ -1,6 +1,7 @@
-//! A problem of a machine as numbers in a row: how it crosses from the planner to the wasm file that proves bounds.
+//! A problem of a machine as numbers in a row: how it crosses from the planner to the wasm files that prove bounds and
+//! hold the methods of papers.
 //!
-//! Only what a bound looks at: runs along contours and groups stay behind, as both only add to what a plan takes.
+//! Only what they look at: runs along contours stay behind. They only add to what a plan takes, and the papers know none.
 
 use super::groups::Groups;
 use super::model::{Item, Node, NodeId, Problem};
@@ -20,7 +21,7 @@ impl Problem {
         out.push(self.items.len() as f64);
         for item in &self.items {
             let nodes = &self.nodes[item.nodes.start as usize..item.nodes.end as usize];
-            let before = item.before.map_or(f64::NAN, f64::from);
+            let before = number(&item.before);
             out.extend([nodes.len() as f64, before, item.rank.into(), item.fixed]);
             out.push(item.leave.unwrap_or(f64::NAN));
             for n in nodes {
@@ -37,6 +38,10 @@ impl Problem {
                 let (a, b) = (s.start(), s.end());
                 out.extend([a.x, a.y, b.x, b.y, center.x, center.y, sweep]);
             }
+        }
+        for list in [&self.groups.of, &self.groups.around] {
+            out.push(list.len() as f64);
+            out.extend(list.iter().map(number));
         }
         out
     }
@@ -75,7 +80,7 @@ impl Problem {
             }
             items.push(Item {
                 nodes: first..NodeId::try_from(nodes.len()).ok()?,
-                before: if before.is_nan() { None } else { Some(whole(before)?) },
+                before: absent(before)?,
                 rank: whole(rank)?,
                 fixed,
                 run: None,
@@ -84,7 +89,7 @@ impl Problem {
             });
         }
         let (home, closed) = (DVec2::new(home_x, home_y), closed > 0.0);
-        let groups = Groups::default();
+        let groups = Groups::new(from.numbers()?, from.numbers()?);
         Some(Self { items, nodes, home, closed, machine, pairs: Vec::new(), groups, table: None })
     }
 }
@@ -101,6 +106,20 @@ impl Numbers<'_> {
     fn count(&mut self) -> Option<u32> {
         whole(self.take::<1>()?[0])
     }
+
+    fn numbers(&mut self) -> Option<Vec<Option<u32>>> {
+        (0..self.count()?).map(|_| absent(self.take::<1>()?[0])).collect()
+    }
+}
+
+/// Not a number where there is none.
+fn number(n: &Option<u32>) -> f64 {
+    n.map_or(f64::NAN, f64::from)
+}
+
+/// The same, read.
+fn absent(x: f64) -> Option<Option<u32>> {
+    if x.is_nan() { Some(None) } else { whole(x).map(Some) }
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cast from float saturates")]
@@ -133,11 +152,12 @@ mod tests {
         for machine in machine::presets() {
             let (home, closed) = (DVec2::new(-1.0, 0.3), machine.return_home);
             let (items, nodes) = (items.clone(), nodes.clone());
-            let groups = Groups::default();
+            let groups = Groups::new(vec![Some(1), None, Some(0)], vec![None, Some(0)]);
             let problem = Problem { items, nodes, home, closed, machine, pairs: vec![], groups, table: None };
             let numbers = problem.packed();
             let back = Problem::unpacked(&numbers).unwrap();
             assert_eq!((&back.items, &back.nodes), (&problem.items, &problem.nodes));
+            assert_eq!(back.groups, problem.groups);
             assert_eq!((back.home, back.closed), (problem.home, problem.closed));
             assert_eq!(back.machine.travel, problem.machine.travel);
             assert_eq!(back.machine.rapid, problem.machine.rapid);

@@ -15,7 +15,7 @@ pub use exact::{TooLarge, exact};
 pub use greedy::greedy;
 pub use traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
 
-/// Every method, the default first.
+/// Every method of ours, the default first.
 pub fn methods() -> &'static [&'static dyn Solver] {
     &[&tour_tree::TourTree, &greedy::Greedy]
 }

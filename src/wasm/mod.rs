@@ -5,6 +5,10 @@
 
 #[cfg(feature = "lab")]
 mod lab;
+#[cfg(feature = "papers")]
+mod papers;
+#[cfg(any(feature = "papers", feature = "planner"))]
+mod plain;
 #[cfg(feature = "planner")]
 mod planner;
 #[cfg(feature = "png")]
@@ -15,6 +19,8 @@ mod values;
 
 #[cfg(feature = "lab")]
 pub use lab::*;
+#[cfg(feature = "papers")]
+pub use papers::*;
 #[cfg(feature = "planner")]
 pub use planner::*;
 #[cfg(feature = "png")]

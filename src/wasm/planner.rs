@@ -1,6 +1,7 @@
 //! The planner for JavaScript: one drawing through the whole flow. See [`crate::job`].
 
-use super::values::{geometry, object, options, path, plain};
+use super::plain::plain;
+use super::values::{geometry, object, options, path};
 use crate::job::{self, BestPath, Budget};
 use crate::{machine, solve};
 use js_sys::Uint32Array;
@@ -8,7 +9,8 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = "import type {
-  Baselines, BestPath, Budget, Geometry, Loaded, LoadOptions, MachineProfile, MethodInfo, PlanOptions, Slice, Summary, WarmPath,
+  Baselines, BestPath, Budget, Geometry, Loaded, LoadOptions, MachineProfile, MethodInfo, Slice, StartOptions, Summary,
+  WarmPath,
 } from '../protocol.js';";
 
 #[wasm_bindgen]
@@ -85,12 +87,12 @@ impl Job {
     #[wasm_bindgen(unchecked_return_type = "{ seed: number; method: string; baselines: Baselines }")]
     pub fn start(
         &mut self,
-        #[wasm_bindgen(unchecked_param_type = "PlanOptions")] plan_options: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
     ) -> Result<JsValue, JsError> {
         let run = self.0.start(&options(plan_options)?)?;
         object(&[
             ("seed", plain(&run.seed)?),
-            ("method", run.method.name.into()),
+            ("method", run.method.as_str().into()),
             ("baselines", plain(&run.baselines)?),
         ])
     }
@@ -99,6 +101,11 @@ impl Job {
     #[wasm_bindgen(unchecked_return_type = "Slice")]
     pub fn step(&mut self, work: u32) -> Result<JsValue, JsError> {
         plain(&self.0.run_mut()?.step(work.into()))
+    }
+
+    /// As much of `work` as one step may do.
+    pub fn grant(&self, work: u32) -> Result<u32, JsError> {
+        Ok(u32::try_from(self.0.run()?.grant(work.into())).unwrap_or(work))
     }
 
     /// Grants another budget on top of what is done.

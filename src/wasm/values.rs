@@ -2,9 +2,7 @@
 //! receiver may transfer.
 
 use crate::job::{BestPath, Geometry};
-use crate::output::json_text;
-use js_sys::{Float64Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
-use serde::Serialize;
+use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::de::DeserializeOwned;
 use wasm_bindgen::prelude::*;
 
@@ -13,12 +11,6 @@ pub(super) fn options<T: DeserializeOwned>(value: JsValue) -> Result<T, JsError>
     let value = if value.is_undefined() || value.is_null() { Object::new().into() } else { value };
     serde_wasm_bindgen::from_value(value)
         .map_err(|e| JsError::new(&format!("The options are not usable: {e}.")))
-}
-
-/// A plain object. By way of JSON text: the writer of plans is there anyway, and a second one, which sets fields one by
-/// one, is slower and larger.
-pub(super) fn plain(value: &impl Serialize) -> Result<JsValue, JsError> {
-    JSON::parse(&json_text(value)).map_err(|_| JsError::new("The report could not be passed on."))
 }
 
 /// An object with these fields.

@@ -179,6 +179,7 @@ pub(crate) fn document(sheet: &Sheet, plan: &Plan) -> String {
         arrange: &SheetOptions::default(),
         machine: &machine(),
         method: "greedy",
+        parameters: None,
         seed: 1,
         budget: Budget { moves: Some(1000), seconds: None, done: 1000, workers: None },
         plan,

@@ -12,6 +12,11 @@ const host: Host = {
     lab.initSync({ module: await readFile(new URL('./pkg/kerfway_lab_bg.wasm', import.meta.url)) });
     return lab;
   },
+  papers: async () => {
+    const papers = await import('./pkg/kerfway_papers.js');
+    papers.initSync({ module: await readFile(new URL('./pkg/kerfway_papers_bg.wasm', import.meta.url)) });
+    return papers;
+  },
   png: async () => {
     const renderer = await import('./pkg/kerfway_png.js');
     renderer.initSync({ module: await readFile(new URL('./pkg/kerfway_png_bg.wasm', import.meta.url)) });

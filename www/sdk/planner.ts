@@ -15,6 +15,7 @@ import type {
   MachineProfile,
   MethodInfo,
   OutputKind,
+  PaperMethod,
   PlanOptions,
   Progress,
   ToWorker,
@@ -40,13 +41,14 @@ export interface Parts {
 interface Answers {
   load: Extract<FromWorker, { type: 'loaded' }>;
   output: Extract<FromWorker, { type: 'output' }>;
+  papers: Extract<FromWorker, { type: 'papers' }>;
   restore: Extract<FromWorker, { type: 'done' }>;
 }
 
 const CLOSED = 'The planner was closed.';
 
 /** The messages that answer a request for good. */
-const FINAL = new Set(['loaded', 'output', 'done', 'failed']);
+const FINAL = new Set(['loaded', 'output', 'papers', 'done', 'failed']);
 
 interface Request {
   resolve: (answer: never) => void;
@@ -112,6 +114,12 @@ export class Planner {
     if (this.drawing !== null) this.drawing = { ...this.drawing, options };
     this.current = null;
     return loaded;
+  }
+
+  /** The methods of published papers, with their parameters: loaded when first asked for. */
+  async paperMethods(): Promise<PaperMethod[]> {
+    await this.ready;
+    return (await this.ask<'papers'>((id) => ({ type: 'papers', id }))).methods;
   }
 
   /** Plans the loaded drawing. One plan runs at a time; one under way ends. */

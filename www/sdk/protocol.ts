@@ -141,6 +141,8 @@ export interface PlanOptions extends Budget {
   machine?: string | MachineProfile;
   /** A method's name. Default: the first of `methods()`. */
   method?: string;
+  /** Parameters of a method from a paper, those that differ from its defaults: see `Planner.paperMethods`. */
+  parameters?: Record<string, unknown>;
   /** Decides every random choice. Default: invented, and told in the result. */
   seed?: number;
   /** A path to start from. */
@@ -158,6 +160,12 @@ export type WarmPath = Pick<BestPath, 'contours' | 'along' | 'reversed'> & Parti
 /** What a worker is told of its place among others: which of the random streams of the seed is its own. */
 export interface Membership {
   member?: number;
+}
+
+/** A plan as the core is told of it. */
+export interface StartOptions extends Omit<PlanOptions, 'parameters'>, Membership {
+  /** JSON text. It says that the method is a paper's, which works beside the planner. */
+  parameters?: string;
 }
 
 /** What a plan adds up to, mm and s; see `plan/model.rs`. */
@@ -206,6 +214,8 @@ export interface Progress {
   summary: Summary;
   /** Set when the best changed since the last message. */
   path: BestPath | null;
+  /** What makes a method from a paper special, as it stands now. */
+  insight?: Insight;
 }
 
 export interface MethodInfo {
@@ -213,6 +223,29 @@ export interface MethodInfo {
   title: string;
   about: string;
   source: string | null;
+}
+
+/** A method from a published paper. */
+export interface PaperMethod extends MethodInfo {
+  /** What may be set of it, with the defaults: the paper's values where it gives them. */
+  parameters: Record<string, unknown>;
+}
+
+/** Numbers of a method from a paper at one time; see `solve/papers/insight.rs`. */
+export interface Insight {
+  /** Iterations or generations done. */
+  round: number;
+  /** Values now, to be drawn against the round. */
+  curves: { name: string; value: number }[];
+  /** A table of numbers, such as a Q-table; `at`: the one last used. */
+  grid: { name: string; rows: string[]; columns: string[]; values: number[]; at: number | null } | null;
+}
+
+/** What came of a slice of work of a method from a paper. */
+export interface GuestStep {
+  done: number;
+  improved: boolean;
+  exhausted: boolean;
 }
 
 /** How the job would run without a search. */
@@ -253,6 +286,7 @@ export type ToWorker =
   | { type: 'pause' }
   | { type: 'resume' }
   | { type: 'stop' }
+  | { type: 'papers'; id: number }
   | { type: 'output'; id: number; kind: OutputKind; width?: number };
 
 export type FromWorker =
@@ -264,6 +298,7 @@ export type FromWorker =
   | { type: 'meeting'; id: number; progress: Progress }
   | { type: 'bound'; id: number; lowerBound: number }
   | { type: 'done'; id: number; reason: DoneReason; progress: Progress }
+  | { type: 'papers'; id: number; methods: PaperMethod[] }
   | { type: 'output'; id: number; kind: OutputKind; data: string | Uint8Array }
   /** One sentence for people. */
   | { type: 'failed'; id: number; message: string }

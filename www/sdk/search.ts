@@ -4,8 +4,10 @@
  */
 
 import { bounded } from './bound.js';
+import { stepHosted } from './guest.js';
 import type { Prover } from './pkg/kerfway_lab.js';
 import type { Job } from './pkg/kerfway.js';
+import type { Guest } from './pkg/kerfway_papers.js';
 import type { Budget, DoneReason, Progress, Slice, Summary, WarmPath } from './protocol.js';
 
 /** What a search tells. */
@@ -56,7 +58,9 @@ export class Search {
   private bound = 0;
   /** Works on the bound; `null`: it could not be loaded. */
   private prover: Prover | null | undefined;
-  /** It is being loaded; the search waits. */
+  /** The method, when it is a paper's. */
+  private guest: Guest | null = null;
+  /** One of them is being loaded; the search waits. */
   private loading = false;
   private tellAfter = 0;
   private pulseAt = 0;
@@ -65,6 +69,10 @@ export class Search {
     private readonly job: Job,
     private readonly listener: Listener,
     workers = 1,
+    /** The method of a paper for the job's problem. */
+    private readonly invite: (() => Promise<Guest>) | null = null,
+    /** It goes on from a path of its own. */
+    private readonly warm = false,
   ) {
     if (workers > 1) this.meetAt = MEETINGS.first;
   }
@@ -74,8 +82,29 @@ export class Search {
     this.id = id;
     this.until = this.worked + (budget.seconds ?? Infinity) * 1000;
     this.state = 'running';
+    if (this.invite !== null && this.guest === null) return this.host(this.invite);
     this.tell();
     this.schedule();
+  }
+
+  private host(invite: () => Promise<Guest>): void {
+    this.loading = true;
+    const begin = (guest: Guest) => {
+      this.loading = false;
+      this.guest = guest;
+      if (this.state === 'ended') return;
+      this.attempt(() => {
+        if (!this.warm) this.job.offer(guest.best());
+        this.tell();
+        this.schedule();
+      });
+    };
+    invite().then(begin, (error: unknown) => {
+      this.loading = false;
+      if (this.state === 'ended') return;
+      this.state = 'ended';
+      this.listener.failed(this.id, error);
+    });
   }
 
   /** Goes on after the end, for another budget. */
@@ -124,7 +153,9 @@ export class Search {
     this.attempt(() => {
       const start = performance.now();
       const toMeeting = this.meetAt - this.job.moves();
-      const { done, improved, end, prove } = this.job.step(Math.min(Math.round(this.work), toMeeting));
+      const work = Math.min(Math.round(this.work), toMeeting);
+      const slice = this.guest === null ? this.job.step(work) : stepHosted(this.job, this.guest, work);
+      const { done, improved, end, prove } = slice;
       this.account(done, improved, performance.now() - start);
       const next = () => this.proceed(end, done === toMeeting);
       if (prove === 0) next();
@@ -217,7 +248,9 @@ export class Search {
       this.summary = summary;
       this.untold = false;
     }
-    return { moves: this.job.moves(), seconds: this.worked / 1000, rate: this.rate, summary: bounded(summary, this.bound), path };
+    const insight = this.guest === null ? {} : { insight: this.guest.insight() };
+    const seconds = this.worked / 1000;
+    return { moves: this.job.moves(), seconds, rate: this.rate, summary: bounded(summary, this.bound), path, ...insight };
   }
 }
 

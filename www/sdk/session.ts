@@ -4,7 +4,7 @@
  */
 
 import { initSync, Job, machines, methods } from './pkg/kerfway.js';
-import type { FromWorker, LoadOptions, Membership, OutputKind, PlanOptions, ToWorker } from './protocol.js';
+import type { FromWorker, Membership, OutputKind, PlanOptions, ToWorker } from './protocol.js';
 import { Search } from './search.js';
 
 /** What a session needs of the place it runs in. */
@@ -12,6 +12,8 @@ export interface Host {
   post(message: FromWorker, transfer?: ArrayBuffer[]): void;
   /** The wasm file that proves bounds, loaded when first asked for. */
   lab(): Promise<typeof import('./pkg/kerfway_lab.js')>;
+  /** The methods of papers, loaded when first asked for. */
+  papers(): Promise<typeof import('./pkg/kerfway_papers.js')>;
   /** The PNG renderer, loaded when first asked for: plan JSON and width in pixels to a picture. */
   png(): Promise<(planJson: string, width: number) => Uint8Array>;
 }
@@ -76,6 +78,9 @@ export class Session {
       case 'stop':
         this.search?.stop();
         return;
+      case 'papers':
+        void this.papers(message.id);
+        return;
       case 'output':
         void this.output(message.id, message.kind, message.width);
         return;
@@ -98,7 +103,13 @@ export class Session {
     const job = this.loaded();
     const budget = options.moves === undefined && options.seconds === undefined ? { seconds: DEFAULT_SECONDS } : {};
     const seed = options.seed ?? inventSeed();
-    const started = job.start({ ...given(options), ...budget, seed });
+    const { method, parameters, ...others } = given(options);
+    const paper = method !== undefined && !methods().some((m) => m.name === method) ? method : null;
+    if (paper === null && parameters !== undefined) throw new Error('Only methods from papers have parameters.');
+    if (paper !== null && (options.workers ?? 1) > 1) throw new Error('Methods from papers work alone: leave out the number of workers.');
+    const text = JSON.stringify(parameters ?? {});
+    const started = job.start({ ...others, ...given({ method, parameters: paper === null ? undefined : text }), ...budget, seed });
+    const invite = paper === null ? null : async () => new (await this.host.papers()).Guest(job.packed(), paper, text, seed);
     this.host.post({ type: 'started', id, ...started });
     this.search = new Search(job, {
       progress: (progress) => this.host.post({ type: 'progress', ...progress }, pathBuffers(progress.progress)),
@@ -107,8 +118,16 @@ export class Session {
       bound: (bound) => this.host.post({ type: 'bound', ...bound }),
       prover: async (of) => new (await this.host.lab()).Prover(of.packed()),
       failed: (of, error) => this.fail(of, error),
-    }, options.workers);
+    }, options.workers, invite, options.warm !== undefined);
     this.search.run(id, { ...options, ...budget });
+  }
+
+  private async papers(id: number): Promise<void> {
+    try {
+      this.host.post({ type: 'papers', id, methods: (await this.host.papers()).paperMethods() });
+    } catch (error) {
+      this.fail(id, error);
+    }
   }
 
   private async output(id: number, kind: OutputKind, width = PNG_WIDTH): Promise<void> {
@@ -146,7 +165,7 @@ function inventSeed(): number {
 }
 
 /** Options without those that are `undefined`: to the core they are not given. */
-function given<T extends LoadOptions | PlanOptions>(options: T): T {
+function given<T extends object>(options: T): T {
   return Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined)) as T;
 }
 

@@ -18,6 +18,11 @@ const host: Host = {
     await lab.default();
     return lab;
   },
+  papers: async () => {
+    const papers = await import('./pkg/kerfway_papers.js');
+    await papers.default();
+    return papers;
+  },
   png: async () => {
     const renderer = await import('./pkg/kerfway_png.js');
     await renderer.default();

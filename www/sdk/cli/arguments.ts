@@ -74,6 +74,18 @@ function layerChoice(word: string): { name: string; operation: Operation } {
   return { name: word.slice(0, at), operation: oneOf('--layer', word.slice(at + 1), OPERATIONS) };
 }
 
+/** NAME=VALUE of every --set: numbers, true and false as such, anything else as text. */
+export function parameters(values: Values): Record<string, unknown> | undefined {
+  const given = (values['set'] as string[] | undefined) ?? [];
+  const pairs = given.map((word) => {
+    const at = word.indexOf('=');
+    if (at < 1) throw new WrongUse(`--set ${word}: write NAME=VALUE; kerfway methods tells the names.`);
+    const value = word.slice(at + 1);
+    return [word.slice(0, at), /^(true|false|-?\d+(\.\d+)?(e-?\d+)?)$/.test(value) ? (JSON.parse(value) as unknown) : value];
+  });
+  return pairs.length === 0 ? undefined : (Object.fromEntries(pairs) as Record<string, unknown>);
+}
+
 export function text(values: Values, name: string): string | undefined {
   return values[name] as string | undefined;
 }

@@ -19,6 +19,7 @@ Outputs of plan; - is standard output:
 How to plan:
   --machine NAME|FILE  a preset's name, or a machine profile as JSON
   --method NAME        see kerfway methods
+  --set NAME=VALUE     a parameter of a method from a paper; may be repeated
   --seconds S          how long to search (default 10)
   --moves N            how many moves to search: the same result everywhere
   --workers N          searches side by side that share the best path (default 1)

@@ -6,10 +6,17 @@ import { WrongUse } from './io.js';
 export async function methods(args: string[]): Promise<void> {
   if (args.length > 0) throw new WrongUse(`methods takes no more words, not ${args[0]}.`);
   const planner = await createPlanner();
+  const papers = await planner.paperMethods();
   planner.close();
-  const width = Math.max(...planner.methods.map((m) => m.name.length));
-  for (const { name, title, about, source } of planner.methods) {
+  const all = [...planner.methods, ...papers];
+  const width = Math.max(...all.map((m) => m.name.length));
+  for (const { name, title, about, source } of all) {
     const cited = source === null ? '' : ` ${source}`;
     process.stdout.write(`${name.padEnd(width)}  ${title}. ${about}${cited}\n`);
+  }
+  process.stdout.write('\nParameters of the methods from papers, for --set:\n');
+  for (const { name, parameters } of papers) {
+    const given = Object.entries(parameters).map(([key, value]) => `${key}=${String(value)}`);
+    process.stdout.write(`${name.padEnd(width)}  ${given.join(' ')}\n`);
   }
 }

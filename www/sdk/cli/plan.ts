@@ -3,7 +3,7 @@
 import { basename } from 'node:path';
 import { createPlanner, type Planner, type PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, OutputKind, PlanOptions, Progress } from '../protocol.js';
-import { loadOptions, oneOf, READING, seconds, text, whole, words, type Words } from './arguments.js';
+import { loadOptions, oneOf, parameters, READING, seconds, text, whole, words, type Words } from './arguments.js';
 import { bytesOf, put, Unusable, usable, WrongUse } from './io.js';
 import { duration, percent, meters, plural } from './words.js';
 
@@ -13,6 +13,7 @@ const DEFAULT_MACHINE = 'co2-100w';
 const OPTIONS = {
   ...READING,
   ...Object.fromEntries([...OUTPUTS, 'machine', 'method', 'seconds', 'moves', 'workers', 'seed'].map((o) => [o, { type: 'string' }])),
+  set: { type: 'string', multiple: true },
   'no-return': { type: 'boolean' },
 } as const;
 
@@ -58,7 +59,13 @@ function outputsOf({ values }: Words): Output[] {
 async function choices({ values }: Words, planner: Planner): Promise<PlanOptions> {
   const options: PlanOptions = {};
   const method = text(values, 'method');
-  if (method !== undefined) options.method = oneOf('--method', method, planner.methods.map((m) => m.name));
+  const own = planner.methods.map((m) => m.name);
+  const set = parameters(values);
+  if (set !== undefined) options.parameters = set;
+  if (method !== undefined) {
+    const papers = own.includes(method) ? [] : (await planner.paperMethods()).map((m) => m.name);
+    options.method = oneOf('--method', method, [...own, ...papers]);
+  }
   const machine = await machineOf(text(values, 'machine') ?? DEFAULT_MACHINE, planner);
   options.machine = values['no-return'] === true ? { ...machine, return_home: false } : machine;
   return options;
