@@ -64,7 +64,7 @@ export function head(state: State): string {
     case 'starting': return 'Starting the planner…';
     case 'reading': return `Reading ${state.name}…`;
     case 'question': return 'An answer is needed before planning.';
-    case 'ready': return 'Nothing to cut: set a layer to cut or mark.';
+    case 'ready': return state.error ?? 'Nothing to cut: set a layer to cut or mark.';
     case 'planning': return `Planning${best}`;
     case 'paused': return `Paused${best}`;
     case 'failed': return 'This file cannot be used.';

@@ -1,7 +1,9 @@
 /** How the path is searched: method, time, seed; and what every plan keeps to, in the words of laser software. */
 
 import { h, setText } from '../core/dom.js';
+import type { MethodInfo } from 'kerfway';
 import type { Session } from '../session/session.js';
+import { parameters } from './parameters.js';
 import { check, field, section, select } from './section.js';
 
 /** Budgets offered, s. */
@@ -11,11 +13,15 @@ const span = (s: number) => (s < 60 ? `${s} s` : `${s / 60} min`);
 
 export function planPanel(session: Session): HTMLElement {
   const { root, body, setGist } = section('Plan', false);
-  const method = select<string>((value) => session.setSearch({ method: value }));
+  const method = select<string>((value) => session.setSearch({ method: value, parameters: {} }));
   method.root.setAttribute('aria-label', 'Method');
   method.root.classList.add('wide');
   const budget = select<number>((value) => session.setSearch({ seconds: value }));
   const about = h('p', { class: 'soft' });
+  const source = h('p', { class: 'soft' });
+  const own = parameters(session);
+  // Their code comes when the choice is first looked at.
+  root.addEventListener('toggle', () => void session.askPapers());
   const seed = h('input', { type: 'number', min: 0, max: 4294967295, step: 1, inputmode: 'numeric', placeholder: 'another each time' });
   seed.addEventListener('input', () => {
     const value = seed.valueAsNumber;
@@ -26,13 +32,17 @@ export function planPanel(session: Session): HTMLElement {
   const byPart = check('Part by part', (on) => void session.reread({ ...session.state.load, partByPart: on }));
   const used = h('p', { class: 'soft' });
   body.append(h('div', { class: 'stack' },
-    method.root, about, field('Search for', budget.root), field('Seed', seed), used, byLayer.root, byPart.root,
+    method.root, about, source, own.root, field('Search for', budget.root), field('Seed', seed), used, byLayer.root, byPart.root,
     h('p', { class: 'soft' }, 'Always on: cut inner shapes first, reduce travel, choose best starting point, choose best direction, remove overlapping lines.')));
 
   session.on('change', ({ search, seed: taken, load, loaded }) => {
-    const { methods } = session;
-    const chosen = methods.find((m) => m.name === search.method);
-    method.fill(methods.map((m) => ({ value: m.name, label: m.title })), search.method);
+    const { methods, papers } = session;
+    const option = (m: MethodInfo) => ({ value: m.name, label: m.title });
+    const chosen = [...methods, ...papers].find((m) => m.name === search.method);
+    method.fill(methods.map(option), search.method, { 'From published papers': papers.map(option) });
+    own.show(papers.find((m) => m.name === search.method));
+    setText(source, chosen?.source ?? '');
+    source.hidden = !chosen?.source;
     budget.fill(BUDGETS.map((s) => ({ value: s, label: span(s) })), search.seconds);
     setText(about, chosen?.about ?? '');
     byLayer.root.hidden = (loaded?.layers.length ?? 0) < 2;

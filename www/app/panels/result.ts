@@ -7,6 +7,7 @@ import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import type { Theme } from '../core/theme.js';
 import { chart } from './chart.js';
+import { insightPanel } from './insight.js';
 import { section } from './section.js';
 
 const ROWS = [
@@ -31,7 +32,7 @@ export function resultPanel(session: Session, theme: Theme, download: (kind: Out
   const parts = h('dl', { class: 'parts' });
   const files = h('div', { class: 'downloads', role: 'group', 'aria-label': 'Download' },
     ...DOWNLOADS.map(({ kind, label }) => button(label, { class: 'small', title: `Download ${label}`, onclick: () => download(kind) })));
-  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), parts, files);
+  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insightPanel(session), parts, files);
   const empty = h('p', { class: 'soft' }, 'Numbers appear as soon as the first path stands.');
   body.append(empty, content);
 

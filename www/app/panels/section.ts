@@ -32,8 +32,13 @@ export function check(label: string, onChange: (on: boolean) => void): { root: H
   return { root: h('label', { class: 'check' }, input, h('span', {}, label)), input };
 }
 
-/** A choice from a list. */
-export function select<T extends string | number>(onChange: (value: T) => void): { root: HTMLSelectElement; fill(options: { value: T; label: string }[], chosen: T): void } {
+interface Option<T> {
+  value: T;
+  label: string;
+}
+
+/** A choice from a list, which may go on in groups with a heading each. */
+export function select<T extends string | number>(onChange: (value: T) => void): { root: HTMLSelectElement; fill(options: Option<T>[], chosen: T, groups?: Record<string, Option<T>[]>): void } {
   const root = h('select');
   let values: T[] = [];
   let shown = '';
@@ -43,10 +48,12 @@ export function select<T extends string | number>(onChange: (value: T) => void):
   });
   return {
     root,
-    fill(options, chosen) {
-      values = options.map((o) => o.value);
-      const now = JSON.stringify(options);
-      if (now !== shown) root.replaceChildren(...options.map((o) => h('option', { value: o.value }, o.label)));
+    fill(options, chosen, groups = {}) {
+      values = [...options, ...Object.values(groups).flat()].map((o) => o.value);
+      const now = JSON.stringify([options, groups]);
+      const item = (o: Option<T>) => h('option', { value: o.value }, o.label);
+      const headed = Object.entries(groups).filter(([, list]) => list.length > 0);
+      if (now !== shown) root.replaceChildren(...options.map(item), ...headed.map(([label, list]) => h('optgroup', { label }, ...list.map(item))));
       shown = now;
       root.selectedIndex = values.indexOf(chosen);
     },

@@ -3,10 +3,11 @@
  * drawing, machine or options starts it anew. The newest wish wins: answers to older ones are dropped.
  */
 
-import { createPlanner, type LoadOptions, type Loaded, type MachineProfile, type MethodInfo, type Operation, type OutputKind, type PlanHandle, type Planner, type Progress, type Unit } from 'kerfway';
+import { createPlanner, type LoadOptions, type Loaded, type MachineProfile, type MethodInfo, type Operation, type OutputKind, type PaperMethod, type PlanHandle, type Planner, type Progress, type Unit } from 'kerfway';
 import { Emitter } from '../core/emitter.js';
 import { messageOf } from '../core/strings.js';
 import { extentOf } from './extent.js';
+import { learn, noInsights } from './insights.js';
 import { initialState, type Question, type Search, type State } from './state.js';
 
 /** Milliseconds typed numbers rest before the plan starts anew, so that it does not at each digit. */
@@ -54,6 +55,20 @@ export class Session extends Emitter<Events> {
 
   get methods(): readonly MethodInfo[] {
     return this.planner?.methods ?? [];
+  }
+
+  /** The methods of papers, once somebody has asked for them. */
+  papers: readonly PaperMethod[] = [];
+
+  /** Loads them. */
+  async askPapers(): Promise<void> {
+    if (this.papers.length > 0) return;
+    try {
+      this.papers = await (await this.ready).paperMethods();
+      this.emit('change', this.state);
+    } catch (error) {
+      this.emit('notice', `The methods of papers could not be loaded. ${messageOf(error)}`);
+    }
   }
 
   private greet(planner: Planner): Planner {
@@ -193,7 +208,7 @@ export class Session extends Emitter<Events> {
   }
 
   private forget(): void {
-    Object.assign(this.state, { baselines: null, progress: null, path: null, reason: null, seed: null, history: { at: [], total: [] } });
+    Object.assign(this.state, { baselines: null, progress: null, path: null, reason: null, seed: null, history: { at: [], total: [] }, insights: noInsights() });
   }
 
   private take(loaded: Loaded, fresh: boolean): void {
@@ -238,16 +253,17 @@ export class Session extends Emitter<Events> {
       this.emit('change', state);
       return;
     }
-    const { method, seed, seconds } = state.search;
+    const { method, parameters, seed, seconds } = state.search;
+    // They work alone.
+    const paper = this.papers.some((m) => m.name === method);
     state.budget = seconds;
-    const options = { machine: state.machine, method, seconds, workers: WORKERS, ...(seed === null ? {} : { seed }) };
+    const options = { machine: state.machine, method, seconds, ...(paper ? { parameters } : { workers: WORKERS }), ...(seed === null ? {} : { seed }) };
     this.follow(planner.plan(options, (p) => this.hear(p, wish)), wish);
   }
 
   private follow(run: PlanHandle, wish: number): void {
     this.run = run;
-    this.state.phase = 'planning';
-    this.state.reason = null;
+    Object.assign(this.state, { phase: 'planning', reason: null, error: null });
     this.emit('change', this.state);
     run.started.then(({ seed, baselines }) => {
       if (wish !== this.wish) return;
@@ -265,9 +281,17 @@ export class Session extends Emitter<Events> {
         this.emit('change', this.state);
       },
       (error: unknown) => {
-        if (wish === this.wish) this.fail(error);
+        if (wish === this.wish) this.halt(error);
       },
     );
+  }
+
+  /** There is no plan with these options; the drawing stays. */
+  private halt(error: unknown): void {
+    this.run = null;
+    Object.assign(this.state, { phase: 'ready', error: messageOf(error) });
+    this.forget();
+    this.emit('change', this.state);
   }
 
   private hear(progress: Progress, wish: number): void {
@@ -276,6 +300,7 @@ export class Session extends Emitter<Events> {
     const { history: { at, total } } = state;
     state.progress = progress;
     if (progress.path) state.path = progress.path;
+    if (progress.insight) learn(state.insights, progress.insight);
     const best = progress.summary.total_time;
     // While nothing changes, the last point of the chart moves along instead of a new one being set.
     if (at.length > 1 && total.at(-1) === best && total.at(-2) === best) at[at.length - 1] = progress.seconds;

@@ -1,6 +1,7 @@
 /** What the page knows about the job in hand; the session changes it, the panels show it. */
 
 import type { Box } from './extent.js';
+import { type Insights, noInsights } from './insights.js';
 import type { Baselines, BestPath, DoneReason, LoadOptions, Loaded, MachineProfile, Progress } from 'kerfway';
 
 /**
@@ -15,6 +16,8 @@ export type Question = 'units' | 'damaged';
 /** The options of a search that a person sets. */
 export interface Search {
   method: string;
+  /** Of a method from a paper: those that differ from its defaults. */
+  parameters: Record<string, unknown>;
   /** Null: another at each start, told with the result. */
   seed: number | null;
   /** Budget, s. */
@@ -41,17 +44,19 @@ export interface State {
   path: BestPath | null;
   /** Seconds of search and seconds of the job, for the chart. */
   history: { at: number[]; total: number[] };
+  /** What a method from a paper has told of itself. */
+  insights: Insights;
   /** The budget of the search in hand, s; grows with "keep improving". */
   budget: number;
   reason: DoneReason | null;
-  /** One sentence: why the file cannot be used. */
+  /** One sentence: why the file cannot be used, or not be planned. */
   error: string | null;
 }
 
 export function initialState(): State {
   return {
     phase: 'starting', name: '', sample: true, load: {}, loaded: null, extent: [0, 0, 1, 1], question: null, machine: null,
-    search: { method: '', seed: null, seconds: 10 }, seed: null, baselines: null, progress: null, path: null,
-    history: { at: [], total: [] }, budget: 10, reason: null, error: null,
+    search: { method: '', parameters: {}, seed: null, seconds: 10 }, seed: null, baselines: null, progress: null, path: null,
+    history: { at: [], total: [] }, insights: noInsights(), budget: 10, reason: null, error: null,
   };
 }

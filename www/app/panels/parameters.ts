@@ -1,0 +1,51 @@
+/** The parameters of a method from a paper, behind a disclosure: the paper's values, to be changed by those who know it. */
+
+import { button, h } from '../core/dom.js';
+import type { PaperMethod } from 'kerfway';
+import type { Session } from '../session/session.js';
+import { check, field } from './section.js';
+
+/** What a parameter of some type is set with. */
+interface Control {
+  root: HTMLElement;
+  show(value: unknown): void;
+}
+
+export function parameters(session: Session): { root: HTMLElement; show(method: PaperMethod | undefined): void } {
+  const controls = h('div', { class: 'stack' });
+  const root = h('details', { class: 'more', hidden: true }, h('summary', {}, 'Parameters'), controls);
+  let shown: PaperMethod | undefined;
+  let all: [string, Control][] = [];
+  const set = (name: string, value: unknown) => session.setSearch({ parameters: { ...session.state.search.parameters, [name]: value } }, true);
+  const show = (method: PaperMethod | undefined) => {
+    root.hidden = method === undefined;
+    if (method === undefined) return;
+    if (shown?.name !== method.name) {
+      shown = method;
+      all = Object.entries(method.parameters).map(([name, value]) => [name, control(name, value, (to) => set(name, to))]);
+      const back = button("Back to the paper's values", { class: 'small', onclick: () => session.setSearch({ parameters: {} }) });
+      controls.replaceChildren(...all.map(([, c]) => c.root), back);
+    }
+    const now = { ...method.parameters, ...session.state.search.parameters };
+    for (const [name, c] of all) c.show(now[name]);
+  };
+  return { root, show };
+}
+
+function control(name: string, initial: unknown, set: (value: unknown) => void): Control {
+  const label = name.replaceAll('_', ' ').replace(/^./, (c) => c.toUpperCase());
+  if (typeof initial === 'boolean') {
+    const { root, input } = check(label, set);
+    return { root, show: (value) => (input.checked = value === true) };
+  }
+  const numeric = typeof initial === 'number';
+  const input = h('input', numeric ? { type: 'number', step: 'any', inputmode: 'decimal' } : { type: 'text' });
+  input.addEventListener('input', () => {
+    const value = numeric ? input.valueAsNumber : input.value.trim();
+    if (value !== '' && !Number.isNaN(value)) set(value);
+  });
+  const show = (value: unknown) => {
+    if (document.activeElement !== input) input.value = String(value);
+  };
+  return { root: field(label, input), show };
+}
