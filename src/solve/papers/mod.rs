@@ -10,12 +10,14 @@
 //! They live in a wasm file of their own, loaded when one is chosen. There they see a problem as
 //! [`Problem::packed`](crate::problem::Problem::packed) hands it over.
 
+mod hull;
 mod insight;
+mod lead;
 mod legs;
-#[allow(dead_code, reason = "the first method uses it")]
 mod pace;
 mod repair;
 
+pub use hull::{Rlsga, Sga};
 pub use insight::{Curve, Grid, Insight};
 pub use legs::{Legs, Measure};
 pub use repair::Repair;
@@ -35,9 +37,10 @@ pub struct Card {
 }
 
 type Make = fn(&str) -> Result<Box<dyn Solver>, String>;
+type Entry = (fn() -> Card, Make);
 
 /// Every method: its default form and how it is made from parameters.
-const METHODS: &[(fn() -> Card, Make)] = &[];
+const METHODS: &[Entry] = &[entry::<Rlsga>(), entry::<Sga>()];
 
 /// Every method with the defaults of its parameters.
 pub fn cards() -> Vec<Card> {
@@ -57,8 +60,7 @@ pub fn method(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
 }
 
 /// An entry of the list for a method whose parameters are its fields.
-#[expect(dead_code, reason = "the first method uses it")]
-const fn entry<M: Solver + Default + Serialize + DeserializeOwned + 'static>() -> (fn() -> Card, Make) {
+const fn entry<M: Solver + Default + Serialize + DeserializeOwned + 'static>() -> Entry {
     (card::<M>, make::<M>)
 }
 

@@ -1,0 +1,226 @@
+//! The population as an agent that learns which crossover to choose (sections 4.2, 4.4 and 4.5).
+//!
+//! Its state is the diversity coefficient, eqs (5) and (6), in three ranges. Fitness stands in (6) as mean squared over a
+//! difference, so its value hangs on the unit of length: in metres a population is diverse that is not in millimetres.
+//! Here fitness is first divided by its mean; `scaled_fitness: false` takes it as it is, 1/mm.
+//!
+//! The reward is (7) to (10). In (9) the mean is compared with the *best* of the generation before, in the sentence above it
+//! with its mean: the sentence is followed. The update is (11), with the action chosen next. The table starts at zero; of
+//! equal values one is taken at random.
+
+use crate::geometry::math;
+use crate::order::{real, sort_by};
+use crate::solve::dice::Dice;
+
+/// Lengths that differ by less than this part are one fitness: sums of the same gaps in another order do.
+const SAME: f64 = 1e-9;
+
+/// What a population is like.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub(super) struct Sums {
+    pub(super) best: f64,
+    pub(super) mean: f64,
+    /// Sum over chromosomes of D - 1, D the number of those with its fitness.
+    pub(super) doubles: f64,
+    pub(super) count: f64,
+}
+
+impl Sums {
+    /// Of chromosomes with these fitnesses.
+    pub(super) fn new(mut fitness: Vec<f64>) -> Self {
+        sort_by(&mut fitness, |&f| [real(f), 0, 0]);
+        let count = fitness.len() as f64;
+        let alike = fitness.chunk_by(|a, b| b - a <= SAME * b).map(|c| (c.len() * (c.len() - 1)) as f64);
+        let doubles = alike.sum();
+        let mean = fitness.iter().sum::<f64>() / count;
+        Self { best: fitness.last().copied().unwrap_or(0.0), mean, doubles, count }
+    }
+
+    /// The diversity coefficient, eqs (5) and (6), in [0, 1], `done` generations of all of them, as a part, done.
+    pub(super) fn diversity(&self, done: f64, scaled: bool) -> f64 {
+        let (best, mean) = if scaled { (self.best / self.mean, 1.0) } else { (self.best, self.mean) };
+        if self.doubles == 0.0 {
+            return 1.0 - 0.5 * done;
+        }
+        // All one: p is minus infinity.
+        if best - mean <= SAME * best {
+            return 0.0;
+        }
+        let p = -mean * mean * self.doubles / (self.count * (best - mean));
+        (1.0 - 0.5 * done) * math::exp(p)
+    }
+}
+
+/// The state of a diversity coefficient: 0 below 0.25, 2 above 0.75, 1 between.
+pub(super) fn state(diversity: f64) -> usize {
+    usize::from(diversity >= 0.25) + usize::from(diversity > 0.75)
+}
+
+/// The immediate reward, eqs (7) to (10), of a generation after the one before.
+pub(super) fn reward(before: (&Sums, f64), now: (&Sums, f64)) -> f64 {
+    let change = |now: f64, before: f64, [more, same, less]: [f64; 3]| match now - before {
+        d if d.abs() <= SAME * before => same,
+        d if d > 0.0 => more,
+        _ => less,
+    };
+    let best = change(now.0.best, before.0.best, [1.5, -0.5, -1.0]);
+    let mean = change(now.0.mean, before.0.mean, [1.0, -2.0, -0.5]);
+    (now.1 - before.1) + best + mean
+}
+
+/// How an agent learns.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Learning {
+    /// Learning rate.
+    pub(super) alpha: f64,
+    /// Discount.
+    pub(super) gamma: f64,
+    /// Probability of a random action.
+    pub(super) epsilon: f64,
+}
+
+/// The Q-table and where it is used.
+#[derive(Clone, Debug)]
+pub(super) struct Agent {
+    /// By state, then action.
+    pub(super) table: [[f64; 3]; 3],
+    /// `None`: every action at random.
+    learning: Option<Learning>,
+    pub(super) state: usize,
+    pub(super) action: usize,
+    /// How often each action was chosen.
+    pub(super) chosen: [u64; 3],
+    /// Of the last generation.
+    pub(super) reward: f64,
+    pub(super) diversity: f64,
+    pub(super) sums: Sums,
+}
+
+impl Agent {
+    /// An agent that knows nothing, before its first action.
+    pub(super) fn new(learning: Option<Learning>) -> Self {
+        Self {
+            table: [[0.0; 3]; 3],
+            learning,
+            state: 0,
+            action: 0,
+            chosen: [0; 3],
+            reward: 0.0,
+            diversity: 0.0,
+            sums: Sums::default(),
+        }
+    }
+
+    /// Takes the population it starts with, and chooses.
+    pub(super) fn begin(&mut self, sums: Sums, diversity: f64, dice: &mut Dice) {
+        (self.sums, self.diversity, self.state) = (sums, diversity, state(diversity));
+        self.choose(dice);
+    }
+
+    /// Takes the next generation: reward, next action, update.
+    pub(super) fn learn(&mut self, sums: Sums, diversity: f64, dice: &mut Dice) {
+        let was = (self.state, self.action);
+        self.reward = reward((&self.sums, self.diversity), (&sums, diversity));
+        self.begin(sums, diversity, dice);
+        if let Some(Learning { alpha, gamma, .. }) = self.learning {
+            let next = self.table[self.state][self.action];
+            let q = &mut self.table[was.0][was.1];
+            *q = update(*q, self.reward, next, alpha, gamma);
+        }
+    }
+
+    /// The action of the state by the epsilon-greedy rule.
+    fn choose(&mut self, dice: &mut Dice) {
+        let row = self.table[self.state];
+        let greedy = self.learning.filter(|l| dice.even() >= l.epsilon).is_some();
+        let most = row.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let open: Vec<usize> = (0..3).filter(|&a| !greedy || row[a] >= most).collect();
+        self.action = open[dice.below(open.len())];
+        self.chosen[self.action] += 1;
+    }
+}
+
+/// Eq. (11).
+fn update(q: f64, reward: f64, next: f64, alpha: f64, gamma: f64) -> f64 {
+    (1.0 - alpha) * q + alpha * (reward + gamma * next)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn close(a: f64, b: f64) {
+        assert!((a - b).abs() < 1e-12, "{a} {b}");
+    }
+
+    #[test]
+    fn diversity_at_its_limits_and_by_hand() {
+        // All different: p is 0, and time halves it.
+        let different = Sums::new(vec![0.1, 0.2, 0.3, 0.4]);
+        close(different.diversity(0.0, true), 1.0);
+        close(different.diversity(1.0, true), 0.5);
+        // All one: p is minus infinity.
+        let one = Sums::new(vec![0.02; 5]);
+        close(one.doubles, 20.0);
+        assert_eq!((one.diversity(0.0, true), one.diversity(0.0, false)), (0.0, 0.0));
+        // Fitness 0.25 twice and 0.5: mean 1/3, best 1.5 of it, D - 1 adds up to 2: p = -2 / (3 * 0.5) = -4/3; as it is, p =
+        // -(1/9) * 2 / (3 * (1/6)) = -4/9.
+        let three = Sums::new(vec![0.25, 0.5, 0.25]);
+        close(three.diversity(0.0, true), math::exp(-4.0 / 3.0));
+        close(three.diversity(0.4, false), 0.8 * math::exp(-4.0 / 9.0));
+        // Scaled, it does not hang on units.
+        let metres = Sums::new(vec![250.0, 500.0, 250.0]);
+        close(metres.diversity(0.0, true), three.diversity(0.0, true));
+    }
+
+    #[test]
+    fn states_are_closed_in_the_middle() {
+        assert_eq!([0.0, 0.2499, 0.25, 0.75, 0.7501, 1.0].map(state), [0, 0, 1, 1, 2, 2]);
+    }
+
+    #[test]
+    fn rewards_by_hand() {
+        let sums = |best, mean| Sums { best, mean, ..Sums::default() };
+        let of = |now: Sums| reward((&sums(0.5, 0.25), 0.75), (&now, 0.5));
+        close(of(sums(0.6, 0.3)), -0.25 + 1.5 + 1.0);
+        close(of(sums(0.5, 0.3)), -0.25 - 0.5 + 1.0);
+        close(of(sums(0.5, 0.25)), -0.25 - 0.5 - 2.0);
+        close(of(sums(0.4, 0.2)), -0.25 - 1.0 - 0.5);
+        // The mean grew, though it is below the best before: the sentence, not the print of (9).
+        close(of(sums(0.5, 0.4)), -0.25 - 0.5 + 1.0);
+    }
+
+    #[test]
+    fn the_update_by_hand_and_in_its_place() {
+        close(update(2.0, 1.5, 3.0, 0.9, 0.9), 0.2 + 0.9 * (1.5 + 2.7));
+        let learning = Learning { alpha: 0.9, gamma: 0.9, epsilon: 0.0 };
+        let mut agent = Agent::new(Some(learning));
+        let mut dice = Dice::new(1);
+        agent.table = [[0.0, 5.0, 0.0], [1.0, 2.0, 4.0], [7.0, 0.0, 0.0]];
+        let sums = Sums { best: 0.5, mean: 0.25, ..Sums::default() };
+        agent.begin(sums, 0.1, &mut dice);
+        assert_eq!((agent.state, agent.action), (0, 1));
+        agent.learn(Sums { best: 0.6, mean: 0.3, ..sums }, 0.4, &mut dice);
+        assert_eq!((agent.state, agent.action), (1, 2));
+        // 0.1 * 5 + 0.9 * (0.3 + 1.5 + 1 + 0.9 * 4).
+        close(agent.table[0][1], 0.5 + 0.9 * (2.8 + 3.6));
+    }
+
+    #[test]
+    fn a_table_decides_but_for_epsilon_and_without_learning_nothing_does() {
+        let chosen = |learning: Option<Learning>, best: usize| {
+            let (mut agent, mut dice) = (Agent::new(learning), Dice::new(7));
+            agent.table[2][best] = 1.0;
+            for _ in 0..3000 {
+                agent.begin(Sums::default(), 1.0, &mut dice);
+            }
+            agent.chosen
+        };
+        let learning = Learning { alpha: 0.9, gamma: 0.9, epsilon: 0.1 };
+        for best in 0..3 {
+            // 0.9 + 0.1 / 3 of all choices.
+            assert!((2750..2850).contains(&chosen(Some(learning), best)[best]), "{best}");
+            assert!(chosen(None, best).iter().all(|c| (900..1100).contains(c)), "{best}");
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! From a chromosome to what it is worth and to the path it stands for.
+//!
+//! Fitness is 1/TL, eq. (4), of the chromosome as it is where nothing has to come before anything, as in the paper. The
+//! plan is its nested reading (`nested.rs`), as long or shorter. Where holes or ranks ask for an order, that reading is
+//! repaired (`holes.rs`), rank by rank, and the fitness is that of the repaired path: a deviation, as the paper has no holes.
+//! What charges for leaving a contour cost is not seen by the fitness: it stands in the plan.
+//!
+//! With groups, pairs or a table of costs nothing is left unfinished, and [`Repair`] makes the order of contours an allowed one.
+
+use super::super::legs::{Legs, Measure};
+use super::super::repair::Repair;
+use super::holes::finished_inside_first;
+use super::model::{Gene, Model, Visit};
+use super::nested::nested;
+use crate::order::sort_by;
+use crate::problem::Problem;
+use crate::solve::traits::{Solution, Stop};
+
+/// Prices and reads chromosomes of a problem.
+pub(super) struct Decoder<'p> {
+    pub(super) model: Model<'p>,
+    /// How orders become allowed; `None`: all of them are.
+    ordered: Option<Ordered>,
+}
+
+enum Ordered {
+    /// Contours that lie in others, outer ones first; and whether there are several ranks.
+    Nesting { inwards: Vec<u32>, ranks: bool },
+    /// Whole contours by all that orders know.
+    Whole(Repair),
+}
+
+impl<'p> Decoder<'p> {
+    pub(super) fn new(problem: &'p Problem, measure: Measure) -> Self {
+        let whole = !problem.groups.is_empty() || !problem.pairs.is_empty() || problem.table().is_some();
+        let inside = problem.items.iter().any(|i| i.before.is_some());
+        let ranks = problem.items.windows(2).any(|w| w[0].rank != w[1].rank);
+        let ordered = match (whole, inside || ranks) {
+            (true, _) => Some(Ordered::Whole(Repair::new(problem))),
+            (false, true) => Some(Ordered::Nesting { inwards: inwards(problem), ranks }),
+            (false, false) => None,
+        };
+        Self { model: Model::new(Legs::new(problem, measure), whole), ordered }
+    }
+
+    /// TL of a chromosome.
+    pub(super) fn length(&self, genes: &[Gene]) -> f64 {
+        let visits = self.model.visits(genes);
+        self.model.travel(&if self.ordered.is_some() { self.path(visits) } else { visits })
+    }
+
+    /// The path of a chromosome.
+    pub(super) fn solution(&self, genes: &[Gene]) -> Solution {
+        let problem = self.model.problem();
+        let along = |n: u32| problem.nodes[n as usize].along;
+        let stop = |v: Visit| Stop { node: v.enter, along: along(v.enter), until: along(v.leave) };
+        let path = self.path(self.model.visits(genes));
+        Solution::new(problem, path.into_iter().map(stop).collect())
+    }
+
+    /// Visits that nest and are allowed.
+    fn path(&self, mut visits: Vec<Visit>) -> Vec<Visit> {
+        let model = &self.model;
+        match &self.ordered {
+            None => nested(model, &visits),
+            Some(Ordered::Nesting { inwards, ranks: false }) => {
+                finished_inside_first(model, inwards, &nested(model, &visits), 0)
+            }
+            Some(Ordered::Nesting { inwards, ranks: true }) => {
+                let rank = |v: &Visit| model.problem().items[model.item(v.enter) as usize].rank;
+                sort_by(&mut visits, |v| [rank(v).into(), 0, 0]);
+                let mut path = Vec::with_capacity(visits.len());
+                for of_rank in visits.chunk_by(|a, b| rank(a) == rank(b)) {
+                    let start = path.len();
+                    path.extend(nested(model, of_rank));
+                    path = finished_inside_first(model, inwards, &path, start);
+                }
+                path
+            }
+            Some(Ordered::Whole(repair)) => {
+                let mut by_item = vec![None; model.problem().items.len()];
+                let order: Vec<u32> = visits.iter().map(|v| model.item(v.enter)).collect();
+                order.iter().zip(&visits).for_each(|(&i, &v)| by_item[i as usize] = Some(v));
+                repair.apply(&order).into_iter().filter_map(|i| by_item[i as usize]).collect()
+            }
+        }
+    }
+}
+
+/// Contours that lie in others, those in the fewest first.
+fn inwards(problem: &Problem) -> Vec<u32> {
+    let outer = |i: u32| problem.items.get(i as usize).and_then(|i| i.before);
+    let most = problem.items.len();
+    let mut all: Vec<(usize, u32)> = (0..)
+        .zip(&problem.items)
+        .map(|(id, _)| (std::iter::successors(outer(id), |&o| outer(o)).take(most).count(), id))
+        .filter(|c| c.0 > 0)
+        .collect();
+    sort_by(&mut all, |c| [c.0 as u64, 0, 0]);
+    all.into_iter().map(|c| c.1).collect()
+}
