@@ -57,6 +57,11 @@ pub fn pow(x: f64, y: f64) -> f64 {
     libm::pow(x, y)
 }
 
+/// The gamma function.
+pub fn gamma(x: f64) -> f64 {
+    libm::tgamma(x)
+}
+
 /// The unit vector at angle `a`.
 pub fn unit(a: f64) -> DVec2 {
     DVec2::new(cos(a), sin(a))

@@ -28,7 +28,7 @@ impl Dice {
 
     /// A number of the standard normal distribution (Box and Muller).
     #[cfg(feature = "papers")]
-    #[allow(dead_code, reason = "the first method uses it")]
+    #[cfg(feature = "papers")]
     pub(super) fn normal(&mut self) -> f64 {
         let length = (-2.0 * math::ln(1.0 - self.even())).sqrt();
         length * math::cos(std::f64::consts::TAU * self.even())

@@ -44,6 +44,14 @@ impl<'p> Legs<'p> {
         }
     }
 
+    /// Between places that are at least `d` mm apart along x or along y, at least.
+    pub fn at_least(&self, d: f64) -> f64 {
+        match self.measure {
+            Measure::Euclidean | Measure::Chebyshev => d,
+            Measure::Seconds => self.air.seconds_at_least(d),
+        }
+    }
+
     /// From leaving at one node to entering at the next.
     pub fn leg(&self, from: NodeId, to: NodeId) -> f64 {
         match self.problem.table() {
@@ -71,6 +79,16 @@ impl<'p> Legs<'p> {
                 self.between(self.problem.nodes[from as usize].exit, self.problem.home)
             }
             None => 0.0,
+        }
+    }
+
+    /// Between neighbours in a tour that begins with `first`: nothing before its first node and after its last one.
+    pub fn link(&self, from: Option<NodeId>, to: Option<NodeId>, first: NodeId) -> f64 {
+        match (from, to) {
+            (Some(from), Some(to)) => self.leg(from, to),
+            (None, Some(to)) => self.out(to),
+            (Some(from), None) => self.back(from, first),
+            (None, None) => 0.0,
         }
     }
 

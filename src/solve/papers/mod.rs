@@ -12,15 +12,20 @@
 
 mod hull;
 mod insight;
+mod keys;
 mod lead;
+mod left;
 mod legs;
+mod local;
 mod pace;
 mod repair;
+mod swarm;
 
 pub use hull::{Rlsga, Sga};
 pub use insight::{Curve, Grid, Insight};
 pub use legs::{Legs, Measure};
 pub use repair::Repair;
+pub use swarm::Lpspso;
 
 use super::{Solver, SolverInfo};
 use serde::Serialize;
@@ -36,11 +41,12 @@ pub struct Card {
     pub parameters: serde_json::Value,
 }
 
-type Make = fn(&str) -> Result<Box<dyn Solver>, String>;
+/// A method's default form, and how it is made from parameters.
 type Entry = (fn() -> Card, Make);
+type Make = fn(&str) -> Result<Box<dyn Solver>, String>;
 
-/// Every method: its default form and how it is made from parameters.
-const METHODS: &[Entry] = &[entry::<Rlsga>(), entry::<Sga>()];
+/// Every method.
+const METHODS: &[Entry] = &[entry::<Lpspso>(), entry::<Rlsga>(), entry::<Sga>()];
 
 /// Every method with the defaults of its parameters.
 pub fn cards() -> Vec<Card> {

@@ -1,0 +1,112 @@
+//! One method on the instances of a file, seed by seed, each run to the method's own end: `papers METHOD FILE
+//! [--parameters JSON] [--only NAME] [--seeds K] [--seconds S]`. One JSON line a run, with the length of a tour checked
+//! by code that shares nothing with the method. METHOD is one of the papers', or one of Kerfway's, which needs seconds.
+
+use kerfway::solve::{self, Solver, Status, papers};
+use kerfway_bench_solve::source::Source;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Instant;
+
+/// Moves between two looks at the clock: about a millisecond.
+const SLICE: u64 = 20_000;
+
+struct Options {
+    words: Vec<String>,
+    parameters: String,
+    only: Option<String>,
+    seeds: u64,
+    seconds: f64,
+}
+
+fn main() {
+    if let Err(why) = options().and_then(|options| bench(&options)) {
+        eprintln!("{why}");
+        std::process::exit(1);
+    }
+}
+
+fn options() -> Result<Options, String> {
+    let mut o =
+        Options { words: Vec::new(), parameters: String::new(), only: None, seeds: 5, seconds: f64::INFINITY };
+    let mut args = std::env::args().skip(1);
+    while let Some(word) = args.next() {
+        let mut next = || args.next().ok_or_else(|| format!("{word} needs a value."));
+        let number = |text: String| text.parse::<f64>().map_err(|_| format!("{text} is no number."));
+        match word.as_str() {
+            "--parameters" => o.parameters = next()?,
+            "--only" => o.only = Some(next()?),
+            "--seeds" => o.seeds = number(next()?)? as u64,
+            "--seconds" => o.seconds = number(next()?)?,
+            _ => o.words.push(word),
+        }
+    }
+    Ok(o)
+}
+
+fn bench(options: &Options) -> Result<(), String> {
+    let [name, file] = options.words.as_slice() else { return Err("Which method, on which file?".into()) };
+    for source in Source::read(file)? {
+        if options.only.as_ref().is_some_and(|only| *only != source.name) {
+            continue;
+        }
+        // Seeds go to as many threads as the machine has.
+        let next = AtomicU64::new(1);
+        let rows = Mutex::new(Ok(Vec::new()));
+        let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
+        std::thread::scope(|scope| {
+            for _ in 0..threads {
+                scope.spawn(|| {
+                    loop {
+                        let seed = next.fetch_add(1, Ordering::Relaxed);
+                        if seed > options.seeds {
+                            break;
+                        }
+                        let row = run(&source, name, seed, options);
+                        if let Ok(mut rows) = rows.lock() {
+                            match (row, rows.as_mut()) {
+                                (Ok(row), Ok(list)) => list.push((seed, row)),
+                                (Err(why), Ok(_)) => *rows = Err(why),
+                                (_, Err(_)) => {}
+                            }
+                        }
+                    }
+                });
+            }
+        });
+        let mut rows = rows.into_inner().map_err(|_| "A run failed.")??;
+        rows.sort_by_key(|r: &(u64, _)| r.0);
+        rows.iter().for_each(|(_, row)| println!("{row}"));
+    }
+    Ok(())
+}
+
+fn run(source: &Source, name: &str, seed: u64, options: &Options) -> Result<serde_json::Value, String> {
+    let paper = papers::method(name, &options.parameters);
+    let method: &dyn Solver = match (&paper, solve::method(name)) {
+        (Ok(paper), _) => paper.as_ref(),
+        (Err(_), Some(own)) => own,
+        (Err(why), None) => return Err(why.clone()),
+    };
+    let clock = Instant::now();
+    let mut search = method.start(&source.problem, seed, None);
+    let known = |length: f64| paper.is_err() && source.known.is_some_and(|k| length <= k + 1e-6);
+    let checked = |search: &dyn solve::Search| source.checked(search.best()).map_err(|e| format!("{}: {e}", source.name));
+    let mut length = checked(search.as_ref())?;
+    let mut found = 0;
+    loop {
+        let step = search.step(SLICE);
+        if step.improved {
+            length = checked(search.as_ref())?;
+            found = search.insight().round;
+        }
+        let seconds = clock.elapsed().as_secs_f64();
+        if step.status == Status::Exhausted || seconds >= options.seconds || known(length) {
+            return Ok(serde_json::json!({
+                "instance": source.name, "items": source.problem.items.len(), "known": source.known, "method": name,
+                "seed": seed, "length": length, "found": found, "rounds": search.insight().round,
+                "seconds": seconds, "moves": search.telemetry().moves,
+            }));
+        }
+    }
+}

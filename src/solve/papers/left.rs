@@ -1,0 +1,97 @@
+//! What is not yet visited, and the nearest of it: nodes in a grid, or in a list where a table gives the costs.
+
+use super::legs::Legs;
+use crate::geometry::Aabb;
+use crate::problem::{Buckets, ItemId, NodeId, Problem};
+
+/// Nodes of items not yet visited.
+#[derive(Clone)]
+pub(super) enum Left {
+    /// By place.
+    Grid(Buckets),
+    /// With a table there are no places.
+    List(Vec<NodeId>),
+}
+
+impl Left {
+    /// All nodes of a problem.
+    pub(super) fn all(problem: &Problem) -> Self {
+        if problem.table().is_some() {
+            return Self::List((0..).zip(&problem.nodes).map(|(n, _)| n).collect());
+        }
+        let bounds = problem.nodes.iter().fold(Aabb::EMPTY, |b, n| b.with(n.entry));
+        let mut grid = Buckets::new(bounds, problem.nodes.len());
+        for (node, n) in (0..).zip(&problem.nodes) {
+            grid.insert(node, n.entry);
+        }
+        Self::Grid(grid)
+    }
+
+    /// Takes out an item.
+    pub(super) fn visit(&mut self, problem: &Problem, item: ItemId) {
+        match self {
+            Self::List(nodes) => nodes.retain(|&n| problem.nodes[n as usize].item != item),
+            Self::Grid(grid) => {
+                for node in problem.items[item as usize].nodes.clone() {
+                    grid.remove(node, problem.nodes[node as usize].entry);
+                }
+            }
+        }
+    }
+
+    /// The nearest node after one, or after home; of equals the lower. And how many were priced.
+    pub(super) fn nearest(&self, legs: &Legs, from: Option<NodeId>) -> (Option<NodeId>, u64) {
+        let mut best: Option<(f64, NodeId)> = None;
+        let mut priced = 0;
+        let mut price = |node: NodeId, best: &mut Option<(f64, NodeId)>| {
+            priced += 1;
+            let cost = from.map_or_else(|| legs.out(node), |from| legs.leg(from, node));
+            if best.is_none_or(|b| (cost, node) < b) {
+                *best = Some((cost, node));
+            }
+        };
+        match self {
+            Self::List(nodes) => nodes.iter().for_each(|&n| price(n, &mut best)),
+            Self::Grid(grid) => {
+                let problem = legs.problem();
+                let head = from.map_or(problem.home, |n| problem.nodes[n as usize].exit);
+                for r in 0..grid.rings(head) {
+                    let least = legs.at_least(grid.distance_of_ring(r));
+                    if best.is_some_and(|(cost, _)| least > cost) {
+                        break;
+                    }
+                    grid.ring(head, r).for_each(|n| price(n, &mut best));
+                }
+            }
+        }
+        (best.map(|b| b.1), priced)
+    }
+}
+
+/// A tour made by always going to the nearest node left.
+pub(super) struct Walk {
+    left: Left,
+    /// So far.
+    pub(super) tour: Vec<NodeId>,
+}
+
+impl Walk {
+    /// Begins with these nodes.
+    pub(super) fn new(mut left: Left, problem: &Problem, begun: &[NodeId]) -> Self {
+        begun.iter().for_each(|&n| left.visit(problem, problem.nodes[n as usize].item));
+        Self { left, tour: begun.to_vec() }
+    }
+
+    /// Goes to the nearest node left; how many were priced, or nothing when none is left.
+    pub(super) fn step(&mut self, legs: &Legs) -> Option<u64> {
+        let (node, priced) = self.left.nearest(legs, self.tour.last().copied());
+        self.go(legs.problem(), node?);
+        Some(priced)
+    }
+
+    /// Goes to that node.
+    pub(super) fn go(&mut self, problem: &Problem, node: NodeId) {
+        self.left.visit(problem, problem.nodes[node as usize].item);
+        self.tour.push(node);
+    }
+}

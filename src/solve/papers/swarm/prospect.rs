@@ -1,0 +1,130 @@
+//! The comprehensive prospect-regret value, Qu & Du eqs (4)-(13): how good a path is for somebody who minds losses more
+//! than gains and regrets what could have been.
+//!
+//! The paper leaves open what its attributes, probabilities and reference are. Here an outcome is a path's length, as
+//! probable as any other of the swarm; the reference E is the swarm's mean in this iteration; shorter is a gain. A length
+//! is an interval of no width, so the distance (4) is the difference. Of V+ (8) and V- (9) a path has one that is not 0;
+//! equations (11) and (12) print V+ in both, which would make all losses equal: here it is the one the path has.
+//!
+//! Within one swarm a shorter path never has a smaller value. So comparing by Z and by length is the same, and what the
+//! value adds is a number to look at; the paper's column of it (table 3, CPRV) cannot be had from this or any reading.
+
+use crate::geometry::math;
+
+/// The coefficients.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Prospect {
+    /// Exponents of gains and losses, and how much more losses count, eq. (5).
+    pub(super) alpha: f64,
+    pub(super) beta: f64,
+    pub(super) gamma: f64,
+    /// Exponents of the weights of gains (6) and losses (7).
+    pub(super) delta: f64,
+    pub(super) phi: f64,
+    /// Regret avoidance, (11) and (12).
+    pub(super) avoidance: f64,
+}
+
+/// The outcomes of an iteration, by which a length has a value.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Outcomes {
+    by: Prospect,
+    /// The reference E.
+    mean: f64,
+    /// Weights of a gain and of a loss.
+    weights: (f64, f64),
+    /// The least and the greatest prospect value there is: V-(min) and V+(max).
+    least: f64,
+    most: f64,
+}
+
+/// Decision weight of a probability, eqs (6) and (7).
+fn weight(p: f64, exponent: f64) -> f64 {
+    let (p, q) = (math::pow(p, exponent), math::pow(1.0 - p, exponent));
+    p / math::pow(p + q, 1.0 / exponent)
+}
+
+impl Outcomes {
+    /// Of the lengths of a swarm now; `kept`: other lengths that are compared with them, the best of each particle.
+    pub(super) fn new(by: Prospect, now: &[f64], kept: &[f64]) -> Self {
+        let count = now.len().max(1) as f64;
+        let mean = now.iter().sum::<f64>() / count;
+        let weights = (weight(1.0 / count, by.delta), weight(1.0 / count, by.phi));
+        let mut outcomes = Self { by, mean, weights, least: 0.0, most: 0.0 };
+        for &length in now.iter().chain(kept) {
+            let value = outcomes.prospect(length);
+            outcomes.least = outcomes.least.min(value);
+            outcomes.most = outcomes.most.max(value);
+        }
+        outcomes
+    }
+
+    /// Weighted prospect value of a length, eqs (4)-(9).
+    fn prospect(&self, length: f64) -> f64 {
+        let distance = (length - self.mean).abs();
+        if length < self.mean {
+            self.weights.0 * math::pow(distance, self.by.alpha)
+        } else {
+            -self.weights.1 * self.by.gamma * math::pow(distance, self.by.beta)
+        }
+    }
+
+    /// Z of a length, eqs (10)-(13).
+    pub(super) fn value(&self, length: f64) -> f64 {
+        let span = self.most - self.least;
+        if span <= 0.0 {
+            return 0.0;
+        }
+        let value = self.prospect(length);
+        let regret = 1.0 - math::exp(-self.by.avoidance * ((value - self.least) / span).abs());
+        let joy = 1.0 - math::exp(self.by.avoidance * ((value - self.most) / span).abs());
+        regret + joy
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    pub(in super::super) const PRINTED: Prospect =
+        Prospect { alpha: 0.85, beta: 0.85, gamma: 2.25, delta: 0.61, phi: 0.69, avoidance: 0.69 };
+
+    #[test]
+    fn weights_of_equations_6_and_7() {
+        // One half: 0.5^d / (2 0.5^d)^(1/d).
+        assert!((weight(0.5, 0.61) - 0.420_639_354).abs() < 1e-9);
+        assert!((weight(0.5, 0.69) - 0.453_987_550).abs() < 1e-9);
+        assert!((weight(1.0, 0.61) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn two_paths_by_hand() {
+        // Lengths 90 and 110: E = 100, one gain and one loss of 10 each, so V+(max) and V-(min) are theirs.
+        let z = Outcomes::new(PRINTED, &[90.0, 110.0], &[]);
+        // The shorter: regret 1 - e^-0.69, joy 0. The longer: regret 0, joy 1 - e^0.69.
+        assert!((z.value(90.0) - 0.498_423_93).abs() < 1e-7);
+        assert!((z.value(110.0) + 0.993_715_53).abs() < 1e-7);
+        // The mean has neither: its place between them is loss / (gain + loss).
+        let (gain, loss) = (weight(0.5, 0.61), 2.25 * weight(0.5, 0.69));
+        let place = loss / (gain + loss);
+        let wanted = 2.0 - math::exp(-0.69 * place) - math::exp(0.69 * (1.0 - place));
+        assert!((z.value(100.0) - wanted).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_shorter_path_never_has_a_smaller_value() {
+        let mut dice = crate::solve::dice::Dice::new(7);
+        for _ in 0..200 {
+            let mut draw = |n: usize| (0..n).map(|_| 1000.0 * dice.even()).collect::<Vec<f64>>();
+            let (now, kept) = (draw(50), draw(50));
+            let outcomes = Outcomes::new(PRINTED, &now, &kept);
+            let mut all: Vec<f64> = now.into_iter().chain(kept).collect();
+            all.sort_by(f64::total_cmp);
+            for pair in all.windows(2) {
+                assert!(outcomes.value(pair[0]) >= outcomes.value(pair[1]), "{pair:?}");
+            }
+        }
+        let same = Outcomes::new(PRINTED, &[5.0; 4], &[]);
+        assert!(same.value(5.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,125 @@
+//! The rules by which LPSPSO's numbers change from iteration to iteration: Qu & Du, equations (16)-(18), (23)-(27).
+
+use crate::geometry::math;
+use crate::solve::dice::Dice;
+
+/// Inertia weight, eq. (16): between the mean of its bounds and the upper one, as a power of `base`, falling with the
+/// share of the iterations done.
+pub(super) fn inertia(share: f64, base: f64, least: f64, most: f64) -> f64 {
+    (most + least) / 2.0 + math::pow(base, -share) * (most - least) / 2.0
+}
+
+/// Learning factors of the particle and of the swarm, eq. (17).
+pub(super) fn learning(share: f64, a: f64, b: f64) -> (f64, f64) {
+    let own = a + math::exp(-share);
+    (own, b - own)
+}
+
+/// The next number of the Singer map, eq. (18). The map stays inside (0, 1) for its mu of 0.9 to 1.08; what rounding or
+/// another mu takes out is put back to the edge.
+pub(super) fn singer(x: f64, mu: f64) -> f64 {
+    const EDGE: f64 = 1e-9;
+    (mu * (7.86 * x - 23.3 * x * x + 28.75 * x * x * x - 13.3 * x * x * x * x)).clamp(EDGE, 1.0 - EDGE)
+}
+
+/// Levy steps, eqs (23) and (24), by Mantegna's rule.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Levy {
+    beta: f64,
+    /// Spread of the numerator.
+    pub(super) sigma: f64,
+}
+
+impl Levy {
+    /// With exponent beta in (1, 2].
+    pub(super) fn new(beta: f64) -> Self {
+        let above = math::gamma(1.0 + beta) * math::sin(std::f64::consts::PI * beta / 2.0);
+        let below = math::gamma((1.0 + beta) / 2.0) * beta * math::pow(2.0, (beta - 1.0) / 2.0);
+        // At 2 the sine is 0, up to rounding.
+        Self { beta, sigma: math::pow((above / below).max(0.0), 1.0 / beta) }
+    }
+
+    /// One step.
+    pub(super) fn step(&self, dice: &mut Dice) -> f64 {
+        let (mu, nu) = (self.sigma * dice.normal(), dice.normal());
+        // A denominator of 0 would be a step without end.
+        mu / math::pow(nu.abs().max(f64::MIN_POSITIVE), 1.0 / self.beta)
+    }
+}
+
+/// The threshold of the Levy flight, eq. (26), from the mean distance (25) of each particle to the others. A swarm
+/// without any spread is as close as can be: 1.
+pub(super) fn kappa(distances: &[f64]) -> f64 {
+    let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = distances.iter().copied().fold(0.0, f64::max);
+    let mean = distances.iter().sum::<f64>() / distances.len() as f64;
+    if most > least { (mean - least) / (most - least) } else { 1.0 }
+}
+
+/// What the threshold is compared with, eq. (27).
+pub(super) fn tau(share: f64) -> f64 {
+    math::exp(-share)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn near(a: f64, b: f64) {
+        assert!((a - b).abs() < 1e-9, "{a} {b}");
+    }
+
+    #[test]
+    fn inertia_of_equation_16() {
+        // By hand, 0.675 + 0.275 x^-t/T: at the start 0.95; at the end with x = e 0.675 + 0.275 / 2.718281828.
+        near(inertia(0.0, std::f64::consts::E, 0.4, 0.95), 0.95);
+        near(inertia(1.0, std::f64::consts::E, 0.4, 0.95), 0.776_166_846_0);
+        // With base 4, half way: 0.675 + 0.275 / 2.
+        near(inertia(0.5, 4.0, 0.4, 0.95), 0.8125);
+    }
+
+    #[test]
+    fn learning_factors_of_equation_17() {
+        assert_eq!(learning(0.0, 1.25, 2.5), (2.25, 0.25));
+        let (own, swarm) = learning(1.0, 1.25, 2.5);
+        near(own, 1.617_879_441_2);
+        near(swarm, 0.882_120_558_8);
+    }
+
+    #[test]
+    fn singer_map_of_equation_18() {
+        // 1.04 (7.86 0.18 - 23.3 0.0324 + 28.75 0.005832 - 13.3 0.00104976).
+        near(singer(0.18, 1.04), 0.846_131_719_68);
+        for mu in [0.9, 1.04, 1.08] {
+            let mut x = 0.18;
+            for _ in 0..100_000 {
+                x = singer(x, mu);
+                assert!(x > 0.0 && x < 1.0);
+            }
+        }
+    }
+
+    #[test]
+    fn levy_steps_of_equations_23_and_24() {
+        // Known for beta 1.5: 0.6966; for beta 1 the rule is Gamma(2) sin(pi/2) / (Gamma(1) 1 2^0) = 1.
+        assert!((Levy::new(1.5).sigma - 0.6966).abs() < 5e-5);
+        near(Levy::new(1.0).sigma, 1.0);
+        // The tail: about 0.4 x^-1.5 of the steps are longer than x.
+        let mut dice = Dice::new(1);
+        let levy = Levy::new(1.5);
+        let steps: Vec<f64> = (0..100_000).map(|_| levy.step(&mut dice).abs()).collect();
+        for x in [10.0, 20.0] {
+            let longer = steps.iter().filter(|&&s| s > x).count() as f64 / 1e5;
+            let wanted = 0.4 / (x * f64::sqrt(x));
+            assert!((0.8..1.25).contains(&(longer / wanted)), "{x}: {longer} {wanted}");
+        }
+    }
+
+    #[test]
+    fn thresholds_of_equations_26_and_27() {
+        near(kappa(&[1.0, 2.0, 6.0]), 0.4);
+        near(kappa(&[3.0, 3.0]), 1.0);
+        near(tau(0.0), 1.0);
+        near(tau(1.0), 0.367_879_441_2);
+    }
+}
