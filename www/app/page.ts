@@ -21,6 +21,7 @@ import { topBar } from './panels/topbar.js';
 import { playbackBar } from './playback/bar.js';
 import { Playback } from './playback/playback.js';
 import { Timeline } from './playback/timeline.js';
+import { read as readAddress } from './session/address.js';
 import { fetchSample, SAMPLES, type Sample } from './session/samples.js';
 import { Session } from './session/session.js';
 import { attachGestures } from './stage/gestures.js';
@@ -54,7 +55,8 @@ export async function startPage(): Promise<void> {
   const sampleBytes = fetchSample(first);
   sampleBytes.catch(() => {});
   const theme = new Theme();
-  const session = new Session();
+  const shared = readAddress(location.hash);
+  const session = new Session(shared);
   const { state } = session;
   const stage = place('stage');
   const canvas = place('canvas') as HTMLCanvasElement;
@@ -72,14 +74,14 @@ export async function startPage(): Promise<void> {
   const openFile = async (file: File) => {
     hideHint();
     try {
-      await session.open(await file.arrayBuffer(), file.name, false);
+      await session.open(await file.arrayBuffer(), file.name, false, shared.load);
     } catch {
       session.refuse(file.name, `${file.name} could not be read from disk. Choose it again.`);
     }
   };
   const openSample = async (sample: Sample, bytes: Promise<ArrayBuffer>) => {
     try {
-      await session.open(await bytes, sample.file, true, sample.options);
+      await session.open(await bytes, sample.file, true, { ...sample.options, ...shared.load });
     } catch (error) {
       session.refuse(sample.file, error);
     }
@@ -149,7 +151,7 @@ export async function startPage(): Promise<void> {
   };
   const drawing = drawingPanel(session, (finding) => showFinding(finding, true));
   const scroller = place('sections');
-  scroller.append(drawing, machinePanel(session), planPanel(session), resultPanel(session, theme, (kind) => void download(kind)));
+  scroller.append(drawing, machinePanel(session, tell, () => choosingHome(true)), planPanel(session), resultPanel(session, theme, (kind) => void download(kind)));
   place('dock').append(dock(session, { open: chooseFile, gcode: () => void download('gcode'), sheet: toggleSheet }));
   const help = helpDialog();
   const top = topBar(session, theme, {
@@ -198,6 +200,20 @@ export async function startPage(): Promise<void> {
   };
   new ResizeObserver(layout).observe(stage);
 
+  // The next click on the sheet is where the job starts.
+  let homeNext = false;
+  const choosingHome = (on: boolean) => {
+    homeNext = on;
+    canvas.classList.toggle('placing', on);
+    if (on) tell('Click on the sheet where the head starts. Esc keeps the start as it is.');
+    else notice.hidden = true;
+  };
+  const setHome = (x: number, y: number) => {
+    choosingHome(false);
+    const place = (mm: number) => Math.round(mm * 100) / 100;
+    if (state.machine) session.setMachine({ ...state.machine, home: [place(viewport.worldX(x)), place(viewport.worldY(y))] });
+  };
+
   // The stage under the hand
   attachGestures(canvas, viewport, {
     hover(at) {
@@ -209,6 +225,7 @@ export async function startPage(): Promise<void> {
       scene.invalidate();
     },
     click(x, y, touch) {
+      if (homeNext) return setHome(x, y);
       const finding = scene.pickFinding(x, y, touch ? REACH.touch : REACH.pointer + 4);
       if (finding) {
         showFinding(finding, false);
@@ -226,8 +243,9 @@ export async function startPage(): Promise<void> {
     'Shift+ArrowLeft': () => viewport.pan(STEP, 0), 'Shift+ArrowRight': () => viewport.pan(-STEP, 0),
     'Shift+ArrowUp': () => viewport.pan(0, STEP), 'Shift+ArrowDown': () => viewport.pan(0, -STEP),
     o: chooseFile, s: () => session.stop(), p: () => (state.phase === 'paused' ? session.resume() : session.pause()), k: () => session.keepImproving(),
-    c: () => tools.flip('ramp'), a: () => tools.flip('air'), t: () => toggleTable(!table.open), '?': () => help.showModal(),
+    c: () => tools.flip('ramp'), a: () => tools.flip('air'), t: () => toggleTable(!table.open), 'Ctrl+z': () => session.undo(), 'Ctrl+Shift+z': () => session.redo(), 'Ctrl+y': () => session.redo(), '?': () => help.showModal(),
     Escape: () => {
+      if (homeNext) return choosingHome(false);
       scene.finding = null;
       select(null);
     },
@@ -255,6 +273,7 @@ export async function startPage(): Promise<void> {
   });
   session.on('change', () => {
     document.body.dataset.phase = state.phase;
+    if (session.methods.length > 0) history.replaceState(null, '', `#${session.address()}`);
     failure.hidden = state.phase !== 'failed';
     failure.replaceChildren(h('h2', {}, icon('error'), state.name), h('p', {}, state.error ?? ''));
     if (state.phase === 'done' || state.phase === 'paused') announcer.say(head(state));

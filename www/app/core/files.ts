@@ -1,10 +1,10 @@
 /** Files in and out: choosing, dropping anywhere on the page, saving. */
 
-/** Opens the file dialog; resolves with the chosen file. */
-export function choose(onFile: (file: File) => void): void {
+/** Opens the file dialog for one kind of file, drawings if none is said; calls back with the chosen one. */
+export function choose(onFile: (file: File) => void, accept = '.dxf,.DXF'): void {
   const input = document.createElement('input');
   input.type = 'file';
-  input.accept = '.dxf,.DXF';
+  input.accept = accept;
   input.addEventListener('change', () => {
     const file = input.files?.[0];
     if (file) onFile(file);

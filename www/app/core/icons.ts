@@ -18,6 +18,8 @@ export const ICONS = {
   up: 'M3.5 10 8 5.5 12.5 10',
   down: 'M3.5 6 8 10.5 12.5 6',
   panel: 'M2 3h12v10H2zM10 3v10',
+  undo: 'M5 3 2 6l3 3M2 6h7.5a4 4 0 0 1 0 8H6',
+  redo: 'M11 3l3 3-3 3M14 6H6.5a4 4 0 0 0 0 8H10',
   close: 'M3.5 3.5l9 9M12.5 3.5l-9 9',
   download: 'M8 2v8M4.5 7 8 10.5 11.5 7M2.5 13.5h11',
   warning: 'M8 2.2 14.3 13.3H1.7zM8 6.3v3.4M8 11.5v.1',

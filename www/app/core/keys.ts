@@ -2,17 +2,20 @@
 
 export type Bindings = Record<string, (event: KeyboardEvent) => void>;
 
-/** Calls the binding of a key: by its name, with `Shift+` before it for arrows. */
+/** Calls the binding of a key: by its name, with `Ctrl+` before it (the command key of a Mac, too), and
+ * `Shift+` for arrows and commands. */
 export function bindKeys(bindings: Bindings): void {
   addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+    if (event.altKey || event.defaultPrevented) return;
+    const command = event.ctrlKey || event.metaKey;
     const target = event.target as HTMLElement;
     if (target.closest('input, select, textarea, [contenteditable], dialog, [popover]')) return;
     // Space and Enter press the button or open the disclosure that has the focus.
     if ((event.key === ' ' || event.key === 'Enter') && target.closest('button, summary, a')) return;
     if (event.key.startsWith('Arrow') && target.closest('.order-scroll') && /Up|Down/.test(event.key)) return;
     const arrow = event.key.startsWith('Arrow');
-    const name = arrow && event.shiftKey ? `Shift+${event.key}` : event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const name = `${command ? 'Ctrl+' : ''}${event.shiftKey && (arrow || command) ? 'Shift+' : ''}${key}`;
     const action = bindings[name];
     if (!action) return;
     event.preventDefault();

@@ -47,8 +47,13 @@ export class ContourCard {
     const stop = this.playback.stopOf(contour);
     const begin = stop === null ? [] : [`cut begins at ${clock(this.playback.begin(stop))}`];
     const focused = this.root.contains(document.activeElement) ? [...this.root.querySelectorAll('button')].indexOf(document.activeElement as HTMLButtonElement) : -1;
+    const pin = (place: 'first' | 'last', label: string) => {
+      const pinned = this.session.state.load[place]?.includes(contour) ?? false;
+      return button(label, { class: 'quiet small', 'aria-pressed': pinned, onclick: () => this.session.pin(contour, pinned ? null : place) });
+    };
     this.root.replaceChildren(
       h('div', { class: 'contour-text' }, h('strong', {}, name ?? ''), h('span', { class: 'soft number' }, [...facts, ...begin].join(' · '))),
+      pin('first', 'Cut first'), pin('last', 'Cut last'),
       button('The one before (←)', { icon: 'back', iconOnly: true, class: 'quiet small', onclick: () => this.actions.step(-1) }),
       button('The next (→)', { icon: 'next', iconOnly: true, class: 'quiet small', onclick: () => this.actions.step(1) }),
       button('Close (Esc)', { icon: 'close', iconOnly: true, class: 'quiet small', onclick: () => this.actions.close() }));

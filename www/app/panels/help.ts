@@ -16,6 +16,7 @@ const KEYS: readonly [string, string][] = [
   ['C', 'Colours by order'],
   ['A', 'Air moves'],
   ['T', 'Table of the cutting order'],
+  ['Ctrl Z', 'Undo a choice; with Shift, redo'],
   ['Esc', 'Clear the selection'],
   ['?', 'This list'],
 ];

@@ -3,6 +3,7 @@
 import { button, h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
+import { ownMachines } from './own-machines.js';
 import { check, field, section, select } from './section.js';
 
 interface Quantity {
@@ -45,7 +46,7 @@ const TRAVELS: { value: MachineProfile['travel']; label: string }[] = [
   { value: 'per-axis', label: 'Each axis for itself' },
 ];
 
-export function machinePanel(session: Session): HTMLElement {
+export function machinePanel(session: Session, tell: (sentence: string) => void, chooseHome: () => void): HTMLElement {
   const { root, body, setGist } = section('Machine', false);
   const preset = () => session.machines.find((m) => m.name === session.state.machine?.name);
   const edit = (change: (m: MachineProfile) => void) => {
@@ -70,9 +71,11 @@ export function machinePanel(session: Session): HTMLElement {
     const original = preset();
     if (original) session.setMachine(structuredClone(original));
   } });
+  const own = ownMachines(session, tell);
   const numbers = h('details', { class: 'more' }, h('summary', {}, 'Numbers'),
-    h('div', { class: 'stack' }, field('Air moves', travel.root), ...QUANTITIES.map((q, i) => field(q.label, inputs[i]!, q.unit)), home.root, back));
-  body.append(h('div', { class: 'stack' }, choice.root, leaving.root, numbers));
+    h('div', { class: 'stack' }, field('Air moves', travel.root), ...QUANTITIES.map((q, i) => field(q.label, inputs[i]!, q.unit)), home.root,
+      button('Choose the start on the sheet', { class: 'small', onclick: chooseHome }), back));
+  body.append(h('div', { class: 'stack' }, choice.root, leaving.root, numbers, own.root));
 
   const show = () => {
     const { machine } = session.state;
@@ -85,6 +88,7 @@ export function machinePanel(session: Session): HTMLElement {
     home.input.checked = machine.return_home;
     leaving.input.checked = typeof machine.pre_cut_time === 'number';
     back.hidden = !changed;
+    own.show(machine);
     QUANTITIES.forEach((q, i) => {
       const input = inputs[i]!;
       if (document.activeElement !== input) input.value = shown(q.get(machine));

@@ -30,6 +30,8 @@ export function topBar(session: Session, theme: Theme, actions: TopActions): { n
   const measure = h('span', { class: 'measure number' });
 
   const themes = button('Dark theme', { icon: 'moon', iconOnly: true, class: 'quiet', onclick: () => theme.toggle() });
+  const undo = button('Undo (Ctrl Z)', { icon: 'undo', iconOnly: true, class: 'quiet undo', onclick: () => session.undo() });
+  const redo = button('Redo (Ctrl Shift Z)', { icon: 'redo', iconOnly: true, class: 'quiet undo', onclick: () => session.redo() });
   const table = button('Cutting order', { icon: 'table', iconOnly: true, class: 'quiet', 'aria-pressed': false, onclick: actions.table });
   const panel = button('Panel', { icon: 'panel', iconOnly: true, class: 'quiet panel-toggle', 'aria-expanded': true, 'aria-controls': 'panel', onclick: actions.panel });
 
@@ -47,6 +49,8 @@ export function topBar(session: Session, theme: Theme, actions: TopActions): { n
     const { loaded, name: file, extent: [x0, y0, x1, y1] } = session.state;
     setText(name, file);
     name.title = file;
+    undo.disabled = !session.history.canUndo;
+    redo.disabled = !session.history.canRedo;
     units.hidden = measure.hidden = loaded === null;
     if (!loaded) return;
     const { unit, source, doubtful } = loaded.units;
@@ -65,7 +69,7 @@ export function topBar(session: Session, theme: Theme, actions: TopActions): { n
       button('Open', { icon: 'open', class: 'quiet open', 'aria-label': 'Open a DXF file', onclick: actions.open }),
       samples, popover(samples, 'Samples', list),
       h('div', { class: 'file' }, name, units, unitMenu, measure),
-      h('div', { class: 'tools' }, table, themes, button('Keys and help', { icon: 'help', iconOnly: true, class: 'quiet', onclick: actions.help }), panel),
+      h('div', { class: 'tools' }, undo, redo, table, themes, button('Keys and help', { icon: 'help', iconOnly: true, class: 'quiet', onclick: actions.help }), panel),
     ],
     toggles: { table, panel },
   };

@@ -6,8 +6,11 @@
 import { createPlanner, type LoadOptions, type Loaded, type MachineProfile, type MethodInfo, type Operation, type OutputKind, type PaperMethod, type PlanHandle, type Planner, type Progress, type Unit } from 'kerfway';
 import { Emitter } from '../core/emitter.js';
 import { messageOf } from '../core/strings.js';
+import { type Shared, written } from './address.js';
+import { type Choices, History, sameContours } from './choices.js';
 import { extentOf } from './extent.js';
 import { learn, noInsights } from './insights.js';
+import { kept } from './profiles.js';
 import { initialState, type Question, type Search, type State } from './state.js';
 
 /** Milliseconds typed numbers rest before the plan starts anew, so that it does not at each digit. */
@@ -18,6 +21,8 @@ const SETTLE = 350;
  * often than they gain.
  */
 const WORKERS = Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4);
+
+const DEFAULT_MACHINE = 'co2-100w';
 
 interface Events extends Record<string, unknown> {
   /** Anything but progress changed. */
@@ -33,6 +38,8 @@ interface Events extends Record<string, unknown> {
 
 export class Session extends Emitter<Events> {
   readonly state: State = initialState();
+  /** The way back. */
+  readonly history = new History();
   private readonly answered = new Set<Question>();
   private run: PlanHandle | null = null;
   private wish = 0;
@@ -42,7 +49,7 @@ export class Session extends Emitter<Events> {
   private planner: Planner | null = null;
   private readonly ready: Promise<Planner>;
 
-  constructor() {
+  constructor(private readonly shared: Shared) {
     super();
     this.ready = createPlanner({ onReplaced: (message) => this.emit('notice', message) }).then((planner) => this.greet(planner));
     this.ready.catch((error: unknown) => this.fail(error));
@@ -50,7 +57,7 @@ export class Session extends Emitter<Events> {
 
   /** The machines and methods there are; none before the planner is there. */
   get machines(): readonly MachineProfile[] {
-    return this.planner?.machines ?? [];
+    return [...(this.planner?.machines ?? []), ...kept()];
   }
 
   get methods(): readonly MethodInfo[] {
@@ -59,6 +66,18 @@ export class Session extends Emitter<Events> {
 
   /** The methods of papers, once somebody has asked for them. */
   papers: readonly PaperMethod[] = [];
+
+  // A method of a paper was shared: its code is loaded first.
+  private async chooseShared(method: string): Promise<void> {
+    await this.askPapers();
+    if (this.papers.some((m) => m.name === method)) this.setSearch({ method });
+  }
+
+  /** The settings, for an address that shares them. */
+  address(): string {
+    const [method] = this.methods;
+    return written(this.state, { machine: DEFAULT_MACHINE, method: method?.name ?? '', seconds: initialState().search.seconds });
+  }
 
   /** Loads them. */
   async askPapers(): Promise<void> {
@@ -73,9 +92,12 @@ export class Session extends Emitter<Events> {
 
   private greet(planner: Planner): Planner {
     this.planner = planner;
-    this.state.machine = planner.machines.find((m) => m.name === 'co2-100w') ?? planner.machines[0] ?? null;
-    this.state.search.method = planner.methods[0]?.name ?? '';
-    this.emit('change', this.state);
+    const { shared, state } = this;
+    state.machine = [shared.machine, DEFAULT_MACHINE].map((name) => this.machines.find((m) => m.name === name)).find(Boolean) ?? null;
+    state.search.method = this.methods.find((m) => m.name === shared.method)?.name ?? planner.methods[0]?.name ?? '';
+    Object.assign(state.search, { seed: shared.seed, seconds: shared.seconds ?? state.search.seconds });
+    this.emit('change', state);
+    if (shared.method !== null && shared.method !== state.search.method) void this.chooseShared(shared.method);
     return planner;
   }
 
@@ -84,6 +106,7 @@ export class Session extends Emitter<Events> {
     const { state } = this;
     const wish = this.begin();
     this.answered.clear();
+    this.history.clear();
     Object.assign(state, { phase: 'reading', name, sample, load: options, loaded: null, question: null, error: null });
     this.forget();
     this.emit('cleared', undefined);
@@ -101,7 +124,19 @@ export class Session extends Emitter<Events> {
   /** Reads the same drawing with other options. */
   async reread(options: LoadOptions): Promise<void> {
     const { state } = this;
-    const { planner } = this;
+    if (!state.loaded) return;
+    this.keep();
+    const pinned = (options.first?.length ?? 0) + (options.last?.length ?? 0) > 0;
+    if (pinned && !sameContours(options, state.load)) {
+      const { first: _first, last: _last, ...others } = options;
+      options = others;
+      this.emit('notice', 'The contours are other ones now: none is pinned any more.');
+    }
+    await this.readAs(options);
+  }
+
+  private async readAs(options: LoadOptions): Promise<void> {
+    const { state, planner } = this;
     if (!state.loaded || !planner) return;
     const wish = this.begin();
     state.load = options;
@@ -147,13 +182,52 @@ export class Session extends Emitter<Events> {
     else this.ask();
   }
 
+  /** Works a contour before or after all others, or whenever it is best. */
+  pin(contour: number, place: 'first' | 'last' | null): void {
+    const { first = [], last = [], ...others } = this.state.load;
+    const without = (list: number[]) => list.filter((c) => c !== contour);
+    const lists = { first: without(first), last: without(last) };
+    if (place !== null) lists[place].push(contour);
+    void this.reread({ ...others, ...lists });
+  }
+
+  /** Back to what was chosen before. */
+  undo(): void {
+    this.recall(this.history.undo(this.choices()));
+  }
+
+  /** And on again. */
+  redo(): void {
+    this.recall(this.history.redo(this.choices()));
+  }
+
+  private choices(): Choices {
+    const { load, machine, search } = this.state;
+    return { load, machine, search };
+  }
+
+  private keep(typed = false): void {
+    this.history.keep(this.choices(), typed);
+  }
+
+  private recall(choices: Choices | null): void {
+    if (choices === null) return;
+    const { load, ...others } = choices;
+    Object.assign(this.state, others);
+    this.emit('change', this.state);
+    if (JSON.stringify(load) === JSON.stringify(this.state.load)) this.restart(false);
+    else void this.readAs(load);
+  }
+
   setMachine(machine: MachineProfile, typed = false): void {
+    this.keep(typed);
     this.state.machine = machine;
     this.emit('change', this.state);
     this.restart(typed);
   }
 
   setSearch(search: Partial<Search>, typed = false): void {
+    this.keep(typed);
     this.state.search = { ...this.state.search, ...search };
     this.emit('change', this.state);
     this.restart(typed);

@@ -1,0 +1,55 @@
+/**
+ * Settings in the address, behind `#`, so that they can be shared: never sent to a server, never the drawing. What is
+ * the default is left out; what cannot be understood is passed over.
+ */
+
+import type { LoadOptions, Unit } from 'kerfway';
+import type { State } from './state.js';
+
+export interface Shared {
+  machine: string | null;
+  method: string | null;
+  seed: number | null;
+  seconds: number | null;
+  load: LoadOptions;
+}
+
+/** The settings of a state, as the part of an address behind `#`. */
+export function written({ machine, search, load }: State, defaults: { machine: string; method: string; seconds: number }): string {
+  const words = new URLSearchParams();
+  const put = (name: string, value: string | number | boolean | null | undefined, usual?: unknown) => {
+    if (value !== null && value !== undefined && value !== false && value !== usual) words.set(name, value === true ? '1' : String(value));
+  };
+  put('machine', machine?.name, defaults.machine);
+  put('method', search.method, defaults.method);
+  put('seed', search.seed);
+  put('seconds', search.seconds, defaults.seconds);
+  put('units', load.units);
+  put('join', load.joinTolerance);
+  put('by-layer', load.orderByLayer);
+  put('part-by-part', load.partByPart);
+  return words.toString();
+}
+
+/** The settings of an address. */
+export function read(hash: string): Shared {
+  const words = new URLSearchParams(hash.replace(/^#/, ''));
+  const number = (name: string, most: number) => {
+    const value = Number(words.get(name) ?? NaN);
+    return value >= 0 && value <= most ? value : null;
+  };
+  const load: LoadOptions = {};
+  const units = UNITS.find((u) => u === words.get('units'));
+  const join = number('join', 10);
+  if (units !== undefined) load.units = units;
+  if (join !== null && join > 0) load.joinTolerance = join;
+  if (words.get('by-layer') === '1') load.orderByLayer = true;
+  if (words.get('part-by-part') === '1') load.partByPart = true;
+  const seed = number('seed', 4294967295);
+  return {
+    machine: words.get('machine'), method: words.get('method'), load,
+    seed: seed !== null && Number.isInteger(seed) ? seed : null, seconds: number('seconds', 3600) || null,
+  };
+}
+
+const UNITS: readonly Unit[] = ['mm', 'cm', 'dm', 'm', 'um', 'in', 'ft', 'yd', 'mil', 'microinch'];
