@@ -11,10 +11,14 @@ import { bytes, KEYBOARD } from './support.mjs';
 const SDK = new URL('../../dist/sdk/', import.meta.url);
 const module = new WebAssembly.Module(await readFile(new URL('pkg/kerfway_bg.wasm', SDK)));
 
-/** A planner on real worker threads that the test can kill or make deaf. */
-async function fragile(t, patience) {
+/** A planner on real worker threads, `most` in all, that the test can kill or make deaf. */
+async function fragile(t, patience, most = Infinity) {
   const control = { workers: [], replaced: [], deaf: false };
   const start = (heard, died) => {
+    if (control.workers.length >= most) {
+      setImmediate(() => died('There is no memory for another.'));
+      return { post: () => {}, close: () => {} };
+    }
     const worker = new Worker(new URL('node-worker.js', SDK));
     control.workers.push(worker);
     worker.on('message', (message) => control.deaf || heard(message));
@@ -111,6 +115,17 @@ describe('a worker that does not start', () => {
       return { post: () => {}, close: () => {} };
     };
     await assert.rejects(Planner.open({ module, start }), /^Error: The planner could not be started\./);
+  });
+
+  it('in the place of one that died: whatever is asked is answered so, and the process goes on', async (t) => {
+    const control = await fragile(t, undefined, 1);
+    await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    const plan = await underWay(control.planner);
+    await control.workers[0].terminate();
+    assert.equal((await plan.done).reason, 'replaced');
+    await assert.rejects(control.planner.reload({}), /could not be started/);
+    await assert.rejects(control.planner.plan({ moves: 10 }).done, /could not be started/);
+    assert.equal(control.replaced.length, 0);
   });
 });
 

@@ -1,20 +1,19 @@
 /**
  * Kerfway in a browser: DXF in, the fastest cutting path found so far out.
  *
- *     import { createPlanner } from 'kerfway';
- *     const planner = await createPlanner();
- *     const drawing = await planner.load(await file.arrayBuffer(), file.name);
- *     const plan = planner.plan({ seconds: 5 }, (progress) => console.log(progress.summary.total_time));
- *     await plan.done;
- *     const gcode = await planner.output('gcode');
+ *     import { plan } from 'kerfway';
+ *     const { summary, outputs } = await plan(await file.arrayBuffer(), { name: file.name, seconds: 5, outputs: ['gcode'] });
+ *
+ * `createPlanner` is the level below: one worker that keeps a drawing, is asked again and again, and goes on with plans.
  */
 
+import { functionsOn, type Functions } from './functions.js';
+import { lendingNew } from './lend.js';
 import type { StartWorker } from './line.js';
 import { opener } from './opener.js';
+import { poolOf, type Pool, type PoolOptions } from './pool.js';
 
-export { Planner, type PlannerOptions } from './planner.js';
-export type { PlanHandle, PlanResult, Started } from './plan-handle.js';
-export type * from './protocol.js';
+export * from './types.js';
 
 // Streaming needs the type application/wasm, which some servers do not send.
 async function fetchModule(url: URL): Promise<WebAssembly.Module> {
@@ -36,3 +35,19 @@ const start: StartWorker = (heard, died) => {
 
 /** A planner with its worker ready. The drawing never leaves the machine. */
 export const createPlanner = opener(() => fetchModule(new URL('./pkg/kerfway_bg.wasm', import.meta.url)), start);
+
+const functions = functionsOn(lendingNew(createPlanner));
+
+/** What a drawing holds, found out in a worker of its own: see {@link Functions.inspect}. */
+export const inspect: Functions['inspect'] = functions.inspect;
+
+/** Plans a drawing in a worker of its own, as a promise that tells news meanwhile: see {@link Functions.plan}. */
+export const plan: Functions['plan'] = functions.plan;
+
+/** Writes a finished plan as G-code, DXF, SVG or PNG: see {@link Functions.render}. */
+export const render: Functions['render'] = functions.render;
+
+/** The same functions on workers that are kept, for many files. */
+export function createPool({ size = navigator.hardwareConcurrency, queue }: PoolOptions = {}): Pool {
+  return poolOf(createPlanner, size, queue);
+}

@@ -1,13 +1,15 @@
 /** Kerfway under Node: the same planner as in a browser, in a worker thread. See `index.ts`. */
 
 import { readFile } from 'node:fs/promises';
+import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
+import { functionsOn, type Functions } from './functions.js';
+import { lendingNew } from './lend.js';
 import type { StartWorker } from './line.js';
 import { opener } from './opener.js';
+import { poolOf, type Pool, type PoolOptions } from './pool.js';
 
-export { Planner, type PlannerOptions } from './planner.js';
-export type { PlanHandle, PlanResult, Started } from './plan-handle.js';
-export type * from './protocol.js';
+export * from './types.js';
 
 const start: StartWorker = (heard, died) => {
   const worker = new Worker(new URL('./node-worker.js', import.meta.url));
@@ -21,3 +23,19 @@ const read = async (): Promise<WebAssembly.Module> => WebAssembly.compile(await 
 
 /** A planner with its worker ready. Close it when done: an open one keeps the process alive. */
 export const createPlanner = opener(read, start);
+
+const functions = functionsOn(lendingNew(createPlanner));
+
+/** What a drawing holds, found out in a worker thread of its own: see {@link Functions.inspect}. */
+export const inspect: Functions['inspect'] = functions.inspect;
+
+/** Plans a drawing in a worker thread of its own, as a promise that tells news meanwhile: see {@link Functions.plan}. */
+export const plan: Functions['plan'] = functions.plan;
+
+/** Writes a finished plan as G-code, DXF, SVG or PNG: see {@link Functions.render}. */
+export const render: Functions['render'] = functions.render;
+
+/** The same functions on worker threads that are kept, for many files. Close it when done. */
+export function createPool({ size = availableParallelism(), queue }: PoolOptions = {}): Pool {
+  return poolOf(createPlanner, size, queue);
+}

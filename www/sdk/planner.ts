@@ -60,6 +60,8 @@ export class Planner {
   methods: readonly MethodInfo[] = [];
   /** The machines there are, the default first. */
   machines: readonly MachineProfile[] = [];
+  /** Why the worker had to be replaced, the last time it had to. */
+  replaced: string | null = null;
 
   private line!: Line;
   private lastId = 0;
@@ -174,10 +176,11 @@ export class Planner {
   }
 
   private whenReady(message: ToWorker): void {
-    void this.ready.then(() => {
+    const post = () => {
       this.line.post(message);
       this.attend();
-    });
+    };
+    this.ready.then(post, (error: Error) => this.abandon(error.message));
   }
 
   private ask<K extends keyof Answers>(message: (id: number) => ToWorker): Promise<Answers[K]> {
@@ -250,6 +253,7 @@ export class Planner {
   // once: a worker that dies of that is replaced by an empty one.
   private async replace(why: string): Promise<void> {
     const kept = this.restoring ? null : this.drawing;
+    this.replaced = why;
     const message = `${why} It was started again${kept === null ? '.' : ' and the drawing loaded again.'}`;
     this.abandon(message);
     if (!this.greeted) {
@@ -259,8 +263,9 @@ export class Planner {
     const plan = kept === null ? null : this.current;
     [this.drawing, this.current] = [null, null];
     this.ready = this.openLine().then(() => (kept === null ? undefined : this.restore(kept, plan)));
-    await this.ready;
-    this.parts.onReplaced?.(message);
+    // Whoever asks for something later hears that it could not be started.
+    const there = await this.ready.then(() => true, () => false);
+    if (there) this.parts.onReplaced?.(message);
   }
 
   private async restore(drawing: Drawing, plan: RunningPlan | null): Promise<void> {

@@ -1,0 +1,129 @@
+// inspect, plan and render: promises, news, signals. The same in every host; here under Node.
+
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+import { describe, it } from 'node:test';
+import { createPlanner, inspect, plan, render } from 'kerfway';
+import { bytes, circle, dxf, KEYBOARD, square } from './support.mjs';
+
+const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
+const keyboard = () => bytes(KEYBOARD);
+
+describe('inspect', () => {
+  it('tells what a drawing holds', async () => {
+    const loaded = await inspect(PLATE, { units: 'in', name: 'plate.dxf' });
+    assert.equal(loaded.name, 'plate.dxf');
+    assert.deepEqual(loaded.contours.map((c) => c.inside), [null, 0]);
+    assert.equal(loaded.bounds[2], 2540);
+  });
+
+  it('reads what a function gives', async () => {
+    assert.equal((await inspect(async () => PLATE)).contours.length, 2);
+    await assert.rejects(inspect(() => Promise.reject(new Error('no such file'))), /no such file/);
+  });
+
+  it('refuses what is no DXF, and names that are no option', async () => {
+    await assert.rejects(inspect(new Uint8Array(0)), /empty/);
+    await assert.rejects(inspect(PLATE, { tolerence: 1 }), /inspect has no option tolerence: there are units, tolerance, /);
+    await assert.rejects(inspect(PLATE, { seconds: 1 }), /no option seconds/);
+  });
+});
+
+describe('plan', () => {
+  const options = { units: 'mm', seed: 5, moves: 20_000, name: 'keyboard.dxf' };
+
+  it('comes to what a planner comes to, byte for byte', async () => {
+    const { outputs, summary, path, seed, loaded } = await plan(keyboard(), { ...options, outputs: ['json', 'gcode', 'png'] });
+    const planner = await createPlanner();
+    await planner.load(keyboard(), 'keyboard.dxf', { units: 'mm' });
+    await planner.plan({ seed: 5, moves: 20_000 }).done;
+    assert.ok(outputs.json === (await planner.output('json')), 'another plan');
+    assert.ok(outputs.gcode === (await planner.output('gcode')), 'another program');
+    planner.close();
+    assert.deepEqual([...outputs.png.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+    assert.equal(seed, 5);
+    assert.equal(path.contours.length, loaded.contours.length);
+    assert.deepEqual(JSON.parse(outputs.json).summary.total_time, summary.total_time);
+  });
+
+  it('tells news to whoever listens, and to whoever loops', async () => {
+    const heard = [];
+    const run = plan(keyboard(), { ...options, moves: 400_000, onProgress: (p) => heard.push(p.moves) });
+    const looped = [];
+    for await (const { moves, summary, path } of run) looped.push({ moves, total: summary.total_time, path });
+    const { summary } = await run;
+    assert.ok(looped.length > 0 && looped.every(({ moves }) => heard.includes(moves)));
+    assert.deepEqual(looped.map((p) => p.total), looped.map((p) => p.total).toSorted((a, b) => b - a));
+    assert.ok(looped.at(-1).total >= summary.total_time);
+    assert.ok(looped[0].path !== null);
+  });
+
+  it('merges what a slow reader missed, and loses no path', async () => {
+    const run = plan(keyboard(), { ...options, moves: 1_000_000 });
+    let last = null;
+    let steps = 0;
+    for await (const progress of run) {
+      last = progress.path ?? last;
+      steps += 1;
+      await new Promise((resolve) => setTimeout(resolve, 200));
+    }
+    const { path, seconds } = await run;
+    assert.ok(steps <= seconds * 5 + 2, `${steps} steps in ${seconds} s`);
+    assert.equal(last.contours.length, path.contours.length);
+  });
+
+  it('stops when the loop is left, and keeps the best', async () => {
+    const run = plan(keyboard(), { seed: 1, seconds: 60, outputs: ['gcode'] });
+    for await (const { moves } of run) if (moves > 5_000) break;
+    const { reason, outputs } = await run;
+    assert.ok(['stopped', 'exhausted'].includes(reason));
+    assert.match(outputs.gcode, /^; Kerfway/);
+  });
+
+  it('stops before it has begun, with a path all the same', async () => {
+    const run = plan(keyboard(), { seed: 1, seconds: 60 });
+    run.stop();
+    const { reason, path, loaded } = await run;
+    assert.equal(reason, 'stopped');
+    assert.equal(new Set(path.contours).size, loaded.contours.length);
+  });
+
+  it('throws into the loop what it fails with', async () => {
+    const control = new AbortController();
+    const looping = async () => {
+      for await (const _ of plan(keyboard(), { seconds: 60, signal: control.signal })) control.abort();
+    };
+    await assert.rejects(looping(), { name: 'AbortError' });
+    const reason = new Error('changed my mind');
+    await assert.rejects(plan(keyboard(), { signal: AbortSignal.abort(reason) }), reason);
+    const late = plan(keyboard(), { seconds: 60, signal: AbortSignal.timeout(300) });
+    await assert.rejects(late, { name: 'TimeoutError' });
+    await assert.rejects((async () => { for await (const _ of late); })(), { name: 'TimeoutError' });
+  });
+
+  it('rejects with one sentence, and says which option there is not', async () => {
+    await assert.rejects(plan(new Uint8Array(0)), /empty/);
+    await assert.rejects(plan(PLATE, { machine: 'plasma-9000' }), /no machine named plasma-9000/);
+    await assert.rejects(plan(PLATE, { second: 5 }), /plan has no option second: there are .*seconds/);
+  });
+});
+
+describe('render', () => {
+  it('writes a plan later, as it would have been written at once', async () => {
+    const kinds = ['gcode', 'svg', 'dxf'];
+    const planned = await plan(keyboard(), { machine: 'diode-hobby', units: 'mm', seed: 2, moves: 20_000, workers: 2, outputs: kinds });
+    for (const kind of kinds) assert.equal(await render(keyboard(), structuredClone(planned), kind), planned.outputs[kind]);
+    const png = await render(keyboard(), planned, 'png', { width: 320 });
+    assert.equal(new DataView(png.buffer, png.byteOffset).getUint32(16), 320);
+  });
+
+  it('refuses another drawing', async () => {
+    const planned = await plan(PLATE, { units: 'mm', moves: 10 });
+    await assert.rejects(render(keyboard(), planned, 'svg'), /not the drawing that was planned/);
+  });
+});
+
+it('everything is there by require, too', async () => {
+  const required = createRequire(import.meta.url)('kerfway');
+  assert.equal((await required.inspect(PLATE)).contours.length, 2);
+});

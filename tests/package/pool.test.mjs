@@ -1,0 +1,170 @@
+// A pool of planners: turns, back-pressure, workers that die, signals, and memory that does not grow.
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { describe, it } from 'node:test';
+import { Worker } from 'node:worker_threads';
+import { createPool } from 'kerfway';
+import { Planner } from '../../dist/sdk/planner.js';
+import { poolOf } from '../../dist/sdk/pool.js';
+import { bytes, circle, dxf, KEYBOARD, square } from './support.mjs';
+
+const SDK = new URL('../../dist/sdk/', import.meta.url);
+const module = new WebAssembly.Module(await readFile(new URL('pkg/kerfway_bg.wasm', SDK)));
+const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
+const SHORT = { units: 'mm', seed: 1, moves: 2_000, outputs: ['json'] };
+const LONG = { seconds: 60, seed: 4 };
+
+/** A pool whose workers the test can kill. */
+function fragile(t, size) {
+  const workers = [];
+  const start = (heard, died) => {
+    const worker = new Worker(new URL('node-worker.js', SDK));
+    workers.push(worker);
+    worker.on('message', heard);
+    worker.on('exit', () => died('The planner ended unexpectedly.'));
+    return { post: (m) => worker.postMessage(m), close: () => void worker.terminate() };
+  };
+  const pool = poolOf(() => Planner.open({ module, start }), size);
+  t.after(() => pool.close());
+  return { pool, workers };
+}
+
+/** A pool, closed after the test. */
+function pooled(t, options) {
+  const pool = createPool(options);
+  t.after(() => pool.close());
+  return pool;
+}
+
+/** Resolves at the first news of a plan in which moves were done. */
+function underWay() {
+  let resolve;
+  const promise = new Promise((r) => (resolve = r));
+  return { onProgress: (p) => p.moves > 0 && resolve(), promise };
+}
+
+describe('turns', () => {
+  it('all come, and everybody gets the plan of the own file', async (t) => {
+    const pool = pooled(t, { size: 2 });
+    const sides = Array.from({ length: 12 }, (_, k) => 10 + k);
+    const plans = sides.map((side) => pool.plan(dxf(square(0, 0, side)), SHORT));
+    assert.equal(pool.waiting, 10);
+    const lengths = (await Promise.all(plans)).map(({ summary }) => Math.round(summary.cut_length));
+    assert.deepEqual(lengths, sides.map((side) => 4 * side));
+    assert.equal(pool.waiting, 0);
+  });
+
+  it('read no more files than are worked on', async (t) => {
+    const pool = pooled(t, { size: 2 });
+    let [open, most] = [0, 0];
+    const read = async () => {
+      most = Math.max(most, (open += 1));
+      return PLATE;
+    };
+    const done = () => (open -= 1);
+    await Promise.all(Array.from({ length: 20 }, () => pool.inspect(read).then(done)));
+    assert.equal(most, 2);
+  });
+
+  it('make room for as many as may wait, and hold back the next', async (t) => {
+    const pool = pooled(t, { size: 1, queue: 2 });
+    const jobs = [];
+    for (let k = 0; k < 9; k++) {
+      await pool.room();
+      jobs.push(pool.plan(PLATE, SHORT));
+      assert.ok(pool.waiting <= 2, `${pool.waiting} wait`);
+    }
+    assert.equal(pool.waiting, 2);
+    await Promise.all(jobs);
+  });
+
+  it('go on after files that are none', async (t) => {
+    const pool = pooled(t, { size: 1 });
+    const results = await Promise.allSettled([
+      pool.plan(new Uint8Array(0), SHORT),
+      pool.plan(PLATE, { ...SHORT, machine: 'plasma-9000' }),
+      pool.plan(PLATE, SHORT),
+    ]);
+    assert.deepEqual(results.map((r) => r.status), ['rejected', 'rejected', 'fulfilled']);
+    assert.match(results[0].reason.message, /empty/);
+  });
+
+  it('are told to be of a whole number', () => {
+    assert.throws(() => createPool({ size: 0 }), /The pool's size is 0\. Give a whole number from 1 on/);
+    assert.throws(() => createPool({ size: 1, queue: 0.5 }), /queue is 0\.5/);
+  });
+});
+
+describe('a worker that dies', () => {
+  it('loses nothing: its file is planned anew, to the same bytes', async (t) => {
+    const { pool, workers } = fragile(t, 2);
+    const options = { ...SHORT, moves: 600_000 };
+    const { outputs } = await pool.plan(bytes(KEYBOARD), options);
+    const news = underWay();
+    const again = pool.plan(bytes(KEYBOARD), { ...options, onProgress: news.onProgress });
+    const beside = pool.plan(PLATE, SHORT);
+    await news.promise;
+    await workers[0].terminate();
+    assert.ok((await again).outputs.json === outputs.json, 'another plan after the death');
+    assert.equal((await beside).summary.contours, 2);
+  });
+
+  it('a second time at the same file: that file fails with a sentence, the next does not', async (t) => {
+    const { pool, workers } = fragile(t, 1);
+    const killing = () => {
+      void workers.at(-1).terminate();
+      return bytes(KEYBOARD);
+    };
+    const failing = pool.plan(killing, LONG);
+    const next = pool.plan(PLATE, SHORT);
+    await assert.rejects(failing, /^Error: The planner ended unexpectedly\. It was tried 2 times; this file may need more memory than there is\.$/);
+    assert.equal((await next).summary.contours, 2);
+  });
+
+  it('while it waits for work: the next file gets a new one', async (t) => {
+    const { pool, workers } = fragile(t, 1);
+    await pool.plan(PLATE, SHORT);
+    await workers[0].terminate();
+    assert.equal((await pool.plan(PLATE, SHORT)).summary.contours, 2);
+  });
+});
+
+describe('signals and the end', () => {
+  it('an aborted plan makes room for the next at once, one that waits leaves the queue', async (t) => {
+    const pool = pooled(t, { size: 1 });
+    const [first, second] = [new AbortController(), new AbortController()];
+    const news = underWay();
+    const running = pool.plan(bytes(KEYBOARD), { ...LONG, signal: first.signal, onProgress: news.onProgress });
+    const waiting = pool.plan(PLATE, { ...SHORT, signal: second.signal });
+    const last = pool.plan(PLATE, SHORT);
+    await news.promise;
+    second.abort();
+    await assert.rejects(waiting, { name: 'AbortError' });
+    assert.equal(pool.waiting, 1);
+    first.abort();
+    await assert.rejects(running, { name: 'AbortError' });
+    assert.equal((await last).summary.contours, 2);
+  });
+
+  it('closing rejects what runs, what waits and what comes', async () => {
+    const pool = createPool({ size: 1 });
+    const news = underWay();
+    const jobs = [pool.plan(bytes(KEYBOARD), { ...LONG, onProgress: news.onProgress }), pool.plan(PLATE, SHORT)];
+    await news.promise;
+    pool.close();
+    for (const job of [...jobs, pool.inspect(PLATE)]) await assert.rejects(job, /^Error: The pool was closed\.$/);
+  });
+});
+
+it('a hundred files take no more memory than ten', async (t) => {
+  const pool = pooled(t, { size: 2 });
+  const file = bytes(KEYBOARD);
+  const run = (count) => Promise.all(Array.from({ length: count }, () => pool.plan(() => file, { ...SHORT, outputs: [] }).then(() => {})));
+  await run(20);
+  const before = process.memoryUsage().rss;
+  await run(100);
+  const grown = (process.memoryUsage().rss - before) / 1e6;
+  // A planner of its own for each, not given back, would be some 300 MB.
+  assert.ok(grown < 60, `${grown.toFixed(0)} MB more`);
+});
