@@ -16,7 +16,7 @@ const PATIENCE = 60_000;
 export const SIZES = { desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } };
 
 /** Opens the built page; everything is closed when the test ends. Errors on the page fail the test, unless `broken`. */
-export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch = false, prepare, broken = false } = {}) {
+export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch = false, hash = '', prepare, broken = false } = {}) {
   const server = await serve(join(ROOT, 'dist', 'app'));
   t.after(() => server.close());
   const browser = await chromium.launch({
@@ -34,7 +34,7 @@ export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch
   page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
   t.after(() => broken || assert.deepEqual(errors, []));
   if (prepare) await page.addInitScript(prepare);
-  await page.goto(server.url);
+  await page.goto(`${server.url}${hash && `#${hash}`}`);
   return { page, requests, url: server.url };
 }
 

@@ -40,7 +40,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
     scales: { x: { time: false, distr: 3, range: (_u, _low, high) => [FIRST, Math.max(1, high)] }, y: { range: (_u, low, high) => pad(low, high) } },
     axes: [
       { ...axis, size: 22, space: 40, filter: decades, grid: { ...axis.grid, filter: decades }, values: (_u, splits) => splits.map((s) => (s === null ? '' : `${Number(s.toPrecision(3))} s`)) },
-      { ...axis, size: 44, space: 32, values: (_u, splits) => splits.map((s) => (s < 1000 ? String(Math.round(s * 100) / 100) : count(s))) },
+      { ...axis, size: 44, space: 32, values: (_u, splits) => splits.map((s) => (s < 1000 ? String(Math.round(s * 100) / 100) : s < 1e5 ? count(s) : `${count(s / 1000)}k`)) },
     ],
     series: [
       {},

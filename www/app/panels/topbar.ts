@@ -29,9 +29,9 @@ export function topBar(session: Session, theme: Theme, actions: TopActions): { n
   const unitMenu = popover(units, 'Units', unitList, () => fillUnits(session, unitList));
   const measure = h('span', { class: 'measure number' });
 
-  const themes = button('Dark theme', { icon: 'moon', iconOnly: true, class: 'quiet', onclick: () => theme.toggle() });
-  const undo = button('Undo (Ctrl Z)', { icon: 'undo', iconOnly: true, class: 'quiet undo', onclick: () => session.undo() });
-  const redo = button('Redo (Ctrl Shift Z)', { icon: 'redo', iconOnly: true, class: 'quiet undo', onclick: () => session.redo() });
+  const themes = button('Dark theme', { icon: 'moon', iconOnly: true, class: 'quiet theme', onclick: () => theme.toggle() });
+  const undo = button('Undo (Ctrl Z)', { icon: 'undo', iconOnly: true, class: 'quiet', onclick: () => session.undo() });
+  const redo = button('Redo (Ctrl Shift Z)', { icon: 'redo', iconOnly: true, class: 'quiet redo', onclick: () => session.redo() });
   const table = button('Cutting order', { icon: 'table', iconOnly: true, class: 'quiet', 'aria-pressed': false, onclick: actions.table });
   const panel = button('Panel', { icon: 'panel', iconOnly: true, class: 'quiet panel-toggle', 'aria-expanded': true, 'aria-controls': 'panel', onclick: actions.panel });
 

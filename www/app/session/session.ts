@@ -70,7 +70,10 @@ export class Session extends Emitter<Events> {
   // A method of a paper was shared: its code is loaded first.
   private async chooseShared(method: string): Promise<void> {
     await this.askPapers();
-    if (this.papers.some((m) => m.name === method)) this.setSearch({ method });
+    if (!this.papers.some((m) => m.name === method)) return;
+    this.state.search.method = method;
+    this.emit('change', this.state);
+    this.restart(false);
   }
 
   /** The settings, for an address that shares them. */

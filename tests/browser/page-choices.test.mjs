@@ -1,0 +1,104 @@
+// What a person chooses on the page: methods of papers, pins, the start, machines of one's own; undo, redo, sharing.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { download, openPage, phase, SIZES } from './page-support.mjs';
+
+/** Opens a part of the panel. */
+const open = (page, title) =>
+  page.evaluate((t) => {
+    const part = [...document.querySelectorAll('details')].find((d) => d.querySelector('summary')?.textContent.startsWith(t));
+    part.open = true;
+  }, title);
+
+const method = (page) => page.getByLabel('Method');
+const seconds = (page) => page.evaluate(() => document.querySelector('.dock-head').textContent);
+
+test('a method of a paper is chosen, tells of itself, takes parameters and is undone', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=300' });
+  await phase(page, 'planning');
+  await open(page, 'Plan');
+  await page.waitForFunction(() => document.querySelectorAll('optgroup option').length >= 2);
+  await method(page).selectOption({ label: 'RLSGA' });
+  await page.getByText('J. Mar. Sci. Eng. 11 (2023) 652').waitFor();
+  await page.waitForFunction(() => /^round \d/.test(document.querySelector('.insight')?.parentElement.querySelector('.number')?.textContent ?? ''));
+  assert.equal(await page.locator('.insight-grid td.number').count(), 9, 'the Q-table');
+  await open(page, 'Parameters');
+  await page.getByLabel('Population').fill('20');
+  await page.waitForFunction(() => document.querySelector('.insight-grid td.now') !== null);
+  await page.getByLabel('Method').focus();
+
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await page.waitForFunction(() => [...document.querySelectorAll('.field')].some((f) => f.textContent === 'Population' && f.querySelector('input').value === '200'));
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await page.waitForFunction(() => document.querySelector('[aria-label=Method]').value === 'tour-tree');
+  await page.getByRole('button', { name: 'Redo' }).click();
+  await page.waitForFunction(() => document.querySelector('[aria-label=Method]').value === 'rlsga');
+  await page.keyboard.press('Escape');
+  await page.locator('body').press('s');
+  await phase(page, 'done');
+  assert.match(await seconds(page), /^Stopped/);
+});
+
+test('a parameter that cannot be is told in a sentence, the drawing stays', async (t) => {
+  const { page } = await openPage(t, { hash: 'method=rlsga&seconds=300' });
+  await page.waitForFunction(() => document.querySelector('[aria-label=Method]')?.value === 'rlsga');
+  await open(page, 'Plan');
+  await open(page, 'Parameters');
+  await page.getByLabel('Population').fill('-1');
+  await page.waitForFunction(() => document.querySelector('.dock-head').textContent.startsWith('The parameters are not usable'));
+  assert.equal(await page.locator('.file-name').textContent(), 'sheet_500.dxf');
+  await page.getByLabel('Population').fill('20');
+  await phase(page, 'planning');
+});
+
+test('a contour is pinned, the start chosen on the sheet, and the address shares what can be shared', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  await page.locator('body').press('ArrowRight');
+  await page.getByRole('button', { name: 'Cut last' }).click();
+  await page.waitForFunction(() => document.querySelector('.card.contour [aria-pressed=true]')?.textContent === 'Cut last' || document.querySelector('.card.contour').hidden);
+  await phase(page, 'planning', 'done');
+  await open(page, 'Machine');
+  await open(page, 'Numbers');
+  await page.getByRole('button', { name: 'Choose the start on the sheet' }).click();
+  const box = await page.locator('#canvas').boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await page.waitForFunction(() => [...document.querySelectorAll('.field')].some((f) => f.textContent.startsWith('Home, x') && Number(f.querySelector('input').value) > 100));
+  await open(page, 'Plan');
+  await page.getByLabel('Seed').fill('77');
+  await page.waitForFunction(() => location.hash.includes('seed=77'));
+  assert.ok(!(await page.evaluate(() => location.href)).includes('sheet_500'), 'never the drawing');
+});
+
+test('a machine is kept under a name, exported, forgotten and imported', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  await open(page, 'Machine');
+  await open(page, 'Your machines');
+  await page.getByLabel('Name of your machine').fill('Shop laser');
+  await page.getByRole('button', { name: 'Keep' }).click();
+  await page.waitForFunction(() => document.querySelector('[aria-label=Preset]').value === 'my-shop-laser');
+  const { name, bytes } = await download(page, () => page.getByRole('button', { name: 'Export' }).click());
+  assert.equal(name, 'my-shop-laser.machine.json');
+  assert.equal(JSON.parse(bytes).schema, 'kerfway.machine/1');
+  await page.getByRole('button', { name: 'Forget' }).click();
+  await page.waitForFunction(() => ![...document.querySelectorAll('[aria-label=Preset] option')].some((o) => o.value === 'my-shop-laser'));
+  const give = async (content, label) => {
+    const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.getByRole('button', { name: 'Import' }).click()]);
+    await chooser.setFiles({ name: label, mimeType: 'application/json', buffer: Buffer.from(content) });
+  };
+  await give(bytes, name);
+  await page.waitForFunction(() => document.querySelector('[aria-label=Preset]').value === 'my-shop-laser');
+  await give(readFileSync(new URL('../../package.json', import.meta.url)), 'package.json');
+  await page.getByText('This file is no machine profile').waitFor();
+});
+
+test('on a phone nothing in the top bar lies over something else', async (t) => {
+  const { page } = await openPage(t, { size: SIZES.phone });
+  await phase(page, 'planning', 'done');
+  const boxes = await page.locator('.top button:visible').evaluateAll((all) => all.map((b) => b.getBoundingClientRect()).map((r) => [r.left, r.right]));
+  boxes.sort((a, b) => a[0] - b[0]);
+  boxes.slice(1).forEach(([left], k) => assert.ok(left >= boxes[k][1] - 1, JSON.stringify(boxes)));
+});
