@@ -1,14 +1,15 @@
 // What is published: the files, their entry points by import, require and type, and no more.
 
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, after, describe, it } from 'node:test';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
+import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core';
 import { publint } from 'publint';
-import { ROOT } from './support.mjs';
+import { install, pack, ROOT } from './support.mjs';
 
 /** kB, packed: the two wasm files, the planner once more in base64, and the scripts. */
 const PACKED_BUDGET = 1200;
@@ -18,11 +19,8 @@ describe('the published package', () => {
 
   before(() => {
     at = mkdtempSync(join(tmpdir(), 'kerfway-pack-'));
-    const out = execFileSync('npm', ['pack', '--json', '--pack-destination', at], { cwd: ROOT, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
-    [packed] = JSON.parse(out);
-    mkdirSync(join(at, 'node_modules', 'kerfway'), { recursive: true });
-    execFileSync('tar', ['-xzf', join(at, packed.filename), '--strip-components=1', '-C', join(at, 'node_modules', 'kerfway')]);
-    writeFileSync(join(at, 'package.json'), '{ "type": "module" }');
+    packed = pack(at);
+    install(at, packed.filename);
   });
   after(() => rmSync(at, { recursive: true, force: true }));
 
@@ -31,13 +29,13 @@ describe('the published package', () => {
   it('holds what is listed and nothing else', () => {
     const files = packed.files.map((f) => f.path);
     for (const wanted of [
-      'LICENSE', 'README.md', 'CHANGELOG.md', 'package.json', 'dist/sdk/index.js', 'dist/sdk/index.d.ts', 'dist/sdk/node.js',
+      'LICENSE', 'README.md', 'CHANGELOG.md', 'package.json', 'dist/sdk/index.js', 'dist/sdk/index.d.ts', 'dist/sdk/node.js', 'dist/sdk/node.cjs', 'dist/sdk/node.d.cts',
       'dist/sdk/worker.js', 'dist/sdk/node-worker.js', 'dist/sdk/cli.js', 'dist/sdk/inline.js', 'dist/sdk/inline-bytes.js',
       'dist/sdk/plan.schema.json', 'dist/sdk/pkg/kerfway.js', 'dist/sdk/pkg/kerfway_bg.wasm', 'dist/sdk/pkg/kerfway_png_bg.wasm',
     ]) {
       assert.ok(files.includes(wanted), wanted);
     }
-    const strange = files.filter((f) => !/^(LICENSE|README\.md|CHANGELOG\.md|package\.json|dist\/sdk\/.*\.(js|d\.ts|json|wasm))$/.test(f));
+    const strange = files.filter((f) => !/^(LICENSE|README\.md|CHANGELOG\.md|package\.json|dist\/sdk\/.*\.(c?js|d\.c?ts|json|wasm|html))$/.test(f));
     assert.deepEqual(strange, []);
     assert.ok(packed.size < PACKED_BUDGET * 1000, `${packed.size} bytes`);
   });
@@ -45,6 +43,15 @@ describe('the published package', () => {
   it('is in order by publint', async () => {
     const { messages } = await publint({ pkgDir: join(at, 'node_modules', 'kerfway'), strict: true, pack: false });
     assert.deepEqual(messages, []);
+  });
+
+  it('has types that resolve wherever it is used, by @arethetypeswrong', async () => {
+    const { problems, entrypoints } = await checkPackage(createPackageFromTarballData(readFileSync(join(at, packed.filename))));
+    assert.ok(Object.values(entrypoints).every((e) => e.resolutions.bundler.resolution !== undefined || e.isWildcard));
+    // Left out: the resolution of before 2020 (node10), which knows no `exports`, and require for what is meant for
+    // browsers, which have none.
+    const counts = ({ entrypoint, resolutionKind }) => resolutionKind !== 'node10' && (entrypoint === '.' || resolutionKind !== 'node16-cjs');
+    assert.deepEqual(problems.filter(counts), []);
   });
 
   it('is found by import, by require and as data', () => {
@@ -67,25 +74,57 @@ describe('the published package', () => {
     assert.deepEqual(JSON.parse(run('use.mjs')), [true, 0, true, 'function', true]);
   });
 
+  it('is the same by import and by require, without a word of warning', () => {
+    const script = `
+      const kerfway = require('kerfway');
+      const square = [[0, 0, 9, 0], [9, 0, 9, 9], [9, 9, 0, 9], [0, 9, 0, 0]];
+      const lines = square.map(([a, b, c, d]) => '0\\nLINE\\n10\\n' + a + '\\n20\\n' + b + '\\n11\\n' + c + '\\n21\\n' + d + '\\n');
+      const dxf = '0\\nSECTION\\n2\\nENTITIES\\n' + lines.join('') + '0\\nENDSEC\\n0\\nEOF\\n';
+      import('kerfway').then(async (imported) => {
+        const { summary } = await kerfway.plan(Buffer.from(dxf), { units: 'mm', moves: 10 });
+        console.log(JSON.stringify([imported.plan === kerfway.plan, summary.cut_length]));
+      });`;
+    writeFileSync(join(at, 'use.cjs'), script);
+    const { stdout, stderr } = spawnSync(process.execPath, ['use.cjs'], { cwd: at, encoding: 'utf8' });
+    assert.equal(stderr, '');
+    assert.deepEqual(JSON.parse(stdout), [true, 36]);
+  });
+
   it('has types that a strict program compiles against', () => {
     const program = `
-      import { createPlanner, type BestPath, type Loaded } from 'kerfway';
+      import { createPlanner, createPool, inspect, plan, render, type BestPath, type Loaded, type PlanRun, type Pool } from 'kerfway';
       const planner = await createPlanner({ onReplaced: (message: string) => console.log(message) });
       const loaded: Loaded = await planner.load(new Uint8Array(0), 'a.dxf', { units: 'mm' });
       let path: BestPath | null = null;
-      const plan = planner.plan({ moves: 10, machine: 'length' }, (p) => (path = p.path));
-      const seconds: number = (await plan.done).progress.summary.total_time;
+      const handle = planner.plan({ moves: 10, machine: 'length' }, (p) => (path = p.path));
+      const seconds: number = (await handle.done).progress.summary.total_time;
       const gcode: string = await planner.output('gcode');
       const png: Uint8Array = await planner.output('png', 300);
       console.log(loaded.units.reason, path, seconds, gcode, png);
       // @ts-expect-error: no such unit
-      void planner.reload({ units: 'parsec' });`;
+      void planner.reload({ units: 'parsec' });
+      const run: PlanRun<'gcode' | 'png'> = plan(new Uint8Array(0), { outputs: ['gcode', 'png'], signal: AbortSignal.timeout(5) });
+      for await (const { summary } of run) console.log(summary.gap);
+      const planned = await run;
+      const [text, picture]: [string, Uint8Array] = [planned.outputs.gcode, planned.outputs.png];
+      // @ts-expect-error: not asked for
+      planned.outputs.svg;
+      const svg: string = await render(new Uint8Array(0), planned, 'svg');
+      const pool: Pool = createPool({ size: 2 });
+      const other: Loaded = await pool.inspect(() => new Uint8Array(0), { keepDamaged: true });
+      console.log(text, picture, svg, other, inspect);`;
     writeFileSync(join(at, 'use.ts'), program);
+    writeFileSync(join(at, 'common.cts'), `
+      import { plan, type Planned } from 'kerfway';
+      import kerfway = require('kerfway');
+      const planned: Promise<Planned> = plan(new Uint8Array(0), { seconds: 1 });
+      void planned.then((p: kerfway.Planned) => p.summary.total_time);`);
     for (const [module, resolution] of [['NodeNext', 'NodeNext'], ['ESNext', 'Bundler']]) {
       const options = ['--strict', '--noEmit', '--target', 'ES2022', '--lib', 'ES2022,DOM', '--types', ''];
       const tsc = join(ROOT, 'node_modules', 'typescript', 'bin', 'tsc');
       run(tsc, ...options, '--module', module, '--moduleResolution', resolution, 'use.ts');
     }
+    run(tsc, '--strict', '--noEmit', '--target', 'ES2022', '--types', '', '--lib', 'ES2022,DOM', '--module', 'NodeNext', 'common.cts');
   });
 
   it('runs as a command', () => {

@@ -1,7 +1,7 @@
 // Helpers of the package tests: fixtures, the command line, folders that vanish.
 
-import { spawn } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { execFileSync, spawn } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -52,3 +52,15 @@ export const square = (x, y, side, layer = '0') => [
   ...line(x + side, y + side, x, y + side, layer),
   ...line(x, y + side, x, y, layer),
 ];
+
+/** Packs the package into a folder, as it would be published; what npm says of the tarball. */
+export function pack(at) {
+  const options = { cwd: ROOT, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] };
+  return JSON.parse(execFileSync('npm', ['pack', '--json', '--pack-destination', at], options))[0];
+}
+
+/** Makes the folder a project and installs a tarball in it, as anybody would, without the network. */
+export function install(at, tarball) {
+  writeFileSync(join(at, 'package.json'), '{ "type": "module", "private": true }');
+  execFileSync('npm', ['install', '--offline', '--no-audit', '--no-fund', `./${tarball}`], { cwd: at, stdio: ['ignore', 'ignore', 'ignore'] });
+}

@@ -63,7 +63,7 @@ export interface Functions {
    * Writes a finished plan of the same drawing in another form. The plan JSON, which tells of the search itself, is
    * written by `plan` only.
    */
-  render<K extends Exclude<OutputKind, 'json'>>(source: Source, planned: Planned<OutputKind>, kind: K, options?: RenderOptions): Promise<Outputs<K>[K]>;
+  render<K extends Exclude<OutputKind, 'json'>>(source: Source, planned: Omit<Planned, 'outputs'>, kind: K, options?: RenderOptions): Promise<Outputs<K>[K]>;
 }
 
 const NAME = 'drawing.dxf';
