@@ -119,9 +119,9 @@ describe('the published package', () => {
       import kerfway = require('kerfway');
       const planned: Promise<Planned> = plan(new Uint8Array(0), { seconds: 1 });
       void planned.then((p: kerfway.Planned) => p.summary.total_time);`);
+    const tsc = join(ROOT, 'node_modules', 'typescript', 'bin', 'tsc');
     for (const [module, resolution] of [['NodeNext', 'NodeNext'], ['ESNext', 'Bundler']]) {
       const options = ['--strict', '--noEmit', '--target', 'ES2022', '--lib', 'ES2022,DOM', '--types', ''];
-      const tsc = join(ROOT, 'node_modules', 'typescript', 'bin', 'tsc');
       run(tsc, ...options, '--module', module, '--moduleResolution', resolution, 'use.ts');
     }
     run(tsc, '--strict', '--noEmit', '--target', 'ES2022', '--types', '', '--lib', 'ES2022,DOM', '--module', 'NodeNext', 'common.cts');
