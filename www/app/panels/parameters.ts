@@ -3,7 +3,10 @@
 import { button, h } from '../core/dom.js';
 import type { PaperMethod } from 'kerfway';
 import type { Session } from '../session/session.js';
-import { check, field } from './section.js';
+import { check, field, select } from './section.js';
+
+/** Words a parameter may have; all others are numbers, or yes and no. */
+const CHOICES = [['euclidean', 'chebyshev', 'seconds']];
 
 /** What a parameter of some type is set with. */
 interface Control {
@@ -38,14 +41,18 @@ function control(name: string, initial: unknown, set: (value: unknown) => void):
     const { root, input } = check(label, set);
     return { root, show: (value) => (input.checked = value === true) };
   }
-  const numeric = typeof initial === 'number';
-  const input = h('input', numeric ? { type: 'number', step: 'any', inputmode: 'decimal' } : { type: 'text' });
+  const choices = CHOICES.find((list) => list.includes(String(initial)));
+  if (choices !== undefined) {
+    const { root, fill } = select<string>(set);
+    return { root: field(label, root), show: (value) => fill(choices.map((c) => ({ value: c, label: c })), String(value)) };
+  }
+  const input = h('input', { type: 'number', step: 'any', inputmode: 'decimal', placeholder: initial === null ? 'none' : '' });
   input.addEventListener('input', () => {
-    const value = numeric ? input.valueAsNumber : input.value.trim();
-    if (value !== '' && !Number.isNaN(value)) set(value);
+    if (!Number.isNaN(input.valueAsNumber)) set(input.valueAsNumber);
+    else if (initial === null && input.value === '') set(null);
   });
   const show = (value: unknown) => {
-    if (document.activeElement !== input) input.value = String(value);
+    if (document.activeElement !== input) input.value = value === null ? '' : String(value);
   };
   return { root: field(label, input), show };
 }

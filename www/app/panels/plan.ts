@@ -22,7 +22,7 @@ export function planPanel(session: Session): HTMLElement {
   const own = parameters(session);
   // Their code comes when the choice is first looked at.
   root.addEventListener('toggle', () => void session.askPapers());
-  const seed = h('input', { type: 'number', min: 0, max: 4294967295, step: 1, inputmode: 'numeric', placeholder: 'another each time' });
+  const seed = h('input', { type: 'number', min: 0, max: 4294967295, step: 1, inputmode: 'numeric', placeholder: 'random' });
   seed.addEventListener('input', () => {
     const value = seed.valueAsNumber;
     if (seed.value === '') session.setSearch({ seed: null }, true);
