@@ -1,8 +1,14 @@
-// A small static server for the built page: right types, nothing cached, nothing outside its folder.
+// A small static server for the built page: right types, nothing cached, nothing outside its folder, and the
+// Content-Security-Policy of www/policy.json on everything, workers too.
 
-import { createReadStream, statSync } from 'node:fs';
+import { createReadStream, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
+import { ROOT } from './tools.mjs';
+
+const POLICY = Object.entries(JSON.parse(readFileSync(join(ROOT, 'www', 'policy.json'), 'utf8')))
+  .map(([what, from]) => `${what} ${from}`)
+  .join('; ');
 
 const TYPES = {
   '.html': 'text/html; charset=utf-8',
@@ -26,7 +32,7 @@ export function serve(folder, port = 0) {
       return;
     }
     const type = TYPES[extname(file).toLowerCase()] ?? 'application/octet-stream';
-    response.writeHead(200, { 'content-type': type, 'cache-control': 'no-store' });
+    response.writeHead(200, { 'content-type': type, 'cache-control': 'no-store', 'content-security-policy': POLICY });
     createReadStream(file).pipe(response);
   });
   return new Promise((resolve, reject) => {

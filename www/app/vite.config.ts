@@ -1,22 +1,14 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
+import policy from '../policy.json' with { type: 'json' };
 
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 /**
  * What the built page may load and where it may speak to: its own folder, nothing else. Set at build, because the
- * development server needs more.
+ * development server needs more; stated in the page itself, because any folder can serve it.
  */
-const POLICY = [
-  "default-src 'none'",
-  "script-src 'self' 'wasm-unsafe-eval'",
-  "worker-src 'self'",
-  "style-src 'self'",
-  "img-src 'self' blob:",
-  "connect-src 'self'",
-  "base-uri 'none'",
-  "form-action 'none'",
-].join('; ');
+const POLICY = Object.entries(policy).map(([what, from]) => `${what} ${from}`).join('; ');
 
 const contentSecurityPolicy: Plugin = {
   name: 'content-security-policy',

@@ -89,6 +89,7 @@ export function functionsOn(lend: Lend): Functions {
       };
       const work = async (planner: Planner) => {
         const loaded = await planner.load(await bytesOf(source), options.name ?? NAME, reading(options));
+        options.onLoaded?.(loaded);
         const handle = planner.plan(planning(options), tell);
         stop = () => handle.stop();
         if (stopped) stop();

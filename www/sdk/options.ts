@@ -3,7 +3,7 @@
  * object, and told apart here by name.
  */
 
-import type { LoadOptions, OutputKind, PlanOptions, Progress } from './protocol.js';
+import type { Loaded, LoadOptions, OutputKind, PlanOptions, Progress } from './protocol.js';
 
 /** A drawing's bytes. */
 export type Bytes = ArrayBuffer | Uint8Array;
@@ -25,6 +25,8 @@ export interface InspectOptions extends LoadOptions, JobOptions {}
 export interface PlanningOptions extends LoadOptions, PlanOptions {}
 
 export interface PlanJobOptions<K extends OutputKind = never> extends PlanningOptions, JobOptions {
+  /** Told what the drawing holds, before the search begins. */
+  onLoaded?: (loaded: Loaded) => void;
   /** Told of every improvement, and four times a second without one. */
   onProgress?: (progress: Progress) => void;
   /** What is written of the finished plan, as `outputs` of the result. Default: nothing. */
@@ -49,7 +51,7 @@ const PLANNING: Record<keyof PlanOptions, true> = {
 
 const JOB: Record<keyof JobOptions, true> = { name: true, signal: true };
 
-const PLAN_JOB: Record<Exclude<keyof PlanJobOptions, keyof PlanningOptions>, true> = { ...JOB, onProgress: true, outputs: true };
+const PLAN_JOB: Record<Exclude<keyof PlanJobOptions, keyof PlanningOptions>, true> = { ...JOB, onLoaded: true, onProgress: true, outputs: true };
 
 /** The options of reading among those of a job. */
 export function reading(options: LoadOptions): LoadOptions {

@@ -1,0 +1,66 @@
+/** What `<kerfway-planner>` is made of and looks like, before a host changes its parts and properties. */
+
+const CSS = `
+:host {
+  display: grid;
+  grid-template-rows: 1fr auto;
+  height: 360px;
+  color-scheme: light dark;
+  color: var(--kerfway-text, light-dark(#1a1d22, #e9ebef));
+  background: var(--kerfway-surface, light-dark(#ffffff, #1a1d23));
+  border: 1px solid var(--kerfway-line, light-dark(#dadee4, #2e343e));
+  border-radius: var(--kerfway-radius, 6px);
+  font: var(--kerfway-font, 14px/1.4 system-ui, sans-serif);
+  overflow: hidden;
+}
+:host([hidden]), [hidden], :host([state=empty]) [part=bar] { display: none !important; }
+[part=stage] { position: relative; min-height: 0; background: var(--kerfway-sheet, transparent); }
+canvas { position: absolute; inset: 0; width: 100%; height: 100%; }
+[part=contours] { color: var(--kerfway-contour, light-dark(#1f2329, #dfe3e9)); }
+[part=path] { color: var(--kerfway-accent, light-dark(#2f4fdb, #93a8ff)); }
+[part=drop] {
+  position: absolute; inset: 12px; display: grid; place-content: center; justify-items: center; gap: 8px; text-align: center;
+  border: 1px dashed var(--kerfway-edge, light-dark(#868e9a, #737c8a)); border-radius: inherit;
+}
+:host([dragging]) [part=stage] { outline: 2px solid var(--kerfway-accent, light-dark(#2f4fdb, #93a8ff)); outline-offset: -4px; }
+[part=bar] {
+  display: flex; flex-wrap: wrap; align-items: center; gap: 8px; padding: 8px 12px;
+  border-top: 1px solid var(--kerfway-line, light-dark(#dadee4, #2e343e));
+}
+[part=numbers] { flex: 1 1 12em; margin: 0; font-variant-numeric: tabular-nums; }
+[part=message] { flex: 1 1 100%; margin: 0; color: var(--kerfway-error, light-dark(#b3201a, #ff958c)); }
+button {
+  font: inherit; min-height: 36px; padding: 4px 14px; cursor: pointer; color: inherit; background: transparent;
+  border: 1px solid var(--kerfway-edge, light-dark(#868e9a, #737c8a));
+  border-radius: var(--kerfway-radius, 6px);
+}
+[part~=main] {
+  color: var(--kerfway-on-accent, light-dark(#ffffff, #0c1230));
+  background: var(--kerfway-accent, light-dark(#2f4fdb, #93a8ff)); border-color: transparent;
+}
+button:focus-visible { outline: 2px solid var(--kerfway-accent, light-dark(#2f4fdb, #93a8ff)); outline-offset: 2px; }
+`;
+
+const BODY = `
+<div part="stage">
+  <canvas part="contours" role="img" aria-label="The drawing with its cutting path"></canvas>
+  <canvas part="path" aria-hidden="true"></canvas>
+  <div part="drop"><span>Drop a DXF here</span><button part="button choose main" data-does="choose">Choose a file</button></div>
+</div>
+<div part="bar">
+  <p part="numbers" role="status"></p>
+  <button part="button stop main" data-does="stop" hidden>Stop</button>
+  <button part="button download main" data-does="download" hidden>Download G-code</button>
+  <button part="button again" data-does="choose" hidden>Another file</button>
+  <p part="message" role="alert" hidden></p>
+</div>
+<input type="file" accept=".dxf" hidden>
+`;
+
+/** Fills a shadow root. A constructed style sheet is allowed by every Content-Security-Policy; a style element is not. */
+export function furnish(root: ShadowRoot): void {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(CSS);
+  root.adoptedStyleSheets = [sheet];
+  root.innerHTML = BODY;
+}

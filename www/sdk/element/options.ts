@@ -1,0 +1,21 @@
+/** The attributes of `<kerfway-planner>` as options of a plan. */
+
+import type { PlanningOptions } from '../options.js';
+import type { Unit } from '../protocol.js';
+
+/** Options that are numbers in attributes. */
+const NUMBERS = ['seconds', 'moves', 'seed', 'workers'] as const;
+
+/** What the element's attributes say. Text that is no number is none: the planner says what it needs. */
+export function attributed(element: Element): PlanningOptions {
+  const options: PlanningOptions = {};
+  const [machine, method, units] = ['machine', 'method', 'units'].map((name) => element.getAttribute(name));
+  if (machine) options.machine = machine;
+  if (method) options.method = method;
+  if (units) options.units = units as Unit;
+  for (const name of NUMBERS) {
+    const text = element.getAttribute(name);
+    if (text !== null) options[name] = Number(text);
+  }
+  return options;
+}

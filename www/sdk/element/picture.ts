@@ -1,0 +1,139 @@
+/**
+ * The picture of a drawing and its path: contours on one canvas, drawn once for each size, and the head's way through
+ * the air with the entries on another above it. Colours are those the canvases have by CSS.
+ */
+
+import type { BestPath, Geometry, Loaded } from '../protocol.js';
+
+/** Where the head comes from, and whether it goes back. */
+export interface Home {
+  home: [number, number];
+  return_home: boolean;
+}
+
+/** Numbers of an element of a contour; see `Geometry`. */
+const STRIDE = 7;
+/** Pixels around the drawing. */
+const MARGIN = 12;
+/** Entries are dots of this radius in pixels, and left out where more of them would be a smear. */
+const DOT = 2;
+const MOST_DOTS = 2000;
+
+export class Picture {
+  private sheet: { cut: Path2D; ignored: Path2D; bounds: Loaded['bounds'] } | null = null;
+  private path: BestPath | null = null;
+  private home: Home | null = null;
+  private asked = false;
+  private readonly resized: ResizeObserver;
+
+  constructor(
+    private readonly contours: HTMLCanvasElement,
+    private readonly way: HTMLCanvasElement,
+  ) {
+    this.resized = new ResizeObserver(() => {
+      this.drawContours();
+      this.drawWay();
+    });
+  }
+
+  /** Follows the size of the canvases from now on. */
+  watch(): void {
+    this.resized.observe(this.contours);
+  }
+
+  unwatch(): void {
+    this.resized.disconnect();
+  }
+
+  /** Another drawing, without a path yet; `null`: none. */
+  show(loaded: Loaded | null, home: Home | null): void {
+    this.sheet = loaded && { cut: traced(loaded.geometry), ignored: traced(loaded.ignored.geometry), bounds: loaded.bounds };
+    this.home = home;
+    this.path = null;
+    this.drawContours();
+    this.drawWay();
+  }
+
+  /** The path changed: drawn at the next frame. */
+  follow(path: BestPath): void {
+    this.path = path;
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      this.drawWay();
+    });
+  }
+
+  private drawContours(): void {
+    const { sheet } = this;
+    const pen = this.pen(this.contours);
+    if (pen === null || sheet === null) return;
+    const { context, scale, ratio } = pen;
+    context.lineWidth = (1.2 * ratio) / scale;
+    context.stroke(sheet.cut);
+    context.globalAlpha = 0.4;
+    context.setLineDash([4 * context.lineWidth, 3 * context.lineWidth]);
+    context.stroke(sheet.ignored);
+  }
+
+  private drawWay(): void {
+    const { path, home } = this;
+    const pen = this.pen(this.way);
+    if (pen === null || path === null) return;
+    const { context, scale, ratio } = pen;
+    const p = path.points;
+    const stops = path.contours.length;
+    const entry = (k: number): [number, number] => [p[4 * k] ?? 0, p[4 * k + 1] ?? 0];
+    const exit = (k: number): [number, number] => [p[4 * k + 2] ?? 0, p[4 * k + 3] ?? 0];
+    context.lineWidth = ratio / scale;
+    context.beginPath();
+    context.moveTo(...(home?.home ?? entry(0)));
+    for (let k = 0; k < stops; k += 1) {
+      context.lineTo(...entry(k));
+      context.moveTo(...exit(k));
+    }
+    if (home?.return_home === true) context.lineTo(...home.home);
+    context.stroke();
+    if (stops > MOST_DOTS) return;
+    const radius = (DOT * ratio) / scale;
+    context.beginPath();
+    for (let k = 0; k < stops; k += 1) {
+      const [x, y] = entry(k);
+      context.moveTo(x + radius, y);
+      context.arc(x, y, radius, 0, 2 * Math.PI);
+    }
+    context.fill();
+  }
+
+  // An empty canvas of the size it has on screen, drawn on in mm with y upwards.
+  private pen(canvas: HTMLCanvasElement): { context: CanvasRenderingContext2D; scale: number; ratio: number } | null {
+    const ratio = globalThis.devicePixelRatio;
+    canvas.width = Math.round(canvas.clientWidth * ratio);
+    canvas.height = Math.round(canvas.clientHeight * ratio);
+    const context = canvas.getContext('2d');
+    if (context === null || this.sheet === null) return null;
+    const [x0, y0, x1, y1] = this.sheet.bounds;
+    const room = (pixels: number) => Math.max(pixels - 2 * MARGIN * ratio, 1);
+    const scale = Math.min(room(canvas.width) / Math.max(x1 - x0, 1e-6), room(canvas.height) / Math.max(y1 - y0, 1e-6));
+    context.setTransform(scale, 0, 0, -scale, canvas.width / 2 - (scale * (x0 + x1)) / 2, canvas.height / 2 + (scale * (y0 + y1)) / 2);
+    context.strokeStyle = context.fillStyle = getComputedStyle(canvas).color;
+    context.lineJoin = 'round';
+    return { context, scale, ratio };
+  }
+}
+
+function traced({ segments: s, offsets }: Geometry): Path2D {
+  const path = new Path2D();
+  for (let chain = 0; chain + 1 < offsets.length; chain += 1) {
+    const [first, end] = [STRIDE * (offsets[chain] ?? 0), STRIDE * (offsets[chain + 1] ?? 0)];
+    path.moveTo(s[first] ?? 0, s[first + 1] ?? 0);
+    for (let i = first; i < end; i += STRIDE) {
+      const [x0 = 0, y0 = 0, x1 = 0, y1 = 0, cx = 0, cy = 0, sweep = 0] = s.subarray(i, i + STRIDE);
+      const start = Math.atan2(y0 - cy, x0 - cx);
+      if (sweep === 0) path.lineTo(x1, y1);
+      else path.arc(cx, cy, Math.hypot(x0 - cx, y0 - cy), start, start + sweep, sweep < 0);
+    }
+  }
+  return path;
+}
