@@ -4,7 +4,7 @@
 //     npm run bench -- solve [sheets|qu-du|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME]
 //
 // Instances come from ../shared/data. Runs go one after the other, each in a process of its own, and end early when the
-// best value known is reached. Every value is that of a tour checked by code that shares nothing with the search. Other
+// best value known is reached. Every run ends with a tour checked by code that shares nothing with the search. Other
 // solvers run on the same instances in the same run where Python has them (`KERFWAY_PYTHON`, else python3; what they
 // need stands in ../shared/tools/README.md).
 

@@ -32,6 +32,11 @@ impl Runner {
         if step.status == Status::Exhausted { 2 } else { step.improved.into() }
     }
 
+    /// What the best costs, by the search.
+    pub fn cost(&self) -> f64 {
+        self.search.best().cost
+    }
+
     /// The length of the best, checked by code that shares nothing with the search.
     pub fn value(&self) -> Result<f64, String> {
         self.source.checked(self.search.best())
