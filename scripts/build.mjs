@@ -5,6 +5,7 @@ import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statS
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
+import { POLICY } from './policy.mjs';
 import { setup } from './setup.mjs';
 import { DIST, ENV, main, ROOT, run, Stop } from './tools.mjs';
 
@@ -56,9 +57,19 @@ function sdk() {
   run('tsc', ['-p', join(ROOT, 'www', 'sdk')]);
   const schema = join(ROOT, 'www', 'sdk', 'plan.schema.json');
   if (existsSync(schema)) cpSync(schema, join(SDK, 'plan.schema.json'));
+  framePage();
   cpSync(WASM, join(SDK, 'pkg'), { recursive: true, filter: (f) => !f.endsWith('.stamp') });
   const bytes = readFileSync(join(WASM, 'kerfway_bg.wasm')).toString('base64');
   writeFileSync(join(SDK, 'inline-bytes.js'), `export default '${bytes}';\n`);
+}
+
+/** Any server may serve it, so it states its policy itself. */
+function framePage() {
+  const from = join(ROOT, 'www', 'sdk', 'frame');
+  const meta = `<meta http-equiv="Content-Security-Policy" content="${POLICY}" />`;
+  const page = readFileSync(join(from, 'frame.html'), 'utf8').replace('<head>', `<head>\n    ${meta}`);
+  writeFileSync(join(SDK, 'frame', 'frame.html'), page);
+  cpSync(join(from, 'frame.css'), join(SDK, 'frame', 'frame.css'));
 }
 
 function weigh() {

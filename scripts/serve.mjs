@@ -1,14 +1,10 @@
 // A small static server for the built page: right types, nothing cached, nothing outside its folder, and the
 // Content-Security-Policy of www/policy.json on everything, workers too.
 
-import { createReadStream, readFileSync, statSync } from 'node:fs';
+import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
-import { ROOT } from './tools.mjs';
-
-const POLICY = Object.entries(JSON.parse(readFileSync(join(ROOT, 'www', 'policy.json'), 'utf8')))
-  .map(([what, from]) => `${what} ${from}`)
-  .join('; ');
+import { POLICY } from './policy.mjs';
 
 const TYPES = {
   '.html': 'text/html; charset=utf-8',

@@ -134,6 +134,6 @@ describe('<kerfway-planner>', () => {
     await choose(page, 'keyboard.dxf', bytes(KEYBOARD));
     await state(page, 'done');
     assert.deepEqual(requests.filter((r) => !r.startsWith(url) && !r.startsWith('blob:')), []);
-    assert.ok(requests.every((r) => /\/(host\.(html|js)|favicon\.ico|[\w/-]+\.(js|wasm))$/.test(r)), requests.join(' '));
+    assert.ok(requests.every((r) => /\/(embedder\.(html|js)|favicon\.ico|[\w/-]+\.(js|wasm))$/.test(r)), requests.join(' '));
   });
 });

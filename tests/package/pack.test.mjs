@@ -35,7 +35,7 @@ describe('the published package', () => {
     ]) {
       assert.ok(files.includes(wanted), wanted);
     }
-    const strange = files.filter((f) => !/^(LICENSE|README\.md|CHANGELOG\.md|package\.json|dist\/sdk\/.*\.(c?js|d\.c?ts|json|wasm|html))$/.test(f));
+    const strange = files.filter((f) => !/^(LICENSE|README\.md|CHANGELOG\.md|package\.json|dist\/sdk\/.*\.(c?js|d\.c?ts|json|wasm|html|css))$/.test(f));
     assert.deepEqual(strange, []);
     assert.ok(packed.size < PACKED_BUDGET * 1000, `${packed.size} bytes`);
   });

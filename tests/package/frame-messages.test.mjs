@@ -1,0 +1,28 @@
+// What the frame page takes for an origin and for a message. The bridge itself: tests/browser/frame.test.mjs.
+
+import assert from 'node:assert/strict';
+import { it } from 'node:test';
+import { messageToFrame, originOf } from '../../dist/sdk/frame/messages.js';
+
+it('an origin is exactly one, of the web', () => {
+  for (const origin of ['https://shop.example', 'http://127.0.0.1:8080', 'https://xn--mnchen-3ya.example']) assert.equal(originOf(origin), origin);
+  const none = [null, '', 'null', '*', 'shop.example', 'https://shop.example/', 'https://shop.example/a', 'https://SHOP.example',
+    'https://a@shop.example', 'https://shop.example:443', 'javascript:alert(1)', 'file:///etc/passwd', 'data:text/html,x', 'https://a.example https://b.example'];
+  for (const text of none) assert.equal(originOf(text), null, `${text}`);
+});
+
+it('a message is exactly one of those there are, and holds nothing else', () => {
+  const bytes = new ArrayBuffer(4);
+  const marked = (message) => messageToFrame({ kerfway: 1, ...message });
+  assert.deepEqual(marked({ type: 'stop', more: 1 }), { type: 'stop' });
+  assert.deepEqual(marked({ type: 'open', id: 3, bytes, name: 'a.dxf', options: {} }), { type: 'open', id: 3, bytes, name: 'a.dxf' });
+  assert.deepEqual(marked({ type: 'render', id: 1, kind: 'png', width: 64 }), { type: 'render', id: 1, kind: 'png', width: 64 });
+  assert.deepEqual(messageToFrame({ type: 'stop' }), null);
+  const none = [
+    { type: 'open', id: 1, bytes: 'text', name: 'a' }, { type: 'open', id: 1.5, bytes, name: 'a' }, { type: 'open', id: 1, bytes, name: '' },
+    { type: 'open', id: 1, bytes, name: 'x'.repeat(256) }, { type: 'options', options: [] }, { type: 'render', id: 1, kind: 'json', width: null },
+    { type: 'render', id: 1, kind: 'png', width: 0 }, { type: 'render', id: 1, kind: 'png' }, { type: 'constructor' }, { type: 'ready' }, {},
+  ];
+  for (const message of none) assert.equal(marked(message), null, JSON.stringify(message));
+  for (const data of [null, undefined, 1, 'stop', [], [{ kerfway: 1, type: 'stop' }]]) assert.equal(messageToFrame(data), null);
+});
