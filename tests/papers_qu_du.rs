@@ -12,7 +12,7 @@ use kerfway::solve::{Solution, Status, Step};
 use kerfway::{plan, sheet::Sheet};
 use plan_support::{assert_feasible, machine, nested_sheet};
 
-const NAMES: [&str; 1] = ["lpspso"];
+const NAMES: [&str; 4] = ["lpspso", "pso", "aco-pso", "k-pso"];
 
 /// Small swarms, so that a test sees whole runs.
 const SMALL: [&str; 2] = [

@@ -71,6 +71,8 @@ impl Left {
 /// A tour made by always going to the nearest node left.
 pub(super) struct Walk {
     left: Left,
+    /// By item: not in the tour.
+    open: Vec<bool>,
     /// So far.
     pub(super) tour: Vec<NodeId>,
 }
@@ -78,8 +80,13 @@ pub(super) struct Walk {
 impl Walk {
     /// Begins with these nodes.
     pub(super) fn new(mut left: Left, problem: &Problem, begun: &[NodeId]) -> Self {
-        begun.iter().for_each(|&n| left.visit(problem, problem.nodes[n as usize].item));
-        Self { left, tour: begun.to_vec() }
+        let mut open = vec![true; problem.items.len()];
+        for &node in begun {
+            let item = problem.nodes[node as usize].item;
+            left.visit(problem, item);
+            open[item as usize] = false;
+        }
+        Self { left, open, tour: begun.to_vec() }
     }
 
     /// Goes to the nearest node left; how many were priced, or nothing when none is left.
@@ -89,9 +96,16 @@ impl Walk {
         Some(priced)
     }
 
+    /// Whether an item is not yet in the tour.
+    pub(super) fn is_left(&self, item: ItemId) -> bool {
+        self.open[item as usize]
+    }
+
     /// Goes to that node.
     pub(super) fn go(&mut self, problem: &Problem, node: NodeId) {
-        self.left.visit(problem, problem.nodes[node as usize].item);
+        let item = problem.nodes[node as usize].item;
+        self.left.visit(problem, item);
+        self.open[item as usize] = false;
         self.tour.push(node);
     }
 }

@@ -25,7 +25,7 @@ pub use hull::{Rlsga, Sga};
 pub use insight::{Curve, Grid, Insight};
 pub use legs::{Legs, Measure};
 pub use repair::Repair;
-pub use swarm::Lpspso;
+pub use swarm::{AcoPso, KPso, Lpspso, Pso};
 
 use super::{Solver, SolverInfo};
 use serde::Serialize;
@@ -46,7 +46,14 @@ type Entry = (fn() -> Card, Make);
 type Make = fn(&str) -> Result<Box<dyn Solver>, String>;
 
 /// Every method.
-const METHODS: &[Entry] = &[entry::<Lpspso>(), entry::<Rlsga>(), entry::<Sga>()];
+const METHODS: &[Entry] = &[
+    entry::<Lpspso>(),
+    entry::<Pso>(),
+    entry::<AcoPso>(),
+    entry::<KPso>(),
+    entry::<Rlsga>(),
+    entry::<Sga>(),
+];
 
 /// Every method with the defaults of its parameters.
 pub fn cards() -> Vec<Card> {

@@ -10,12 +10,12 @@ const MOST: usize = 10;
 /// The near items of each item, the nearest first; filled item by item.
 #[derive(Default)]
 pub(in super::super) struct Near {
-    of: Vec<Vec<ItemId>>,
+    of: Vec<Vec<(f64, ItemId)>>,
 }
 
 impl Near {
-    /// The near ones of an item.
-    pub(in super::super) fn of(&self, item: ItemId) -> &[ItemId] {
+    /// The near ones of an item, with the shortest way between any of their nodes.
+    pub(in super::super) fn of(&self, item: ItemId) -> &[(f64, ItemId)] {
         self.of.get(item as usize).map_or(&[], Vec::as_slice)
     }
 
@@ -49,7 +49,7 @@ impl Near {
                 }
             }
         }
-        self.of.push(found.0.into_iter().map(|f| f.1).collect());
+        self.of.push(found.0);
         Some(priced)
     }
 }

@@ -187,7 +187,14 @@ impl Polish {
         offer(at, last);
         offer(at + 1, last);
         offer(self.held, at);
-        for &near in ground.near.of(ground.item(self.tour[at])) {
+        let here = self.tour[at];
+        let ahead = self.link(ground, Some(here), self.get(at + 1));
+        let longest = ahead.max(self.link(ground, self.before(at), Some(here)));
+        // The new way from the item must be shorter than one of those it replaces.
+        for &(least, near) in ground.near.of(ground.item(here)) {
+            if least >= longest {
+                break;
+            }
             let (low, high) = match self.place[near as usize] {
                 other if other < at => (other, at),
                 other => (at, other),
@@ -211,7 +218,8 @@ impl Polish {
                     - self.link(ground, before, after);
                 pick.priced += 3;
                 if freed > pick.gain {
-                    let near = ground.near.of(item).iter().map(|&n| self.place[n as usize]);
+                    let near = ground.near.of(item).iter().take_while(|n| n.0 < freed);
+                    let near = near.map(|n| self.place[n.1 as usize]);
                     let gaps = near.flat_map(|place| [place, place + 1]);
                     for gap in gaps.chain([self.held, self.tour.len()]) {
                         if gap >= self.held && (gap < from || gap > to + 1) {

@@ -12,7 +12,6 @@ use super::prospect::{Outcomes, Prospect};
 use super::proximity::Proximity;
 use super::rules::{Levy, inertia, kappa, learning, singer, tau};
 use super::run::{Guide, Run, Settings};
-use crate::geometry::math;
 use crate::problem::{NodeId, Problem};
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
@@ -52,11 +51,12 @@ pub struct Lpspso {
     pub singer_start: f64,
     /// Exponent beta of Levy steps, eqs (23) and (24).
     pub levy_beta: f64,
-    /// Size alpha of Levy steps, eq. (21), not given in the paper: so that of all keys this many move by a place or more.
-    pub levy_jumps: f64,
+    /// Size alpha of Levy steps, eq. (21), not given in the paper: in places of the order. With 0.4 a tenth of the keys
+    /// move by a place or more.
+    pub levy_step: f64,
     /// A flight that ends at a longer path is taken back. The paper does not say; without, flights are a random walk.
     pub flights_must_gain: bool,
-    /// Iterations without a better path after which velocities and chaotic number are drawn anew, step 7.
+    /// Iterations without a better path after which the chaotic number is drawn once more, step 7.
     pub patience: u32,
     /// Largest velocity, in shares of the range of a key; not given in the paper.
     pub fastest: f64,
@@ -91,7 +91,7 @@ impl Default for Lpspso {
             singer_mu: 1.04,
             singer_start: 0.18,
             levy_beta: 1.5,
-            levy_jumps: 6.0,
+            levy_step: 0.4,
             flights_must_gain: true,
             patience: 10,
             fastest: 0.05,
@@ -184,18 +184,12 @@ impl Swarm {
         }
     }
 
-    /// Whether the swarm stands still too early, step 7: then it is stirred before it goes on from step 4. The
-    /// parameters of step 4 are functions of t, so what can be drawn anew are the velocities and the chaotic number.
-    fn stir(&mut self, flock: &mut Flock) {
-        if self.idle < self.by.patience || self.kappa >= self.tau {
-            return;
-        }
-        self.idle = 0;
-        self.chaos = singer(self.chaos, self.by.singer_mu);
-        for p in &mut flock.particles {
-            for v in &mut p.velocity {
-                *v = flock.fastest * (2.0 * flock.dice.even() - 1.0);
-            }
+    /// Whether the swarm stands still too early, step 7. Then the parameters of step 4 are drawn anew; all but the chaotic
+    /// number are functions of t, so it is that.
+    fn stir(&mut self) {
+        if self.idle >= self.by.patience && self.kappa < self.tau {
+            self.idle = 0;
+            self.chaos = singer(self.chaos, self.by.singer_mu);
         }
     }
 }
@@ -218,9 +212,7 @@ impl Guide for Swarm {
         for (i, (_, path)) in (0..count).zip(paths.iter().cycle()) {
             flock.draw(i, Some(path));
         }
-        let items = flock.worth.keys.items().len() as f64;
-        // A step is longer than x with a chance of 0.4 x^-1.5 (for beta 1.5; see the test of `Levy`).
-        self.alpha = math::pow(2.5 * self.by.levy_jumps / items, 1.0 / self.by.levy_beta) / items;
+        self.alpha = self.by.levy_step / flock.worth.keys.items().len() as f64;
         None
     }
 
@@ -273,7 +265,7 @@ impl Guide for Swarm {
         let share = flock.share();
         self.kappa = kappa(&self.distances);
         self.tau = tau(share);
-        self.stir(flock);
+        self.stir();
         self.chaos = singer(self.chaos, self.by.singer_mu);
         self.learning = learning(share, self.by.learning_a, self.by.learning_b);
         let (least, most) = (self.by.inertia_least, self.by.inertia_most);

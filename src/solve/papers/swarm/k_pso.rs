@@ -1,0 +1,227 @@
+//! `k-pso`: a swarm sown by groups. The method Qu & Du compare with (their reference 43, Feng 2021) is not given in their
+//! paper, so this is its plainest form: items are put in k groups as k-means does, the groups are ordered by going always
+//! to the nearest, each is toured inside by going always to the nearest, and the swarm moves on from there as the
+//! standard one does. Every particle begins with another group.
+//!
+//! The centre of a group is that of its items from which the ways to the others are shortest, as a table of costs has no
+//! places of which there would be a mean; an item stands for its first node. k is the root of the number of items.
+
+use super::super::legs::Measure;
+use super::flock::{Flock, Pull};
+use super::pso::{Plain, Pso};
+use super::run::{Guide, Run, Settings};
+use crate::problem::{ItemId, NodeId, Problem};
+use crate::solve::{Search, Solution, Solver, SolverInfo};
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
+/// The method with its parameters.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct KPso {
+    /// Particles.
+    pub particles: u32,
+    /// Iterations.
+    pub rounds: u32,
+    /// How ways are measured.
+    pub measure: Measure,
+    /// 2-opt, Or-opt and the best entries on each particle's tour before it is valued.
+    pub local_search: bool,
+    /// The node every path starts with; none: any.
+    pub first: Option<NodeId>,
+    /// Inertia weight.
+    pub inertia: f64,
+    /// Individual learning factor.
+    pub own: f64,
+    /// Group learning factor.
+    pub swarm: f64,
+    /// Largest velocity, in shares of the range of a key.
+    pub fastest: f64,
+    /// Times that items are put to the nearest centre and centres found anew, at most.
+    pub grouping: u32,
+}
+
+impl Default for KPso {
+    fn default() -> Self {
+        let Pso { particles, rounds, measure, local_search, first, inertia, own, swarm, fastest } =
+            Pso::default();
+        // Groups of points in a plane hardly change after that many.
+        let grouping = 20;
+        Self { particles, rounds, measure, local_search, first, inertia, own, swarm, fastest, grouping }
+    }
+}
+
+impl Solver for KPso {
+    fn info(&self) -> SolverInfo {
+        SolverInfo {
+            name: "k-pso",
+            title: "K-PSO",
+            about: "Particle swarm that starts from k-means groups toured one by one; what LPSPSO is compared with.",
+            source: Some(
+                "As compared with by P. Qu, F. Du, IEEE Access 11 (2023), doi 10.1109/ACCESS.2023.3236006, in the plainest \
+                 form: the paper names but does not give it",
+            ),
+        }
+    }
+
+    fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
+        let settings = Settings {
+            particles: self.particles,
+            rounds: self.rounds,
+            measure: self.measure,
+            local_search: self.local_search,
+            first: self.first,
+            fastest: self.fastest,
+        };
+        let plain = Plain { pull: Pull { inertia: self.inertia, own: self.own, swarm: self.swarm } };
+        let groups = Groups { left: self.grouping, ..Groups::default() };
+        Box::new(Run::new(
+            problem,
+            seed,
+            &settings,
+            Grouped { plain, groups, particle: 0, tour: Vec::new(), order: Vec::new() },
+        ))
+    }
+}
+
+/// The groups, and the swarm at work.
+struct Grouped {
+    plain: Plain,
+    groups: Groups,
+    /// The particle being sown, its tour so far and the groups still to come, the next last.
+    particle: usize,
+    tour: Vec<NodeId>,
+    order: Vec<usize>,
+}
+
+/// Items in groups.
+#[derive(Default)]
+struct Groups {
+    centres: Vec<ItemId>,
+    members: Vec<Vec<ItemId>>,
+    /// The next item to be put to its group, then the next group whose centre is to be found.
+    next: usize,
+    /// Rounds left.
+    left: u32,
+    changed: bool,
+}
+
+impl Groups {
+    /// Way between items, by their first nodes.
+    fn way(flock: &Flock, a: ItemId, b: ItemId) -> f64 {
+        let legs = &flock.worth.ground.legs;
+        let first = |i: ItemId| legs.problem().items[i as usize].nodes.start;
+        legs.leg(first(a), first(b))
+    }
+
+    /// A piece of the grouping; nothing when the groups stand.
+    fn piece(&mut self, flock: &mut Flock) -> Option<u64> {
+        let items = flock.worth.keys.items();
+        if self.centres.is_empty() {
+            let mut left = items.to_vec();
+            while self.centres.len() * self.centres.len() < items.len() {
+                self.centres.push(left.swap_remove(flock.dice.below(left.len())));
+            }
+            self.members = vec![Vec::new(); self.centres.len()];
+            return Some(items.len() as u64);
+        }
+        if self.left == 0 {
+            return None;
+        }
+        let count = self.centres.len();
+        if let Some(&item) = items.get(self.next) {
+            let ways = self.centres.iter().map(|&c| Self::way(flock, c, item)).enumerate();
+            let nearest = ways.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |w| w.0);
+            self.members[nearest].push(item);
+        } else if let Some(group) = self.next.checked_sub(items.len()).filter(|&g| g < count) {
+            let members = &self.members[group];
+            let sum = |c: ItemId| members.iter().map(|&m| Self::way(flock, c, m)).sum::<f64>();
+            let centre = members.iter().map(|&m| (sum(m), m)).min_by(|a, b| a.0.total_cmp(&b.0));
+            if let Some((_, centre)) = centre.filter(|c| c.1 != self.centres[group]) {
+                self.centres[group] = centre;
+                self.changed = true;
+            }
+            self.next += 1;
+            return Some((members.len() * members.len()) as u64);
+        } else {
+            self.left = if self.changed { self.left - 1 } else { 0 };
+            self.changed = false;
+            self.next = 0;
+            if self.left > 0 {
+                self.members.iter_mut().for_each(Vec::clear);
+            }
+            return Some(1);
+        }
+        self.next += 1;
+        Some(count as u64)
+    }
+
+    /// The groups in order, from one on always to the nearest.
+    fn order(&self, flock: &Flock, first: usize) -> Vec<usize> {
+        let mut left: Vec<usize> = (0..self.centres.len()).filter(|&g| g != first).collect();
+        let mut order = vec![first];
+        let mut here = first;
+        while !left.is_empty() {
+            let ways =
+                left.iter().map(|&g| Self::way(flock, self.centres[here], self.centres[g])).enumerate();
+            let k = ways.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |w| w.0);
+            here = left.swap_remove(k);
+            order.push(here);
+        }
+        order
+    }
+}
+
+impl Guide for Grouped {
+    fn sow(&mut self, flock: &mut Flock) -> Option<u64> {
+        if let Some(priced) = self.groups.piece(flock) {
+            return Some(priced);
+        }
+        if self.particle == flock.particles.len() {
+            return None;
+        }
+        let worth = &flock.worth;
+        let (legs, problem) = (&worth.ground.legs, worth.ground.legs.problem());
+        if self.order.is_empty() && self.tour.is_empty() {
+            self.order = self.groups.order(flock, self.particle % self.groups.centres.len());
+            self.order.reverse();
+            self.tour.extend(worth.keys.pinned);
+            return Some((self.order.len() * self.order.len()) as u64);
+        }
+        if let Some(group) = self.order.pop() {
+            // Inside a group, always to the nearest node.
+            let pinned = worth.keys.pinned.map(|n| problem.nodes[n as usize].item);
+            let mut left = self.groups.members[group].clone();
+            left.retain(|&i| Some(i) != pinned);
+            let mut priced = 1;
+            while !left.is_empty() {
+                let mut best: Option<(f64, NodeId, usize)> = None;
+                for (k, &item) in left.iter().enumerate() {
+                    for node in problem.items[item as usize].nodes.clone() {
+                        let way =
+                            self.tour.last().map_or_else(|| legs.out(node), |&from| legs.leg(from, node));
+                        priced += 1;
+                        if best.is_none_or(|b| way < b.0) {
+                            best = Some((way, node, k));
+                        }
+                    }
+                }
+                let Some((_, node, k)) = best else { break };
+                left.swap_remove(k);
+                self.tour.push(node);
+            }
+            return Some(priced);
+        }
+        let mut tour = std::mem::take(&mut self.tour);
+        if let Some(at) = tour.iter().position(|&n| Some(problem.nodes[n as usize].item) == problem.start()) {
+            tour.rotate_left(at);
+        }
+        flock.draw(self.particle, Some(&tour));
+        self.particle += 1;
+        Some(tour.len() as u64)
+    }
+
+    fn drive(&mut self, flock: &mut Flock, particle: usize, keys: Range<usize>) {
+        self.plain.drive(flock, particle, keys);
+    }
+}
