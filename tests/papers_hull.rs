@@ -12,10 +12,9 @@ use kerfway::solve::{Search, Solution, Status};
 use plan_support::{Builder, assert_feasible, circle, line, machine, nested_sheet, p, rectangle};
 
 /// Every method of this paper, made small.
-const METHODS: [(&str, &str); 2] = [
-    ("rlsga", r#"{"population": 12, "generations": 15}"#),
-    ("sga", r#"{"population": 12, "generations": 15}"#),
-];
+const METHODS: [(&str, &str); 5] =
+    [("rlsga", SMALL), ("sga", SMALL), ("hull-pso", SMALL), ("ofa", SMALL), ("woa", SMALL)];
+const SMALL: &str = r#"{"population": 12, "generations": 15}"#;
 
 fn start<'p>(name: &str, parameters: &str, problem: &'p Problem, seed: u64) -> Box<dyn Search + 'p> {
     // The method lives as long as the search does not need it.
@@ -73,7 +72,7 @@ fn every_best_is_allowed_and_passes_the_checker() {
             }
         }
     }
-    assert!(left > 50, "only {left} times was anything left unfinished");
+    assert!(left > 10, "only {left} times was anything left unfinished");
 }
 
 #[test]

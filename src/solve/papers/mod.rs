@@ -21,7 +21,7 @@ mod pace;
 mod repair;
 mod swarm;
 
-pub use hull::{Rlsga, Sga};
+pub use hull::{HullPso, Ofa, Rlsga, Sga, Woa};
 pub use insight::{Curve, Grid, Insight};
 pub use legs::{Legs, Measure};
 pub use repair::Repair;
@@ -53,6 +53,9 @@ const METHODS: &[Entry] = &[
     entry::<KPso>(),
     entry::<Rlsga>(),
     entry::<Sga>(),
+    entry::<HullPso>(),
+    entry::<Ofa>(),
+    entry::<Woa>(),
 ];
 
 /// Every method with the defaults of its parameters.

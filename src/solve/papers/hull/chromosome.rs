@@ -72,10 +72,16 @@ pub(super) fn run(places: usize, dice: &mut Dice) -> std::ops::Range<usize> {
 }
 
 /// Random keys: one a segment for its turn, then one a segment for its way. All methods draw their first ones so, and from
-/// one seed they have the same.
-pub(super) fn keys(segments: usize, dice: &mut Dice) -> Vec<f32> {
+/// one seed they have the same. Eq. (3) says that a path is the sequence of its own contour's segments, so the turns of contour
+/// m of M lie in the m-th part of the range: first chromosomes cut contour by contour in drawing order, each in a random way.
+pub(super) fn keys(model: &Model, dice: &mut Dice) -> Vec<f32> {
+    let paths = model.sizes.len() as f64;
+    let own = |(m, &size): (usize, &u32)| std::iter::repeat_n(m as f64, size as usize);
+    let turns: Vec<f64> =
+        model.sizes.iter().enumerate().flat_map(own).map(|m| (m + dice.even()) / paths).collect();
+    let ways = (0..model.segments()).map(|_| dice.even());
     #[expect(clippy::cast_possible_truncation, reason = "fewer digits are as random")]
-    (0..2 * segments).map(|_| dice.even() as f32).collect()
+    turns.into_iter().chain(ways).map(|k| k as f32).collect()
 }
 
 /// What keys stand for: segments in ascending order of their first key, against the stored direction where the second one

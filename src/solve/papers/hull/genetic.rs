@@ -152,7 +152,7 @@ impl<'p> Genetic<'p> {
 /// A random chromosome.
 fn found(decoder: &Decoder, dice: &mut Dice) -> Chromosome {
     let model = &decoder.model;
-    let mut chromosome = Chromosome::new(genes(model, &keys(model.segments(), dice)), &model.sizes);
+    let mut chromosome = Chromosome::new(genes(model, &keys(model, dice)), &model.sizes);
     chromosome.length = decoder.length(&chromosome.genes);
     chromosome
 }

@@ -5,7 +5,7 @@
 //! 1. `model.rs`: the segments of all contours, cut in any order and either way, eqs (1) and (2).
 //! 2. `chromosome.rs`, `crossover.rs`, `filling.rs`: eq. (3), mutation, migration, PSX, RSX and ISX (section 4.3).
 //! 3. `agent.rs`: state, actions, rewards, Q-table, eqs (5) to (11). `genetic.rs`: the generations of `rlsga` and `sga`.
-//! 4. `swarm.rs`: `hull-pso`, `ofa`, `woa` on random keys (section 5.2).
+//! 4. `swarm.rs`, `rules.rs`: `hull-pso`, `ofa`, `woa` on random keys (section 5.2).
 //! 5. `decode.rs`, `nested.rs`, `holes.rs`: from a chromosome to a plan.
 //!
 //! Deviations: fitness is scaled in (6) (`scaled_fitness`), ways turn with their runs in RSX (the paper is silent), and where
@@ -21,7 +21,11 @@ mod holes;
 mod model;
 mod nested;
 mod rlsga;
+mod rules;
+mod swarm;
+mod swarms;
 #[cfg(test)]
 mod tests;
 
 pub use rlsga::{Rlsga, Sga};
+pub use swarms::{HullPso, Ofa, Woa};

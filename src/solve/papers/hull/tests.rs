@@ -71,7 +71,7 @@ fn any_chromosome_nests_with_no_more_travel() {
     for round in 0..4000 {
         let problem = random_sheet(1 + round % 7, round % 3 > 0, &mut dice);
         let model = model(&problem);
-        let order = genes(&model, &keys(model.segments(), &mut dice));
+        let order = genes(&model, &keys(&model, &mut dice));
         let visits = model.visits(&order);
         let path = nested(&model, &visits);
         assert_nested(&problem, &path);
@@ -183,7 +183,7 @@ fn contours_cut_whole_are_taken_along_either_way() {
     let mut dice = Dice::new(3);
     assert_eq!(decoder.model.sizes, [3, 2, 1, 2]);
     for _ in 0..500 {
-        let order = genes(&decoder.model, &keys(8, &mut dice));
+        let order = genes(&decoder.model, &keys(&decoder.model, &mut dice));
         let solution = decoder.solution(&order);
         assert_eq!(solution.stops.iter().filter(|s| problem.nodes[s.node as usize].item >= 2).count(), 2);
         // At unit speed, seconds are millimetres.
@@ -266,8 +266,8 @@ fn crossovers_bring_paths_back_to_their_lengths_and_keep_every_segment() {
     for round in 0..600 {
         let problem = random_sheet(2 + round % 6, true, &mut dice);
         let model = model(&problem);
-        let mut parents = [(); 2]
-            .map(|()| Chromosome::new(genes(&model, &keys(model.segments(), &mut dice)), &model.sizes));
+        let mut parents =
+            [(); 2].map(|()| Chromosome::new(genes(&model, &keys(&model, &mut dice)), &model.sizes));
         for parent in &mut parents {
             for _ in 0..round % 4 {
                 parent.migrate(&mut dice);

@@ -1,0 +1,215 @@
+//! How the members of a flock move: particle swarm, optimal foraging, whales.
+//!
+//! The papers behind them are named, not repeated, in section 5.2; these are their plain forms.
+
+use super::swarm::Flock;
+use crate::geometry::math;
+use crate::order::{real, sort_by};
+use crate::solve::dice::Dice;
+use std::f64::consts::TAU;
+
+/// Moves the members of a flock.
+pub(super) trait Rule {
+    /// At the beginning of a generation.
+    fn begin(&mut self, _flock: &Flock) {}
+    /// Where a member goes, with a part `done` of all generations done.
+    fn trial(&mut self, flock: &Flock, member: usize, done: f64, dice: &mut Dice) -> Vec<f32>;
+    /// Whether it goes there, by the lengths before and after; generations count from 1.
+    fn takes(&mut self, _before: f64, _after: f64, _generation: f64, _dice: &mut Dice) -> bool {
+        true
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "keys have fewer digits")]
+fn key(x: f64) -> f32 {
+    x as f32
+}
+
+/// Particle swarm optimisation: velocity from inertia, the member's own best and the best of all.
+pub(super) struct Particles {
+    inertia: f64,
+    own: f64,
+    all: f64,
+    velocities: Vec<Vec<f32>>,
+    /// The best keys of each member, and their lengths.
+    bests: Vec<Vec<f32>>,
+    lengths: Vec<f64>,
+}
+
+impl Particles {
+    pub(super) fn new(inertia: f64, own: f64, all: f64) -> Self {
+        Self { inertia, own, all, velocities: Vec::new(), bests: Vec::new(), lengths: Vec::new() }
+    }
+}
+
+impl Rule for Particles {
+    fn trial(&mut self, flock: &Flock, member: usize, _done: f64, dice: &mut Dice) -> Vec<f32> {
+        let here = &flock.keys[member];
+        if self.bests.len() == member {
+            self.velocities.push(vec![0.0; here.len()]);
+            self.bests.push(here.clone());
+            self.lengths.push(flock.lengths[member]);
+        } else if flock.lengths[member] < self.lengths[member] {
+            self.lengths[member] = flock.lengths[member];
+            self.bests[member].copy_from_slice(here);
+        }
+        let pulls = self.bests[member].iter().zip(&flock.best);
+        let moved = self.velocities[member].iter_mut().zip(here).zip(pulls).map(|((v, &x), (&own, &all))| {
+            let [to_own, to_all] = [own, all].map(|p| f64::from(p) - f64::from(x));
+            let pull = self.own * dice.even() * to_own + self.all * dice.even() * to_all;
+            *v = key(self.inertia * f64::from(*v) + pull);
+            x + *v
+        });
+        moved.collect()
+    }
+}
+
+/// Optimal foraging (Zhu & Zhang, Applied Soft Computing 51 (2017)): each member moves along its difference to a better
+/// one, the best along that to the worst, by k times the difference of two random numbers; what it finds is taken by the
+/// rule of prey choice, which allows the less for the worse the later.
+pub(super) struct Foragers {
+    /// k = from - fall t / t_max.
+    from: f64,
+    fall: f64,
+    /// Members, the best first, and the place of each.
+    order: Vec<usize>,
+    places: Vec<usize>,
+}
+
+impl Foragers {
+    pub(super) fn new(from: f64, fall: f64) -> Self {
+        Self { from, fall, order: Vec::new(), places: Vec::new() }
+    }
+}
+
+impl Rule for Foragers {
+    fn begin(&mut self, flock: &Flock) {
+        self.order = (0..flock.keys.len()).collect();
+        sort_by(&mut self.order, |&m| [real(flock.lengths[m]), 0, 0]);
+        self.places = vec![0; self.order.len()];
+        self.order.iter().enumerate().for_each(|(place, &m)| self.places[m] = place);
+    }
+
+    fn trial(&mut self, flock: &Flock, member: usize, done: f64, dice: &mut Dice) -> Vec<f32> {
+        let place = self.places[member];
+        let other = if place == 0 { self.order.len() - 1 } else { dice.below(place) };
+        let other = &flock.keys[self.order[other]];
+        let k = self.from - self.fall * done;
+        let moved = flock.keys[member].iter().zip(other).map(|(&x, &o)| {
+            let change = f64::from(o) - f64::from(x);
+            let back = dice.even();
+            key(f64::from(x) - k * back * change + k * dice.even() * change)
+        });
+        moved.collect()
+    }
+
+    fn takes(&mut self, before: f64, after: f64, generation: f64, dice: &mut Dice) -> bool {
+        let prey = dice.even();
+        prey * after / (1.0 + (generation + 1.0) * prey) < before / generation
+    }
+}
+
+/// Whales (Mirjalili & Lewis, Advances in Engineering Software 95 (2016)): half of the time a spiral around the best, else
+/// towards the best, or around a random member while |A| is at least 1.
+pub(super) struct Whales {
+    /// A falls from here to `least`.
+    pub(super) reach: f64,
+    pub(super) least: f64,
+    /// Weight C of the prey. Mirjalili draws it from [0, 2] each time; the paper has 1.
+    pub(super) weight: f64,
+    /// Shape b of the spiral.
+    pub(super) spiral: f64,
+}
+
+impl Rule for Whales {
+    fn trial(&mut self, flock: &Flock, member: usize, done: f64, dice: &mut Dice) -> Vec<f32> {
+        let here = &flock.keys[member];
+        if dice.even() >= 0.5 {
+            let l = 2.0 * dice.even() - 1.0;
+            let turn = math::exp(self.spiral * l) * math::cos(TAU * l);
+            let around =
+                |(&x, &b): (&f32, &f32)| key((f64::from(b) - f64::from(x)).abs() * turn + f64::from(b));
+            return here.iter().zip(&flock.best).map(around).collect();
+        }
+        let falling = self.reach - (self.reach - self.least) * done;
+        let a = 2.0 * falling * dice.even() - falling;
+        let prey = if a.abs() < 1.0 { &flock.best } else { &flock.keys[dice.below(flock.keys.len())] };
+        let towards = |(&x, &p): (&f32, &f32)| {
+            key(f64::from(p) - a * (self.weight * f64::from(p) - f64::from(x)).abs())
+        };
+        here.iter().zip(prey).map(towards).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn flock() -> Flock {
+        let keys = vec![vec![0.2, 0.4], vec![0.6, 0.9], vec![0.5, 0.5]];
+        Flock { best: keys[1].clone(), keys, lengths: vec![5.0, 3.0, 4.0], shortest: 3.0 }
+    }
+
+    fn close(found: &[f32], wanted: [f64; 2]) {
+        assert!(
+            found.iter().zip(wanted).all(|(&f, w)| (f64::from(f) - w).abs() < 1e-6),
+            "{found:?} {wanted:?}"
+        );
+    }
+
+    #[test]
+    fn particles_by_hand() {
+        let mut rule = Particles::new(0.3, 0.5, 0.5);
+        // No velocity yet, its own best where it is: only the best of all pulls.
+        let found = rule.trial(&flock(), 0, 0.0, &mut Dice::new(9));
+        let mut dice = Dice::new(9);
+        let [_, a, _, b] = [(); 4].map(|()| dice.even());
+        close(&found, [0.2 + 0.5 * a * 0.4, 0.4 + 0.5 * b * 0.5]);
+        // Then inertia, and a pull back to its own best, as it got worse.
+        let mut moved = flock();
+        (moved.keys[0], moved.lengths[0]) = (found.clone(), 6.0);
+        let again = rule.trial(&moved, 0, 0.0, &mut dice);
+        let mut dice = Dice::new(9);
+        (0..4).for_each(|_| {
+            dice.even();
+        });
+        let x = f64::from(found[0]);
+        let (own, all) = (0.5 * dice.even(), 0.5 * dice.even());
+        let wanted = x + 0.3 * (x - 0.2) + own * (0.2 - x) + all * (0.6 - x);
+        assert!((f64::from(again[0]) - wanted).abs() < 1e-6);
+    }
+
+    #[test]
+    fn foragers_by_hand() {
+        let mut rule = Foragers::new(0.9, 0.5);
+        rule.begin(&flock());
+        assert_eq!(rule.order, [1, 2, 0]);
+        // The best moves along the difference to the worst, at half time by k = 0.65.
+        let found = rule.trial(&flock(), 1, 0.5, &mut Dice::new(4));
+        let mut dice = Dice::new(4);
+        let [a, b, c, d] = [(); 4].map(|()| dice.even());
+        close(&found, [0.6 + 0.65 * (b - a) * (0.2 - 0.6), 0.9 + 0.65 * (d - c) * (0.4 - 0.9)]);
+        // What is shorter is always taken; what is longer by half never in generation 1000.
+        let mut dice = Dice::new(5);
+        assert!((0..500).all(|_| rule.takes(2.0, 2.0, 7.0, &mut dice)));
+        let taken = (0..500).filter(|_| rule.takes(2.0, 3.0, 1000.0, &mut dice)).count();
+        assert!(taken < 10, "{taken}");
+    }
+
+    #[test]
+    fn whales_by_hand() {
+        let mut rule = Whales { reach: 2.0, least: 0.0, weight: 1.0, spiral: 1.0 };
+        let mut kinds = [0; 2];
+        for seed in 0..60 {
+            // At the end A is 0: the prey itself, or the spiral.
+            let found = rule.trial(&flock(), 0, 1.0, &mut Dice::new(seed));
+            let mut dice = Dice::new(seed);
+            let spiral = dice.even() >= 0.5;
+            let l = 2.0 * dice.even() - 1.0;
+            let turn = if spiral { math::exp(l) * math::cos(TAU * l) } else { 0.0 };
+            close(&found, [0.6 + 0.4 * turn, 0.9 + 0.5 * turn]);
+            kinds[usize::from(spiral)] += 1;
+        }
+        assert!(kinds.iter().all(|&k| k > 15));
+    }
+}
