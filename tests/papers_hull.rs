@@ -1,4 +1,4 @@
-//! RLSGA and what it is compared with: plans pass the checker, slices and seeds repeat.
+//! RLSGA with what it is compared with, and Yang's genetic algorithm: plans pass the checker, slices and seeds repeat.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod plan_support;
@@ -11,9 +11,15 @@ use kerfway::solve::papers::{self, Insight};
 use kerfway::solve::{Search, Solution, Status};
 use plan_support::{Builder, assert_feasible, circle, line, machine, nested_sheet, p, rectangle};
 
-/// Every method of this paper, made small.
-const METHODS: [(&str, &str); 5] =
-    [("rlsga", SMALL), ("sga", SMALL), ("hull-pso", SMALL), ("ofa", SMALL), ("woa", SMALL)];
+/// Every method of these papers, made small.
+const METHODS: [(&str, &str); 6] = [
+    ("rlsga", SMALL),
+    ("sga", SMALL),
+    ("hull-pso", SMALL),
+    ("ofa", SMALL),
+    ("woa", SMALL),
+    ("dual-coding-ga", SMALL),
+];
 const SMALL: &str = r#"{"population": 12, "generations": 15}"#;
 
 fn start<'p>(name: &str, parameters: &str, problem: &'p Problem, seed: u64) -> Box<dyn Search + 'p> {

@@ -163,7 +163,16 @@ fn points(data: &Value, machine: Profile, boundary: bool) -> Option<Problem> {
         });
     }
     let (home, closed) = (DVec2::ZERO, machine.return_home);
-    Some(Problem { items, nodes, home, closed, machine, pairs: Vec::new(), groups: Groups::default(), table: None })
+    Some(Problem {
+        items,
+        nodes,
+        home,
+        closed,
+        machine,
+        pairs: Vec::new(),
+        groups: Groups::default(),
+        table: None,
+    })
 }
 
 fn points_checked(problem: &Problem, solution: &Solution) -> Result<f64, String> {

@@ -10,6 +10,7 @@
 //! They live in a wasm file of their own, loaded when one is chosen. There they see a problem as
 //! [`Problem::packed`](crate::problem::Problem::packed) hands it over.
 
+mod dual;
 mod hull;
 mod insight;
 mod keys;
@@ -21,6 +22,7 @@ mod pace;
 mod repair;
 mod swarm;
 
+pub use dual::DualCodingGa;
 pub use hull::{HullPso, Ofa, Rlsga, Sga, Woa};
 pub use insight::{Curve, Grid, Insight};
 pub use legs::{Legs, Measure};
@@ -56,6 +58,7 @@ const METHODS: &[Entry] = &[
     entry::<HullPso>(),
     entry::<Ofa>(),
     entry::<Woa>(),
+    entry::<DualCodingGa>(),
 ];
 
 /// Every method with the defaults of its parameters.

@@ -23,7 +23,9 @@ fn main() {
 
 fn bench() -> Result<(), String> {
     let args: Vec<String> = std::env::args().skip(1).collect();
-    let [name, sheet, seeds, methods @ ..] = &args[..] else { return Err("hull NAME SHEET SEEDS [METHOD]...".into()) };
+    let [name, sheet, seeds, methods @ ..] = &args[..] else {
+        return Err("hull NAME SHEET SEEDS [METHOD]...".into());
+    };
     let file = format!("{}/../../tests/fixtures/hull/{name}.json", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&file).map_err(|_| format!("{file} cannot be read."))?;
     let sheets: Vec<Value> = serde_json::from_str(&text).map_err(|e| e.to_string())?;
@@ -53,11 +55,14 @@ fn bench() -> Result<(), String> {
             // The paper's value is that of the code; the plan is read from it.
             let length = search.insight().curves.first().map(|c| c.value);
             let cost = search.best().cost;
-            println!("{}", json!({
-                "method": method, "seed": seed, "length": length.unwrap_or(cost), "plan": cost,
-                "optimum": sheet["optimum"], "moves": moves, "seconds": clock.elapsed().as_secs_f64(),
-                "found": search.telemetry().best_at, "insight": search.insight(),
-            }));
+            println!(
+                "{}",
+                json!({
+                    "method": method, "seed": seed, "length": length.unwrap_or(cost), "plan": cost,
+                    "optimum": sheet["optimum"], "moves": moves, "seconds": clock.elapsed().as_secs_f64(),
+                    "found": search.telemetry().best_at, "insight": search.insight(),
+                })
+            );
         }
     }
     Ok(())
@@ -71,7 +76,12 @@ impl Solver for Default {
         self.method().info()
     }
 
-    fn start<'p>(&self, problem: &'p Problem, seed: u64, warm: Option<&solve::Solution>) -> Box<dyn Search + 'p> {
+    fn start<'p>(
+        &self,
+        problem: &'p Problem,
+        seed: u64,
+        warm: Option<&solve::Solution>,
+    ) -> Box<dyn Search + 'p> {
         self.method().start(problem, seed, warm)
     }
 }

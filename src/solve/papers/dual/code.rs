@@ -1,0 +1,194 @@
+//! The dual code and what changes it. In both rows, position by position: which contour, and from which of its feature
+//! points. None of the operators makes a code that is none.
+
+use crate::problem::{ItemId, Problem};
+use crate::solve::dice::Dice;
+
+/// A chromosome.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Code {
+    /// First row: contours in their order.
+    pub(super) order: Vec<ItemId>,
+    /// Second row: of the contour above, the feature point, counted from 0.
+    pub(super) points: Vec<u32>,
+}
+
+/// Feature points of a contour.
+pub(super) fn count(problem: &Problem, item: ItemId) -> u32 {
+    let nodes = &problem.items[item as usize].nodes;
+    nodes.end - nodes.start
+}
+
+impl Code {
+    /// A random one of these contours.
+    pub(super) fn random(problem: &Problem, contours: &[ItemId], dice: &mut Dice) -> Self {
+        let mut order = contours.to_vec();
+        for k in (1..order.len()).rev() {
+            order.swap(k, dice.below(k + 1));
+        }
+        let points = order.iter().map(|&i| below(count(problem, i), dice)).collect();
+        Self { order, points }
+    }
+
+    /// The point of each contour; contours that do not come in have none.
+    fn point_of(&self, contours: usize) -> Vec<Option<u32>> {
+        let mut points = vec![None; contours];
+        self.order.iter().zip(&self.points).for_each(|(&i, &p)| points[i as usize] = Some(p));
+        points
+    }
+}
+
+fn below(n: u32, dice: &mut Dice) -> u32 {
+    u32::try_from(dice.below(n as usize)).unwrap_or(0)
+}
+
+/// Crosses two codes by one of the three methods.
+pub(super) fn cross(problem: &Problem, pair: [&Code; 2], dice: &mut Dice) -> [Code; 2] {
+    let places = pair[0].order.len();
+    let method = dice.below(3);
+    let mut children = pair.map(Clone::clone);
+    if method != 1 {
+        let [a, b] = [(); 2].map(|()| dice.below(places));
+        children = order_crossover([&children[0], &children[1]], a.min(b)..a.max(b) + 1);
+    }
+    if method != 0 {
+        let [a, b] = &children;
+        children = if dice.below(2) == 0 && places > 1 {
+            // "Larger than 1 and not exceeding n".
+            point_exchange([a, b], 2 + dice.below(places - 1))
+        } else {
+            arithmetic(problem, [a, b], dice)
+        };
+    }
+    children
+}
+
+/// Order crossover: the places between the crossover points stay, the others are filled by what is left of the other code,
+/// in its order. A contour brings its point along.
+pub(super) fn order_crossover(pair: [&Code; 2], kept: std::ops::Range<usize>) -> [Code; 2] {
+    [0, 1].map(|side| {
+        let (own, other) = (pair[side], pair[1 - side]);
+        let mut held = vec![false; own.order.iter().map(|&i| i as usize + 1).max().unwrap_or(0)];
+        own.order[kept.clone()].iter().for_each(|&i| held[i as usize] = true);
+        let mut rest = other.order.iter().zip(&other.points).filter(|(i, _)| !held[**i as usize]);
+        let mut child = own.clone();
+        for place in (0..own.order.len()).filter(|p| !kept.contains(p)) {
+            if let Some((&item, &point)) = rest.next() {
+                (child.order[place], child.points[place]) = (item, point);
+            }
+        }
+        child
+    })
+}
+
+/// Contours that both codes have among their first `left` exchange their points.
+pub(super) fn point_exchange(pair: [&Code; 2], left: usize) -> [Code; 2] {
+    let contours = pair[0].order.iter().map(|&i| i as usize + 1).max().unwrap_or(0);
+    let first = |c: &Code| Code { order: c.order[..left].to_vec(), points: c.points[..left].to_vec() };
+    let points = pair.map(|c| first(c).point_of(contours));
+    [0, 1].map(|side| {
+        let mut child = pair[side].clone();
+        for (item, point) in child.order.iter().zip(&mut child.points).take(left) {
+            if let Some(other) = points[1 - side][*item as usize] {
+                *point = other;
+            }
+        }
+        child
+    })
+}
+
+/// Eq. (3): both points of each contour move towards each other by one random part; the middle of two indices lies within
+/// the range of both.
+fn arithmetic(problem: &Problem, pair: [&Code; 2], dice: &mut Dice) -> [Code; 2] {
+    let mut points = pair.map(|c| c.point_of(problem.items.len()));
+    let [a, b] = &mut points;
+    for (x, y) in a.iter_mut().zip(b) {
+        if let (Some(x), Some(y)) = (x, y)
+            && x != y
+        {
+            (*x, *y) = blend(*x, *y, dice.even());
+        }
+    }
+    [0, 1].map(|side| {
+        let mut child = pair[side].clone();
+        for (item, point) in child.order.iter().zip(&mut child.points) {
+            *point = points[side][*item as usize].unwrap_or(*point);
+        }
+        child
+    })
+}
+
+/// Eq. (3) on two points.
+pub(super) fn blend(x: u32, y: u32, epsilon: f64) -> (u32, u32) {
+    let mix = |x: u32, y: u32| (epsilon * f64::from(x) + (1.0 - epsilon) * f64::from(y)).round();
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between two indices")]
+    (mix(x, y) as u32, mix(y, x) as u32)
+}
+
+/// Changes a code by one of the three methods.
+pub(super) fn mutate(problem: &Problem, code: &mut Code, dice: &mut Dice) {
+    let method = dice.below(3);
+    let places = code.order.len();
+    if method != 1 {
+        swap(code, [(); 2].map(|()| dice.below(places)));
+    }
+    if method != 0 {
+        let place = dice.below(places);
+        let points = count(problem, code.order[place]);
+        if points > 1 {
+            // Another one than it is.
+            code.points[place] = (code.points[place] + 1 + below(points - 1, dice)) % points;
+        }
+    }
+}
+
+/// Two contours change places, with their points.
+pub(super) fn swap(code: &mut Code, [a, b]: [usize; 2]) {
+    code.order.swap(a, b);
+    code.points.swap(a, b);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As printed: contours and points count from 1.
+    fn code(order: [u32; 5], points: [u32; 5]) -> Code {
+        Code { order: order.map(|i| i - 1).to_vec(), points: points.map(|p| p - 1).to_vec() }
+    }
+
+    fn parents() -> [Code; 2] {
+        [code([1, 4, 2, 5, 3], [6, 1, 3, 2, 4]), code([4, 2, 5, 3, 1], [3, 2, 7, 5, 8])]
+    }
+
+    #[test]
+    fn figure_3_order_crossover() {
+        let [a, b] = parents();
+        let children = order_crossover([&a, &b], 1..3);
+        let wanted = [code([5, 4, 2, 3, 1], [7, 1, 3, 5, 8]), code([1, 2, 5, 4, 3], [6, 2, 7, 1, 4])];
+        assert_eq!(children, wanted);
+    }
+
+    #[test]
+    fn figure_4_exchange_of_starting_points() {
+        let [a, b] = parents();
+        let children = point_exchange([&a, &b], 4);
+        let wanted = [code([1, 4, 2, 5, 3], [6, 3, 2, 7, 4]), code([4, 2, 5, 3, 1], [1, 3, 2, 5, 8])];
+        assert_eq!(children, wanted);
+    }
+
+    #[test]
+    fn figure_5_mutation_of_the_order() {
+        let [mut a, _] = parents();
+        swap(&mut a, [0, 2]);
+        assert_eq!(a, code([2, 4, 1, 5, 3], [3, 1, 6, 2, 4]));
+    }
+
+    #[test]
+    fn equation_3_by_hand() {
+        assert_eq!(blend(2, 7, 0.25), (6, 3));
+        assert_eq!(blend(2, 7, 0.0), (7, 2));
+        // 0.5 * 3 + 0.5 * 6 = 4.5 both ways, rounded away from zero.
+        assert_eq!(blend(3, 6, 0.5), (5, 5));
+    }
+}

@@ -1,0 +1,252 @@
+//! The generations of `dual-coding-ga`, and its parameters.
+
+use super::code::{Code, cross, mutate};
+use super::fitness::fitness;
+use crate::problem::{ItemId, NodeId, Problem};
+use crate::solve::dice::Dice;
+use crate::solve::papers::insight::{Curve, Insight};
+use crate::solve::papers::lead::{Lead, Led, Running};
+use crate::solve::papers::pace::{Pace, Pieces};
+use crate::solve::papers::{Legs, Measure, Repair};
+use crate::solve::{Search, Solution, Solver, SolverInfo, Stop};
+use serde::{Deserialize, Serialize};
+
+/// Genes of both rows in memory at most, parents and children: 128 MB.
+const MOST_GENES: usize = 1 << 25;
+
+/// Yang's genetic algorithm. It starts from random codes, whatever path it is given.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct DualCodingGa {
+    /// Codes in the population.
+    pub population: u32,
+    /// Generations; it ends after them. The paper does not say how many it had, but looks at the 200th.
+    pub generations: u32,
+    /// Probability that a pair is crossed.
+    pub crossover: f64,
+    /// Probability that a child mutates.
+    pub mutation: f64,
+    /// Stretch of fitness at the beginning, lambda of eq. (2).
+    pub lambda: f64,
+    /// By what it grows each generation, alpha of eq. (2).
+    pub alpha: f64,
+    /// What spare travel is measured in, eq. (1).
+    pub measure: Measure,
+}
+
+impl Default for DualCodingGa {
+    fn default() -> Self {
+        Self {
+            population: 50,
+            generations: 2000,
+            crossover: 0.8,
+            mutation: 0.05,
+            lambda: 0.1,
+            alpha: 1.02,
+            measure: Measure::Chebyshev,
+        }
+    }
+}
+
+impl Solver for DualCodingGa {
+    fn info(&self) -> SolverInfo {
+        SolverInfo {
+            name: "dual-coding-ga",
+            title: "Dual coding GA",
+            about: "A genetic algorithm over the order of contours and the starting point of each, for the least travel \
+                    time.",
+            source: Some(
+                "Yang: Application of Improved Dual Coding Genetic Algorithm for Contour Path Planning in Laser \
+                 Processing. Information Technology Journal (2013)",
+            ),
+        }
+    }
+
+    fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
+        Box::new(Running(Generations::new(problem, *self, seed)))
+    }
+}
+
+/// The algorithm at work.
+struct Generations<'p> {
+    legs: Legs<'p>,
+    /// How orders become allowed; `None`: all of them are.
+    repair: Option<Repair>,
+    contours: Vec<ItemId>,
+    rates: DualCodingGa,
+    population: usize,
+    dice: Dice,
+    parents: Vec<Code>,
+    lengths: Vec<f64>,
+    /// Sums of fitness up to each parent: the roulette.
+    wheel: Vec<f64>,
+    children: Vec<Code>,
+    child_lengths: Vec<f64>,
+    /// Children to be priced.
+    raw: Vec<Code>,
+    generation: u32,
+    lead: Lead,
+    pace: Pace,
+}
+
+impl<'p> Generations<'p> {
+    fn new(problem: &'p Problem, rates: DualCodingGa, seed: u64) -> Self {
+        let contours: Vec<ItemId> =
+            (0..).zip(&problem.items).filter(|(_, i)| !i.nodes.is_empty()).map(|(id, _)| id).collect();
+        let free = problem.items.windows(2).all(|w| w[0].rank == w[1].rank)
+            && problem.items.iter().all(|i| i.before.is_none())
+            && problem.groups.is_empty()
+            && problem.pairs.is_empty()
+            && problem.table().is_none();
+        let repair = (!free).then(|| Repair::new(problem));
+        let mut dice = Dice::new(seed);
+        let first = Code::random(problem, &contours, &mut dice);
+        let legs = Legs::new(problem, rates.measure);
+        let nodes = nodes(problem, repair.as_ref(), &first);
+        let length = legs.around(&nodes);
+        let lead = Lead::new(solution(problem, &nodes), length);
+        let fitting = MOST_GENES / (4 * contours.len()).max(1);
+        Self {
+            legs,
+            repair,
+            contours,
+            rates,
+            population: (rates.population as usize).min(fitting).max(2),
+            dice,
+            parents: vec![first],
+            lengths: vec![length],
+            wheel: Vec::new(),
+            children: Vec::new(),
+            child_lengths: Vec::new(),
+            raw: Vec::new(),
+            generation: 0,
+            lead,
+            pace: Pace::default(),
+        }
+    }
+
+    /// Spare travel of a code, eq. (1), with the ways from and to home.
+    fn price(&mut self, code: &Code) -> f64 {
+        let problem = self.legs.problem();
+        let nodes = nodes(problem, self.repair.as_ref(), code);
+        let length = self.legs.around(&nodes);
+        self.lead.take(length, self.pace.spent, || solution(problem, &nodes));
+        length
+    }
+
+    /// The roulette of the generation that begins, eq. (2).
+    fn draw_up(&mut self) {
+        let mut sum = 0.0;
+        let fitness = fitness(&self.lengths, self.rates.lambda, self.rates.alpha, self.generation + 1);
+        self.wheel = fitness
+            .into_iter()
+            .map(|f| {
+                sum += f;
+                sum
+            })
+            .collect();
+    }
+
+    fn spin(&mut self) -> usize {
+        let at = self.dice.even() * self.wheel.last().copied().unwrap_or(0.0);
+        self.wheel.partition_point(|&s| s <= at).min(self.parents.len() - 1)
+    }
+
+    /// The next pair.
+    fn breed(&mut self) {
+        let pair = [self.spin(), self.spin()].map(|p| &self.parents[p]);
+        let problem = self.legs.problem();
+        self.raw = if self.dice.even() < self.rates.crossover {
+            cross(problem, pair, &mut self.dice).into()
+        } else {
+            pair.map(Clone::clone).into()
+        };
+        for child in &mut self.raw {
+            if self.dice.even() < self.rates.mutation {
+                mutate(problem, child, &mut self.dice);
+            }
+        }
+    }
+}
+
+/// The nodes of a code in an allowed order.
+fn nodes(problem: &Problem, repair: Option<&Repair>, code: &Code) -> Vec<NodeId> {
+    let node = |item: ItemId, point: u32| problem.items[item as usize].nodes.start + point;
+    let Some(repair) = repair else {
+        return code.order.iter().zip(&code.points).map(|(&i, &p)| node(i, p)).collect();
+    };
+    let mut by_item = vec![0; problem.items.len()];
+    code.order.iter().zip(&code.points).for_each(|(&i, &p)| by_item[i as usize] = node(i, p));
+    repair.apply(&code.order).into_iter().map(|i| by_item[i as usize]).collect()
+}
+
+fn solution(problem: &Problem, nodes: &[NodeId]) -> Solution {
+    Solution::new(problem, nodes.iter().map(|&n| Stop::at(problem, n)).collect())
+}
+
+impl Pieces for Generations<'_> {
+    fn pace(&mut self) -> &mut Pace {
+        &mut self.pace
+    }
+
+    fn piece(&mut self) -> Option<u64> {
+        let contours = self.contours.len() as u64;
+        if contours == 0 || self.generation >= self.rates.generations {
+            return None;
+        }
+        if self.parents.len() < self.population {
+            let code = Code::random(self.legs.problem(), &self.contours, &mut self.dice);
+            let length = self.price(&code);
+            self.lengths.push(length);
+            self.parents.push(code);
+        } else if let Some(child) = self.raw.pop() {
+            let length = self.price(&child);
+            self.child_lengths.push(length);
+            self.children.push(child);
+        } else if self.children.len() < self.population {
+            if self.children.is_empty() {
+                self.draw_up();
+            }
+            self.breed();
+        } else {
+            self.parents.clear();
+            self.lengths.clear();
+            let count = self.population;
+            self.parents.extend(self.children.drain(..).take(count));
+            self.lengths.extend(self.child_lengths.drain(..).take(count));
+            self.generation += 1;
+        }
+        Some(contours)
+    }
+}
+
+impl Led for Generations<'_> {
+    fn lead(&self) -> &Lead {
+        &self.lead
+    }
+
+    fn lead_mut(&mut self) -> &mut Lead {
+        &mut self.lead
+    }
+
+    fn done(&self) -> u64 {
+        self.pace.done()
+    }
+
+    fn insight(&self) -> Insight {
+        let curve = |name, value| Curve { name, value };
+        let least = self.lengths.iter().copied().fold(f64::INFINITY, f64::min);
+        let mean = self.lengths.iter().sum::<f64>() / self.lengths.len() as f64;
+        let even = fitness(&[0.0, 1.0], self.rates.lambda, self.rates.alpha, self.generation + 1);
+        Insight {
+            round: self.generation.into(),
+            curves: vec![
+                curve("shortest spare travel f", self.lead.length),
+                curve("shortest of the generation", least),
+                curve("mean of the generation", mean),
+                curve("F min / F max of eq. (2)", even[1] / even[0]),
+            ],
+            grid: None,
+        }
+    }
+}
