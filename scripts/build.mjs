@@ -5,7 +5,7 @@ import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statS
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
-import { POLICY } from './policy.mjs';
+import { policyWith } from './policy.mjs';
 import { setup } from './setup.mjs';
 import { DIST, ENV, main, ROOT, run, Stop } from './tools.mjs';
 
@@ -61,15 +61,32 @@ function sdk() {
   cpSync(WASM, join(SDK, 'pkg'), { recursive: true, filter: (f) => !f.endsWith('.stamp') });
   const bytes = readFileSync(join(WASM, 'kerfway_bg.wasm')).toString('base64');
   writeFileSync(join(SDK, 'inline-bytes.js'), `export default '${bytes}';\n`);
+  globalBuild();
 }
 
 /** Any server may serve it, so it states its policy itself. */
 function framePage() {
   const from = join(ROOT, 'www', 'sdk', 'frame');
-  const meta = `<meta http-equiv="Content-Security-Policy" content="${POLICY}" />`;
+  const meta = `<meta http-equiv="Content-Security-Policy" content="${policyWith()}" />`;
   const page = readFileSync(join(from, 'frame.html'), 'utf8').replace('<head>', `<head>\n    ${meta}`);
   writeFileSync(join(SDK, 'frame', 'frame.html'), page);
   cpSync(join(from, 'frame.css'), join(SDK, 'frame', 'frame.css'));
+}
+
+/** Everything in one script: first the worker, then what holds it as text. */
+function globalBuild() {
+  const bundle = (from, to, ...options) =>
+    run('esbuild', [
+      ...[join(ROOT, 'www', 'sdk', 'global', from), `--outfile=${to}`, '--bundle', '--minify', '--format=iife', '--target=es2022'],
+      ...['--loader:.wasm=binary', '--loader:.worker=text', '--legal-comments=none', '--log-level=warning'],
+      // Only reached where no wasm is handed over.
+      ...['--log-override:empty-import-meta=silent', ...options],
+    ]);
+  const worker = join(ROOT, 'www', 'sdk', 'global', 'planner.worker');
+  bundle('worker.ts', worker);
+  bundle('index.ts', join(SDK, 'kerfway.global.js'), '--global-name=Kerfway');
+  rmSync(worker);
+  rmSync(join(SDK, 'global'), { recursive: true });
 }
 
 function weigh() {
@@ -78,6 +95,7 @@ function weigh() {
     ['PNG wasm, on demand', [join(WASM, 'kerfway_png_bg.wasm')], null],
     ['bounds and instances wasm', [join(WASM, 'kerfway_lab_bg.wasm')], null],
     ['methods of papers wasm', [join(WASM, 'kerfway_papers_bg.wasm')], null],
+    ['single file for a script tag', [join(SDK, 'kerfway.global.js')], null],
     ['page, all of a first visit', filesIn(APP).filter(firstVisit), BUDGETS.page],
   ];
   let over = false;

@@ -4,6 +4,11 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { ROOT } from './tools.mjs';
 
-export const POLICY = Object.entries(JSON.parse(readFileSync(join(ROOT, 'www', 'policy.json'), 'utf8')))
-  .map(([what, from]) => `${what} ${from}`)
-  .join('; ');
+const DIRECTIVES = JSON.parse(readFileSync(join(ROOT, 'www', 'policy.json'), 'utf8'));
+
+/** The policy with some directives changed. */
+export function policyWith(directives = {}) {
+  return Object.entries({ ...DIRECTIVES, ...directives })
+    .map(([what, from]) => `${what} ${from}`)
+    .join('; ');
+}

@@ -4,7 +4,7 @@
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
-import { POLICY } from './policy.mjs';
+import { policyWith } from './policy.mjs';
 
 const TYPES = {
   '.html': 'text/html; charset=utf-8',
@@ -19,8 +19,12 @@ const TYPES = {
   '.dxf': 'image/vnd.dxf',
 };
 
-/** Serves `folder` on this machine only; `port` 0 takes a free one. Resolves to `{ url, close }`. */
-export function serve(folder, port = 0) {
+/**
+ * Serves `folder` on this machine only; `port` 0 takes a free one; `more` changes directives of the policy. Resolves to
+ * `{ url, close }`.
+ */
+export function serve(folder, port = 0, more = {}) {
+  const policy = policyWith(more);
   const server = createServer((request, response) => {
     const file = fileFor(folder, request.url ?? '/');
     if (file === null) {
@@ -28,7 +32,7 @@ export function serve(folder, port = 0) {
       return;
     }
     const type = TYPES[extname(file).toLowerCase()] ?? 'application/octet-stream';
-    response.writeHead(200, { 'content-type': type, 'cache-control': 'no-store', 'content-security-policy': POLICY });
+    response.writeHead(200, { 'content-type': type, 'cache-control': 'no-store', 'content-security-policy': policy });
     createReadStream(file).pipe(response);
   });
   return new Promise((resolve, reject) => {

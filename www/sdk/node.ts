@@ -3,11 +3,8 @@
 import { readFile } from 'node:fs/promises';
 import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
-import { functionsOn, type Functions } from './functions.js';
-import { lendingNew } from './lend.js';
+import { entry, type Entry } from './entry.js';
 import type { StartWorker } from './line.js';
-import { opener } from './opener.js';
-import { poolOf, type Pool, type PoolOptions } from './pool.js';
 
 export * from './types.js';
 
@@ -21,21 +18,19 @@ const start: StartWorker = (heard, died) => {
 
 const read = async (): Promise<WebAssembly.Module> => WebAssembly.compile(await readFile(new URL('./pkg/kerfway_bg.wasm', import.meta.url)));
 
-/** A planner with its worker ready. Close it when done: an open one keeps the process alive. */
-export const createPlanner = opener(read, start);
+const own = entry(read, start, availableParallelism);
 
-const functions = functionsOn(lendingNew(createPlanner));
+/** A planner with its worker thread ready. Close it when done: an open one keeps the process alive. */
+export const createPlanner: Entry['createPlanner'] = own.createPlanner;
 
 /** What a drawing holds, found out in a worker thread of its own: see {@link Functions.inspect}. */
-export const inspect: Functions['inspect'] = functions.inspect;
+export const inspect: Entry['inspect'] = own.inspect;
 
 /** Plans a drawing in a worker thread of its own, as a promise that tells news meanwhile: see {@link Functions.plan}. */
-export const plan: Functions['plan'] = functions.plan;
+export const plan: Entry['plan'] = own.plan;
 
 /** Writes a finished plan as G-code, DXF, SVG or PNG: see {@link Functions.render}. */
-export const render: Functions['render'] = functions.render;
+export const render: Entry['render'] = own.render;
 
-/** The same functions on worker threads that are kept, for many files. Close it when done. */
-export function createPool({ size = availableParallelism(), queue }: PoolOptions = {}): Pool {
-  return poolOf(createPlanner, size, queue);
-}
+/** The same functions on worker threads that are kept, for many files: see {@link Pool}. */
+export const createPool: Entry['createPool'] = own.createPool;

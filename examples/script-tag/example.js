@@ -1,0 +1,19 @@
+// A drawing that is chosen is planned for five seconds at most; the job's time gets shorter while one looks on.
+
+const told = document.querySelector('#told');
+const stop = document.querySelector('#stop');
+
+document.querySelector('#file').addEventListener('change', async ({ target }) => {
+  const [file] = target.files;
+  const run = Kerfway.plan(await file.arrayBuffer(), { name: file.name, seconds: 5, outputs: ['gcode'] });
+  stop.disabled = false;
+  stop.onclick = () => run.stop();
+  try {
+    for await (const { summary } of run) told.textContent = `${summary.total_time.toFixed(1)} s so far`;
+    const { summary, outputs } = await run;
+    told.textContent = `${summary.total_time.toFixed(1)} s, ${outputs.gcode.split('\n').length} lines of G-code`;
+  } catch (error) {
+    told.textContent = error.message;
+  }
+  stop.disabled = true;
+});

@@ -1,0 +1,11 @@
+/** Files that the bundler puts into the script. */
+
+declare module '*.wasm' {
+  const bytes: Uint8Array<ArrayBuffer>;
+  export default bytes;
+}
+
+declare module '*.worker' {
+  const text: string;
+  export default text;
+}

@@ -1,0 +1,32 @@
+/**
+ * The planner in a worker made of text: everything it needs is inside, but for the renderer of pictures, which would
+ * double it.
+ */
+
+import lab from '../pkg/kerfway_lab_bg.wasm';
+import * as labModule from '../pkg/kerfway_lab.js';
+import papers from '../pkg/kerfway_papers_bg.wasm';
+import * as papersModule from '../pkg/kerfway_papers.js';
+import type { FromWorker, ToWorker } from '../protocol.js';
+import { Session } from '../session.js';
+
+const scope = self as unknown as {
+  postMessage(message: FromWorker, transfer: ArrayBuffer[]): void;
+  onmessage: (event: MessageEvent<ToWorker>) => void;
+};
+
+const session = new Session({
+  post: (message, transfer = []) => scope.postMessage(message, transfer),
+  lab: async () => {
+    labModule.initSync({ module: lab });
+    return labModule;
+  },
+  papers: async () => {
+    papersModule.initSync({ module: papers });
+    return papersModule;
+  },
+  png: async () => {
+    throw new Error('The single-file build writes no PNG. Render SVG instead, or use the package with its files.');
+  },
+});
+scope.onmessage = ({ data }) => session.receive(data);
