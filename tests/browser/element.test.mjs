@@ -125,8 +125,14 @@ describe('<kerfway-planner>', () => {
     await state(page, 'planning');
     assert.equal(page.workers().length, 1);
     const closed = new Promise((resolve) => page.workers()[0].once('close', resolve));
-    await page.evaluate(() => document.querySelector('kerfway-planner').remove());
+    await page.evaluate(() => (window.element = document.querySelector('kerfway-planner')).remove());
     await closed;
+    assert.equal(await page.evaluate(() => {
+      const { element } = window;
+      document.body.append(element);
+      return element.state;
+    }), 'empty');
+    await page.waitForFunction(() => window.events.filter(([type]) => type === 'ready').length === 2);
   });
 
   it('speaks to nobody but its own files', async (t) => {

@@ -74,6 +74,7 @@ export class KerfwayPlanner extends Base {
   disconnectedCallback(): void {
     this.picture.unwatch();
     this.job?.control.abort();
+    if (this.state === 'reading' || this.state === 'planning') this.become('empty', '');
     this.planner?.then((planner) => planner.close(), () => {});
     this.planner = null;
   }

@@ -1,0 +1,81 @@
+// examples/express: many uploads at once, broken ones among them, people who hang up, and an orderly end.
+
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { join } from 'node:path';
+import { after, before, describe, it } from 'node:test';
+import { plan } from 'kerfway';
+import { bytes, circle, dxf, KEYBOARD, ROOT, square } from './support.mjs';
+
+let server, url;
+before(async () => {
+  server = spawn(process.execPath, [join(ROOT, 'examples', 'express', 'server.mjs')], { env: { ...process.env, PORT: '0' }, stdio: ['ignore', 'pipe', 'inherit'] });
+  const [told] = await once(server.stdout, 'data');
+  url = /http:\S+\/plans/.exec(String(told))[0];
+});
+after(() => server.kill());
+
+const send = (body, query = '') => fetch(`${url}${query}`, { method: 'POST', body, headers: { 'content-type': 'image/vnd.dxf' } });
+const health = async () => (await fetch(new URL('/health', url))).json();
+
+const BROKEN = [
+  [new Uint8Array(0), /empty/],
+  [Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a), /PNG/],
+  [new TextEncoder().encode('AC1032\0\0'), /DWG/],
+];
+
+describe('the upload server', () => {
+  it('answers two hundred uploads at once, each with its own, without growing', async () => {
+    const wave = async (count) => {
+      const uploads = Array.from({ length: count }, (_, k) => (k % 10 < 3 ? BROKEN[k % 10][0] : dxf(square(0, 0, 20 + k), circle(10, 10, 4))));
+      const answers = await Promise.all(uploads.map((body, k) => send(body, `?name=${k}.dxf`)));
+      const told = await Promise.all(answers.map((a) => a.json()));
+      for (const [k, { status }] of answers.entries()) {
+        if (k % 10 < 3) {
+          assert.equal(status, 422);
+          assert.match(told[k].problem, BROKEN[k % 10][1]);
+        } else {
+          assert.equal(status, 200, told[k].problem);
+          assert.equal(told[k].name, `${k}.dxf`);
+          assert.deepEqual(told[k].bounds.slice(2), [20 + k, 20 + k]);
+        }
+      }
+    };
+    await wave(60);
+    const { megabytes } = await health();
+    await wave(200);
+    const { megabytes: later, waiting } = await health();
+    assert.equal(waiting, 0);
+    assert.ok(later < megabytes + 60, `${megabytes} MB, then ${later} MB`);
+  });
+
+  it('says what the package says', async () => {
+    const told = await (await send(bytes(KEYBOARD), '?material=diode-hobby')).json();
+    const { summary, loaded } = await plan(bytes(KEYBOARD), { machine: 'diode-hobby', moves: 10_000, seed: 1 });
+    assert.deepEqual([told.total_time, told.sha256], [summary.total_time, loaded.sha256]);
+  });
+
+  it('names the machine it does not know, and the limit that is passed', async () => {
+    assert.match((await (await send(bytes(KEYBOARD), '?material=jelly')).json()).problem, /no machine named jelly/);
+    const large = await send(new Uint8Array(21 * 2 ** 20));
+    assert.deepEqual([large.status, await large.json()], [413, { problem: 'The drawing is larger than 20mb.' }]);
+  });
+
+  it('gives the places of those who hang up to the others', async () => {
+    const control = new AbortController();
+    const leaving = Array.from({ length: 50 }, () => fetch(url, { method: 'POST', body: bytes(KEYBOARD), signal: control.signal }).catch((e) => e.name));
+    while ((await health()).waiting < 10) await new Promise((resolve) => setTimeout(resolve, 10));
+    control.abort();
+    const gone = (await Promise.all(leaving)).filter((name) => name === 'AbortError').length;
+    assert.ok(gone >= 10, `${gone} hung up`);
+    assert.equal((await send(dxf(square(0, 0, 30)))).status, 200);
+    assert.equal((await health()).waiting, 0);
+  });
+
+  it('ends when told to', async () => {
+    server.kill('SIGTERM');
+    const [code] = await once(server, 'exit');
+    assert.equal(code, 0);
+  });
+});
