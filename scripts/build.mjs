@@ -2,7 +2,7 @@
 
 import { createHash } from 'node:crypto';
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, relative, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { policyWith } from './policy.mjs';
@@ -34,6 +34,7 @@ export function build() {
   console.log('build: the page');
   run('tsc', ['-p', join(ROOT, 'www', 'app')]);
   run('vite', ['build', '--logLevel', 'warn', join(ROOT, 'www', 'app')]);
+  offline();
   weigh();
 }
 
@@ -87,6 +88,16 @@ function globalBuild() {
   bundle('index.ts', join(SDK, 'kerfway.global.js'), '--global-name=Kerfway');
   rmSync(worker);
   rmSync(join(SDK, 'global'), { recursive: true });
+}
+
+/** The worker that keeps the page for when there is no network is told its files. */
+function offline() {
+  const files = filesIn(APP).filter((f) => !f.endsWith('.map'));
+  const names = files.map((f) => relative(APP, f).split(sep).join('/')).filter((f) => f !== 'index.html');
+  const text = readFileSync(join(ROOT, 'www', 'app', 'offline', 'worker.js'), 'utf8')
+    .replace('__VERSION__', digest(files).slice(0, 16))
+    .replace('__FILES__', JSON.stringify(['./', ...names]));
+  writeFileSync(join(APP, 'offline.js'), text);
 }
 
 function weigh() {

@@ -102,3 +102,17 @@ test('on a phone nothing in the top bar lies over something else', async (t) => 
   boxes.sort((a, b) => a[0] - b[0]);
   boxes.slice(1).forEach(([left], k) => assert.ok(left >= boxes[k][1] - 1, JSON.stringify(boxes)));
 });
+
+test('after a first visit the page works without a network, methods of papers and pictures included', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  await page.context().setOffline(true);
+  await page.reload();
+  await phase(page, 'planning', 'done');
+  await open(page, 'Plan');
+  await page.waitForFunction(() => document.querySelectorAll('optgroup option').length >= 2);
+  const { bytes } = await download(page, () => page.getByRole('button', { name: 'PNG' }).click());
+  assert.deepEqual([...bytes.subarray(1, 4)], [...Buffer.from('PNG')]);
+});

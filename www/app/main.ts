@@ -9,10 +9,11 @@ import './styles/layout.css';
 import './styles/controls.css';
 import './styles/panels.css';
 import './styles/stage.css';
+import { keepForOffline } from './offline/register.js';
 import { startPage } from './page.js';
 import { messageOf } from './core/strings.js';
 
-startPage().catch((error: unknown) => {
+startPage().then(keepForOffline).catch((error: unknown) => {
   const sentence = document.getElementById('hint');
   if (sentence) {
     sentence.hidden = false;

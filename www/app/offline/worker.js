@@ -1,0 +1,30 @@
+// Keeps the page for when there is no network: all its files, put by on the first visit. The build fills in which they
+// are and a version made of their contents. A newer version is put by while the old one is open and takes its place at
+// the next visit, so that a page never mixes files of two builds. Nothing but the page's own files passes through here.
+
+const VERSION = 'kerfway-__VERSION__';
+const FILES = __FILES__;
+
+self.addEventListener('install', (event) => {
+  event.waitUntil(caches.open(VERSION).then((cache) => cache.addAll(FILES)));
+});
+
+self.addEventListener('activate', (event) => {
+  const drop = async () => {
+    const names = await caches.keys();
+    await Promise.all(names.filter((n) => n.startsWith('kerfway-') && n !== VERSION).map((n) => caches.delete(n)));
+    await self.clients.claim();
+  };
+  event.waitUntil(drop());
+});
+
+self.addEventListener('fetch', (event) => {
+  const { request } = event;
+  if (request.method !== 'GET' || !request.url.startsWith(self.registration.scope)) return;
+  const answer = async () => {
+    const cache = await caches.open(VERSION);
+    const kept = await cache.match(request.mode === 'navigate' ? './' : request, { ignoreSearch: true });
+    return kept ?? fetch(request);
+  };
+  event.respondWith(answer());
+});
