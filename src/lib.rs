@@ -18,6 +18,8 @@ mod order;
 pub mod output;
 pub mod plan;
 pub mod problem;
+#[cfg(feature = "quote")]
+pub mod quote;
 pub mod sheet;
 pub mod solve;
 

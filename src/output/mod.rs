@@ -9,6 +9,8 @@ mod dxf;
 mod gcode;
 mod json;
 mod number;
+#[cfg(any(feature = "png", feature = "quote"))]
+pub(crate) mod picture;
 #[cfg(feature = "png")]
 pub mod png;
 mod svg;

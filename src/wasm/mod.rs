@@ -7,12 +7,14 @@
 mod lab;
 #[cfg(feature = "papers")]
 mod papers;
-#[cfg(any(feature = "papers", feature = "planner"))]
+#[cfg(any(feature = "papers", feature = "planner", feature = "quote"))]
 mod plain;
 #[cfg(feature = "planner")]
 mod planner;
 #[cfg(feature = "png")]
 mod png;
+#[cfg(feature = "quote")]
+mod quote;
 mod text;
 #[cfg(feature = "planner")]
 mod values;
@@ -25,4 +27,6 @@ pub use papers::*;
 pub use planner::*;
 #[cfg(feature = "png")]
 pub use png::*;
+#[cfg(feature = "quote")]
+pub use quote::*;
 pub(crate) use text::decode;

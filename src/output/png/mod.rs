@@ -4,13 +4,12 @@
 //! is loaded only when somebody asks for a picture. White ground, contours in ink, marks in blue, air moves thin and
 //! dashed in orange, entries as dots: the colours of the SVG on white.
 
-mod document;
 mod frame;
 
 use super::arcs;
-use crate::geometry::{Arc, DVec2, Segment, math};
+use crate::geometry::{Arc, Segment, math};
 use crate::sheet::Operation;
-use document::{Picture, Stroke as Drawn};
+use super::picture::{Picture, Stroke as Drawn};
 use frame::Frame;
 use std::f64::consts::FRAC_PI_4;
 use tiny_skia::{
@@ -63,8 +62,8 @@ fn draw(pixels: &mut Pixmap, picture: &Picture, frame: &Frame) {
                 move_to(&mut air, frame.place(*from));
                 line_to(&mut air, frame.place(*to));
             }
-            Drawn::Beam { operation, path } => {
-                let to = if *operation == Operation::Mark { &mut marks } else { &mut cuts };
+            Drawn::Beam { contour, path } => {
+                let to = if picture.operation(*contour) == Operation::Mark { &mut marks } else { &mut cuts };
                 trace(to, frame, path);
                 if let Some(first) = path.first() {
                     let (x, y) = frame.place(first.start());
@@ -125,9 +124,4 @@ fn move_to(path: &mut PathBuilder, (x, y): (f32, f32)) {
 
 fn line_to(path: &mut PathBuilder, (x, y): (f32, f32)) {
     path.line_to(x, y);
-}
-
-/// A point of a document.
-fn point([x, y]: [f64; 2]) -> DVec2 {
-    DVec2::new(x, y)
 }

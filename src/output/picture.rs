@@ -1,6 +1,7 @@
-//! What of a plan document is drawn: its moves as strokes, in order.
+//! A plan document (`kerfway.plan/1`) as strokes of the head, in order: what is drawn of it, and what is measured.
 
-use super::point;
+#![cfg_attr(not(feature = "png"), expect(dead_code, reason = "a quote measures strokes, and draws none"))]
+
 use crate::geometry::{Aabb, Arc, DVec2, Segment};
 use crate::sheet::Operation;
 use serde::Deserialize;
@@ -9,7 +10,7 @@ use serde::Deserialize;
 const SCHEMA: &str = "kerfway.plan/1";
 
 /// One stroke of the head.
-pub(super) enum Stroke {
+pub(crate) enum Stroke {
     /// Beam off.
     Air {
         /// mm.
@@ -19,17 +20,18 @@ pub(super) enum Stroke {
     },
     /// Beam on.
     Beam {
-        /// Cut or mark.
-        operation: Operation,
+        /// The contour's id; `None` for a pre-cut.
+        contour: Option<usize>,
         /// Elements, mm.
         path: Vec<Segment>,
     },
 }
 
 /// The strokes of a plan, the first from home.
-pub(super) struct Picture {
+pub(crate) struct Picture {
     home: DVec2,
-    pub(super) strokes: Vec<Stroke>,
+    operations: Vec<Operation>,
+    pub(crate) strokes: Vec<Stroke>,
 }
 
 #[derive(Deserialize)]
@@ -76,7 +78,7 @@ enum Element {
 
 impl Picture {
     /// The picture of a plan document; an error is a sentence for people.
-    pub(super) fn read(plan_json: &str) -> Result<Self, String> {
+    pub(crate) fn read(plan_json: &str) -> Result<Self, String> {
         let document: Document = serde_json::from_str(plan_json)
             .map_err(|e| format!("This is not a plan of the kind {SCHEMA}: {e}."))?;
         if document.schema != SCHEMA {
@@ -96,7 +98,7 @@ impl Picture {
                 Move::PreCut { to } => {
                     at = point(to);
                     strokes.push(Stroke::Beam {
-                        operation: Operation::Cut,
+                        contour: None,
                         path: vec![Segment::line(from, at)],
                     });
                 }
@@ -105,18 +107,22 @@ impl Picture {
                         Contours::One(id) => Some(id),
                         Contours::Shared(ids) => ids.first().copied(),
                     };
-                    let known = id.and_then(|id| document.contours.get(id));
                     let path: Vec<Segment> = path.into_iter().map(|e| e.segment(&mut at)).collect();
-                    let operation = known.map_or(Operation::Cut, |c| c.operation);
-                    strokes.push(Stroke::Beam { operation, path });
+                    strokes.push(Stroke::Beam { contour: id, path });
                 }
             }
         }
-        Ok(Self { home, strokes })
+        let operations = document.contours.into_iter().map(|c| c.operation).collect();
+        Ok(Self { home, operations, strokes })
+    }
+
+    /// What is done along a contour; pre-cuts are cuts.
+    pub(crate) fn operation(&self, contour: Option<usize>) -> Operation {
+        contour.and_then(|id| self.operations.get(id)).copied().unwrap_or(Operation::Cut)
     }
 
     /// The box of everything drawn, mm.
-    pub(super) fn bounds(&self) -> Aabb {
+    pub(crate) fn bounds(&self) -> Aabb {
         self.strokes.iter().fold(Aabb::of(self.home), |b, stroke| match stroke {
             Stroke::Air { to, .. } => b.with(*to),
             Stroke::Beam { path, .. } => path.iter().fold(b, |b, s| b.union(s.bounds())),
@@ -135,4 +141,8 @@ impl Element {
         *at = segment.end();
         segment
     }
+}
+
+fn point([x, y]: [f64; 2]) -> DVec2 {
+    DVec2::new(x, y)
 }

@@ -1,0 +1,114 @@
+//! Parts, and which of them are the same: a shop cuts 40 brackets, not 40 parts.
+//!
+//! Two parts are the same when they have as many holes and agree, within a thousandth, in everything that does not
+//! change when a part is turned or mirrored: area, length, principal second moments of the outer contour; area and
+//! distance from the middle of each hole. Mirrored parts count as the same: a flat part can be turned over.
+
+use super::report::{Contour, PartGroup};
+use super::shape::{Moments, Shape};
+use crate::order::{real, sort_by};
+use crate::sheet::Operation;
+
+/// Figures this near to each other, as a share, are the same: chords of one curve cut at other places differ by less.
+const SAME: f64 = 1e-3;
+/// And those of at most this many mm or mm2.
+const SMALL: f64 = 0.01;
+
+/// An outer contour with its holes, by id.
+pub(super) struct Part {
+    pub(super) outer: usize,
+    pub(super) holes: Vec<usize>,
+}
+
+/// The parts of what is cut, by the outer contours.
+pub(super) fn parts(contours: &[Contour]) -> Vec<Part> {
+    let cut = |id: usize| contours.get(id).is_some_and(|c| c.closed && c.operation == Operation::Cut);
+    // The next contour around that is cut, and how many there are; a document's circle of contours ends the count.
+    let around = |id: usize| {
+        let up = |id: &usize| contours.get(*id)?.inside.map(|i| i as usize);
+        std::iter::successors(up(&id), up).take(contours.len()).filter(|&i| cut(i))
+    };
+    let mut of: Vec<Option<usize>> = vec![None; contours.len()];
+    let mut parts = Vec::new();
+    for id in (0..contours.len()).filter(|&id| cut(id) && around(id).count() % 2 == 0) {
+        of[id] = Some(parts.len());
+        parts.push(Part { outer: id, holes: Vec::new() });
+    }
+    for id in (0..contours.len()).filter(|&id| cut(id) && of[id].is_none()) {
+        if let Some(part) = around(id).next().and_then(|outer| of[outer]) {
+            parts[part].holes.push(id);
+        }
+    }
+    parts
+}
+
+/// What does not change when a part is turned or mirrored.
+struct Features {
+    outer: Moments,
+    length: f64,
+    /// Area and distance from the middle, the smallest first.
+    holes: Vec<[f64; 2]>,
+}
+
+impl Features {
+    fn of(part: &Part, contours: &[Contour], shapes: &[Shape]) -> Self {
+        let outer = shapes[part.outer].moments();
+        let mut holes: Vec<[f64; 2]> = part
+            .holes
+            .iter()
+            .map(|&h| shapes[h].moments())
+            .map(|m| [m.area, m.centroid.distance(outer.centroid)])
+            .collect();
+        // Areas that differ by rounding alone must not change the order of the distances.
+        sort_by(&mut holes, |[area, distance]| [real((area / SMALL).round()), real(*distance), 0]);
+        Self { outer, length: contours[part.outer].length, holes }
+    }
+
+    fn same(&self, other: &Self) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() <= SMALL.max(SAME * a.abs().max(b.abs()));
+        let [a, b] = [self, other].map(|f| [f.outer.area, f.length, f.outer.principal[0], f.outer.principal[1]]);
+        a.into_iter().zip(b).all(|(a, b)| near(a, b))
+            && self.holes.len() == other.holes.len()
+            && self.holes.as_flattened().iter().zip(other.holes.as_flattened()).all(|(&a, &b)| near(a, b))
+    }
+}
+
+/// The parts in groups of the same, those with most area first.
+pub(super) fn groups(parts: &[Part], contours: &[Contour], shapes: &[Shape]) -> Vec<PartGroup> {
+    let mut known: Vec<(Features, PartGroup)> = Vec::new();
+    // By length of the outer contour, so that only neighbours need be compared.
+    let mut order: Vec<usize> = (0..parts.len()).collect();
+    sort_by(&mut order, |&p| [real(contours[parts[p].outer].length), p as u64, 0]);
+    for part in order.into_iter().map(|p| &parts[p]) {
+        let features = Features::of(part, contours, shapes);
+        let near = known.iter_mut().rev().take_while(|(f, _)| {
+            features.length - f.length <= SMALL.max(SAME * features.length)
+        });
+        let mut near = near.filter(|(f, _)| f.same(&features));
+        if let Some((_, group)) = near.next() {
+            group.count += 1;
+            group.contours.push(id(part));
+        } else {
+            let holes: f64 = part.holes.iter().map(|&h| contours[h].area).sum();
+            let inner: f64 = part.holes.iter().map(|&h| contours[h].length).sum();
+            let group = PartGroup {
+                count: 1,
+                net_area: contours[part.outer].area - holes,
+                cut_length: contours[part.outer].length + inner,
+                holes: part.holes.len(),
+                contours: vec![id(part)],
+            };
+            known.push((features, group));
+        }
+    }
+    let mut groups: Vec<PartGroup> = known.into_iter().map(|(_, g)| g).collect();
+    for g in &mut groups {
+        sort_by(&mut g.contours, |&id| [id.into(), 0, 0]);
+    }
+    sort_by(&mut groups, |g| [!real(g.net_area), g.contours[0].into(), 0]);
+    groups
+}
+
+fn id(part: &Part) -> u32 {
+    u32::try_from(part.outer).unwrap_or(u32::MAX)
+}

@@ -1,0 +1,365 @@
+//! The figures of a quote (`kerfway.quote/1`), and how they come from a plan document.
+
+use super::narrow::{self, Web};
+use super::parts::{self, Part};
+use super::shape::Shape;
+use super::Material;
+use crate::dxf::{Unit, UnitsSource};
+use crate::finding::Severity;
+use crate::sheet::Operation;
+use serde::{Deserialize, Serialize};
+
+/// The format this writes.
+const SCHEMA: &str = "kerfway.quote/1";
+
+/// What is read of a plan document besides its moves.
+#[derive(Deserialize)]
+pub(super) struct Head {
+    method: String,
+    parameters: Option<String>,
+    seed: u64,
+    budget: Budget,
+    input: Input,
+    machine: serde_json::Value,
+    options: serde_json::Value,
+    summary: Summary,
+    pub(super) contours: Vec<Contour>,
+    findings: Vec<Found>,
+}
+
+#[derive(Deserialize)]
+struct Budget {
+    done: u64,
+    workers: Option<u32>,
+}
+
+/// The drawing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Input {
+    /// SHA-256 of its bytes.
+    pub sha256: String,
+    /// Its name.
+    pub name: String,
+    /// Units it is read in.
+    pub units: Unit,
+    /// Where they come from.
+    pub units_source: UnitsSource,
+}
+
+#[derive(Deserialize)]
+struct Summary {
+    pierces: u32,
+    pre_cuts: u32,
+    cut_length: f64,
+    air_length: f64,
+    cut_time: f64,
+    air_time: f64,
+    pierce_time: f64,
+    pre_cut_time: f64,
+    macro_time: f64,
+    total_time: f64,
+    bounds: [f64; 4],
+}
+
+/// A contour of the document.
+#[derive(Deserialize)]
+pub(super) struct Contour {
+    pub(super) closed: bool,
+    layer: String,
+    pub(super) operation: Operation,
+    pub(super) inside: Option<u32>,
+    pub(super) length: f64,
+    pub(super) area: f64,
+}
+
+#[derive(Deserialize)]
+struct Found {
+    code: String,
+    severity: Severity,
+    count: u32,
+}
+
+/// The report. Lengths mm, areas mm2, times s.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Quote {
+    /// `kerfway.quote/1`.
+    pub schema: &'static str,
+    /// SHA-256 of the report while this field is empty.
+    pub hash: String,
+    /// The drawing.
+    pub input: Input,
+    /// The machine's whole profile.
+    pub machine: serde_json::Value,
+    /// How the drawing was read and arranged.
+    pub options: serde_json::Value,
+    /// The method.
+    pub method: String,
+    /// Its parameters, where given.
+    pub parameters: Option<String>,
+    /// Decided its random choices.
+    pub seed: u64,
+    /// Moves it did: with them, the seed and the same workers it comes to the same plan.
+    pub moves: u64,
+    /// Searches side by side, if more than one.
+    pub workers: Option<u32>,
+    /// As given.
+    pub material: Material,
+    /// Seconds of the job.
+    pub times: Times,
+    /// Length of cuts and marks.
+    pub cut_length: f64,
+    /// Length of air moves.
+    pub air_length: f64,
+    /// Piercings.
+    pub pierces: u32,
+    /// Pre-cuts.
+    pub pre_cuts: u32,
+    /// What is done on each layer.
+    pub layers: Vec<LayerUse>,
+    /// Parts there are.
+    pub part_count: usize,
+    /// The same ones together, the largest first.
+    pub parts: Vec<PartGroup>,
+    /// xmin, ymin, xmax, ymax of all that is worked.
+    pub bounds: [f64; 4],
+    /// Area of all parts, holes left out.
+    pub net_area: f64,
+    /// Area of the box.
+    pub box_area: f64,
+    /// Of all parts, g; when thickness and density are given.
+    pub weight: Option<f64>,
+    /// The hole with the least width.
+    pub smallest_hole: Option<Smallest>,
+    /// Where two cuts of one part come nearest to each other.
+    pub narrowest_web: Option<Narrowest>,
+    /// What a person should look at before cutting.
+    pub defects: Vec<Defect>,
+    /// How far the figures can be relied on.
+    pub confidence: Confidence,
+}
+
+/// Seconds of the job, by what they go into.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Times {
+    /// All of it.
+    pub total: f64,
+    /// Along contours.
+    pub cut: f64,
+    /// Air moves.
+    pub air: f64,
+    /// Piercing, with beam delays.
+    pub pierce: f64,
+    /// Pre-cuts.
+    pub pre_cut: f64,
+    /// Sharp corners.
+    pub macros: f64,
+}
+
+/// What is done on a layer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LayerUse {
+    /// Its name.
+    pub layer: String,
+    /// Cut or mark.
+    pub operation: Operation,
+    /// Contours on it.
+    pub contours: u32,
+    /// Of them open.
+    pub open: u32,
+    /// Their length.
+    pub length: f64,
+}
+
+/// Parts that are the same.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PartGroup {
+    /// How many.
+    pub count: u32,
+    /// Of one: its area, holes left out.
+    pub net_area: f64,
+    /// Of one: outer contour and holes.
+    pub cut_length: f64,
+    /// Of one.
+    pub holes: usize,
+    /// Outer contours, by id.
+    pub contours: Vec<u32>,
+}
+
+/// The hole with the least width.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Smallest {
+    /// Contour.
+    pub contour: usize,
+    /// Between two parallel lines that hold it: a circle's diameter, a slot's width.
+    pub width: f64,
+    /// Over the thickness, if that is given.
+    pub over_thickness: Option<f64>,
+}
+
+/// Where material is thinnest between two cuts of a part.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Narrowest {
+    /// The two contours.
+    pub contours: [usize; 2],
+    /// Between them.
+    pub width: f64,
+    /// The middle of it.
+    pub at: [f64; 2],
+    /// Over the thickness, if that is given.
+    pub over_thickness: Option<f64>,
+}
+
+/// A kind of defect.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Defect {
+    /// As among the findings.
+    pub code: String,
+    /// How grave.
+    pub severity: Severity,
+    /// How many.
+    pub count: u32,
+}
+
+/// How far the figures can be relied on.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Confidence {
+    /// In one word.
+    pub level: Level,
+    /// Why it is not high.
+    pub reasons: Vec<String>,
+}
+
+/// In one word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Level {
+    /// Nothing known speaks against the figures.
+    High,
+    /// Something may change them a little: a person should look.
+    Medium,
+    /// They may be wrong altogether.
+    Low,
+}
+
+pub(super) fn made(head: Head, shapes: &[Shape], material: &Material) -> Quote {
+    let Head { method, parameters, seed, budget, input, machine, options, summary, contours, findings } = head;
+    let parts = parts::parts(&contours);
+    let holes: f64 = parts.iter().flat_map(|p| &p.holes).map(|&h| contours[h].area).sum();
+    let net_area = parts.iter().map(|p| contours[p.outer].area).sum::<f64>() - holes;
+    let [x0, y0, x1, y1] = summary.bounds;
+    let defects = defects(findings);
+    let confidence = confidence(&input, &defects, &contours);
+    let volume = material.thickness.map(|t| t * net_area / 1000.0);
+    Quote {
+        schema: SCHEMA,
+        hash: String::new(),
+        input,
+        machine,
+        options,
+        method,
+        parameters,
+        seed,
+        moves: budget.done,
+        workers: budget.workers,
+        material: material.clone(),
+        times: Times {
+            total: summary.total_time,
+            cut: summary.cut_time,
+            air: summary.air_time,
+            pierce: summary.pierce_time,
+            pre_cut: summary.pre_cut_time,
+            macros: summary.macro_time,
+        },
+        cut_length: summary.cut_length,
+        air_length: summary.air_length,
+        pierces: summary.pierces,
+        pre_cuts: summary.pre_cuts,
+        layers: layers(&contours),
+        part_count: parts.len(),
+        parts: parts::groups(&parts, &contours, shapes),
+        bounds: summary.bounds,
+        net_area,
+        box_area: (x1 - x0) * (y1 - y0),
+        weight: volume.zip(material.density).map(|(cm3, density)| cm3 * density),
+        smallest_hole: smallest(&parts, shapes, material),
+        narrowest_web: narrowest(&parts, shapes, material),
+        defects,
+        confidence,
+    }
+}
+
+fn layers(contours: &[Contour]) -> Vec<LayerUse> {
+    let mut all: Vec<LayerUse> = Vec::new();
+    for c in contours {
+        let known = all.iter().position(|l| l.layer == c.layer && l.operation == c.operation);
+        let at = known.unwrap_or_else(|| {
+            let (layer, operation) = (c.layer.clone(), c.operation);
+            all.push(LayerUse { layer, operation, contours: 0, open: 0, length: 0.0 });
+            all.len() - 1
+        });
+        all[at].contours += 1;
+        all[at].open += u32::from(!c.closed);
+        all[at].length += c.length;
+    }
+    all
+}
+
+fn smallest(parts: &[Part], shapes: &[Shape], material: &Material) -> Option<Smallest> {
+    let mut least: Option<Smallest> = None;
+    for &contour in parts.iter().flat_map(|p| &p.holes) {
+        let width = shapes[contour].width();
+        if least.is_none_or(|l| width < l.width) {
+            least = Some(Smallest { contour, width, over_thickness: material.thickness.map(|t| width / t) });
+        }
+    }
+    least
+}
+
+fn narrowest(parts: &[Part], shapes: &[Shape], material: &Material) -> Option<Narrowest> {
+    let mut least: Option<Web> = None;
+    for part in parts {
+        let all: Vec<usize> = std::iter::once(part.outer).chain(part.holes.iter().copied()).collect();
+        if let Some(web) = narrow::between(shapes, &all)
+            && least.is_none_or(|l| web.width < l.width)
+        {
+            least = Some(web);
+        }
+    }
+    least.map(|Web { contours, width, at }| {
+        let over_thickness = material.thickness.map(|t| width / t);
+        Narrowest { contours, width, at: at.into(), over_thickness }
+    })
+}
+
+/// Findings that are more than information, by code.
+fn defects(findings: Vec<Found>) -> Vec<Defect> {
+    let mut defects: Vec<Defect> = Vec::new();
+    for Found { code, severity, count } in findings.into_iter().filter(|f| f.severity != Severity::Info) {
+        match defects.iter_mut().find(|d| d.code == code) {
+            Some(known) => known.count = known.count.saturating_add(count),
+            None => defects.push(Defect { code, severity, count }),
+        }
+    }
+    defects
+}
+
+fn confidence(input: &Input, defects: &[Defect], contours: &[Contour]) -> Confidence {
+    let mut level = Level::High;
+    let mut reasons = Vec::new();
+    let mut doubt = |at_least: Level, reason: String| {
+        level = level.max(at_least);
+        reasons.push(reason);
+    };
+    if input.units_source == UnitsSource::Guessed {
+        doubt(Level::Low, "The file does not say its units; they were guessed.".into());
+    }
+    let open = contours.iter().filter(|c| !c.closed && c.operation == Operation::Cut).count();
+    if open > 0 {
+        doubt(Level::Medium, format!("{open} contours that are cut are open: they enclose no part."));
+    }
+    for Defect { code, severity, count } in defects {
+        let grave = if *severity == Severity::Error { Level::Low } else { Level::Medium };
+        doubt(grave, format!("{code}: {count}"));
+    }
+    Confidence { level, reasons }
+}

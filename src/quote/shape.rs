@@ -1,0 +1,160 @@
+//! A contour's line as points, near enough to measure widths.
+
+use crate::geometry::{DVec2, Segment, math};
+use crate::order::{real, sort_by};
+
+/// Arcs are measured by chords that stay this near, mm: a tenth of what lasers cut to.
+pub(super) const FINE: f64 = 0.01;
+/// Chords of one arc at most: those of a full circle of 20 m radius at that distance.
+const MOST: f64 = 1024.0;
+
+/// Points along a contour, in order; stretches follow each other as they are cut.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Shape {
+    pub(super) points: Vec<DVec2>,
+}
+
+impl Shape {
+    /// Another stretch of it.
+    pub(super) fn add(&mut self, path: &[Segment]) {
+        self.points.extend(path.first().map(Segment::start));
+        for segment in path {
+            let pieces = match segment {
+                Segment::Line(_) => 1.0,
+                Segment::Arc(a) => {
+                    let half = math::acos((1.0 - FINE / a.radius()).clamp(-1.0, 1.0));
+                    (a.sweep.abs() / (2.0 * half)).ceil().clamp(1.0, MOST)
+                }
+            };
+            let mut k = 1.0;
+            while k < pieces {
+                self.points.push(segment.at(k / pieces));
+                k += 1.0;
+            }
+            self.points.push(segment.end());
+        }
+    }
+
+    /// Its chords.
+    pub(super) fn chords(&self) -> impl Iterator<Item = [DVec2; 2]> {
+        self.points.windows(2).map(|w| [w[0], w[1]]).filter(|[a, b]| a != b)
+    }
+
+    /// Width of the narrowest gap between two parallel lines that hold it, mm: the diameter of a circle, the smaller
+    /// side of a rectangle. By calipers around its hull.
+    pub(super) fn width(&self) -> f64 {
+        let hull = hull(&self.points);
+        let n = hull.len();
+        if n < 3 {
+            return 0.0;
+        }
+        let mut least = f64::INFINITY;
+        let mut far = 1;
+        for k in 0..n {
+            let (a, edge) = (hull[k], hull[(k + 1) % n] - hull[k]);
+            let away = |i: usize| edge.perp_dot(hull[i % n] - a);
+            // The farthest corner goes around the hull once, as the edge does.
+            while away(far + 1) > away(far) {
+                far += 1;
+            }
+            least = least.min(away(far) / edge.length());
+        }
+        least
+    }
+
+    /// Area, centroid and the two principal second moments of a closed line, all but the centroid the same however it
+    /// is turned or mirrored.
+    pub(super) fn moments(&self) -> Moments {
+        let Some(&o) = self.points.first() else { return Moments::default() };
+        let (mut area, mut first, mut xx, mut yy, mut xy) = (0.0, DVec2::ZERO, 0.0, 0.0, 0.0);
+        for [a, b] in self.chords() {
+            let (a, b) = (a - o, b - o);
+            let cross = a.perp_dot(b);
+            area += cross / 2.0;
+            first += (a + b) * cross / 6.0;
+            xx += cross * (a.x * a.x + a.x * b.x + b.x * b.x) / 12.0;
+            yy += cross * (a.y * a.y + a.y * b.y + b.y * b.y) / 12.0;
+            xy += cross * (2.0 * (a.x * a.y + b.x * b.y) + a.x * b.y + b.x * a.y) / 24.0;
+        }
+        if area == 0.0 {
+            return Moments { area: 0.0, centroid: o, principal: [0.0; 2] };
+        }
+        let c = first / area;
+        let [xx, yy, xy] = [xx - area * c.x * c.x, yy - area * c.y * c.y, xy - area * c.x * c.y].map(|m| m * area.signum());
+        let (middle, reach) = ((xx + yy) / 2.0, (((xx - yy) / 2.0).powi(2) + xy * xy).sqrt());
+        Moments { area: area.abs(), centroid: o + c, principal: [middle - reach, middle + reach] }
+    }
+}
+
+/// See [`Shape::moments`]: mm2, mm, mm4.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Moments {
+    pub(super) area: f64,
+    pub(super) centroid: DVec2,
+    pub(super) principal: [f64; 2],
+}
+
+/// The convex hull, counter-clockwise (Andrew's chain).
+fn hull(points: &[DVec2]) -> Vec<DVec2> {
+    let mut sorted = points.to_vec();
+    sort_by(&mut sorted, |p| [real(p.x + 0.0), real(p.y + 0.0), 0]);
+    sorted.dedup();
+    let mut hull: Vec<DVec2> = Vec::new();
+    // Below from left to right, then above and back; each starts where the other ended.
+    for back in [false, true] {
+        if back {
+            sorted.reverse();
+        }
+        let base = hull.len().saturating_sub(1);
+        for &p in sorted.iter().skip(usize::from(back)) {
+            while let [.., a, b] = hull[base..]
+                && (b - a).perp_dot(p - b) <= 0.0
+            {
+                hull.pop();
+            }
+            hull.push(p);
+        }
+    }
+    hull.pop();
+    hull
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Arc, Path};
+
+    fn shape(path: &[Segment]) -> Shape {
+        let mut shape = Shape::default();
+        shape.add(path);
+        shape
+    }
+
+    fn rectangle(w: f64, h: f64, angle: f64) -> Vec<Segment> {
+        let corner = |x, y| math::rotate(DVec2::new(x, y), angle) + DVec2::new(300.0, -70.0);
+        let c = [corner(0.0, 0.0), corner(w, 0.0), corner(w, h), corner(0.0, h)];
+        (0..4).map(|k| Segment::line(c[k], c[(k + 1) % 4])).collect()
+    }
+
+    #[test]
+    fn widths_and_moments_of_known_shapes() {
+        let circle = shape(&[Segment::Arc(Arc::circle(DVec2::new(7.0, 9.0), 5.0))]);
+        assert!((circle.width() - 10.0).abs() < 2.0 * FINE, "{}", circle.width());
+        for angle in [0.0, 0.3, 2.0] {
+            let r = shape(&rectangle(40.0, 10.0, angle));
+            assert!((r.width() - 10.0).abs() < 1e-9, "{}", r.width());
+            let m = r.moments();
+            assert!((m.area - 400.0).abs() < 1e-8);
+            // b h^3 / 12 and h b^3 / 12.
+            assert!((m.principal[0] - 40.0 * 1000.0 / 12.0).abs() < 1e-5, "{:?}", m.principal);
+            assert!((m.principal[1] - 10.0 * 64000.0 / 12.0).abs() < 1e-5, "{:?}", m.principal);
+        }
+        let slot = {
+            let (a, b) = (DVec2::new(0.0, 0.0), DVec2::new(20.0, 0.0));
+            let end = |from: DVec2, to: DVec2, c: DVec2| Segment::Arc(Arc::new(from, to, c, true));
+            let up = DVec2::new(0.0, 3.0);
+            Path::new(vec![Segment::line(a - up, b - up), end(b - up, b + up, b), Segment::line(b + up, a + up), end(a + up, a - up, a)], true)
+        };
+        assert!((shape(&slot.segments).width() - 6.0).abs() < 2.0 * FINE);
+    }
+}
