@@ -17,6 +17,11 @@ const host: Host = {
     papers.initSync({ module: await readFile(new URL('./pkg/kerfway_papers_bg.wasm', import.meta.url)) });
     return papers;
   },
+  quote: async () => {
+    const quote = await import('./pkg/kerfway_quote.js');
+    quote.initSync({ module: await readFile(new URL('./pkg/kerfway_quote_bg.wasm', import.meta.url)) });
+    return quote;
+  },
   png: async () => {
     const renderer = await import('./pkg/kerfway_png.js');
     renderer.initSync({ module: await readFile(new URL('./pkg/kerfway_png_bg.wasm', import.meta.url)) });

@@ -7,6 +7,7 @@
 import { Crew, type Drawing } from './crew.js';
 import { Line, PATIENCE, type StartWorker } from './line.js';
 import { RunningPlan, type PlanHandle, type PlanMessage } from './plan-handle.js';
+import type { Material, Quote } from './quote.js';
 import type {
   Budget,
   FromWorker,
@@ -42,13 +43,14 @@ interface Answers {
   load: Extract<FromWorker, { type: 'loaded' }>;
   output: Extract<FromWorker, { type: 'output' }>;
   papers: Extract<FromWorker, { type: 'papers' }>;
+  quote: Extract<FromWorker, { type: 'quote' }>;
   restore: Extract<FromWorker, { type: 'done' }>;
 }
 
 const CLOSED = 'The planner was closed.';
 
 /** The messages that answer a request for good. */
-const FINAL = new Set(['loaded', 'output', 'papers', 'done', 'failed']);
+const FINAL = new Set(['loaded', 'output', 'papers', 'quote', 'done', 'failed']);
 
 interface Request {
   resolve: (answer: never) => void;
@@ -146,6 +148,12 @@ export class Planner {
     await this.ready;
     const size = width === undefined ? {} : { width };
     return (await this.ask<'output'>((id) => ({ type: 'output', id, kind, ...size }))).data;
+  }
+
+  /** The report of a quote of the best plan so far, checked like an output. */
+  async quote(material: Material = {}): Promise<Quote> {
+    await this.ready;
+    return (await this.ask<'quote'>((id) => ({ type: 'quote', id, material }))).quote;
   }
 
   /** Ends the worker; whatever was under way is told so. */

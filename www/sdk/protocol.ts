@@ -4,6 +4,8 @@
  * Units: mm, s, rad. Geometry and paths travel as transferable typed arrays; options and reports as plain objects.
  */
 
+import type { Material, Quote } from './quote.js';
+
 export type Unit = 'in' | 'ft' | 'yd' | 'mil' | 'microinch' | 'um' | 'mm' | 'cm' | 'dm' | 'm';
 export type Operation = 'cut' | 'mark' | 'ignore';
 export type Severity = 'info' | 'warning' | 'error';
@@ -287,6 +289,7 @@ export type ToWorker =
   | { type: 'resume' }
   | { type: 'stop' }
   | { type: 'papers'; id: number }
+  | { type: 'quote'; id: number; material: Material }
   | { type: 'output'; id: number; kind: OutputKind; width?: number };
 
 export type FromWorker =
@@ -299,6 +302,7 @@ export type FromWorker =
   | { type: 'bound'; id: number; lowerBound: number }
   | { type: 'done'; id: number; reason: DoneReason; progress: Progress }
   | { type: 'papers'; id: number; methods: PaperMethod[] }
+  | { type: 'quote'; id: number; quote: Quote }
   | { type: 'output'; id: number; kind: OutputKind; data: string | Uint8Array }
   /** One sentence for people. */
   | { type: 'failed'; id: number; message: string }

@@ -5,6 +5,7 @@
 
 import { initSync, Job, machines, methods } from './pkg/kerfway.js';
 import type { FromWorker, Membership, OutputKind, PlanOptions, ToWorker } from './protocol.js';
+import type { Material } from './quote.js';
 import { Search } from './search.js';
 
 /** What a session needs of the place it runs in. */
@@ -14,6 +15,8 @@ export interface Host {
   lab(): Promise<typeof import('./pkg/kerfway_lab.js')>;
   /** The methods of papers, loaded when first asked for. */
   papers(): Promise<typeof import('./pkg/kerfway_papers.js')>;
+  /** What makes quotes, loaded when first asked for. */
+  quote(): Promise<typeof import('./pkg/kerfway_quote.js')>;
   /** The PNG renderer, loaded when first asked for: plan JSON and width in pixels to a picture. */
   png(): Promise<(planJson: string, width: number) => Uint8Array>;
 }
@@ -81,6 +84,9 @@ export class Session {
       case 'papers':
         void this.papers(message.id);
         return;
+      case 'quote':
+        void this.quote(message.id, message.material);
+        return;
       case 'output':
         void this.output(message.id, message.kind, message.width);
         return;
@@ -125,6 +131,15 @@ export class Session {
   private async papers(id: number): Promise<void> {
     try {
       this.host.post({ type: 'papers', id, methods: (await this.host.papers()).paperMethods() });
+    } catch (error) {
+      this.fail(id, error);
+    }
+  }
+
+  private async quote(id: number, material: Material): Promise<void> {
+    try {
+      const json = this.loaded().output('json');
+      this.host.post({ type: 'quote', id, quote: (await this.host.quote()).quoteOf(json, JSON.stringify(material)) });
     } catch (error) {
       this.fail(id, error);
     }

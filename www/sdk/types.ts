@@ -6,3 +6,4 @@ export type { Functions, Outputs, Planned, PlanRun } from './functions.js';
 export type { Bytes, InspectOptions, JobOptions, PlanJobOptions, PlanningOptions, RenderOptions, Source } from './options.js';
 export type { Pool, PoolOptions } from './pool.js';
 export type * from './protocol.js';
+export type { Material, Quote } from './quote.js';

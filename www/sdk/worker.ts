@@ -23,6 +23,11 @@ const host: Host = {
     await papers.default();
     return papers;
   },
+  quote: async () => {
+    const quote = await import('./pkg/kerfway_quote.js');
+    await quote.default();
+    return quote;
+  },
   png: async () => {
     const renderer = await import('./pkg/kerfway_png.js');
     await renderer.default();
