@@ -57,8 +57,7 @@ function wasm(name, features) {
 function sdk() {
   console.log('build: the npm package');
   run('tsc', ['-p', join(ROOT, 'www', 'sdk')]);
-  const schema = join(ROOT, 'www', 'sdk', 'plan.schema.json');
-  if (existsSync(schema)) cpSync(schema, join(SDK, 'plan.schema.json'));
+  for (const schema of ['plan.schema.json', 'quote.schema.json']) cpSync(join(ROOT, 'www', 'sdk', schema), join(SDK, schema));
   framePage();
   cpSync(WASM, join(SDK, 'pkg'), { recursive: true, filter: (f) => !f.endsWith('.stamp') });
   const bytes = readFileSync(join(WASM, 'kerfway_bg.wasm')).toString('base64');

@@ -114,6 +114,15 @@ export function seconds(values: Values): number | undefined {
   return n;
 }
 
+/** A number above 0. */
+export function positive(values: Values, name: string): number | undefined {
+  const word = text(values, name);
+  if (word === undefined) return undefined;
+  const n = Number(word);
+  if (word.trim() === '' || !Number.isFinite(n) || n <= 0) throw new WrongUse(`--${name} ${word}: give a number above 0.`);
+  return n;
+}
+
 export function oneOf<T extends string>(what: string, word: string, choices: readonly T[]): T {
   const found = choices.find((c) => c === word);
   if (found === undefined) throw new WrongUse(`${what} ${word}: choose one of ${choices.join(', ')}.`);

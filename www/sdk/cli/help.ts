@@ -6,6 +6,7 @@ export const HELP = `Kerfway plans the path of a laser cutter.
 
 kerfway plan FILE.dxf [options]      plan the path and write it
 kerfway inspect FILE.dxf [options]   tell what the drawing holds, without planning
+kerfway quote FILE.dxf [options]     plan, and tell what a shop asks before it names a price
 kerfway methods                      list the methods of planning
 kerfway solve FILE [options]         solve a benchmark instance: .tsp, .gtsp or .pcglns
 
@@ -16,7 +17,7 @@ Outputs of plan; - is standard output:
   --dxf OUT            contours in cutting order
   --png OUT            picture as pixels
 
-How to plan:
+How to plan, for plan and quote:
   --machine NAME|FILE  a preset's name, or a machine profile as JSON
   --method NAME        see kerfway methods
   --set NAME=VALUE     a parameter of a method from a paper; may be repeated
@@ -26,12 +27,18 @@ How to plan:
   --seed N             decides every random choice
   --no-return          stay where the last cut ends
 
-How to read, for plan and inspect:
+How to read, for plan, quote and inspect:
   --units UNIT         mm, in, cm, m, ... when the file says nothing or lies
   --layer NAME=cut|mark|ignore   what to do with a layer; may be repeated
   --order-by-layer     layer after layer, in the order of --layer
   --part-by-part       a part wholly, with all in its holes, before the next
   --first ID, --last ID          a contour before or after all others; may be repeated
+
+Of quote:
+  --material NAME      for people
+  --thickness MM       of the sheet
+  --density G          g/cm3: mild steel 7.85, aluminium 2.70, acrylic 1.19
+  --json OUT           the report (kerfway.quote/1)
 
 Of inspect:
   --json OUT           the whole report
