@@ -2,13 +2,15 @@
 //!
 //! `tests/golden/cases.json` says what is planned, `tests/golden/NAME.json` is the plan expected. The package and
 //! browser tests read the same files. `KERFWAY_BLESS=1 cargo test --test golden` writes them anew, after a change that
-//! is meant to change plans.
+//! is meant to change plans. `tests/golden/quotes.json` has the hash of each plan's quote, which must be the same, too.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod support;
 
 use kerfway::job::{Job, LoadOptions, OutputKind, PlanOptions};
+use kerfway::quote::{Material, quote};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
 use support::crew;
@@ -53,6 +55,21 @@ fn plans_are_the_bytes_expected() {
         }
         assert!(plan == fs::read_to_string(&file).unwrap(), "{} differs from {}", case.name, file.display());
     }
+}
+
+#[test]
+fn quotes_have_the_hashes_expected() {
+    let material =
+        Material { name: Some("Mild steel".into()), thickness: Some(3.0), density: Some(7.85) };
+    let hash = |case: &Case| quote(&planned(case, u64::MAX), &material).unwrap().hash;
+    let hashes: BTreeMap<String, String> = cases().iter().map(|c| (c.name.clone(), hash(c))).collect();
+    let file = at("golden/quotes.json");
+    if std::env::var_os("KERFWAY_BLESS").is_some() {
+        fs::write(&file, serde_json::to_string_pretty(&hashes).unwrap() + "\n").unwrap();
+    }
+    let expected: BTreeMap<String, String> =
+        serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
+    assert_eq!(hashes, expected);
 }
 
 #[test]

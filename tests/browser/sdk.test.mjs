@@ -7,7 +7,7 @@ import { chromium } from 'playwright-core';
 import { serve } from '../../scripts/serve.mjs';
 import { findBrowser } from '../../scripts/setup.mjs';
 import { DIST } from '../../scripts/tools.mjs';
-import { cases } from '../golden/cases.mjs';
+import { cases, MATERIAL } from '../golden/cases.mjs';
 
 const PAGE = `<!doctype html><script type="importmap">{"imports":{
   "kerfway": "/index.js", "kerfway/inline": "/inline.js" }}</script>`;
@@ -34,7 +34,7 @@ after(async () => {
 /** Plans in the page; returns the plan JSON and what was told on the way. */
 const planned = (drawing, file, load, plan, inline = false) =>
   page.evaluate(
-    async ({ base64, file, load, plan, inline }) => {
+    async ({ base64, file, load, plan, inline, material }) => {
       const { createPlanner } = await import('kerfway');
       const options = inline ? { wasm: (await import('kerfway/inline')).wasm() } : {};
       const planner = await createPlanner(options);
@@ -43,17 +43,19 @@ const planned = (drawing, file, load, plan, inline = false) =>
       const { reason, seed } = await planner.plan(plan).done;
       const json = await planner.output('json');
       const png = [...(await planner.output('png', 200)).subarray(0, 4)];
+      const { hash } = await planner.quote(material);
       planner.close();
-      return { reason, seed, json, png };
+      return { reason, seed, json, png, hash };
     },
-    { base64: Buffer.from(drawing).toString('base64'), file, load, plan, inline },
+    { base64: Buffer.from(drawing).toString('base64'), file, load, plan, inline, material: MATERIAL },
   );
 
 describe('golden plans in Chromium', () => {
-  for (const { name, file, bytes, load, plan, golden } of cases()) {
+  for (const { name, file, bytes, load, plan, golden, hash } of cases()) {
     it(name, async () => {
-      const { json, seed } = await planned(bytes, file, load, plan);
+      const { json, seed, hash: quoted } = await planned(bytes, file, load, plan);
       assert.equal(seed, plan.seed);
+      assert.equal(quoted, hash);
       assert.ok(json === golden, `${name} differs from tests/golden/${name}.json`);
     });
   }

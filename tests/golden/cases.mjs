@@ -4,8 +4,12 @@ import { readFileSync } from 'node:fs';
 
 const at = (path) => new URL(path, import.meta.url);
 
-/** Name, drawing, options and expected plan JSON of each case. */
+/** What the quotes of `quotes.json` are for. */
+export const MATERIAL = { name: 'Mild steel', thickness: 3, density: 7.85 };
+
+/** Name, drawing, options, expected plan JSON and expected hash of the quote of each case. */
 export function cases() {
+  const quotes = JSON.parse(readFileSync(at('quotes.json'), 'utf8'));
   return JSON.parse(readFileSync(at('cases.json'), 'utf8')).map(({ name, drawing, load, plan }) => ({
     name,
     file: drawing.split('/').at(-1),
@@ -13,5 +17,6 @@ export function cases() {
     load,
     plan,
     golden: readFileSync(at(`${name}.json`), 'utf8'),
+    hash: quotes[name],
   }));
 }

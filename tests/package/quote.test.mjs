@@ -1,0 +1,59 @@
+// The report of a quote: from the package, from the command line, by its schema.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { after, before, describe, it } from 'node:test';
+import { Ajv2020 } from 'ajv/dist/2020.js';
+import { createPlanner } from 'kerfway';
+import { bytes, circle, dxf, fixture, KEYBOARD, kerfway, square } from './support.mjs';
+
+const schema = createRequire(import.meta.url).resolve('kerfway/quote.schema.json');
+const validate = new Ajv2020({ allErrors: true }).compile(JSON.parse(readFileSync(schema, 'utf8')));
+
+describe('quote', () => {
+  let planner;
+  before(async () => (planner = await createPlanner()));
+  after(() => planner.close());
+
+  const quoted = async (drawing, material) => {
+    await planner.load(drawing, 'drawing.dxf');
+    await planner.plan({ moves: 500, seed: 1 }).done;
+    return planner.quote(material);
+  };
+
+  it('is valid by the published schema, with and without a material', async () => {
+    for (const drawing of [bytes(KEYBOARD), bytes('dxf-dev/mozman_ezdxf__forms.dxf'), dxf(circle(0, 0, 5))]) {
+      for (const material of [undefined, { name: 'Steel', thickness: 2, density: 7.85 }]) {
+        const report = await quoted(drawing, material);
+        assert.ok(validate(report), JSON.stringify(validate.errors, null, 1));
+      }
+    }
+  });
+
+  it('knows a square with a hole', async () => {
+    const { part_count, net_area, weight, smallest_hole } = await quoted(dxf(square(0, 0, 100), circle(50, 50, 10)), { thickness: 2, density: 8 });
+    const area = 100 * 100 - Math.PI * 100;
+    assert.equal(part_count, 1);
+    assert.ok(Math.abs(net_area - area) < 1e-6);
+    assert.ok(Math.abs(weight - area * 0.016) < 1e-6);
+    assert.ok(Math.abs(smallest_hole.width - 20) < 0.03 && Math.abs(smallest_hole.over_thickness - 10) < 0.02);
+  });
+
+  it('refuses a material that cannot be in a sentence', async () => {
+    await assert.rejects(quoted(bytes(KEYBOARD), { thickness: -1 }), { message: 'The thickness cannot be -1 mm. Give a number above 0.' });
+    await assert.rejects(quoted(bytes(KEYBOARD), { colour: 'red' }), /^Error: The material is not usable: unknown field `colour`/);
+  });
+
+  it('is told on the command line, with the same hash', async () => {
+    const words = ['quote', fixture(KEYBOARD), '--moves', '500', '--seed', '1', '--thickness', '1.5', '--density', '7.85'];
+    const { code, stdout, stderr } = await kerfway(...words, '--json', '-');
+    assert.equal(code, 0);
+    const report = JSON.parse(stdout);
+    assert.ok(validate(report));
+    assert.match(stderr, new RegExp(`Hash +${report.hash}`));
+    assert.equal((await kerfway(...words)).stdout, stderr);
+    const wrong = await kerfway('quote', fixture(KEYBOARD), '--thickness', '0');
+    assert.deepEqual([wrong.code, wrong.stderr.split('\n')[0]], [2, 'kerfway: --thickness 0: give a number above 0.']);
+  });
+});
