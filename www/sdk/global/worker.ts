@@ -7,6 +7,8 @@ import lab from '../pkg/kerfway_lab_bg.wasm';
 import * as labModule from '../pkg/kerfway_lab.js';
 import papers from '../pkg/kerfway_papers_bg.wasm';
 import * as papersModule from '../pkg/kerfway_papers.js';
+import quote from '../pkg/kerfway_quote_bg.wasm';
+import * as quoteModule from '../pkg/kerfway_quote.js';
 import type { FromWorker, ToWorker } from '../protocol.js';
 import { Session } from '../session.js';
 
@@ -24,6 +26,10 @@ const session = new Session({
   papers: async () => {
     papersModule.initSync({ module: papers });
     return papersModule;
+  },
+  quote: async () => {
+    quoteModule.initSync({ module: quote });
+    return quoteModule;
   },
   png: async () => {
     throw new Error('The single-file build writes no PNG. Render SVG instead, or use the package with its files.');
