@@ -146,35 +146,46 @@ const LISTED_PER_CODE: u32 = 200;
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
     list: Vec<Finding>,
-    seen: std::collections::BTreeMap<Code, (u32, u32)>,
+    seen: Seen,
+}
+
+/// How many of each code are listed, and how many are only counted. A list: codes are few.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Seen(Vec<(Code, u32, u32)>);
+
+impl Seen {
+    /// Whether another `count` of a code are to be listed; otherwise they are counted.
+    pub(crate) fn lists(&mut self, code: Code, count: u32, most: u32) -> bool {
+        let at = self.0.iter().position(|(c, ..)| *c >= code).unwrap_or(self.0.len());
+        if self.0.get(at).is_none_or(|(c, ..)| *c != code) {
+            self.0.insert(at, (code, 0, 0));
+        }
+        let (_, listed, rest) = &mut self.0[at];
+        let lists = *listed < most;
+        *listed += u32::from(lists);
+        *rest = if lists { *rest } else { rest.saturating_add(count) };
+        lists
+    }
+
+    /// The codes of which some are only counted, with how many.
+    pub(crate) fn rests(self) -> impl Iterator<Item = (Code, u32)> {
+        self.0.into_iter().map(|(code, _, rest)| (code, rest)).filter(|&(_, rest)| rest > 0)
+    }
 }
 
 impl Findings {
     /// Adds one.
     pub fn push(&mut self, f: Finding) {
-        let (listed, rest) = self.seen.entry(f.code).or_default();
-        if *listed < LISTED_PER_CODE {
-            *listed += 1;
+        if self.seen.lists(f.code, f.count, LISTED_PER_CODE) {
             self.list.push(f);
-        } else {
-            *rest = rest.saturating_add(f.count);
         }
     }
 
     /// The list, with a closing `More` for each code that overflowed.
     pub fn into_list(mut self) -> Vec<Finding> {
-        for (code, (_, rest)) in self.seen {
-            if rest > 0 {
-                let name = name(code);
-                self.list.push(
-                    Finding::new(
-                        Code::More,
-                        Severity::Info,
-                        format!("{rest} more of the kind {name}, not listed one by one."),
-                    )
-                    .times(rest),
-                );
-            }
+        for (code, rest) in self.seen.rests() {
+            let message = format!("{rest} more of the kind {}, not listed one by one.", name(code));
+            self.list.push(Finding::new(Code::More, Severity::Info, message).times(rest));
         }
         self.list
     }

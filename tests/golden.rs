@@ -59,8 +59,7 @@ fn plans_are_the_bytes_expected() {
 
 #[test]
 fn quotes_have_the_hashes_expected() {
-    let material =
-        Material { name: Some("Mild steel".into()), thickness: Some(3.0), density: Some(7.85) };
+    let material = Material { name: Some("Mild steel".into()), thickness: Some(3.0), density: Some(7.85) };
     let hash = |case: &Case| quote(&planned(case, u64::MAX), &material).unwrap().hash;
     let hashes: BTreeMap<String, String> = cases().iter().map(|c| (c.name.clone(), hash(c))).collect();
     let file = at("golden/quotes.json");

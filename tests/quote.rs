@@ -1,9 +1,9 @@
 //! The report of a quote: figures known by hand, its schema, its hash.
 #![allow(clippy::unwrap_used, clippy::float_cmp, reason = "a test fails by panicking; what must be equal is")]
 
-mod support;
 #[path = "support/schema.rs"]
 mod schema;
+mod support;
 
 use glam::DVec2;
 use kerfway::job::{Job, LoadOptions, OutputKind, PlanOptions};
@@ -59,7 +59,11 @@ fn plates_are_measured_weighed_and_counted() {
     assert_eq!(quote.part_count, 3);
     let counts: Vec<u32> = quote.parts.iter().map(|g| g.count).collect();
     assert_eq!(counts.iter().sum::<u32>(), 3);
-    assert_eq!(counts.iter().max(), Some(&2), "turned and mirrored the same, with its hole elsewhere another");
+    assert_eq!(
+        counts.iter().max(),
+        Some(&2),
+        "turned and mirrored the same, with its hole elsewhere another"
+    );
     assert!(quote.parts.iter().all(|g| g.holes == 2 && (g.net_area - net).abs() < 1e-6));
     assert!((quote.net_area - 3.0 * net).abs() < 1e-6);
     assert!((quote.weight.unwrap() - 3.0 * net * 4.0 / 1000.0 * 7.85).abs() < 1e-6);
@@ -94,16 +98,19 @@ fn parts_in_holes_are_parts_and_what_is_marked_is_none() {
 #[test]
 fn lengths_of_a_sheet_are_those_its_maker_tells() {
     let bytes = std::fs::read(support::fixtures().join("sheets/sheet_100.dxf")).unwrap();
-    let truth: Value =
-        serde_json::from_slice(&std::fs::read(support::fixtures().join("sheets/sheet_100.truth.json")).unwrap())
-            .unwrap();
-    let layers = json!([{ "name": "SHEET", "operation": "ignore" }, { "name": "MARK", "operation": "ignore" }]);
+    let truth: Value = serde_json::from_slice(
+        &std::fs::read(support::fixtures().join("sheets/sheet_100.truth.json")).unwrap(),
+    )
+    .unwrap();
+    let layers =
+        json!([{ "name": "SHEET", "operation": "ignore" }, { "name": "MARK", "operation": "ignore" }]);
     let quote = of(&job(bytes, json!({ "layers": layers }), json!({ "moves": 500 })), &Material::default());
     let told = truth["cut_length_mm"].as_f64().unwrap();
     assert!((quote.cut_length / told - 1.0).abs() < 1e-3, "{} and {told}", quote.cut_length);
     let by_layer: f64 = quote.layers.iter().map(|l| l.length).sum();
     assert!((by_layer / quote.cut_length - 1.0).abs() < 1e-9);
-    let even = truth["items"].as_array().unwrap().iter().filter(|i| i["depth"].as_u64().unwrap() % 2 == 0).count();
+    let even =
+        truth["items"].as_array().unwrap().iter().filter(|i| i["depth"].as_u64().unwrap() % 2 == 0).count();
     assert_eq!(quote.part_count, even);
     assert_eq!(quote.parts.iter().map(|g| g.count as usize).sum::<usize>(), even);
 }
@@ -111,7 +118,8 @@ fn lengths_of_a_sheet_are_those_its_maker_tells() {
 #[test]
 fn the_hash_is_of_all_that_decides_the_report_and_of_nothing_else() {
     let bytes = std::fs::read(support::fixtures().join("dxf-dev/mozman_ezdxf__forms.dxf")).unwrap();
-    let made = |load: Value, plan: Value, material: &Material| of(&job(bytes.clone(), load, plan), material).hash;
+    let made =
+        |load: Value, plan: Value, material: &Material| of(&job(bytes.clone(), load, plan), material).hash;
     let plain = json!({ "moves": 500, "seed": 1 });
     let hash = made(json!({}), plain.clone(), &steel(2.0));
     assert_eq!(hash.len(), 64);

@@ -2,7 +2,7 @@
 
 use super::encoding::Decoder;
 use super::entity::Hidden;
-use crate::finding::{Code, Finding, Findings, Severity};
+use crate::finding::{Code, Finding, Findings, Seen, Severity};
 use glam::DVec2;
 use std::collections::BTreeMap;
 
@@ -51,7 +51,7 @@ const KEPT_PER_CODE: u32 = 256;
 #[derive(Debug, Default)]
 pub(super) struct Notes<'a> {
     list: Vec<Note<'a>>,
-    seen: BTreeMap<Code, (u32, u32)>,
+    seen: Seen,
     tallies: BTreeMap<(Subject<'a>, u32), Tally<'a>>,
 }
 
@@ -87,12 +87,8 @@ struct Tally<'a> {
 impl<'a> Notes<'a> {
     /// Adds one note.
     pub(super) fn push(&mut self, note: Note<'a>) {
-        let (kept, rest) = self.seen.entry(note.code).or_default();
-        if *kept < KEPT_PER_CODE {
-            *kept += 1;
+        if self.seen.lists(note.code, note.count, KEPT_PER_CODE) {
             self.list.push(note);
-        } else {
-            *rest = rest.saturating_add(note.count);
         }
     }
 
@@ -111,9 +107,8 @@ impl<'a> Notes<'a> {
     /// The findings, with texts decoded by `decoder` and layers named by `layers`.
     pub(super) fn into_findings(self, decoder: &mut Decoder, layers: &[super::Layer]) -> Vec<Finding> {
         let mut findings = Findings::default();
-        let overflow = self.seen.into_iter().filter(|(_, (_, rest))| *rest > 0);
         let overflow =
-            overflow.map(|(code, (_, rest))| Note { count: rest, ..Note::new(code, Severity::Info, "") });
+            self.seen.rests().map(|(code, rest)| Note { count: rest, ..Note::new(code, Severity::Info, "") });
         let tallies = self.tallies.into_iter().map(|((subject, layer), tally)| tally.note(subject, layer));
         for note in self.list.into_iter().chain(overflow).chain(tallies) {
             let message = match note.name {

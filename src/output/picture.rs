@@ -97,10 +97,7 @@ impl Picture {
                 Move::Pierce => {}
                 Move::PreCut { to } => {
                     at = point(to);
-                    strokes.push(Stroke::Beam {
-                        contour: None,
-                        path: vec![Segment::line(from, at)],
-                    });
+                    strokes.push(Stroke::Beam { contour: None, path: vec![Segment::line(from, at)] });
                 }
                 Move::Cut { contour, path } => {
                     let id = match contour {

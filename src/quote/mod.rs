@@ -39,7 +39,10 @@ pub fn quote(plan_json: &str, material: &Material) -> Result<Quote, String> {
         [("thickness", "mm", material.thickness), ("density", "g/cm3", material.density)]
     {
         if value.is_some_and(|v| !(v.is_finite() && v > 0.0)) {
-            return Err(format!("The {what} cannot be {} {unit}. Give a number above 0.", value.unwrap_or(0.0)));
+            return Err(format!(
+                "The {what} cannot be {} {unit}. Give a number above 0.",
+                value.unwrap_or(0.0)
+            ));
         }
     }
     let picture = Picture::read(plan_json)?;

@@ -66,7 +66,8 @@ impl Features {
 
     fn same(&self, other: &Self) -> bool {
         let near = |a: f64, b: f64| (a - b).abs() <= SMALL.max(SAME * a.abs().max(b.abs()));
-        let [a, b] = [self, other].map(|f| [f.outer.area, f.length, f.outer.principal[0], f.outer.principal[1]]);
+        let [a, b] =
+            [self, other].map(|f| [f.outer.area, f.length, f.outer.principal[0], f.outer.principal[1]]);
         a.into_iter().zip(b).all(|(a, b)| near(a, b))
             && self.holes.len() == other.holes.len()
             && self.holes.as_flattened().iter().zip(other.holes.as_flattened()).all(|(&a, &b)| near(a, b))
@@ -81,9 +82,10 @@ pub(super) fn groups(parts: &[Part], contours: &[Contour], shapes: &[Shape]) -> 
     sort_by(&mut order, |&p| [real(contours[parts[p].outer].length), p as u64, 0]);
     for part in order.into_iter().map(|p| &parts[p]) {
         let features = Features::of(part, contours, shapes);
-        let near = known.iter_mut().rev().take_while(|(f, _)| {
-            features.length - f.length <= SMALL.max(SAME * features.length)
-        });
+        let near = known
+            .iter_mut()
+            .rev()
+            .take_while(|(f, _)| features.length - f.length <= SMALL.max(SAME * features.length));
         let mut near = near.filter(|(f, _)| f.same(&features));
         if let Some((_, group)) = near.next() {
             group.count += 1;

@@ -1,9 +1,9 @@
 //! The figures of a quote (`kerfway.quote/1`), and how they come from a plan document.
 
+use super::Material;
 use super::narrow::{self, Web};
 use super::parts::{self, Part};
 use super::shape::Shape;
-use super::Material;
 use crate::dxf::{Unit, UnitsSource};
 use crate::finding::Severity;
 use crate::sheet::Operation;
@@ -242,7 +242,8 @@ pub enum Level {
 }
 
 pub(super) fn made(head: Head, shapes: &[Shape], material: &Material) -> Quote {
-    let Head { method, parameters, seed, budget, input, machine, options, summary, contours, findings } = head;
+    let Head { method, parameters, seed, budget, input, machine, options, summary, contours, findings } =
+        head;
     let parts = parts::parts(&contours);
     let holes: f64 = parts.iter().flat_map(|p| &p.holes).map(|&h| contours[h].area).sum();
     let net_area = parts.iter().map(|p| contours[p.outer].area).sum::<f64>() - holes;

@@ -80,7 +80,8 @@ impl Shape {
             return Moments { area: 0.0, centroid: o, principal: [0.0; 2] };
         }
         let c = first / area;
-        let [xx, yy, xy] = [xx - area * c.x * c.x, yy - area * c.y * c.y, xy - area * c.x * c.y].map(|m| m * area.signum());
+        let [xx, yy, xy] =
+            [xx - area * c.x * c.x, yy - area * c.y * c.y, xy - area * c.x * c.y].map(|m| m * area.signum());
         let (middle, reach) = ((xx + yy) / 2.0, (((xx - yy) / 2.0).powi(2) + xy * xy).sqrt());
         Moments { area: area.abs(), centroid: o + c, principal: [middle - reach, middle + reach] }
     }
@@ -153,7 +154,15 @@ mod tests {
             let (a, b) = (DVec2::new(0.0, 0.0), DVec2::new(20.0, 0.0));
             let end = |from: DVec2, to: DVec2, c: DVec2| Segment::Arc(Arc::new(from, to, c, true));
             let up = DVec2::new(0.0, 3.0);
-            Path::new(vec![Segment::line(a - up, b - up), end(b - up, b + up, b), Segment::line(b + up, a + up), end(a + up, a - up, a)], true)
+            Path::new(
+                vec![
+                    Segment::line(a - up, b - up),
+                    end(b - up, b + up, b),
+                    Segment::line(b + up, a + up),
+                    end(a + up, a - up, a),
+                ],
+                true,
+            )
         };
         assert!((shape(&slot.segments).width() - 6.0).abs() < 2.0 * FINE);
     }

@@ -95,12 +95,24 @@ fn length_or(v: f64, otherwise: f64) -> f64 {
     if v.is_finite() { v.max(0.0) } else { otherwise }
 }
 
+/// Lengths of elements, by layer, added up.
+fn by_layer(mut lengths: Vec<(u32, f64)>) -> Vec<(u32, f64)> {
+    sort_by(&mut lengths, |(layer, _)| [(*layer).into(), 0, 0]);
+    lengths.dedup_by(|next, sum| {
+        let same = next.0 == sum.0;
+        sum.1 += if same { next.1 } else { 0.0 };
+        same
+    });
+    lengths
+}
+
 fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut Findings) -> Contour {
-    let most = a.layers.iter().fold((0, f64::NEG_INFINITY), |m, (&l, &d)| if d > m.1 { (l, d) } else { m });
+    let layers = by_layer(a.layers);
+    let most = layers.iter().fold((0, f64::NEG_INFINITY), |m, &(l, d)| if d > m.1 { (l, d) } else { m });
     let layer = most.0;
     let at = a.path.start();
-    if a.layers.len() > 1 {
-        let names: Vec<_> = a.layers.keys().filter_map(|&l| layer_name(drawing, l)).collect();
+    if layers.len() > 1 {
+        let names: Vec<_> = layers.iter().filter_map(|&(l, _)| layer_name(drawing, l)).collect();
         let message = format!(
             "This contour lies on {}: {}. It is taken to be on {}, where most of it lies.",
             plural(names.len(), "layer", "layers"),

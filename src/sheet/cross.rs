@@ -11,7 +11,8 @@ use super::model::{Contour, Operation};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, intersect};
-use std::collections::BTreeMap;
+use crate::order::sort_by;
+use rustc_hash::FxHashMap;
 
 /// Boxes looked at per element on average, and for a small drawing in all. A sheet needs two or three; thousands of
 /// circles around each other need thousands, and are told to be looked at in part.
@@ -46,7 +47,7 @@ pub(super) fn find(
     let index = BoxIndex::new(boxes.iter().copied());
     let mut look = (LOOKED_AT * places.len()).max(LOOKED_AT_AT_LEAST);
     let mut work = (INTERSECTED * places.len()).max(INTERSECTED_AT_LEAST);
-    let mut found: BTreeMap<(u32, u32), Vec<DVec2>> = BTreeMap::new();
+    let mut found = Found::default();
     for (i, (&a, &around)) in places.iter().zip(&boxes).enumerate() {
         index.visit(around, |j| {
             look = look.saturating_sub(1);
@@ -57,7 +58,8 @@ pub(super) fn find(
             look > 0 && work > 0
         });
     }
-    for (&(a, b), at) in &found {
+    sort_by(&mut found.pairs, |((a, b), _)| [(*a).into(), (*b).into(), 0]);
+    for &((a, b), ref at) in &found.pairs {
         if is_cut(&contours[a as usize]) && is_cut(&contours[b as usize]) {
             findings.push(tell(drawing, contours, (a, b), at));
         }
@@ -69,7 +71,7 @@ pub(super) fn find(
         let message = "So many lines lie over each other that crossings were looked for in part only.";
         findings.push(Finding::new(Code::NotAllChecked, Severity::Info, message));
     }
-    found.into_keys().filter(|(a, b)| a != b).collect()
+    found.pairs.into_iter().map(|(pair, _)| pair).filter(|(a, b)| a != b).collect()
 }
 
 fn is_cut(c: &Contour) -> bool {
@@ -130,20 +132,32 @@ fn misses(s: &Segment, b: &Aabb, tolerance: f64) -> bool {
     }
 }
 
+/// Where pairs of contours cross.
+#[derive(Default)]
+struct Found {
+    pairs: Vec<((u32, u32), Vec<DVec2>)>,
+    index: FxHashMap<(i64, i64), u32>,
+}
+
+impl Found {
+    fn of(&mut self, pair: (u32, u32)) -> &mut Vec<DVec2> {
+        let next = u32::try_from(self.pairs.len()).unwrap_or(u32::MAX);
+        let at = *self.index.entry((pair.0.into(), pair.1.into())).or_insert(next);
+        if at == next {
+            self.pairs.push((pair, Vec::new()));
+        }
+        &mut self.pairs[at as usize].1
+    }
+}
+
 /// Adds the crossings of two elements.
-fn meetings(
-    contours: &[Contour],
-    a: Place,
-    b: Place,
-    tolerance: f64,
-    found: &mut BTreeMap<(u32, u32), Vec<DVec2>>,
-) {
+fn meetings(contours: &[Contour], a: Place, b: Place, tolerance: f64, found: &mut Found) {
     for m in intersect(segment(contours, a), segment(contours, b), tolerance).points {
         if !(m.crossing || cross_at_corner(contours, (a, m.a), (b, m.b), tolerance)) {
             continue;
         }
         let pair = (a.contour.min(b.contour), a.contour.max(b.contour));
-        let at = found.entry(pair).or_default();
+        let at = found.of(pair);
         // A corner is met by up to four pairs of elements.
         if at.len() < PLACES && at.iter().all(|p| p.distance(m.point) > ARM * tolerance) {
             at.push(m.point);

@@ -1,7 +1,7 @@
 //! Layers of the sheet under names that every DXF reader takes.
 
 use crate::sheet::Sheet;
-use std::collections::BTreeSet;
+use rustc_hash::FxHashMap;
 use std::fmt::Write as _;
 
 /// Characters AutoCAD refuses in a name, from R2000 on.
@@ -19,7 +19,7 @@ pub(super) struct Layers {
 impl Layers {
     /// The layers of a sheet. Names that would fall together (case does not count in DXF) get a number.
     pub(super) fn of(sheet: &Sheet) -> Self {
-        let mut taken = BTreeSet::new();
+        let mut taken: FxHashMap<Vec<u8>, u32> = FxHashMap::default();
         let list = sheet
             .layers
             .iter()
@@ -27,7 +27,7 @@ impl Layers {
                 let name = written(&layer.name);
                 let mut unique = name.clone();
                 let mut n = 2;
-                while !taken.insert(unique.to_ascii_uppercase()) {
+                while taken.insert(unique.to_ascii_uppercase().into_bytes(), n).is_some() {
                     unique = format!("{name}_{n}");
                     n += 1;
                 }

@@ -7,9 +7,9 @@
 mod frame;
 
 use super::arcs;
+use super::picture::{Picture, Stroke as Drawn};
 use crate::geometry::{Arc, Segment, math};
 use crate::sheet::Operation;
-use super::picture::{Picture, Stroke as Drawn};
 use frame::Frame;
 use std::f64::consts::FRAC_PI_4;
 use tiny_skia::{

@@ -4,9 +4,9 @@ use super::{Ends, NONE, close};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{DVec2, Path};
+use crate::order::sort_by;
 use crate::sheet::about::{self, count, plural};
 use crate::sheet::element::{Chain, Chains, ROUNDING};
-use std::collections::BTreeMap;
 
 /// A contour before nesting.
 pub(crate) struct Assembled {
@@ -14,8 +14,8 @@ pub(crate) struct Assembled {
     pub(crate) path: Path,
     /// Smallest index of the shapes it was made of.
     pub(crate) first_shape: u32,
-    /// Length on each layer, mm, by index of the layer.
-    pub(crate) layers: BTreeMap<u32, f64>,
+    /// Layer, by index, and length of each element, mm.
+    pub(crate) layers: Vec<(u32, f64)>,
     /// What is left of a closed shape of which another one cuts the rest.
     pub(crate) is_rest: bool,
     /// The outline of that shape, on the longest of its rests.
@@ -34,7 +34,7 @@ pub(super) fn contours(
     let mut scraps: Vec<DVec2> = Vec::new();
     let mut visited = vec![false; chains.chains.len()];
     let mut out: Vec<Assembled> = Vec::new();
-    let mut rests: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+    let mut rests: Vec<(u32, usize)> = Vec::new();
     for first in 0_u32.. {
         let Some(false) = visited.get(first as usize) else {
             if first as usize >= visited.len() {
@@ -66,7 +66,7 @@ pub(super) fn contours(
         walk.tell_gaps(drawing, findings);
         if let Some(of) = chains.chains[first as usize].rest_of {
             walk.contour.is_rest = true;
-            rests.entry(of).or_default().push(out.len());
+            rests.push((of, out.len()));
         }
         out.push(walk.contour);
     }
@@ -78,20 +78,22 @@ pub(super) fn contours(
         let finding = Finding::new(Code::OverlapRemoved, Severity::Info, message);
         findings.push(finding.at(at).times(count(scraps.len())));
     }
-    for (of, rests) in rests {
-        give_outline(&mut out, &rests, &chains.outlines[of as usize]);
+    sort_by(&mut rests, |(of, _)| [(*of).into(), 0, 0]);
+    for rests in rests.chunk_by(|(a, _), (b, _)| a == b) {
+        give_outline(&mut out, rests, &chains.outlines[rests[0].0 as usize]);
     }
     out
 }
 
 /// Gives the outline of a closed shape to the longest of its rests, unless one of them closes by itself.
-fn give_outline(contours: &mut [Assembled], rests: &[usize], outline: &Path) {
-    if rests.iter().any(|&i| contours[i].path.closed) {
+fn give_outline(contours: &mut [Assembled], rests: &[(u32, usize)], outline: &Path) {
+    let rests = rests.iter().map(|&(_, i)| i);
+    if rests.clone().any(|i| contours[i].path.closed) {
         return;
     }
     let length = |i: usize| contours[i].path.length();
     // The first of equals.
-    let longest = rests.iter().copied().rev().max_by(|&a, &b| length(a).total_cmp(&length(b)));
+    let longest = rests.rev().max_by(|&a, &b| length(a).total_cmp(&length(b)));
     if let Some(i) = longest {
         contours[i].outline = Some(outline.clone());
     }
@@ -122,7 +124,7 @@ impl Default for Walk {
         let contour = Assembled {
             path: Path::default(),
             first_shape: u32::MAX,
-            layers: BTreeMap::new(),
+            layers: Vec::new(),
             is_rest: false,
             outline: None,
         };
@@ -135,7 +137,7 @@ impl Walk {
     fn take(&mut self, chains: &Chains, chain: &Chain, reversed: bool) {
         let elements = chains.of(chain);
         for e in elements {
-            *self.contour.layers.entry(e.layer).or_default() += e.segment.length();
+            self.contour.layers.push((e.layer, e.segment.length()));
             self.contour.first_shape = self.contour.first_shape.min(e.shape);
         }
         let from = self.contour.path.segments.len();
