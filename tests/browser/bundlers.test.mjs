@@ -1,7 +1,7 @@
 // Projects that install the packed tarball and bundle it: what they build plans a sheet in Chromium under the strict policy.
 
 import assert from 'node:assert/strict';
-import { cpSync, mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, mkdtempSync, readdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
@@ -11,7 +11,7 @@ import { plan } from 'kerfway';
 import { build as vite } from 'vite';
 import webpack from 'webpack';
 import { serve } from '../../scripts/serve.mjs';
-import { bytes, install, KEYBOARD, pack } from '../package/support.mjs';
+import { bytes, fixture, install, KEYBOARD, pack, ROOT } from '../package/support.mjs';
 import { base64, embedding } from './embed-support.mjs';
 
 const at = embedding();
@@ -79,4 +79,25 @@ describe('a project bundled by', () => {
     }
     await plans(t, out);
   });
+});
+
+it('examples/vite-react tells what a drawing costs', async (t) => {
+  const root = join(project, 'vite-react');
+  cpSync(join(ROOT, 'examples', 'vite-react'), root, { recursive: true });
+  for (const name of ['react', 'react-dom', 'scheduler']) symlinkSync(join(ROOT, 'node_modules', name), join(project, 'node_modules', name));
+  const out = join(project, 'react');
+  await vite({ root, configFile: false, logLevel: 'error', build: { outDir: out, emptyOutDir: true } });
+  const server = await serve(out);
+  t.after(() => server.close());
+  const page = await at.browser.newPage();
+  t.after(() => page.close());
+  await page.goto(server.url);
+  await page.getByLabel('Material').selectOption('thin steel');
+  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.getByRole('button', { name: 'Choose a file' }).click()]);
+  await chooser.setFiles(fixture(KEYBOARD));
+  await page.getByRole('button', { name: 'Stop' }).click();
+  const price = await page.locator('output').textContent();
+  const { summary } = await page.evaluate(() => document.querySelector('kerfway-planner').result);
+  assert.equal(price, `${((summary.total_time / 60) * 1.5).toFixed(2)} € for ${summary.parts} parts`);
+  assert.equal(await page.evaluate(() => document.querySelector('kerfway-planner').result.options.machine), 'fibre-3kw-thin');
 });

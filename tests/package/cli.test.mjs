@@ -103,10 +103,15 @@ describe('kerfway inspect', () => {
 });
 
 describe('kerfway methods', () => {
-  it('lists them, one a line', async () => {
+  it('lists them, one a line, and then the parameters of those from papers', async () => {
     const { code, stdout } = await kerfway('methods');
     assert.equal(code, 0);
-    for (const line of stdout.trimEnd().split('\n')) assert.match(line, /^[a-z0-9-]+ {2,}\S.*\. \S.*\./);
+    const [methods, parameters] = stdout.trimEnd().split('\n\n').map((block) => block.split('\n'));
+    for (const line of methods) assert.match(line, /^[a-z0-9-]+ {2,}\S.*\. \S.*\./);
+    const [title, ...lines] = parameters;
+    assert.match(title, /--set:$/);
+    for (const line of lines) assert.match(line, /^[a-z0-9-]+ {2,}([a-z_]+=\S+ ?)+$/);
+    assert.deepEqual(lines.filter((line) => !methods.some((m) => m.split(' ')[0] === line.split(' ')[0])), []);
   });
 });
 
