@@ -96,16 +96,17 @@ impl Solver for AcoPso {
             first: self.first,
             fastest: self.fastest,
         };
-        let plain = Plain { pull: Pull { inertia: self.inertia, own: self.own, swarm: self.swarm } };
+        let plain = Plain { pull: Pull { inertia: self.inertia, own: self.own, swarm: self.swarm }, sown: 0 };
         let colony = Colony {
             by: self.clone(),
             plain,
             trails: Vec::new(),
             sent: Vec::new(),
             fresh: Vec::new(),
+            marked: 0,
             ant: None,
         };
-        Box::new(Run::new(problem, seed, &settings, colony))
+        Run::start(problem, seed, &settings, colony)
     }
 }
 
@@ -119,6 +120,8 @@ struct Colony {
     sent: Vec<usize>,
     /// Particles that have just got one.
     fresh: Vec<bool>,
+    /// Particles that have left their pheromone in this round.
+    marked: usize,
     /// The ant under way.
     ant: Option<Walk>,
 }
@@ -173,25 +176,26 @@ impl Colony {
         Some(tour.len() as u64)
     }
 
-    /// Pheromone evaporates, and every particle leaves some on its tour: as much more as its tour is shorter.
-    fn mark(&mut self, flock: &Flock) {
-        for trail in self.trails.iter_mut().flatten() {
-            *trail *= 1.0 - self.by.evaporation;
+    /// A particle leaves pheromone on its tour, as much more as that is shorter; nothing when all have. The first one
+    /// finds what was left evaporated.
+    fn mark(&mut self, flock: &Flock) -> Option<u64> {
+        let p = flock.particles.get(self.marked)?;
+        if self.marked == 0 {
+            self.trails.iter_mut().flatten().for_each(|trail| *trail *= 1.0 - self.by.evaporation);
         }
+        self.marked += 1;
         let problem = flock.worth.ground.legs.problem();
         let shortest = flock.particles[flock.leader].best_value;
-        for p in &flock.particles {
-            let share = if p.value > 0.0 { shortest / p.value } else { 1.0 } / flock.particles.len() as f64;
-            let items = || p.tour.iter().map(|&n| problem.nodes[n as usize].item);
-            for (a, b) in items().zip(items().skip(1)) {
-                for (from, to) in [(a, b), (b, a)] {
-                    let near = flock.worth.ground.near.of(from).iter().position(|n| n.1 == to);
-                    if let Some(k) = near {
-                        self.trails[from as usize][k] += share;
-                    }
+        let share = if p.value > 0.0 { shortest / p.value } else { 1.0 } / flock.particles.len() as f64;
+        let items = || p.tour.iter().map(|&n| problem.nodes[n as usize].item);
+        for (a, b) in items().zip(items().skip(1)) {
+            for (from, to) in [(a, b), (b, a)] {
+                if let Some(k) = flock.worth.ground.near.of(from).iter().position(|n| n.1 == to) {
+                    self.trails[from as usize][k] += share;
                 }
             }
         }
+        Some(2 * p.tour.len() as u64)
     }
 }
 
@@ -213,8 +217,8 @@ impl Guide for Colony {
 
     fn judge(&mut self, flock: &mut Flock) {
         flock.remember(|new, old| new < old);
-        self.mark(flock);
         self.fresh.fill(false);
+        self.marked = 0;
         if flock.round > 0 && flock.round.is_multiple_of(self.by.again.max(1)) {
             let mut worst: Vec<usize> = (0..flock.particles.len()).collect();
             sort_by(&mut worst, |&i| [u64::MAX - real(flock.particles[i].value), 0, 0]);
@@ -224,7 +228,7 @@ impl Guide for Colony {
     }
 
     fn prepare(&mut self, flock: &mut Flock) -> Option<u64> {
-        self.walk(flock)
+        self.mark(flock).or_else(|| self.walk(flock))
     }
 
     fn drive(&mut self, flock: &mut Flock, particle: usize, keys: Range<usize>) {

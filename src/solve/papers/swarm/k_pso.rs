@@ -73,14 +73,22 @@ impl Solver for KPso {
             first: self.first,
             fastest: self.fastest,
         };
-        let plain = Plain { pull: Pull { inertia: self.inertia, own: self.own, swarm: self.swarm } };
+        let plain = Plain { pull: Pull { inertia: self.inertia, own: self.own, swarm: self.swarm }, sown: 0 };
         let groups = Groups { left: self.grouping, ..Groups::default() };
-        Box::new(Run::new(
+        Run::start(
             problem,
             seed,
             &settings,
-            Grouped { plain, groups, particle: 0, tour: Vec::new(), order: Vec::new() },
-        ))
+            Grouped {
+                plain,
+                groups,
+                particle: 0,
+                begun: false,
+                tour: Vec::new(),
+                order: Vec::new(),
+                left: Vec::new(),
+            },
+        )
     }
 }
 
@@ -88,10 +96,13 @@ impl Solver for KPso {
 struct Grouped {
     plain: Plain,
     groups: Groups,
-    /// The particle being sown, its tour so far and the groups still to come, the next last.
+    /// The particle being sown, whether it was begun with, its tour so far and the groups still to come, the next last.
     particle: usize,
+    begun: bool,
     tour: Vec<NodeId>,
     order: Vec<usize>,
+    /// Items of the group being toured.
+    left: Vec<ItemId>,
 }
 
 /// Items in groups.
@@ -99,11 +110,14 @@ struct Grouped {
 struct Groups {
     centres: Vec<ItemId>,
     members: Vec<Vec<ItemId>>,
-    /// The next item to be put to its group, then the next group whose centre is to be found.
+    /// By place among the items: its group, as far as they are put to groups.
+    group: Vec<usize>,
+    /// By group: the item with the shortest ways to the others so far.
+    middle: Vec<(f64, ItemId)>,
+    /// The next item whose ways to the others of its group are summed.
     next: usize,
     /// Rounds left.
     left: u32,
-    changed: bool,
 }
 
 impl Groups {
@@ -122,38 +136,46 @@ impl Groups {
             while self.centres.len() * self.centres.len() < items.len() {
                 self.centres.push(left.swap_remove(flock.dice.below(left.len())));
             }
-            self.members = vec![Vec::new(); self.centres.len()];
+            self.begin();
             return Some(items.len() as u64);
+        }
+        if let Some(&item) = items.get(self.group.len()) {
+            let ways = self.centres.iter().map(|&c| Self::way(flock, c, item)).enumerate();
+            let nearest = ways.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |w| w.0);
+            self.members[nearest].push(item);
+            self.group.push(nearest);
+            return Some(self.centres.len() as u64);
         }
         if self.left == 0 {
             return None;
         }
-        let count = self.centres.len();
         if let Some(&item) = items.get(self.next) {
-            let ways = self.centres.iter().map(|&c| Self::way(flock, c, item)).enumerate();
-            let nearest = ways.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |w| w.0);
-            self.members[nearest].push(item);
-        } else if let Some(group) = self.next.checked_sub(items.len()).filter(|&g| g < count) {
-            let members = &self.members[group];
-            let sum = |c: ItemId| members.iter().map(|&m| Self::way(flock, c, m)).sum::<f64>();
-            let centre = members.iter().map(|&m| (sum(m), m)).min_by(|a, b| a.0.total_cmp(&b.0));
-            if let Some((_, centre)) = centre.filter(|c| c.1 != self.centres[group]) {
-                self.centres[group] = centre;
-                self.changed = true;
+            let group = self.group[self.next];
+            let sum: f64 = self.members[group].iter().map(|&m| Self::way(flock, item, m)).sum();
+            if sum < self.middle[group].0 {
+                self.middle[group] = (sum, item);
             }
             self.next += 1;
-            return Some((members.len() * members.len()) as u64);
-        } else {
-            self.left = if self.changed { self.left - 1 } else { 0 };
-            self.changed = false;
-            self.next = 0;
-            if self.left > 0 {
-                self.members.iter_mut().for_each(Vec::clear);
-            }
-            return Some(1);
+            return Some(self.members[group].len() as u64);
         }
-        self.next += 1;
-        Some(count as u64)
+        // A group may have lost all its items: its centre stays.
+        let found =
+            self.middle.iter().zip(&self.centres).map(|(m, &c)| if m.0.is_finite() { m.1 } else { c });
+        let centres: Vec<ItemId> = found.collect();
+        self.left = if centres == self.centres { 0 } else { self.left - 1 };
+        if self.left > 0 {
+            self.centres = centres;
+            self.begin();
+        }
+        Some(items.len() as u64)
+    }
+
+    /// All items are to be put to groups.
+    fn begin(&mut self) {
+        self.members = vec![Vec::new(); self.centres.len()];
+        self.middle = vec![(f64::INFINITY, 0); self.centres.len()];
+        self.group.clear();
+        self.next = 0;
     }
 
     /// The groups in order, from one on always to the nearest.
@@ -182,34 +204,36 @@ impl Guide for Grouped {
         }
         let worth = &flock.worth;
         let (legs, problem) = (&worth.ground.legs, worth.ground.legs.problem());
-        if self.order.is_empty() && self.tour.is_empty() {
+        if !self.begun {
+            self.begun = true;
             self.order = self.groups.order(flock, self.particle % self.groups.centres.len());
             self.order.reverse();
             self.tour.extend(worth.keys.pinned);
             return Some((self.order.len() * self.order.len()) as u64);
         }
-        if let Some(group) = self.order.pop() {
-            // Inside a group, always to the nearest node.
+        if self.left.is_empty()
+            && let Some(group) = self.order.pop()
+        {
             let pinned = worth.keys.pinned.map(|n| problem.nodes[n as usize].item);
-            let mut left = self.groups.members[group].clone();
-            left.retain(|&i| Some(i) != pinned);
-            let mut priced = 1;
-            while !left.is_empty() {
-                let mut best: Option<(f64, NodeId, usize)> = None;
-                for (k, &item) in left.iter().enumerate() {
-                    for node in problem.items[item as usize].nodes.clone() {
-                        let way =
-                            self.tour.last().map_or_else(|| legs.out(node), |&from| legs.leg(from, node));
-                        priced += 1;
-                        if best.is_none_or(|b| way < b.0) {
-                            best = Some((way, node, k));
-                        }
-                    }
+            let members = self.groups.members[group].iter().copied();
+            self.left = members.filter(|&i| Some(i) != pinned).collect();
+            return Some(1 + self.left.len() as u64);
+        }
+        // Inside a group, always to the nearest node.
+        let mut priced = 0;
+        let mut best: Option<(f64, NodeId, usize)> = None;
+        for (k, &item) in self.left.iter().enumerate() {
+            for node in problem.items[item as usize].nodes.clone() {
+                let way = self.tour.last().map_or_else(|| legs.out(node), |&from| legs.leg(from, node));
+                priced += 1;
+                if best.is_none_or(|b| way < b.0) {
+                    best = Some((way, node, k));
                 }
-                let Some((_, node, k)) = best else { break };
-                left.swap_remove(k);
-                self.tour.push(node);
             }
+        }
+        if let Some((_, node, k)) = best {
+            self.left.swap_remove(k);
+            self.tour.push(node);
             return Some(priced);
         }
         let mut tour = std::mem::take(&mut self.tour);
@@ -218,6 +242,7 @@ impl Guide for Grouped {
         }
         flock.draw(self.particle, Some(&tour));
         self.particle += 1;
+        self.begun = false;
         Some(tour.len() as u64)
     }
 

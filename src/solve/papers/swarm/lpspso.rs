@@ -127,7 +127,7 @@ impl Solver for Lpspso {
             first: self.first,
             fastest: self.fastest,
         };
-        Box::new(Run::new(problem, seed, &settings, Swarm::new(self.clone())))
+        Run::start(problem, seed, &settings, Swarm::new(self.clone()))
     }
 }
 
@@ -135,6 +135,8 @@ impl Solver for Lpspso {
 struct Swarm {
     by: Lpspso,
     proximity: Option<Proximity>,
+    /// Particles that have their keys.
+    sown: usize,
     levy: Levy,
     /// Size of a Levy step, in shares of the range of a key.
     alpha: f64,
@@ -167,6 +169,7 @@ impl Swarm {
     fn new(by: Lpspso) -> Self {
         Self {
             proximity: None,
+            sown: 0,
             levy: Levy::new(by.levy_beta),
             alpha: 0.0,
             chaos: by.singer_start,
@@ -208,10 +211,17 @@ impl Guide for Swarm {
             return Some(priced);
         }
         // With fewer points than particles the paths go round; velocities tell particles apart.
-        let paths = std::mem::take(&mut proximity.paths);
-        for (i, (_, path)) in (0..count).zip(paths.iter().cycle()) {
-            flock.draw(i, Some(path));
+        if self.sown < count {
+            let path = std::mem::take(&mut proximity.paths[0]);
+            flock.draw(self.sown, Some(&path.1));
+            proximity.paths.rotate_left(1);
+            if let Some(last) = proximity.paths.last_mut() {
+                *last = path;
+            }
+            self.sown += 1;
+            return Some(flock.worth.keys.count() as u64);
         }
+        self.proximity = None;
         self.alpha = self.by.levy_step / flock.worth.keys.items().len() as f64;
         None
     }

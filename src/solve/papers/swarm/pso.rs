@@ -74,19 +74,25 @@ impl Solver for Pso {
             fastest: self.fastest,
         };
         let pull = Pull { inertia: self.inertia, own: self.own, swarm: self.swarm };
-        Box::new(Run::new(problem, seed, &settings, Plain { pull }))
+        Run::start(problem, seed, &settings, Plain { pull, sown: 0 })
     }
 }
 
 /// The standard swarm at work; the others move as it does.
 pub(super) struct Plain {
     pub(super) pull: Pull,
+    /// Particles that have their keys.
+    pub(super) sown: usize,
 }
 
 impl Guide for Plain {
     fn sow(&mut self, flock: &mut Flock) -> Option<u64> {
-        (0..flock.particles.len()).for_each(|i| flock.draw(i, None));
-        None
+        if self.sown == flock.particles.len() {
+            return None;
+        }
+        flock.draw(self.sown, None);
+        self.sown += 1;
+        Some(flock.worth.keys.count() as u64)
     }
 
     fn drive(&mut self, flock: &mut Flock, particle: usize, keys: Range<usize>) {

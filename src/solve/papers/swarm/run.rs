@@ -3,14 +3,15 @@
 
 use super::super::insight::{Curve, Insight};
 use super::super::keys::Keys;
+use super::super::lead::{Lead, Led, Running};
 use super::super::left::Left;
 use super::super::legs::{Legs, Measure};
-use super::super::pace::{Pace, Pieces, work_on};
+use super::super::pace::{Pace, Pieces};
 use super::flock::{Flock, Particle};
 use super::worth::{Valued, Worth};
 use crate::problem::{NodeId, Problem};
 use crate::solve::dice::Dice;
-use crate::solve::{Search, Solution, Step, Stop, Telemetry};
+use crate::solve::{Search, Solution, Stop};
 use std::ops::Range;
 
 /// Keys moved in one piece: with two normal numbers for each, half a millisecond.
@@ -68,15 +69,19 @@ pub(super) struct Run<'p, G> {
     guide: G,
     stage: Stage,
     pace: Pace,
-    best: Solution,
-    /// Its length by the measure.
-    value: f64,
-    best_at: u64,
-    improved: bool,
+    lead: Lead,
+    /// Length of what stands until the first path is found.
+    first: f64,
 }
 
-impl<'p, G: Guide> Run<'p, G> {
-    pub(super) fn new(problem: &'p Problem, seed: u64, settings: &Settings, guide: G) -> Self {
+impl<'p, G: Guide + 'p> Run<'p, G> {
+    /// Starts a search.
+    pub(super) fn start(
+        problem: &'p Problem,
+        seed: u64,
+        settings: &Settings,
+        guide: G,
+    ) -> Box<dyn Search + 'p> {
         let keys = Keys::new(problem, settings.first);
         let worth = Worth::new(Legs::new(problem, settings.measure), keys, settings.local_search);
         let near = settings.local_search || guide.looks_around();
@@ -99,35 +104,23 @@ impl<'p, G: Guide> Run<'p, G> {
         } else {
             Stage::Sow
         };
-        // Until the first path is found: items as they are numbered, each at its first node.
-        let first = vec![0.5; flock.worth.keys.count()];
-        let mut run = Self {
-            flock,
-            guide,
-            stage,
-            pace: Pace::default(),
-            best: Solution::default(),
-            value: f64::INFINITY,
-            best_at: 0,
-            improved: false,
-        };
-        let tour = run.flock.worth.allowed(&run.flock.worth.keys.tour(&first));
-        run.take(&tour, f64::INFINITY);
-        run.value = run.flock.worth.ground.legs.around(&tour);
-        run
+        // Until the first path is found: items as they are numbered, each at its middle node. It is not the method's, so
+        // whatever the method finds replaces it.
+        let tour = flock.worth.allowed(&flock.worth.keys.tour(&vec![0.5; flock.worth.keys.count()]));
+        let lead = Lead::new(solution(problem, &tour), f64::INFINITY);
+        let first = flock.worth.ground.legs.around(&tour);
+        Box::new(Running(Self { flock, guide, stage, pace: Pace::default(), lead, first }))
     }
 
-    fn take(&mut self, tour: &[NodeId], value: f64) {
+    /// Looks at an allowed tour.
+    fn see(&mut self, tour: &[NodeId], length: f64) {
         let problem = self.flock.worth.ground.legs.problem();
-        self.best = Solution::new(problem, tour.iter().map(|&n| Stop::at(problem, n)).collect());
-        (self.value, self.best_at, self.improved) = (value, self.pace.spent, true);
+        self.lead.take(length, self.pace.spent, || solution(problem, tour));
     }
 
     /// What a particle turned out to be worth.
     fn valued(&mut self, i: usize, valued: Valued) {
-        if valued.value < self.value {
-            self.take(&valued.allowed, valued.value);
-        }
+        self.see(&valued.allowed, valued.value);
         let particle = &mut self.flock.particles[i];
         self.flock.worth.keep(&valued.tour, &mut particle.keys);
         (particle.value, particle.tour) = (valued.value, valued.tour);
@@ -136,7 +129,7 @@ impl<'p, G: Guide> Run<'p, G> {
     }
 }
 
-impl<G: Guide> Pieces for Run<'_, G> {
+impl<'p, G: Guide + 'p> Pieces for Run<'p, G> {
     fn pace(&mut self) -> &mut Pace {
         &mut self.pace
     }
@@ -159,9 +152,7 @@ impl<G: Guide> Pieces for Run<'_, G> {
                 if let Some(path) = self.flock.found.take() {
                     let allowed = self.flock.worth.allowed(&path);
                     let value = self.flock.worth.ground.legs.around(&allowed);
-                    if value < self.value {
-                        self.take(&allowed, value);
-                    }
+                    self.see(&allowed, value);
                 }
                 Some(priced.unwrap_or(1))
             }
@@ -207,27 +198,32 @@ impl<G: Guide> Pieces for Run<'_, G> {
     }
 }
 
-impl<G: Guide> Search for Run<'_, G> {
-    fn step(&mut self, work: u64) -> Step {
-        self.improved = false;
-        let (done, status) = work_on(self, work);
-        Step { status, done, improved: self.improved }
+impl<'p, G: Guide + 'p> Led for Run<'p, G> {
+    fn lead(&self) -> &Lead {
+        &self.lead
     }
 
-    fn best(&self) -> &Solution {
-        &self.best
+    fn lead_mut(&mut self) -> &mut Lead {
+        &mut self.lead
     }
 
-    fn telemetry(&self) -> Telemetry {
-        Telemetry { moves: self.pace.done(), best_at: self.best_at, best: self.best.cost }
+    fn done(&self) -> u64 {
+        self.pace.done()
     }
 
     fn insight(&self) -> Insight {
         let mut curves = vec![
-            Curve { name: "shortest (G)", value: self.value },
+            Curve {
+                name: "shortest (G)",
+                value: if self.lead.length.is_finite() { self.lead.length } else { self.first },
+            },
             Curve { name: "mean of the swarm", value: self.flock.mean() },
         ];
         curves.extend(self.guide.curves());
-        Insight { round: u64::from(self.flock.round), curves, grid: None }
+        Insight { round: self.flock.round.into(), curves, grid: None }
     }
+}
+
+fn solution(problem: &Problem, tour: &[NodeId]) -> Solution {
+    Solution::new(problem, tour.iter().map(|&n| Stop::at(problem, n)).collect())
 }

@@ -1,0 +1,40 @@
+// The tables of the papers whose methods Kerfway has, run again:
+//
+//     npm run bench -- papers [--table NAME]... [--seeds K] [--rounds R] [--only INSTANCE]
+//
+// Beside each printed value stand the method as published, the method with local search, the default solver and the
+// proven optimum or the best value known. Instances come from ../shared/data; every value is that of a tour checked by
+// code that shares nothing with the methods. A run ends at the method's own budget, or at the best value known.
+
+import { existsSync } from 'node:fs';
+import { parseArgs } from 'node:util';
+import { setup } from '../scripts/setup.mjs';
+import { Stop } from '../scripts/tools.mjs';
+import { build, DATA } from './papers/runs.mjs';
+import { tables as quDu } from './papers/qu-du.mjs';
+
+const TABLES = { ...quDu };
+
+export async function bench(args) {
+  const { values } = parseArgs({
+    args,
+    options: {
+      table: { type: 'string', multiple: true },
+      seeds: { type: 'string' },
+      rounds: { type: 'string' },
+      only: { type: 'string' },
+    },
+  });
+  const names = values.table ?? Object.keys(TABLES);
+  const unknown = names.find((name) => !(name in TABLES));
+  if (unknown !== undefined) throw new Stop(`There is no table ${unknown}: ${Object.keys(TABLES).join(', ')}.`);
+  if (!existsSync(DATA)) throw new Stop(`The instances are not here: ${DATA}.`);
+  setup();
+  build();
+  const rounds = values.rounds === undefined ? undefined : Number(values.rounds);
+  for (const name of names) {
+    const begun = Date.now();
+    await TABLES[name]({ seeds: Number(values.seeds ?? 30), rounds, only: values.only });
+    console.log(`${name}: ${((Date.now() - begun) / 1000).toFixed(0)} s`);
+  }
+}

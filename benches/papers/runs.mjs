@@ -1,0 +1,31 @@
+// Runs of one method on the instances of a file, natively.
+
+import { join } from 'node:path';
+import { ROOT, run } from '../../scripts/tools.mjs';
+import { mean, rows } from '../common/table.mjs';
+
+const HERE = join(ROOT, 'benches', 'solve');
+const NATIVE = join(HERE, 'target', 'release', 'papers');
+
+export const DATA = join(ROOT, '..', 'shared', 'data');
+
+export function build() {
+  console.log('bench: the methods of papers, natively');
+  run('cargo', ['build', '--release', '--manifest-path', join(HERE, 'Cargo.toml'), '--bin', 'papers']);
+}
+
+/** A run for each seed: its length, the round that found it, the best length known. */
+export function runs(method, file, { parameters = {}, only, seeds, seconds }) {
+  const args = [method, file, '--parameters', JSON.stringify(parameters), '--seeds', String(seeds)];
+  if (only !== undefined) args.push('--only', only);
+  if (seconds !== undefined) args.push('--seconds', String(seconds));
+  return rows(NATIVE, args);
+}
+
+export const lengths = (list) => list.map((r) => r.length);
+export const best = (list) => Math.min(...lengths(list));
+export const average = (list) => mean(lengths(list));
+
+/** Above the best value known, in %. */
+export const above = (length, known) => (100 * (length - known)) / known;
+export const percent = (value) => `${value.toFixed(3)} %`;
