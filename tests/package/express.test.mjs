@@ -5,14 +5,14 @@ import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
-import { plan } from 'kerfway';
+import { quote } from 'kerfway';
 import { bytes, circle, dxf, KEYBOARD, ROOT, square } from './support.mjs';
 
 let server, url;
 before(async () => {
   server = spawn(process.execPath, [join(ROOT, 'examples', 'express', 'server.mjs')], { env: { ...process.env, PORT: '0' }, stdio: ['ignore', 'pipe', 'inherit'] });
   const [told] = await once(server.stdout, 'data');
-  url = /http:\S+\/plans/.exec(String(told))[0];
+  url = /http:\S+\/quotes/.exec(String(told))[0];
 });
 after(() => server.kill());
 
@@ -37,7 +37,7 @@ describe('the upload server', () => {
           assert.match(told[k].problem, BROKEN[k % 10][1]);
         } else {
           assert.equal(status, 200, told[k].problem);
-          assert.equal(told[k].name, `${k}.dxf`);
+          assert.equal(told[k].input.name, `${k}.dxf`);
           assert.deepEqual(told[k].bounds.slice(2), [20 + k, 20 + k]);
         }
       }
@@ -51,13 +51,14 @@ describe('the upload server', () => {
   });
 
   it('says what the package says', async () => {
-    const told = await (await send(bytes(KEYBOARD), '?material=diode-hobby')).json();
-    const { summary, loaded } = await plan(bytes(KEYBOARD), { machine: 'diode-hobby', moves: 10_000, seed: 1 });
-    assert.deepEqual([told.total_time, told.sha256], [summary.total_time, loaded.sha256]);
+    const told = await (await send(bytes(KEYBOARD), '?machine=diode-hobby&thickness=3&density=0.7')).json();
+    const material = { thickness: 3, density: 0.7 };
+    assert.deepEqual(told, await quote(bytes(KEYBOARD), { machine: 'diode-hobby', material, moves: 10_000, seed: 1 }));
+    assert.ok(told.weight > 0);
   });
 
   it('names the machine it does not know, and the limit that is passed', async () => {
-    assert.match((await (await send(bytes(KEYBOARD), '?material=jelly')).json()).problem, /no machine named jelly/);
+    assert.match((await (await send(bytes(KEYBOARD), '?machine=jelly')).json()).problem, /no machine named jelly/);
     const large = await send(new Uint8Array(21 * 2 ** 20));
     assert.deepEqual([large.status, await large.json()], [413, { problem: 'The drawing is larger than 20mb.' }]);
   });

@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, describe, it } from 'node:test';
 import { Ajv2020 } from 'ajv/dist/2020.js';
-import { createPlanner } from 'kerfway';
+import { createPlanner, createPool, quote } from 'kerfway';
 import { bytes, circle, dxf, fixture, KEYBOARD, kerfway, square } from './support.mjs';
 
 const schema = createRequire(import.meta.url).resolve('kerfway/quote.schema.json');
@@ -43,6 +43,16 @@ describe('quote', () => {
   it('refuses a material that cannot be in a sentence', async () => {
     await assert.rejects(quoted(bytes(KEYBOARD), { thickness: -1 }), { message: 'The thickness cannot be -1 mm. Give a number above 0.' });
     await assert.rejects(quoted(bytes(KEYBOARD), { colour: 'red' }), /^Error: The material is not usable: unknown field `colour`/);
+  });
+
+  it('is one call, alone or by a pool, to the same hash', async () => {
+    const options = { moves: 500, seed: 1, material: { thickness: 2, density: 7.85 }, name: 'drawing.dxf' };
+    const report = await quoted(bytes(KEYBOARD), options.material);
+    assert.deepEqual(await quote(bytes(KEYBOARD), options), report);
+    const pool = createPool({ size: 1 });
+    assert.equal((await pool.quote(() => bytes(KEYBOARD), options)).hash, report.hash);
+    pool.close();
+    await assert.rejects(quote(bytes(KEYBOARD), { outputs: ['gcode'] }), /^TypeError: quote has no option outputs/);
   });
 
   it('is told on the command line, with the same hash', async () => {

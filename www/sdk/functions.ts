@@ -1,13 +1,14 @@
 /**
- * The package in three functions: `inspect`, `plan` and `render`. Each borrows a planner for one drawing; who lends it
+ * The package in four functions: `inspect`, `plan`, `quote` and `render`. Each borrows a planner for one drawing; who lends it
  * (a new one for every call, or a pool) is decided elsewhere. A browser and Node differ in nothing here.
  */
 
 import { News } from './news.js';
 import { checkNames, planning, reading } from './options.js';
-import type { InspectOptions, PlanJobOptions, PlanningOptions, RenderOptions, Source } from './options.js';
+import type { InspectOptions, PlanJobOptions, PlanningOptions, QuoteOptions, RenderOptions, Source } from './options.js';
 import type { Started } from './plan-handle.js';
 import type { Planner } from './planner.js';
+import type { Quote } from './quote.js';
 import type { BestPath, DoneReason, Loaded, OutputKind, Progress, Summary } from './protocol.js';
 
 /** Lends a planner for some work. Rejects with the reason of the signal as soon as it aborts. */
@@ -59,6 +60,11 @@ export interface Functions {
    *     const { path } = await run;
    */
   plan<K extends OutputKind = never>(source: Source, options?: PlanJobOptions<K>): PlanRun<K>;
+  /**
+   * Plans a drawing and reports what a quote needs of it. With `moves` and `seed` its hash is the same everywhere: a server
+   * confirms by it what a browser said. Prices stay with the caller.
+   */
+  quote(source: Source, options?: QuoteOptions): Promise<Quote>;
   /**
    * Writes a finished plan of the same drawing in another form. The plan JSON, which tells of the search itself, is
    * written by `plan` only.
@@ -112,6 +118,16 @@ export function functionsOn(lend: Lend): Functions {
       };
       const done = run();
       return Object.assign(done, { stop: halt, [Symbol.asyncIterator]: () => read(done, news) });
+    },
+
+    async quote(source, options = {}) {
+      checkNames(options, 'quote');
+      const work = async (planner: Planner) => {
+        await planner.load(await bytesOf(source), options.name ?? NAME, reading(options));
+        await planner.plan(planning(options), options.onProgress).done;
+        return planner.quote(options.material);
+      };
+      return lend(work, options.signal);
     },
 
     async render(source, planned, kind, { width, signal } = {}) {

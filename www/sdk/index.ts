@@ -34,6 +34,9 @@ export const inspect: Entry['inspect'] = own.inspect;
 /** Plans a drawing in a worker of its own, as a promise that tells news meanwhile: see {@link Functions.plan}. */
 export const plan: Entry['plan'] = own.plan;
 
+/** Plans a drawing and reports what a quote needs of it: see {@link Functions.quote}. */
+export const quote: Entry['quote'] = own.quote;
+
 /** Writes a finished plan as G-code, DXF, SVG or PNG: see {@link Functions.render}. */
 export const render: Entry['render'] = own.render;
 

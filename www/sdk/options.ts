@@ -1,8 +1,9 @@
 /**
- * The options of `inspect`, `plan` and `render`: how the drawing is read and how it is planned, side by side in one
+ * The options of `inspect`, `plan`, `quote` and `render`: how the drawing is read and how it is planned, side by side in one
  * object, and told apart here by name.
  */
 
+import type { Material } from './quote.js';
 import type { Loaded, LoadOptions, OutputKind, PlanOptions, Progress } from './protocol.js';
 
 /** A drawing's bytes. */
@@ -33,6 +34,13 @@ export interface PlanJobOptions<K extends OutputKind = never> extends PlanningOp
   outputs?: readonly K[];
 }
 
+export interface QuoteOptions extends PlanningOptions, JobOptions {
+  /** What the sheet is made of: with thickness and density the parts are weighed. */
+  material?: Material;
+  /** Told of every improvement, and four times a second without one. */
+  onProgress?: (progress: Progress) => void;
+}
+
 export interface RenderOptions {
   /** Of a PNG, pixels across. Default 1600. */
   width?: number;
@@ -51,7 +59,12 @@ const PLANNING: Record<keyof PlanOptions, true> = {
 
 const JOB: Record<keyof JobOptions, true> = { name: true, signal: true };
 
-const PLAN_JOB: Record<Exclude<keyof PlanJobOptions, keyof PlanningOptions>, true> = { ...JOB, onLoaded: true, onProgress: true, outputs: true };
+/** The names each function knows. */
+const KNOWN = {
+  inspect: { ...READING, ...JOB } satisfies Record<keyof InspectOptions, true>,
+  plan: { ...READING, ...PLANNING, ...JOB, onLoaded: true, onProgress: true, outputs: true } satisfies Record<keyof PlanJobOptions, true>,
+  quote: { ...READING, ...PLANNING, ...JOB, material: true, onProgress: true } satisfies Record<keyof QuoteOptions, true>,
+};
 
 /** The options of reading among those of a job. */
 export function reading(options: LoadOptions): LoadOptions {
@@ -64,12 +77,12 @@ export function planning(options: PlanOptions): PlanOptions {
 }
 
 /** Refuses names that are no option, in one sentence: a misspelt one would be left out without a word. */
-export function checkNames(options: object, kind: 'inspect' | 'plan'): void {
-  const known = kind === 'plan' ? { ...READING, ...PLANNING, ...PLAN_JOB } : { ...READING, ...JOB };
-  const strange = Object.keys(options).find((name) => !(name in known));
+export function checkNames(options: object, kind: keyof typeof KNOWN): void {
+  const known = KNOWN[kind];
+  const strange = Object.keys(options).find((name) => !Object.hasOwn(known, name));
   if (strange !== undefined) throw new TypeError(`${kind} has no option ${strange}: there are ${Object.keys(known).join(', ')}.`);
 }
 
 function picked<T extends object>(options: T, names: Record<keyof T, true>): T {
-  return Object.fromEntries(Object.entries(options).filter(([name]) => name in names)) as T;
+  return Object.fromEntries(Object.entries(options).filter(([name]) => Object.hasOwn(names, name))) as T;
 }

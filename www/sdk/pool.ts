@@ -16,7 +16,7 @@ export interface PoolOptions {
 }
 
 /**
- * `inspect`, `plan` and `render` by the pool's workers: each call waits its turn. To go through more files than fit
+ * `inspect`, `plan`, `quote` and `render` by the pool's workers: each call waits its turn. To go through more files than fit
  * into memory, hand over what reads a file (`() => readFile(path)`), or wait for `room` before each. A file whose worker
  * died is planned anew, and its news begin anew.
  */
