@@ -4,6 +4,7 @@
  * nothing that was reached is lost.
  */
 
+import { FINAL, type Answers } from './answers.js';
 import { Crew, type Drawing } from './crew.js';
 import { Line, PATIENCE, type StartWorker } from './line.js';
 import { RunningPlan, type PlanHandle, type PlanMessage } from './plan-handle.js';
@@ -38,19 +39,7 @@ export interface Parts {
   patience?: typeof PATIENCE;
 }
 
-/** The answers to requests, by what was asked. */
-interface Answers {
-  load: Extract<FromWorker, { type: 'loaded' }>;
-  output: Extract<FromWorker, { type: 'output' }>;
-  papers: Extract<FromWorker, { type: 'papers' }>;
-  quote: Extract<FromWorker, { type: 'quote' }>;
-  restore: Extract<FromWorker, { type: 'done' }>;
-}
-
 const CLOSED = 'The planner was closed.';
-
-/** The messages that answer a request for good. */
-const FINAL = new Set(['loaded', 'output', 'papers', 'quote', 'done', 'failed']);
 
 interface Request {
   resolve: (answer: never) => void;
