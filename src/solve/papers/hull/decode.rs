@@ -24,8 +24,8 @@ pub(super) struct Decoder<'p> {
 }
 
 enum Ordered {
-    /// Contours that lie in others, outer ones first; and whether there are several ranks.
-    Nesting { inwards: Vec<u32>, ranks: bool },
+    /// Contours that lie in others, outer ones first; and the ranks there are, ascending.
+    Nesting { inwards: Vec<u32>, ranks: Vec<u32> },
     /// Whole contours by all that orders know.
     Whole(Repair),
 }
@@ -34,8 +34,10 @@ impl<'p> Decoder<'p> {
     pub(super) fn new(problem: &'p Problem, measure: Measure) -> Self {
         let whole = !problem.groups.is_empty() || !problem.pairs.is_empty() || problem.table().is_some();
         let inside = problem.items.iter().any(|i| i.before.is_some());
-        let ranks = problem.items.windows(2).any(|w| w[0].rank != w[1].rank);
-        let ordered = match (whole, inside || ranks) {
+        let mut ranks: Vec<u32> = problem.items.iter().map(|i| i.rank).collect();
+        sort_by(&mut ranks, |&r| [r.into(), 0, 0]);
+        ranks.dedup();
+        let ordered = match (whole, inside || ranks.len() > 1) {
             (true, _) => Some(Ordered::Whole(Repair::new(problem))),
             (false, true) => Some(Ordered::Nesting { inwards: inwards(problem), ranks }),
             (false, false) => None,
@@ -43,36 +45,35 @@ impl<'p> Decoder<'p> {
         Self { model: Model::new(Legs::new(problem, measure), whole), ordered }
     }
 
-    /// TL of a chromosome.
-    pub(super) fn length(&self, genes: &[Gene]) -> f64 {
+    /// TL of a chromosome, and the visits it is the length of: its own, or those of the repaired path.
+    pub(super) fn price(&self, genes: &[Gene]) -> (f64, Vec<Visit>) {
         let visits = self.model.visits(genes);
-        self.model.travel(&if self.ordered.is_some() { self.path(visits) } else { visits })
+        let visits = if self.ordered.is_some() { self.path(visits) } else { visits };
+        (self.model.travel(&visits), visits)
     }
 
-    /// The path of a chromosome.
-    pub(super) fn solution(&self, genes: &[Gene]) -> Solution {
+    /// The path of priced visits.
+    pub(super) fn solution(&self, visits: Vec<Visit>) -> Solution {
         let problem = self.model.problem();
         let along = |n: u32| problem.nodes[n as usize].along;
         let stop = |v: Visit| Stop { node: v.enter, along: along(v.enter), until: along(v.leave) };
-        let path = self.path(self.model.visits(genes));
+        let path = if self.ordered.is_some() { visits } else { self.path(visits) };
         Solution::new(problem, path.into_iter().map(stop).collect())
     }
 
     /// Visits that nest and are allowed.
-    fn path(&self, mut visits: Vec<Visit>) -> Vec<Visit> {
+    fn path(&self, visits: Vec<Visit>) -> Vec<Visit> {
         let model = &self.model;
         match &self.ordered {
             None => nested(model, &visits),
-            Some(Ordered::Nesting { inwards, ranks: false }) => {
-                finished_inside_first(model, inwards, &nested(model, &visits), 0)
-            }
-            Some(Ordered::Nesting { inwards, ranks: true }) => {
+            Some(Ordered::Nesting { inwards, ranks }) => {
                 let rank = |v: &Visit| model.problem().items[model.item(v.enter) as usize].rank;
-                sort_by(&mut visits, |v| [rank(v).into(), 0, 0]);
+                let mut by_rank = vec![Vec::new(); ranks.len()];
+                visits.iter().for_each(|v| by_rank[ranks.partition_point(|&r| r < rank(v))].push(*v));
                 let mut path = Vec::with_capacity(visits.len());
-                for of_rank in visits.chunk_by(|a, b| rank(a) == rank(b)) {
+                for of_rank in by_rank {
                     let start = path.len();
-                    path.extend(nested(model, of_rank));
+                    path.extend(nested(model, &of_rank));
                     path = finished_inside_first(model, inwards, &path, start);
                 }
                 path

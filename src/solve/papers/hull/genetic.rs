@@ -43,7 +43,7 @@ pub(super) struct Genetic<'p> {
     children: Vec<Chromosome>,
     /// Children whose blanks are filled; the last is in work.
     fillings: Vec<Filling>,
-    /// A child to be mutated and priced.
+    /// What is to be priced: a founder, or a child that may mutate first.
     raw: Vec<Chromosome>,
     generation: u32,
     lead: Lead,
@@ -56,8 +56,10 @@ impl<'p> Genetic<'p> {
         let fitting = MOST_GENES / (2 * segments).max(1);
         let population = rates.population.min(fitting).max(2);
         let mut dice = Dice::new(seed);
-        let first = found(&decoder, &mut dice);
-        let lead = Lead::new(decoder.solution(&first.genes), first.length);
+        let mut first = random(&decoder, &mut dice);
+        let (length, visits) = decoder.price(&first.genes);
+        first.length = length;
+        let lead = Lead::new(decoder.solution(visits), length);
         Self {
             decoder,
             rates,
@@ -75,10 +77,11 @@ impl<'p> Genetic<'p> {
         }
     }
 
-    /// Takes a chromosome that has its length into account.
-    fn compare(&mut self, chromosome: &Chromosome) {
-        let decoder = &self.decoder;
-        self.lead.take(chromosome.length, self.pace.spent, || decoder.solution(&chromosome.genes));
+    /// Gives a chromosome its length, and compares it with the best.
+    fn price(&mut self, chromosome: &mut Chromosome) {
+        let (length, visits) = self.decoder.price(&chromosome.genes);
+        chromosome.length = length;
+        self.lead.take(length, self.pace.spent, || self.decoder.solution(visits));
     }
 
     /// Lengths of the parents as fitness, eq. (4).
@@ -126,8 +129,7 @@ impl<'p> Genetic<'p> {
         if self.dice.even() < self.rates.migration {
             child.migrate(&mut self.dice);
         }
-        child.length = self.decoder.length(&child.genes);
-        self.compare(&child);
+        self.price(&mut child);
         self.children.push(child);
     }
 
@@ -149,12 +151,10 @@ impl<'p> Genetic<'p> {
     }
 }
 
-/// A random chromosome.
-fn found(decoder: &Decoder, dice: &mut Dice) -> Chromosome {
+/// A random chromosome, not yet priced.
+fn random(decoder: &Decoder, dice: &mut Dice) -> Chromosome {
     let model = &decoder.model;
-    let mut chromosome = Chromosome::new(genes(model, &keys(model, dice)), &model.sizes);
-    chromosome.length = decoder.length(&chromosome.genes);
-    chromosome
+    Chromosome::new(genes(model, &keys(model, dice)), &model.sizes)
 }
 
 /// Eq. (4); a path without travel counts as one of a nanometre.
@@ -173,8 +173,11 @@ impl Pieces for Genetic<'_> {
             return None;
         }
         if self.parents.len() < self.population {
-            let chromosome = found(&self.decoder, &mut self.dice);
-            self.compare(&chromosome);
+            let Some(mut chromosome) = self.raw.pop() else {
+                self.raw.push(random(&self.decoder, &mut self.dice));
+                return Some(segments);
+            };
+            self.price(&mut chromosome);
             self.parents.push(chromosome);
             if self.parents.len() == self.population {
                 let (sums, diversity) = self.look();

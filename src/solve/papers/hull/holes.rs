@@ -7,8 +7,8 @@
 use super::model::{Model, Visit};
 
 /// Places looked at for each contour that moves, the nearest to its outer contour's last visit: a contour inside is near
-/// that visit more often than not, and 5,000 holes times 64 places are a few milliseconds.
-const PLACES: usize = 64;
+/// that visit more often than not, and 10,000 holes times 16 places are a few milliseconds.
+const PLACES: usize = 16;
 
 /// The path of these visits in which every contour is finished before the one around it. `inwards`: contours that lie in
 /// others, outer ones first. `start`: visits before this one stay before all that moves.

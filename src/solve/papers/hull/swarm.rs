@@ -51,8 +51,8 @@ impl<'p, R: Rule> Swarm<'p, R> {
         let mut dice = Dice::new(seed);
         let first = keys(&decoder.model, &mut dice);
         let codes = genes(&decoder.model, &first);
-        let length = decoder.length(&codes);
-        let lead = Lead::new(decoder.solution(&codes), length);
+        let (length, visits) = decoder.price(&codes);
+        let lead = Lead::new(decoder.solution(visits), length);
         let flock = Flock { best: first.clone(), keys: vec![first], lengths: vec![length], shortest: length };
         let population = (population as usize).min(fitting).max(2);
         let pace = Pace::default();
@@ -62,12 +62,11 @@ impl<'p, R: Rule> Swarm<'p, R> {
 
     /// Prices a trial, and takes it to the best if it is.
     fn price(&mut self, keys: &[f32], codes: &[Gene]) -> f64 {
-        let length = self.decoder.length(codes);
+        let (length, visits) = self.decoder.price(codes);
         if length < self.flock.shortest {
             self.flock.shortest = length;
             self.flock.best.copy_from_slice(keys);
-            let decoder = &self.decoder;
-            self.lead.take(length, self.pace.spent, || decoder.solution(codes));
+            self.lead.take(length, self.pace.spent, || self.decoder.solution(visits));
         }
         length
     }
