@@ -10,10 +10,12 @@ import { existsSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { setup } from '../scripts/setup.mjs';
 import { Stop } from '../scripts/tools.mjs';
+import { tables as hull } from './papers/hull.mjs';
 import { build, DATA } from './papers/runs.mjs';
 import { tables as quDu } from './papers/qu-du.mjs';
+import { tables as yang } from './papers/yang.mjs';
 
-const TABLES = { ...quDu };
+const TABLES = { ...quDu, ...hull, ...yang };
 
 export async function bench(args) {
   const { values } = parseArgs({

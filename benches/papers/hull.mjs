@@ -4,6 +4,7 @@
 import { availableParallelism } from 'node:os';
 import { mean, table } from '../common/table.mjs';
 import { parallel } from './parallel.mjs';
+import { native } from './runs.mjs';
 
 const METHODS = ['rlsga', 'hull-pso', 'ofa', 'woa', 'sga'];
 
@@ -25,49 +26,44 @@ const PRINTED = {
   },
 };
 
-/** Runs of every method on one sheet of a size, and of the default method. */
-async function runs(native, name, { seeds, sheets }) {
-  const jobs = [...METHODS, 'tour-tree'].flatMap((method) =>
-    Array.from({ length: sheets }, (_, sheet) => [name, String(sheet), String(seeds), method]),
-  );
-  return (await parallel(native, jobs, availableParallelism())).flat();
-}
+/** Of ten sheets of each size, the one of the table; `--only` takes another. */
+const SHEET = '0';
 
-const budget = (name) => `${name === 'hull-5-20' ? 100 : 200} members, 1000 generations`;
+/** Runs of methods on the sheet of a size. */
+const runs = async (name, methods, seeds, sheet = SHEET) =>
+  (await parallel(native('hull'), methods.map((method) => [name, sheet, String(seeds), method]), availableParallelism())).flat();
 
-/** Empty travel. Values of several sheets are parts of each one's optimum. */
-export async function rlsga3(native, options) {
-  for (const name of Object.keys(PRINTED)) {
-    const all = await runs(native, name, options);
+export const tables = { 'rlsga-3': emptyTravel, 'rlsga-4': seconds };
+
+async function emptyTravel({ seeds, only }) {
+  for (const [name, printed] of Object.entries(PRINTED)) {
+    const all = await runs(name, [...METHODS, 'tour-tree'], seeds, only);
+    const of = (method, what) => all.filter((r) => r.method === method).map((r) => r[what]);
+    const { optimum } = all[0];
     const lines = [...METHODS, 'tour-tree'].map((method) => {
-      const own = all.filter((r) => r.method === method);
-      const over = own.map((r) => r.length / r.optimum);
-      const plans = own.map((r) => r.plan / r.optimum);
-      const [printedMean, printedBest] = PRINTED[name][method] ?? [];
-      const first = PRINTED[name].rlsga[0];
-      const scale = options.sheets === 1 ? own[0].optimum : 1;
-      const show = (v) => (options.sheets === 1 ? (v * scale).toFixed(1) : v.toFixed(4));
-      const printed = printedMean === undefined ? ['', '', ''] : [printedMean.toFixed(2), printedBest.toFixed(2), (printedMean / first).toFixed(3)];
-      const reached = over.filter((v) => v < 1 + 1e-9).length;
-      return [method, ...printed, show(mean(over)), show(Math.min(...over)), show(mean(plans)), show(1), `${reached}/${own.length}`, (mean(over) / mean(all.filter((r) => r.method === 'rlsga').map((r) => r.length / r.optimum))).toFixed(3)];
+      const own = of(method, 'length');
+      const [mean1, best1] = printed[method] ?? [];
+      const part = (value, first) => (value / first).toFixed(3);
+      return [
+        method, mean1?.toFixed(2) ?? '', best1?.toFixed(2) ?? '', mean1 === undefined ? '' : part(mean1, printed.rlsga[0]),
+        mean(own).toFixed(1), Math.min(...own).toFixed(1), part(mean(own), mean(of('rlsga', 'length'))), mean(of(method, 'plan')).toFixed(1),
+        optimum.toFixed(1), `${own.filter((v) => v < optimum + 1e-6).length}/${own.length}`,
+      ];
     });
-    const unit = options.sheets === 1 ? 'mm' : `parts of the optimum, ${options.sheets} sheets`;
-    const columns = ['', 'printed mean', 'printed best', 'to rlsga', 'mean', 'best', 'mean of plans', 'optimum', 'at it', 'to rlsga'];
-    table(`Table 3, ${name}: empty travel, ${unit}, ${options.seeds} seeds, ${budget(name)}; tour-tree 8 million moves`, columns, lines);
+    const columns = ['', 'printed: mean', 'best', 'to rlsga', 'ours: mean', 'best', 'to rlsga', 'plans, mean', 'optimum', 'at it'];
+    const members = name === 'hull-5-20' ? 100 : 200;
+    table(`Table 3, ${name}: empty travel in mm, ${seeds} seeds, ${members} members, 1000 generations; tour-tree 8 million moves`, columns, lines);
   }
+  console.log('Printed values are of another layout and unit: only their order compares. A plan nests what a code says and is as long or shorter.');
 }
 
-/** Seconds a run. */
-export async function rlsga4(native, options) {
-  const names = Object.keys(PRINTED);
+async function seconds({ seeds, only }) {
   const all = {};
-  for (const name of names) all[name] = await runs(native, name, { ...options, seeds: Math.min(options.seeds, 5), sheets: 1 });
-  const lines = METHODS.map((method) => {
-    const own = (name) => all[name].filter((r) => r.method === method);
-    return [method, ...names.flatMap((name) => [
-      PRINTED[name][method][2].toFixed(1), mean(own(name).map((r) => r.seconds)).toFixed(2), `${(mean(own(name).map((r) => r.moves)) / 1e6).toFixed(1)} M`,
-    ])];
-  });
-  const columns = ['', ...names.flatMap((name) => [`${name} printed, Python`, 'ours, natively', 'moves'])];
-  table('Table 4: seconds a run, the same populations and generations', columns, lines);
+  for (const name of Object.keys(PRINTED)) all[name] = await runs(name, METHODS, seeds, only);
+  const lines = METHODS.map((method) => [method, ...Object.keys(PRINTED).flatMap((name) => {
+    const own = all[name].filter((r) => r.method === method);
+    return [PRINTED[name][method][2].toFixed(1), mean(own.map((r) => r.seconds)).toFixed(2), (mean(own.map((r) => r.moves)) / 1e6).toFixed(1)];
+  })]);
+  const columns = ['', ...Object.keys(PRINTED).flatMap((name) => [`${name}: printed (Python)`, 'ours, natively', 'million moves'])];
+  table(`Table 4: seconds a run, ${seeds} seeds, ${availableParallelism()} runs at a time`, columns, lines);
 }

@@ -5,13 +5,15 @@ import { ROOT, run } from '../../scripts/tools.mjs';
 import { mean, rows } from '../common/table.mjs';
 
 const HERE = join(ROOT, 'benches', 'solve');
-const NATIVE = join(HERE, 'target', 'release', 'papers');
+/** One of the programs of benches/solve. */
+export const native = (name) => join(HERE, 'target', 'release', name);
+const NATIVE = native('papers');
 
 export const DATA = join(ROOT, '..', 'shared', 'data');
 
 export function build() {
   console.log('bench: the methods of papers, natively');
-  run('cargo', ['build', '--release', '--manifest-path', join(HERE, 'Cargo.toml'), '--bin', 'papers']);
+  run('cargo', ['build', '--release', '--manifest-path', join(HERE, 'Cargo.toml'), ...['papers', 'hull', 'yang'].flatMap((bin) => ['--bin', bin])]);
 }
 
 /** A run for each seed: its length, the round that found it, the best length known. */

@@ -7,13 +7,16 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { ROOT } from '../../scripts/tools.mjs';
 import { mean, rows, table } from '../common/table.mjs';
+import { native } from './runs.mjs';
 
 /** What the paper saved, in percent. */
 const PRINTED = { length: 7.2, time: 10.4 };
 
-export function yang(native, { seeds }) {
+export const tables = { yang };
+
+function yang({ seeds }) {
   const { optimum } = JSON.parse(readFileSync(join(ROOT, 'tests', 'fixtures', 'yang', 'yang-27.json'), 'utf8'));
-  const all = rows(native, [String(seeds)]);
+  const all = rows(native('yang'), [String(seeds)]);
   const of = (name, what) => all.filter((r) => r.name === name).map((r) => r[what]);
   const saved = (from, to) => `${((100 * (from - to)) / from).toFixed(1)} %`;
   const names = [...new Set(all.map((r) => r.name))];
