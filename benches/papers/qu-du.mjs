@@ -46,7 +46,7 @@ function instances({ seeds, rounds, only }) {
       console.log([name, ...cells].join('  '));
       return [name, String(optimal), ...cells, percent(own.at(-1))];
     });
-    const means = sums.flatMap((s) => [s.printed, s.mean, s.best].map((list) => percent(mean(list))));
+    const means = sums.flatMap((s) => [s.printed, s.mean, s.best].map((list) => percent(mean(list.filter(Number.isFinite)))));
     const columns = Object.keys(METHODS).flatMap((title) => [`${title} printed`, 'mean', 'best']);
     table(
       `Qu & Du, table 3: above the optimum, ${kind}, ${seeds} seeds (fv36 is not public)`,

@@ -24,10 +24,11 @@ export function runs(method, file, { parameters = {}, only, seeds, seconds }) {
   return rows(NATIVE, args);
 }
 
-export const lengths = (list) => list.map((r) => r.length);
+/** Runs that came to an allowed tour; swarms may miss the edge that an instance fixes. */
+const lengths = (list) => list.flatMap((r) => (r.length === null ? [] : [r.length]));
 export const best = (list) => Math.min(...lengths(list));
 export const average = (list) => mean(lengths(list));
 
 /** Above the best value known, in %. */
 export const above = (length, known) => (100 * (length - known)) / known;
-export const percent = (value) => `${value.toFixed(3)} %`;
+export const percent = (value) => (Number.isFinite(value) ? `${value.toFixed(3)} %` : 'none');

@@ -23,8 +23,8 @@ pub(super) struct Proximity {
 }
 
 impl Proximity {
-    /// Keeps that many paths. `most`: steps of all walks together at most; with more points than that allows, every so
-    /// manieth is taken, but never fewer than `keep`.
+    /// Keeps that many paths. `most`: steps of all walks together at most; with more points than that allows, some evenly
+    /// spread over them are taken, but never fewer than `keep`.
     pub(super) fn new(legs: &Legs, keys: &Keys, keep: usize, most: u64) -> Self {
         let problem = legs.problem();
         let fixed = keys.pinned.map(|n| problem.nodes[n as usize].item);
@@ -71,5 +71,112 @@ impl Proximity {
         self.paths.insert(place, (length, path));
         self.paths.truncate(self.keep);
         Some(cost)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine;
+    use crate::problem::{Groups, Item, Node, Problem};
+    use crate::solve::papers::Measure;
+    use glam::DVec2;
+
+    /// The worked example, table 2: feature points of seven contours.
+    const SEVEN: [&[[f64; 2]]; 7] = [
+        &[[5.0, 84.6], [100.7, 5.0], [150.0, 53.6], [93.4, 174.0]],
+        &[[56.1, 69.8], [108.4, 70.3], [87.6, 116.5]],
+        &[[237.3, 94.8], [288.3, 5.0], [395.6, 50.2], [303.8, 152.0], [313.9, 88.0]],
+        &[
+            [303.1, 53.4],
+            [303.1, 39.7],
+            [320.7, 41.2],
+            [331.0, 53.4],
+            [320.7, 64.1],
+            [303.1, 67.9],
+            [287.6, 64.1],
+            [276.5, 53.4],
+            [287.6, 41.2],
+        ],
+        &[[169.4, 355.2], [31.5, 253.6], [14.0, 276.9], [15.7, 305.3]],
+        &[
+            [289.7, 279.8],
+            [289.7, 204.1],
+            [343.5, 226.1],
+            [365.0, 279.8],
+            [343.5, 333.4],
+            [289.7, 355.9],
+            [234.2, 333.4],
+            [214.7, 279.8],
+            [263.1, 226.1],
+        ],
+        &[
+            [289.7, 243.1],
+            [316.4, 253.1],
+            [326.0, 279.8],
+            [316.4, 306.4],
+            [289.7, 316.8],
+            [263.1, 306.4],
+            [253.5, 279.8],
+            [263.1, 253.1],
+        ],
+    ];
+
+    /// Open from the origin, with these feature points.
+    fn problem(contours: &[&[[f64; 2]]]) -> Problem {
+        let (mut items, mut nodes) = (Vec::new(), Vec::new());
+        for (points, item) in contours.iter().zip(0..) {
+            let first = u32::try_from(nodes.len()).unwrap();
+            for (&[x, y], twin) in points.iter().zip(first..) {
+                let entry = DVec2::new(x, y);
+                nodes.push(Node { item, entry, exit: entry, along: 0.0, reversed: false, twin });
+            }
+            let nodes = first..u32::try_from(nodes.len()).unwrap();
+            items.push(Item {
+                nodes,
+                before: None,
+                rank: 0,
+                fixed: 0.0,
+                run: None,
+                leave: None,
+                track: None,
+            });
+        }
+        let (machine, home) = (machine::presets().into_iter().next().unwrap(), DVec2::ZERO);
+        let groups = Groups::default();
+        Problem { items, nodes, home, closed: false, machine, pairs: vec![], groups, table: None }
+    }
+
+    fn paths(problem: &Problem, first: Option<NodeId>, most: u64) -> Vec<(f64, Vec<NodeId>)> {
+        let (legs, keys) = (Legs::new(problem, Measure::Euclidean), Keys::new(problem, first));
+        let mut proximity = Proximity::new(&legs, &keys, 3, most);
+        let all = Left::all(problem);
+        while proximity.piece(&legs, &keys, &all).is_some() {}
+        proximity.paths
+    }
+
+    #[test]
+    fn the_worked_example_of_seven_contours() {
+        let problem = problem(&SEVEN);
+        // From S12: the paper's path S12 S22 S31 S48 S62 S71 S51, printed as 709.1, 709.509 by its coordinates.
+        let fixed = paths(&problem, Some(1), u64::MAX);
+        assert_eq!(fixed[0].1, [1, 5, 7, 19, 26, 34, 21]);
+        assert!((fixed[0].0 - 709.509_075_257_584).abs() < 1e-9);
+        // From any point the shortest begins at S22, by brute force; the next is the paper's.
+        let free = paths(&problem, None, u64::MAX);
+        assert_eq!(free[0].1, [5, 2, 7, 19, 26, 34, 21]);
+        assert!((free[0].0 - 682.285_405_481_085).abs() < 1e-9);
+        assert_eq!(free[1], fixed[0]);
+        // With no steps to spare there are still as many walks as paths are kept.
+        assert_eq!(paths(&problem, None, 0).len(), 3);
+    }
+
+    #[test]
+    fn ties_are_all_kept_in_the_order_of_their_starts() {
+        // Two points as far from the origin: both starts give the same length.
+        let problem = problem(&[&[[3.0, 4.0]], &[[4.0, 3.0]]]);
+        let both = paths(&problem, None, u64::MAX);
+        assert_eq!(both.iter().map(|p| p.1.as_slice()).collect::<Vec<_>>(), [[0, 1], [1, 0]]);
+        assert!((both[0].0 - both[1].0).abs() < 1e-12);
     }
 }
