@@ -66,7 +66,14 @@ pub fn air_time(profile: &Profile, from: DVec2, to: DVec2) -> f64 {
 
 /// Seconds of a motion from rest to rest: see the head of this file.
 fn ramped(run: f64, ramp2: f64) -> f64 {
-    if ramp2 >= run * run { 2.0 * ramp2.sqrt() } else { run + ramp2 / run }
+    // No division for machines that are at speed at once.
+    if ramp2 == 0.0 {
+        run
+    } else if ramp2 >= run * run {
+        2.0 * ramp2.sqrt()
+    } else {
+        run + ramp2 / run
+    }
 }
 
 #[cfg(test)]

@@ -63,7 +63,7 @@ pub(super) fn improve(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, ite
 
 /// A better entry where the item stands.
 pub(super) fn reenter(tour: &mut Tour, queue: &mut Queue, item: u32) -> Option<f64> {
-    if tour.space.places(item).len() == 1 {
+    if tour.space.places(item).len() == 1 || tour.is_entered_best(item) {
         return None;
     }
     let (before, after) = (tour.previous(item), tour.next(item));
@@ -71,12 +71,14 @@ pub(super) fn reenter(tour: &mut Tour, queue: &mut Queue, item: u32) -> Option<f
     tour.priced += 1;
     let now = tour.space.through(item, tour.at(item), gap);
     let near = tour.space.better_near(item, (tour.at(item), now), gap);
-    let best = tour.space.best_entry(item, gap);
+    let best = tour.space.best_entry(item, gap, near.1);
     let best = if best.1 < near.1 { best } else { near };
     if best.1 >= now - EPSILON {
+        tour.entered_best(item);
         return None;
     }
     tour.enter(item, best.0);
+    tour.entered_best(item);
     queue.push_all(&[item, before, after]);
     Some(now - best.1)
 }
@@ -104,7 +106,7 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
             if given - tour.space.at_least(gap.from, item, false) - on <= most {
                 continue;
             }
-            let (at, seconds) = tour.space.best_entry(item, gap);
+            let (at, seconds) = tour.space.best_entry(item, gap, given - most);
             if given - seconds <= most {
                 continue;
             }

@@ -68,9 +68,9 @@ impl Neighbours {
         true
     }
 
-    /// Seconds to, and item of, the nearest other items.
+    /// Seconds to, and item of, the nearest other items, in this order.
     fn nearest(&self, space: &Space, item: u32, place: Place) -> Vec<(f64, u32)> {
-        let mut found: Vec<(f64, u32)> = Vec::new();
+        let mut found: Vec<(f64, u32)> = Vec::with_capacity(PER_GATE + 1);
         for r in 0..self.grid.rings(place) {
             let d = self.grid.distance_of_ring(r);
             if found.len() >= PER_GATE && found[PER_GATE - 1].0 <= space.travel.seconds_at_least(d) {
@@ -79,12 +79,10 @@ impl Neighbours {
             for gate in self.grid.ring(place, r) {
                 let (other, there) = self.gates[gate as usize];
                 if other != item {
-                    merge(&mut found, (space.travel.seconds(place, there), other));
+                    insert(&mut found, (space.travel.seconds(place, there), other));
                 }
             }
-            sort_by(&mut found, |n| [real(n.0), n.1.into(), 0]);
         }
-        found.truncate(PER_GATE);
         found
     }
 
@@ -119,6 +117,22 @@ fn nearest_by_table(space: &Space, item: u32, place: Place, back: bool) -> Vec<(
     sort_by(&mut found, |n| [real(n.0), n.1.into(), 0]);
     found.truncate(PER_GATE);
     found
+}
+
+/// Keeps the [`PER_GATE`] nearest in order, one entry an item, with the least seconds.
+fn insert(list: &mut Vec<(f64, u32)>, new: (f64, u32)) {
+    if list.len() == PER_GATE && list[PER_GATE - 1] <= new {
+        return;
+    }
+    if let Some(old) = list.iter().position(|old| old.1 == new.1) {
+        if list[old].0 <= new.0 {
+            return;
+        }
+        list.remove(old);
+    }
+    let place = list.iter().position(|old| new < *old).unwrap_or(list.len());
+    list.insert(place, new);
+    list.truncate(PER_GATE);
 }
 
 /// Keeps one entry an item, with the least seconds.

@@ -109,7 +109,7 @@ fn cheapest(
         if tour.space.at_least(gap.from, item, false) + on - given >= least || dice.below(BLINK) == 0 {
             continue;
         }
-        let (at, seconds) = tour.space.best_entry(item, gap);
+        let (at, seconds) = tour.space.best_entry(item, gap, least + given);
         if seconds - given < least {
             least = seconds - given;
             best = Some((place, at));

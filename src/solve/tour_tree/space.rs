@@ -40,6 +40,9 @@ pub(super) struct Space<'p> {
     pub(super) gate_first: Vec<u32>,
     kind: Vec<Kind>,
     spacing: Vec<f64>,
+    /// No place of a ring costs less than the gate nearest to it by more than this many seconds, in any gap: that is
+    /// at most the way there and back, and what places cost on top (the times of ways obey the triangle inequality).
+    slack: Vec<f64>,
     /// Box of an item's places: middle and half size.
     middle: Vec<DVec2>,
     half: Vec<DVec2>,
@@ -81,6 +84,7 @@ impl<'p> Space<'p> {
             gate_first: vec![0],
             kind: Vec::with_capacity(n + 1),
             spacing: Vec::with_capacity(n + 1),
+            slack: Vec::with_capacity(n + 1),
             middle: Vec::with_capacity(n + 1),
             half: Vec::with_capacity(n + 1),
             rank: problem.items.iter().map(|i| i.rank).collect(),
@@ -123,6 +127,7 @@ impl<'p> Space<'p> {
     fn close_item(&mut self, kind: Kind, spacing: f64, charged: bool) {
         let from = self.first[self.first.len() - 1] as usize;
         let places = &self.place[from..];
+        let count = places.len();
         let b = places.iter().fold(Aabb::EMPTY, |b, p| b.with(*p));
         self.middle.push(b.center());
         self.half.push(b.size() * 0.5);
@@ -133,6 +138,11 @@ impl<'p> Space<'p> {
         if charged {
             self.extra.resize(self.place.len(), 0.0);
         }
+        // Places put on corners are off by up to half a spacing, as may be the gate.
+        let apart = spacing * (0.5 * count as f64 / GATES as f64 + if charged { 1.0 } else { 0.0 });
+        let top = &self.extra[from.min(self.extra.len())..];
+        let [low, high] = top.iter().fold([0.0_f64; 2], |[low, high], &x| [low.min(x), high.max(x)]);
+        self.slack.push(2.0 * self.travel.seconds_at_most(apart) + high - low);
         self.kind.push(kind);
         self.spacing.push(spacing);
     }
@@ -272,19 +282,35 @@ impl<'p> Space<'p> {
     /// Seconds from `gap.from` into an item at place `at` and on to `gap.to`, with what that place costs on top.
     pub(super) fn through(&self, item: u32, at: u32, gap: Gap) -> f64 {
         let entry = self.places(item)[at as usize];
-        let on = gap.to.map_or(0.0, |to| self.travel.seconds(self.exit(item, at), to));
+        let exit = if self.is_ring(item) { entry } else { self.exit(item, at) };
+        let on = gap.to.map_or(0.0, |to| self.travel.seconds(exit, to));
         self.travel.seconds(gap.from, entry) + on + self.extra(item, at)
     }
 
-    /// The best entry of an item in a gap, from all its places: index and seconds.
-    pub(super) fn best_entry(&self, item: u32, gap: Gap) -> (u32, f64) {
-        let count = self.places(item).len();
-        let step = if self.is_ring(item) { count / GATES } else { 1 };
+    /// The best entry of an item in a gap, from all its places: index and seconds. Where none costs less than
+    /// `under`, any of them: every fourth gate of a ring often tells so already.
+    pub(super) fn best_entry(&self, item: u32, gap: Gap, under: f64) -> (u32, f64) {
         let mut best = (0, f64::INFINITY);
-        for at in (0..count).step_by(step) {
-            let seconds = self.through(item, index(at), gap);
-            if seconds < best.1 {
-                best = (index(at), seconds);
+        if !self.is_ring(item) {
+            for at in 0..index(self.places(item).len()) {
+                let seconds = self.through(item, at, gap);
+                if seconds < best.1 {
+                    best = (at, seconds);
+                }
+            }
+            return best;
+        }
+        let step = self.places(item).len() / GATES;
+        for (first, every, reach) in [(0, 4, 4.0), (2, 4, 2.0), (1, 2, 1.0)] {
+            for gate in (first..GATES).step_by(every) {
+                let at = index(gate * step);
+                let seconds = self.through(item, at, gap);
+                if seconds < best.1 {
+                    best = (at, seconds);
+                }
+            }
+            if best.1 - reach * self.slack[item as usize] >= under {
+                return best;
             }
         }
         let mut best = self.better_near(item, best, gap);

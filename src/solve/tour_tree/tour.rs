@@ -36,6 +36,8 @@ pub(super) struct Tour<'p> {
     /// Where the head enters and leaves, by item.
     entry: Vec<Place>,
     exit: Vec<Place>,
+    /// Items known to be entered best where they stand.
+    best_entered: Vec<bool>,
     journal: Vec<Change>,
     orders: Vec<Vec<u32>>,
     /// Heeds ranks, but not what lies inside what: see `anneal.rs`.
@@ -54,6 +56,7 @@ impl<'p> Tour<'p> {
             position: vec![0; n],
             entry: vec![Place::ZERO; n],
             exit: vec![Place::ZERO; n],
+            best_entered: vec![false; n],
             journal: Vec::new(),
             orders: Vec::new(),
             free: false,
@@ -80,6 +83,7 @@ impl<'p> Tour<'p> {
     fn number(&mut self) {
         for (position, &item) in (0..).zip(&self.now.order) {
             self.position[item as usize] = position;
+            self.best_entered[item as usize] = false;
         }
     }
 
@@ -88,6 +92,19 @@ impl<'p> Tour<'p> {
         let at = self.now.at[item as usize];
         self.entry[item as usize] = self.space.places(item)[at as usize];
         self.exit[item as usize] = self.space.exit(item, at);
+        for touched in [self.previous(item), item, self.next(item)] {
+            self.best_entered[touched as usize] = false;
+        }
+    }
+
+    /// Whether an item is known to be entered where that costs least between its neighbours as they are.
+    pub(super) fn is_entered_best(&self, item: u32) -> bool {
+        self.best_entered[item as usize]
+    }
+
+    /// Nothing better was found for an item where it stands.
+    pub(super) fn entered_best(&mut self, item: u32) {
+        self.best_entered[item as usize] = true;
     }
 
     /// Order and entries as they are now.
@@ -215,10 +232,15 @@ impl<'p> Tour<'p> {
     }
 
     fn turn(&mut self, from: usize, to: usize) {
+        // Others see the same on both sides as before, unless ways back cost something else.
+        for outer in [self.item(from - 1), self.item(from), self.item(to), self.item(to + 1)] {
+            self.best_entered[outer as usize] = false;
+        }
         self.now.order[from..=to].reverse();
         for (position, &item) in (index(from)..).zip(&self.now.order[from..=to]) {
             let i = item as usize;
             self.position[i] = position;
+            self.best_entered[i] &= self.space.travel.symmetric;
             if self.space.two_ends(item) {
                 self.now.at[i] = 1 - self.now.at[i];
                 std::mem::swap(&mut self.entry[i], &mut self.exit[i]);

@@ -57,11 +57,11 @@ fn bridge(space: &Space, item: u32, other: u32) -> Bridge {
         }
     }
     for _ in 0..TURNS {
-        let (to, seconds) = space.best_entry(other, around(item, best.from));
+        let (to, seconds) = space.best_entry(other, around(item, best.from), f64::INFINITY);
         if seconds + space.extra(item, best.from) < best.seconds {
             best = Bridge { to, seconds: seconds + space.extra(item, best.from), ..best };
         }
-        let (from, seconds) = space.best_entry(item, around(other, best.to));
+        let (from, seconds) = space.best_entry(item, around(other, best.to), f64::INFINITY);
         if seconds + space.extra(other, best.to) < best.seconds {
             best = Bridge { from, seconds: seconds + space.extra(other, best.to), ..best };
         }

@@ -123,7 +123,8 @@ fn draw(dice: &mut Dice, tree: &Tree, g: Ground, first: u32) -> Option<Shift> {
     if !is_left(space, other) {
         return None;
     }
-    let place = space.best_entry(other, Gap { from: tree.exit(last), to: Some(tree.entry(first)) }).0;
+    let place =
+        space.best_entry(other, Gap { from: tree.exit(last), to: Some(tree.entry(first)) }, f64::INFINITY).0;
     shift(Spot::Child(other, place))
 }
 

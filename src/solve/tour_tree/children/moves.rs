@@ -77,7 +77,7 @@ pub(super) fn reenter(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32)
     tree.priced += 1;
     let seconds = g.space.through(item, now, gap);
     let near = g.space.better_near(item, (now, seconds), gap);
-    let best = g.space.best_entry(item, gap);
+    let best = g.space.best_entry(item, gap, near.1);
     let best = if best.1 < near.1 { best } else { near };
     if best.1 >= seconds - EPSILON {
         return None;
@@ -182,7 +182,7 @@ fn consider(
             (Some(bridge.from), bridge.to, bridge.seconds)
         } else {
             let around = Gap { from: tree.exit(last), to: Some(tree.entry(first)) };
-            let (place, seconds) = g.space.best_entry(b, around);
+            let (place, seconds) = g.space.best_entry(b, around, f64::INFINITY);
             (None, place, seconds)
         };
         let shift = Shift { spot: Spot::Child(b, place), at, ..shift(b) };
@@ -210,7 +210,7 @@ fn put_in(
         if given - g.space.at_least(gap.from, enter, false) - on <= *most {
             return;
         }
-        let (at, seconds) = g.space.best_entry(enter, gap);
+        let (at, seconds) = g.space.best_entry(enter, gap, f64::INFINITY);
         let shift = Shift { at: Some(at), ..shift };
         if given - seconds > *most && may_shift(g, tree, shift) {
             *most = given - seconds;
