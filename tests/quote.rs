@@ -1,5 +1,10 @@
 //! The report of a quote: figures known by hand, its schema, its hash.
-#![allow(clippy::unwrap_used, clippy::float_cmp, reason = "a test fails by panicking; what must be equal is")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::float_cmp,
+    reason = "a test fails by panicking; what must be equal is"
+)]
 
 #[path = "support/schema.rs"]
 mod schema;

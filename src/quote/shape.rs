@@ -82,7 +82,8 @@ impl Shape {
         let c = first / area;
         let [xx, yy, xy] =
             [xx - area * c.x * c.x, yy - area * c.y * c.y, xy - area * c.x * c.y].map(|m| m * area.signum());
-        let (middle, reach) = ((xx + yy) / 2.0, (((xx - yy) / 2.0).powi(2) + xy * xy).sqrt());
+        let half = (xx - yy) / 2.0;
+        let (middle, reach) = ((xx + yy) / 2.0, (half * half + xy * xy).sqrt());
         Moments { area: area.abs(), centroid: o + c, principal: [middle - reach, middle + reach] }
     }
 }
