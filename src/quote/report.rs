@@ -360,7 +360,7 @@ fn confidence(input: &Input, defects: &[Defect], contours: &[Contour]) -> Confid
     }
     for Defect { code, severity, count } in defects {
         let grave = if *severity == Severity::Error { Level::Low } else { Level::Medium };
-        doubt(grave, format!("{code}: {count}"));
+        doubt(grave, format!("{count} findings of the kind {code}."));
     }
     Confidence { level, reasons }
 }

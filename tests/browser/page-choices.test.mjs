@@ -116,3 +116,21 @@ test('after a first visit the page works without a network, methods of papers an
   const { bytes } = await download(page, () => page.getByRole('button', { name: 'PNG' }).click());
   assert.deepEqual([...bytes.subarray(1, 4)], [...Buffer.from('PNG')]);
 });
+
+test('a quote is made of the finished plan and can be taken away', async (t) => {
+  const { page } = await openPage(t);
+  await phase(page, 'planning');
+  await open(page, 'Quote');
+  await page.getByLabel('Thickness').fill('3');
+  await page.getByLabel('Density').fill('7.85');
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Stop' }).click();
+  await phase(page, 'done');
+  await page.getByText('Narrowest web').waitFor();
+  assert.match(await page.locator('.section-body').first().textContent(), /98 parts/, 'as the drawing says');
+  assert.match(await page.locator('details', { hasText: 'Density' }).last().textContent(), /Parts98, \d+ different.* kg/);
+  const { name, bytes } = await download(page, () => page.getByRole('button', { name: 'Download the report' }).click());
+  assert.equal(name, 'sheet_500.quote.json');
+  const report = JSON.parse(bytes);
+  assert.deepEqual([report.schema, report.material.thickness, report.part_count], ['kerfway.quote/1', 3, 98]);
+});

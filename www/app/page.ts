@@ -13,6 +13,7 @@ import { drawingPanel } from './panels/drawing.js';
 import { helpDialog } from './panels/help.js';
 import { machinePanel } from './panels/machine.js';
 import { planPanel } from './panels/plan.js';
+import { quotePanel } from './panels/quote.js';
 import { questionCard } from './panels/question.js';
 import { resultPanel } from './panels/result.js';
 import { OrderTable } from './panels/table.js';
@@ -151,7 +152,7 @@ export async function startPage(): Promise<void> {
   };
   const drawing = drawingPanel(session, (finding) => showFinding(finding, true));
   const scroller = place('sections');
-  scroller.append(drawing, machinePanel(session, tell, () => choosingHome(true)), planPanel(session), resultPanel(session, theme, (kind) => void download(kind)));
+  scroller.append(drawing, machinePanel(session, tell, () => choosingHome(true)), planPanel(session), resultPanel(session, theme, (kind) => void download(kind)), quotePanel(session, tell));
   place('dock').append(dock(session, { open: chooseFile, gcode: () => void download('gcode'), sheet: toggleSheet }));
   const help = helpDialog();
   const top = topBar(session, theme, {

@@ -3,7 +3,7 @@
  * drawing, machine or options starts it anew. The newest wish wins: answers to older ones are dropped.
  */
 
-import { createPlanner, type LoadOptions, type Loaded, type MachineProfile, type MethodInfo, type Operation, type OutputKind, type PaperMethod, type PlanHandle, type Planner, type Progress, type Unit } from 'kerfway';
+import { createPlanner, type LoadOptions, type Loaded, type MachineProfile, type Material, type MethodInfo, type Operation, type OutputKind, type PaperMethod, type PlanHandle, type Planner, type Progress, type Quote, type Unit } from 'kerfway';
 import { Emitter } from '../core/emitter.js';
 import { messageOf } from '../core/strings.js';
 import { type Shared, written } from './address.js';
@@ -267,6 +267,11 @@ export class Session extends Emitter<Events> {
   /** One of the outputs of the best plan. */
   async output(kind: OutputKind, width?: number): Promise<string | Uint8Array> {
     return (await this.ready).output(kind, width);
+  }
+
+  /** The report of a quote of the best plan. */
+  async quote(material: Material): Promise<Quote> {
+    return (await this.ready).quote(material);
   }
 
   private layers(): { name: string; operation: Operation }[] {

@@ -1,0 +1,76 @@
+/** What a price needs: parts, areas, weight, what is narrow, what to look at. Made when the plan is done and this is open. */
+
+import { button, h } from '../core/dom.js';
+import { save } from '../core/files.js';
+import { count, metres } from '../core/format.js';
+import { baseName, messageOf } from '../core/strings.js';
+import type { Material, Quote } from 'kerfway';
+import type { Session } from '../session/session.js';
+import { field, section } from './section.js';
+
+/** Groups of parts listed; the rest is in the file. */
+const LISTED = 8;
+
+export function quotePanel(session: Session, tell: (sentence: string) => void): HTMLElement {
+  const { root, body, setGist } = section('Quote', false);
+  const number = () => h('input', { type: 'number', min: 0, step: 'any', inputmode: 'decimal', placeholder: 'not given' });
+  const [thickness, density] = [number(), number()];
+  const rows = h('dl', { class: 'parts' });
+  const note = h('p', { class: 'soft' });
+  let report: Quote | null = null;
+  let asked = 0;
+  const download = button('Download the report', { class: 'small', onclick: () => {
+    if (report) save(`${JSON.stringify(report, null, 2)}\n`, `${baseName(session.state.name)}.quote.json`, 'application/json');
+  } });
+  body.append(h('div', { class: 'stack' }, field('Thickness', thickness, 'mm'), field('Density', density, 'g/cm³'), note, rows, download));
+
+  const show = () => {
+    rows.replaceChildren(...(report === null ? [] : facts(report)).flatMap(([term, value]) => [h('dt', {}, term), h('dd', { class: 'number' }, value)]));
+    note.textContent = report === null ? 'Made as soon as the plan is done.' : `Confidence ${report.confidence.level}${report.confidence.reasons.map((r) => `. ${r}`).join('')}`;
+    download.hidden = report === null;
+    setGist(report === null ? '' : `${count(report.part_count)} parts`);
+  };
+  const make = async () => {
+    const now = (asked += 1);
+    report = null;
+    show();
+    if (!root.open || session.state.phase !== 'done') return;
+    try {
+      const made = await session.quote(material(thickness, density));
+      if (now !== asked) return;
+      report = made;
+      show();
+    } catch (error) {
+      if (now === asked) tell(messageOf(error));
+    }
+  };
+  let phase = '';
+  session.on('change', (state) => {
+    if (state.phase !== phase) void make();
+    phase = state.phase;
+  });
+  root.addEventListener('toggle', () => void make());
+  for (const input of [thickness, density]) input.addEventListener('change', () => void make());
+  show();
+  return root;
+}
+
+function material(thickness: HTMLInputElement, density: HTMLInputElement): Material {
+  const given = (input: HTMLInputElement) => (input.valueAsNumber > 0 ? input.valueAsNumber : undefined);
+  const [t, d] = [given(thickness), given(density)];
+  return { ...(t === undefined ? {} : { thickness: t }), ...(d === undefined ? {} : { density: d }) };
+}
+
+const mm = (value: number) => `${value.toFixed(2)} mm`;
+const area = (mm2: number) => (mm2 < 1e4 ? `${count(Math.round(mm2))} mm²` : `${(mm2 / 1e6).toFixed(4)} m²`);
+
+function facts(q: Quote): [string, string][] {
+  const against = (ratio: number | null) => (ratio === null ? '' : ` · ${ratio.toFixed(2)} × thickness`);
+  const all: [string, string][] = [['Parts', `${count(q.part_count)}, ${count(q.parts.length)} different`], ['Their area', area(q.net_area)]];
+  if (q.weight !== null) all.push(['Weight', q.weight < 1000 ? `${q.weight.toFixed(0)} g` : `${(q.weight / 1000).toFixed(2)} kg`]);
+  if (q.smallest_hole !== null) all.push(['Narrowest hole', mm(q.smallest_hole.width) + against(q.smallest_hole.over_thickness)]);
+  if (q.narrowest_web !== null) all.push(['Narrowest web', mm(q.narrowest_web.width) + against(q.narrowest_web.over_thickness)]);
+  for (const p of q.parts.slice(0, LISTED)) all.push([`${count(p.count)} × ${area(p.net_area)}`, `${metres(p.cut_length)} to cut, ${count(p.holes)} ${p.holes === 1 ? 'hole' : 'holes'}`]);
+  if (q.parts.length > LISTED) all.push(['And', `${count(q.parts.length - LISTED)} other kinds of parts`]);
+  return all;
+}
