@@ -154,7 +154,7 @@ export class Search {
       const start = performance.now();
       const toMeeting = this.meetAt - this.job.moves();
       const work = Math.min(Math.round(this.work), toMeeting);
-      const slice = this.guest === null ? this.job.step(work) : stepHosted(this.job, this.guest, work);
+      const slice = this.guest === null ? this.job.step(work) : stepHosted(this.job, this.guest, work, SLICE_MS);
       const { done, improved, end, prove } = slice;
       this.account(done, improved, performance.now() - start);
       const next = () => this.proceed(end, done === toMeeting);

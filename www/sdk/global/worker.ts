@@ -1,12 +1,10 @@
 /**
- * The planner in a worker made of text: everything it needs is inside, but for the renderer of pictures, which would
- * double it.
+ * The planner in a worker made of text: everything it needs is inside, but for the renderer of pictures and the
+ * methods of papers, which would double it.
  */
 
 import lab from '../pkg/kerfway_lab_bg.wasm';
 import * as labModule from '../pkg/kerfway_lab.js';
-import papers from '../pkg/kerfway_papers_bg.wasm';
-import * as papersModule from '../pkg/kerfway_papers.js';
 import quote from '../pkg/kerfway_quote_bg.wasm';
 import * as quoteModule from '../pkg/kerfway_quote.js';
 import type { FromWorker, ToWorker } from '../protocol.js';
@@ -24,8 +22,7 @@ const session = new Session({
     return labModule;
   },
   papers: async () => {
-    papersModule.initSync({ module: papers });
-    return papersModule;
+    throw new Error('The single-file build has no methods from papers. Use the package with its files for them.');
   },
   quote: async () => {
     quoteModule.initSync({ module: quote });
