@@ -1,4 +1,5 @@
 //! Splines and ellipses become lines and arcs: measured against a dense evaluation of the curve itself.
+#![cfg(not(target_arch = "wasm32"))]
 
 use kerfway::geometry::{Affine, Arc, CurveError, DVec2, Ellipse, Grid, Nurbs, Segment, math};
 use rand::{RngExt, SeedableRng};

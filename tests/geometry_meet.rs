@@ -1,4 +1,5 @@
 //! Intersections, inside tests, grid and box index, against brute force.
+#![cfg(not(target_arch = "wasm32"))]
 
 use kerfway::geometry::{
     Aabb, Arc, BoxIndex, DVec2, Grid, Path, Segment, interior_point, intersect, math, winding,

@@ -1,4 +1,5 @@
 //! Lines, arcs, paths, boxes, maps and angles: values at the edges of what they take.
+#![cfg(not(target_arch = "wasm32"))]
 
 use kerfway::geometry::{Aabb, Affine, Arc, DVec2, Path, Segment, math};
 use rand::{RngExt, SeedableRng};

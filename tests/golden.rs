@@ -3,7 +3,7 @@
 //! `tests/golden/cases.json` says what is planned, `tests/golden/NAME.json` is the plan expected. The package and
 //! browser tests read the same files. `KERFWAY_BLESS=1 cargo test --test golden` writes them anew, after a change that
 //! is meant to change plans. `tests/golden/quotes.json` has the hash of each plan's quote, which must be the same, too.
-
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod support;

@@ -1,5 +1,6 @@
 //! Instances of the TSPLIB family: every weight type and format by hand-computed values, sets, order, and what is
 //! wrong with a file in one sentence.
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::float_cmp, reason = "costs are whole numbers")]
 

@@ -1,5 +1,6 @@
 //! The search on instances given by tables: against brute force on small ones of every kind, the same in slices of any
 //! size, and never behind its start.
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::float_cmp, reason = "costs are whole numbers")]
 

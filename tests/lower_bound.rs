@@ -1,5 +1,6 @@
 //! The lower bound against exact optima of small problems of every kind, against densely sampled contours, and on a
 //! published instance.
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod plan_support;

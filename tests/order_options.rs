@@ -1,5 +1,5 @@
 //! Part by part, and contours pinned to the beginning or the end: kept by the search, found by the checker.
-
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use kerfway::job::{Job, JobError, LayerChoice, LoadOptions, PlanOptions};

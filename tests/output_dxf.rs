@@ -1,4 +1,5 @@
 //! The DXF, read back by the product's own reader: order, entries, direction, lengths, layers, unit.
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(
     clippy::unwrap_used,
     clippy::float_cmp,

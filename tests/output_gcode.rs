@@ -1,5 +1,5 @@
 //! G-code, read back by an interpreter of our own and compared with the plan it came from.
-
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(
     clippy::unwrap_used,
     clippy::panic,

@@ -1,4 +1,5 @@
 //! The plan document: by its schema, complete, and the same path as the plan bit for bit.
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(
     clippy::unwrap_used,
     clippy::panic,

@@ -1,4 +1,5 @@
 //! The PNG renderer: decoded again, ink must lie where contours are and white where nothing is.
+#![cfg(not(target_arch = "wasm32"))]
 #![cfg(feature = "png")]
 #![allow(
     clippy::unwrap_used,

@@ -1,4 +1,5 @@
 //! The SVG, read back and compared with the plan.
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(
     clippy::unwrap_used,
     clippy::panic,

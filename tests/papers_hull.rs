@@ -1,4 +1,5 @@
 //! RLSGA with what it is compared with, and Yang's genetic algorithm: plans pass the checker, slices and seeds repeat.
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod plan_support;

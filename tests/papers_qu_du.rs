@@ -1,5 +1,6 @@
 //! The swarms of Qu & Du on real sheets, open contours, tables and next to nothing: allowed, checked, the same in slices
 //! of any size, the same for the same seed.
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod plan_support;

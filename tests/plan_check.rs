@@ -1,4 +1,5 @@
 //! The checker against planted faults: each kind is caught, and said to be what it is.
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, clippy::panic, clippy::type_complexity, reason = "helpers of tests")]
 
 mod plan_support;

@@ -1,4 +1,5 @@
 //! The report of a quote: figures known by hand, its schema, its hash.
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(
     clippy::unwrap_used,
     clippy::panic,

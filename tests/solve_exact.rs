@@ -1,5 +1,6 @@
 //! Searches against the exact optimum of small problems, against themselves on moved sheets, and on a published
 //! instance.
+#![cfg(not(target_arch = "wasm32"))]
 
 mod plan_support;
 

@@ -1,4 +1,5 @@
 //! Searches on whole sheets: feasible, checked, never worse, the same in slices of any size.
+#![cfg(not(target_arch = "wasm32"))]
 
 mod plan_support;
 

@@ -1,4 +1,5 @@
 //! From shapes to contours to parts, on drawings made by hand, at random, and real ones.
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "a helper that fails fails its test")]
 
 mod assemble;
