@@ -10,7 +10,7 @@ use super::super::legs::Measure;
 use super::flock::{Flock, Pull};
 use super::prospect::{Outcomes, Prospect};
 use super::proximity::Proximity;
-use super::rules::{Levy, inertia, kappa, learning, singer, tau};
+use super::rules::{Levy, add_distances, inertia, kappa, learning, singer, tau};
 use super::run::{Guide, Run, Settings};
 use crate::problem::{NodeId, Problem};
 use crate::solve::{Search, Solution, Solver, SolverInfo};
@@ -261,12 +261,12 @@ impl Guide for Swarm {
         }
         if self.row + 1 < count {
             let (here, others) = flock.particles[self.row..].split_first()?;
-            for (other, j) in others.iter().zip(self.row + 1..) {
-                let square: f64 = here.keys.iter().zip(&other.keys).map(|(a, b)| (a - b) * (a - b)).sum();
-                let distance = square.sqrt() / (count - 1) as f64;
-                self.distances[self.row] += distance;
-                self.distances[j] += distance;
-            }
+            add_distances(
+                &mut self.distances,
+                self.row,
+                &here.keys,
+                others.iter().map(|o| o.keys.as_slice()),
+            );
             self.row += 1;
             // Sixteen keys compared cost about as much as a leg priced.
             return Some((others.len() * here.keys.len() / 16) as u64);

@@ -47,6 +47,22 @@ impl Levy {
     }
 }
 
+/// Adds to the mean distances of eq. (25) those of the particle of `row` to the ones `behind` it, for both.
+pub(super) fn add_distances<'a>(
+    distances: &mut [f64],
+    row: usize,
+    keys: &[f64],
+    behind: impl Iterator<Item = &'a [f64]>,
+) {
+    let others = (distances.len() - 1) as f64;
+    for (other, j) in behind.zip(row + 1..) {
+        let square: f64 = keys.iter().zip(other).map(|(a, b)| (a - b) * (a - b)).sum();
+        let distance = square.sqrt() / others;
+        distances[row] += distance;
+        distances[j] += distance;
+    }
+}
+
 /// The threshold of the Levy flight, eq. (26), from the mean distance (25) of each particle to the others. A swarm
 /// without any spread is as close as can be: 1.
 pub(super) fn kappa(distances: &[f64]) -> f64 {
@@ -84,6 +100,19 @@ mod tests {
         let (own, swarm) = learning(1.0, 1.25, 2.5);
         near(own, 1.617_879_441_2);
         near(swarm, 0.882_120_558_8);
+    }
+
+    #[test]
+    fn mean_distances_of_equation_25_and_their_threshold() {
+        // 5 from the first to the second and on to the third, 8 from the first to the third.
+        let keys: [&[f64]; 3] = [&[0.0, 0.0], &[3.0, 4.0], &[0.0, 8.0]];
+        let mut distances = [0.0; 3];
+        for row in 0..2 {
+            add_distances(&mut distances, row, keys[row], keys[row + 1..].iter().copied());
+        }
+        distances.iter().zip([6.5, 5.0, 6.5]).for_each(|(d, wanted)| near(*d, wanted));
+        // (6 - 5) / (6.5 - 5).
+        near(kappa(&distances), 2.0 / 3.0);
     }
 
     #[test]
