@@ -13,9 +13,10 @@ import { Stop } from '../scripts/tools.mjs';
 import { tables as hull } from './papers/hull.mjs';
 import { build, DATA } from './papers/runs.mjs';
 import { tables as quDu } from './papers/qu-du.mjs';
+import { tables as stop } from './papers/stop.mjs';
 import { tables as yang } from './papers/yang.mjs';
 
-const TABLES = { ...quDu, ...hull, ...yang };
+const TABLES = { ...quDu, ...hull, ...yang, ...stop };
 
 export async function bench(args) {
   const { values } = parseArgs({

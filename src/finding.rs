@@ -63,6 +63,8 @@ pub enum Code {
     DuplicateRemoved,
     /// Collinear or co-circular overlap removed.
     OverlapRemoved,
+    /// Contours share cuts.
+    CommonCut,
     /// Elements without length dropped.
     ZeroLength,
     /// A contour crosses itself.

@@ -2,7 +2,8 @@
 //!
 //! `tests/golden/cases.json` says what is planned, `tests/golden/NAME.json` is the plan expected. The package and
 //! browser tests read the same files. `KERFWAY_BLESS=1 cargo test --test golden` writes them anew, after a change that
-//! is meant to change plans. `tests/golden/quotes.json` has the hash of each plan's quote, which must be the same, too.
+//! is meant to change plans. `tests/golden/quotes.json` has the hash of each plan's quote, which must be the same, too; `dev-quotes.json` those of
+//! every real drawing of `tests/fixtures/dxf-dev`.
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -69,6 +70,35 @@ fn quotes_have_the_hashes_expected() {
     let expected: BTreeMap<String, String> =
         serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
     assert_eq!(hashes, expected);
+}
+
+/// How every real drawing is quoted, and the hashes expected.
+#[derive(serde::Serialize, serde::Deserialize)]
+struct DevQuotes {
+    plan: serde_json::Value,
+    material: serde_json::Value,
+    hashes: BTreeMap<String, String>,
+}
+
+#[test]
+fn quotes_of_real_drawings_have_the_hashes_expected() {
+    let file = at("golden/dev-quotes.json");
+    let mut expected: DevQuotes = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
+    let plan: PlanOptions = serde_json::from_value(expected.plan.clone()).unwrap();
+    let material: Material = serde_json::from_value(expected.material.clone()).unwrap();
+    let hash = |name: &String| {
+        let bytes = fs::read(at("fixtures/dxf-dev").join(name)).unwrap();
+        let mut job = Job::load(bytes, name, &LoadOptions::default()).unwrap();
+        job.start(&plan).unwrap();
+        let planned = crew::planned(vec![job], u64::MAX).output(OutputKind::Json).unwrap();
+        (name.clone(), quote(&planned, &material).unwrap().hash)
+    };
+    let hashes: BTreeMap<String, String> = expected.hashes.keys().map(hash).collect();
+    if std::env::var_os("KERFWAY_BLESS").is_some() {
+        expected.hashes = hashes.clone();
+        fs::write(&file, serde_json::to_string_pretty(&expected).unwrap() + "\n").unwrap();
+    }
+    assert_eq!(hashes, expected.hashes);
 }
 
 #[test]

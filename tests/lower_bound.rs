@@ -70,6 +70,7 @@ fn scattered(dice: &mut Dice, k: u64) -> Problem {
             run: None,
             leave: None,
             track: None,
+            paths: Vec::new(),
         });
     }
     let pairs = if k % 11 == 4 && count > 3 { vec![(0, 3), (2, 3)] } else { Vec::new() };
@@ -244,6 +245,7 @@ fn qu_and_du(name: &str, closed: bool, boundary: bool) -> Problem {
             run: None,
             leave: None,
             track: None,
+            paths: Vec::new(),
         });
     }
     Problem {

@@ -132,10 +132,12 @@ fn moves(document: &Value) -> Vec<Move> {
         "pierce" => Move::Pierce,
         "pre-cut" => Move::PreCut { contour: m["contour"].as_u64().unwrap() as u32, to: point(&m["to"]) },
         "cut" => {
-            let contour = m["contour"].as_u64().unwrap() as u32;
+            let all = m["contour"].as_array().cloned().unwrap_or_else(|| vec![m["contour"].clone()]);
+            let mut all = all.iter().map(|c| c.as_u64().unwrap() as u32);
+            let (contour, with) = (all.next().unwrap(), all.collect());
             let path = m["path"].as_array().unwrap().iter().map(|e| element(e, &mut at)).collect();
             let mark = document["contours"][contour as usize]["operation"] == "mark";
-            Move::Cut { contour, path, mark }
+            Move::Cut { contour, with, path, mark }
         }
         other => panic!("{other}"),
     };
@@ -154,7 +156,7 @@ fn element(e: &Value, at: &mut DVec2) -> Segment {
 
 /// The same contour; every end of the plan an end of the document, bit for bit; the same length.
 fn assert_same(read: &Move, planned: &Move) {
-    let (Move::Cut { path: a, contour: c, mark: m }, Move::Cut { path: b, contour: d, mark: n }) =
+    let (Move::Cut { path: a, contour: c, mark: m, .. }, Move::Cut { path: b, contour: d, mark: n, .. }) =
         (read, planned)
     else {
         assert_eq!(read, planned);

@@ -13,6 +13,7 @@ mod path;
 mod report;
 mod run;
 mod running;
+mod shared;
 #[cfg(feature = "lab")]
 mod solving;
 mod warm;

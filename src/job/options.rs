@@ -5,7 +5,7 @@
 use super::{JobError, Warm};
 use crate::dxf::{ReadOptions, Unit};
 use crate::machine::{self, Profile};
-use crate::sheet::{Operation, SheetOptions};
+use crate::sheet::{CommonCuts, Operation, SheetOptions};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -40,6 +40,8 @@ pub struct LoadOptions {
     pub ignore_outline: bool,
     /// Work a part wholly, with all that lies in its holes, before the next one.
     pub part_by_part: bool,
+    /// Whether contours that share cuts are cut as one, where the machine makes pre-cuts.
+    pub common_cuts: CommonCuts,
     /// Contours worked before all others, by id.
     pub first: Vec<u32>,
     /// Contours worked after all others, by id.
@@ -58,6 +60,7 @@ impl Default for LoadOptions {
             order_by_layer: sheet.order_by_layer,
             ignore_outline: sheet.ignore_outline,
             part_by_part: sheet.part_by_part,
+            common_cuts: sheet.common_cuts,
             first: sheet.first,
             last: sheet.last,
         }
@@ -91,6 +94,7 @@ impl LoadOptions {
             order_by_layer: self.order_by_layer,
             ignore_outline: self.ignore_outline,
             part_by_part: self.part_by_part,
+            common_cuts: self.common_cuts,
             first: self.first.clone(),
             last: self.last.clone(),
             ..SheetOptions::default()

@@ -4,6 +4,7 @@ use super::Run;
 use crate::geometry::Segment;
 use crate::machine::{AirTime, Profile, cut_time};
 use crate::plan::{Move, Plan};
+use crate::problem::{Span, Stroke, SubPath};
 use crate::sheet::Sheet;
 
 /// The order of the head.
@@ -28,24 +29,60 @@ impl BestPath {
     pub fn of(run: &Run, sheet: &Sheet) -> (Self, Plan) {
         let plan = run.plan(sheet);
         let problem = run.problem();
-        let mut path = Self { times: cutting_times(&plan, &run.machine), ..Self::default() };
+        let mut path = Self::default();
+        // Lengths of the stretches of each cut.
+        let mut parts: Vec<Vec<f64>> = Vec::new();
         for stop in &run.best().stops {
             let node = &problem.nodes[stop.node as usize];
+            if let Some(way) = problem.items.get(node.item as usize).and_then(|i| i.path(stop.along)) {
+                path.through(way, sheet, &mut parts);
+                continue;
+            }
             let (entry, exit) = stop.ends(problem).unwrap_or((node.entry, node.exit));
             path.contours.push(node.item);
             path.points.extend([entry.x, entry.y, exit.x, exit.y]);
             path.along.push(stop.along);
             path.until.push(stop.until);
             path.reversed.push(node.reversed.into());
+            parts.push(vec![1.0]);
         }
+        path.times = cutting_times(&plan, &run.machine, &parts);
         (path, plan)
+    }
+
+    /// A pierce group: a stop for each stretch of a contour.
+    fn through(&mut self, way: &SubPath, sheet: &Sheet, parts: &mut Vec<Vec<f64>>) {
+        let cuts = way
+            .strokes
+            .iter()
+            .filter_map(|s| if let Stroke::Cut { spans, .. } = s { Some(spans) } else { None });
+        for spans in cuts {
+            parts.push(spans.iter().map(|s| s.length).collect());
+            self.along_spans(spans, sheet);
+        }
+    }
+
+    fn along_spans(&mut self, spans: &[Span], sheet: &Sheet) {
+        for span in spans {
+            let at = |along: f64| {
+                sheet.contours.get(span.contour as usize).and_then(|c| c.path.at(along)).unwrap_or_default()
+            };
+            let (from, to) = (at(span.along), at(span.until));
+            self.contours.push(span.contour);
+            self.points.extend([from.x, from.y, to.x, to.y]);
+            self.along.push(span.along);
+            self.until.push(span.until);
+            self.reversed.push(span.reversed.into());
+        }
     }
 }
 
-/// When the beam is on along each contour: two numbers a cut, seconds from the start of the job. The same sums as
+/// When the beam is on along each contour: two numbers a stop, seconds from the start of the job; in a run through a
+/// pierce group every stretch has its part of the run's seconds by its length. The same sums as
 /// [`crate::plan::evaluate`], kept as they run.
-fn cutting_times(plan: &Plan, machine: &Profile) -> Vec<f64> {
+fn cutting_times(plan: &Plan, machine: &Profile, parts: &[Vec<f64>]) -> Vec<f64> {
     let air = AirTime::new(machine);
+    let mut parts = parts.iter();
     let mut times = Vec::with_capacity(plan.moves.len());
     let (mut now, mut head) = (0.0, machine.home());
     for step in &plan.moves {
@@ -62,8 +99,16 @@ fn cutting_times(plan: &Plan, machine: &Profile) -> Vec<f64> {
             Move::Cut { path, mark, .. } => {
                 let process = if *mark { &machine.mark } else { &machine.cut };
                 let begin = now + machine.beam_on_delay;
-                let end = begin + cut_time(machine, process, path);
-                times.extend([begin, end]);
+                let seconds = cut_time(machine, process, path);
+                let lengths = parts.next().map_or(&[1.0][..], Vec::as_slice);
+                let all: f64 = lengths.iter().sum();
+                let mut gone = 0.0;
+                for length in lengths {
+                    let from = begin + seconds * (gone / all);
+                    gone += length;
+                    times.extend([from, begin + seconds * (gone / all)]);
+                }
+                let end = begin + seconds;
                 now = end + machine.beam_off_delay;
                 head = path.last().map_or(head, Segment::end);
             }

@@ -3,7 +3,8 @@
 use super::hosted::Hosted;
 use super::options::{Budget, PlanOptions};
 use super::running::Running;
-use super::{Baselines, JobError, Warm, warm};
+use super::{Baselines, JobError, Warm, shared, warm};
+use crate::finding::Finding;
 use crate::machine::Profile;
 #[cfg(feature = "lab")]
 use crate::plan::LowerBound;
@@ -62,6 +63,8 @@ pub struct Run {
     pub workers: u32,
     /// How the job would run without it.
     pub baselines: Baselines,
+    /// What is worth knowing of the sheet on this machine.
+    pub findings: Vec<Finding>,
     /// Moves worked off so far, as the search counts what it was given: its telemetry may run ahead by the last move's
     /// candidates.
     pub moves: u64,
@@ -85,6 +88,7 @@ impl Run {
         let method = Method::named(name, options)?;
         let problem = problem::from_sheet(sheet, &machine);
         let summary = |s: &Solution| plan::from_solution(sheet, &problem, s).summary;
+        let findings = shared::findings(sheet, &problem);
         let greedy = solve::greedy(&problem);
         let baselines =
             Baselines { drawing: summary(&solve::drawing_order(sheet, &problem)), greedy: summary(&greedy) };
@@ -101,6 +105,7 @@ impl Run {
             budget: options.budget(),
             workers,
             baselines,
+            findings,
             moves: 0,
             running,
             #[cfg(feature = "lab")]

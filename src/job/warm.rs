@@ -1,7 +1,7 @@
 //! A path that comes from outside, to start a search from: what a worker had found before it was replaced.
 
 use super::JobError;
-use crate::problem::Problem;
+use crate::problem::{Item, PATHS, Problem, Span};
 use crate::solve::{Solution, Stop};
 use serde::{Deserialize, Serialize};
 
@@ -43,12 +43,26 @@ impl Warm {
 pub(super) fn solution(warm: &Warm, problem: &Problem) -> Result<Solution, JobError> {
     let places =
         warm.along.iter().enumerate().map(|(k, &along)| (along, *warm.until.get(k).unwrap_or(&along)));
-    let stops = warm
+    let all: Vec<Visit> = warm
         .contours
         .iter()
         .zip(places)
         .zip(&warm.reversed)
-        .map(|((&item, (along, until)), &reversed)| stop(problem, item, along, until, reversed != 0));
+        .map(|((&contour, (along, until)), &reversed)| Visit {
+            contour,
+            along,
+            until,
+            reversed: reversed != 0,
+        })
+        .collect();
+    let groups: Vec<&Item> = problem.items.iter().filter(|i| !i.ways().is_empty()).collect();
+    let mut rest = all.as_slice();
+    let stops = std::iter::from_fn(|| {
+        let (visit, after) = rest.split_first()?;
+        let through = if PATHS { through(problem, &groups, rest) } else { None };
+        rest = through.map_or(after, |(_, visits)| rest.get(visits..).unwrap_or_default());
+        Some(through.map_or_else(|| stop(problem, visit), |(stop, _)| Some(stop)))
+    });
     stops
         .collect::<Option<Vec<Stop>>>()
         .filter(|stops| allowed(stops, problem))
@@ -56,9 +70,35 @@ pub(super) fn solution(warm: &Warm, problem: &Problem) -> Result<Solution, JobEr
         .ok_or_else(|| JobError::Options("The path to start from is not one of this drawing.".into()))
 }
 
+/// What a path says of one stop.
+#[derive(Clone, Copy)]
+struct Visit {
+    contour: u32,
+    along: f64,
+    until: f64,
+    reversed: bool,
+}
+
+/// The stop at a pierce group of which these visits begin with the stretches, and how many they are.
+fn through(problem: &Problem, groups: &[&Item], visits: &[Visit]) -> Option<(Stop, usize)> {
+    let is = |v: &Visit, s: &Span| {
+        let places = (v.along - s.along).abs().max((v.until - s.until).abs());
+        v.contour == s.contour && v.reversed == s.reversed && places <= SAME_PLACE
+    };
+    groups.iter().find_map(|item| {
+        item.nodes.clone().zip(item.ways()).find_map(|(node, path)| {
+            let spans = path.spans().count();
+            let alike =
+                spans > 0 && visits.len() >= spans && visits.iter().zip(path.spans()).all(|(v, s)| is(v, s));
+            alike.then(|| (Stop::at(problem, node), spans))
+        })
+    })
+}
+
 /// The stop from one place to another: anywhere along a track, otherwise at nodes.
-fn stop(problem: &Problem, item: u32, along: f64, until: f64, reversed: bool) -> Option<Stop> {
-    let item = problem.items.get(item as usize)?;
+fn stop(problem: &Problem, visit: &Visit) -> Option<Stop> {
+    let Visit { contour, along, until, reversed } = *visit;
+    let item = problem.items.get(contour as usize)?;
     let at = |along: f64| {
         let mut stops = item.nodes.clone().map(|node| Stop::at(problem, node));
         let same_way = |s: &Stop| problem.nodes[s.node as usize].reversed == reversed;
@@ -146,6 +186,7 @@ mod tests {
             leave: None,
             run: None,
             track: None,
+            paths: Vec::new(),
         };
         let machine = machine::preset("length").unwrap();
         Problem {

@@ -72,6 +72,7 @@ impl Job {
                     done: run.moves,
                     workers: (run.workers > 1).then_some(run.workers),
                 },
+                more: &run.findings,
                 plan: &plan,
             }),
         })

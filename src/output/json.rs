@@ -17,7 +17,7 @@ use crate::finding::Finding;
 use crate::geometry::{Arc, DVec2, Segment};
 use crate::machine::Profile;
 use crate::plan::{Move, Plan, Summary};
-use crate::sheet::{Operation, Sheet, SheetOptions};
+use crate::sheet::{CommonCuts, Operation, Sheet, SheetOptions};
 use serde::{Serialize, Serializer};
 use std::f64::consts::{PI, TAU};
 
@@ -78,6 +78,8 @@ pub struct Document<'a> {
     pub budget: Budget,
     /// The plan.
     pub plan: &'a Plan,
+    /// What else is worth knowing, besides the findings of drawing and sheet.
+    pub more: &'a [Finding],
 }
 
 /// The text of a document, in one line.
@@ -141,6 +143,7 @@ struct OptionsView<'a> {
     order_by_layer: bool,
     ignore_outline: bool,
     part_by_part: bool,
+    common_cuts: CommonCuts,
     first: &'a [u32],
     last: &'a [u32],
 }
@@ -168,7 +171,27 @@ enum MoveView<'a> {
     Air { to: Place },
     Pierce,
     PreCut { contour: u32, to: Place },
-    Cut { contour: u32, path: PathView<'a> },
+    Cut { contour: Named, path: PathView<'a> },
+}
+
+/// The contours of a cut: one number, or a list where it runs through a pierce group.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Named {
+    One(u32),
+    Several(Vec<u32>),
+}
+
+impl Named {
+    fn of(contour: u32, with: &[u32]) -> Self {
+        let mut all = vec![contour];
+        with.iter().for_each(|c| {
+            if !all.contains(c) {
+                all.push(*c)
+            }
+        });
+        if all.len() == 1 { Self::One(contour) } else { Self::Several(all) }
+    }
 }
 
 #[derive(Serialize)]
@@ -239,6 +262,7 @@ impl<'a> View<'a> {
             parameters,
             seed,
             budget,
+            more,
             plan,
         } = document;
         Self {
@@ -269,6 +293,7 @@ impl<'a> View<'a> {
                 order_by_layer: arrange.order_by_layer,
                 ignore_outline: arrange.ignore_outline,
                 part_by_part: arrange.part_by_part,
+                common_cuts: arrange.common_cuts,
                 first: &arrange.first,
                 last: &arrange.last,
             },
@@ -292,12 +317,12 @@ impl<'a> View<'a> {
                     Move::Air { to } => MoveView::Air { to: Place(*to) },
                     Move::Pierce => MoveView::Pierce,
                     Move::PreCut { contour, to } => MoveView::PreCut { contour: *contour, to: Place(*to) },
-                    Move::Cut { contour, path, .. } => {
-                        MoveView::Cut { contour: *contour, path: PathView(path) }
+                    Move::Cut { contour, with, path, .. } => {
+                        MoveView::Cut { contour: Named::of(*contour, with), path: PathView(path) }
                     }
                 })
                 .collect(),
-            findings: drawing.findings.iter().chain(&sheet.findings).collect(),
+            findings: drawing.findings.iter().chain(&sheet.findings).chain(more).collect(),
         }
     }
 }

@@ -20,7 +20,7 @@ pub(super) struct Cut<'a> {
 /// The cuts and marks of a plan, in order.
 pub(super) fn cuts(plan: &Plan) -> impl Iterator<Item = Cut<'_>> {
     plan.moves.iter().filter_map(|step| match step {
-        Move::Cut { contour, path, mark } => {
+        Move::Cut { contour, path, mark, .. } => {
             let entry = path.first()?.start();
             Some(Cut { contour: *contour, entry, path, mark: *mark })
         }
@@ -37,11 +37,12 @@ pub(super) fn layer_name(sheet: &Sheet, contour: u32) -> &str {
 /// Stretches are shorter than their contour by more than this, mm: what is less is a sum of lengths in another order.
 const WHOLE: f64 = 1e-6;
 
-/// Whether a cut closes: it is all of a contour that does.
+/// Whether a cut closes: it is all of a contour that does, and no run through a pierce group.
 pub(super) fn closes(sheet: &Sheet, cut: &Cut) -> bool {
     let length = || cut.path.iter().map(Segment::length).sum::<f64>();
+    let comes_back = cut.path.last().is_some_and(|last| last.end() == cut.entry);
     sheet
         .contours
         .get(cut.contour as usize)
-        .is_some_and(|c| c.path.closed && length() >= c.path.length() - WHOLE)
+        .is_some_and(|c| c.path.closed && comes_back && length() >= c.path.length() - WHOLE)
 }

@@ -3,7 +3,7 @@
 use super::evaluate::evaluate;
 use super::model::{Move, Plan};
 use crate::geometry::{DVec2, Path, Segment};
-use crate::problem::Problem;
+use crate::problem::{Problem, Stroke, SubPath};
 use crate::sheet::{Operation, Sheet};
 use crate::solve::{Solution, Stop};
 
@@ -21,6 +21,12 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
         let contour = node.item;
         let Some(known) = sheet.contours.get(contour as usize) else { continue };
+        if let Some(way) = problem.items.get(contour as usize).and_then(|i| i.path(stop.along)) {
+            go(&mut moves, &mut head, way.ends[0]);
+            through(&mut moves, way);
+            head = way.ends[1];
+            continue;
+        }
         let path = path_of(&known.path, stop, node.reversed);
         let (Some(first), Some(last)) = (path.first(), path.last()) else { continue };
         let (entry, exit) = (first.start(), last.end());
@@ -30,7 +36,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         if !mark && !resumed {
             moves.push(Move::Pierce);
         }
-        moves.push(Move::Cut { contour, path, mark });
+        moves.push(Move::Cut { contour, with: Vec::new(), path, mark });
         head = exit;
         let start = *begun[contour as usize].get_or_insert(stop.along);
         #[expect(clippy::float_cmp, reason = "the last visit ends where the first began, bit for bit")]
@@ -44,7 +50,34 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
     }
     let mut summary = evaluate(&moves, &problem.machine);
     summary.parts = u32::try_from(sheet.parts.len()).unwrap_or(u32::MAX);
+    // A run through a group tells only of its own ends.
+    if !sheet.pierce_groups().is_empty() {
+        let open = sheet.contours.iter().filter(|c| !c.path.closed);
+        summary.open_contours = u32::try_from(open.count()).unwrap_or(u32::MAX);
+    }
     Plan { moves, summary }
+}
+
+/// What the head does in a pierce group, once it is there.
+fn through(moves: &mut Vec<Move>, way: &SubPath) {
+    let mut head = way.ends[0];
+    for stroke in &way.strokes {
+        match stroke {
+            Stroke::Air(to) => go(moves, &mut head, *to),
+            Stroke::Pierce => moves.push(Move::Pierce),
+            Stroke::PreCut(contour) => moves.push(Move::PreCut { contour: *contour, to: head }),
+            Stroke::Cut { spans, path } => {
+                let mut contours: Vec<u32> = spans.iter().map(|s| s.contour).collect();
+                contours.dedup();
+                head = path.last().map_or(head, Segment::end);
+                let (Some(&contour), with) = (contours.first(), contours.iter().skip(1).copied().collect())
+                else {
+                    continue;
+                };
+                moves.push(Move::Cut { contour, with, path: path.clone(), mark: false });
+            }
+        }
+    }
 }
 
 fn go(moves: &mut Vec<Move>, head: &mut DVec2, to: DVec2) {

@@ -23,8 +23,10 @@ pub enum Move {
     /// Beam on along a contour, or a stretch of it: a contour left unfinished goes on in a later cut from where this one
     /// ended.
     Cut {
-        /// The contour's id.
+        /// The contour's id; of a pierce group, the one it begins on.
         contour: u32,
+        /// Other contours of a pierce group that it runs along, in order.
+        with: Vec<u32>,
         /// Its elements from where it is entered or resumed, in the direction of travel.
         path: Vec<Segment>,
         /// Marks instead of cutting through.

@@ -3,6 +3,7 @@
 use super::entries::entries;
 use super::groups::Groups;
 use super::model::{Item, ItemId, Node, NodeId, Problem};
+use super::pierce_groups::PierceGroups;
 use crate::machine::{ClosedRun, Process, Profile, cut_time};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
@@ -16,23 +17,32 @@ use crate::sheet::{Contour, Operation, Sheet};
 /// * Fixed seconds: piercing (cuts only), beam delays, and the run along the contour, as little as that takes from
 ///   wherever it is entered; what an entry costs on top of it is charged by its place.
 /// * Leaving: closed cuts may be left unfinished where the machine allows it, but not part by part.
+/// * Pierce groups: one item for all contours of a group, that of the first, where the machine makes pre-cuts; the items
+///   of the others have no nodes. Their nodes are ways through the group.
 /// * Groups: the parts, when the sheet is worked part by part.
 pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
-    let ranks = ranks(sheet);
+    let joined = PierceGroups::new(sheet, machine);
+    let mut ranks = ranks(sheet);
+    joined.raise(&mut ranks);
     let mut items = Vec::with_capacity(sheet.contours.len());
     let mut nodes: Vec<Node> = Vec::new();
     for ((contour, &rank), item) in sheet.contours.iter().zip(&ranks).zip(0..) {
         let first = count(&nodes);
+        if let Some(item) = joined.item(item, rank, &mut nodes) {
+            items.push(item);
+            continue;
+        }
         push_nodes(&mut nodes, item, contour);
         let (fixed, run) = seconds(machine, contour);
         items.push(Item {
             nodes: first..count(&nodes),
-            before: contour.inside.filter(|&outer| outer != item && (outer as usize) < sheet.contours.len()),
+            before: joined.before(item),
             rank,
             fixed,
             run,
             leave: leave_seconds(machine, contour).filter(|_| !sheet.part_by_part),
             track: contour.path.closed.then(|| contour.path.clone()),
+            paths: Vec::new(),
         });
     }
     Problem {

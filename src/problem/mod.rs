@@ -8,12 +8,15 @@ mod groups;
 mod instance;
 mod model;
 mod packed;
+mod pierce_groups;
+mod sub_path;
 mod table;
 
 pub use buckets::Buckets;
 pub use from_sheet::from_sheet;
 pub use groups::Groups;
 pub use instance::{Fault, Instance, InstanceError, check, instance};
-pub(crate) use model::TABLES;
 pub use model::{Item, ItemId, Node, NodeId, Problem};
+pub(crate) use model::{PATHS, TABLES};
+pub use sub_path::{Span, Stroke, SubPath};
 pub use table::Table;

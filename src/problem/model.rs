@@ -8,6 +8,7 @@
 //! start a way back that costs nothing.)
 
 use super::groups::Groups;
+use super::sub_path::SubPath;
 use super::table::Table;
 use crate::geometry::Path;
 use crate::machine::{ClosedRun, Profile};
@@ -21,6 +22,9 @@ pub type NodeId = u32;
 /// Whether this build knows tables of costs.
 pub(crate) const TABLES: bool = cfg!(feature = "lab");
 
+/// Whether this build knows items that are pierce groups: the main wasm file does not, so that what asks for them falls away.
+pub(crate) const PATHS: bool = cfg!(any(feature = "plate", feature = "papers", feature = "lab"));
+
 /// A place where an item may be entered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
@@ -30,7 +34,7 @@ pub struct Node {
     pub entry: DVec2,
     /// Where the head leaves, mm.
     pub exit: DVec2,
-    /// Place on the contour: arc length from its start, mm.
+    /// Place on the contour: arc length from its start, mm. Of a pierce group: -1 - k for the k-th of [`Item::paths`].
     pub along: f64,
     /// Runs the contour against its stored direction.
     pub reversed: bool,
@@ -56,12 +60,37 @@ pub struct Item {
     pub leave: Option<f64>,
     /// A closed path along which it may be entered anywhere, not at its nodes only; its nodes lie on it.
     pub track: Option<Path>,
+    /// Of a pierce group, that is contours cut as one: the way through it of each node. [`Item::fixed`] is the least of them.
+    pub paths: Vec<SubPath>,
 }
 
 impl Item {
     /// Seconds on top of [`Item::fixed`] when entered `along` mm from the start of its track; never less than 0.
     pub fn extra(&self, along: f64) -> f64 {
-        self.run.as_ref().map_or(0.0, |run| run.extra(along))
+        match self.path(along) {
+            Some(path) => path.seconds - self.fixed,
+            None => self.run.as_ref().map_or(0.0, |run| run.extra(along)),
+        }
+    }
+
+    /// The ways through a pierce group; see [`PATHS`].
+    pub fn ways(&self) -> &[SubPath] {
+        if PATHS { &self.paths } else { &[] }
+    }
+
+    /// The way through a pierce group that a place stands for.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a cast from float saturates"
+    )]
+    pub fn path(&self, along: f64) -> Option<&SubPath> {
+        self.ways().get((-1.0 - along) as usize).filter(|_| along < 0.0)
+    }
+
+    /// Whether it costs more or less by the place where it is entered.
+    pub fn is_uneven(&self) -> bool {
+        !self.ways().is_empty() || self.uneven().is_some()
     }
 
     /// The run along it, when it takes more or less by the place of entry.

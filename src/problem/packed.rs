@@ -1,10 +1,11 @@
 //! A problem of a machine as numbers in a row: how it crosses from the planner to the wasm files that prove bounds and
 //! hold the methods of papers.
 //!
-//! Only what they look at: runs along contours stay behind. They only add to what a plan takes, and the papers know none.
+//! Only what they look at: runs along contours stay behind, and what the head does in a pierce group. They only add to what a plan takes, and the papers know none.
 
 use super::groups::Groups;
 use super::model::{Item, Node, NodeId, Problem};
+use super::sub_path::SubPath;
 use crate::geometry::{Arc, DVec2, Path, Segment};
 use crate::machine::{self, Travel};
 
@@ -28,6 +29,8 @@ impl Problem {
                 out.extend([n.entry.x, n.entry.y, n.exit.x, n.exit.y, n.along]);
                 out.extend([f64::from(u8::from(n.reversed)), n.twin.into()]);
             }
+            out.push(item.ways().len() as f64);
+            out.extend(item.ways().iter().map(|p| p.seconds));
             let track = item.track.as_ref().map_or(&[][..], |t| &t.segments);
             out.push(track.len() as f64);
             for s in track {
@@ -70,6 +73,11 @@ impl Problem {
                     twin: whole(twin)?,
                 });
             }
+            let path = |seconds| SubPath { ends: [DVec2::ZERO; 2], strokes: Vec::new(), seconds };
+            let mut paths = Vec::new();
+            for _ in 0..from.count()? {
+                paths.push(path(from.take::<1>()?[0]));
+            }
             let mut track = Vec::new();
             for _ in 0..from.count()? {
                 let [x, y, to_x, to_y, center_x, center_y, sweep] = from.take()?;
@@ -86,6 +94,7 @@ impl Problem {
                 run: None,
                 leave: (!leave.is_nan()).then_some(leave),
                 track: (!track.is_empty()).then(|| Path::new(track, true)),
+                paths,
             });
         }
         let (home, closed) = (DVec2::new(home_x, home_y), closed > 0.0);
@@ -147,7 +156,16 @@ mod tests {
             }
             let (before, leave) = ((id == 0).then_some(2), (id == 1).then_some(0.25));
             let (rank, fixed) = (id, 1.0 / 3.0);
-            items.push(Item { nodes: 2 * id..2 * id + 2, before, rank, fixed, run: None, leave, track });
+            items.push(Item {
+                nodes: 2 * id..2 * id + 2,
+                before,
+                rank,
+                fixed,
+                run: None,
+                leave,
+                track,
+                paths: Vec::new(),
+            });
         }
         for machine in machine::presets() {
             let (home, closed) = (DVec2::new(-1.0, 0.3), machine.return_home);

@@ -3,7 +3,10 @@
 use super::about::{self, layer_name, plural};
 use super::assemble::{Assembled, assemble};
 use super::clean::clean;
-use super::model::{Contour, Ignored, Operation, Pin, Sheet, SheetOptions};
+use super::groups::{self, PierceGroup};
+use super::model::{
+    CommonCuts, Contour, Ignored, LayerUse, Operation, PIERCE_GROUPS, Pin, Sheet, SheetOptions,
+};
 use super::{cross, layers, nest, outline, parts};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
@@ -53,6 +56,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     }
     parts::orient(&mut contours);
     pin(&mut contours, options);
+    let groups = find_groups(&mut contours, &layers, &crossing, options, join);
     for c in &contours {
         if let Some(l) = layers.get_mut(c.layer as usize) {
             l.contours += 1;
@@ -61,6 +65,8 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     Sheet {
         parts: parts::parts(&contours),
         part_by_part: options.part_by_part,
+        groups,
+        common_cuts: options.common_cuts,
         bounds: contours.iter().fold(Aabb::EMPTY, |b, c| b.union(c.bounds)),
         contours,
         layers,
@@ -68,6 +74,21 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         outline: border,
         findings: findings.into_list(),
     }
+}
+
+/// Contours that share cuts, unless they are cut by themselves: where that is wished, and part by part.
+fn find_groups(
+    contours: &mut [Contour],
+    layers: &[LayerUse],
+    crossing: &[(u32, u32)],
+    options: &SheetOptions,
+    join: f64,
+) -> Vec<PierceGroup> {
+    if !PIERCE_GROUPS || options.common_cuts == CommonCuts::Off || options.part_by_part {
+        return Vec::new();
+    }
+    let rank = |c: &Contour| (c.pin, layers.get(c.layer as usize).map_or(0, |l| l.rank));
+    groups::find(contours, crossing, join, |a, b| rank(a) == rank(b))
 }
 
 /// Pins contours, with what lies inside those that come first. What lies around those that come last waits for them

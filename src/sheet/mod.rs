@@ -6,6 +6,7 @@
 //!        -> assemble: chains joined end to end, best match first; gaps closed bit for bit
 //!        -> cross: contours that cross themselves or each other
 //!        -> nest: containment tree of any depth; the sheet's own border recognised
+//!        -> groups: contours that share cuts, and what they close in
 //!        -> parts: outer contours counter-clockwise, holes clockwise, parts in holes
 //! ```
 //!
@@ -20,6 +21,7 @@ mod clean;
 mod cluster;
 mod cross;
 mod element;
+mod groups;
 mod layers;
 mod model;
 mod nest;
@@ -28,4 +30,6 @@ mod parts;
 mod words;
 
 pub use build::build;
-pub use model::{Contour, Ignored, LayerUse, Operation, Part, Pin, Sheet, SheetOptions};
+pub use groups::{GroupElement, PierceGroup};
+pub(crate) use model::PIERCE_GROUPS;
+pub use model::{CommonCuts, Contour, Ignored, LayerUse, Operation, Part, Pin, Sheet, SheetOptions};

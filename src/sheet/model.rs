@@ -1,5 +1,6 @@
 //! What the sheet stage hands on: contours, their nesting, parts, layers with operations, findings.
 
+use super::groups::PierceGroup;
 use crate::finding::Finding;
 use crate::geometry::{Aabb, Path};
 use serde::{Deserialize, Serialize};
@@ -14,6 +15,22 @@ pub enum Operation {
     Mark,
     /// Leave out.
     Ignore,
+}
+
+/// Whether this build knows pierce groups.
+pub(crate) const PIERCE_GROUPS: bool = cfg!(feature = "plate");
+
+/// What is done with cuts that contours share.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum CommonCuts {
+    /// Contours that share cuts are pierced once and cut as a whole, on the best way through them that is found.
+    #[default]
+    Best,
+    /// The same, on the way that the element insertion heuristic of Dewil et al. finds.
+    Insertion,
+    /// Every contour by itself; what two share is cut with one of them.
+    Off,
 }
 
 /// How to build a sheet.
@@ -31,6 +48,8 @@ pub struct SheetOptions {
     pub ignore_outline: bool,
     /// Work a part wholly, with all that lies in its holes, before the next one.
     pub part_by_part: bool,
+    /// Whether contours that share cuts are cut as one.
+    pub common_cuts: CommonCuts,
     /// Contours worked before all others, by id; what lies inside them, too.
     pub first: Vec<u32>,
     /// Contours worked after all others, by id; what lies around them, too.
@@ -46,6 +65,7 @@ impl Default for SheetOptions {
             order_by_layer: false,
             ignore_outline: false,
             part_by_part: false,
+            common_cuts: CommonCuts::default(),
             first: Vec::new(),
             last: Vec::new(),
         }
@@ -158,8 +178,20 @@ pub struct Sheet {
     pub outline: Option<u32>,
     /// A part is worked wholly before the next one.
     pub part_by_part: bool,
+    /// Contours that share cuts; none when they are cut by themselves.
+    pub groups: Vec<PierceGroup>,
+    /// How ways through groups are found.
+    pub common_cuts: CommonCuts,
     /// Box around all contours to cut and mark.
     pub bounds: Aabb,
     /// Everything worth knowing.
     pub findings: Vec<Finding>,
+}
+
+impl Sheet {
+    /// Contours that share cuts. Few sheets have any, so the main wasm file is built without: what asks for them falls away
+    /// there.
+    pub fn pierce_groups(&self) -> &[PierceGroup] {
+        if PIERCE_GROUPS { &self.groups } else { &[] }
+    }
 }

@@ -1,9 +1,10 @@
 //! The methods of papers for JavaScript, in a wasm file of their own: it is loaded when one is chosen.
 
-use super::plain::plain;
+use super::plain::{object, plain};
 use crate::job;
 use crate::solve::Status;
 use crate::solve::papers;
+use js_sys::{Float64Array, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -46,7 +47,13 @@ impl Guest {
     /// Its best path.
     #[wasm_bindgen(unchecked_return_type = "WarmPath")]
     pub fn best(&self) -> Result<JsValue, JsError> {
-        plain(&self.0.best())
+        let best = self.0.best();
+        object(&[
+            ("contours", Uint32Array::from(best.contours.as_slice()).into()),
+            ("along", Float64Array::from(best.along.as_slice()).into()),
+            ("until", Float64Array::from(best.until.as_slice()).into()),
+            ("reversed", Uint8Array::from(best.reversed.as_slice()).into()),
+        ])
     }
 
     /// What makes it special, as it stands now.

@@ -1,7 +1,9 @@
-//! Reports for JavaScript.
+//! Reports and objects for JavaScript.
 
 use crate::output::json_text;
 use js_sys::JSON;
+#[cfg(any(feature = "papers", feature = "planner"))]
+use js_sys::{Object, Reflect};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -9,4 +11,15 @@ use wasm_bindgen::prelude::*;
 /// one, is slower and larger.
 pub(super) fn plain(value: &impl Serialize) -> Result<JsValue, JsError> {
     JSON::parse(&json_text(value)).map_err(|_| JsError::new("The report could not be passed on."))
+}
+
+/// An object with these fields.
+#[cfg(any(feature = "papers", feature = "planner"))]
+pub(super) fn object(fields: &[(&str, JsValue)]) -> Result<JsValue, JsError> {
+    let object = Object::new();
+    for (name, value) in fields {
+        Reflect::set(&object, &JsValue::from_str(name), value)
+            .map_err(|_| JsError::new("The report could not be passed on."))?;
+    }
+    Ok(object.into())
 }

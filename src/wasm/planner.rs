@@ -1,7 +1,7 @@
 //! The planner for JavaScript: one drawing through the whole flow. See [`crate::job`].
 
-use super::plain::plain;
-use super::values::{geometry, object, options, path};
+use super::plain::{object, plain};
+use super::values::{geometry, handed, options, path};
 use crate::job::{self, BestPath, Budget};
 use crate::{machine, solve};
 use js_sys::Uint32Array;
@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = "import type {
-  Baselines, BestPath, Budget, Geometry, Loaded, LoadOptions, MachineProfile, MethodInfo, Slice, StartOptions, Summary,
+  Baselines, BestPath, Budget, Finding, Geometry, Loaded, LoadOptions, MachineProfile, MethodInfo, Slice, StartOptions, Summary,
   WarmPath,
 } from '../protocol.js';";
 
@@ -84,7 +84,9 @@ impl Job {
     }
 
     /// Starts a plan; one under way is dropped.
-    #[wasm_bindgen(unchecked_return_type = "{ seed: number; method: string; baselines: Baselines }")]
+    #[wasm_bindgen(
+        unchecked_return_type = "{ seed: number; method: string; baselines: Baselines; findings: Finding[] }"
+    )]
     pub fn start(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
@@ -94,6 +96,7 @@ impl Job {
             ("seed", plain(&run.seed)?),
             ("method", run.method.as_str().into()),
             ("baselines", plain(&run.baselines)?),
+            ("findings", plain(&run.findings)?),
         ])
     }
 
@@ -122,7 +125,7 @@ impl Job {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "WarmPath")] path: JsValue,
     ) -> Result<bool, JsError> {
-        Ok(self.0.run_mut()?.offer(&options(path)?)?)
+        Ok(self.0.run_mut()?.offer(&handed(&path)?)?)
     }
 
     /// The problem that is planned, for `Prover`.

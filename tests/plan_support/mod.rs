@@ -72,6 +72,8 @@ impl Builder {
                 layers,
                 ignored,
                 part_by_part: false,
+                groups: Vec::new(),
+                common_cuts: kerfway::sheet::CommonCuts::Best,
                 outline: None,
                 bounds,
                 findings,

@@ -72,7 +72,7 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
         if !mark {
             moves.push(Move::Pierce);
         }
-        moves.push(Move::Cut { contour: id as u32, path: stop.path.segments.clone(), mark });
+        moves.push(Move::Cut { contour: id as u32, with: vec![], path: stop.path.segments.clone(), mark });
         at = to;
         contours.push(Contour {
             outline: None,
@@ -110,6 +110,8 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
         layers,
         ignored: vec![],
         part_by_part: false,
+        groups: Vec::new(),
+        common_cuts: kerfway::sheet::CommonCuts::Best,
         outline: None,
         bounds,
         findings: vec![],
@@ -183,6 +185,7 @@ pub(crate) fn document(sheet: &Sheet, plan: &Plan) -> String {
         seed: 1,
         budget: Budget { moves: Some(1000), seconds: None, done: 1000, workers: None },
         plan,
+        more: &[],
     })
 }
 
@@ -233,7 +236,7 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
     let mut moves: Vec<Move> = Vec::new();
     let mut unfinished: Option<Move> = None;
     for step in &plan.moves {
-        let Move::Cut { contour, path, mark: false } = step else {
+        let Move::Cut { contour, path, mark: false, .. } = step else {
             moves.push(step.clone());
             continue;
         };
@@ -248,7 +251,7 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
             moves.push(step.clone());
             continue;
         }
-        let stretch = |path: Vec<Segment>| Move::Cut { contour: *contour, path, mark: false };
+        let stretch = |path: Vec<Segment>| Move::Cut { contour: *contour, with: vec![], path, mark: false };
         let (cut, f) = (&path[at], rng.random_range(0.2..0.8));
         let first: Vec<Segment> = path[..at].iter().copied().chain([cut.piece(0.0, f)]).collect();
         let rest: Vec<Segment> =

@@ -160,6 +160,7 @@ fn points(data: &Value, machine: Profile, boundary: bool) -> Option<Problem> {
             run: None,
             leave: None,
             track: None,
+            paths: Vec::new(),
         });
     }
     let (home, closed) = (DVec2::ZERO, machine.return_home);

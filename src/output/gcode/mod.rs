@@ -58,7 +58,7 @@ fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
             Move::Pierce => pierce += profile.pierce_time,
             // A charge of time at the end of a cut, without a length of its own: nothing to burn.
             Move::PreCut { .. } => {}
-            Move::Cut { contour, path, mark } => {
+            Move::Cut { contour, path, mark, .. } => {
                 order += 1;
                 let layer = layer_name(sheet, *contour);
                 let verb = if *mark { "mark" } else { "cut" };

@@ -6,6 +6,7 @@
 //! lengths of elements) and the look-ahead along a contour, which has its own oracle.
 
 mod coverage;
+mod groups;
 mod nesting;
 mod order;
 mod sums;
@@ -18,6 +19,7 @@ use super::model::{Move, Plan};
 use crate::geometry::Segment;
 use crate::machine::Profile;
 use crate::sheet::{Operation, Sheet};
+use groups::Groups;
 use visits::Visits;
 
 /// Moves are joined within this, mm: far below any machine's step, far above the last bits of a coordinate.
@@ -37,9 +39,11 @@ const ROUNDINGS: f64 = 64.0;
 pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Violation>> {
     let mut found = Vec::new();
     let mut visits = Visits::new(sheet, machine);
-    follow(&mut visits, sheet, machine, plan, &mut found);
-    visits.finish(&mut found);
-    order::check(sheet, &visits, &mut found);
+    let mut groups = Groups::new(sheet, machine);
+    follow(&mut visits, &mut groups, sheet, machine, plan, &mut found);
+    visits.finish(&groups, &mut found);
+    groups.finish(|c| visits.ends(c), &mut found);
+    order::check(sheet, &visits, &groups, &mut found);
     sums::check(sheet, machine, plan, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
 }
@@ -53,7 +57,14 @@ fn rounding(element: &Segment) -> f64 {
 }
 
 /// Follows the head: joined, finite, the beam on only along contours and after piercing, home at the end.
-fn follow(visits: &mut Visits, sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+fn follow(
+    visits: &mut Visits,
+    groups: &mut Groups,
+    sheet: &Sheet,
+    machine: &Profile,
+    plan: &Plan,
+    found: &mut Vec<Violation>,
+) {
     let mut head = machine.home();
     let mut pierced = false;
     // The contour of the move before, if that was a cut.
@@ -77,6 +88,16 @@ fn follow(visits: &mut Visits, sheet: &Sheet, machine: &Profile, plan: &Plan, fo
                 }
                 pierced = true;
             }
+            Move::PreCut { contour, to } if groups.holds(*contour) => {
+                just_cut = before;
+                let there = pierced || before.is_some_and(|b| groups.same(b, *contour));
+                if !groups.pre_cut(*contour, *to) || !there || to.distance(head) > JOIN {
+                    found.push(Violation::Beam {
+                        step,
+                        what: "makes a pre-cut where there is nothing to make it for",
+                    });
+                }
+            }
             Move::PreCut { contour, to } => {
                 if !visits.pre_cut(*contour) || before != Some(*contour) {
                     found.push(Violation::Beam {
@@ -92,8 +113,9 @@ fn follow(visits: &mut Visits, sheet: &Sheet, machine: &Profile, plan: &Plan, fo
                 }
                 head = *to;
             }
-            Move::Cut { contour, path, mark } => {
-                let resumed = visits.is_unfinished(*contour);
+            Move::Cut { contour, with, path, mark } => {
+                let grouped = groups.holds(*contour);
+                let resumed = !grouped && visits.is_unfinished(*contour);
                 if *mark && pierced {
                     found.push(Violation::Beam { step, what: "pierces for a mark" });
                 }
@@ -101,7 +123,9 @@ fn follow(visits: &mut Visits, sheet: &Sheet, machine: &Profile, plan: &Plan, fo
                     found.push(Violation::Beam { step, what: "pierces where it goes on with a cut" });
                 }
                 let ready = *mark || pierced || (resumed && visits.is_ready(*contour));
-                if !ready {
+                let goes_on = before.is_some_and(|b| groups.same(b, *contour));
+                let begun = pierced || goes_on;
+                if !grouped && !ready {
                     found.push(Violation::Beam { step, what: "cuts without piercing" });
                 }
                 pierced = false;
@@ -119,7 +143,13 @@ fn follow(visits: &mut Visits, sheet: &Sheet, machine: &Profile, plan: &Plan, fo
                     }
                     head = s.end();
                 }
-                visits.cut(step, *contour, path, found);
+                if grouped {
+                    let contours: Vec<u32> = std::iter::once(*contour).chain(with.iter().copied()).collect();
+                    groups.cut(step, &contours, path, begun, found);
+                    contours.iter().for_each(|&c| visits.note(step, c));
+                } else {
+                    visits.cut(step, *contour, path, found);
+                }
                 just_cut = Some(*contour);
                 if path.is_empty() {
                     found.push(Violation::Beam { step, what: "cuts nothing" });

@@ -1,12 +1,13 @@
 //! Whether contours are worked in an allowed order: inner before outer, by layer, marks before cuts.
 
+use super::groups::Groups;
 use super::nesting;
 use super::violation::Violation;
 use super::visits::Visits;
 use crate::sheet::{Operation, Pin, Sheet};
 
-/// `visits`: when each contour is worked.
-pub(super) fn check(sheet: &Sheet, visits: &Visits, found: &mut Vec<Violation>) {
+/// `visits`: when each contour is worked. Within a pierce group what is held is followed element by element (`groups.rs`).
+pub(super) fn check(sheet: &Sheet, visits: &Visits, groups: &Groups, found: &mut Vec<Violation>) {
     // By pin first, then by layer, then marks before cuts.
     let own: Vec<(Pin, u32, bool)> = sheet
         .contours
@@ -23,6 +24,7 @@ pub(super) fn check(sheet: &Sheet, visits: &Visits, found: &mut Vec<Violation>) 
         rank[o] = rank[o].max(own[i]);
         if let (Some(inside), Some(around)) = (visits.ends(inner), visits.ends(outer))
             && around < inside
+            && !groups.same(inner, outer)
         {
             found.push(Violation::CutFree { outer, inner });
         }

@@ -29,10 +29,11 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             }
             Move::Pierce => pierces += 1,
             Move::PreCut { .. } => pre_cuts += 1,
-            Move::Cut { contour, path, mark } => {
+            Move::Cut { contour, with, path, mark } => {
                 cuts += 1;
                 worked.push(*contour);
-                if let Some(c) = sheet.contours.get(*contour as usize) {
+                worked.extend(with);
+                for c in with.iter().chain([contour]).filter_map(|&c| sheet.contours.get(c as usize)) {
                     bounds = bounds.union(c.path.bounds());
                     slack = c.path.segments.iter().map(rounding).fold(slack, f64::max);
                 }

@@ -108,6 +108,22 @@ pub enum Violation {
         /// What lies inside it.
         inner: u32,
     },
+    /// Cut after the area it lies in has fallen out.
+    #[error("move {step} cuts contour {contour} where everything around it is cut free already")]
+    Fallen {
+        /// Which move.
+        step: usize,
+        /// Which contour.
+        contour: u32,
+    },
+    /// Resumed, or cut up to what is cut free, without a pre-cut there.
+    #[error("move {step} cuts contour {contour} from or to a place where it needed a pre-cut")]
+    NoPreCut {
+        /// Which move.
+        step: usize,
+        /// Which contour.
+        contour: u32,
+    },
     /// The order by layer, or marks before cuts, is not kept.
     #[error("contour {later} should have been worked before contour {earlier}")]
     Rank {

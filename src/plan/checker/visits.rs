@@ -4,6 +4,7 @@
 //! together they must be the contour, once. What is worked between two cuts of a contour is worked wholly between them.
 
 use super::coverage::{Fault, follows};
+use super::groups::Groups;
 use super::violation::Violation;
 use super::{SAME, rounding};
 use crate::geometry::Segment;
@@ -95,13 +96,21 @@ impl<'s> Visits<'s> {
         self.order.push(contour);
     }
 
+    /// A cut of a contour that is cut with its group.
+    pub(super) fn note(&mut self, step: usize, contour: u32) {
+        if let Some(work) = self.work.get_mut(contour as usize) {
+            work.steps = Some((work.steps.map_or(step, |s| s.0), step));
+            self.order.push(contour);
+        }
+    }
+
     /// The move at which a contour was last cut.
     pub(super) fn ends(&self, contour: u32) -> Option<usize> {
         self.work.get(contour as usize)?.steps.map(|s| s.1)
     }
 
     /// After the last move: every contour once and wholly.
-    pub(super) fn finish(&self, found: &mut Vec<Violation>) {
+    pub(super) fn finish(&self, groups: &Groups, found: &mut Vec<Violation>) {
         for ((contour, work), known) in (0..).zip(&self.work).zip(&self.sheet.contours) {
             let Some((_, step)) = work.steps else {
                 if known.path.segments.iter().any(|s| s.length() > SAME) {
@@ -109,6 +118,9 @@ impl<'s> Visits<'s> {
                 }
                 continue;
             };
+            if groups.holds(contour) {
+                continue;
+            }
             if let Err(fault) = follows(&known.path, &work.path) {
                 found.push(match fault {
                     Fault::Strays(at) => Violation::Strays { step, contour, at },

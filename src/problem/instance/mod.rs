@@ -107,6 +107,7 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
             run: None,
             leave: None,
             track: None,
+            paths: Vec::new(),
         });
     }
     // The start is before everything as it is.

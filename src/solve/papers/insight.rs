@@ -11,6 +11,26 @@ pub struct Insight {
     pub curves: Vec<Curve>,
     /// A table of numbers, such as a Q-table.
     pub grid: Option<Grid>,
+    /// The partitions of its best path, where it makes them.
+    pub partitions: Option<Partitions>,
+}
+
+/// Which contours are cut between leaving a contour and coming back to it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Partitions {
+    /// Partition of each contour, 0 that of home; -1 for a contour without entries.
+    pub of: Vec<i32>,
+    /// Where each but that of home hangs, from the first on.
+    pub parents: Vec<Parent>,
+}
+
+/// A place where a contour is left for a partition and resumed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Parent {
+    /// The contour.
+    pub contour: u32,
+    /// The place, mm.
+    pub at: [f64; 2],
 }
 
 /// A value with its name.

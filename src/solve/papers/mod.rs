@@ -18,16 +18,17 @@ mod lead;
 mod left;
 mod legs;
 mod local;
-mod pace;
 mod repair;
 mod swarm;
+mod tree;
 
 pub use dual::DualCodingGa;
 pub use hull::{HullPso, Ofa, Rlsga, Sga, Woa};
-pub use insight::{Curve, Grid, Insight};
+pub use insight::{Curve, Grid, Insight, Parent, Partitions};
 pub use legs::{Legs, Measure};
 pub use repair::Repair;
 pub use swarm::{AcoPso, KPso, Lpspso, Pso};
+pub use tree::{GtspLk, InitialPartitions, InitialTours, PartitionTree, Pfr, RepartitionMoves};
 
 use super::{Solver, SolverInfo};
 use serde::Serialize;
@@ -59,6 +60,9 @@ const METHODS: &[Entry] = &[
     entry::<Ofa>(),
     entry::<Woa>(),
     entry::<DualCodingGa>(),
+    entry::<PartitionTree>(),
+    entry::<Pfr>(),
+    entry::<GtspLk>(),
 ];
 
 /// Every method with the defaults of its parameters.

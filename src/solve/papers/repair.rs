@@ -4,7 +4,8 @@
 //! Items keep their order otherwise; ranks are worked one after the other, and groups stay together, each at the place
 //! of its first item.
 
-use crate::problem::{ItemId, Problem};
+use crate::order::sort_by;
+use crate::problem::{ItemId, NodeId, Problem};
 
 /// Makes orders of a problem's items allowed ones.
 pub struct Repair {
@@ -53,11 +54,25 @@ impl Repair {
             };
             first[side(b as usize)].push(side(a as usize));
         }
-        let rank: Vec<u32> = problem.items.iter().map(|i| i.rank).collect();
-        let mut ranks = rank.clone();
-        crate::order::sort_by(&mut ranks, |&r| [r.into(), 0, 0]);
-        ranks.dedup();
-        Self { items, parent, first, rank, ranks, start: problem.start().map(|s| s as usize) }
+        let rank = problem.items.iter().map(|i| i.rank).collect();
+        Self { items, parent, first, rank, ranks: ranks(problem), start: problem.start().map(|s| s as usize) }
+    }
+
+    /// For a problem of which not any order at all is allowed.
+    pub(super) fn needed(problem: &Problem) -> Option<Self> {
+        let free = problem.pairs.is_empty()
+            && problem.groups.is_empty()
+            && problem.items.iter().all(|i| i.before.is_none() && i.rank == problem.items[0].rank);
+        (!free).then(|| Self::new(problem))
+    }
+
+    /// The allowed tour nearest to a tour, each item entered as in it.
+    pub(super) fn tour(&self, problem: &Problem, tour: &[NodeId]) -> Vec<NodeId> {
+        let item = |node: NodeId| problem.nodes[node as usize].item;
+        let mut node_of = vec![0; problem.items.len()];
+        tour.iter().for_each(|&n| node_of[item(n) as usize] = n);
+        let order: Vec<ItemId> = tour.iter().map(|&n| item(n)).collect();
+        self.apply(&order).into_iter().map(|i| node_of[i as usize]).collect()
     }
 
     /// The allowed order nearest to `order`, which names items once each; those it leaves out do not come in.
@@ -99,6 +114,14 @@ impl Repair {
     }
 }
 
+/// The ranks there are, ascending.
+pub(super) fn ranks(problem: &Problem) -> Vec<u32> {
+    let mut ranks: Vec<u32> = problem.items.iter().map(|i| i.rank).collect();
+    sort_by(&mut ranks, |&r| [r.into(), 0, 0]);
+    ranks.dedup();
+    ranks
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -115,6 +138,7 @@ mod tests {
             run: None,
             leave: None,
             track: None,
+            paths: Vec::new(),
         };
         let items = before.iter().zip(ranks).map(item).collect();
         let machine = machine::presets().into_iter().next().unwrap();

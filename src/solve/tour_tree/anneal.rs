@@ -90,7 +90,7 @@ impl<'p> Annealing<'p> {
     /// From a feasible tour.
     pub(super) fn new(mut tour: Tour<'p>, dice: Dice) -> Self {
         let near = Neighbours::new(&tour.space);
-        let queue = Queue::new(tour.last() + 1);
+        let queue = Queue::new(tour.space.home as usize + 1);
         let (cost, kept) = (tour.cost(), tour.now().clone());
         tour.free = false;
         let space = &tour.space;

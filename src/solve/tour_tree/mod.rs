@@ -142,13 +142,19 @@ impl TourTreeSearch<'_> {
 impl Search for TourTreeSearch<'_> {
     fn step(&mut self, work: u64) -> Step {
         let cost = self.best.cost;
-        self.granted = self.granted.saturating_add(work);
+        let before = self.granted;
+        self.granted = before.saturating_add(work);
         while !self.annealing.is_finished() && self.priced() < self.granted {
             self.advance();
         }
         self.collect();
-        let (status, done) =
-            if self.annealing.is_finished() { (Status::Exhausted, 0) } else { (Status::Running, work) };
+        // A search that ends counts all it did, and no more, in slices of any size: what it did too much is paid for first.
+        let ended = self.annealing.is_finished() && self.priced() <= self.granted;
+        let (status, done) = if ended {
+            (Status::Exhausted, self.priced().saturating_sub(before))
+        } else {
+            (Status::Running, work)
+        };
         Step { status, done, improved: self.best.cost < cost }
     }
 

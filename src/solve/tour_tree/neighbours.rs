@@ -104,7 +104,7 @@ impl Neighbours {
     /// Items near to go to from the place where an item is left now.
     pub(super) fn of_exit(&self, tour: &Tour, item: u32) -> &[u32] {
         let at = tour.at(item);
-        let at = if tour.space.two_ends(item) { 1 - at } else { at };
+        let at = if tour.space.two_ends(item) { at ^ 1 } else { at };
         &self.by_gate[0][tour.space.gate(item, at)]
     }
 }

@@ -22,7 +22,7 @@ const MOST: usize = 40;
 /// place: the journal then takes the tour back.
 pub(super) fn rebuild(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, dice: &mut Dice) -> bool {
     let mut gone = chosen(tour, near, dice);
-    let mut out = vec![false; tour.last() + 1];
+    let mut out = vec![false; tour.space.home as usize + 1];
     for &item in &gone {
         out[item as usize] = true;
         for touched in [item, tour.previous(item), tour.next(item)] {

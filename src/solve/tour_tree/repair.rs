@@ -14,14 +14,14 @@ pub(super) fn repaired(space: &Space, free: &Kept) -> [Kept; 2] {
         .chunk_by_mut(|&a, &b| space.rank[a as usize] == space.rank[b as usize])
         .for_each(<[u32]>::reverse);
     for item in (0..space.home).filter(|&i| space.two_ends(i)) {
-        back.at[item as usize] = 1 - back.at[item as usize];
+        back.at[item as usize] ^= 1;
     }
     [delayed(space, free), delayed(space, &back)]
 }
 
 fn delayed(space: &Space, tour: &Kept) -> Kept {
     let mut waits_for: Vec<usize> = (0..=space.home).map(|i| space.precedence.before(i).len()).collect();
-    let mut met = vec![false; tour.order.len()];
+    let mut met = vec![false; tour.at.len()];
     let mut order = Vec::with_capacity(tour.order.len());
     for &item in &tour.order {
         met[item as usize] = true;

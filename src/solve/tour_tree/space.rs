@@ -13,7 +13,7 @@ use super::ring::{nearest, ring};
 use super::tour::Kept;
 use super::travel::{Place, Travel, node_place};
 use crate::geometry::{Aabb, DVec2};
-use crate::problem::{Node, NodeId, Problem};
+use crate::problem::{Item, Node, NodeId, Problem};
 use crate::solve::precedence::Precedence;
 use crate::solve::{Solution, Stop};
 
@@ -43,6 +43,8 @@ pub(super) struct Space<'p> {
     /// No place of a ring costs less than the gate nearest to it by more than this many seconds, in any gap: that is
     /// at most the way there and back, and what places cost on top (the times of ways obey the triangle inequality).
     slack: Vec<f64>,
+    /// Items that cost more one way than the other.
+    pub(super) lopsided: Vec<u32>,
     /// Box of an item's places: middle and half size.
     middle: Vec<DVec2>,
     half: Vec<DVec2>,
@@ -54,7 +56,7 @@ pub(super) struct Space<'p> {
 enum Kind {
     /// Places in order around a closed contour, `GATES` * 2^k of them.
     Ring,
-    /// The two ends of an open contour.
+    /// Ways with two ends, in pairs of out and back: those of an open contour, or through a pierce group.
     Open,
     /// Any places, in no order.
     Loose,
@@ -85,12 +87,17 @@ impl<'p> Space<'p> {
             kind: Vec::with_capacity(n + 1),
             spacing: Vec::with_capacity(n + 1),
             slack: Vec::with_capacity(n + 1),
+            lopsided: (0..)
+                .zip(&problem.items)
+                .filter(|(_, i)| !i.ways().is_empty())
+                .map(|(id, _)| id)
+                .collect(),
             middle: Vec::with_capacity(n + 1),
             half: Vec::with_capacity(n + 1),
             rank: problem.items.iter().map(|i| i.rank).collect(),
             precedence: Precedence::new(problem),
         };
-        let charged = problem.items.iter().any(|i| i.uneven().is_some());
+        let charged = problem.items.iter().any(Item::is_uneven);
         for item in &problem.items {
             let nodes = &problem.nodes[item.nodes.start as usize..item.nodes.end as usize];
             let (kind, spacing) = match ring(item) {
@@ -108,7 +115,11 @@ impl<'p> Space<'p> {
                     s.place.extend(nodes.iter().zip(item.nodes.clone()).map(place));
                     s.along.extend(nodes.iter().map(|node| node.along));
                     s.extra.extend(nodes.iter().filter(|_| charged).map(|n| item.extra(n.along)));
-                    let ends = nodes.len() == 2 && nodes[0].twin == nodes[1].twin + 1;
+                    let ends = !nodes.is_empty()
+                        && nodes
+                            .chunks(2)
+                            .zip((item.nodes.start..).step_by(2))
+                            .all(|(n, id)| matches!(n, [a, b] if a.twin == id + 1 && b.twin == id));
                     (if ends { Kind::Open } else { Kind::Loose }, 0.0)
                 }
             };
@@ -231,7 +242,7 @@ impl<'p> Space<'p> {
     pub(super) fn exit(&self, item: u32, at: u32) -> Place {
         let places = self.places(item);
         match self.kind[item as usize] {
-            Kind::Open => places[1 - at as usize],
+            Kind::Open => places[at as usize ^ 1],
             Kind::Ring => places[at as usize],
             Kind::Loose if item == self.home || self.travel.by_table() => places[at as usize],
             Kind::Loose => {
@@ -240,7 +251,7 @@ impl<'p> Space<'p> {
         }
     }
 
-    /// An open contour: run the other way, its entry and exit change places.
+    /// An open contour or a pierce group: run the other way, by the other node of its pair, entry and exit change places.
     pub(super) fn two_ends(&self, item: u32) -> bool {
         self.kind[item as usize] == Kind::Open
     }

@@ -48,7 +48,16 @@ pub(super) fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Probl
         let run = (0..5).map(|k| Segment::line(corner[k], corner[(k + 1) % 5])).collect::<Vec<_>>();
         let open = nodes[first as usize].twin != first;
         let run = if open { None } else { ClosedRun::new(&machine, &machine.cut, &run) };
-        items.push(Item { nodes: first..end, before, rank, fixed: 0.0, run, leave: None, track: None });
+        items.push(Item {
+            nodes: first..end,
+            before,
+            rank,
+            fixed: 0.0,
+            run,
+            leave: None,
+            track: None,
+            paths: Vec::new(),
+        });
     }
     Problem {
         items,
@@ -134,6 +143,7 @@ fn circles(centers: &[DVec2]) -> Problem {
             run: None,
             leave: None,
             track: Some(path),
+            paths: Vec::new(),
         }
     });
     let items = items.collect();

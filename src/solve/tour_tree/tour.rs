@@ -6,6 +6,7 @@
 
 use super::space::{Gap, Space, index};
 use super::travel::Place;
+use crate::problem::PATHS;
 
 /// One change, to be taken back.
 #[derive(Clone, Copy)]
@@ -47,9 +48,9 @@ pub(super) struct Tour<'p> {
 }
 
 impl<'p> Tour<'p> {
-    /// The tour over `kept`, which holds every item of the space once, home first.
+    /// The tour over `kept`, which holds every item of the space that has nodes once, home first.
     pub(super) fn new(space: Space<'p>, kept: Kept) -> Self {
-        let n = kept.order.len();
+        let n = kept.at.len();
         let mut tour = Self {
             space,
             now: kept,
@@ -75,8 +76,8 @@ impl<'p> Tour<'p> {
     fn settle(&mut self) {
         self.commit();
         self.number();
-        for item in 0..index(self.now.at.len()) {
-            self.place(item);
+        for position in 0..self.now.order.len() {
+            self.place(self.now.order[position]);
         }
     }
 
@@ -121,7 +122,7 @@ impl<'p> Tour<'p> {
                 Change::Reversed(from, to) => {
                     kept.order[from..=to].reverse();
                     for &item in kept.order[from..=to].iter().filter(|&&i| self.space.two_ends(i)) {
-                        kept.at[item as usize] = 1 - kept.at[item as usize];
+                        kept.at[item as usize] ^= 1;
                     }
                 }
                 Change::Entered(item, at) => kept.at[item as usize] = at,
@@ -242,7 +243,7 @@ impl<'p> Tour<'p> {
             self.position[i] = position;
             self.best_entered[i] &= self.space.travel.symmetric;
             if self.space.two_ends(item) {
-                self.now.at[i] = 1 - self.now.at[i];
+                self.now.at[i] ^= 1;
                 std::mem::swap(&mut self.entry[i], &mut self.exit[i]);
             }
         }
@@ -301,10 +302,20 @@ impl<'p> Tour<'p> {
     /// Looks at the whole stretch then, so it is asked last.
     pub(super) fn turning(&self, from: usize, to: usize) -> f64 {
         if self.space.travel.symmetric {
-            return 0.0;
+            return self.turning_over(from, to);
         }
         let pairs = self.now.order[from..=to].windows(2);
         pairs.map(|p| self.edge(p[1], p[0]) - self.edge(p[0], p[1])).sum()
+    }
+
+    /// The same of pierce groups in the stretch alone: ways out and back through them differ.
+    fn turning_over(&self, from: usize, to: usize) -> f64 {
+        if !PATHS {
+            return 0.0;
+        }
+        let within = |&&i: &&u32| (from..=to).contains(&self.position(i));
+        let over = |&i: &u32| self.space.extra(i, self.at(i) ^ 1) - self.extra(i);
+        self.space.lopsided.iter().filter(within).map(over).sum()
     }
 
     /// Whether two neighbouring stretches may change places: nothing in the second waits for anything in the first.

@@ -107,7 +107,7 @@ fn problem(sheet: &Value) -> Option<Problem> {
         }
         let nodes = first..u32::try_from(nodes.len()).ok()?;
         let (before, fixed, run, track) = (None, 0.0, None, None);
-        items.push(Item { nodes, before, rank: 0, fixed, run, leave: Some(0.0), track });
+        items.push(Item { nodes, before, rank: 0, fixed, run, leave: Some(0.0), track, paths: Vec::new() });
     }
     let machine = machine::preset("length-partial")?;
     let (home, pairs, groups, table) = (point(&sheet["origin"])?, Vec::new(), Groups::default(), None);

@@ -27,8 +27,13 @@ fn main() {
 }
 
 fn options() -> Result<Options, String> {
-    let mut o =
-        Options { words: Vec::new(), parameters: String::new(), only: None, seeds: 5, seconds: f64::INFINITY };
+    let mut o = Options {
+        words: Vec::new(),
+        parameters: String::new(),
+        only: None,
+        seeds: 5,
+        seconds: f64::INFINITY,
+    };
     let mut args = std::env::args().skip(1);
     while let Some(word) = args.next() {
         let mut next = || args.next().ok_or_else(|| format!("{word} needs a value."));

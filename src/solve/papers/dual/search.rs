@@ -5,10 +5,9 @@ use super::fitness::fitness;
 use crate::problem::{ItemId, NodeId, Problem};
 use crate::solve::dice::Dice;
 use crate::solve::papers::insight::{Curve, Insight};
-use crate::solve::papers::lead::{Lead, Led, Running};
-use crate::solve::papers::pace::{Pace, Pieces};
+use crate::solve::papers::lead::{Lead, Pieces, Running, solution};
 use crate::solve::papers::{Legs, Measure, Repair};
-use crate::solve::{Search, Solution, Solver, SolverInfo, Stop};
+use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 
 /// Genes of both rows in memory at most, parents and children: 128 MB.
@@ -86,19 +85,14 @@ struct Generations<'p> {
     raw: Vec<Code>,
     generation: u32,
     lead: Lead,
-    pace: Pace,
 }
 
 impl<'p> Generations<'p> {
     fn new(problem: &'p Problem, rates: DualCodingGa, seed: u64) -> Self {
         let contours: Vec<ItemId> =
             (0..).zip(&problem.items).filter(|(_, i)| !i.nodes.is_empty()).map(|(id, _)| id).collect();
-        let free = problem.items.windows(2).all(|w| w[0].rank == w[1].rank)
-            && problem.items.iter().all(|i| i.before.is_none())
-            && problem.groups.is_empty()
-            && problem.pairs.is_empty()
-            && problem.table().is_none();
-        let repair = (!free).then(|| Repair::new(problem));
+        let table = problem.table().map(|_| Repair::new(problem));
+        let repair = table.or_else(|| Repair::needed(problem));
         let mut dice = Dice::new(seed);
         let first = Code::random(problem, &contours, &mut dice);
         let legs = Legs::new(problem, rates.measure);
@@ -121,7 +115,6 @@ impl<'p> Generations<'p> {
             raw: Vec::new(),
             generation: 0,
             lead,
-            pace: Pace::default(),
         }
     }
 
@@ -130,7 +123,7 @@ impl<'p> Generations<'p> {
         let problem = self.legs.problem();
         let nodes = nodes(problem, self.repair.as_ref(), code);
         let length = self.legs.around(&nodes);
-        self.lead.take(length, self.pace.spent, || solution(problem, &nodes));
+        self.lead.take(length, || solution(problem, &nodes));
         length
     }
 
@@ -172,21 +165,20 @@ impl<'p> Generations<'p> {
 /// The nodes of a code in an allowed order.
 fn nodes(problem: &Problem, repair: Option<&Repair>, code: &Code) -> Vec<NodeId> {
     let node = |item: ItemId, point: u32| problem.items[item as usize].nodes.start + point;
-    let Some(repair) = repair else {
-        return code.order.iter().zip(&code.points).map(|(&i, &p)| node(i, p)).collect();
-    };
-    let mut by_item = vec![0; problem.items.len()];
-    code.order.iter().zip(&code.points).for_each(|(&i, &p)| by_item[i as usize] = node(i, p));
-    repair.apply(&code.order).into_iter().map(|i| by_item[i as usize]).collect()
-}
-
-fn solution(problem: &Problem, nodes: &[NodeId]) -> Solution {
-    Solution::new(problem, nodes.iter().map(|&n| Stop::at(problem, n)).collect())
+    let tour: Vec<NodeId> = code.order.iter().zip(&code.points).map(|(&i, &p)| node(i, p)).collect();
+    match repair {
+        Some(repair) => repair.tour(problem, &tour),
+        None => tour,
+    }
 }
 
 impl Pieces for Generations<'_> {
-    fn pace(&mut self) -> &mut Pace {
-        &mut self.pace
+    fn lead(&self) -> &Lead {
+        &self.lead
+    }
+
+    fn lead_mut(&mut self) -> &mut Lead {
+        &mut self.lead
     }
 
     fn piece(&mut self) -> Option<u64> {
@@ -218,20 +210,6 @@ impl Pieces for Generations<'_> {
         }
         Some(contours)
     }
-}
-
-impl Led for Generations<'_> {
-    fn lead(&self) -> &Lead {
-        &self.lead
-    }
-
-    fn lead_mut(&mut self) -> &mut Lead {
-        &mut self.lead
-    }
-
-    fn done(&self) -> u64 {
-        self.pace.done()
-    }
 
     fn insight(&self) -> Insight {
         let curve = |name, value| Curve { name, value };
@@ -246,7 +224,7 @@ impl Led for Generations<'_> {
                 curve("mean of the generation", mean),
                 curve("F min / F max of eq. (2)", even[1] / even[0]),
             ],
-            grid: None,
+            ..Insight::default()
         }
     }
 }

@@ -8,7 +8,7 @@
 //! With groups, pairs or a table of costs nothing is left unfinished, and [`Repair`] makes the order of contours an allowed one.
 
 use super::super::legs::{Legs, Measure};
-use super::super::repair::Repair;
+use super::super::repair::{Repair, ranks};
 use super::holes::finished_inside_first;
 use super::model::{Gene, Model, Visit};
 use super::nested::nested;
@@ -34,9 +34,7 @@ impl<'p> Decoder<'p> {
     pub(super) fn new(problem: &'p Problem, measure: Measure) -> Self {
         let whole = !problem.groups.is_empty() || !problem.pairs.is_empty() || problem.table().is_some();
         let inside = problem.items.iter().any(|i| i.before.is_some());
-        let mut ranks: Vec<u32> = problem.items.iter().map(|i| i.rank).collect();
-        sort_by(&mut ranks, |&r| [r.into(), 0, 0]);
-        ranks.dedup();
+        let ranks = ranks(problem);
         let ordered = match (whole, inside || ranks.len() > 1) {
             (true, _) => Some(Ordered::Whole(Repair::new(problem))),
             (false, true) => Some(Ordered::Nesting { inwards: inwards(problem), ranks }),

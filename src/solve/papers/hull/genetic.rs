@@ -13,8 +13,7 @@ use super::filling::Filling;
 use crate::order::{real, sort_by};
 use crate::solve::dice::Dice;
 use crate::solve::papers::insight::{Curve, Grid, Insight};
-use crate::solve::papers::lead::{Lead, Led};
-use crate::solve::papers::pace::{Pace, Pieces};
+use crate::solve::papers::lead::{Lead, Pieces};
 
 /// Genes in memory at most, parents and children: 128 MB. On 10,000 contours of 8 nodes, 200 chromosomes are within it.
 const MOST_GENES: usize = 1 << 25;
@@ -47,7 +46,6 @@ pub(super) struct Genetic<'p> {
     raw: Vec<Chromosome>,
     generation: u32,
     lead: Lead,
-    pace: Pace,
 }
 
 impl<'p> Genetic<'p> {
@@ -73,7 +71,6 @@ impl<'p> Genetic<'p> {
             raw: Vec::new(),
             generation: 0,
             lead,
-            pace: Pace::default(),
         }
     }
 
@@ -81,7 +78,7 @@ impl<'p> Genetic<'p> {
     fn price(&mut self, chromosome: &mut Chromosome) {
         let (length, visits) = self.decoder.price(&chromosome.genes);
         chromosome.length = length;
-        self.lead.take(length, self.pace.spent, || self.decoder.solution(visits));
+        self.lead.take(length, || self.decoder.solution(visits));
     }
 
     /// Lengths of the parents as fitness, eq. (4).
@@ -163,8 +160,12 @@ fn fitness(length: f64) -> f64 {
 }
 
 impl Pieces for Genetic<'_> {
-    fn pace(&mut self) -> &mut Pace {
-        &mut self.pace
+    fn lead(&self) -> &Lead {
+        &self.lead
+    }
+
+    fn lead_mut(&mut self) -> &mut Lead {
+        &mut self.lead
     }
 
     fn piece(&mut self) -> Option<u64> {
@@ -205,20 +206,6 @@ impl Pieces for Genetic<'_> {
         self.breed();
         Some(segments)
     }
-}
-
-impl Led for Genetic<'_> {
-    fn lead(&self) -> &Lead {
-        &self.lead
-    }
-
-    fn lead_mut(&mut self) -> &mut Lead {
-        &mut self.lead
-    }
-
-    fn done(&self) -> u64 {
-        self.pace.done()
-    }
 
     fn insight(&self) -> Insight {
         let agent = &self.agent;
@@ -242,6 +229,7 @@ impl Led for Genetic<'_> {
                 values: agent.table.as_flattened().to_vec(),
                 at: Some(3 * agent.state + agent.action),
             }),
+            ..Insight::default()
         }
     }
 }

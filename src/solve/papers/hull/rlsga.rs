@@ -56,6 +56,22 @@ impl Default for Rlsga {
     }
 }
 
+impl Rlsga {
+    /// Starts the algorithm, with an agent that learns or one that does not.
+    fn run<'p>(&self, problem: &'p Problem, seed: u64, learning: Option<Learning>) -> Box<dyn Search + 'p> {
+        let rates = Rates {
+            population: self.population as usize,
+            generations: self.generations,
+            crossover: self.crossover,
+            mutation: self.mutation,
+            migration: self.migration,
+            scaled_fitness: self.scaled_fitness,
+        };
+        let decoder = Decoder::new(problem, self.measure);
+        Box::new(Running(Genetic::new(decoder, rates, learning, seed)))
+    }
+}
+
 impl Solver for Rlsga {
     fn info(&self) -> SolverInfo {
         SolverInfo {
@@ -67,17 +83,8 @@ impl Solver for Rlsga {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let rates = Rates {
-            population: self.population as usize,
-            generations: self.generations,
-            crossover: self.crossover,
-            mutation: self.mutation,
-            migration: self.migration,
-            scaled_fitness: self.scaled_fitness,
-        };
         let learning = Learning { alpha: self.alpha, gamma: self.gamma, epsilon: self.epsilon };
-        let decoder = Decoder::new(problem, self.measure);
-        Box::new(Running(Genetic::new(decoder, rates, Some(learning), seed)))
+        self.run(problem, seed, Some(learning))
     }
 }
 
@@ -117,15 +124,9 @@ impl Solver for Sga {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let rates = Rates {
-            population: self.population as usize,
-            generations: self.generations,
-            crossover: self.crossover,
-            mutation: self.mutation,
-            migration: self.migration,
-            scaled_fitness: true,
-        };
-        let decoder = Decoder::new(problem, self.measure);
-        Box::new(Running(Genetic::new(decoder, rates, None, seed)))
+        let Self { population, generations, crossover, mutation, migration, measure } = *self;
+        let same =
+            Rlsga { population, generations, crossover, mutation, migration, measure, ..Rlsga::default() };
+        same.run(problem, seed, None)
     }
 }

@@ -10,8 +10,7 @@ use super::model::Gene;
 use super::rules::Rule;
 use crate::solve::dice::Dice;
 use crate::solve::papers::insight::{Curve, Insight};
-use crate::solve::papers::lead::{Lead, Led};
-use crate::solve::papers::pace::{Pace, Pieces};
+use crate::solve::papers::lead::{Lead, Pieces};
 
 /// Keys in memory at most, 128 MB. A rule holds three of each member's at most: on 10,000 contours of 8 nodes, a flock of
 /// 200 is cut to 69.
@@ -41,7 +40,6 @@ pub(super) struct Swarm<'p, R> {
     trial: Option<(Vec<f32>, Vec<Gene>)>,
     dice: Dice,
     lead: Lead,
-    pace: Pace,
 }
 
 impl<'p, R: Rule> Swarm<'p, R> {
@@ -55,9 +53,8 @@ impl<'p, R: Rule> Swarm<'p, R> {
         let lead = Lead::new(decoder.solution(visits), length);
         let flock = Flock { best: first.clone(), keys: vec![first], lengths: vec![length], shortest: length };
         let population = (population as usize).min(fitting).max(2);
-        let pace = Pace::default();
         let (generation, member, trial) = (0, 0, None);
-        Self { decoder, rule, flock, population, generations, generation, member, trial, dice, lead, pace }
+        Self { decoder, rule, flock, population, generations, generation, member, trial, dice, lead }
     }
 
     /// Prices a trial, and takes it to the best if it is.
@@ -66,15 +63,19 @@ impl<'p, R: Rule> Swarm<'p, R> {
         if length < self.flock.shortest {
             self.flock.shortest = length;
             self.flock.best.copy_from_slice(keys);
-            self.lead.take(length, self.pace.spent, || self.decoder.solution(visits));
+            self.lead.take(length, || self.decoder.solution(visits));
         }
         length
     }
 }
 
 impl<R: Rule> Pieces for Swarm<'_, R> {
-    fn pace(&mut self) -> &mut Pace {
-        &mut self.pace
+    fn lead(&self) -> &Lead {
+        &self.lead
+    }
+
+    fn lead_mut(&mut self) -> &mut Lead {
+        &mut self.lead
     }
 
     fn piece(&mut self) -> Option<u64> {
@@ -113,20 +114,6 @@ impl<R: Rule> Pieces for Swarm<'_, R> {
         self.generation += u32::from(self.member == 0);
         Some(segments as u64)
     }
-}
-
-impl<R: Rule> Led for Swarm<'_, R> {
-    fn lead(&self) -> &Lead {
-        &self.lead
-    }
-
-    fn lead_mut(&mut self) -> &mut Lead {
-        &mut self.lead
-    }
-
-    fn done(&self) -> u64 {
-        self.pace.done()
-    }
 
     fn insight(&self) -> Insight {
         let lengths = &self.flock.lengths;
@@ -134,6 +121,6 @@ impl<R: Rule> Led for Swarm<'_, R> {
         let curve = |name, value| Curve { name, value };
         let curves =
             vec![curve("shortest empty travel TL", self.lead.length), curve("mean empty travel TL", mean)];
-        Insight { round: self.generation.into(), curves, grid: None }
+        Insight { round: self.generation.into(), curves, ..Insight::default() }
     }
 }

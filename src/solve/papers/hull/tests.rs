@@ -25,7 +25,7 @@ fn sheet(contours: &[&[[f64; 2]]], closed: bool) -> Problem {
         }
         let nodes = first..u32::try_from(nodes.len()).unwrap();
         let (before, fixed, run, track) = (None, 0.0, None, None);
-        items.push(Item { nodes, before, rank: 0, fixed, run, leave: Some(0.0), track });
+        items.push(Item { nodes, before, rank: 0, fixed, run, leave: Some(0.0), track, paths: Vec::new() });
     }
     let machine = machine::preset("length-partial").unwrap();
     let (home, pairs, groups, table) = (DVec2::ZERO, Vec::new(), Groups::default(), None);

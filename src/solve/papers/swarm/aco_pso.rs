@@ -8,9 +8,9 @@
 
 use super::super::left::Walk;
 use super::super::legs::Measure;
-use super::flock::{Flock, Pull};
+use super::flock::Flock;
 use super::pso::{Plain, Pso};
-use super::run::{Guide, Run, Settings};
+use super::run::{Guide, Run};
 use crate::geometry::math;
 use crate::order::{real, sort_by};
 use crate::problem::{NodeId, Problem};
@@ -74,6 +74,15 @@ impl Default for AcoPso {
     }
 }
 
+impl AcoPso {
+    /// The swarm it moves as.
+    fn pso(&self) -> Pso {
+        let Self { particles, rounds, measure, local_search, first, inertia, own, swarm, fastest, .. } =
+            *self;
+        Pso { particles, rounds, measure, local_search, first, inertia, own, swarm, fastest }
+    }
+}
+
 impl Solver for AcoPso {
     fn info(&self) -> SolverInfo {
         SolverInfo {
@@ -88,15 +97,8 @@ impl Solver for AcoPso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let settings = Settings {
-            particles: self.particles,
-            rounds: self.rounds,
-            measure: self.measure,
-            local_search: self.local_search,
-            first: self.first,
-            fastest: self.fastest,
-        };
-        let plain = Plain { pull: Pull { inertia: self.inertia, own: self.own, swarm: self.swarm }, sown: 0 };
+        let pso = self.pso();
+        let plain = pso.plain();
         let colony = Colony {
             by: self.clone(),
             plain,
@@ -106,7 +108,7 @@ impl Solver for AcoPso {
             marked: 0,
             ant: None,
         };
-        Run::start(problem, seed, &settings, colony)
+        Run::start(problem, seed, &pso.settings(), colony)
     }
 }
 

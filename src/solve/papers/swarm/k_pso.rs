@@ -7,9 +7,9 @@
 //! places of which there would be a mean; an item stands for its first node. k is the root of the number of items.
 
 use super::super::legs::Measure;
-use super::flock::{Flock, Pull};
+use super::flock::Flock;
 use super::pso::{Plain, Pso};
-use super::run::{Guide, Run, Settings};
+use super::run::{Guide, Run};
 use crate::problem::{ItemId, NodeId, Problem};
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
@@ -51,6 +51,15 @@ impl Default for KPso {
     }
 }
 
+impl KPso {
+    /// The swarm it moves as.
+    fn pso(&self) -> Pso {
+        let Self { particles, rounds, measure, local_search, first, inertia, own, swarm, fastest, .. } =
+            *self;
+        Pso { particles, rounds, measure, local_search, first, inertia, own, swarm, fastest }
+    }
+}
+
 impl Solver for KPso {
     fn info(&self) -> SolverInfo {
         SolverInfo {
@@ -65,20 +74,13 @@ impl Solver for KPso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let settings = Settings {
-            particles: self.particles,
-            rounds: self.rounds,
-            measure: self.measure,
-            local_search: self.local_search,
-            first: self.first,
-            fastest: self.fastest,
-        };
-        let plain = Plain { pull: Pull { inertia: self.inertia, own: self.own, swarm: self.swarm }, sown: 0 };
+        let pso = self.pso();
+        let plain = pso.plain();
         let groups = Groups { left: self.grouping, ..Groups::default() };
         Run::start(
             problem,
             seed,
-            &settings,
+            &pso.settings(),
             Grouped {
                 plain,
                 groups,

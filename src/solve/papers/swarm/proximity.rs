@@ -140,6 +140,7 @@ mod tests {
                 run: None,
                 leave: None,
                 track: None,
+                paths: Vec::new(),
             });
         }
         let (machine, home) = (machine::presets().into_iter().next().unwrap(), DVec2::ZERO);

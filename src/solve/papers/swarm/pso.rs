@@ -51,6 +51,25 @@ impl Default for Pso {
     }
 }
 
+impl Pso {
+    /// What every swarm method is told.
+    pub(super) fn settings(&self) -> Settings {
+        Settings {
+            particles: self.particles,
+            rounds: self.rounds,
+            measure: self.measure,
+            local_search: self.local_search,
+            first: self.first,
+            fastest: self.fastest,
+        }
+    }
+
+    /// How it moves.
+    pub(super) fn plain(&self) -> Plain {
+        Plain { pull: Pull { inertia: self.inertia, own: self.own, swarm: self.swarm }, sown: 0 }
+    }
+}
+
 impl Solver for Pso {
     fn info(&self) -> SolverInfo {
         SolverInfo {
@@ -65,16 +84,7 @@ impl Solver for Pso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let settings = Settings {
-            particles: self.particles,
-            rounds: self.rounds,
-            measure: self.measure,
-            local_search: self.local_search,
-            first: self.first,
-            fastest: self.fastest,
-        };
-        let pull = Pull { inertia: self.inertia, own: self.own, swarm: self.swarm };
-        Run::start(problem, seed, &settings, Plain { pull, sown: 0 })
+        Run::start(problem, seed, &self.settings(), self.plain())
     }
 }
 

@@ -3,15 +3,14 @@
 
 use super::super::insight::{Curve, Insight};
 use super::super::keys::Keys;
-use super::super::lead::{Lead, Led, Running};
+use super::super::lead::{Lead, Pieces, Running, solution};
 use super::super::left::Left;
 use super::super::legs::{Legs, Measure};
-use super::super::pace::{Pace, Pieces};
 use super::flock::{Flock, Particle};
 use super::worth::{Valued, Worth};
 use crate::problem::{NodeId, Problem};
+use crate::solve::Search;
 use crate::solve::dice::Dice;
-use crate::solve::{Search, Solution, Stop};
 use std::ops::Range;
 
 /// Keys moved in one piece: with two normal numbers for each, half a millisecond.
@@ -68,7 +67,6 @@ pub(super) struct Run<'p, G> {
     flock: Flock<'p>,
     guide: G,
     stage: Stage,
-    pace: Pace,
     lead: Lead,
     /// Length of what stands until the first path is found.
     first: f64,
@@ -109,13 +107,13 @@ impl<'p, G: Guide + 'p> Run<'p, G> {
         let tour = flock.worth.allowed(&flock.worth.keys.tour(&vec![0.5; flock.worth.keys.count()]));
         let lead = Lead::new(solution(problem, &tour), f64::INFINITY);
         let first = flock.worth.ground.legs.around(&tour);
-        Box::new(Running(Self { flock, guide, stage, pace: Pace::default(), lead, first }))
+        Box::new(Running(Self { flock, guide, stage, lead, first }))
     }
 
     /// Looks at an allowed tour.
     fn see(&mut self, tour: &[NodeId], length: f64) {
         let problem = self.flock.worth.ground.legs.problem();
-        self.lead.take(length, self.pace.spent, || solution(problem, tour));
+        self.lead.take(length, || solution(problem, tour));
     }
 
     /// What a particle turned out to be worth.
@@ -130,8 +128,12 @@ impl<'p, G: Guide + 'p> Run<'p, G> {
 }
 
 impl<'p, G: Guide + 'p> Pieces for Run<'p, G> {
-    fn pace(&mut self) -> &mut Pace {
-        &mut self.pace
+    fn lead(&self) -> &Lead {
+        &self.lead
+    }
+
+    fn lead_mut(&mut self) -> &mut Lead {
+        &mut self.lead
     }
 
     fn piece(&mut self) -> Option<u64> {
@@ -196,20 +198,6 @@ impl<'p, G: Guide + 'p> Pieces for Run<'p, G> {
             Stage::Over => None,
         }
     }
-}
-
-impl<'p, G: Guide + 'p> Led for Run<'p, G> {
-    fn lead(&self) -> &Lead {
-        &self.lead
-    }
-
-    fn lead_mut(&mut self) -> &mut Lead {
-        &mut self.lead
-    }
-
-    fn done(&self) -> u64 {
-        self.pace.done()
-    }
 
     fn insight(&self) -> Insight {
         let mut curves = vec![
@@ -220,10 +208,6 @@ impl<'p, G: Guide + 'p> Led for Run<'p, G> {
             Curve { name: "mean of the swarm", value: self.flock.mean() },
         ];
         curves.extend(self.guide.curves());
-        Insight { round: self.flock.round.into(), curves, grid: None }
+        Insight { round: self.flock.round.into(), curves, ..Insight::default() }
     }
-}
-
-fn solution(problem: &Problem, tour: &[NodeId]) -> Solution {
-    Solution::new(problem, tour.iter().map(|&n| Stop::at(problem, n)).collect())
 }

@@ -5,7 +5,7 @@ use super::super::keys::Keys;
 use super::super::legs::Legs;
 use super::super::local::{Choose, Ground, Polish};
 use super::super::repair::Repair;
-use crate::problem::{ItemId, NodeId, Problem};
+use crate::problem::{NodeId, Problem};
 use crate::solve::tour_tree::EPSILON;
 
 /// Moves that decoding an item, or repairing and measuring one, are counted for: by the clock, a leg each.
@@ -15,9 +15,8 @@ const READ: u64 = 4;
 pub(super) struct Worth<'p> {
     pub(super) keys: Keys<'p>,
     pub(super) ground: Ground<'p>,
-    repair: Repair,
-    /// Any order at all is allowed.
-    free: bool,
+    /// How orders become allowed; `None`: all of them are.
+    repair: Option<Repair>,
     /// Local search is on.
     local: bool,
     /// Some item has several nodes.
@@ -53,16 +52,7 @@ impl<'p> Worth<'p> {
         let ground = Ground::new(legs);
         let polish = Polish::new(problem, keys.led, keys.pinned.is_some());
         let entries = keys.count() > keys.items().len();
-        Self {
-            keys,
-            ground,
-            repair: Repair::new(problem),
-            free: free(problem),
-            local,
-            entries,
-            polish,
-            stage: Stage::Ready,
-        }
+        Self { keys, ground, repair: Repair::needed(problem), local, entries, polish, stage: Stage::Ready }
     }
 
     fn problem(&self) -> &'p Problem {
@@ -155,20 +145,7 @@ impl<'p> Worth<'p> {
 
     /// The allowed tour nearest to a tour.
     pub(super) fn allowed(&self, tour: &[NodeId]) -> Vec<NodeId> {
-        if self.free {
-            return tour.to_vec();
-        }
-        let item = |node: NodeId| self.problem().nodes[node as usize].item;
-        let mut node_of = vec![0; self.problem().items.len()];
-        tour.iter().for_each(|&n| node_of[item(n) as usize] = n);
-        let order: Vec<ItemId> = tour.iter().map(|&n| item(n)).collect();
-        self.repair.apply(&order).into_iter().map(|i| node_of[i as usize]).collect()
+        let repaired = self.repair.as_ref().map(|repair| repair.tour(self.problem(), tour));
+        repaired.unwrap_or_else(|| tour.to_vec())
     }
-}
-
-/// Whether any order of a problem's items is allowed.
-fn free(problem: &Problem) -> bool {
-    problem.pairs.is_empty()
-        && problem.groups.is_empty()
-        && problem.items.iter().all(|i| i.before.is_none() && i.rank == problem.items[0].rank)
 }

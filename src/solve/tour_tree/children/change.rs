@@ -3,6 +3,7 @@
 
 use super::super::space::{Space, index};
 use super::tree::{Change, NONE, Tree};
+use crate::problem::PATHS;
 
 impl Tree {
     /// Moves a touch along its item.
@@ -134,6 +135,22 @@ impl Tree {
         }
     }
 
+    /// Seconds that a stretch costs more when run the other way round: ways out and back through pierce groups differ.
+    pub(super) fn turning(&self, space: &Space, first: u32, last: u32) -> f64 {
+        let mut sum = 0.0;
+        let mut stop = first;
+        while PATHS && !space.lopsided.is_empty() {
+            if space.two_ends(stop) {
+                sum += space.extra(stop, self.at(stop) ^ 1) - space.extra(stop, self.at(stop));
+            }
+            if stop == last {
+                break;
+            }
+            stop = self.next(stop);
+        }
+        sum
+    }
+
     /// Runs the stretch from `first` to `last` the other way round; what hangs from its items stays as it is.
     pub(super) fn turn(&mut self, space: &Space, first: u32, last: u32) {
         self.journal.push(Change::Turned(last, first));
@@ -153,7 +170,7 @@ impl Tree {
             self.closing.carry(head, stop, behind);
             behind = stop;
             if space.two_ends(stop) {
-                self.at[stop as usize] = 1 - self.at(stop);
+                self.at[stop as usize] = self.at(stop) ^ 1;
                 self.locate(space, stop);
             }
             self.next[previous as usize] = stop;

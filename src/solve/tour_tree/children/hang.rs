@@ -9,7 +9,7 @@ use crate::order::{real, sort_by};
 /// Puts every stop on a route of its own, at the nearest item that it may hang from: the other end of what routes may be,
 /// from which the local search makes rings again where those are shorter.
 pub(super) fn hang_all(g: Ground, tree: &mut Tree) {
-    for stop in 0..g.space.home {
+    for stop in (0..g.space.home).filter(|&i| !g.space.places(i).is_empty()) {
         let spots = g.near.of_item(stop).iter().zip(0..).map(|(&host, k)| (host, g.bridges.of(stop, k)));
         let mut spots: Vec<(f64, u32, Bridge)> = spots
             .filter(|s| is_left(g.space, s.0) && !g.space.two_ends(stop))

@@ -26,6 +26,10 @@ impl Children {
         let g = Ground { space, near, bridges: &self.bridges };
         let mut touched = Vec::with_capacity(16);
         let first = index(self.dice.below(space.home as usize));
+        // Not of the tour: it is cut with its pierce group.
+        if !self.tree.is_live(first) {
+            return;
+        }
         let mut change = 0.0;
         if self.dice.below(JOIN) == 0 {
             let list = near.of_item(first);
@@ -135,7 +139,8 @@ fn gain(space: &Space, tree: &Tree, shift: Shift) -> f64 {
     if turned {
         (enter, leave) = (leave, enter);
     }
-    let given = freed(space, tree, first, last);
+    let over = if turned { tree.turning(space, first, last) } else { 0.0 };
+    let given = freed(space, tree, first, last) - over;
     match spot {
         Spot::Behind(to) => {
             let next = tree.next(to);

@@ -222,7 +222,8 @@ fn put_in(
         let ends = (tree.entry(first), tree.exit(last));
         let (enter, leave) = if turned { (ends.1, ends.0) } else { ends };
         let on = gap.to.map_or(0.0, |to| g.space.travel.seconds(leave, to));
-        let gain = given - g.space.travel.seconds(gap.from, enter) - on;
+        let over = if turned { tree.turning(g.space, first, last) } else { 0.0 };
+        let gain = given - g.space.travel.seconds(gap.from, enter) - on - over;
         let shift = Shift { turned, ..shift };
         if gain > *most && may_shift(g, tree, shift) {
             *most = gain;

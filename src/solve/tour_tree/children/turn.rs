@@ -29,7 +29,9 @@ pub(super) fn turn(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32) ->
                 }
                 let taken = g.space.travel.seconds(tree.exit(a), tree.exit(last))
                     + tree.way(g.space, tree.entry(first), d, tree.entry(d));
-                let gain = tree.edge(g.space, a, first) + tree.edge(g.space, last, d) - taken;
+                let gain = tree.edge(g.space, a, first) + tree.edge(g.space, last, d)
+                    - taken
+                    - tree.turning(g.space, first, last);
                 if gain > EPSILON && may_turn(g, tree, first, last) {
                     tree.turn(g.space, first, last);
                     for t in [a, first, last, d] {

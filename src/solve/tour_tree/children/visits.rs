@@ -94,7 +94,7 @@ impl Tree {
                 std::mem::replace(&mut before, rank) <= rank && of_host
             });
         let waits = |i: u32| space.precedence.waits(i, |o| label(o) < label(i));
-        linked && (0..self.home).all(|i| inside(i) && !waits(i)) && ranked
+        linked && (0..self.home).all(|i| space.places(i).is_empty() || (inside(i) && !waits(i))) && ranked
     }
 
     /// The visits, with each touch at the place along its item that `along` says.

@@ -1,0 +1,139 @@
+// Tables 1, 2 and 3 of Dewil et al. (2014), in form, on sheets made by their description:
+//
+//     npm run bench -- dewil [--table N]... [--only INSTANCE]... [--seeds K]
+//
+// Seconds are those of air moves, piercings and pre-cuts, for the paper's plate and ours; cutting is left out, as there.
+// Printed values are of other sheets and another machine: only improvements over PFr compare. Every path of ours passes the
+// checker. `tour-tree` works as long as F-R did, on the same core right after it, and beside that for a second at least: on
+// small sheets F-R is at its end after some milliseconds.
+
+import { availableParallelism } from 'node:os';
+import { join } from 'node:path';
+import { parseArgs } from 'node:util';
+import { setup } from '../scripts/setup.mjs';
+import { ROOT, run, Stop } from '../scripts/tools.mjs';
+import { mean, table } from './common/table.mjs';
+import { parallel } from './papers/parallel.mjs';
+import { native } from './papers/runs.mjs';
+import { MACHINE } from './dewil/machine.mjs';
+import { PRINTED } from './dewil/printed.mjs';
+import { SHEETS } from './dewil/sheets.mjs';
+
+const tree = (name, parameters = {}) => ({ name, method: 'partition-tree', parameters });
+const PFR = { name: 'PFr', method: 'pfr', parameters: {} };
+const TABLES = {
+  1: [
+    PFR,
+    { name: 'GTSP', method: 'gtsp-lk', parameters: {} },
+    tree('PFr-I', { stall: 0 }),
+    tree('F-R'),
+    { name: 'tour-tree', method: 'tour-tree', as_long_as: 'F-R' },
+    { name: 'tour-tree, 1 s', method: 'tour-tree', as_long_as: 'F-R', seconds: 1 },
+  ],
+  2: [PFR, tree('from PFr'), tree('from SP', { start: 'each' }), tree('from GTSP', { start: 'single' })],
+  3: [
+    PFR,
+    tree('C-FR', { stall: 0, first: 'none' }),
+    tree('C-MP', { stall: 0, first: 'none', repartition: 'partitions' }),
+    tree('C-MSP', { stall: 0, first: 'none', repartition: 'sequences' }),
+    tree('C-LKH-FR', { stall: 0, first: 'all' }),
+  ],
+};
+const FORMS = { 1: first, 2: second, 3: third };
+
+export async function bench(args) {
+  const list = { type: 'string', multiple: true };
+  const { values } = parseArgs({ args, options: { table: list, only: list, seeds: { type: 'string' } } });
+  const tables = values.table ?? Object.keys(TABLES);
+  const wrong = tables.find((t) => !(t in TABLES));
+  if (wrong !== undefined) throw new Stop(`There is no table ${wrong}: ${Object.keys(TABLES).join(', ')}.`);
+  const sheets = SHEETS.filter(([name]) => values.only === undefined || values.only.includes(name));
+  if (sheets.length === 0) throw new Stop(`No such sheet: ${values.only}.`);
+  setup();
+  console.log('bench: the partition-tree, natively');
+  run('cargo', ['build', '--release', '--manifest-path', join(ROOT, 'benches', 'solve', 'Cargo.toml'), '--bin', 'dewil']);
+  for (const t of tables) {
+    const begun = Date.now();
+    const runs = TABLES[t].map((r) => ({ seeds: Number(values.seeds ?? 1), ...r }));
+    const argument = ([name]) => [join(ROOT, 'benches', 'dewil', 'sheets', `${name}.dxf`), JSON.stringify(MACHINE), JSON.stringify(runs)];
+    const results = await parallel(native('dewil'), sheets.map(argument), availableParallelism());
+    FORMS[t](sheets.map(([name, set, elements], k) => ({ name, set, elements, printed: PRINTED[name], rows: results[k] })));
+    console.log(`${((Date.now() - begun) / 1000).toFixed(0)} s`);
+  }
+}
+
+/** Mean over seeds of what a run says. */
+const of = ({ rows }, name, what = (r) => r.value) => mean(rows.filter((r) => r.name === name).map(what));
+/** A value of its insight, with what every path costs besides. */
+const inside = (name) => (r) => r.fixed + r.insight.curves.find((c) => c.name === name).value;
+const FREE = inside('best with precedence left out, s');
+const REPAIRED = inside('repaired and improved, s');
+const TOUR = inside('tour with precedence left out, s');
+
+const gain = (value, base) => 100 * (1 - value / base);
+const seconds = (value) => value.toFixed(1);
+const percent = (value) => `${value.toFixed(1)} %`;
+
+/** Lines by set with averages: `columns` of title, cell and, where it is averaged, number. */
+function print(title, sheets, columns) {
+  const lines = [];
+  const average = (label, some) => {
+    const cell = ({ number }) => (number === undefined ? '' : percent(mean(some.map(number))));
+    lines.push([label, ...columns.map(cell)]);
+  };
+  for (const set of [1, 2, 3]) {
+    const own = sheets.filter((s) => s.set === set);
+    for (const s of own) lines.push([`${set}: ${s.name}`, ...columns.map(({ cell, number }) => (cell ? cell(s) : percent(number(s))))]);
+    if (own.length > 1) average(`set ${set}, mean`, own);
+  }
+  if (sheets.length > 1) average('all, mean', sheets);
+  table(title, ['', ...columns.map((c) => c.title)], lines);
+}
+
+function first(sheets) {
+  const ours = (name, what) => (s) => gain(of(s, name, what), of(s, 'PFr'));
+  const paper = (k) => (s) => gain(s.printed[k], s.printed[0]);
+  const pair = (title, k, number) => [{ title: `${title}: paper`, number: paper(k) }, { title: 'ours', number }];
+  const time = (title, k, name) => ({ title, cell: (s) => `${s.printed[k]} / ${of(s, name, (r) => r.seconds).toFixed(2)}` });
+  const bound = (s) => s.rows.find((r) => r.name === 'bound').value;
+  print('Table 1: improvement over PFr; t: computing time, paper / ours, s', sheets, [
+    { title: 'n', cell: (s) => String(s.elements) },
+    { title: 'contours', cell: (s) => String(s.rows[0].contours) },
+    { title: 'PFr, s: paper', cell: (s) => seconds(s.printed[0]) },
+    { title: 'ours', cell: (s) => seconds(of(s, 'PFr')) },
+    ...pair('GTSP', 1, ours('GTSP', TOUR)),
+    ...pair('PFr-I', 2, ours('PFr-I')),
+    ...pair('F-NR', 4, ours('F-R', FREE)),
+    ...pair('F-R', 6, ours('F-R', REPAIRED)),
+    time('t', 7, 'F-R'),
+    { title: 'pre-cuts', cell: (s) => of(s, 'F-R', (r) => r.pre_cuts).toFixed(0) },
+    { title: 'tour-tree', number: ours('tour-tree') },
+    { title: 'ahead of F-R', number: (s) => gain(of(s, 'tour-tree'), of(s, 'F-R', REPAIRED)) },
+    { title: 'in 1 s or more', number: (s) => gain(of(s, 'tour-tree, 1 s'), of(s, 'F-R', REPAIRED)) },
+    { title: 'of GTSP, repaired', number: (s) => gain(of(s, 'tour-tree, 1 s'), of(s, 'GTSP')) },
+    { title: 'lower bound, s', cell: (s) => seconds(bound(s)) },
+    { title: 'below', number: (s) => gain(bound(s), of(s, 'tour-tree, 1 s')) },
+  ]);
+}
+
+function second(sheets) {
+  const ours = (name) => (s) => gain(of(s, name, REPAIRED), of(s, 'PFr'));
+  const paper = (k) => (s) => gain(s.printed[k], s.printed[0]);
+  print('Table 2: F-R from other initial partitions, improvement over PFr', sheets, [
+    { title: 'n', cell: (s) => String(s.elements) },
+    ...[['PFr', 6], ['SP', 8], ['GTSP', 9]].flatMap(([name, k]) => [
+      { title: `${name}: paper`, number: paper(k) },
+      { title: 'ours', number: ours(`from ${name}`) },
+    ]),
+  ]);
+}
+
+function third(sheets) {
+  print('Table 3: components, improvement over PFr', sheets, [
+    { title: 'n', cell: (s) => String(s.elements) },
+    ...['C-FR', 'C-MP', 'C-MSP', 'C-LKH-FR'].flatMap((name, k) => [
+      { title: `${name}: paper`, number: (s) => s.printed[10 + k] },
+      { title: 'ours', number: (s) => gain(of(s, name), of(s, 'PFr')) },
+    ]),
+  ]);
+}

@@ -1,0 +1,29 @@
+//! What cutting pierce groups as one saves, in words.
+
+use crate::finding::{Code, Finding, Severity};
+use crate::problem::Problem;
+use crate::sheet::{PierceGroup, Sheet};
+
+/// One finding for each group that the problem of a sheet cuts as one.
+pub(super) fn findings(sheet: &Sheet, problem: &Problem) -> Vec<Finding> {
+    let joined = |g: &&PierceGroup| {
+        let first = g.contours.first().and_then(|&c| problem.items.get(c as usize));
+        first.is_some_and(|item| !item.ways().is_empty())
+    };
+    sheet.pierce_groups().iter().filter(joined).map(|group| finding(sheet, group)).collect()
+}
+
+fn finding(sheet: &Sheet, group: &PierceGroup) -> Finding {
+    let between_parts = group.elements.iter().filter(|e| !e.faces.contains(&0));
+    let path = |c: u32| sheet.contours.get(c as usize).map(|c| &c.path);
+    let shared: f64 = between_parts.filter_map(|e| Some(e.path(path(e.contour)?).length())).sum();
+    let contours = group.contours.len();
+    let message = format!(
+        "{contours} contours share cuts and are cut as one: {:.3} m are cut once instead of twice, {} fewer piercings.",
+        shared / 1000.0,
+        contours.saturating_sub(1),
+    );
+    let finding = Finding::new(Code::CommonCut, Severity::Info, message);
+    let count = u32::try_from(contours).unwrap_or(u32::MAX);
+    finding.at(group.nodes.first().copied().unwrap_or_default()).times(count)
+}

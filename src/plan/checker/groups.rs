@@ -1,0 +1,255 @@
+//! Pierce groups: every shared cut once, nothing cut that has fallen out, pre-cuts where they are needed.
+//!
+//! The beam is followed from element to element. What is held is found anew after every element, outwards in: an area
+//! hangs on the sheet as long as a row of elements not yet cut leads from it to the area around the group. (Those who
+//! plan look at the order backwards instead.)
+
+use super::violation::Violation;
+use super::{SAME, rounding};
+use crate::geometry::{DVec2, Path, Segment, turns};
+use crate::machine::Profile;
+use crate::sheet::{PIERCE_GROUPS, PierceGroup, Sheet};
+
+/// One group at work.
+struct Work<'s> {
+    group: &'s PierceGroup,
+    paths: Vec<Path>,
+    cut: Vec<bool>,
+    /// Pre-cuts made: contour and node.
+    ahead: Vec<(u32, u32)>,
+    visited: Vec<bool>,
+    /// By area: the move that cut it free.
+    free: Vec<Option<usize>>,
+}
+
+/// The groups of a sheet as they are worked.
+pub(super) struct Groups<'s> {
+    sheet: &'s Sheet,
+    work: Vec<Work<'s>>,
+    /// By contour.
+    of: Vec<Option<usize>>,
+}
+
+impl<'s> Groups<'s> {
+    /// None where the machine makes no pre-cuts: contours are then cut by themselves.
+    pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
+        let mut of = vec![None; sheet.contours.len()];
+        let mut work = Vec::new();
+        let joins = machine.pre_cut_time.is_some_and(|seconds| seconds > 0.0);
+        for group in sheet.pierce_groups().iter().filter(|_| joins) {
+            for &c in &group.contours {
+                if let Some(of) = of.get_mut(c as usize) {
+                    *of = Some(work.len());
+                }
+            }
+            let path = |c: u32| sheet.contours.get(c as usize).map(|c| &c.path);
+            let paths = group.elements.iter().map(|e| path(e.contour).map(|p| e.path(p)).unwrap_or_default());
+            work.push(Work {
+                group,
+                paths: paths.collect(),
+                cut: vec![false; group.elements.len()],
+                ahead: Vec::new(),
+                visited: vec![false; group.nodes.len()],
+                free: vec![None; group.faces as usize],
+            });
+        }
+        Self { sheet, work, of }
+    }
+
+    /// Whether a contour is cut with its group.
+    pub(super) fn holds(&self, contour: u32) -> bool {
+        PIERCE_GROUPS && self.of.get(contour as usize).is_some_and(Option::is_some)
+    }
+
+    /// Whether two contours are of one group.
+    pub(super) fn same(&self, a: u32, b: u32) -> bool {
+        self.holds(a) && self.of.get(a as usize) == self.of.get(b as usize)
+    }
+
+    /// A pre-cut into a contour where the head is: whether something of it begins there and is not cut yet.
+    pub(super) fn pre_cut(&mut self, contour: u32, head: DVec2) -> bool {
+        let Some(work) = self.of.get(contour as usize).copied().flatten().and_then(|g| self.work.get_mut(g))
+        else {
+            return false;
+        };
+        let Some(node) = work.node(head) else { return false };
+        let elements = work.group.elements.iter().zip(&work.cut);
+        let left =
+            elements.filter(|(e, cut)| !**cut && e.contour == contour && e.ends.contains(&node)).count();
+        work.ahead.push((contour, node));
+        left > 0
+    }
+
+    /// A run of the beam. `ready`: it was pierced, or goes on from where the beam just was.
+    pub(super) fn cut(
+        &mut self,
+        step: usize,
+        contours: &[u32],
+        path: &[Segment],
+        ready: bool,
+        found: &mut Vec<Violation>,
+    ) {
+        let Some(&contour) = contours.first() else { return };
+        let Some(work) = self.of.get(contour as usize).copied().flatten().and_then(|g| self.work.get_mut(g))
+        else {
+            return;
+        };
+        let run = Path::new(path.to_vec(), false);
+        let (length, mut gone, mut first) = (run.length(), 0.0, true);
+        let mut named: Vec<u32> = Vec::new();
+        while gone < length - SAME {
+            let Some((e, node, to)) = work.next(&run, gone) else {
+                let at = run.at(gone).unwrap_or_default();
+                found.push(if work.repeats(&run, gone) {
+                    Violation::Again { step, contour }
+                } else {
+                    Violation::Strays { step, contour, at }
+                });
+                return;
+            };
+            let own = work.group.elements[e].contour;
+            named.push(own);
+            let pre_cut = |node: u32, work: &Work| work.ahead.contains(&(own, node));
+            if (first && !ready && !pre_cut(node, work)) || (work.is_loose(to) && !pre_cut(to, work)) {
+                found.push(Violation::NoPreCut { step, contour: own });
+            }
+            if !work.is_held(e) {
+                found.push(Violation::Fallen { step, contour: own });
+            }
+            work.take(e, step);
+            gone += work.paths[e].length();
+            first = false;
+        }
+        named.dedup();
+        if named != contours {
+            found.push(Violation::Beam { step, what: "runs along other contours than it says" });
+        }
+    }
+
+    /// After the last move: everything cut; what lies in an area, before that was cut free. `ends`: the move at which a
+    /// contour was last cut.
+    pub(super) fn finish(&self, ends: impl Fn(u32) -> Option<usize>, found: &mut Vec<Violation>) {
+        for work in self.work.iter().filter(|_| PIERCE_GROUPS) {
+            for (e, path) in
+                work.group.elements.iter().zip(&work.paths).zip(&work.cut).filter(|c| !*c.1).map(|c| c.0)
+            {
+                found.push(Violation::Partly {
+                    step: ends(e.contour).unwrap_or(0),
+                    contour: e.contour,
+                    worked: 0.0,
+                    length: path.length(),
+                });
+            }
+            for (inner, contour) in (0..).zip(&self.sheet.contours) {
+                if work.group.contours.contains(&inner) {
+                    continue;
+                }
+                // Ends may lie on the outline.
+                let (Some(at), Some(end)) = (contour.path.at(0.5 * contour.path.length()), ends(inner))
+                else {
+                    continue;
+                };
+                for face in 1..work.group.faces {
+                    let late = work.free.get(face as usize).copied().flatten().is_some_and(|free| free < end);
+                    if late && work.holds(face, at) {
+                        let outer = work.group.contours.first().copied().unwrap_or(0);
+                        found.push(Violation::CutFree { outer, inner });
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Work<'_> {
+    fn node(&self, at: DVec2) -> Option<u32> {
+        (0..).zip(&self.group.nodes).find(|n| n.1.distance(at) <= SAME).map(|n| n.0)
+    }
+
+    /// The element, not cut yet, that a run follows from so far along it, and the nodes it comes from and to.
+    fn next(&self, run: &Path, gone: f64) -> Option<(usize, u32, u32)> {
+        (0..self.paths.len())
+            .filter(|&e| !self.cut[e])
+            .find_map(|e| self.follows(run, gone, e).map(|n| (e, n[0], n[1])))
+    }
+
+    fn repeats(&self, run: &Path, gone: f64) -> bool {
+        (0..self.paths.len()).any(|e| self.cut[e] && self.follows(run, gone, e).is_some())
+    }
+
+    fn follows(&self, run: &Path, gone: f64, e: usize) -> Option<[u32; 2]> {
+        let path = &self.paths[e];
+        let length = path.length();
+        let slack = SAME + path.segments.iter().map(rounding).sum::<f64>();
+        let [a, b] = self.group.elements[e].ends;
+        [(false, [a, b]), (true, [b, a])].into_iter().find_map(|(back, ends)| {
+            let along = |t: f64| if back { (1.0 - t) * length } else { t * length };
+            let fits = [0.0, 0.25, 0.5, 0.75, 1.0].into_iter().all(|t| {
+                let (Some(p), Some(q)) = (run.at(gone + t * length), path.at(along(t))) else { return false };
+                p.distance(q) <= slack
+            });
+            (fits && gone + length <= run.length() + slack).then_some(ends)
+        })
+    }
+
+    /// Areas that hang on the sheet by what is not cut yet.
+    fn held(&self) -> Vec<bool> {
+        let mut held = vec![false; self.group.faces as usize];
+        let mut queue = vec![0_u32];
+        while let Some(f) = queue.pop() {
+            if !std::mem::replace(&mut held[f as usize], true) {
+                let left = self
+                    .group
+                    .elements
+                    .iter()
+                    .zip(&self.cut)
+                    .filter(|(e, cut)| !**cut && e.faces.contains(&f));
+                queue.extend(left.flat_map(|(e, _)| e.faces));
+            }
+        }
+        held
+    }
+
+    fn is_held(&self, e: usize) -> bool {
+        let held = self.held();
+        self.group.elements[e].faces.iter().any(|&f| held[f as usize])
+    }
+
+    /// Whether an area that ends at a node has been cut free.
+    fn is_loose(&self, node: u32) -> bool {
+        let mut elements = self.group.elements.iter().filter(|e| e.ends.contains(&node));
+        elements.any(|e| e.faces.iter().any(|&f| self.free[f as usize].is_some()))
+    }
+
+    fn take(&mut self, e: usize, step: usize) {
+        self.cut[e] = true;
+        for n in self.group.elements[e].ends {
+            self.visited[n as usize] = true;
+        }
+        let held = self.held();
+        for (free, held) in self.free.iter_mut().zip(held) {
+            if !held && free.is_none() {
+                *free = Some(step);
+            }
+        }
+    }
+
+    /// Whether a place lies in an area, not on its outline.
+    fn holds(&self, face: u32, at: DVec2) -> bool {
+        let boundary = self.boundary(face);
+        turns(&boundary, at) != 0 && boundary.iter().all(|s| s.nearest(at).1 > SAME * SAME)
+    }
+
+    /// The elements around an area, with it on their left, in no order.
+    fn boundary(&self, face: u32) -> Vec<Segment> {
+        let mut segments = Vec::new();
+        for (e, path) in self.group.elements.iter().zip(&self.paths) {
+            if e.faces[0] == face && e.faces[1] != face {
+                segments.extend_from_slice(&path.segments);
+            } else if e.faces[1] == face && e.faces[0] != face {
+                segments.extend(path.reversed().segments);
+            }
+        }
+        segments
+    }
+}

@@ -1,0 +1,119 @@
+//! Pierce groups among the items: which contours are one item, and what comes before it.
+
+use super::model::{Item, ItemId, Node, NodeId};
+use super::sub_path::{SubPath, sub_paths};
+use crate::machine::Profile;
+use crate::sheet::{PIERCE_GROUPS, PierceGroup, Sheet};
+
+/// The groups of a sheet that are cut as one.
+pub(super) struct PierceGroups<'s> {
+    sheet: &'s Sheet,
+    groups: Vec<(&'s PierceGroup, Vec<SubPath>)>,
+    /// By contour: the group it is in.
+    of: Vec<Option<u32>>,
+    /// By contour: the group that closes it in, the smallest of several.
+    within: Vec<Option<u32>>,
+}
+
+impl<'s> PierceGroups<'s> {
+    /// Those that a machine can cut as one, that is with pre-cuts, and through which there is a way.
+    pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
+        let none = vec![None; sheet.contours.len()];
+        let mut all = Self { sheet, groups: Vec::new(), of: none.clone(), within: none };
+        if machine.pre_cut_time.is_none_or(|seconds| seconds <= 0.0) {
+            return all;
+        }
+        for group in sheet.pierce_groups() {
+            let paths = sub_paths(sheet, group, machine);
+            if paths.is_empty() {
+                continue;
+            }
+            let index = u32::try_from(all.groups.len()).ok();
+            for &c in &group.contours {
+                all.of[c as usize] = index;
+            }
+            for &c in &group.inside {
+                let size = |g: u32| all.groups[g as usize].0.inside.len();
+                let larger = all.within[c as usize].is_none_or(|g| size(g) > group.inside.len());
+                if larger {
+                    all.within[c as usize] = index;
+                }
+            }
+            all.groups.push((group, paths));
+        }
+        all
+    }
+
+    /// The contour whose item stands for a contour: the first of its group.
+    fn stands_for(&self, contour: u32) -> ItemId {
+        let group = self.of.get(contour as usize).copied().flatten();
+        group.map_or(contour, |g| self.groups[g as usize].0.contours[0])
+    }
+
+    /// The contour that a contour, or all of its group, must come before.
+    pub(super) fn before(&self, contour: u32) -> Option<ItemId> {
+        let inside = |c: u32| self.sheet.contours.get(c as usize).and_then(|c| c.inside).filter(|&o| o != c);
+        if !PIERCE_GROUPS {
+            return inside(contour);
+        }
+        let own = self.of[contour as usize];
+        // Around the group, not of it.
+        let mut outer = inside(contour);
+        while let Some(o) = outer.filter(|&o| own.is_some() && self.of[o as usize] == own) {
+            outer = inside(o);
+        }
+        let closed_in = self.within[contour as usize].filter(|&g| Some(g) != own);
+        let Some((group, _)) = closed_in.and_then(|g| self.groups.get(g as usize)) else {
+            return outer.map(|o| self.stands_for(o));
+        };
+        // What lies around it within the group comes first.
+        let nearer = outer.filter(|o| group.inside.contains(o));
+        Some(nearer.map_or(group.contours[0], |o| self.stands_for(o)))
+    }
+
+    /// The item of a contour of a group: of the first one, all ways through the group; of others, nothing to be visited.
+    pub(super) fn item(&self, contour: u32, rank: u32, nodes: &mut Vec<Node>) -> Option<Item> {
+        if !PIERCE_GROUPS {
+            return None;
+        }
+        let (group, paths) = &self.groups[self.of[contour as usize]? as usize];
+        let first = NodeId::try_from(nodes.len()).ok()?;
+        let stands = group.contours[0] == contour;
+        let paths = if stands { paths.clone() } else { Vec::new() };
+        let mut place = -1.0;
+        for (path, id) in paths.iter().zip(first..) {
+            let [entry, exit] = path.ends;
+            let twin = first + ((id - first) ^ 1);
+            nodes.push(Node { item: contour, entry, exit, along: place, reversed: false, twin });
+            place -= 1.0;
+        }
+        let least = paths.iter().map(|p| p.seconds).fold(f64::INFINITY, f64::min);
+        Some(Item {
+            nodes: first..NodeId::try_from(nodes.len()).ok()?,
+            before: self.before(contour).filter(|_| stands),
+            rank,
+            fixed: if stands { least } else { 0.0 },
+            run: None,
+            leave: None,
+            track: None,
+            paths,
+        })
+    }
+
+    /// Brings all contours of a group to one rank, not below that of anything they close in; and what lies around to that
+    /// at least.
+    pub(super) fn raise(&self, ranks: &mut [u32]) {
+        for (group, _) in self.groups.iter().filter(|_| PIERCE_GROUPS) {
+            let all = group.contours.iter().chain(&group.inside);
+            let most = all.map(|&c| ranks[c as usize]).max().unwrap_or(0);
+            group.contours.iter().for_each(|&c| ranks[c as usize] = most);
+            let mut outer = self.before(group.contours[0]);
+            // No deeper than there are contours, whatever the nesting says.
+            for _ in 0..ranks.len() {
+                let Some(o) = outer else { break };
+                ranks[o as usize] = ranks[o as usize].max(most);
+                outer = self.before(o);
+            }
+        }
+    }
+}

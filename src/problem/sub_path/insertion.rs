@@ -1,0 +1,68 @@
+//! The element insertion heuristic: the cheapest element, in the cheapest way, at the cheapest place where it keeps the
+//! order possible, until all are in.
+//!
+//! Dewil et al. use it for sub paths (section 4.7) and describe it in the paper before (2014a), which does not stand
+//! here: begun is with the elements at the given ends, and what an insertion adds is the change of air seconds and
+//! starts between its neighbours. That is our reading of its name.
+
+use super::net::{Net, Order, Step};
+use crate::order::{real, sort_by};
+
+/// An order from node to node; `None` if none was found.
+pub(super) fn order(net: &Net, from: u32, to: u32) -> Option<Order> {
+    let steps = net.steps();
+    let first = steps.clone().find(|&s| net.step(s)[0] == from)?;
+    let last = steps.clone().find(|&s| net.step(s)[1] == to && s / 2 != first / 2);
+    let mut order: Order = std::iter::once(first).chain(last).collect();
+    let mut left: Vec<u32> = net.elements().filter(|e| !order.iter().any(|s| s / 2 == *e)).collect();
+    let gap = |a: u32, b: u32| if a == b { 0.0 } else { net.way(a, b) + net.start() + net.pre_cut() };
+    while !left.is_empty() {
+        let mut ways: Vec<(f64, usize, usize, Step)> = Vec::new();
+        for (which, &e) in left.iter().enumerate() {
+            for step in [2 * e, 2 * e + 1] {
+                let [a, b] = net.step(step);
+                // Never before the first nor behind the last, where there are two.
+                for k in 1..order.len().max(2) {
+                    let before = net.step(order[k - 1])[1];
+                    let after = order.get(k).map(|&s| net.step(s)[0]);
+                    let more = gap(before, a) + after.map_or(0.0, |n| gap(b, n) - gap(before, n));
+                    ways.push((more, which, k, step));
+                }
+            }
+        }
+        sort_by(&mut ways, |w| [real(w.0), (w.1 as u64) << 32 | w.2 as u64, w.3.into()]);
+        let (which, grown) = ways.into_iter().find_map(|(_, which, k, step)| {
+            let mut grown = order.clone();
+            grown.insert(k, step);
+            net.is_possible_so_far(&grown, &left).then_some((which, grown))
+        })?;
+        order = grown;
+        left.swap_remove(which);
+    }
+    (net.ends(&order) == [from, to] && net.is_possible(&order)).then_some(order)
+}
+
+impl Net<'_> {
+    /// Whether an order of some elements can become one of all: those that are missing may be cut last.
+    fn is_possible_so_far(&self, order: &[Step], missing: &[u32]) -> bool {
+        let mut all = order.to_vec();
+        let inserted = |e: u32| order.iter().any(|s| s / 2 == e);
+        all.extend(missing.iter().filter(|e| !inserted(**e)).map(|e| 2 * e));
+        let mut held = vec![false; self.group.faces as usize];
+        held[0] = true;
+        // What is missing holds wherever it is.
+        for _ in 0..self.group.faces {
+            for s in &all[order.len()..] {
+                let [a, b] = self.faces(*s).map(|f| f as usize);
+                let holds = held[a] || held[b];
+                (held[a], held[b]) = (holds, holds);
+            }
+        }
+        order.iter().rev().all(|&s| {
+            let [a, b] = self.faces(s).map(|f| f as usize);
+            let holds = held[a] || held[b];
+            (held[a], held[b]) = (holds, holds);
+            holds
+        })
+    }
+}

@@ -1,0 +1,190 @@
+//! Which contours end on which, and where.
+
+use super::super::cluster::cluster;
+use super::super::element::{ROUNDING, with_end, with_start};
+use super::super::model::Contour;
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path};
+use crate::order::{real, sort_by};
+
+/// Contours meet within this, mm: rounding of a place along a contour.
+const MEET: f64 = 1e-9;
+/// A place on a contour where a group has a node.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Break {
+    pub(super) contour: u32,
+    /// Arc length from the contour's start, mm.
+    pub(super) along: f64,
+    pub(super) at: DVec2,
+}
+
+/// Contours that hang together, and where they meet.
+pub(super) struct Set {
+    /// Ascending.
+    pub(super) contours: Vec<u32>,
+    /// By contour, then along it.
+    pub(super) breaks: Vec<Break>,
+    /// The node of each break.
+    pub(super) node: Vec<u32>,
+}
+
+/// Sets of contours that end on each other, of those that are `sound`.
+pub(super) fn sets(contours: &[Contour], sound: &[bool], tolerance: f64) -> Vec<Set> {
+    let boxes = BoxIndex::new(contours.iter().map(|c| c.bounds));
+    let mut leader: Vec<u32> = (0..).take(contours.len()).collect();
+    let mut breaks: Vec<Break> = Vec::new();
+    let mut met: Vec<u32> = Vec::new();
+    let open = |c: &(u32, &Contour)| sound[c.0 as usize] && !c.1.path.closed;
+    for (id, contour) in (0..).zip(contours).filter(open) {
+        let ends = [contour.path.start(), contour.path.end()].map(Option::unwrap_or_default);
+        let touched = ends.map(|end| touching(contours, sound, &boxes, id, end, tolerance));
+        if touched.iter().any(Vec::is_empty) {
+            continue;
+        }
+        met.push(id);
+        for found in touched.into_iter().flatten() {
+            unite(&mut leader, id, found.contour);
+            breaks.push(found);
+        }
+    }
+    // Open contours end where they end, touched or not.
+    met.extend(breaks.iter().map(|b| b.contour));
+    sort_by(&mut met, |&c| [c.into(), 0, 0]);
+    met.dedup();
+    for id in met {
+        let path = &contours[id as usize].path;
+        if let (Some(start), Some(end), false) = (path.start(), path.end(), path.closed) {
+            breaks.push(Break { contour: id, along: 0.0, at: start });
+            breaks.push(Break { contour: id, along: path.length(), at: end });
+        }
+    }
+    let mut by_set: Vec<(u32, Break)> = breaks.into_iter().map(|b| (root(&leader, b.contour), b)).collect();
+    sort_by(&mut by_set, |(set, b)| [u64::from(*set) << 32 | u64::from(b.contour), real(b.along), 0]);
+    by_set.chunk_by(|a, b| a.0 == b.0).map(|set| joined(contours, set, tolerance)).collect()
+}
+
+/// The places of other contours at a point.
+fn touching(
+    contours: &[Contour],
+    sound: &[bool],
+    boxes: &BoxIndex,
+    own: u32,
+    at: DVec2,
+    tolerance: f64,
+) -> Vec<Break> {
+    let mut found = Vec::new();
+    for c in boxes.query(Aabb::EMPTY.with(at).grown(tolerance)) {
+        let (Ok(id), contour) = (u32::try_from(c), &contours[c]) else { continue };
+        if id == own || !sound[c] {
+            continue;
+        }
+        if let Some((along, place)) = nearest(&contour.path, at).filter(|n| n.1.distance(at) <= tolerance) {
+            found.push(Break { contour: id, along, at: place });
+        }
+    }
+    found
+}
+
+/// The place on a path nearest to a point: arc length and point.
+fn nearest(path: &Path, p: DVec2) -> Option<(f64, DVec2)> {
+    let mut before = 0.0;
+    let mut best: Option<(f64, f64, DVec2)> = None;
+    for s in &path.segments {
+        let (fraction, distance2) = s.nearest(p);
+        if best.is_none_or(|b| distance2 < b.0) {
+            best = Some((distance2, before + fraction * s.length(), s.at(fraction)));
+        }
+        before += s.length();
+    }
+    best.map(|b| (b.1, b.2))
+}
+
+/// A set with its nodes: breaks within tolerance are one, of one contour they are one break.
+fn joined(contours: &[Contour], set: &[(u32, Break)], tolerance: f64) -> Set {
+    let points: Vec<DVec2> = set.iter().map(|s| s.1.at).collect();
+    let node = cluster(&points, 2.0 * tolerance);
+    let mut out = Set { contours: Vec::new(), breaks: Vec::new(), node: Vec::new() };
+    for (&(_, b), &n) in set.iter().zip(&node) {
+        if out.contours.last() != Some(&b.contour) {
+            out.contours.push(b.contour);
+        }
+        let same = |k: usize| out.breaks[k].contour == b.contour && out.node[k] == n;
+        // Ends of an open contour stay both; other places of one contour at a node are one.
+        let known = (0..out.breaks.len())
+            .rev()
+            .take_while(|&k| out.breaks[k].contour == b.contour)
+            .find(|&k| same(k));
+        let is_end = |b: &Break| {
+            let path = &contours[b.contour as usize].path;
+            !path.closed && (b.along <= 0.0 || b.along >= path.length())
+        };
+        match known {
+            Some(k)
+                if is_end(&b)
+                    && is_end(&out.breaks[k])
+                    && (out.breaks[k].along - b.along).abs() > tolerance =>
+            {
+                out.breaks.push(b);
+                out.node.push(n);
+            }
+            Some(k) if is_end(&b) => out.breaks[k] = b,
+            Some(_) => {}
+            None => {
+                out.breaks.push(b);
+                out.node.push(n);
+            }
+        }
+    }
+    out
+}
+
+/// Ends of open contours moved onto what they end on, so that all meet bit for bit; the middle of a contour stays. `false`
+/// and nothing moved where they are farther apart than rounding: what was drawn stays as it is.
+pub(super) fn join(contours: &mut [Contour], set: &Set) -> bool {
+    let nodes = set.node.iter().max().map_or(0, |n| *n as usize + 1);
+    let mut place: Vec<Option<DVec2>> = vec![None; nodes];
+    let is_inner = |contours: &[Contour], b: &Break| {
+        let path = &contours[b.contour as usize].path;
+        path.closed || (b.along > 0.0 && b.along < path.length())
+    };
+    for inner in [true, false] {
+        for (b, &n) in set.breaks.iter().zip(&set.node) {
+            if is_inner(contours, b) == inner && place[n as usize].is_none() {
+                place[n as usize] = contours[b.contour as usize].path.at(b.along);
+            }
+        }
+    }
+    let mut moves: Vec<(u32, bool, DVec2)> = Vec::new();
+    for (b, &n) in set.breaks.iter().zip(&set.node) {
+        let path = &contours[b.contour as usize].path;
+        let (Some(to), Some(from)) = (place[n as usize], path.at(b.along)) else { return false };
+        let inner = is_inner(contours, b);
+        if from.distance(to) > if inner { MEET } else { ROUNDING } {
+            return false;
+        }
+        if !inner {
+            moves.push((b.contour, b.along > 0.0, to));
+        }
+    }
+    for (id, at_end, to) in moves {
+        let contour = &mut contours[id as usize];
+        let segments = &mut contour.path.segments;
+        if let Some(s) = if at_end { segments.last_mut() } else { segments.first_mut() } {
+            *s = if at_end { with_end(*s, to) } else { with_start(*s, to) };
+        }
+        contour.length = contour.path.length();
+        contour.bounds = contour.path.bounds();
+    }
+    true
+}
+
+fn root(leader: &[u32], mut c: u32) -> u32 {
+    while leader[c as usize] != c {
+        c = leader[c as usize];
+    }
+    c
+}
+
+fn unite(leader: &mut [u32], a: u32, b: u32) {
+    let (a, b) = (root(leader, a), root(leader, b));
+    leader[a.max(b) as usize] = a.min(b);
+}

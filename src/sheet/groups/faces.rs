@@ -1,0 +1,103 @@
+//! The net of a group: elements between nodes, and the areas they part.
+//!
+//! Every element is walked twice, once each way, always with the area on the left: at a node the walk goes on along the
+//! element that turns left the least from where it came, which is the next one clockwise. Rounds that enclose an
+//! area run counter-clockwise; the net hangs together, so exactly one runs clockwise, and that is the area around it.
+
+use super::contacts::Set;
+use super::{GroupElement, PierceGroup};
+use crate::geometry::{DVec2, Path};
+use crate::order::{real, sort_by};
+
+/// How far along an element its direction at a node is looked at, as a part of its length: arcs that leave a node along
+/// one tangent part there.
+const AHEAD: f64 = 0.05;
+
+/// The group of a set of contours; `None` when its elements are no proper net, as when they cross elsewhere.
+pub(super) fn group(contours: &[super::Contour], set: &Set) -> Option<PierceGroup> {
+    let nodes = set.node.iter().max().map_or(0, |n| *n as usize + 1);
+    let mut at = vec![DVec2::ZERO; nodes];
+    for (b, &n) in set.breaks.iter().zip(&set.node) {
+        at[n as usize] = contours[b.contour as usize].path.at(b.along)?;
+    }
+    let mut elements = Vec::new();
+    let own = |id: u32| (0..set.breaks.len()).filter(move |&k| set.breaks[k].contour == id);
+    for &id in &set.contours {
+        let path = &contours[id as usize].path;
+        let breaks: Vec<usize> = own(id).collect();
+        let last = if path.closed { breaks.first().copied() } else { None };
+        let next = breaks.iter().skip(1).copied().chain(last);
+        for (&a, b) in breaks.iter().zip(next) {
+            let (from, to) = (set.breaks[a].along, set.breaks[b].along);
+            let ends = [set.node[a], set.node[b]];
+            elements.push(GroupElement { contour: id, from, to, ends, faces: [0; 2] });
+        }
+    }
+    let paths: Vec<Path> = elements.iter().map(|e| e.path(&contours[e.contour as usize].path)).collect();
+    if paths.iter().any(|p| p.segments.is_empty()) {
+        return None;
+    }
+    let faces = trace(&mut elements, &paths, nodes)?;
+    Some(PierceGroup { contours: set.contours.clone(), nodes: at, elements, faces, inside: Vec::new() })
+}
+
+/// Gives every element its faces; how many there are.
+fn trace(elements: &mut [GroupElement], paths: &[Path], nodes: usize) -> Option<u32> {
+    // Half 2 e leaves the beginning of element e, half 2 e + 1 its end.
+    let mut leaving: Vec<Vec<usize>> = vec![Vec::new(); nodes];
+    for (e, element) in elements.iter().enumerate() {
+        leaving[element.ends[0] as usize].push(2 * e);
+        leaving[element.ends[1] as usize].push(2 * e + 1);
+    }
+    let mut after = vec![0; 2 * elements.len()];
+    for halves in &mut leaving {
+        sort_by(halves, |&h| [real(angle(direction(&paths[h / 2], h % 2 == 1))), 0, 0]);
+        for (k, &h) in halves.iter().enumerate() {
+            // Whoever arrives by the other half of h goes on with the one before it counter-clockwise.
+            after[h ^ 1] = halves[(k + halves.len() - 1) % halves.len()];
+        }
+    }
+    let mut face = vec![u32::MAX; after.len()];
+    let (mut inner, mut around) = (1, 0);
+    for start in 0..after.len() {
+        if face[start] != u32::MAX {
+            continue;
+        }
+        let mut round = Vec::new();
+        let mut h = start;
+        while face[h] == u32::MAX {
+            face[h] = inner;
+            round.push(h);
+            h = after[h];
+        }
+        let area: f64 = round.iter().map(|&h| doubled_area(&paths[h / 2], h % 2 == 1)).sum();
+        if area > 0.0 {
+            inner += 1;
+        } else {
+            around += 1;
+            round.iter().for_each(|&h| face[h] = 0);
+        }
+    }
+    for (e, element) in elements.iter_mut().enumerate() {
+        element.faces = [face[2 * e], face[2 * e + 1]];
+    }
+    (around == 1).then_some(inner)
+}
+
+/// The way from a node into an element.
+fn direction(path: &Path, from_end: bool) -> DVec2 {
+    let length = path.length();
+    let (at, there) = if from_end { (length, length * (1.0 - AHEAD)) } else { (0.0, length * AHEAD) };
+    path.at(there).unwrap_or_default() - path.at(at).unwrap_or_default()
+}
+
+/// Grows with the angle of a direction, from 0 to 4.
+fn angle(d: DVec2) -> f64 {
+    let x = d.x / (d.x.abs() + d.y.abs());
+    if d.y >= 0.0 { 1.0 - x } else { 3.0 + x }
+}
+
+fn doubled_area(path: &Path, reversed: bool) -> f64 {
+    let sum: f64 = path.segments.iter().map(|s| s.doubled_area()).sum();
+    if reversed { -sum } else { sum }
+}

@@ -1,0 +1,80 @@
+//! Entries of a route: for its order, the best node of every contour at once, by dynamic programming from layer to layer.
+
+use super::forest::Forest;
+use super::ground::Ground;
+use super::walk::keeps_precedence;
+use crate::problem::NodeId;
+use crate::solve::tour_tree::EPSILON;
+use glam::DVec2;
+
+/// The cheapest nodes for layers passed in order between two places, and what they cost.
+pub(super) fn cheapest(
+    g: &Ground,
+    layers: &[Vec<NodeId>],
+    (from, to): (DVec2, Option<DVec2>),
+) -> (f64, Vec<NodeId>) {
+    // Least seconds to each node of the last layer, and where from.
+    let mut costs: Vec<f64> = Vec::new();
+    let mut came: Vec<Vec<usize>> = Vec::with_capacity(layers.len());
+    for (k, layer) in layers.iter().enumerate() {
+        let mut next = Vec::with_capacity(layer.len());
+        let mut back = Vec::with_capacity(layer.len());
+        for &node in layer {
+            let best = match k.checked_sub(1).map(|k| &layers[k]) {
+                None => (g.air(from, g.entry(node)), 0),
+                Some(before) => before
+                    .iter()
+                    .zip(&costs)
+                    .map(|(&b, c)| c + g.leg(b, node))
+                    .zip(0..)
+                    .fold((f64::INFINITY, 0), |best, this| if this.0 < best.0 { this } else { best }),
+            };
+            next.push(best.0 + g.extra(node));
+            back.push(best.1);
+        }
+        costs = next;
+        came.push(back);
+    }
+    let Some(last) = layers.last() else { return (to.map_or(0.0, |to| g.air(from, to)), Vec::new()) };
+    let ends = last.iter().zip(&costs).map(|(&n, c)| c + to.map_or(0.0, |to| g.air(g.exit(n), to)));
+    let (cost, mut at) =
+        ends.zip(0..).fold((f64::INFINITY, 0), |best, this| if this.0 < best.0 { this } else { best });
+    let mut nodes = Vec::with_capacity(layers.len());
+    for (layer, back) in layers.iter().zip(&came).rev() {
+        nodes.push(layer[at]);
+        at = back[at];
+    }
+    nodes.reverse();
+    (cost, nodes)
+}
+
+/// Chooses the entries of a route anew; with `keep`, only as precedence allows: where several partitions hang from a
+/// contour, another entry turns the order in which they are cut. Says whether something was gained, and counts its work.
+pub(super) fn improve(g: &Ground, forest: &mut Forest, route: u32, keep: bool) -> (bool, u64) {
+    let mut work = 1;
+    // Free to turn first; if that breaks precedence, those that would turn something stay as they are.
+    for frozen in [false, true].into_iter().take(1 + usize::from(keep)) {
+        let layers: Vec<Vec<NodeId>> = forest
+            .items(route)
+            .iter()
+            .map(|&i| match frozen && forest.kids(i) > 1 {
+                true => vec![forest.entry(i)],
+                false => g.nodes(i).filter(|&n| forest.may_enter(n)).collect(),
+            })
+            .collect();
+        work += layers.windows(2).map(|w| (w[0].len() * w[1].len()) as u64).sum::<u64>();
+        let (cost, nodes) = cheapest(g, &layers, forest.ends(g, route));
+        let now = forest.route_seconds(g, route) - forest.at(route).map_or(0.0, |n| g.charge(n));
+        if cost >= now - EPSILON {
+            return (false, work);
+        }
+        let items = forest.items(route).to_vec();
+        let old: Vec<NodeId> = items.iter().map(|&i| forest.entry(i)).collect();
+        items.iter().zip(&nodes).for_each(|(&i, &n)| forest.enter(i, n));
+        if !keep || keeps_precedence(g, forest) {
+            return (true, work);
+        }
+        items.iter().zip(&old).for_each(|(&i, &n)| forest.enter(i, n));
+    }
+    (false, work)
+}

@@ -1,0 +1,318 @@
+//! The frame, steps 1 to 9 of section 4, one piece of work after the other.
+
+use super::connect::Connections;
+use super::edmonds::{Arc, arborescence};
+use super::entries;
+use super::forest::{Forest, ROOT};
+use super::ground::Ground;
+use super::gtsp::Gtsp;
+use super::params::{InitialPartitions, InitialTours, PartitionTree};
+use super::pfr::Pfr;
+use super::repair::repair;
+use super::repartition;
+use super::resolve::resolve;
+use super::stage::{After, Stage};
+use super::told::partitions;
+use super::walk::{keeps_precedence, solution, walk};
+use crate::problem::{ItemId, NodeId, Problem};
+use crate::solve::greedy;
+use crate::solve::papers::insight::{Curve, Insight};
+use crate::solve::papers::lead::{Lead, Pieces};
+use crate::solve::tour_tree::EPSILON;
+use rustc_hash::FxHashSet;
+
+pub(super) struct Frame<'p> {
+    g: Ground<'p>,
+    parameters: PartitionTree,
+    seed: u64,
+    /// The construction is all there is.
+    only_construction: bool,
+    forest: Forest,
+    stage: Stage,
+    /// Partitions as the GTSP left them, by parent node and entries: solved again only when they have changed. Only
+    /// looked up, never gone through.
+    solved: FxHashSet<Vec<NodeId>>,
+    round: u32,
+    idle: u32,
+    /// The best of the rounds, precedence left out.
+    best: Option<(f64, Forest)>,
+    /// The value of the path at the end of the frame, before and after its entries were improved.
+    repaired: Option<f64>,
+    ended: Option<f64>,
+    lead: Lead,
+}
+
+impl<'p> Frame<'p> {
+    pub(super) fn new(problem: &'p Problem, parameters: PartitionTree, seed: u64) -> Self {
+        let g = Ground::new(problem);
+        let forest = Forest::new(&g);
+        let lead = Lead::new(greedy(problem), f64::INFINITY);
+        Self {
+            g,
+            parameters,
+            seed,
+            only_construction: false,
+            forest,
+            stage: Stage::Near,
+            solved: FxHashSet::default(),
+            round: 0,
+            idle: 0,
+            best: None,
+            repaired: None,
+            ended: None,
+            lead,
+        }
+    }
+
+    /// PFr alone.
+    pub(super) fn construction(problem: &'p Problem) -> Self {
+        let mut frame = Self::new(problem, PartitionTree::default(), 0);
+        frame.only_construction = true;
+        frame.stage = Stage::Construct(Box::new(Pfr::new(&frame.g)));
+        frame
+    }
+
+    /// The initial partitions, when no construction is needed.
+    fn begin(&mut self) -> Stage {
+        let path = greedy(self.g.problem);
+        let nodes: Vec<NodeId> = path.stops.iter().map(|s| s.node).collect();
+        let items: Vec<ItemId> = nodes.iter().map(|&n| self.g.item(n)).collect();
+        match self.parameters.start {
+            InitialPartitions::Pfr => Stage::Construct(Box::new(Pfr::new(&self.g))),
+            InitialPartitions::Single => {
+                self.forest.splice(ROOT, 0, items);
+                self.forest.order(&self.g, ROOT, &nodes);
+                self.gtsp(After::Round)
+            }
+            InitialPartitions::Each => {
+                for (k, &node) in nodes.iter().enumerate() {
+                    let own = vec![items[k]];
+                    self.forest.enter(items[k], node);
+                    // The first contour is the root's: without one home would be a partition of nothing.
+                    if k == 0 {
+                        self.forest.splice(ROOT, 0, own);
+                    } else {
+                        self.forest.open(own);
+                    }
+                }
+                self.connect()
+            }
+        }
+    }
+
+    /// Takes the path over, if it is allowed and better.
+    fn take(&mut self) {
+        if keeps_precedence(&self.g, &self.forest) {
+            let seconds = self.forest.seconds(&self.g);
+            self.lead.take(seconds, || solution(&self.g, &self.forest));
+        }
+    }
+
+    /// Partitions whose GTSP is solved, the last first.
+    fn gtsp(&mut self, then: After) -> Stage {
+        let free = |f: &Forest, r: u32| {
+            then == After::Round || self.parameters.first == InitialTours::All || self.is_free(f, r)
+        };
+        let routes: Vec<u32> = match (then, self.parameters.first) {
+            (After::Initial, InitialTours::None) => Vec::new(),
+            _ => self.forest.used().filter(|&r| free(&self.forest, r)).collect(),
+        };
+        Stage::Gtsp { routes, now: None, then }
+    }
+
+    /// Whether no contour of a partition, or of what hangs from it, has to come before another one of these.
+    fn is_free(&self, forest: &Forest, route: u32) -> bool {
+        if self.g.inwards.is_empty() {
+            return true;
+        }
+        let all = 0..forest.items(route).len();
+        let inside = |i: ItemId| forest.hangs_from(&self.g, i, route, &all);
+        !(0..)
+            .zip(&self.g.problem.items)
+            .any(|(id, item)| item.before.is_some_and(|o| !item.nodes.is_empty() && inside(id) && inside(o)))
+    }
+
+    fn repartition(then: After) -> Stage {
+        Stage::Repartition { next: 0, idle: 0, then }
+    }
+
+    fn connect(&self) -> Stage {
+        let routes: Vec<u32> = self.forest.used().collect();
+        Stage::Connect { routes, found: Box::default() }
+    }
+
+    /// Steps 2 and 3.
+    fn resolve(&mut self, found: &Connections) -> u64 {
+        let arcs: Vec<Arc> = found.all.iter().map(|c| c.arc).collect();
+        // Numbers of routes that are not in use are vertices that nothing needs to reach.
+        let used: Vec<usize> = self.forest.used().map(|r| r as usize).collect();
+        let mut number = vec![usize::MAX; self.forest.routes.len()];
+        used.iter().zip(0..).for_each(|(&r, n)| number[r] = n);
+        let packed: Vec<Arc> =
+            arcs.iter().map(|a| Arc { from: number[a.from], to: number[a.to], ..*a }).collect();
+        if let Some(chosen) = arborescence(used.len(), number[ROOT as usize], &packed) {
+            let chosen: Vec<_> = chosen.into_iter().map(|k| found.all[k]).collect();
+            resolve(&self.g, &mut self.forest, &chosen);
+        }
+        (10 * arcs.len() + self.g.problem.items.len()) as u64
+    }
+
+    /// The end of a round.
+    fn count(&mut self) -> Stage {
+        self.round += 1;
+        let seconds = self.forest.seconds(&self.g);
+        if self.best.as_ref().is_none_or(|b| seconds < b.0 - EPSILON) {
+            self.best = Some((seconds, self.forest.clone()));
+            self.idle = 0;
+        } else {
+            self.idle += 1;
+        }
+        if self.idle >= self.parameters.stall.max(1) { Stage::Repair } else { self.connect() }
+    }
+
+    fn entries(&self, then: After) -> Stage {
+        Stage::Entries { routes: self.forest.used().collect(), then }
+    }
+
+    /// How a partition is known again.
+    fn key(&self, route: u32) -> Vec<NodeId> {
+        let at = self.forest.at(route).unwrap_or(NodeId::MAX);
+        std::iter::once(at).chain(self.forest.items(route).iter().map(|&i| self.forest.entry(i))).collect()
+    }
+
+    /// What comes when GTSP or repartition are done.
+    fn after(&mut self, then: After, repartitioned: bool) -> Stage {
+        match (then, repartitioned) {
+            (After::Initial, false) => {
+                // Only what the GTSP of all partitions breaks is to be repaired here.
+                let (moved, _) = repair(&self.g, &mut self.forest);
+                if moved.is_empty() { Self::repartition(then) } else { self.entries(then) }
+            }
+            (_, false) => Self::repartition(then),
+            (After::Initial, true) => {
+                self.take();
+                if self.parameters.stall == 0 { Stage::End } else { self.connect() }
+            }
+            (After::Round, true) => self.count(),
+            (After::Final, true) => {
+                self.ended = Some(self.forest.seconds(&self.g));
+                self.take();
+                Stage::End
+            }
+        }
+    }
+}
+
+impl Pieces for Frame<'_> {
+    fn lead(&self) -> &Lead {
+        &self.lead
+    }
+
+    fn lead_mut(&mut self) -> &mut Lead {
+        &mut self.lead
+    }
+
+    fn piece(&mut self) -> Option<u64> {
+        let (cost, next) = match std::mem::replace(&mut self.stage, Stage::End) {
+            Stage::Near => match self.g.list_near() {
+                Some(priced) => (priced, Stage::Near),
+                None => (1, self.begin()),
+            },
+            Stage::Construct(mut pfr) => match pfr.piece(&self.g) {
+                Some(priced) => (priced, Stage::Construct(pfr)),
+                None => {
+                    self.forest = pfr.forest;
+                    self.take();
+                    (1, if self.only_construction { Stage::End } else { self.gtsp(After::Initial) })
+                }
+            },
+            Stage::Gtsp { routes, now: Some(mut now), then } => match now.piece() {
+                Some(moves) => (moves, Stage::Gtsp { routes, now: Some(now), then }),
+                None => {
+                    let route = now.route();
+                    now.take(&self.g, &mut self.forest);
+                    self.solved.insert(self.key(route));
+                    (1, Stage::Gtsp { routes, now: None, then })
+                }
+            },
+            Stage::Gtsp { mut routes, now: None, then } => match routes.pop() {
+                Some(route) if self.solved.contains(&self.key(route)) => {
+                    (1, Stage::Gtsp { routes, now: None, then })
+                }
+                Some(route) => {
+                    let mut moves = 1;
+                    self.seed = self.seed.wrapping_add(1);
+                    let budget = (self.seed, self.parameters.gtsp_moves);
+                    let now = Gtsp::new(&self.g, &mut self.forest, route, budget, &mut moves).map(Box::new);
+                    (moves, Stage::Gtsp { routes, now, then })
+                }
+                None => (1, self.after(then, false)),
+            },
+            Stage::Repartition { next, idle, then } => {
+                let count = self.g.problem.items.len();
+                if idle >= count {
+                    (1, self.after(then, true))
+                } else if self.g.problem.items[next].nodes.is_empty() {
+                    (1, Stage::Repartition { next: (next + 1) % count, idle: idle + 1, then })
+                } else {
+                    let item = ItemId::try_from(next).unwrap_or(ItemId::MAX);
+                    let (sets, keep) = (self.parameters.repartition, then != After::Round);
+                    let (gained, priced) = repartition::improve(&self.g, &mut self.forest, item, sets, keep);
+                    let idle = if gained { 0 } else { idle + 1 };
+                    let next = if gained { next } else { (next + 1) % count };
+                    (priced, Stage::Repartition { next, idle, then })
+                }
+            }
+            Stage::Connect { mut routes, mut found } => match routes.pop() {
+                Some(route) => {
+                    let priced = found.look(&self.g, &self.forest, route);
+                    (priced, Stage::Connect { routes, found })
+                }
+                None => {
+                    let work = self.resolve(&found);
+                    (work, self.gtsp(After::Round))
+                }
+            },
+            Stage::Repair => {
+                if let Some((_, best)) = &self.best {
+                    self.forest.clone_from(best);
+                }
+                let (_, work) = repair(&self.g, &mut self.forest);
+                self.repaired = Some(self.forest.seconds(&self.g));
+                self.take();
+                (work, self.entries(After::Final))
+            }
+            Stage::Entries { mut routes, then } => match routes.pop() {
+                Some(route) => {
+                    let (_, work) = entries::improve(&self.g, &mut self.forest, route, true);
+                    (work, Stage::Entries { routes, then })
+                }
+                None => (1, Self::repartition(then)),
+            },
+            Stage::End => return None,
+        };
+        self.stage = next;
+        Some(cost)
+    }
+
+    fn insight(&self) -> Insight {
+        let now = self.forest.seconds(&self.g);
+        let free = self.best.as_ref().map_or(now, |b| b.0);
+        let mut pre_cuts = 0_u32;
+        walk(&self.g, &self.forest, |v| pre_cuts += u32::from(!v.closes));
+        let depth = self.forest.used().map(|r| self.forest.depth(&self.g, r)).max().unwrap_or(0);
+        let value = |name, value| Curve { name, value };
+        let count = u32::try_from(self.forest.used().count()).unwrap_or(u32::MAX);
+        let curves = vec![
+            value("time now, s", now),
+            value("best with precedence left out, s", free),
+            value("repaired, s", self.repaired.unwrap_or(now)),
+            value("repaired and improved, s", self.ended.unwrap_or(now)),
+            value("partitions", count.into()),
+            value("depth", depth.into()),
+            value("pre-cuts", pre_cuts.into()),
+        ];
+        let partitions = Some(partitions(self.g.problem, self.lead.solution()));
+        Insight { round: self.round.into(), curves, grid: None, partitions }
+    }
+}

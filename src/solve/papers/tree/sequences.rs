@@ -1,0 +1,89 @@
+//! The second set of repartitioning moves: a sub-sequence of a partition becomes a partition of its own, or goes into
+//! another partition or another gap of its own (figure 7). Never turned round, as in the paper; a single contour may be
+//! entered elsewhere.
+
+use super::forest::{Forest, ROOT};
+use super::ground::Ground;
+use super::repartition::{Found, Move};
+use crate::problem::{ItemId, NodeId};
+use crate::solve::tour_tree::EPSILON;
+use std::ops::Range;
+
+/// Contours of a sub-sequence at most: longer ones gain next to nothing on large sheets, and the work grows with them.
+const LONGEST: usize = 50;
+
+/// Contours of a route that may move, and what that saves where they are.
+struct Piece {
+    route: u32,
+    places: Range<usize>,
+    /// The nodes where the first is entered and the last.
+    ends: [NodeId; 2],
+    /// Where the single contour is entered, if not as it is now.
+    enter: Option<NodeId>,
+    saved: f64,
+}
+
+/// Moves of sub-sequences that begin or end with a contour.
+pub(super) fn look(g: &Ground, forest: &Forest, item: ItemId, found: &mut Found) {
+    let (route, pos) = (forest.route_of(item), forest.pos(item));
+    let count = forest.items(route).len();
+    for end in pos + 1..=count.min(pos + LONGEST) {
+        offer(g, forest, &piece(g, forest, route, pos..end), forest.entry(item), found);
+    }
+    for first in (pos + 1).saturating_sub(LONGEST)..pos {
+        offer(g, forest, &piece(g, forest, route, first..pos + 1), forest.entry(item), found);
+    }
+    let entered = forest.entry(item);
+    let here = piece(g, forest, route, pos..pos + 1);
+    for enter in g.nodes(item).filter(|&n| n != entered && forest.may_enter(n)) {
+        let saved = here.saved + g.extra(entered) - g.extra(enter);
+        let turned =
+            Piece { places: here.places.clone(), ends: [enter; 2], enter: Some(enter), saved, ..here };
+        offer(g, forest, &turned, enter, found);
+    }
+}
+
+fn piece(g: &Ground, forest: &Forest, route: u32, places: Range<usize>) -> Piece {
+    let node = |k: usize| forest.entry(forest.items(route)[k]);
+    let ends = [node(places.start), node(places.end - 1)];
+    let (from, to) = (forest.before(g, route, places.start), forest.after(g, route, places.end));
+    let on = to.map_or(0.0, |to| g.air(g.exit(ends[1]), to) - g.air(from, to));
+    let mut saved = g.air(from, g.entry(ends[0])) + on;
+    if places.len() == forest.items(route).len() {
+        saved += forest.at(route).map_or(0.0, |at| g.charge(at));
+    }
+    Piece { route, places, ends, enter: None, saved }
+}
+
+/// Moves of a piece to the near nodes of one of its ends.
+fn offer(g: &Ground, forest: &Forest, piece: &Piece, end: NodeId, found: &mut Found) {
+    let [first, last] = piece.ends;
+    let whole = piece.places.len() == forest.items(piece.route).len();
+    for &near in g.near(end) {
+        let t = g.item(near);
+        let hangs = || forest.hangs_from(g, t, piece.route, &piece.places);
+        // As a partition of its own; a whole one is hung up elsewhere by the first set.
+        found.priced += 1;
+        let cost = g.charge(near) + g.leg(near, first) + g.leg(last, near);
+        if piece.saved - cost > EPSILON && !whole && forest.is_free(g, near) && !hangs() {
+            let (route, places, enter) = (piece.route, piece.places.clone(), piece.enter);
+            found.moves.push((piece.saved - cost, Move::Own { route, places, node: near, enter }));
+        }
+        let (to, at) = (forest.route_of(t), forest.pos(t));
+        for pos in [at, at + 1] {
+            let own = to == piece.route && (piece.places.start..=piece.places.end).contains(&pos);
+            if own {
+                // In its own gap a contour could only turn: the entries of a route are chosen all together.
+                continue;
+            }
+            found.priced += 1;
+            let (from, next) = (forest.before(g, to, pos), forest.after(g, to, pos));
+            let on = next.map_or(0.0, |next| g.air(g.exit(last), next) - g.air(from, next));
+            let gain = piece.saved - g.air(from, g.entry(first)) - on;
+            if gain > EPSILON && !(whole && piece.route == ROOT) && !hangs() {
+                let (route, places, enter) = (piece.route, piece.places.clone(), piece.enter);
+                found.moves.push((gain, Move::Into { route, places, to, pos, enter }));
+            }
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! One partition of all contours, each cut in one go: a GTSP tour found with precedence left out, then repaired.
+//!
+//! What is inside goes to just before what is around it, in the paper's other direction as it were: CAM programs cut holes
+//! first. Then the entries are chosen anew. Ranks, groups, pairs and tables of costs, which the paper does not know, are
+//! kept by the same repair; on problems with these all three methods are this one, `pfr` with the nearest-next path.
+
+use super::forest::{Forest, ROOT};
+use super::ground::Ground;
+use super::{entries, walk};
+use crate::problem::{Groups, Item, NodeId, Problem};
+use crate::solve::papers::insight::{Curve, Insight};
+use crate::solve::papers::lead::{Lead, Pieces, solution};
+use crate::solve::papers::repair::Repair;
+use crate::solve::tour_tree::TourTree;
+use crate::solve::{Search, Solution, Solver, greedy};
+
+type Searching<'p> = Box<dyn Search + 'p>;
+
+// The search borrows the problem; both live as long as the method.
+self_cell::self_cell!(
+    struct Relaxed {
+        owner: Problem,
+        #[covariant]
+        dependent: Searching,
+    }
+);
+
+/// Moves to a piece: about a millisecond.
+const SLICE: u64 = 1_000;
+
+pub(super) struct Single<'p> {
+    problem: &'p Problem,
+    relaxed: Relaxed,
+    left: u64,
+    repaired: bool,
+    lead: Lead,
+}
+
+impl<'p> Single<'p> {
+    /// Begins, for so many moves a contour.
+    pub(super) fn new(problem: &'p Problem, seed: u64, each: u64) -> Self {
+        let free = |item: &Item| Item { before: None, rank: 0, leave: None, track: None, ..item.clone() };
+        let relaxed = Problem {
+            items: problem.items.iter().map(free).collect(),
+            nodes: problem.nodes.clone(),
+            home: problem.home,
+            closed: problem.closed,
+            machine: problem.machine.clone(),
+            pairs: Vec::new(),
+            groups: Groups::default(),
+            table: problem.table.clone(),
+        };
+        let relaxed = Relaxed::new(relaxed, |p| TourTree.start(p, seed, None));
+        let lead = Lead::new(greedy(problem), f64::INFINITY);
+        Self { problem, relaxed, left: each * problem.items.len() as u64, repaired: each == 0, lead }
+    }
+
+    /// The tour found, made an allowed one.
+    fn repair(&mut self) {
+        let found: &Solution = self.relaxed.borrow_dependent().best();
+        let nodes: Vec<NodeId> = found.stops.iter().map(|s| s.node).collect();
+        let nodes = Repair::new(self.problem).tour(self.problem, &nodes);
+        let repaired = if self.problem.table().is_some() {
+            solution(self.problem, &nodes)
+        } else {
+            let g = Ground::new(self.problem);
+            let mut forest = Forest::new(&g);
+            forest.splice(ROOT, 0, nodes.iter().map(|&n| g.item(n)).collect());
+            forest.order(&g, ROOT, &nodes);
+            entries::improve(&g, &mut forest, ROOT, false);
+            walk::solution(&g, &forest)
+        };
+        self.lead.take(repaired.cost, || repaired);
+    }
+}
+
+impl Pieces for Single<'_> {
+    fn lead(&self) -> &Lead {
+        &self.lead
+    }
+
+    fn lead_mut(&mut self) -> &mut Lead {
+        &mut self.lead
+    }
+
+    fn piece(&mut self) -> Option<u64> {
+        if self.left > 0 {
+            let work = SLICE.min(self.left);
+            self.left -= work;
+            self.relaxed.with_dependent_mut(|_, search| search.step(work));
+            return Some(work);
+        }
+        (!std::mem::replace(&mut self.repaired, true)).then(|| {
+            self.repair();
+            self.problem.items.len() as u64
+        })
+    }
+
+    fn insight(&self) -> Insight {
+        let relaxed = self.relaxed.borrow_dependent().best().cost;
+        let value = |name, value| Curve { name, value };
+        let best = self.lead.solution().cost;
+        let curves = vec![value("tour with precedence left out, s", relaxed), value("path, s", best)];
+        Insight { curves, ..Insight::default() }
+    }
+}

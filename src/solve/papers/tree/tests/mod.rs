@@ -1,0 +1,99 @@
+//! Pieces of the partition-tree by hand and by brute force.
+
+mod exact;
+mod moves;
+mod resolution;
+
+use super::forest::{Forest, ROOT};
+use super::ground::Ground;
+use crate::geometry::DVec2;
+use crate::machine;
+use crate::problem::{Groups, Item, Node, NodeId, Problem};
+use crate::solve::dice::Dice;
+
+/// Seconds of leaving a contour in most tests.
+const PRE_CUT: f64 = 1.0;
+
+/// Closed contours of these corners, which may be left for [`PRE_CUT`]; home at 0, a second a millimetre, back home.
+fn sheet(contours: &[&[[f64; 2]]]) -> Problem {
+    let (mut items, mut nodes) = (Vec::new(), Vec::new());
+    for (contour, item) in contours.iter().zip(0..) {
+        let first = NodeId::try_from(nodes.len()).unwrap();
+        for (corner, along) in contour.iter().zip(0..) {
+            let entry = DVec2::from(*corner);
+            let twin = NodeId::try_from(nodes.len()).unwrap();
+            nodes.push(Node { item, entry, exit: entry, along: along.into(), reversed: false, twin });
+        }
+        let nodes = first..NodeId::try_from(nodes.len()).unwrap();
+        let (before, fixed, run, track) = (None, 0.0, None, None);
+        items.push(Item {
+            nodes,
+            before,
+            rank: 0,
+            fixed,
+            run,
+            leave: Some(PRE_CUT),
+            track,
+            paths: Vec::new(),
+        });
+    }
+    let machine = machine::preset("length").unwrap();
+    let (home, pairs, groups, table) = (DVec2::ZERO, Vec::new(), Groups::default(), None);
+    Problem { items, nodes, home, closed: true, machine, pairs, groups, table }
+}
+
+/// Random contours of that many corners each, some inside others, some that may not be left, one now and then open.
+fn random(contours: usize, corners: usize, dice: &mut Dice) -> Problem {
+    let mut place = || [dice.even() * 100.0, dice.even() * 100.0];
+    let all: Vec<Vec<[f64; 2]>> = (0..contours).map(|_| (0..corners).map(|_| place()).collect()).collect();
+    let mut problem = sheet(&all.iter().map(Vec::as_slice).collect::<Vec<_>>());
+    problem.closed = dice.below(2) == 0;
+    for k in 0..contours {
+        let item = &mut problem.items[k];
+        // What is around has a lower number: no circles.
+        item.before = (k > 0 && dice.below(3) == 0).then(|| u32::try_from(dice.below(k)).unwrap());
+        item.leave = (dice.below(4) > 0).then(|| dice.even() * 20.0);
+        if corners == 2 && dice.below(4) == 0 {
+            item.leave = None;
+            let (a, b) = (item.nodes.start, item.nodes.start + 1);
+            for (own, other) in [(a, b), (b, a)] {
+                problem.nodes[own as usize].exit = problem.nodes[other as usize].entry;
+                problem.nodes[own as usize].twin = other;
+            }
+        }
+    }
+    problem
+}
+
+/// All near nodes listed.
+fn ground(problem: &Problem) -> Ground<'_> {
+    let mut g = Ground::new(problem);
+    while g.list_near().is_some() {}
+    g
+}
+
+/// A random tree: every contour in a random gap or at a random free node.
+fn random_forest(g: &Ground, dice: &mut Dice) -> Forest {
+    let mut forest = Forest::new(g);
+    for (item, k) in (0..).zip(0..g.problem.items.len()) {
+        let nodes = g.nodes(item);
+        forest.enter(item, nodes.start + NodeId::try_from(dice.below(nodes.len())).unwrap());
+        let other = u32::try_from(dice.below(k.max(1))).unwrap();
+        let free: Vec<NodeId> = g.nodes(other).filter(|&n| k > 0 && forest.is_free(g, n)).collect();
+        if free.is_empty() || dice.below(2) == 0 {
+            let (route, pos) =
+                if k > 0 { (forest.route_of(other), forest.pos(other) + 1) } else { (ROOT, 0) };
+            forest.splice(route, pos, vec![item]);
+        } else {
+            let route = forest.open(vec![item]);
+            forest.hang(g, route, free[dice.below(free.len())]);
+        }
+    }
+    assert!(forest.is_sound(g));
+    forest
+}
+
+#[track_caller]
+fn near(a: f64, b: f64) {
+    assert!((a - b).abs() < 1e-9, "{a} is not {b}");
+}

@@ -1,0 +1,210 @@
+//! Repartitioning: every move gains what it says, each kind by hand, precedence is kept.
+
+use super::super::forest::{Forest, ROOT};
+use super::super::ground::Ground;
+use super::super::repartition::{Found, Move, RepartitionMoves, improve};
+use super::super::walk::{keeps_precedence, solution};
+use super::super::{
+    connect::Connections, edmonds::arborescence, partitions, repair::repair, resolve::resolve, sequences,
+};
+use super::{PRE_CUT, ground, near, random, random_forest, sheet};
+use crate::problem::NodeId;
+use crate::solve::dice::Dice;
+use std::mem::discriminant;
+
+fn found(g: &Ground, forest: &Forest) -> Vec<(f64, Move)> {
+    let mut found = Found::default();
+    for item in (0..).take(g.problem.items.len()) {
+        partitions::look(g, forest, item, &mut found);
+        sequences::look(g, forest, item, &mut found);
+    }
+    found.moves
+}
+
+#[test]
+fn every_move_gains_what_it_says_and_leaves_a_tree() {
+    let mut dice = Dice::new(3);
+    let mut kinds = Vec::new();
+    for round in 0..60 {
+        let problem = random(3 + round % 9, 2 + round % 3, &mut dice);
+        let g = ground(&problem);
+        let forest = random_forest(&g, &mut dice);
+        for (gain, change) in found(&g, &forest) {
+            let mut next = forest.clone();
+            change.apply(&g, &mut next);
+            assert!(next.is_sound(&g), "{change:?}");
+            near(forest.seconds(&g) - next.seconds(&g), gain);
+            near(solution(&g, &next).cost, next.seconds(&g));
+            let kind = discriminant(&change);
+            if !kinds.contains(&kind) {
+                kinds.push(kind);
+            }
+        }
+    }
+    assert_eq!(kinds.len(), 4, "all kinds of moves were tried");
+}
+
+#[test]
+fn near_nodes_are_the_nearest_two_of_each_contour() {
+    let mut dice = Dice::new(2);
+    for round in 0..20 {
+        let problem = random(4 + 3 * round, 2 + round % 4, &mut dice);
+        let g = ground(&problem);
+        for (id, node) in (0..).zip(&problem.nodes) {
+            let seconds = |n: NodeId| g.air(node.exit, g.entry(n)).min(g.air(node.entry, g.entry(n)));
+            let mut all: Vec<(f64, NodeId)> = (0..)
+                .zip(&problem.nodes)
+                .filter(|(_, n)| n.item != node.item)
+                .map(|(n, _)| (seconds(n), n))
+                .collect();
+            all.sort_by(|a, b| a.partial_cmp(b).unwrap());
+            let mut kept = vec![0; problem.items.len()];
+            all.retain(|n| {
+                kept[g.item(n.1) as usize] += 1;
+                kept[g.item(n.1) as usize] <= 2
+            });
+            let wanted: Vec<NodeId> = all.iter().take(12).map(|n| n.1).collect();
+            assert_eq!(g.near(id), wanted);
+        }
+    }
+}
+
+#[test]
+fn with_precedence_no_move_breaks_it() {
+    let mut dice = Dice::new(4);
+    let (mut made, mut broken) = (0, 0);
+    for round in 0..40 {
+        let problem = random(4 + round % 12, 3, &mut dice);
+        let g = ground(&problem);
+        for keep in [true, false] {
+            let mut forest = random_forest(&g, &mut dice);
+            repair(&g, &mut forest);
+            assert!(keeps_precedence(&g, &forest) && forest.is_sound(&g), "repaired");
+            for item in (0..).take(problem.items.len()) {
+                while improve(&g, &mut forest, item, RepartitionMoves::Both, keep).0 {
+                    made += 1;
+                    broken += u32::from(!keeps_precedence(&g, &forest));
+                    assert!(!keep || keeps_precedence(&g, &forest));
+                }
+            }
+        }
+    }
+    assert!(made > 100 && broken > 10, "{made} {broken}");
+}
+
+#[test]
+fn resolving_any_tree_leaves_a_tree() {
+    let mut dice = Dice::new(6);
+    for round in 0..80 {
+        let problem = random(2 + round % 15, 2 + round % 4, &mut dice);
+        let g = ground(&problem);
+        let mut forest = random_forest(&g, &mut dice);
+        let mut connections = Connections::default();
+        let routes: Vec<u32> = forest.used().collect();
+        for &route in &routes {
+            connections.look(&g, &forest, route);
+        }
+        let number = |r: usize| routes.iter().position(|&o| o as usize == r).unwrap();
+        let mut arcs: Vec<_> = connections.all.iter().map(|c| c.arc).collect();
+        arcs.iter_mut().for_each(|a| (a.from, a.to) = (number(a.from), number(a.to)));
+        let chosen = arborescence(routes.len(), number(ROOT as usize), &arcs).unwrap();
+        let chosen: Vec<_> = chosen.into_iter().map(|k| connections.all[k]).collect();
+        resolve(&g, &mut forest, &chosen);
+        assert!(forest.is_sound(&g));
+        near(solution(&g, &forest).cost, forest.seconds(&g));
+    }
+}
+
+/// Four tall contours beside each other, 2 apart: (0|2|4|6, 0) to (0|2|4|6, 10).
+fn tall() -> crate::problem::Problem {
+    sheet(&[
+        &[[0.0, 0.0], [0.0, 10.0]],
+        &[[2.0, 0.0], [2.0, 10.0]],
+        &[[4.0, 0.0], [4.0, 10.0]],
+        &[[6.0, 0.0], [6.0, 10.0]],
+    ])
+}
+
+/// The best move of a kind, and the tree after it.
+fn best(g: &Ground, forest: &Forest, kind: fn(&Move) -> bool) -> (f64, Forest) {
+    let moves = found(g, forest);
+    let (gain, change) = moves.iter().filter(|m| kind(&m.1)).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+    let mut next = forest.clone();
+    change.apply(g, &mut next);
+    (*gain, next)
+}
+
+#[test]
+fn a_partition_is_hung_up_where_it_is_near() {
+    let problem = tall();
+    let g = ground(&problem);
+    let mut forest = Forest::new(&g);
+    forest.splice(ROOT, 0, vec![0, 1, 2]);
+    let route = forest.open(vec![3]);
+    // 6 away, entered above as it hangs above.
+    forest.enter(3, 7);
+    forest.hang(&g, route, 1);
+    let (gain, next) = best(&g, &forest, |m| matches!(m, Move::Reattach { .. }));
+    near(gain, 2.0 * 6.0 - 2.0 * 2.0);
+    assert_eq!(next.at(next.route_of(3)), Some(5));
+}
+
+#[test]
+fn a_chain_of_single_contours_becomes_one_partition() {
+    let problem = tall();
+    let g = ground(&problem);
+    let mut forest = Forest::new(&g);
+    forest.splice(ROOT, 0, vec![0]);
+    // 1 hangs at 0, 2 at 1, 3 at 2: each entered above or below by turns, as far as can be.
+    for (item, at, enter) in [(1, 1, 2), (2, 3, 4), (3, 5, 6)] {
+        forest.enter(item, enter);
+        let route = forest.open(vec![item]);
+        forest.hang(&g, route, at);
+    }
+    let leg = |x: f64| 2.0 * (x * x + 100.0).sqrt();
+    near(forest.seconds(&g), 3.0 * leg(2.0) + 3.0 * PRE_CUT);
+    let (gain, next) = best(&g, &forest, |m| matches!(m, Move::Merge { nodes, .. } if nodes.len() == 3));
+    // All three in one row above, from (0,10) to (6,10) and back, one pre-cut.
+    near(next.seconds(&g), 12.0 + PRE_CUT);
+    near(gain, 3.0 * leg(2.0) + 2.0 * PRE_CUT - 12.0);
+    assert_eq!(next.items(next.route_of(1)).len(), 3);
+}
+
+#[test]
+fn a_sub_sequence_becomes_a_partition() {
+    let problem = tall();
+    let g = ground(&problem);
+    let mut forest = Forest::new(&g);
+    forest.splice(ROOT, 0, vec![0, 1, 2, 3]);
+    for (item, enter) in [(1, 3), (2, 5)] {
+        forest.enter(item, enter);
+    }
+    // 0 to (2,10), (4,10), (6,0), home.
+    let slant = 104.0_f64.sqrt();
+    near(forest.seconds(&g), 2.0 * slant + 2.0 + 6.0);
+    let (gain, next) = best(&g, &forest, |m| matches!(m, Move::Own { places, .. } if places.len() == 2));
+    // Both hang above, at (0,10): 2, 2, 4; below 6 and 6.
+    near(next.seconds(&g), 8.0 + PRE_CUT + 12.0);
+    near(gain, 2.0 * slant + 8.0 - 20.0 - PRE_CUT);
+    assert_eq!(next.items(next.route_of(1)), [1, 2]);
+}
+
+#[test]
+fn a_sub_sequence_goes_into_another_partition() {
+    let problem = tall();
+    let g = ground(&problem);
+    let mut forest = Forest::new(&g);
+    forest.splice(ROOT, 0, vec![0, 2]);
+    forest.enter(2, 5);
+    let route = forest.open(vec![1, 3]);
+    forest.enter(1, 3);
+    forest.enter(3, 7);
+    forest.hang(&g, route, 1);
+    let before = forest.seconds(&g);
+    near(before, 2.0 * 116.0_f64.sqrt() + 12.0 + PRE_CUT);
+    let (gain, next) = best(&g, &forest, |m| matches!(m, Move::Into { .. }));
+    // The second of the root goes between the two above, or behind them, which is as far: the root is 0 alone.
+    assert_eq!((next.items(ROOT), next.items(route).len(), next.route_of(2)), (&[0][..], 3, route));
+    near(gain, 2.0 * 116.0_f64.sqrt());
+    near(next.seconds(&g), 12.0 + PRE_CUT);
+}

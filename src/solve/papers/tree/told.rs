@@ -1,0 +1,35 @@
+//! The partitions of a path, for whoever draws them.
+
+use crate::problem::Problem;
+use crate::solve::papers::insight::{Parent, Partitions};
+use crate::solve::{Solution, Stop};
+
+/// Every place at which a contour is left makes a partition of what is cut until it is resumed.
+pub(super) fn partitions(problem: &Problem, path: &Solution) -> Partitions {
+    let mut of = vec![-1; problem.items.len()];
+    let mut parents: Vec<Parent> = Vec::new();
+    // Contours under way, each with where it was begun.
+    let mut open: Vec<(u32, f64)> = Vec::new();
+    let mut route = 0;
+    for stop in &path.stops {
+        let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
+        let (item, begun) = open.pop_if(|o| o.0 == node.item).unwrap_or_else(|| {
+            of[node.item as usize] = route;
+            (node.item, stop.along)
+        });
+        route = of[item as usize];
+        if !ends(stop, begun) {
+            open.push((item, begun));
+            let at = stop.ends(problem).map_or([0.0; 2], |(_, leave)| leave.to_array());
+            parents.push(Parent { contour: item, at });
+            route = i32::try_from(parents.len()).unwrap_or(i32::MAX);
+        }
+    }
+    Partitions { of, parents }
+}
+
+/// Whether a visit is the last of a contour begun there.
+#[expect(clippy::float_cmp, reason = "visits of a contour join bit for bit")]
+fn ends(stop: &Stop, begun: f64) -> bool {
+    stop.until == begun
+}
