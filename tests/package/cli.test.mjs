@@ -50,10 +50,14 @@ describe('kerfway plan', () => {
     assert.deepEqual([machine.name, machine.return_home], ['length', false]);
     assert.equal(moves.at(-1).kind, 'cut');
 
-    const own = file(t, 'mine.json', JSON.stringify({ ...machine, name: 'mine', pierce_time: 2.5 }));
-    const second = JSON.parse((await kerfway(...PLAN, '--machine', own, '--json', '-')).stdout);
-    assert.equal(second.machine.name, 'mine');
-    assert.ok(Math.abs(second.summary.pierce_time - 2.5 * second.summary.pierces) < 1e-9);
+    const profile = { ...machine, name: 'mine', pierce_time: 2.5 };
+    // As it is, and as the page exports it.
+    for (const content of [profile, { schema: 'kerfway.machine/1', profile }]) {
+      const own = file(t, 'mine.json', JSON.stringify(content));
+      const second = JSON.parse((await kerfway(...PLAN, '--machine', own, '--json', '-')).stdout);
+      assert.equal(second.machine.name, 'mine');
+      assert.ok(Math.abs(second.summary.pierce_time - 2.5 * second.summary.pierces) < 1e-9);
+    }
   });
 
   it('marks, cuts or leaves out a layer, also one with = in its name', async (t) => {
@@ -115,14 +119,28 @@ describe('kerfway methods', () => {
   });
 });
 
+const COMMANDS = ['plan', 'inspect', 'quote', 'methods', 'solve', 'completion'];
+
 describe('kerfway', () => {
   it('tells its version and its options', async () => {
     const { version } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'));
     assert.equal((await kerfway('--version')).stdout, `${version}\n`);
-    for (const args of [['--help'], ['plan', '--help'], ['inspect', '-h']]) {
-      const { code, stdout } = await kerfway(...args);
-      assert.equal(code, 0);
-      assert.match(stdout, /--no-return/);
+    const { code, stdout } = await kerfway('--help');
+    assert.equal(code, 0);
+    for (const command of COMMANDS) assert.match(stdout, new RegExp(`^kerfway ${command}`, 'm'));
+  });
+
+  it('tells the options of each command with examples that it understands', async () => {
+    const { code, stdout } = await kerfway('help', 'plan');
+    assert.deepEqual([code, stdout], [0, (await kerfway('plan', 'x.dxf', '--help')).stdout]);
+    assert.match(stdout, /--no-return/);
+    assert.match((await kerfway('inspect', '-h')).stdout, /Usage: kerfway inspect FILE.dxf/);
+    for (const command of COMMANDS) {
+      const help = (await kerfway('help', command)).stdout;
+      const examples = help.slice(help.indexOf('Examples:')).split('\n').filter((l) => /^ {2}[^#]*kerfway /.test(l));
+      assert.ok(examples.length > 0, command);
+      const known = [...help.matchAll(/^ {2}--([a-z-]+)/gm)].map((m) => m[1]);
+      for (const [, option] of examples.join('\n').matchAll(/ --([a-z-]+)/g)) assert.ok(known.includes(option), `${command} --${option}`);
     }
   });
 
@@ -130,7 +148,12 @@ describe('kerfway', () => {
     [[], /Say what to do/],
     [['draw'], /no command draw/],
     [['plan'], /Name a DXF file/],
-    [['plan', 'a.dxf', 'b.dxf'], /b\.dxf is one too many/],
+    [['help', 'draw'], /no command draw/],
+    [['plan', 'a.dxf', 'b.dxf', '--gcode', 'x.nc'], /--gcode x\.nc is one file, and there are 2 drawings: name a folder/],
+    [['plan', 'a.dxf', 'b.dxf', '--svg', '-'], /--svg - is for one drawing, and there are 2/],
+    [['solve', 'a.tsp', 'b.tsp'], /b\.tsp is one too many/],
+    [['completion'], /Name a shell/],
+    [['completion', 'csh'], /completion csh: choose one of bash, zsh, fish/],
     [['plan', 'a.dxf', '--colour', 'red'], /no option --colour/],
     [['plan', 'a.dxf', '--seconds', '-1'], /--seconds needs a value/],
     [['plan', 'a.dxf', '--seconds=-1'], /--seconds -1: give a number of seconds/],

@@ -9,8 +9,19 @@ import { quote } from 'kerfway';
 import { bytes, circle, dxf, KEYBOARD, ROOT, square } from './support.mjs';
 
 let server, url;
+/** In the server's process: knows the workers, and has them die when told. */
+const PRELOAD = `data:text/javascript,${encodeURIComponent(`
+  const workers = new Set();
+  process.on('worker', (worker) => {
+    workers.add(worker);
+    worker.on('exit', () => workers.delete(worker));
+  });
+  process.on('SIGUSR2', () => {
+    Promise.all([...workers].map((worker) => worker.terminate())).then(() => console.log('the workers died'));
+  });
+`)}`;
 before(async () => {
-  server = spawn(process.execPath, [join(ROOT, 'examples', 'express', 'server.mjs')], { env: { ...process.env, PORT: '0' }, stdio: ['ignore', 'pipe', 'inherit'] });
+  server = spawn(process.execPath, ['--import', PRELOAD, join(ROOT, 'examples', 'express', 'server.mjs')], { env: { ...process.env, PORT: '0' }, stdio: ['ignore', 'pipe', 'inherit'] });
   const [told] = await once(server.stdout, 'data');
   url = /http:\S+\/quotes/.exec(String(told))[0];
 });
@@ -48,6 +59,20 @@ describe('the upload server', () => {
     const { megabytes: later, waiting } = await health();
     assert.equal(waiting, 0);
     assert.ok(later < megabytes + 60, `${megabytes} MB, then ${later} MB`);
+  });
+
+  it('answers every upload, though its workers die in the middle', async () => {
+    const died = once(server.stdout, 'data');
+    // Long enough that a worker is at it when they die; the others wait or come after it.
+    const long = send(bytes('sheets/sheet_2000.dxf'));
+    await new Promise((resolve) => setTimeout(resolve, 150));
+    const sent = Array.from({ length: 60 }, (_, k) => send(k % 10 < 3 ? BROKEN[k % 10][0] : dxf(square(0, 0, 20 + k)), `?name=${k}.dxf`));
+    server.kill('SIGUSR2');
+    assert.match(String(await died), /the workers died/);
+    const answers = await Promise.all(sent);
+    assert.deepEqual(answers.map((a) => a.status), answers.map((_, k) => (k % 10 < 3 ? 422 : 200)));
+    assert.deepEqual((await Promise.all(answers.map((a) => a.json()))).map((a) => a.input?.name ?? a.problem.length > 0), answers.map((_, k) => (k % 10 < 3 ? true : `${k}.dxf`)));
+    assert.equal((await long).status, 200);
   });
 
   it('says what the package says', async () => {

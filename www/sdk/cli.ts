@@ -1,7 +1,9 @@
 #!/usr/bin/env node
-/** The command line: `kerfway plan`, `inspect`, `quote`, `solve` and `methods`. Exit 0 done, 1 unusable input, 2 wrong usage. */
+/** The command line; its commands and options: see `cli/commands.ts`. Exit 0 done, 1 unusable input, 2 wrong usage. */
 
-import { HELP, version } from './cli/help.js';
+import { COMMANDS, commandsInWords, type Command } from './cli/commands.js';
+import { completion } from './cli/completion.js';
+import { manual, overview, version } from './cli/help.js';
 import { inspect } from './cli/inspect.js';
 import { Unusable, WrongUse } from './cli/io.js';
 import { methods } from './cli/methods.js';
@@ -9,20 +11,26 @@ import { plan } from './cli/plan.js';
 import { quote } from './cli/quote.js';
 import { solve } from './cli/solve.js';
 
-const COMMANDS = new Map(Object.entries({ plan, inspect, quote, methods, solve }));
+const RUNS = new Map(Object.entries({ plan, inspect, quote, methods, solve, completion }));
 
 async function main([command, ...rest]: string[]): Promise<void> {
-  if (command === undefined) throw new WrongUse('Say what to do: kerfway plan, inspect, quote, solve or methods.');
+  if (command === undefined) throw new WrongUse(`Say what to do: kerfway ${commandsInWords()}.`);
   if (command === '--help' || command === '-h' || command === 'help') {
-    process.stdout.write(HELP);
+    const [about] = rest;
+    process.stdout.write(about === undefined ? overview() : manual(about, known(about)));
   } else if (command === '--version' || command === '-v') {
     process.stdout.write(`${await version()}\n`);
   } else {
-    const run = COMMANDS.get(command);
-    if (run === undefined) throw new WrongUse(`There is no command ${command}: there are plan, inspect, quote, solve and methods.`);
-    if (rest.includes('--help') || rest.includes('-h')) process.stdout.write(HELP);
-    else await run(rest);
+    const about = known(command);
+    if (rest.includes('--help') || rest.includes('-h')) process.stdout.write(manual(command, about));
+    else await RUNS.get(command)?.(rest);
   }
+}
+
+function known(name: string): Command {
+  const command = Object.hasOwn(COMMANDS, name) ? COMMANDS[name] : undefined;
+  if (command === undefined) throw new WrongUse(`There is no command ${name}: there are ${commandsInWords().replace(' or ', ' and ')}.`);
+  return command;
 }
 
 // Whoever reads our output may stop reading (`| head`): that is no failure.

@@ -5,28 +5,20 @@ import { parentPort } from 'node:worker_threads';
 import type { ToWorker } from './protocol.js';
 import { type Host, Session } from './session.js';
 
+/** A module of wasm, with its file read. */
+async function ready<M extends { initSync(wasm: { module: BufferSource }): unknown }>(name: string, loading: Promise<M>): Promise<M> {
+  const module = await loading;
+  module.initSync({ module: await readFile(new URL(`./pkg/${name}_bg.wasm`, import.meta.url)) });
+  return module;
+}
+
 const host: Host = {
   post: (message, transfer = []) => parentPort?.postMessage(message, transfer),
-  lab: async () => {
-    const lab = await import('./pkg/kerfway_lab.js');
-    lab.initSync({ module: await readFile(new URL('./pkg/kerfway_lab_bg.wasm', import.meta.url)) });
-    return lab;
-  },
-  papers: async () => {
-    const papers = await import('./pkg/kerfway_papers.js');
-    papers.initSync({ module: await readFile(new URL('./pkg/kerfway_papers_bg.wasm', import.meta.url)) });
-    return papers;
-  },
-  quote: async () => {
-    const quote = await import('./pkg/kerfway_quote.js');
-    quote.initSync({ module: await readFile(new URL('./pkg/kerfway_quote_bg.wasm', import.meta.url)) });
-    return quote;
-  },
-  png: async () => {
-    const renderer = await import('./pkg/kerfway_png.js');
-    renderer.initSync({ module: await readFile(new URL('./pkg/kerfway_png_bg.wasm', import.meta.url)) });
-    return renderer.renderPng;
-  },
+  lab: () => ready('kerfway_lab', import('./pkg/kerfway_lab.js')),
+  papers: () => ready('kerfway_papers', import('./pkg/kerfway_papers.js')),
+  plate: () => ready('kerfway_plate', import('./pkg/kerfway_plate.js')),
+  quote: () => ready('kerfway_quote', import('./pkg/kerfway_quote.js')),
+  png: async () => (await ready('kerfway_png', import('./pkg/kerfway_png.js'))).renderPng,
 };
 
 const session = new Session(host);

@@ -6,6 +6,9 @@
 import type { Material } from './quote.js';
 import type { Loaded, LoadOptions, OutputKind, PlanOptions, Progress } from './protocol.js';
 
+/** Seconds of a search that is given neither seconds nor moves. */
+export const DEFAULT_SECONDS = 10;
+
 /** A drawing's bytes. */
 export type Bytes = ArrayBuffer | Uint8Array;
 
@@ -20,11 +23,13 @@ export interface JobOptions {
   signal?: AbortSignal;
 }
 
+/** Options of `inspect`. */
 export interface InspectOptions extends LoadOptions, JobOptions {}
 
 /** Everything that decides a plan. */
 export interface PlanningOptions extends LoadOptions, PlanOptions {}
 
+/** Options of `plan`. */
 export interface PlanJobOptions<K extends OutputKind = never> extends PlanningOptions, JobOptions {
   /** Told what the drawing holds, before the search begins. */
   onLoaded?: (loaded: Loaded) => void;
@@ -34,6 +39,7 @@ export interface PlanJobOptions<K extends OutputKind = never> extends PlanningOp
   outputs?: readonly K[];
 }
 
+/** Options of `quote`. */
 export interface QuoteOptions extends PlanningOptions, JobOptions {
   /** What the sheet is made of: with thickness and density the parts are weighed. */
   material?: Material;
@@ -41,6 +47,7 @@ export interface QuoteOptions extends PlanningOptions, JobOptions {
   onProgress?: (progress: Progress) => void;
 }
 
+/** Options of `render`. */
 export interface RenderOptions {
   /** Of a PNG, pixels across. Default 1600. */
   width?: number;
@@ -50,7 +57,7 @@ export interface RenderOptions {
 
 const READING: Record<keyof LoadOptions, true> = {
   units: true, tolerance: true, keepDamaged: true, joinTolerance: true, layers: true, orderByLayer: true,
-  ignoreOutline: true, partByPart: true, first: true, last: true,
+  ignoreOutline: true, partByPart: true, commonCuts: true, first: true, last: true,
 };
 
 const PLANNING: Record<keyof PlanOptions, true> = {

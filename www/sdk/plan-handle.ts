@@ -1,13 +1,15 @@
 /** A plan under way, as its caller holds it, and what is known of it. */
 
 import { bounded } from './bound.js';
-import type { Baselines, BestPath, DoneReason, FromWorker, PlanOptions, Progress } from './protocol.js';
+import type { Baselines, BestPath, DoneReason, Finding, FromWorker, PlanOptions, Progress } from './protocol.js';
 
 /** What a plan started with. */
 export interface Started {
   seed: number;
   method: string;
   baselines: Baselines;
+  /** What is worth knowing of the drawing on this machine, besides what `load` told. */
+  findings: Finding[];
 }
 
 /** What a plan came to; `progress.path` is always set. */
@@ -70,7 +72,7 @@ export class RunningPlan {
   hear(message: PlanMessage): void {
     switch (message.type) {
       case 'started':
-        this.begin({ seed: message.seed, method: message.method, baselines: message.baselines });
+        this.begin({ seed: message.seed, method: message.method, baselines: message.baselines, findings: message.findings });
         return;
       case 'progress':
         this.keep(message.progress);

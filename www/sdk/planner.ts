@@ -23,6 +23,7 @@ import type {
   ToWorker,
 } from './protocol.js';
 
+/** How a planner is made. */
 export interface PlannerOptions {
   /** The compiled planner, or its bytes; otherwise it is read from beside this module. */
   wasm?: WebAssembly.Module | BufferSource;
@@ -46,6 +47,7 @@ interface Request {
   reject: (error: Error) => void;
 }
 
+/** One worker that keeps a drawing and the plan of it. Make one with `createPlanner`, close it when done. */
 export class Planner {
   /** The methods there are, the default first. */
   methods: readonly MethodInfo[] = [];

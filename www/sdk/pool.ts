@@ -8,6 +8,7 @@ import { functionsOn, type Functions, type Lend } from './functions.js';
 import { abortable } from './lend.js';
 import type { Planner } from './planner.js';
 
+/** How large a pool is. */
 export interface PoolOptions {
   /** Files worked on at once, each in a worker of its own. Default: the processors there are. */
   size?: number;

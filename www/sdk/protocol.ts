@@ -6,8 +6,11 @@
 
 import type { Material, Quote } from './quote.js';
 
+/** Units a drawing may be in. */
 export type Unit = 'in' | 'ft' | 'yd' | 'mil' | 'microinch' | 'um' | 'mm' | 'cm' | 'dm' | 'm';
+/** What is done with a contour or layer. */
 export type Operation = 'cut' | 'mark' | 'ignore';
+/** How much a finding matters: worth knowing; left out, changed or guessed, so look at it; cannot be cut as drawn. */
 export type Severity = 'info' | 'warning' | 'error';
 
 /** How a drawing is read and arranged. Everything is optional; nothing given means: header or guess, all layers cut. */
@@ -28,11 +31,20 @@ export interface LoadOptions {
   ignoreOutline?: boolean;
   /** Work a part wholly, with all that lies in its holes, before the next one. Default false. */
   partByPart?: boolean;
+  /**
+   * Contours that share cuts are pierced once and cut as a whole, where the machine makes pre-cuts. `best` (default): on
+   * the best way through them that is found; `insertion`: on that of the element insertion heuristic of Dewil et al.;
+   * `off`: every contour by itself, what two share with one of them.
+   */
+  commonCuts?: CommonCuts;
   /** Contours worked before all others, by id; what lies inside them, too. */
   first?: number[];
   /** Contours worked after all others, by id; what lies around them, too. */
   last?: number[];
 }
+
+/** What is done with cuts that contours share. */
+export type CommonCuts = 'best' | 'insertion' | 'off';
 
 /** Something a person should know about the drawing, with its place. */
 export interface Finding {
@@ -46,6 +58,7 @@ export interface Finding {
   count: number;
 }
 
+/** A layer of the drawing, and what is done with it. */
 export interface LayerUse {
   name: string;
   /** AutoCAD colour index. */
@@ -57,6 +70,7 @@ export interface LayerUse {
   contours: number;
 }
 
+/** The units a drawing was read in, and why. */
 export interface UnitsTaken {
   unit: Unit;
   source: 'header' | 'guessed' | 'given';
@@ -64,6 +78,7 @@ export interface UnitsTaken {
   doubtful: boolean;
 }
 
+/** A contour: mm and mm2. */
 export interface ContourInfo {
   id: number;
   closed: boolean;
@@ -138,6 +153,7 @@ export interface Budget {
   moves?: number;
 }
 
+/** How a drawing is planned. */
 export interface PlanOptions extends Budget {
   /** A preset's name or a whole profile. Default `co2-100w`. */
   machine?: string | MachineProfile;
@@ -205,6 +221,7 @@ export interface BestPath {
   times: Float64Array;
 }
 
+/** How a search stands. */
 export interface Progress {
   /** Moves the search has done. */
   moves: number;
@@ -220,6 +237,7 @@ export interface Progress {
   insight?: Insight;
 }
 
+/** A method of planning. */
 export interface MethodInfo {
   name: string;
   title: string;
@@ -241,6 +259,11 @@ export interface Insight {
   curves: { name: string; value: number }[];
   /** A table of numbers, such as a Q-table; `at`: the one last used. */
   grid: { name: string; rows: string[]; columns: string[]; values: number[]; at: number | null } | null;
+  /**
+   * The partitions of the best path, of methods that make them: the partition of each contour (0: home's), and where each but
+   * home's hangs, a place on a contour that is left for it, mm.
+   */
+  partitions: { of: number[]; parents: { contour: number; at: [number, number] }[] } | null;
 }
 
 /** What came of a slice of work of a method from a paper. */
@@ -269,11 +292,13 @@ export interface Slice {
   prove: number;
 }
 
+/** What a plan can be written as. */
 export type OutputKind = 'gcode' | 'svg' | 'dxf' | 'json' | 'png';
 
 /** Why a plan ended; `replaced`: its worker died, what it had told is kept. */
 export type DoneReason = 'budget' | 'stopped' | 'exhausted' | 'replaced';
 
+/** Messages to a worker; whoever uses the functions needs none of them. */
 export type ToWorker =
   /** Comes first: the compiled planner, shared by all workers. */
   | { type: 'init'; planner: WebAssembly.Module }
@@ -292,10 +317,11 @@ export type ToWorker =
   | { type: 'quote'; id: number; material: Material }
   | { type: 'output'; id: number; kind: OutputKind; width?: number };
 
+/** Messages of a worker. */
 export type FromWorker =
   | { type: 'ready'; methods: MethodInfo[]; machines: MachineProfile[] }
   | { type: 'loaded'; id: number; loaded: Loaded }
-  | { type: 'started'; id: number; seed: number; method: string; baselines: Baselines }
+  | { type: 'started'; id: number; seed: number; method: string; baselines: Baselines; findings: Finding[] }
   | { type: 'progress'; id: number; progress: Progress }
   /** One of several searches has come to where they meet, and waits. */
   | { type: 'meeting'; id: number; progress: Progress }

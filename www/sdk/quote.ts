@@ -12,6 +12,7 @@ export interface Material {
   density?: number;
 }
 
+/** What a price needs to know of a job; every field is told in docs/quote.md. */
 export interface Quote {
   schema: 'kerfway.quote/1';
   /**

@@ -4,7 +4,8 @@
  */
 
 import { initSync, Job, machines, methods } from './pkg/kerfway.js';
-import type { FromWorker, Membership, OutputKind, PlanOptions, ToWorker } from './protocol.js';
+import { DEFAULT_SECONDS } from './options.js';
+import type { FromWorker, LoadOptions, Membership, OutputKind, PlanOptions, ToWorker } from './protocol.js';
 import type { Material } from './quote.js';
 import { Search } from './search.js';
 
@@ -15,6 +16,8 @@ export interface Host {
   lab(): Promise<typeof import('./pkg/kerfway_lab.js')>;
   /** The methods of papers, loaded when first asked for. */
   papers(): Promise<typeof import('./pkg/kerfway_papers.js')>;
+  /** The planner that knows pierce groups, loaded when a sheet may have some. */
+  plate(): Promise<typeof import('./pkg/kerfway_plate.js')>;
   /** What makes quotes, loaded when first asked for. */
   quote(): Promise<typeof import('./pkg/kerfway_quote.js')>;
   /** The PNG renderer, loaded when first asked for: plan JSON and width in pixels to a picture. */
@@ -28,10 +31,18 @@ const PNG_WIDTH = 1600;
 export class Session {
   private job: Job | null = null;
   private search: Search | null = null;
+  /** What was loaded, for the planner that knows pierce groups; `null` when it has taken over. */
+  private source: { bytes: Uint8Array; name: string; options: LoadOptions } | null = null;
+  /** What comes in while it is loaded. */
+  private held: ToWorker[] | null = null;
 
   constructor(private readonly host: Host) {}
 
   receive(message: ToWorker): void {
+    if (this.held !== null) {
+      this.held.push(message);
+      return;
+    }
     try {
       this.answer(message);
     } catch (error) {
@@ -50,19 +61,22 @@ export class Session {
         this.search = null;
         this.job?.free();
         this.job = null;
-        this.job = new Job(new Uint8Array(message.bytes), message.name, given(message.options));
+        this.source = { bytes: new Uint8Array(message.bytes), name: message.name, options: given(message.options) };
+        this.job = new Job(this.source.bytes, message.name, this.source.options);
         this.tellLoaded(message.id);
         return;
       case 'reload':
         this.search?.stop();
         this.search = null;
         this.loaded().reload(given(message.options));
+        if (this.source !== null) this.source.options = given(message.options);
         this.tellLoaded(message.id);
         return;
       case 'plan':
         this.search?.stop();
         this.search = null;
-        this.plan(message.id, message.options);
+        if (this.mayShareCuts(message.options)) void this.planAsPlate(message.id, message.options);
+        else this.plan(message.id, message.options);
         return;
       case 'continue':
         if (this.search === null) throw new Error('There is no plan to go on with. Start one first.');
@@ -82,13 +96,13 @@ export class Session {
         this.search?.stop();
         return;
       case 'papers':
-        void this.papers(message.id);
+        void this.reply(message.id, () => this.papers(message.id));
         return;
       case 'quote':
-        void this.quote(message.id, message.material);
+        void this.reply(message.id, () => this.quote(message.id, message.material));
         return;
       case 'output':
-        void this.output(message.id, message.kind, message.width);
+        void this.reply(message.id, () => this.output(message.id, message.kind, message.width));
         return;
     }
   }
@@ -103,6 +117,34 @@ export class Session {
     const loaded = { ...job.report(), geometry: job.geometry(), ignored: job.ignored() };
     const arrays = [loaded.geometry, loaded.ignored.geometry].flatMap((g) => [g.segments, g.offsets]);
     this.host.post({ type: 'loaded', id, loaded }, buffers([...arrays, loaded.ignored.layers]));
+  }
+
+  // Open cuts may be what is left of contours that share a side with others; pre-cuts are what lets them be one.
+  private mayShareCuts({ machine }: PlanOptions): boolean {
+    const profile = typeof machine === 'object' ? machine : machines().find((m) => m.name === machine);
+    if (this.source === null || this.source.options.commonCuts === 'off' || !profile?.pre_cut_time) return false;
+    return this.loaded().report().contours.some((c) => !c.closed && c.operation === 'cut');
+  }
+
+  private async planAsPlate(id: number, options: PlanOptions & Membership): Promise<void> {
+    const { source } = this;
+    this.held = [];
+    try {
+      // Without it, as in a single file, every contour is cut by itself.
+      const plate = await this.host.plate().catch(() => null);
+      if (plate !== null && source !== null) {
+        const job = new plate.Job(source.bytes, source.name, source.options);
+        this.job?.free();
+        this.job = job;
+        this.source = null;
+      }
+      this.plan(id, options);
+    } catch (error) {
+      this.fail(id, error);
+    }
+    const held = this.held;
+    this.held = null;
+    for (const message of held) this.receive(message);
   }
 
   private plan(id: number, options: PlanOptions & Membership): void {
@@ -128,35 +170,29 @@ export class Session {
     this.search.run(id, { ...options, ...budget });
   }
 
-  private async papers(id: number): Promise<void> {
+  // What is loaded or written first: the answer goes out when it is there.
+  private async reply(id: number, make: () => Promise<[FromWorker, ArrayBuffer[]?]>): Promise<void> {
     try {
-      this.host.post({ type: 'papers', id, methods: (await this.host.papers()).paperMethods() });
+      this.host.post(...(await make()));
     } catch (error) {
       this.fail(id, error);
     }
   }
 
-  private async quote(id: number, material: Material): Promise<void> {
-    try {
-      const json = this.loaded().output('json');
-      this.host.post({ type: 'quote', id, quote: (await this.host.quote()).quoteOf(json, JSON.stringify(material)) });
-    } catch (error) {
-      this.fail(id, error);
-    }
+  private async papers(id: number): Promise<[FromWorker]> {
+    return [{ type: 'papers', id, methods: (await this.host.papers()).paperMethods() }];
   }
 
-  private async output(id: number, kind: OutputKind, width = PNG_WIDTH): Promise<void> {
-    try {
-      if (kind === 'png') {
-        const json = this.loaded().output('json');
-        const data = (await this.host.png())(json, width);
-        this.host.post({ type: 'output', id, kind, data }, buffers([data]));
-      } else {
-        this.host.post({ type: 'output', id, kind, data: this.loaded().output(kind) });
-      }
-    } catch (error) {
-      this.fail(id, error);
-    }
+  private async quote(id: number, material: Material): Promise<[FromWorker]> {
+    const json = this.loaded().output('json');
+    return [{ type: 'quote', id, quote: (await this.host.quote()).quoteOf(json, JSON.stringify(material)) }];
+  }
+
+  private async output(id: number, kind: OutputKind, width = PNG_WIDTH): Promise<[FromWorker, ArrayBuffer[]?]> {
+    if (kind !== 'png') return [{ type: 'output', id, kind, data: this.loaded().output(kind) }];
+    const json = this.loaded().output('json');
+    const data = (await this.host.png())(json, width);
+    return [{ type: 'output', id, kind, data }, buffers([data])];
   }
 
   // Errors of ours carry one sentence for people. Anything that comes from the wasm machine itself (a trap, memory
@@ -170,9 +206,6 @@ export class Session {
     this.host.post({ type: 'failed', id, message: error instanceof Error ? error.message : String(error) });
   }
 }
-
-/** A person who says nothing waits this long. */
-const DEFAULT_SECONDS = 10;
 
 /** Any of 2^32, from the system's source of randomness; told in the result, so that the plan can be made again. */
 function inventSeed(): number {

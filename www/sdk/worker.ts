@@ -11,28 +11,20 @@ interface WorkerScope {
 
 const scope = self as unknown as WorkerScope;
 
+/** A module of wasm, with its file fetched. */
+async function ready<M extends { default(): Promise<unknown> }>(loading: Promise<M>): Promise<M> {
+  const module = await loading;
+  await module.default();
+  return module;
+}
+
 const host: Host = {
   post: (message, transfer = []) => scope.postMessage(message, transfer),
-  lab: async () => {
-    const lab = await import('./pkg/kerfway_lab.js');
-    await lab.default();
-    return lab;
-  },
-  papers: async () => {
-    const papers = await import('./pkg/kerfway_papers.js');
-    await papers.default();
-    return papers;
-  },
-  quote: async () => {
-    const quote = await import('./pkg/kerfway_quote.js');
-    await quote.default();
-    return quote;
-  },
-  png: async () => {
-    const renderer = await import('./pkg/kerfway_png.js');
-    await renderer.default();
-    return renderer.renderPng;
-  },
+  lab: () => ready(import('./pkg/kerfway_lab.js')),
+  papers: () => ready(import('./pkg/kerfway_papers.js')),
+  plate: () => ready(import('./pkg/kerfway_plate.js')),
+  quote: () => ready(import('./pkg/kerfway_quote.js')),
+  png: async () => (await ready(import('./pkg/kerfway_png.js'))).renderPng,
 };
 
 const session = new Session(host);

@@ -1,55 +1,44 @@
 /** From words to options. Whatever cannot be understood is wrong usage and says what would be right. */
 
-import { parseArgs, type ParseArgsConfig } from 'node:util';
-import type { LoadOptions, Operation, Unit } from '../protocol.js';
+import { parseArgs } from 'node:util';
+import type { LoadOptions, Operation } from '../protocol.js';
+import { COMMON_CUTS, OPERATIONS, optionsOf, UNITS } from './commands.js';
 import { WrongUse } from './io.js';
-
-const UNITS: readonly Unit[] = ['mm', 'cm', 'dm', 'm', 'um', 'in', 'ft', 'yd', 'mil', 'microinch'];
-const OPERATIONS: readonly Operation[] = ['cut', 'mark', 'ignore'];
-
-/** The options of reading, which `plan` and `inspect` share. */
-export const READING = {
-  units: { type: 'string' },
-  layer: { type: 'string', multiple: true },
-  'order-by-layer': { type: 'boolean' },
-  'part-by-part': { type: 'boolean' },
-  first: { type: 'string', multiple: true },
-  last: { type: 'string', multiple: true },
-} as const;
 
 type Values = Record<string, string | boolean | string[] | undefined>;
 
-/** Parsed words: one file and the options given. */
+/** Parsed words: files, or patterns of them, and the options given. */
 export interface Words {
-  file: string;
+  words: string[];
   values: Values;
 }
 
-export function words(
-  args: string[],
-  options: NonNullable<ParseArgsConfig['options']>,
-  what = 'a DXF file',
-): Words {
-  const { values, positionals } = parsed(args, options);
-  const [file, second] = positionals;
-  if (file === undefined) throw new WrongUse(`Name ${what}.`);
-  if (second !== undefined) throw new WrongUse(`One file at a time: ${second} is one too many.`);
-  return { file, values };
-}
-
-function parsed(args: string[], options: NonNullable<ParseArgsConfig['options']>) {
+/** The words of a command, one at least, by its options. */
+export function parsed(command: string, args: string[], what = 'a DXF file'): Words {
+  const options = Object.fromEntries(
+    Object.entries(optionsOf(command)).map(([name, { value, repeat }]) => [
+      name,
+      { type: value === undefined ? ('boolean' as const) : ('string' as const), multiple: repeat === true },
+    ]),
+  );
   try {
-    return parseArgs({ args, options, allowPositionals: true, strict: true }) as {
-      values: Values;
-      positionals: string[];
-    };
+    const { values, positionals } = parseArgs({ args, options, allowPositionals: true, strict: true });
+    if (positionals.length === 0) throw new WrongUse(`Name ${what}.`);
+    return { words: positionals, values: values as Values };
   } catch (error) {
+    if (error instanceof WrongUse) throw error;
     const { code, message } = error as NodeJS.ErrnoException;
     const name = /--?[\w-]+/.exec(message)?.[0] ?? 'An option';
     if (code === 'ERR_PARSE_ARGS_UNKNOWN_OPTION') throw new WrongUse(`There is no option ${name}.`);
     const flag = options[name.slice(2)]?.type === 'boolean';
     throw new WrongUse(flag ? `${name} takes no value.` : `${name} needs a value.`);
   }
+}
+
+/** The only word of a command that takes no more. */
+export function oneWord({ words: [word = '', second] }: Words): string {
+  if (second !== undefined) throw new WrongUse(`One at a time: ${second} is one too many.`);
+  return word;
 }
 
 export function loadOptions(values: Values): LoadOptions {
@@ -60,6 +49,8 @@ export function loadOptions(values: Values): LoadOptions {
   if (layers.length > 0) options.layers = layers.map(layerChoice);
   if (values['order-by-layer'] === true) options.orderByLayer = true;
   if (values['part-by-part'] === true) options.partByPart = true;
+  const common = text(values, 'common-cuts');
+  if (common !== undefined) options.commonCuts = oneOf('--common-cuts', common, COMMON_CUTS);
   for (const pin of ['first', 'last'] as const) {
     const contours = (values[pin] as string[] | undefined) ?? [];
     if (contours.length > 0) options[pin] = contours.map((word) => wholeNumber(pin, word));

@@ -1,53 +1,60 @@
-/** What the command line says about itself. */
+/** What the command line says about itself: in short, and of each command as a manual page does. */
 
 import { readFile } from 'node:fs/promises';
+import { COMMANDS, type Command, type Options } from './commands.js';
 
-export const HELP = `Kerfway plans the path of a laser cutter.
+const WIDTH = 100;
+const EXIT = 'Exit code: 0 done, 1 an input is unusable, 2 wrong usage.';
 
-kerfway plan FILE.dxf [options]      plan the path and write it
-kerfway inspect FILE.dxf [options]   tell what the drawing holds, without planning
-kerfway quote FILE.dxf [options]     plan, and tell what a shop asks before it names a price
-kerfway methods                      list the methods of planning
-kerfway solve FILE [options]         solve a benchmark instance: .tsp, .gtsp or .pcglns
+/** `kerfway --help`. */
+export function overview(): string {
+  const rows = Object.entries(COMMANDS).map(([name, { words, about }]) => [`kerfway ${name}${words && ` ${words}`}`, about] as const);
+  const [example] = (COMMANDS['plan'] as Command).examples;
+  return [
+    'Kerfway plans the path of a laser cutter.\n',
+    ...inColumns(rows, ''),
+    `\nkerfway help COMMAND tells its options, with examples. Most often:\n\n  ${example?.[0]}\n`,
+    `${EXIT}\n`,
+  ].join('\n');
+}
 
-Outputs of plan; - is standard output:
-  --gcode OUT          G-code for the machine
-  --json OUT           the plan (kerfway.plan/1)
-  --svg OUT            picture with order and direction
-  --dxf OUT            contours in cutting order
-  --png OUT            picture as pixels
+/** `kerfway help COMMAND`. */
+export function manual(name: string, { about, words, text, options, examples }: Command): string {
+  const sections = Object.entries(options).map(([title, of]) => [`${title}:`, ...inColumns(optionRows(of), '  '), ''].join('\n'));
+  return [
+    `kerfway ${name}: ${about}\n`,
+    `Usage: kerfway ${name}${words && ` ${words}`}${sections.length > 0 ? ' [options]' : ''}\n`,
+    `${wrapped(text, WIDTH).join('\n')}\n`,
+    ...sections,
+    'Examples:',
+    ...examples.flatMap(([line, what]) => [`  # ${what}`, `  ${line}`]),
+    `\n${EXIT}\n`,
+  ].join('\n');
+}
 
-How to plan, for plan and quote:
-  --machine NAME|FILE  a preset's name, or a machine profile as JSON
-  --method NAME        see kerfway methods
-  --set NAME=VALUE     a parameter of a method from a paper; may be repeated
-  --seconds S          how long to search (default 10)
-  --moves N            how many moves to search: the same result everywhere
-  --workers N          searches side by side that share the best path (default 1)
-  --seed N             decides every random choice
-  --no-return          stay where the last cut ends
+function optionRows(options: Options): (readonly [string, string])[] {
+  return Object.entries(options).map(([name, { value, about, repeat, choices }]) => {
+    const more = [Array.isArray(choices) ? `one of ${choices.join(', ')}` : '', repeat ? 'may be repeated' : ''].filter(Boolean);
+    return [`--${name}${value === undefined ? '' : ` ${value}`}`, [about, ...more].join('; ')] as const;
+  });
+}
 
-How to read, for plan, quote and inspect:
-  --units UNIT         mm, in, cm, m, ... when the file says nothing or lies
-  --layer NAME=cut|mark|ignore   what to do with a layer; may be repeated
-  --order-by-layer     layer after layer, in the order of --layer
-  --part-by-part       a part wholly, with all in its holes, before the next
-  --first ID, --last ID          a contour before or after all others; may be repeated
+function inColumns(rows: (readonly [string, string])[], indent: string): string[] {
+  const left = Math.max(...rows.map(([name]) => name.length)) + 2;
+  return rows.flatMap(([name, about]) =>
+    wrapped(about, WIDTH - left - indent.length).map((line, k) => `${indent}${(k === 0 ? name : '').padEnd(left)}${line}`),
+  );
+}
 
-Of quote:
-  --material NAME      for people
-  --thickness MM       of the sheet
-  --density G          g/cm3: mild steel 7.85, aluminium 2.70, acrylic 1.19
-  --json OUT           the report (kerfway.quote/1)
-
-Of inspect:
-  --json OUT           the whole report
-
-Of solve, besides --seconds, --moves and --seed:
-  --json OUT           length, tour, seconds, moves, lower_bound
-
-Exit code: 0 done, 1 the input is unusable, 2 wrong usage.
-`;
+function wrapped(text: string, width: number): string[] {
+  const lines = [''];
+  for (const word of text.split(' ')) {
+    const last = lines.at(-1) ?? '';
+    if (last !== '' && last.length + 1 + word.length > width) lines.push(word);
+    else lines[lines.length - 1] = last === '' ? word : `${last} ${word}`;
+  }
+  return lines;
+}
 
 /** Version of this package. */
 export async function version(): Promise<string> {

@@ -1,25 +1,56 @@
-/** `kerfway inspect`: what a drawing holds, in words or as JSON. */
+/** `kerfway inspect`: what drawings hold, in words or as JSON. */
 
 import { basename } from 'node:path';
 import { createPlanner } from '../node.js';
 import type { Finding, Loaded } from '../protocol.js';
-import { loadOptions, READING, text, words } from './arguments.js';
-import { bytesOf, put, usable } from './io.js';
+import { loadOptions, parsed, text } from './arguments.js';
+import { eachFile, type Place } from './batch.js';
+import { Destinations } from './destinations.js';
+import { bytesOf, usable } from './io.js';
+import { Report, type Column } from './report.js';
 import { meters, plural, size } from './words.js';
 
 export async function inspect(args: string[]): Promise<void> {
-  const { file, values } = words(args, { ...READING, json: { type: 'string' } });
-  const options = loadOptions(values);
-  const bytes = await bytesOf(file);
+  const given = parsed('inspect', args);
+  const options = loadOptions(given.values);
+  const out = text(given.values, 'json');
+  const outputs = out === undefined ? [] : [{ kind: 'json', out }];
+  const to = new Destinations(outputs);
+  const table = new Report(to.piped, COLUMNS);
   const planner = await createPlanner();
+  const begin = (files: readonly string[]) => {
+    to.begin(files);
+    table.begin(files);
+  };
+  const work = async (file: string, place: Place) => {
+    const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), options));
+    for (const output of outputs) await to.write(output, file, `${JSON.stringify(report(loaded))}\n`);
+    // Whoever reads the report of one drawing by a program needs no second one.
+    if (out !== '-' || place.of > 1) await table.tell(place, () => told(loaded), () => row(file, loaded));
+  };
   try {
-    const loaded = await usable(file, planner.load(bytes, basename(file), options));
-    const json = text(values, 'json');
-    if (json !== undefined) await put(json, `${JSON.stringify(report(loaded))}\n`);
-    if (json !== '-') await put('-', told(loaded));
+    await eachFile(given, { begin, work });
   } finally {
     planner.close();
   }
+}
+
+const COLUMNS: readonly Column[] = [
+  { title: 'Contours', width: 8, right: true },
+  { title: 'Open', width: 5, right: true },
+  { title: 'Parts', width: 5, right: true },
+  { title: 'To cut', width: 10, right: true },
+  { title: 'Size', width: 20, right: true },
+  { title: 'Units', width: 12 },
+  { title: 'Findings', width: 8, right: true },
+];
+
+function row(file: string, loaded: Loaded): string[] {
+  const open = loaded.contours.filter((c) => !c.closed).length;
+  return [
+    ...[file, String(loaded.contours.length), String(open), String(loaded.parts.length), meters(lengthOf(loaded, 'cut'))],
+    ...[size(loaded.bounds), `${loaded.units.unit}, ${loaded.units.source}`, String(loaded.findings.length)],
+  ];
 }
 
 /** Contours without their geometry, and the sums people ask for first. */

@@ -17,6 +17,6 @@ export async function methods(args: string[]): Promise<void> {
   process.stdout.write('\nParameters of the methods from papers, for --set:\n');
   for (const { name, parameters } of papers) {
     const given = Object.entries(parameters).map(([key, value]) => `${key}=${String(value)}`);
-    process.stdout.write(`${name.padEnd(width)}  ${given.join(' ')}\n`);
+    if (given.length > 0) process.stdout.write(`${name.padEnd(width)}  ${given.join(' ')}\n`);
   }
 }

@@ -1,47 +1,56 @@
-/** `kerfway plan`: a drawing planned and written out. */
+/** `kerfway plan`: drawings planned and written out. */
 
 import { basename } from 'node:path';
 import type { PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, OutputKind, PlanOptions } from '../protocol.js';
-import { text, words, type Words } from './arguments.js';
-import { put, usable, WrongUse } from './io.js';
-import { planFile, PLANNING } from './planning.js';
+import { parsed, text } from './arguments.js';
+import { Destinations, type Output } from './destinations.js';
+import { usable } from './io.js';
+import { planFiles } from './planning.js';
+import { Report, type Column } from './report.js';
 import { duration, percent, meters, plural } from './words.js';
 
 const OUTPUTS: readonly OutputKind[] = ['json', 'gcode', 'svg', 'dxf', 'png'];
 
-const OPTIONS = {
-  ...PLANNING,
-  ...Object.fromEntries(OUTPUTS.map((o) => [o, { type: 'string' }])),
-} as const;
-
-interface Output {
-  kind: OutputKind;
-  out: string;
-}
-
 export async function plan(args: string[]): Promise<void> {
-  const given = words(args, OPTIONS);
-  const { file } = given;
-  const outputs = outputsOf(given);
-  await planFile(given, async ({ planner, loaded, result, options }) => {
-    for (const { kind, out } of outputs) await put(out, await usable(file, planner.output(kind)));
-    const summary = told(file, loaded, result, options);
-    if (outputs.some((o) => o.out === '-')) process.stderr.write(summary);
-    else await put('-', summary);
-  });
-}
-
-function outputsOf({ values }: Words): Output[] {
-  const outputs = OUTPUTS.flatMap((kind) => {
-    const out = text(values, kind);
+  const given = parsed('plan', args);
+  const outputs = OUTPUTS.flatMap((kind): Output<OutputKind>[] => {
+    const out = text(given.values, kind);
     return out === undefined ? [] : [{ kind, out }];
   });
-  const [first, second] = outputs.filter((o) => o.out === '-');
-  if (first !== undefined && second !== undefined) {
-    throw new WrongUse(`--${first.kind} and --${second.kind} cannot both go to standard output.`);
-  }
-  return outputs;
+  const to = new Destinations(outputs);
+  const report = new Report(to.piped, COLUMNS);
+  await planFiles(given, {
+    begin: (files) => {
+      to.begin(files);
+      report.begin(files);
+    },
+    write: async ({ file, place, planner, loaded, result, options }) => {
+      for (const output of outputs) await to.write(output, file, await usable(file, planner.output(output.kind)));
+      await report.tell(place, () => told(file, loaded, result, options), () => row(file, loaded, result));
+    },
+  });
+}
+
+const COLUMNS: readonly Column[] = [
+  { title: 'Contours', width: 8, right: true },
+  { title: 'To cut', width: 10, right: true },
+  { title: 'Job', width: 11, right: true },
+  { title: 'As drawn', width: 11, right: true },
+  { title: 'Gap', width: 8, right: true },
+  { title: 'Findings', width: 8, right: true },
+];
+
+function row(file: string, loaded: Loaded, { progress: { summary: s }, baselines }: PlanResult): string[] {
+  return [
+    file,
+    String(s.contours),
+    meters(s.cut_length),
+    duration(s.total_time),
+    duration(baselines.drawing.total_time),
+    s.gap === null ? '' : s.gap <= PROVEN ? 'proven' : percent(s.gap),
+    String(worthTelling(loaded)),
+  ];
 }
 
 /** A path this near to what is proven is optimal: what is left is rounding. */
@@ -50,7 +59,7 @@ const PROVEN = 1e-9;
 function told(file: string, loaded: Loaded, result: PlanResult, { machine, workers = 1 }: PlanOptions): string {
   const { summary: s, moves, seconds } = result.progress;
   const { drawing, greedy } = result.baselines;
-  const findings = loaded.findings.filter((f) => f.severity !== 'info').length;
+  const findings = worthTelling(loaded);
   const lines = [
     `${basename(file)}: ${plural(s.contours, 'contour')} (${s.open_contours} open), ${plural(s.parts, 'part')}, ` +
       `${meters(s.cut_length)} to cut`,
@@ -66,4 +75,8 @@ function told(file: string, loaded: Loaded, result: PlanResult, { machine, worke
   }
   if (findings > 0) lines.push(`Findings   ${findings}: kerfway inspect ${file} tells them`);
   return `${lines.join('\n')}\n`;
+}
+
+function worthTelling({ findings }: Loaded): number {
+  return findings.filter((f) => f.severity !== 'info').length;
 }

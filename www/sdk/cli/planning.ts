@@ -1,43 +1,47 @@
-/** What `plan` and `quote` share: the options of planning, and a drawing planned by them. */
+/** What `plan` and `quote` share: drawings planned one after the other by one planner. */
 
 import { basename } from 'node:path';
 import { createPlanner, type Planner, type PlanResult } from '../node.js';
-import type { Loaded, MachineProfile, PlanOptions, Progress } from '../protocol.js';
-import { loadOptions, oneOf, parameters, READING, seconds, text, whole, type Words } from './arguments.js';
+import type { Loaded, MachineProfile, PlanOptions } from '../protocol.js';
+import { loadOptions, oneOf, parameters, seconds, text, whole, type Words } from './arguments.js';
+import { eachFile, type Place } from './batch.js';
 import { bytesOf, Unusable, usable, WrongUse } from './io.js';
-import { duration } from './words.js';
+import { progressLine } from './progress.js';
 
 const DEFAULT_MACHINE = 'co2-100w';
 
-/** The options of reading and planning. */
-export const PLANNING = {
-  ...READING,
-  ...Object.fromEntries(['machine', 'method', 'seconds', 'moves', 'workers', 'seed'].map((o) => [o, { type: 'string' }])),
-  set: { type: 'string', multiple: true },
-  'no-return': { type: 'boolean' },
-} as const;
-
 /** A drawing that is planned. */
 export interface PlannedFile {
+  file: string;
+  place: Place;
   planner: Planner;
   loaded: Loaded;
   result: PlanResult;
   options: PlanOptions;
 }
 
-/** Plans the file named, and hands it to whoever writes of it. */
-export async function planFile(given: Words, write: (planned: PlannedFile) => Promise<void>): Promise<void> {
-  const { file, values } = given;
+/** What `plan` and `quote` do of their own. */
+export interface Planning {
+  /** Told all files before the first. */
+  begin(files: readonly string[]): void;
+  write(planned: PlannedFile): Promise<void>;
+}
+
+/** Plans the files named, and hands each to whoever writes of it. */
+export async function planFiles(given: Words, { begin, write }: Planning): Promise<void> {
+  const { values } = given;
   const load = loadOptions(values);
   const [moves, workers, seed] = ['moves', 'workers', 'seed'].map((name) => whole(values, name));
   const budget = { seconds: seconds(values), moves, workers, seed };
-  const bytes = await bytesOf(file);
   const planner = await createPlanner();
   try {
     const options: PlanOptions = { ...budget, ...(await choices(given, planner)) };
-    const loaded = await usable(file, planner.load(bytes, basename(file), load));
-    const result = await usable(file, searched(planner, options));
-    await write({ planner, loaded, result, options });
+    const work = async (file: string, place: Place) => {
+      const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), load));
+      const result = await usable(file, searched(planner, options, file, place));
+      await write({ file, place, planner, loaded, result, options });
+    };
+    await eachFile(given, { begin, work });
   } finally {
     planner.close();
   }
@@ -65,7 +69,9 @@ async function machineOf(word: string, { machines }: Planner): Promise<MachinePr
   if (!/[./\\]/.test(word)) return Promise.reject(unknownMachine(word, machines));
   const bytes = await bytesOf(word);
   try {
-    return JSON.parse(new TextDecoder().decode(bytes)) as MachineProfile;
+    const content = JSON.parse(new TextDecoder().decode(bytes)) as MachineProfile | { schema: string; profile: MachineProfile };
+    // What the page exports says its schema around the profile.
+    return 'profile' in content ? content.profile : content;
   } catch {
     throw new Unusable(`${word} is not JSON: a machine profile is an object like those of the presets.`);
   }
@@ -76,9 +82,11 @@ function unknownMachine(word: string, machines: readonly MachineProfile[]): Wron
   return new WrongUse(`--machine ${word}: choose one of ${names}, or name a file ending in .json.`);
 }
 
-async function searched(planner: Planner, options: PlanOptions): Promise<PlanResult> {
+async function searched(planner: Planner, options: PlanOptions, file: string, place: Place): Promise<PlanResult> {
   const show = process.stderr.isTTY;
-  const plan = planner.plan(options, show ? showProgress : () => {});
+  const plan = planner.plan(options, (progress) => {
+    if (show) process.stderr.write(`\r\x1b[K${progressLine(progress, options, basename(file), place)}`);
+  });
   // Once ends the search and keeps what it found; twice ends the program.
   const stop = () => plan.stop();
   process.once('SIGINT', stop);
@@ -88,9 +96,4 @@ async function searched(planner: Planner, options: PlanOptions): Promise<PlanRes
     process.removeListener('SIGINT', stop);
     if (show) process.stderr.write('\r\x1b[K');
   }
-}
-
-function showProgress({ seconds, rate, summary }: Progress): void {
-  const pace = rate >= 1e6 ? `${(rate / 1e6).toFixed(1)} million` : `${Math.round(rate / 1000)} thousand`;
-  process.stderr.write(`\r\x1b[K${seconds.toFixed(1)} s  job ${duration(summary.total_time)}  ${pace} moves a second`);
 }

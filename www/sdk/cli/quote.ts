@@ -1,26 +1,54 @@
 /** `kerfway quote`: what a shop asks of a job before it names a price. */
 
 import type { Material, Quote } from '../quote.js';
-import { positive, text, words, type Words } from './arguments.js';
-import { put, usable } from './io.js';
-import { planFile, PLANNING } from './planning.js';
-import { duration, meters, plural } from './words.js';
-
-const OPTIONS = {
-  ...PLANNING,
-  ...Object.fromEntries(['json', 'material', 'thickness', 'density'].map((o) => [o, { type: 'string' }])),
-} as const;
+import { parsed, positive, text, type Words } from './arguments.js';
+import { Destinations } from './destinations.js';
+import { usable } from './io.js';
+import { planFiles } from './planning.js';
+import { Report, type Column } from './report.js';
+import { area, duration, grams, meters, millimetres, plural } from './words.js';
 
 export async function quote(args: string[]): Promise<void> {
-  const given = words(args, OPTIONS);
+  const given = parsed('quote', args);
   const material = materialOf(given);
-  await planFile(given, async ({ planner }) => {
-    const report = await usable(given.file, planner.quote(material));
-    const json = text(given.values, 'json');
-    if (json !== undefined) await put(json, `${JSON.stringify(report, null, 2)}\n`);
-    if (json === '-') process.stderr.write(told(report));
-    else await put('-', told(report));
+  const out = text(given.values, 'json');
+  const outputs = out === undefined ? [] : [{ kind: 'json', out }];
+  const to = new Destinations(outputs);
+  const report = new Report(to.piped, COLUMNS);
+  await planFiles(given, {
+    begin: (files) => {
+      to.begin(files);
+      report.begin(files);
+    },
+    write: async ({ file, place, planner }) => {
+      const quoted = await usable(file, planner.quote(material));
+      // One document a line where several follow each other.
+      const json = `${JSON.stringify(quoted, null, place.of > 1 && out === '-' ? 0 : 2)}\n`;
+      for (const output of outputs) await to.write(output, file, json);
+      await report.tell(place, () => told(quoted), () => row(file, quoted));
+    },
   });
+}
+
+const COLUMNS: readonly Column[] = [
+  { title: 'Parts', width: 5, right: true },
+  { title: 'Job', width: 11, right: true },
+  { title: 'To cut', width: 10, right: true },
+  { title: 'Pierces', width: 7, right: true },
+  { title: 'Net area', width: 10, right: true },
+  { title: 'Weight', width: 8, right: true },
+  { title: 'Confidence', width: 10 },
+  { title: 'Hash', width: 12 },
+];
+
+/** Digits of a hash that tell one report from another in a table; the whole of it is in the report. */
+const SHORT = 12;
+
+function row(file: string, q: Quote): string[] {
+  return [
+    ...[file, String(q.part_count), duration(q.times.total), meters(q.cut_length), String(q.pierces), area(q.net_area)],
+    ...[q.weight === null ? '' : grams(q.weight), q.confidence.level, q.hash.slice(0, SHORT)],
+  ];
 }
 
 function materialOf({ values }: Words): Material {
@@ -33,13 +61,10 @@ function materialOf({ values }: Words): Material {
   return material;
 }
 
-const millimetres = (mm: number) => `${mm.toFixed(2)} mm`;
-const area = (mm2: number) => (mm2 < 1e4 ? `${mm2.toFixed(0)} mm²` : `${(mm2 / 1e6).toFixed(4)} m²`);
-
 function told(q: Quote): string {
   const { times: t, bounds: [x0, y0, x1, y1] } = q;
   const against = (ratio: number | null) => (ratio === null ? '' : ` (${ratio.toFixed(2)} of the thickness)`);
-  const weight = q.weight === null ? '' : `, ${q.weight < 1000 ? `${q.weight.toFixed(0)} g` : `${(q.weight / 1000).toFixed(2)} kg`}`;
+  const weight = q.weight === null ? '' : `, ${grams(q.weight)}`;
   const lines = [
     `${q.input.name}: ${plural(q.part_count, 'part')}, ${q.parts.length} different${weight}`,
     `Job        ${duration(t.total)}: cut ${duration(t.cut)}, air ${duration(t.air)}, pierce ${duration(t.pierce)} (${q.pierces})`,

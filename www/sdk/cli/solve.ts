@@ -2,12 +2,10 @@
 
 import { readFile } from 'node:fs/promises';
 import { basename } from 'node:path';
-import { seconds, text, whole, words } from './arguments.js';
+import { oneWord, parsed, seconds, text, whole } from './arguments.js';
+import { DEFAULT_SECONDS } from '../options.js';
 import { bytesOf, put, Unusable } from './io.js';
 
-const OPTIONS = Object.fromEntries(['json', 'seconds', 'moves', 'seed'].map((o) => [o, { type: 'string' as const }]));
-/** As for `plan`. */
-const DEFAULT_SECONDS = 10;
 /** Moves between two looks at the clock: a few milliseconds. */
 const SLICE = 20_000;
 
@@ -23,7 +21,9 @@ interface Solved {
 }
 
 export async function solve(args: string[]): Promise<void> {
-  const { file, values } = words(args, OPTIONS, 'a .tsp, .gtsp or .pcglns file');
+  const given = parsed('solve', args, 'a .tsp, .gtsp or .pcglns file');
+  const file = oneWord(given);
+  const { values } = given;
   const moves = whole(values, 'moves');
   const limit = seconds(values);
   const seed = whole(values, 'seed') ?? Math.floor(Math.random() * 2 ** 32);

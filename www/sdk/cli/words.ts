@@ -25,3 +25,18 @@ export function size([x0, y0, x1, y1]: [number, number, number, number]): string
 export function plural(n: number, word: string): string {
   return `${n} ${word}${n === 1 ? '' : 's'}`;
 }
+
+/** A small length, in mm. */
+export function millimetres(mm: number): string {
+  return `${mm.toFixed(2)} mm`;
+}
+
+/** An area given in mm2; from a hand's size on in square metres. */
+export function area(mm2: number): string {
+  return mm2 < 1e4 ? `${mm2.toFixed(0)} mm²` : `${(mm2 / 1e6).toFixed(4)} m²`;
+}
+
+/** A weight given in grams; from a kilogram on in those. */
+export function grams(g: number): string {
+  return g < 1000 ? `${g.toFixed(0)} g` : `${(g / 1000).toFixed(2)} kg`;
+}

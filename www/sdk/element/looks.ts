@@ -1,4 +1,4 @@
-/** What `<kerfway-planner>` is made of and looks like, before a host changes its parts and properties. */
+/** What the elements are made of and look like, before a host changes their parts and properties. */
 
 const CSS = `
 :host {
@@ -41,26 +41,47 @@ button {
 button:focus-visible { outline: 2px solid var(--kerfway-accent, light-dark(#2f4fdb, #93a8ff)); outline-offset: 2px; }
 `;
 
-const BODY = `
+/** A report is as long as it is: the element grows with it. */
+const REPORT = `
+:host { height: auto; grid-template-rows: 240px auto auto; }
+[part=price] { margin: 0; padding: 12px 12px 0; font-size: 1.5em; font-weight: 600; }
+[part=price]:empty { display: none; }
+[part=report] { display: grid; grid-template-columns: max-content 1fr; gap: 4px 16px; margin: 0; padding: 12px; }
+[part=report]:empty { display: none; }
+[part=term] { color: var(--kerfway-quiet, light-dark(#5a626e, #a3acb9)); }
+[part=figure] { margin: 0; font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
+`;
+
+const STAGE = `
 <div part="stage">
   <canvas part="contours" role="img" aria-label="The drawing with its cutting path"></canvas>
   <canvas part="path" aria-hidden="true"></canvas>
   <div part="drop"><span>Drop a DXF here</span><button part="button choose main" data-does="choose">Choose a file</button></div>
-</div>
+</div>`;
+
+const bar = (download: string) => `
 <div part="bar">
   <p part="numbers" role="status"></p>
   <button part="button stop main" data-does="stop" hidden>Stop</button>
-  <button part="button download main" data-does="download" hidden>Download G-code</button>
+  <button part="button download main" data-does="download" hidden>${download}</button>
   <button part="button again" data-does="choose" hidden>Another file</button>
   <p part="message" role="alert" hidden></p>
 </div>
 <input type="file" accept=".dxf" hidden>
 `;
 
+export function furnishPlanner(root: ShadowRoot): void {
+  furnish(root, CSS, STAGE + bar('Download G-code'));
+}
+
+export function furnishQuote(root: ShadowRoot): void {
+  furnish(root, CSS + REPORT, `${STAGE}<div><p part="price" role="status"></p><dl part="report"></dl></div>${bar('Download the report')}`);
+}
+
 /** Fills a shadow root. A constructed style sheet is allowed by every Content-Security-Policy; a style element is not. */
-export function furnish(root: ShadowRoot): void {
+function furnish(root: ShadowRoot, css: string, body: string): void {
   const sheet = new CSSStyleSheet();
-  sheet.replaceSync(CSS);
+  sheet.replaceSync(css);
   root.adoptedStyleSheets = [sheet];
-  root.innerHTML = BODY;
+  root.innerHTML = body;
 }

@@ -1,4 +1,4 @@
-/** The attributes of `<kerfway-planner>` as options of a plan. */
+/** The attributes of the elements as options of a plan. */
 
 import type { PlanningOptions } from '../options.js';
 import type { Unit } from '../protocol.js';

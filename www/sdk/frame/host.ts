@@ -27,6 +27,7 @@ export interface FrameListener {
   onError?: (message: string) => void;
 }
 
+/** A host's hold of its frame. */
 export interface FrameConnection {
   /** How drawings are read and planned from now on, those a person drops, too. */
   setOptions(options: PlanningOptions): void;

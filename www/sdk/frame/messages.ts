@@ -12,6 +12,7 @@ export const MARK = 1;
 
 /** What may be rendered for a host. */
 export const KINDS = ['gcode', 'svg', 'dxf', 'png'] as const satisfies readonly OutputKind[];
+/** What a frame can render. */
 export type Kind = (typeof KINDS)[number];
 
 /** Numbers of a plan under way. */

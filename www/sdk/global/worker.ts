@@ -1,6 +1,6 @@
 /**
  * The planner in a worker made of text: everything it needs is inside, but for the renderer of pictures and the
- * methods of papers, which would double it.
+ * methods of papers, and the planner of pierce groups, which would double it.
  */
 
 import lab from '../pkg/kerfway_lab_bg.wasm';
@@ -20,6 +20,9 @@ const session = new Session({
   lab: async () => {
     labModule.initSync({ module: lab });
     return labModule;
+  },
+  plate: async () => {
+    throw new Error('The single-file build cuts every contour by itself. Use the package with its files for common cuts.');
   },
   papers: async () => {
     throw new Error('The single-file build has no methods from papers. Use the package with its files for them.');

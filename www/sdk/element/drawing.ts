@@ -1,51 +1,57 @@
-/** The element that `<kerfway-planner>` is; how it is used: see `index.ts`. */
+/**
+ * What the elements have in common: a drawing is dropped, chosen or handed over, planned in a worker while its path is shown,
+ * and what comes of it is told to the host. Each element says what is made of the finished plan.
+ */
 
-import { duration, plural } from '../cli/words.js';
-import { functionsOn, type Functions, type Planned } from '../functions.js';
+import { plural } from '../cli/words.js';
+import { functionsOn, type Functions, type Planned, type PlanRun } from '../functions.js';
 import { abortable } from '../lend.js';
-import type { PlanningOptions, Source } from '../options.js';
+import type { PlanJobOptions, PlanningOptions, Source } from '../options.js';
 import type { Planner } from '../planner.js';
-import type { Loaded, MachineProfile, MethodInfo, OutputKind, Progress, Summary } from '../protocol.js';
-import { furnish } from './looks.js';
+import type { Loaded, MachineProfile, MethodInfo, OutputKind, Progress } from '../protocol.js';
 import { attributed } from './options.js';
 import { Picture } from './picture.js';
 
-/** What the events carry as `detail`. They do not bubble. */
-export interface PlannerEvents {
+/** What the events of an element carry as `detail`; `Result` is what it makes. They do not bubble. */
+export interface DrawingEvents<Result> {
   /** The planner is there. */
   ready: CustomEvent<{ machines: readonly MachineProfile[]; methods: readonly MethodInfo[] }>;
   progress: CustomEvent<Progress>;
-  result: CustomEvent<Planned<'gcode'>>;
+  result: CustomEvent<Result>;
   /** One sentence for people; it is shown, too. */
   error: CustomEvent<{ message: string }>;
 }
 
-export type PlannerState = 'empty' | 'reading' | 'planning' | 'done' | 'failed';
+/** What an element is at; also its attribute `state`. */
+export type ElementState = 'empty' | 'reading' | 'planning' | 'done' | 'failed';
 
 // Where there is no page (a server that renders one), the module can be imported all the same.
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 
-export class KerfwayPlanner extends Base {
-  /** Where planners come from: see `definePlanner`. */
+/** What `<kerfway-planner>` and `<kerfway-quote>` have in common; `Result` is what they make, `K` what is written of the plan. */
+export abstract class DrawingElement<Result, K extends OutputKind> extends Base {
+  /** Where planners come from: see `define.ts`. */
   static createPlanner: () => Promise<Planner>;
 
   /** Options of reading and planning besides the attributes, which they override. */
   options: PlanningOptions = {};
   /** What the drawing holds, once it is read. */
   loaded: Loaded | null = null;
-  /** What the last plan came to. */
-  result: Planned<'gcode'> | null = null;
+  /** What came of the last drawing. */
+  result: Result | null = null;
 
-  private planner: Promise<Planner> | null = null;
-  /** Those of the planner, the default first. */
-  private machines: readonly MachineProfile[] = [];
-  private source: Source | null = null;
+  protected source: Source | null = null;
   /** Of the plan under way or the last one: a new one aborts it. */
   private job: { control: AbortController; stop: () => void } | null = null;
+  private planner: Promise<Planner> | null = null;
+  /** The planner that holds the finished plan; an element that was taken out of its page meanwhile has another one. */
+  private holder: Promise<Planner> | null = null;
+  /** Those of the planner, the default first. */
+  private machines: readonly MachineProfile[] = [];
   private readonly root: ShadowRoot;
   private readonly picture: Picture;
 
-  constructor() {
+  constructor(furnish: (root: ShadowRoot) => void) {
     super();
     this.root = this.attachShadow({ mode: 'open' });
     furnish(this.root);
@@ -55,8 +61,9 @@ export class KerfwayPlanner extends Base {
     for (const type of ['dragover', 'dragleave', 'drop'] as const) this.addEventListener(type, (event) => this.drag(event));
   }
 
-  get state(): PlannerState {
-    return (this.getAttribute('state') ?? 'empty') as PlannerState;
+  /** What it is at. */
+  get state(): ElementState {
+    return (this.getAttribute('state') ?? 'empty') as ElementState;
   }
 
   connectedCallback(): void {
@@ -79,19 +86,18 @@ export class KerfwayPlanner extends Base {
     this.planner = null;
   }
 
-  /** Reads and plans a drawing, as if it had been dropped. Resolves with the plan; rejects when it fails or another is opened. */
-  async open(source: Source, name = 'drawing.dxf'): Promise<Planned<'gcode'>> {
+  /** Reads and plans a drawing, as if it had been dropped. Resolves with what comes of it; rejects when it fails or another is opened. */
+  async open(source: Source, name = 'drawing.dxf'): Promise<Result> {
     this.job?.control.abort();
     const control = new AbortController();
     this.source = source;
     [this.loaded, this.result] = [null, null];
     this.picture.show(null, null);
     this.become('reading', `Reading ${name}`);
-    const run = this.functions().plan(source, {
+    const run = this.plan(source, {
       ...attributed(this),
       ...this.options,
       name,
-      outputs: ['gcode'],
       signal: control.signal,
       onLoaded: (loaded) => {
         if (!control.signal.aborted) this.show(loaded);
@@ -102,8 +108,11 @@ export class KerfwayPlanner extends Base {
     });
     this.job = { control, stop: () => run.stop() };
     try {
-      const result = await run;
-      this.finish(result);
+      const planned = await run;
+      this.holder = this.planner;
+      this.picture.follow(planned.path);
+      const result = await this.made(planned, control.signal);
+      this.finish(result, this.inWords(planned));
       return result;
     } catch (error) {
       if (!control.signal.aborted) this.fail(error as Error);
@@ -116,23 +125,56 @@ export class KerfwayPlanner extends Base {
     this.job?.stop();
   }
 
-  /** The finished plan in another form; see `render`. */
-  async render(kind: Exclude<OutputKind, 'json'>, options: { width?: number } = {}): Promise<string | Uint8Array> {
-    if (this.result === null || this.source === null) throw new Error('There is no plan yet. Open a drawing first.');
-    return this.functions().render(this.source, this.result, kind, options);
+  protected abstract plan(source: Source, options: PlanJobOptions): PlanRun<K>;
+  /** What the host is told of a finished plan. */
+  protected abstract made(planned: Planned<K>, signal: AbortSignal): Promise<Result>;
+  /** The line below the picture, while it is planned and after. */
+  protected abstract inWords(plan: Progress | Planned<K>): string;
+  /** A file's name and text of what is taken away. */
+  protected abstract file(): { ending: string; text: string } | null;
+
+  // All on one planner, which is kept: a new drawing ends the plan before.
+  protected functions(): Functions {
+    return functionsOn(async (work, signal) => abortable(this.opened().then(work), signal));
   }
 
-  private opened(): Promise<Planner> {
-    this.planner ??= KerfwayPlanner.createPlanner().catch((error: unknown) => {
+  protected opened(): Promise<Planner> {
+    this.planner ??= DrawingElement.createPlanner().catch((error: unknown) => {
       this.planner = null;
       throw error;
     });
     return this.planner;
   }
 
-  // All on one planner, which is kept: a new drawing ends the plan before.
-  private functions(): Functions {
-    return functionsOn(async (work, signal) => abortable(this.opened().then(work), signal));
+  protected finish(result: Result, words: string): void {
+    this.result = result;
+    this.become('done', words);
+    this.tell('result', result);
+  }
+
+  /** Whether the finished plan can still be asked. */
+  protected get held(): boolean {
+    return this.state === 'done' && this.holder !== null && this.holder === this.planner;
+  }
+
+  protected fail({ message }: Error): void {
+    this.become('failed', '');
+    this.piece('message').textContent = message;
+    this.tell('error', { message });
+  }
+
+  // What can be seen and pressed follows from the state alone.
+  protected become(state: ElementState, numbers: string): void {
+    this.setAttribute('state', state);
+    this.piece('numbers').textContent = numbers;
+    this.piece('drop').hidden = state !== 'empty' && state !== 'failed';
+    this.piece('stop').hidden = state !== 'planning';
+    this.piece('download').hidden = this.piece('again').hidden = state !== 'done';
+    this.piece('message').hidden = state !== 'failed';
+  }
+
+  protected piece<E extends HTMLElement = HTMLElement>(name: string): E {
+    return this.root.querySelector(`[part~=${name}]`) as E;
   }
 
   private show(loaded: Loaded): void {
@@ -145,32 +187,8 @@ export class KerfwayPlanner extends Base {
 
   private follow(progress: Progress): void {
     if (progress.path !== null) this.picture.follow(progress.path);
-    this.piece('numbers').textContent = told(progress.summary);
+    this.piece('numbers').textContent = this.inWords(progress);
     this.tell('progress', progress);
-  }
-
-  private finish(result: Planned<'gcode'>): void {
-    this.result = result;
-    const saved = result.baselines.drawing.total_time - result.summary.total_time;
-    this.picture.follow(result.path);
-    this.become('done', `${told(result.summary)}${saved >= 0.05 ? `, ${duration(saved)} less than as drawn` : ''}`);
-    this.tell('result', result);
-  }
-
-  private fail({ message }: Error): void {
-    this.become('failed', '');
-    this.piece('message').textContent = message;
-    this.tell('error', { message });
-  }
-
-  // What can be seen and pressed follows from the state alone.
-  private become(state: PlannerState, numbers: string): void {
-    this.setAttribute('state', state);
-    this.piece('numbers').textContent = numbers;
-    this.piece('drop').hidden = state !== 'empty' && state !== 'failed';
-    this.piece('stop').hidden = state !== 'planning';
-    this.piece('download').hidden = this.piece('again').hidden = state !== 'done';
-    this.piece('message').hidden = state !== 'failed';
   }
 
   private press(what: string | undefined): void {
@@ -194,39 +212,21 @@ export class KerfwayPlanner extends Base {
   }
 
   private download(): void {
-    if (this.result === null) return;
+    const file = this.file();
+    if (file === null) return;
     const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([this.result.outputs.gcode], { type: 'text/plain' }));
-    link.download = `${this.result.loaded.name.replace(/\.dxf$/i, '')}.nc`;
+    link.href = URL.createObjectURL(new Blob([file.text], { type: 'text/plain' }));
+    link.download = `${this.loaded?.name.replace(/\.dxf$/i, '')}${file.ending}`;
     link.click();
     // The browser has taken it by then.
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
   }
 
-  private tell<K extends keyof PlannerEvents>(type: K, detail: PlannerEvents[K]['detail']): void {
+  private tell<T extends keyof DrawingEvents<Result>>(type: T, detail: DrawingEvents<Result>[T]['detail']): void {
     this.dispatchEvent(new CustomEvent(type, { detail }));
   }
 
   private get input(): HTMLInputElement {
     return this.root.querySelector('input') as HTMLInputElement;
   }
-
-  private piece<E extends HTMLElement = HTMLElement>(name: string): E {
-    return this.root.querySelector(`[part~=${name}]`) as E;
-  }
-}
-
-const told = ({ total_time, contours }: Summary): string => `Job ${duration(total_time)}, ${plural(contours, 'contour')}`;
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'kerfway-planner': KerfwayPlanner;
-  }
-}
-
-/** Makes `<kerfway-planner>` known, once, on planners that `createPlanner` opens. */
-export function definePlanner(createPlanner: () => Promise<Planner>): void {
-  KerfwayPlanner.createPlanner ??= createPlanner;
-  const registry = globalThis.customElements as CustomElementRegistry | undefined;
-  if (registry?.get('kerfway-planner') === undefined) registry?.define('kerfway-planner', KerfwayPlanner);
 }

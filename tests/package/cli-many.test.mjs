@@ -1,0 +1,140 @@
+// The command line over several drawings, over patterns, and again when a file changes.
+
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, it } from 'node:test';
+import { setTimeout as wait } from 'node:timers/promises';
+import { filesOf } from '../../dist/sdk/cli/glob.js';
+import { progressLine } from '../../dist/sdk/cli/progress.js';
+import { circle, CLI, dxf, folder, kerfway, square } from './support.mjs';
+
+const QUICK = ['--moves', '50', '--seed', '1'];
+const BROKEN = Buffer.from('AC1032\0\0\0\0', 'latin1');
+
+/** A folder with drawings of 1, 2, ... squares: a.dxf, b.dxf, ..., and with other files by name. */
+function drawings(t, names, others = {}) {
+  const at = folder(t);
+  names.forEach((name, k) => write(join(at, name), dxf(...Array.from({ length: k + 1 }, (_, i) => square(20 * i, 0, 10)))));
+  for (const [name, content] of Object.entries(others)) write(join(at, name), content);
+  return at;
+}
+
+function write(path, content) {
+  mkdirSync(join(path, '..'), { recursive: true });
+  writeFileSync(path, content);
+}
+
+describe('several drawings', () => {
+  it('each has its outputs in the folder, under its own name, and its row', async (t) => {
+    const at = drawings(t, ['a.dxf', 'deep/b.dxf', 'deep/er/c.DXF']);
+    const { code, stdout, stderr } = await kerfway('plan', join(at, 'a.dxf'), join(at, '**/*.[dD][xX][fF]'), ...QUICK, '--gcode', `${at}/out/`, '--json', `${at}/out/`);
+    assert.deepEqual([code, stderr], [0, '']);
+    assert.deepEqual(readdirSync(join(at, 'out')).sort(), ['a.json', 'a.nc', 'b.json', 'b.nc', 'c.json', 'c.nc']);
+    const contours = ['a', 'b', 'c'].map((n) => JSON.parse(readFileSync(join(at, 'out', `${n}.json`), 'utf8')).contours.length);
+    assert.deepEqual(contours, [1, 2, 3]);
+    const [head, ...rows] = stdout.trimEnd().split('\n');
+    assert.match(head, /^File +Contours +To cut +Job/);
+    assert.deepEqual(rows.map((r) => /(\w+)\.dxf +(\d)/i.exec(r).slice(1)), [['a', '1'], ['b', '2'], ['c', '3']]);
+  });
+
+  it('a file that is unusable is told in a sentence, the others are done, and the exit code is 1', async (t) => {
+    const at = drawings(t, ['a.dxf', 'c.dxf'], { 'b.dxf': BROKEN });
+    for (const command of ['plan', 'quote']) {
+      const out = join(at, command);
+      const { code, stdout, stderr } = await kerfway(command, join(at, '*.dxf'), join(at, 'gone.dxf'), ...QUICK, '--json', `${out}/`);
+      assert.equal(code, 1);
+      assert.match(stderr, /^kerfway: \S+b\.dxf: This is a DWG.*\nkerfway: \S+gone\.dxf cannot be read: there is no such file\.\n$/);
+      assert.deepEqual(readdirSync(out).sort(), ['a.json', 'c.json']);
+      assert.equal(stdout.trimEnd().split('\n').length, 3);
+    }
+  });
+
+  it('JSON of several goes to standard output one document a line', async (t) => {
+    const at = drawings(t, ['a.dxf', 'b.dxf']);
+    const schemas = { plan: 'kerfway.plan/1', quote: 'kerfway.quote/1', inspect: 'kerfway.inspect/1' };
+    for (const [command, schema] of Object.entries(schemas)) {
+      const budget = command === 'inspect' ? [] : QUICK;
+      const { code, stdout, stderr } = await kerfway(command, join(at, '*.dxf'), ...budget, '--json', '-');
+      assert.equal(code, 0);
+      assert.deepEqual(stdout.trimEnd().split('\n').map((l) => JSON.parse(l).schema), [schema, schema]);
+      assert.match(stderr, /^File .*\n.*a\.dxf .*\n.*b\.dxf .*\n$/);
+    }
+  });
+
+  it('nothing is written over a drawing, nor over what another drawing just wrote', async (t) => {
+    const at = drawings(t, ['a.dxf', 'b.dxf', 'deep/a.dxf']);
+    const before = readFileSync(join(at, 'a.dxf'));
+    const own = await kerfway('plan', join(at, 'a.dxf'), join(at, 'b.dxf'), ...QUICK, '--dxf', `${at}/`);
+    assert.equal(own.code, 1);
+    assert.match(own.stderr, /a\.dxf is a drawing itself and is not written over\. Name another folder\.\n/);
+    assert.deepEqual(readFileSync(join(at, 'a.dxf')), before);
+    const twice = await kerfway('plan', join(at, '**/a.dxf'), ...QUICK, '--svg', `${at}/out/`);
+    assert.equal(twice.code, 1);
+    assert.match(twice.stderr, /^kerfway: \S+deep\/a\.dxf: \S+a\.svg was written for \S+\/a\.dxf already\./);
+  });
+
+  it('patterns name what lies there, sorted, each once, and hidden files only when asked', (t) => {
+    const at = drawings(t, ['b.dxf', 'a.dxf', '.h.dxf', 'x/y/c.dxf', 'x/a1.dxf', 'x/a(2).dxf']);
+    const named = (...words) => filesOf(words.map((w) => join(at, w))).map((f) => f.slice(at.length + 1));
+    assert.deepEqual(named('*.dxf'), ['a.dxf', 'b.dxf']);
+    assert.deepEqual(named('.*.dxf'), ['.h.dxf']);
+    assert.deepEqual(named('b.dxf', '?.dxf'), ['b.dxf', 'a.dxf']);
+    assert.deepEqual(named('x/a[!(]*'), ['x/a1.dxf']);
+    assert.deepEqual(named('*/a(?).dxf'), ['x/a(2).dxf']);
+    assert.deepEqual(named('**/*.dxf'), ['a.dxf', 'b.dxf', 'x/a(2).dxf', 'x/a1.dxf', 'x/y/c.dxf']);
+    assert.deepEqual(named('*.svg'), ['*.svg']);
+  });
+});
+
+describe('--watch', () => {
+  it('does it again when a file changes, is replaced, appears or is mended', async (t) => {
+    const at = drawings(t, ['a.dxf'], { 'b.dxf': BROKEN });
+    const child = spawn(process.execPath, [CLI, 'plan', join(at, '*.dxf'), ...QUICK, '--json', `${at}/out/`, '--watch'], { stdio: ['ignore', 'pipe', 'pipe'] });
+    t.after(() => child.kill('SIGKILL'));
+    const told = { out: '', err: '' };
+    child.stdout.on('data', (d) => (told.out += d));
+    child.stderr.on('data', (d) => (told.err += d));
+    const contours = (name) => {
+      const path = join(at, 'out', name);
+      // Between two looks of the test it may be half written.
+      try { return existsSync(path) ? JSON.parse(readFileSync(path, 'utf8')).contours.length : 0; } catch { return 0; }
+    };
+    const until = async (what) => {
+      for (let k = 0; k < 400 && !what(); k++) await wait(50);
+      assert.ok(what(), `${what} ${told.out} ${told.err}`);
+    };
+
+    await until(() => contours('a.json') === 1 && told.err.includes('b.dxf'));
+    write(join(at, 'a.dxf'), dxf(square(0, 0, 10), circle(50, 50, 5)));
+    await until(() => contours('a.json') === 2);
+    write(join(at, 'new'), dxf(square(0, 0, 10), circle(50, 50, 5), circle(90, 50, 5)));
+    renameSync(join(at, 'new'), join(at, 'a.dxf'));
+    await until(() => contours('a.json') === 3);
+    write(join(at, 'b.dxf'), dxf(square(0, 0, 10)));
+    write(join(at, 'c.dxf'), dxf(square(0, 0, 10)));
+    await until(() => contours('b.json') === 1 && contours('c.json') === 1);
+    assert.equal(told.out.match(/a\.dxf/g).length, 3);
+    assert.equal(told.err.match(/b\.dxf/g).length, 1);
+    child.kill('SIGINT');
+    assert.deepEqual(await once(child, 'exit'), [null, 'SIGINT']);
+  });
+});
+
+describe('the line of progress', () => {
+  const progress = { seconds: 4, moves: 2_000_000, rate: 500_000, summary: { total_time: 83.2, gap: 0.0312 } };
+  const alone = { index: 0, of: 1 };
+
+  it('tells job, gap and seconds left of a budget in seconds or moves, whichever ends first', () => {
+    const left = (budget) => /(\d+) s left/.exec(progressLine(progress, budget, 'a.dxf', alone))?.[1];
+    assert.equal(progressLine(progress, { seconds: 8 }, 'a.dxf', alone), '[########........]  job 83.2 s  gap 3.1 %  4 s left  500 k moves/s');
+    assert.deepEqual([{}, { moves: 3_000_000 }, { moves: 3_000_000, workers: 2 }, { seconds: 5, moves: 9e9 }, { seconds: 1 }].map(left), ['6', '2', '8', '1', '0']);
+  });
+
+  it('tells which file of several it is, and leaves out what nobody knows', () => {
+    const early = { ...progress, rate: 0, summary: { total_time: 83.2, gap: null } };
+    assert.equal(progressLine(early, { moves: 9 }, 'b.dxf', { index: 1, of: 3 }), '2/3 b.dxf  [................]  job 83.2 s  0 k moves/s');
+  });
+});

@@ -1,0 +1,65 @@
+// Contours that share cuts: the planner that knows them takes over where the machine makes pre-cuts.
+
+import assert from 'node:assert/strict';
+import { after, before, describe, it } from 'node:test';
+import { createPlanner } from 'kerfway';
+
+/** Rectangles of 20 by 10 in a row, each a closed polyline. */
+function row(count) {
+  const corners = (x) => [[x, 0], [x + 20, 0], [x + 20, 10], [x, 10]].map(([a, b]) => `10\n${a}\n20\n${b}\n`).join('');
+  const shapes = Array.from({ length: count }, (_, k) => `0\nLWPOLYLINE\n8\n0\n90\n4\n70\n1\n${corners(20 * k)}`).join('');
+  return new TextEncoder().encode(`0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n${shapes}0\nENDSEC\n0\nEOF\n`);
+}
+
+describe('contours that share cuts', () => {
+  let planner, thick;
+  before(async () => {
+    planner = await createPlanner();
+    thick = { ...planner.machines.find((m) => m.name === 'fibre-6kw-thick'), pre_cut_time: 0.3 };
+  });
+  after(() => planner.close());
+
+  const planned = async (options = {}) => {
+    const run = planner.plan({ machine: thick, seed: 1, moves: 20_000, ...options });
+    const { findings } = await run.started;
+    const { reason, progress } = await run.done;
+    return { findings, reason, progress, document: JSON.parse(await planner.output('json')) };
+  };
+
+  it('are pierced once where the machine makes pre-cuts, and a finding tells so', async () => {
+    await planner.load(row(3), 'row.dxf');
+    const { findings, document, progress } = await planned();
+    assert.equal(document.summary.pierces, 1);
+    assert.ok(Math.abs(document.summary.cut_length - (6 * 20 + 4 * 10)) < 1e-6);
+    assert.ok(document.moves.some((m) => m.kind === 'cut' && Array.isArray(m.contour)));
+    assert.deepEqual(findings.map((f) => [f.code, f.count]), [['common-cut', 3]]);
+    assert.ok(document.findings.some((f) => f.code === 'common-cut'));
+    assert.equal(progress.path.times.length, 2 * progress.path.contours.length);
+  });
+
+  it('are cut by themselves on another machine, and when told so', async () => {
+    await planner.load(row(3), 'row.dxf');
+    const thin = await planned({ machine: 'fibre-6kw-thick' });
+    assert.equal(thin.document.summary.pierces, 3);
+    assert.deepEqual(thin.findings, []);
+    await planner.reload({ commonCuts: 'off' });
+    assert.equal((await planned()).document.summary.pierces, 3);
+    await planner.reload({});
+    assert.equal((await planned()).document.summary.pierces, 1);
+  });
+
+  it('a stop while the other planner is loaded ends the plan with a path', async () => {
+    await planner.load(row(4), 'row.dxf');
+    const run = planner.plan({ machine: thick, seed: 1, seconds: 60 });
+    run.stop();
+    const { reason, progress } = await run.done;
+    assert.equal(reason, 'stopped');
+    assert.ok(progress.path.contours.length > 0);
+  });
+
+  it('the same plan with three workers as the moves say', async () => {
+    await planner.load(row(4), 'row.dxf');
+    const { document } = await planned({ workers: 3, moves: 60_000 });
+    assert.equal(document.summary.pierces, 1);
+  });
+});
