@@ -1,10 +1,8 @@
 // Without a mouse, without sight, on a phone, in the dark.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { test } from 'node:test';
-import { openPage, phase, SIZES } from './page-support.mjs';
+import { openPage, phase, serious, shot, SIZES } from './page-support.mjs';
 
 test('everything can be done by keyboard', async (t) => {
   const { page } = await openPage(t);
@@ -187,7 +185,6 @@ test('the theme follows the system, can be switched and is kept', async (t) => {
 });
 
 test('axe finds nothing serious, wide and narrow, light and dark, with everything open', async (t) => {
-  const source = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
   for (const size of [SIZES.desktop, SIZES.phone]) {
     for (const theme of ['light', 'dark']) {
       const { page } = await openPage(t, { size, theme });
@@ -197,9 +194,8 @@ test('axe finds nothing serious, wide and narrow, light and dark, with everythin
       if (size === SIZES.phone) await page.locator('.sheet-toggle').click();
       await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
       await page.waitForFunction(() => document.querySelectorAll('optgroup option').length > 0);
-      await page.evaluate(source);
-      const found = await page.evaluate(async () => (await window.axe.run()).violations.map((v) => ({ id: v.id, impact: v.impact, at: v.nodes.map((n) => n.target.join(' ')) })));
-      assert.deepEqual(found.filter((v) => v.impact === 'serious' || v.impact === 'critical'), [], `${size.width} ${theme}`);
+      assert.deepEqual(await serious(page), [], `${size.width} ${theme}`);
+      await shot(page, `page-${size.width}-${theme}`);
     }
   }
 });

@@ -2,36 +2,13 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { download, drop, grid, openPage, phase, planned } from './page-support.mjs';
+import { download, drop, grid, openPage, phase, planned, roam, tasksOf, watchFrames } from './page-support.mjs';
 
 /** Milliseconds: a frame longer than this is seen as a jerk. */
 const FRAME = 50;
 
-/** Runs in the page: keeps the time between frames. */
-const watch = () => {
-  window.frames = [];
-  let before = 0;
-  const frame = (now) => {
-    if (before) window.frames.push(now - before);
-    before = now;
-    requestAnimationFrame(frame);
-  };
-  requestAnimationFrame(frame);
-};
-
-/** Processor milliseconds of each task the page's thread ran while `act` went on, longest first. */
-async function tasksOf(page, act) {
-  const browser = page.context().browser();
-  await browser.startTracing(page, { categories: ['toplevel', 'devtools.timeline', 'disabled-by-default-devtools.timeline'] });
-  await act();
-  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
-  const main = new Set(traceEvents.filter((e) => e.name === 'thread_name' && e.args.name === 'CrRendererMain').map((e) => `${e.pid} ${e.tid}`));
-  const tasks = traceEvents.filter((e) => e.ph === 'X' && e.name.endsWith('RunTask') && e.tdur !== undefined && main.has(`${e.pid} ${e.tid}`));
-  return tasks.map((e) => e.tdur / 1000).sort((a, b) => b - a);
-}
-
 test('10,000 contours pan and zoom while planning without a frame over 50 ms', async (t) => {
-  const { page } = await openPage(t, { prepare: watch });
+  const { page } = await openPage(t, { prepare: watchFrames });
   await phase(page, 'planning');
   await drop(page, 'ten-thousand.dxf', grid(10_000));
   await planned(page, 'ten-thousand.dxf', 'planning');
@@ -43,15 +20,7 @@ test('10,000 contours pan and zoom while planning without a frame over 50 ms', a
   await page.evaluate(() => (window.frames.length = 0));
 
   const tasks = await tasksOf(page, async () => {
-    await page.mouse.move(500, 450);
-    await page.mouse.down();
-    for (let i = 0; i < 40; i += 1) await page.mouse.move(500 + 4 * i, 450 + 30 * Math.sin(i / 5));
-    await page.mouse.up();
-    for (let i = 0; i < 12; i += 1) {
-      await page.mouse.wheel(0, i < 6 ? -240 : 240);
-      await page.waitForTimeout(60);
-    }
-    for (let i = 0; i < 20; i += 1) await page.mouse.move(300 + 20 * i, 400);
+    await roam(page);
     await page.waitForTimeout(500);
   });
   assert.equal(await page.evaluate(() => document.body.dataset.phase), 'planning');

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { delimiter, dirname, isAbsolute, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
@@ -52,17 +53,34 @@ export function phase(page, ...names) {
 }
 
 /** Drops a file on the page, as a hand would. */
-export async function drop(page, name, bytes) {
+export function drop(page, name, bytes) {
+  return dropAll(page, [[name, bytes]]);
+}
+
+/** Drops several files at once, each given as its name and bytes. */
+export async function dropAll(page, files) {
   await page.evaluate(
-    ({ name, base64 }) => {
+    (files) => {
       const data = new DataTransfer();
-      data.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+      for (const [name, base64] of files) data.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
       const event = (type) => new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true });
       document.body.dispatchEvent(event('dragenter'));
       document.body.dispatchEvent(event('drop'));
     },
-    { name, base64: Buffer.from(bytes).toString('base64') },
+    files.map(([name, bytes]) => [name, Buffer.from(bytes).toString('base64')]),
   );
+}
+
+/** What axe finds that is serious or worse, in all of the page or in one element. */
+export async function serious(page, within = 'html') {
+  await page.evaluate(readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8'));
+  const found = await page.evaluate(async (within) => (await window.axe.run(within)).violations.map((v) => ({ id: v.id, impact: v.impact, at: v.nodes.map((n) => n.target.join(' ')) })), within);
+  return found.filter((v) => v.impact === 'serious' || v.impact === 'critical');
+}
+
+/** Keeps what is seen in target/shots, for people to look at. */
+export async function shot(page, name) {
+  await page.screenshot({ path: join(ROOT, 'target', 'shots', `${name}.png`) });
 }
 
 /** Waits until the page shows a drawing of that name that is planned or has been. */
@@ -132,4 +150,41 @@ function arcLength(from, to, center, ccw) {
   const a = Math.atan2(from.y - center.y, from.x - center.x), b = Math.atan2(to.y - center.y, to.x - center.x);
   const turn = (ccw ? b - a : a - b) % (2 * Math.PI);
   return Math.hypot(from.x - center.x, from.y - center.y) * (turn <= 1e-9 ? turn + 2 * Math.PI : turn);
+}
+
+/** Runs in the page: keeps the time between frames. */
+export const watchFrames = () => {
+  window.frames = [];
+  let before = 0;
+  const frame = (now) => {
+    if (before) window.frames.push(now - before);
+    before = now;
+    requestAnimationFrame(frame);
+  };
+  requestAnimationFrame(frame);
+};
+
+/** Processor milliseconds of each task the page's thread ran while `act` went on, longest first. */
+export async function tasksOf(page, act) {
+  const browser = page.context().browser();
+  await browser.startTracing(page, { categories: ['toplevel', 'devtools.timeline', 'disabled-by-default-devtools.timeline'] });
+  await act();
+  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
+  const main = new Set(traceEvents.filter((e) => e.name === 'thread_name' && e.args.name === 'CrRendererMain').map((e) => `${e.pid} ${e.tid}`));
+  // The scheduler tells of each task twice, under two names.
+  const tasks = traceEvents.filter((e) => e.ph === 'X' && e.name === 'ThreadControllerImpl::RunTask' && e.tdur !== undefined && main.has(`${e.pid} ${e.tid}`));
+  return tasks.map((e) => e.tdur / 1000).sort((a, b) => b - a);
+}
+
+/** Pans, zooms and points, as a hand would. */
+export async function roam(page) {
+  await page.mouse.move(500, 450);
+  await page.mouse.down();
+  for (let i = 0; i < 40; i += 1) await page.mouse.move(500 + 4 * i, 450 + 30 * Math.sin(i / 5));
+  await page.mouse.up();
+  for (let i = 0; i < 12; i += 1) {
+    await page.mouse.wheel(0, i < 6 ? -240 : 240);
+    await page.waitForTimeout(60);
+  }
+  for (let i = 0; i < 20; i += 1) await page.mouse.move(300 + 20 * i, 400);
 }

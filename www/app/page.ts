@@ -3,7 +3,7 @@
 import { Announcer } from './core/announce.js';
 import { h, icon } from './core/dom.js';
 import { acceptDrops, choose, save } from './core/files.js';
-import { counted, seconds } from './core/format.js';
+import { count, seconds } from './core/format.js';
 import { bindKeys } from './core/keys.js';
 import { baseName, messageOf } from './core/strings.js';
 import { Theme } from './core/theme.js';
@@ -22,6 +22,7 @@ import { topBar } from './panels/topbar.js';
 import { playbackBar } from './playback/bar.js';
 import { Playback } from './playback/playback.js';
 import { Timeline } from './playback/timeline.js';
+import { Queue } from './session/queue.js';
 import { read as readAddress } from './session/address.js';
 import { fetchSample, SAMPLES, type Sample } from './session/samples.js';
 import { Session } from './session/session.js';
@@ -31,6 +32,7 @@ import type { Travel } from './stage/raster-messages.js';
 import { Scene } from './stage/scene.js';
 import { Viewport } from './stage/viewport.js';
 import type { Finding, MachineProfile, OutputKind } from 'kerfway';
+import { words } from './core/words/index.js';
 
 /** CSS pixels around the pointer in which a contour is picked; a finger is wider. */
 const REACH = { pointer: 8, touch: 20 };
@@ -72,23 +74,28 @@ export async function startPage(): Promise<void> {
     hint.hidden = true;
     layout();
   };
-  const openFile = async (file: File) => {
+  const openFile = async (file: File, begun: () => void) => {
     hideHint();
     try {
-      await session.open(await file.arrayBuffer(), file.name, false, shared.load);
+      const bytes = await file.arrayBuffer();
+      begun();
+      await session.open(bytes, file.name, false, shared.load);
     } catch {
-      session.refuse(file.name, `${file.name} could not be read from disk. Choose it again.`);
+      begun();
+      session.refuse(file.name, words.page.unreadable(file.name));
     }
   };
+  const queue = new Queue(session, openFile);
   const openSample = async (sample: Sample, bytes: Promise<ArrayBuffer>) => {
+    queue.leave();
     try {
       await session.open(await bytes, sample.file, true, { ...sample.options, ...shared.load });
     } catch (error) {
       session.refuse(sample.file, error);
     }
   };
-  const chooseFile = () => choose((file) => void openFile(file));
-  acceptDrops((file) => void openFile(file), (over) => document.body.classList.toggle('dropping', over));
+  const chooseFile = () => choose((files) => queue.take(files), { multiple: true });
+  acceptDrops((files) => queue.take(files), (over) => document.body.classList.toggle('dropping', over));
 
   const download = async (kind: OutputKind) => {
     try {
@@ -120,6 +127,14 @@ export async function startPage(): Promise<void> {
     if (reveal && box) viewport.reveal(box);
     if (contour !== null && reveal) announcer.say(describe(session, playback, contour).join(', '));
     scene.invalidate();
+  };
+  /** Pins a contour to an end of the order, or loosens it where it is pinned there. */
+  const pin = (contour: number | null, place: 'first' | 'last') => {
+    if (contour === null) return;
+    const pinned = state.load[place]?.includes(contour) ?? false;
+    const [name] = describe(session, playback, contour);
+    session.pin(contour, pinned ? null : place);
+    announcer.say(pinned ? words.page.loosened(name ?? '') : words.page.pinned(name ?? '', place));
   };
   // The stop stepped to: a contour that is left unfinished has several.
   let stepped = 0;
@@ -155,7 +170,7 @@ export async function startPage(): Promise<void> {
   scroller.append(drawing, machinePanel(session, tell, () => choosingHome(true)), planPanel(session), resultPanel(session, theme, (kind) => void download(kind)), quotePanel(session, tell));
   place('dock').append(dock(session, { open: chooseFile, gcode: () => void download('gcode'), sheet: toggleSheet }));
   const help = helpDialog();
-  const top = topBar(session, theme, {
+  const top = topBar(session, queue, theme, {
     open: chooseFile, sample: (s) => {
       hideHint();
       void openSample(s, fetchSample(s));
@@ -206,7 +221,7 @@ export async function startPage(): Promise<void> {
   const choosingHome = (on: boolean) => {
     homeNext = on;
     canvas.classList.toggle('placing', on);
-    if (on) tell('Click on the sheet where the head starts. Esc keeps the start as it is.');
+    if (on) tell(words.page.chooseHome);
     else notice.hidden = true;
   };
   const setHome = (x: number, y: number) => {
@@ -225,7 +240,7 @@ export async function startPage(): Promise<void> {
       canvas.classList.toggle('over', scene.hovered !== null);
       scene.invalidate();
     },
-    click(x, y, touch) {
+    click(x, y, { touch, shift }) {
       if (homeNext) return setHome(x, y);
       const finding = scene.pickFinding(x, y, touch ? REACH.touch : REACH.pointer + 4);
       if (finding) {
@@ -235,7 +250,9 @@ export async function startPage(): Promise<void> {
         return;
       }
       scene.finding = null;
-      select(scene.pick(x, y, touch ? REACH.touch : REACH.pointer));
+      const contour = scene.pick(x, y, touch ? REACH.touch : REACH.pointer);
+      if (shift && contour !== null) pin(contour, 'first');
+      else select(contour);
     },
   });
   bindKeys({
@@ -245,6 +262,7 @@ export async function startPage(): Promise<void> {
     'Shift+ArrowUp': () => viewport.pan(0, STEP), 'Shift+ArrowDown': () => viewport.pan(0, -STEP),
     o: chooseFile, s: () => session.stop(), p: () => (state.phase === 'paused' ? session.resume() : session.pause()), k: () => session.keepImproving(),
     c: () => tools.flip('ramp'), a: () => tools.flip('air'), t: () => toggleTable(!table.open), 'Ctrl+z': () => session.undo(), 'Ctrl+Shift+z': () => session.redo(), 'Ctrl+y': () => session.redo(), '?': () => help.showModal(),
+    1: () => pin(scene.selected, 'first'), 0: () => pin(scene.selected, 'last'),
     Escape: () => {
       if (homeNext) return choosingHome(false);
       scene.finding = null;
@@ -257,7 +275,7 @@ export async function startPage(): Promise<void> {
     playback.setTimeline(null);
     select(null);
     scene.setDrawing(loaded, state.extent, true);
-    if (fresh) announcer.say(`${state.name}: ${counted(loaded.contours.length, 'contour')} read.`);
+    if (fresh) announcer.say(words.page.read(state.name, words.drawing.contours(loaded.contours.length, count(loaded.contours.length))));
   });
   session.on('cleared', () => {
     playback.setTimeline(null);
@@ -267,19 +285,23 @@ export async function startPage(): Promise<void> {
   session.on('progress', ({ progress, path, machine }) => {
     if (!progress?.path || !path || !machine || !scene.shapes) return;
     const travel = travelOf(machine);
+    scene.partitions = state.insights.now?.partitions ?? null;
     scene.setPath(path, travel);
     playback.setTimeline(new Timeline(path, progress.summary.total_time, scene.shapes, scene.lengths, travel, machine.pierce_time + machine.beam_on_delay));
     if (scene.selected !== null) card.show(scene.selected);
-    announcer.say(`Best ${seconds(progress.summary.total_time)}.`);
+    announcer.say(words.page.best(seconds(progress.summary.total_time)));
   });
   session.on('change', () => {
     document.body.dataset.phase = state.phase;
-    if (session.methods.length > 0) history.replaceState(null, '', `#${session.address()}`);
+    // Written only when it differs: each writing goes to the browser's process and takes milliseconds.
+    const settings = `#${session.address()}`;
+    if (session.methods.length > 0 && (location.hash || '#') !== settings) history.replaceState(null, '', settings);
     failure.hidden = state.phase !== 'failed';
     failure.replaceChildren(h('h2', {}, icon('error'), state.name), h('p', {}, state.error ?? ''));
     if (state.phase === 'done' || state.phase === 'paused') announcer.say(head(state));
     if (state.progress === null && scene.shapes) {
       playback.setTimeline(null);
+      scene.partitions = null;
       if (state.machine) scene.setPath(null, travelOf(state.machine));
     }
   });

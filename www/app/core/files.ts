@@ -1,19 +1,18 @@
 /** Files in and out: choosing, dropping anywhere on the page, saving. */
 
-/** Opens the file dialog for one kind of file, drawings if none is said; calls back with the chosen one. */
-export function choose(onFile: (file: File) => void, accept = '.dxf,.DXF'): void {
+/** Opens the file dialog for one kind of file; calls back with what is chosen, one file at least. */
+export function choose(onFiles: (files: File[]) => void, { accept = '.dxf,.DXF', multiple = false } = {}): void {
   const input = document.createElement('input');
-  input.type = 'file';
-  input.accept = accept;
+  Object.assign(input, { type: 'file', accept, multiple });
   input.addEventListener('change', () => {
-    const file = input.files?.[0];
-    if (file) onFile(file);
+    const files = [...(input.files ?? [])];
+    if (files.length > 0) onFiles(files);
   });
   input.click();
 }
 
 /** Takes files dropped anywhere on the page; `hovering` tells whether one is being held over it. */
-export function acceptDrops(onFile: (file: File) => void, hovering: (over: boolean) => void): void {
+export function acceptDrops(onFiles: (files: File[]) => void, hovering: (over: boolean) => void): void {
   let depth = 0;
   const holdsFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
   addEventListener('dragenter', (event) => {
@@ -37,8 +36,8 @@ export function acceptDrops(onFile: (file: File) => void, hovering: (over: boole
     event.preventDefault();
     depth = 0;
     hovering(false);
-    const file = event.dataTransfer?.files[0];
-    if (file) onFile(file);
+    const files = [...(event.dataTransfer?.files ?? [])];
+    if (files.length > 0) onFiles(files);
   });
 }
 

@@ -1,15 +1,12 @@
 /** Numbers for people: seconds, lengths, counts. Never more than three significant digits where more would lie. */
 
-const grouping = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+import { words } from './words/index.js';
+
+const grouping = new Intl.NumberFormat(words.numbers.locale, { maximumFractionDigits: 0 });
 
 /** 1234 -> "1,234". */
 export function count(n: number): string {
   return grouping.format(n);
-}
-
-/** "1 contour", "3 contours". */
-export function counted(n: number, one: string, many = `${one}s`): string {
-  return `${count(n)} ${n === 1 ? one : many}`;
 }
 
 /** Three significant digits, without an exponent: 0.0123, 1.23, 12.3, 123, 1,230. */
@@ -85,6 +82,6 @@ export function percent(ratio: number): string {
 /** Large counts in short: 950, "12.3 thousand", "4.5 million". */
 export function short(n: number): string {
   if (n < 10_000) return count(n);
-  if (n < 1e6) return `${three(n / 1e3)} thousand`;
-  return `${three(n / 1e6)} million`;
+  if (n < 1e6) return words.numbers.thousand(three(n / 1e3));
+  return words.numbers.million(three(n / 1e6));
 }

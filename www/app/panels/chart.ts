@@ -11,6 +11,7 @@ import { count, narrow, seconds } from '../core/format.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import type { Theme } from '../core/theme.js';
+import { words } from '../core/words/index.js';
 
 /** The chart begins here, s: the first plan stands within milliseconds, and a logarithm needs a beginning. */
 const FIRST = 0.01;
@@ -21,9 +22,9 @@ const HEIGHT = 136;
 const FAR = 8;
 
 export function chart(session: Session, theme: Theme): HTMLElement {
-  const holder = h('div', { class: 'chart', role: 'img', 'aria-label': 'Job time over search time' });
+  const holder = h('div', { class: 'chart', role: 'img', 'aria-label': words.result.chart });
   const off = h('span', { class: 'number' });
-  const caption = h('figcaption', { class: 'soft' }, h('span', {}, 'Job over search, s'), off);
+  const caption = h('figcaption', { class: 'soft' }, h('span', {}, words.result.chartAxis), off);
   const color = (name: string) => () => colorOf(name);
   const soft = color('ink-soft'), hair = color('line');
   const axis = { stroke: soft, font: '12px system-ui', grid: { stroke: hair, width: 1 }, ticks: { show: false }, gap: 4 };
@@ -58,7 +59,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
     if (plot.width !== holder.clientWidth) plot.setSize({ width: holder.clientWidth, height: HEIGHT });
     const { data, above } = dataOf(session.state);
     plot.setData(data);
-    setText(off, above === null ? '' : `drawing order ${narrow(above)} ↑`);
+    setText(off, above === null ? '' : words.result.chartAbove(narrow(above)));
     holder.setAttribute('aria-label', describe(session.state));
   };
   const soon = () => {
@@ -96,7 +97,7 @@ function decades(_plot: uPlot, splits: number[]): (number | null)[] {
 
 function describe({ history, baselines }: State): string {
   const first = history.total[0], last = history.total.at(-1);
-  if (first === undefined || last === undefined) return 'Job time over search time: nothing yet.';
-  const order = baselines ? ` Drawing order takes ${seconds(baselines.drawing.total_time)}, nearest first ${seconds(baselines.greedy.total_time)}.` : '';
-  return `Job time over search time: from ${seconds(first)} to ${seconds(last)} in ${seconds(history.at.at(-1) ?? 0)}.${order}`;
+  if (first === undefined || last === undefined) return words.result.chartNone;
+  const order = baselines ? words.result.chartOrders(seconds(baselines.drawing.total_time), seconds(baselines.greedy.total_time)) : '';
+  return words.result.chartWords(seconds(first), seconds(last), seconds(history.at.at(-1) ?? 0)) + order;
 }

@@ -4,6 +4,7 @@ import { button, h } from '../core/dom.js';
 import { clock, count, millimetres } from '../core/format.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
+import { words } from '../core/words/index.js';
 
 /** Facts about a contour, the first being its name. */
 export function describe(session: Session, playback: Playback, contour: number): string[] {
@@ -12,9 +13,9 @@ export function describe(session: Session, playback: Playback, contour: number):
   if (!loaded || !info) return [];
   const stop = playback.stopOf(contour);
   const part = loaded.parts.findIndex((p) => p.outer === contour || p.holes.includes(contour));
-  const name = stop === null ? `Contour ${contour + 1}` : `No. ${count(stop + 1)} of ${count(playback.stops)}`;
-  const kind = info.operation === 'mark' ? 'mark' : !info.closed ? 'open cut' : info.inside === null ? 'outer' : 'inner';
-  return [name, info.layer, millimetres(info.length), part < 0 ? '' : `part ${count(part + 1)}`, kind].filter((t) => t !== '');
+  const name = stop === null ? words.contour.numbered(contour + 1) : words.contour.place(count(stop + 1), count(playback.stops));
+  const kind = info.operation === 'mark' ? words.contour.mark : !info.closed ? words.contour.open : info.inside === null ? words.contour.outer : words.contour.inner;
+  return [name, info.layer, millimetres(info.length), part < 0 ? '' : words.contour.part(count(part + 1)), kind].filter((t) => t !== '');
 }
 
 /** A line of text that follows the pointer. */
@@ -36,7 +37,7 @@ export class Tooltip {
 
 /** The selected contour: its facts, and the ones before and after it in the order. */
 export class ContourCard {
-  readonly root = h('section', { class: 'card contour', 'aria-label': 'Selected contour', hidden: true });
+  readonly root = h('section', { class: 'card contour', 'aria-label': words.contour.card, hidden: true });
 
   constructor(private readonly session: Session, private readonly playback: Playback, private readonly actions: { step(by: number): void; close(): void }) {}
 
@@ -45,7 +46,7 @@ export class ContourCard {
     if (contour === null) return;
     const [name, ...facts] = describe(this.session, this.playback, contour);
     const stop = this.playback.stopOf(contour);
-    const begin = stop === null ? [] : [`cut begins at ${clock(this.playback.begin(stop))}`];
+    const begin = stop === null ? [] : [words.contour.begins(clock(this.playback.begin(stop)))];
     const focused = this.root.contains(document.activeElement) ? [...this.root.querySelectorAll('button')].indexOf(document.activeElement as HTMLButtonElement) : -1;
     const pin = (place: 'first' | 'last', label: string) => {
       const pinned = this.session.state.load[place]?.includes(contour) ?? false;
@@ -53,10 +54,10 @@ export class ContourCard {
     };
     this.root.replaceChildren(
       h('div', { class: 'contour-text' }, h('strong', {}, name ?? ''), h('span', { class: 'soft number' }, [...facts, ...begin].join(' · '))),
-      pin('first', 'Cut first'), pin('last', 'Cut last'),
-      button('The one before (←)', { icon: 'back', iconOnly: true, class: 'quiet small', onclick: () => this.actions.step(-1) }),
-      button('The next (→)', { icon: 'next', iconOnly: true, class: 'quiet small', onclick: () => this.actions.step(1) }),
-      button('Close (Esc)', { icon: 'close', iconOnly: true, class: 'quiet small', onclick: () => this.actions.close() }));
+      pin('first', words.contour.first), pin('last', words.contour.last),
+      button(words.contour.before, { icon: 'back', iconOnly: true, class: 'quiet small', onclick: () => this.actions.step(-1) }),
+      button(words.contour.next, { icon: 'next', iconOnly: true, class: 'quiet small', onclick: () => this.actions.step(1) }),
+      button(words.contour.close, { icon: 'close', iconOnly: true, class: 'quiet small', onclick: () => this.actions.close() }));
     if (focused >= 0) this.root.querySelectorAll('button')[focused]?.focus();
   }
 }

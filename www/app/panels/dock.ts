@@ -8,6 +8,7 @@ import { percent, seconds, short } from '../core/format.js';
 import { doneSentence } from '../core/strings.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
+import { words } from '../core/words/index.js';
 
 export interface DockActions {
   open(): void;
@@ -19,14 +20,14 @@ export interface DockActions {
 export function dock(session: Session, actions: DockActions): HTMLElement {
   const headline = h('p', { class: 'dock-head' });
   const detail = h('p', { class: 'soft number' });
-  const bar = h('div', { class: 'budget', role: 'progressbar', 'aria-label': 'Progress', 'aria-valuemin': 0, 'aria-valuemax': 100 }, h('span'));
-  const stop = button('Stop', { icon: 'stop', class: 'stop', onclick: () => session.stop() });
-  const pause = button('Pause', { icon: 'pause', onclick: () => session.pause() });
-  const resume = button('Resume', { icon: 'play', onclick: () => session.resume() });
-  const more = button('Keep improving', { icon: 'next', onclick: () => session.keepImproving() });
+  const bar = h('div', { class: 'budget', role: 'progressbar', 'aria-label': words.dock.progress, 'aria-valuemin': 0, 'aria-valuemax': 100 }, h('span'));
+  const stop = button(words.dock.stop, { icon: 'stop', class: 'stop', onclick: () => session.stop() });
+  const pause = button(words.dock.pause, { icon: 'pause', onclick: () => session.pause() });
+  const resume = button(words.dock.resume, { icon: 'play', onclick: () => session.resume() });
+  const more = button(words.dock.more, { icon: 'next', onclick: () => session.keepImproving() });
   const gcode = button('G-code', { icon: 'download', class: 'primary', onclick: actions.gcode });
-  const open = button('Choose a DXF', { icon: 'open', class: 'primary', onclick: actions.open });
-  const sheet = button('Drawing, machine, plan, result', { icon: 'up', iconOnly: true, class: 'quiet sheet-toggle', 'aria-expanded': false, 'aria-controls': 'sections', onclick: actions.sheet });
+  const open = button(words.dock.choose, { icon: 'open', class: 'primary', onclick: actions.open });
+  const sheet = button(words.dock.sheet, { icon: 'up', iconOnly: true, class: 'quiet sheet-toggle', 'aria-expanded': false, 'aria-controls': 'sections', onclick: actions.sheet });
   const root = h('div', { class: 'dock' }, bar, h('div', { class: 'dock-state' }, h('div', {}, headline, detail), sheet), h('div', { class: 'dock-actions' }, stop, pause, resume, more, gcode, open));
 
   const show = (state: State) => {
@@ -59,26 +60,26 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
 /** The state in one sentence. */
 export function head(state: State): string {
   const { phase, progress } = state;
-  const best = progress ? `, best ${seconds(progress.summary.total_time)}` : '';
+  const best = progress ? seconds(progress.summary.total_time) : null;
   switch (phase) {
-    case 'starting': return 'Starting the planner…';
-    case 'reading': return `Reading ${state.name}…`;
-    case 'question': return 'An answer is needed before planning.';
-    case 'ready': return state.error ?? 'Nothing to cut: set a layer to cut or mark.';
-    case 'planning': return `Planning${best}`;
-    case 'paused': return `Paused${best}`;
-    case 'failed': return 'This file cannot be used.';
-    case 'done': return isOptimal(state) ? 'Optimal: no better path exists.' : doneSentence(state.reason, quietFor(state));
+    case 'starting': return words.dock.starting;
+    case 'reading': return words.dock.reading(state.name);
+    case 'question': return words.dock.question;
+    case 'ready': return state.error ?? words.dock.nothing;
+    case 'planning': return words.dock.planning(best);
+    case 'paused': return words.dock.paused(best);
+    case 'failed': return words.dock.failed;
+    case 'done': return isOptimal(state) ? words.dock.optimal : doneSentence(state.reason, quietFor(state));
   }
 }
 
 function tail(state: State): string {
   const { phase, progress } = state;
   if (!progress || (phase !== 'planning' && phase !== 'paused' && phase !== 'done')) return '';
-  const bound = progress.summary.gap === null || isOptimal(state) ? '' : `, at most ${percent(progress.summary.gap)} above the optimum`;
-  const pace = phase === 'planning' ? `${short(Math.round(progress.rate))} moves/s` : `${short(progress.moves)} moves`;
+  const bound = progress.summary.gap === null || isOptimal(state) ? null : words.dock.gap(percent(progress.summary.gap));
+  const pace = phase === 'planning' ? words.dock.pace(short(Math.round(progress.rate))) : words.dock.moves(short(progress.moves));
   const gain = (state.baselines?.drawing.total_time ?? 0) - progress.summary.total_time;
-  return `${gain > 0 ? `${seconds(gain)} saved, ` : ''}${pace}${bound}`;
+  return [gain > 0 ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', ');
 }
 
 function isOptimal(state: State): boolean {

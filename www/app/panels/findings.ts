@@ -4,16 +4,15 @@
  */
 
 import { h, icon, setText } from '../core/dom.js';
-import { count, counted } from '../core/format.js';
-import { FINDING_TITLES } from '../core/strings.js';
+import { count } from '../core/format.js';
 import type { Finding, Severity } from 'kerfway';
+import { words } from '../core/words/index.js';
 
 /** Findings of a kind listed before "and more": a list people still read. */
 const LISTED = 60;
 
 const GRAVITY: Record<Severity, number> = { error: 0, warning: 1, info: 2 };
 const ICONS = { error: 'error', warning: 'warning', info: 'info' } as const;
-const SPOKEN = { error: 'Error', warning: 'Warning', info: 'Note' };
 
 export class FindingList {
   readonly root: HTMLDetailsElement;
@@ -58,27 +57,27 @@ export class FindingList {
     if (findings.length === 1) return this.item(first);
     const sum = findings.reduce((n, f) => n + f.count, 0);
     return h('details', { class: 'finding-group' },
-      h('summary', {}, mark(first.severity), h('span', {}, `${FINDING_TITLES[first.code] ?? first.code}`), h('span', { class: 'soft number' }, count(sum))),
+      h('summary', {}, mark(first.severity), h('span', {}, words.findingTitles[first.code] ?? first.code), h('span', { class: 'soft number' }, count(sum))),
       ...findings.slice(0, LISTED).map((f) => this.item(f)),
-      findings.length > LISTED && h('p', { class: 'soft' }, `And ${count(findings.length - LISTED)} more: they are marked on the sheet.`));
+      findings.length > LISTED && h('p', { class: 'soft' }, words.findings.more(count(findings.length - LISTED))));
   }
 
   private item(finding: Finding): HTMLElement {
     const text = h('span', {}, finding.message);
-    const where = [finding.layer && `layer ${finding.layer}`, finding.handle && `entity ${finding.handle}`].filter(Boolean).join(', ');
+    const where = [finding.layer && words.findings.layer(finding.layer), finding.handle && words.findings.entity(finding.handle)].filter(Boolean).join(', ');
     const inner = [mark(finding.severity), h('span', { class: 'finding-text' }, text, where ? h('span', { class: 'soft' }, ` ${where}`) : null)];
     if (!finding.at) return h('div', { class: 'finding' }, ...inner);
-    const item = h('button', { type: 'button', class: 'finding', onclick: () => this.onShow(finding) }, ...inner, h('span', { class: 'show' }, 'show'));
+    const item = h('button', { type: 'button', class: 'finding', onclick: () => this.onShow(finding) }, ...inner, h('span', { class: 'show' }, words.findings.show));
     this.buttons.set(finding, item);
     return item;
   }
 }
 
 function headline(grave: number, notes: number): string {
-  const parts = [grave > 0 && `${count(grave)} to look at`, notes > 0 && counted(notes, 'note')].filter(Boolean);
-  return grave > 0 ? parts.join(', ') : `${parts.join('')}, nothing to do`;
+  const parts = [grave > 0 && words.drawing.toLookAt(count(grave)), notes > 0 && words.drawing.notes(notes, count(notes))].filter(Boolean);
+  return grave > 0 ? parts.join(', ') : words.drawing.nothingToDo(parts.join(''));
 }
 
 function mark(severity: Severity): HTMLElement {
-  return h('span', { class: `mark ${severity}` }, icon(ICONS[severity]), h('span', { class: 'hidden' }, `${SPOKEN[severity]}: `));
+  return h('span', { class: `mark ${severity}` }, icon(ICONS[severity]), h('span', { class: 'hidden' }, `${words.findings[severity]}: `));
 }

@@ -7,6 +7,7 @@ import { h, setText } from '../core/dom.js';
 import { count } from '../core/format.js';
 import type { Insights } from '../session/insights.js';
 import type { Session } from '../session/session.js';
+import { words } from '../core/words/index.js';
 
 /** Units of a curve's own drawing; it is stretched to its place. */
 const WIDE = 120, HIGH = 20;
@@ -15,9 +16,10 @@ const PAUSE = 250;
 
 export function insightPanel(session: Session): HTMLElement {
   const round = h('span', { class: 'number' });
-  const curves = h('table', { class: 'insight' }, h('caption', { class: 'hidden' }, 'Numbers of the method'));
+  const curves = h('table', { class: 'insight' }, h('caption', { class: 'hidden' }, words.plan.numbers));
   const grid = h('div', { class: 'insight-grid' });
-  const root = h('figure', { hidden: true }, h('figcaption', { class: 'soft' }, h('span', {}, 'Inside the method'), round), curves, grid);
+  const partitions = h('p', { class: 'soft', hidden: true }, words.plan.partitions);
+  const root = h('figure', { hidden: true }, h('figcaption', { class: 'soft' }, h('span', {}, words.plan.inside), round), curves, grid, partitions);
   let rows: Row[] = [];
   let timer = 0;
 
@@ -26,7 +28,7 @@ export function insightPanel(session: Session): HTMLElement {
     const { insights } = session.state;
     root.hidden = insights.now === null;
     if (insights.now === null) return;
-    setText(round, `round ${count(insights.now.round)}`);
+    setText(round, words.plan.round(count(insights.now.round)));
     const names = insights.now.curves.map((c) => c.name);
     if (names.join() !== rows.map((r) => r.name).join()) {
       rows = names.map((name) => new Row(name));
@@ -34,6 +36,7 @@ export function insightPanel(session: Session): HTMLElement {
     }
     rows.forEach((row, k) => row.show(insights, k));
     grid.replaceChildren(...table(insights.now.grid));
+    partitions.hidden = !insights.now.partitions?.parents.length;
   };
   const soon = () => {
     if (!timer) timer = window.setTimeout(draw, PAUSE);

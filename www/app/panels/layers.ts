@@ -5,6 +5,7 @@ import { count } from '../core/format.js';
 import { OPERATIONS } from '../core/strings.js';
 import type { LayerUse, Loaded } from 'kerfway';
 import type { Session } from '../session/session.js';
+import { words } from '../core/words/index.js';
 
 /** AutoCAD's first nine colours as they are named; the rest are shown in the colour of text. */
 const COLORS = ['', '#e5484d', '#c9a400', '#3aa655', '#1ea7b8', '#4565e6', '#b34fd1', '', '#8a8f98', '#b4b8bf'];
@@ -17,33 +18,30 @@ export function layerList(session: Session, loaded: Loaded): HTMLElement {
   const layers = ordered ? used.sort((a, b) => a.rank - b.rank) : used;
   const suggestions = layers.filter((l) => l.suggestion && l.suggestion !== l.operation);
   return h('div', { class: 'stack' },
-    h('ul', { class: 'layers', 'aria-label': 'Layers' }, ...layers.map((l, i) => row(session, l, ordered ? [i > 0, i < layers.length - 1] : null))),
+    h('ul', { class: 'layers', 'aria-label': words.layers.title }, ...layers.map((l, i) => row(session, l, ordered ? [i > 0, i < layers.length - 1] : null))),
     ...suggestions.map((l) => suggestion(session, l)));
 }
 
 function row(session: Session, layer: LayerUse, moves: [up: boolean, down: boolean] | null): HTMLElement {
   const swatch = h('span', { class: 'swatch', 'aria-hidden': 'true' });
   swatch.style.setProperty('--swatch', COLORS[layer.color] || 'currentColor');
-  const choice = h('select', { 'aria-label': `What is done with layer ${layer.name}`, class: `operation ${layer.operation}` },
-    ...OPERATIONS.map((o) => h('option', { value: o.value, selected: o.value === layer.operation }, o.label)));
+  const choice = h('select', { 'aria-label': words.layers.done(layer.name), class: `operation ${layer.operation}` },
+    ...OPERATIONS.map((o) => h('option', { value: o, selected: o === layer.operation }, words.operations[o])));
   choice.addEventListener('change', () => {
     const chosen = OPERATIONS[choice.selectedIndex];
-    if (chosen) session.setOperation(layer.name, chosen.value);
+    if (chosen) session.setOperation(layer.name, chosen);
   });
   const move = (label: string, icon: 'up' | 'down', by: -1 | 1, can: boolean) =>
-    button(`${label} ${layer.name}`, { icon, iconOnly: true, class: 'quiet small', disabled: !can, onclick: () => session.moveLayer(layer.name, by) });
+    button(label, { icon, iconOnly: true, class: 'quiet small', disabled: !can, onclick: () => session.moveLayer(layer.name, by) });
   return h('li', { class: layer.operation === 'ignore' ? 'layer ignored' : 'layer' }, swatch,
     h('span', { class: 'layer-name', title: layer.name }, layer.name),
-    h('span', { class: 'soft number', title: 'Contours' }, count(layer.contours)),
-    choice, moves && move('Earlier:', 'up', -1, moves[0]), moves && move('Later:', 'down', 1, moves[1]));
+    h('span', { class: 'soft number', title: words.layers.contours }, count(layer.contours)),
+    choice, moves && move(words.layers.earlier(layer.name), 'up', -1, moves[0]), moves && move(words.layers.later(layer.name), 'down', 1, moves[1]));
 }
-
-const SUGGESTED = { cut: 'cut', mark: 'marked, not cut', ignore: 'left out' } as const;
-const TAKE = { cut: 'Cut it', mark: 'Mark it', ignore: 'Leave it out' } as const;
 
 function suggestion(session: Session, layer: LayerUse): HTMLElement {
   const wanted = layer.suggestion!;
   return h('div', { class: 'suggestion' },
-    h('span', {}, `By its name, “${layer.name}” is to be ${SUGGESTED[wanted]}.`),
-    button(TAKE[wanted], { class: 'small', onclick: () => session.setOperation(layer.name, wanted) }));
+    h('span', {}, words.layers.suggested[wanted](layer.name)),
+    button(words.layers.take[wanted], { class: 'small', onclick: () => session.setOperation(layer.name, wanted) }));
 }

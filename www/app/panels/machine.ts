@@ -5,6 +5,7 @@ import type { MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { ownMachines } from './own-machines.js';
 import { check, field, section, select } from './section.js';
+import { words } from '../core/words/index.js';
 
 interface Quantity {
   label: string;
@@ -18,36 +19,36 @@ interface Quantity {
 }
 
 const QUANTITIES: readonly Quantity[] = [
-  { label: 'Cutting speed', unit: 'mm/s', least: 0.01, get: (m) => m.cut.speed, set: (m, v) => (m.cut.speed = v) },
-  { label: 'Cutting acceleration', unit: 'mm/s²', least: 1, get: (m) => m.cut.accel, set: (m, v) => (m.cut.accel = v) },
-  { label: 'Cutting power', unit: '%', least: 0, get: (m) => Math.round(m.cut.power * 1000) / 10, set: (m, v) => (m.cut.power = Math.min(1, v / 100)) },
-  { label: 'Marking speed', unit: 'mm/s', least: 0.01, get: (m) => m.mark.speed, set: (m, v) => (m.mark.speed = v) },
-  { label: 'Marking power', unit: '%', least: 0, get: (m) => Math.round(m.mark.power * 1000) / 10, set: (m, v) => (m.mark.power = Math.min(1, v / 100)) },
-  { label: 'Rapid speed, x', unit: 'mm/s', least: 0.01, get: (m) => m.rapid.speed[0], set: (m, v) => (m.rapid.speed[0] = v) },
-  { label: 'Rapid speed, y', unit: 'mm/s', least: 0.01, get: (m) => m.rapid.speed[1], set: (m, v) => (m.rapid.speed[1] = v) },
-  { label: 'Rapid acceleration, x', unit: 'mm/s²', least: 1, get: (m) => m.rapid.accel?.[0] ?? null, set: (m, v) => (m.rapid.accel = [v, m.rapid.accel?.[1] ?? v]) },
-  { label: 'Rapid acceleration, y', unit: 'mm/s²', least: 1, get: (m) => m.rapid.accel?.[1] ?? null, set: (m, v) => (m.rapid.accel = [m.rapid.accel?.[0] ?? v, v]) },
-  { label: 'Corner deviation', unit: 'mm', least: 0, get: (m) => m.junction_deviation, set: (m, v) => (m.junction_deviation = v) },
-  { label: 'Pierce time', unit: 's', least: 0, get: (m) => m.pierce_time, set: (m, v) => (m.pierce_time = v) },
-  { label: 'Pre-cut time', unit: 's', least: 0, none: 'in one go', get: (m) => m.pre_cut_time ?? null, set: (m, v) => (m.pre_cut_time = v) },
-  { label: 'Beam on delay', unit: 's', least: 0, get: (m) => m.beam_on_delay, set: (m, v) => (m.beam_on_delay = v) },
-  { label: 'Beam off delay', unit: 's', least: 0, get: (m) => m.beam_off_delay, set: (m, v) => (m.beam_off_delay = v) },
-  { label: 'Home, x', unit: 'mm', least: -1e6, get: (m) => m.home[0], set: (m, v) => (m.home[0] = v) },
-  { label: 'Home, y', unit: 'mm', least: -1e6, get: (m) => m.home[1], set: (m, v) => (m.home[1] = v) },
-  { label: 'S word of full power', unit: '', least: 1, get: (m) => m.max_s, set: (m, v) => (m.max_s = v) },
+  { label: words.machine.cutSpeed, unit: 'mm/s', least: 0.01, get: (m) => m.cut.speed, set: (m, v) => (m.cut.speed = v) },
+  { label: words.machine.cutAccel, unit: 'mm/s²', least: 1, get: (m) => m.cut.accel, set: (m, v) => (m.cut.accel = v) },
+  { label: words.machine.cutPower, unit: '%', least: 0, get: (m) => Math.round(m.cut.power * 1000) / 10, set: (m, v) => (m.cut.power = Math.min(1, v / 100)) },
+  { label: words.machine.markSpeed, unit: 'mm/s', least: 0.01, get: (m) => m.mark.speed, set: (m, v) => (m.mark.speed = v) },
+  { label: words.machine.markPower, unit: '%', least: 0, get: (m) => Math.round(m.mark.power * 1000) / 10, set: (m, v) => (m.mark.power = Math.min(1, v / 100)) },
+  { label: words.machine.rapidX, unit: 'mm/s', least: 0.01, get: (m) => m.rapid.speed[0], set: (m, v) => (m.rapid.speed[0] = v) },
+  { label: words.machine.rapidY, unit: 'mm/s', least: 0.01, get: (m) => m.rapid.speed[1], set: (m, v) => (m.rapid.speed[1] = v) },
+  { label: words.machine.rapidAccelX, unit: 'mm/s²', least: 1, get: (m) => m.rapid.accel?.[0] ?? null, set: (m, v) => (m.rapid.accel = [v, m.rapid.accel?.[1] ?? v]) },
+  { label: words.machine.rapidAccelY, unit: 'mm/s²', least: 1, get: (m) => m.rapid.accel?.[1] ?? null, set: (m, v) => (m.rapid.accel = [m.rapid.accel?.[0] ?? v, v]) },
+  { label: words.machine.corners, unit: 'mm', least: 0, get: (m) => m.junction_deviation, set: (m, v) => (m.junction_deviation = v) },
+  { label: words.machine.pierce, unit: 's', least: 0, get: (m) => m.pierce_time, set: (m, v) => (m.pierce_time = v) },
+  { label: words.machine.preCut, unit: 's', least: 0, none: words.machine.whole, get: (m) => m.pre_cut_time ?? null, set: (m, v) => (m.pre_cut_time = v) },
+  { label: words.machine.beamOn, unit: 's', least: 0, get: (m) => m.beam_on_delay, set: (m, v) => (m.beam_on_delay = v) },
+  { label: words.machine.beamOff, unit: 's', least: 0, get: (m) => m.beam_off_delay, set: (m, v) => (m.beam_off_delay = v) },
+  { label: words.machine.homeX, unit: 'mm', least: -1e6, get: (m) => m.home[0], set: (m, v) => (m.home[0] = v) },
+  { label: words.machine.homeY, unit: 'mm', least: -1e6, get: (m) => m.home[1], set: (m, v) => (m.home[1] = v) },
+  { label: words.machine.fullPower, unit: '', least: 1, get: (m) => m.max_s, set: (m, v) => (m.max_s = v) },
 ];
 
 /** Seconds of a pre-cut when contours may first be left: a few millimetres of cut, to be replaced by one's own. */
 const PRE_CUT = 0.2;
 
 const TRAVELS: { value: MachineProfile['travel']; label: string }[] = [
-  { value: 'straight', label: 'Straight, axis limits' },
-  { value: 'vector', label: 'Straight, one speed' },
-  { value: 'per-axis', label: 'Each axis for itself' },
+  { value: 'straight', label: words.machine.travel.straight },
+  { value: 'vector', label: words.machine.travel.vector },
+  { value: 'per-axis', label: words.machine.travel['per-axis'] },
 ];
 
 export function machinePanel(session: Session, tell: (sentence: string) => void, chooseHome: () => void): HTMLElement {
-  const { root, body, setGist } = section('Machine', false);
+  const { root, body, setGist } = section(words.machine.title, false);
   const preset = () => session.machines.find((m) => m.name === session.state.machine?.name);
   const edit = (change: (m: MachineProfile) => void) => {
     const { machine } = session.state;
@@ -61,20 +62,20 @@ export function machinePanel(session: Session, tell: (sentence: string) => void,
     const chosen = session.machines.find((m) => m.name === name);
     if (chosen) session.setMachine(structuredClone(chosen));
   });
-  choice.root.setAttribute('aria-label', 'Preset');
+  choice.root.setAttribute('aria-label', words.machine.preset);
   choice.root.classList.add('wide');
   const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)));
-  const home = check('Return home at the end', (on) => edit((m) => (m.return_home = on)));
-  const leaving = check('Leave contours unfinished where that saves time', (on) => edit((m) => (m.pre_cut_time = on ? PRE_CUT : null)));
+  const home = check(words.machine.home, (on) => edit((m) => (m.return_home = on)));
+  const leaving = check(words.machine.leaving, (on) => edit((m) => (m.pre_cut_time = on ? PRE_CUT : null)));
   const inputs = QUANTITIES.map((q) => numberInput(q, edit));
-  const back = button('Back to the preset', { class: 'small', onclick: () => {
+  const back = button(words.machine.back, { class: 'small', onclick: () => {
     const original = preset();
     if (original) session.setMachine(structuredClone(original));
   } });
   const own = ownMachines(session, tell);
-  const numbers = h('details', { class: 'more' }, h('summary', {}, 'Numbers'),
-    h('div', { class: 'stack' }, field('Air moves', travel.root), ...QUANTITIES.map((q, i) => field(q.label, inputs[i]!, q.unit)), home.root,
-      button('Choose the start on the sheet', { class: 'small', onclick: chooseHome }), back));
+  const numbers = h('details', { class: 'more' }, h('summary', {}, words.machine.numbers),
+    h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.map((q, i) => field(q.label, inputs[i]!, q.unit)), home.root,
+      button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
   body.append(h('div', { class: 'stack' }, choice.root, leaving.root, numbers, own.root));
 
   const show = () => {
@@ -104,7 +105,7 @@ function shown(value: number | null): string {
 }
 
 function numberInput(quantity: Quantity, edit: (change: (m: MachineProfile) => void) => void): HTMLInputElement {
-  const input = h('input', { type: 'number', step: 'any', min: quantity.least, inputmode: 'decimal', placeholder: quantity.none ?? 'no limit' });
+  const input = h('input', { type: 'number', step: 'any', min: quantity.least, inputmode: 'decimal', placeholder: quantity.none ?? words.machine.unlimited });
   input.addEventListener('input', () => {
     const value = input.valueAsNumber;
     const sound = Number.isFinite(value) && value >= quantity.least;

@@ -6,14 +6,15 @@ import { messageOf } from '../core/strings.js';
 import type { MachineProfile } from 'kerfway';
 import { asFile, forget, fromFile, keep, kept, named } from '../session/profiles.js';
 import type { Session } from '../session/session.js';
+import { words } from '../core/words/index.js';
 
 export function ownMachines(session: Session, tell: (sentence: string) => void): { root: HTMLElement; show(machine: MachineProfile): void } {
-  const name = h('input', { type: 'text', 'aria-label': 'Name of your machine', placeholder: 'Name of your machine', maxlength: 60 });
+  const name = h('input', { type: 'text', 'aria-label': words.machine.name, placeholder: words.machine.name, maxlength: 60 });
   const take = (profile: MachineProfile) => {
-    if (!keep(profile)) tell('This browser keeps nothing: export the machine to a file instead.');
+    if (!keep(profile)) tell(words.machine.keepsNothing);
     session.setMachine(structuredClone(profile));
   };
-  const form = h('form', { class: 'row' }, name, h('button', { type: 'submit', class: 'small' }, 'Keep'));
+  const form = h('form', { class: 'row' }, name, h('button', { type: 'submit', class: 'small' }, words.machine.keep));
   form.addEventListener('submit', (event) => {
     event.preventDefault();
     const { machine } = session.state;
@@ -21,20 +22,21 @@ export function ownMachines(session: Session, tell: (sentence: string) => void):
     if (machine && title) take(named(machine, title));
     name.value = '';
   });
-  const drop = button('Forget', { class: 'small', onclick: () => {
+  const drop = button(words.machine.forget, { class: 'small', onclick: () => {
     const { machine } = session.state;
     const [first] = session.machines;
     if (machine) forget(machine.name);
     if (first) session.setMachine(structuredClone(first));
   } });
-  const out = button('Export', { class: 'small', onclick: () => {
+  const out = button(words.machine.export, { class: 'small', onclick: () => {
     const { machine } = session.state;
     if (machine) save(asFile(machine), `${machine.name}.machine.json`, 'application/json');
   } });
-  const into = button('Import', { class: 'small', onclick: () => choose((file) => {
+  const into = button(words.machine.import, { class: 'small', onclick: () => choose(([file]) => {
+    if (file === undefined) return;
     file.text().then((text) => take(fromFile(text))).catch((error: unknown) => tell(messageOf(error)));
-  }, '.json,application/json') });
-  const root = h('details', { class: 'more' }, h('summary', {}, 'Your machines'),
+  }, { accept: '.json,application/json' }) });
+  const root = h('details', { class: 'more' }, h('summary', {}, words.machine.own),
     h('div', { class: 'stack' }, form, h('div', { class: 'row' }, out, into, drop)));
   return { root, show: (machine) => (drop.hidden = !kept().some((m) => m.name === machine.name)) };
 }

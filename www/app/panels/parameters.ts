@@ -4,6 +4,7 @@ import { button, h } from '../core/dom.js';
 import type { PaperMethod } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { check, field, select } from './section.js';
+import { words } from '../core/words/index.js';
 
 /** Words a parameter may have; all others are numbers, or yes and no. */
 const CHOICES = [['euclidean', 'chebyshev', 'seconds']];
@@ -16,7 +17,7 @@ interface Control {
 
 export function parameters(session: Session): { root: HTMLElement; show(method: PaperMethod | undefined): void } {
   const controls = h('div', { class: 'stack' });
-  const root = h('details', { class: 'more', hidden: true }, h('summary', {}, 'Parameters'), controls);
+  const root = h('details', { class: 'more', hidden: true }, h('summary', {}, words.plan.parameters), controls);
   let shown: PaperMethod | undefined;
   let all: [string, Control][] = [];
   const set = (name: string, value: unknown) => session.setSearch({ parameters: { ...session.state.search.parameters, [name]: value } }, true);
@@ -26,7 +27,7 @@ export function parameters(session: Session): { root: HTMLElement; show(method: 
     if (shown?.name !== method.name) {
       shown = method;
       all = Object.entries(method.parameters).map(([name, value]) => [name, control(name, value, (to) => set(name, to))]);
-      const back = button("Back to the paper's values", { class: 'small', onclick: () => session.setSearch({ parameters: {} }) });
+      const back = button(words.plan.paperValues, { class: 'small', onclick: () => session.setSearch({ parameters: {} }) });
       controls.replaceChildren(...all.map(([, c]) => c.root), back);
     }
     const now = { ...method.parameters, ...session.state.search.parameters };

@@ -5,6 +5,7 @@ import type { MethodInfo } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { parameters } from './parameters.js';
 import { check, field, section, select } from './section.js';
+import { words } from '../core/words/index.js';
 
 /** Budgets offered, s. */
 const BUDGETS = [2, 5, 10, 30, 60, 300];
@@ -12,9 +13,9 @@ const BUDGETS = [2, 5, 10, 30, 60, 300];
 const span = (s: number) => (s < 60 ? `${s} s` : `${s / 60} min`);
 
 export function planPanel(session: Session): HTMLElement {
-  const { root, body, setGist } = section('Plan', false);
+  const { root, body, setGist } = section(words.plan.title, false);
   const method = select<string>((value) => session.setSearch({ method: value, parameters: {} }));
-  method.root.setAttribute('aria-label', 'Method');
+  method.root.setAttribute('aria-label', words.plan.method);
   method.root.classList.add('wide');
   const budget = select<number>((value) => session.setSearch({ seconds: value }));
   const about = h('p', { class: 'soft' });
@@ -22,24 +23,25 @@ export function planPanel(session: Session): HTMLElement {
   const own = parameters(session);
   // Their code comes when the choice is first looked at.
   root.addEventListener('toggle', () => void session.askPapers());
-  const seed = h('input', { type: 'number', min: 0, max: 4294967295, step: 1, inputmode: 'numeric', placeholder: 'random' });
+  const seed = h('input', { type: 'number', min: 0, max: 4294967295, step: 1, inputmode: 'numeric', placeholder: words.plan.random });
   seed.addEventListener('input', () => {
     const value = seed.valueAsNumber;
     if (seed.value === '') session.setSearch({ seed: null }, true);
     else if (Number.isInteger(value) && value >= 0 && value <= 4294967295) session.setSearch({ seed: value }, true);
   });
-  const byLayer = check('Order by layer', (on) => void session.reread({ ...session.state.load, orderByLayer: on }));
-  const byPart = check('Part by part', (on) => void session.reread({ ...session.state.load, partByPart: on }));
+  const byLayer = check(words.plan.byLayer, (on) => void session.reread({ ...session.state.load, orderByLayer: on }));
+  const byPart = check(words.plan.byPart, (on) => void session.reread({ ...session.state.load, partByPart: on }));
+  const common = check(words.plan.common, (on) => void session.reread({ ...session.state.load, commonCuts: on ? 'best' : 'off' }));
   const used = h('p', { class: 'soft' });
   body.append(h('div', { class: 'stack' },
-    method.root, about, source, own.root, field('Search for', budget.root), field('Seed', seed), used, byLayer.root, byPart.root,
-    h('p', { class: 'soft' }, 'Always on: cut inner shapes first, reduce travel, choose best starting point, choose best direction, remove overlapping lines.')));
+    method.root, about, source, own.root, field(words.plan.time, budget.root), field(words.plan.seed, seed), used, byLayer.root, byPart.root, common.root,
+    h('p', { class: 'soft' }, words.plan.always)));
 
-  session.on('change', ({ search, seed: taken, load, loaded }) => {
+  session.on('change', ({ search, seed: taken, load, loaded, machine }) => {
     const { methods, papers } = session;
     const option = (m: MethodInfo) => ({ value: m.name, label: m.title });
     const chosen = [...methods, ...papers].find((m) => m.name === search.method);
-    method.fill(methods.map(option), search.method, { 'From published papers': papers.map(option) });
+    method.fill(methods.map(option), search.method, { [words.plan.papers]: papers.map(option) });
     own.show(papers.find((m) => m.name === search.method));
     setText(source, chosen?.source ?? '');
     source.hidden = !chosen?.source;
@@ -49,8 +51,12 @@ export function planPanel(session: Session): HTMLElement {
     byLayer.input.checked = load.orderByLayer ?? false;
     byPart.root.hidden = (loaded?.parts.length ?? 0) < 2;
     byPart.input.checked = load.partByPart ?? false;
+    const off = load.commonCuts === 'off';
+    const open = loaded?.contours.some((c) => !c.closed && c.operation === 'cut') ?? false;
+    common.root.hidden = !open || !machine?.pre_cut_time;
+    common.input.checked = !off;
     setGist(span(search.seconds));
-    setText(used, taken === null ? '' : `Seed used: ${taken}`);
+    setText(used, taken === null ? '' : words.plan.used(taken));
     used.hidden = taken === null || search.seed !== null;
   });
   return root;

@@ -4,11 +4,12 @@
  */
 
 import { button, h } from '../core/dom.js';
-import { counted, extent } from '../core/format.js';
-import { UNIT_NAMES, UNIT_SIZES } from '../core/strings.js';
+import { count, extent } from '../core/format.js';
+import { UNIT_SIZES } from '../core/strings.js';
 import type { Loaded, Unit } from 'kerfway';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
+import { words } from '../core/words/index.js';
 
 /** Units offered at once; the rest are in the menu of the top bar. */
 const OFFERED: readonly Unit[] = ['mm', 'in', 'cm', 'm'];
@@ -38,9 +39,9 @@ function units(session: Session, loaded: Loaded): HTMLElement[] {
   const { unit } = loaded.units;
   const others = OFFERED.filter((u) => u !== unit);
   const choice = (u: Unit, primary: boolean) =>
-    h('button', { type: 'button', class: primary ? 'primary' : '', onclick: () => (u === unit ? session.answer('units') : session.setUnits(u)) }, h('span', {}, sizeIn(session.state, u)), h('span', {}, `in ${UNIT_NAMES[u]}`));
+    h('button', { type: 'button', class: primary ? 'primary' : '', onclick: () => (u === unit ? session.answer('units') : session.setUnits(u)) }, h('span', {}, sizeIn(session.state, u)), h('span', {}, words.question.in(words.unitNames[u])));
   return [
-    h('h2', { id: 'question' }, 'How large is this drawing?'),
+    h('h2', { id: 'question' }, words.question.size),
     h('p', {}, loaded.units.reason),
     h('div', { class: 'choices' }, choice(unit, true), ...others.map((u) => choice(u, false))),
   ];
@@ -49,10 +50,10 @@ function units(session: Session, loaded: Loaded): HTMLElement[] {
 function damaged(session: Session, loaded: Loaded): HTMLElement[] {
   const number = loaded.findings.filter((f) => f.code === 'damaged-entity').reduce((n, f) => n + f.count, 0);
   return [
-    h('h2', { id: 'question' }, `${counted(number, 'entity', 'entities')} in this file ${number === 1 ? 'is' : 'are'} damaged`),
-    h('p', {}, 'They were read through a break in the file, so their shape may be wrong. Leave them out, or keep them and look at each.'),
+    h('h2', { id: 'question' }, words.question.damaged(number, count(number))),
+    h('p', {}, words.question.about),
     h('div', { class: 'choices' },
-      button('Leave them out', { class: 'primary', onclick: () => session.answer('damaged') }),
-      button('Keep them', { onclick: () => session.answer('damaged', { keepDamaged: true }) })),
+      button(words.question.leave, { class: 'primary', onclick: () => session.answer('damaged') }),
+      button(words.question.keep, { onclick: () => session.answer('damaged', { keepDamaged: true }) })),
   ];
 }

@@ -7,28 +7,29 @@ import { baseName, messageOf } from '../core/strings.js';
 import type { Material, Quote } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { field, section } from './section.js';
+import { words } from '../core/words/index.js';
 
 /** Groups of parts listed; the rest is in the file. */
 const LISTED = 8;
 
 export function quotePanel(session: Session, tell: (sentence: string) => void): HTMLElement {
-  const { root, body, setGist } = section('Quote', false);
-  const number = () => h('input', { type: 'number', min: 0, step: 'any', inputmode: 'decimal', placeholder: 'not given' });
+  const { root, body, setGist } = section(words.quote.title, false);
+  const number = () => h('input', { type: 'number', min: 0, step: 'any', inputmode: 'decimal', placeholder: words.quote.notGiven });
   const [thickness, density] = [number(), number()];
   const rows = h('dl', { class: 'parts' });
   const note = h('p', { class: 'soft' });
   let report: Quote | null = null;
   let asked = 0;
-  const download = button('Download the report', { class: 'small', onclick: () => {
+  const download = button(words.quote.download, { class: 'small', onclick: () => {
     if (report) save(`${JSON.stringify(report, null, 2)}\n`, `${baseName(session.state.name)}.quote.json`, 'application/json');
   } });
-  body.append(h('div', { class: 'stack' }, field('Thickness', thickness, 'mm'), field('Density', density, 'g/cm³'), note, rows, download));
+  body.append(h('div', { class: 'stack' }, field(words.quote.thickness, thickness, 'mm'), field(words.quote.density, density, 'g/cm³'), note, rows, download));
 
   const show = () => {
     rows.replaceChildren(...(report === null ? [] : facts(report)).flatMap(([term, value]) => [h('dt', {}, term), h('dd', { class: 'number' }, value)]));
-    note.textContent = report === null ? 'Made as soon as the plan is done.' : `Confidence ${report.confidence.level}${report.confidence.reasons.map((r) => `. ${r}`).join('')}`;
+    note.textContent = report === null ? words.quote.none : [words.quote.confidence(report.confidence.level), ...report.confidence.reasons].join('. ');
     download.hidden = report === null;
-    setGist(report === null ? '' : `${count(report.part_count)} parts`);
+    setGist(report === null ? '' : words.quote.gist(count(report.part_count)));
   };
   const make = async () => {
     const now = (asked += 1);
@@ -65,12 +66,12 @@ const mm = (value: number) => `${value.toFixed(2)} mm`;
 const area = (mm2: number) => (mm2 < 1e4 ? `${count(Math.round(mm2))} mm²` : `${(mm2 / 1e6).toFixed(4)} m²`);
 
 function facts(q: Quote): [string, string][] {
-  const against = (ratio: number | null) => (ratio === null ? '' : ` · ${ratio.toFixed(2)} × thickness`);
-  const all: [string, string][] = [['Parts', `${count(q.part_count)}, ${count(q.parts.length)} different`], ['Their area', area(q.net_area)]];
-  if (q.weight !== null) all.push(['Weight', q.weight < 1000 ? `${q.weight.toFixed(0)} g` : `${(q.weight / 1000).toFixed(2)} kg`]);
-  if (q.smallest_hole !== null) all.push(['Narrowest hole', mm(q.smallest_hole.width) + against(q.smallest_hole.over_thickness)]);
-  if (q.narrowest_web !== null) all.push(['Narrowest web', mm(q.narrowest_web.width) + against(q.narrowest_web.over_thickness)]);
-  for (const p of q.parts.slice(0, LISTED)) all.push([`${count(p.count)} × ${area(p.net_area)}`, `${metres(p.cut_length)} to cut, ${count(p.holes)} ${p.holes === 1 ? 'hole' : 'holes'}`]);
-  if (q.parts.length > LISTED) all.push(['And', `${count(q.parts.length - LISTED)} other kinds of parts`]);
+  const against = (ratio: number | null) => (ratio === null ? '' : words.quote.against(ratio.toFixed(2)));
+  const all: [string, string][] = [[words.quote.parts, words.quote.different(count(q.part_count), count(q.parts.length))], [words.quote.area, area(q.net_area)]];
+  if (q.weight !== null) all.push([words.quote.weight, q.weight < 1000 ? `${q.weight.toFixed(0)} g` : `${(q.weight / 1000).toFixed(2)} kg`]);
+  if (q.smallest_hole !== null) all.push([words.quote.hole, mm(q.smallest_hole.width) + against(q.smallest_hole.over_thickness)]);
+  if (q.narrowest_web !== null) all.push([words.quote.web, mm(q.narrowest_web.width) + against(q.narrowest_web.over_thickness)]);
+  for (const p of q.parts.slice(0, LISTED)) all.push([`${count(p.count)} × ${area(p.net_area)}`, words.quote.part(metres(p.cut_length), p.holes, count(p.holes))]);
+  if (q.parts.length > LISTED) all.push([words.quote.and, words.quote.others(count(q.parts.length - LISTED))]);
   return all;
 }

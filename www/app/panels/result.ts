@@ -9,31 +9,30 @@ import type { Theme } from '../core/theme.js';
 import { chart } from './chart.js';
 import { insightPanel } from './insight.js';
 import { section } from './section.js';
+import { words } from '../core/words/index.js';
 
 const ROWS = [
-  { key: 'drawing', label: 'Drawing order', line: 'dashed' },
-  { key: 'greedy', label: 'Nearest first', line: 'dotted' },
-  { key: 'now', label: 'Now', line: 'solid' },
+  { key: 'drawing', label: words.result.drawing, line: 'dashed' },
+  { key: 'greedy', label: words.result.greedy, line: 'dotted' },
+  { key: 'now', label: words.result.now, line: 'solid' },
 ] as const;
 
-const DOWNLOADS: readonly { kind: OutputKind; label: string }[] = [
-  { kind: 'gcode', label: 'G-code' }, { kind: 'dxf', label: 'DXF' }, { kind: 'svg', label: 'SVG' }, { kind: 'png', label: 'PNG' }, { kind: 'json', label: 'Plan' },
-];
+const DOWNLOADS: readonly OutputKind[] = ['gcode', 'dxf', 'svg', 'png', 'json'];
 
 export function resultPanel(session: Session, theme: Theme, download: (kind: OutputKind) => void): HTMLElement {
-  const { root, body } = section('Result', true);
+  const { root, body } = section(words.result.title, true);
   const saved = h('p', { class: 'large' });
   const of = h('p', { class: 'soft number' });
   const rows = ROWS.map(({ label, line }) => new Row(label, line));
   const table = h('table', { class: 'compare' },
-    h('caption', { class: 'hidden' }, 'Before and after'),
-    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Order'), ...[['Job', ''], ['Air', 'air'], ['Way', '']].map(([t, key]) => h('th', { scope: 'col', class: `number ${key}` }, t!)))),
+    h('caption', { class: 'hidden' }, words.result.compare),
+    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, words.result.order), ...[[words.result.job, ''], [words.result.air, 'air'], [words.result.way, '']].map(([t, key]) => h('th', { scope: 'col', class: `number ${key}` }, t!)))),
     ...rows.map((r) => r.root));
   const parts = h('dl', { class: 'parts' });
-  const files = h('div', { class: 'downloads', role: 'group', 'aria-label': 'Download' },
-    ...DOWNLOADS.map(({ kind, label }) => button(label, { class: 'small', title: `Download ${label}`, onclick: () => download(kind) })));
+  const files = h('div', { class: 'downloads', role: 'group', 'aria-label': words.result.download },
+    ...DOWNLOADS.map((kind) => button(words.result.kinds[kind], { class: 'small', title: words.result.downloadKind(words.result.kinds[kind]), onclick: () => download(kind) })));
   const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insightPanel(session), parts, files);
-  const empty = h('p', { class: 'soft' }, 'Numbers appear as soon as the first path stands.');
+  const empty = h('p', { class: 'soft' }, words.result.none);
   body.append(empty, content);
 
   let timer = 0;
@@ -48,8 +47,8 @@ export function resultPanel(session: Session, theme: Theme, download: (kind: Out
     const before = state.baselines?.drawing;
     if (before) {
       const gain = before.total_time - now.total_time;
-      setText(saved, gain >= 0 ? `${seconds(gain)} saved` : `${seconds(-gain)} longer`);
-      setText(of, `of ${seconds(before.total_time)} in drawing order, ${percent(Math.abs(gain) / before.total_time)}`);
+      setText(saved, gain >= 0 ? words.result.saved(seconds(gain)) : words.result.longer(seconds(-gain)));
+      setText(of, words.result.of(seconds(before.total_time), percent(Math.abs(gain) / before.total_time)));
     }
     const longest = Math.max(before?.total_time ?? 0, state.baselines?.greedy.total_time ?? 0, now.total_time);
     rows[0]!.show(before, longest);
@@ -90,12 +89,12 @@ class Row {
 
 function showParts(list: HTMLElement, s: Summary): void {
   const rows: [string, string][] = [
-    ['Cut', `${seconds(s.cut_time)} · ${metres(s.cut_length)}`],
-    ['Pierce', `${seconds(s.pierce_time)} · ${count(s.pierces)} piercings`],
+    [words.result.cut, `${seconds(s.cut_time)} · ${metres(s.cut_length)}`],
+    [words.result.pierce, `${seconds(s.pierce_time)} · ${words.result.piercings(count(s.pierces))}`],
   ];
-  if (s.pre_cuts > 0) rows.push(['Pre-cuts', `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);
-  if (s.macro_time > 0) rows.push(['Corners', seconds(s.macro_time)]);
-  if (s.gap !== null) rows.push(['Gap', `at most ${percent(s.gap)} above the optimum`]);
+  if (s.pre_cuts > 0) rows.push([words.result.preCuts, `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);
+  if (s.macro_time > 0) rows.push([words.result.corners, seconds(s.macro_time)]);
+  if (s.gap !== null) rows.push([words.result.gap, words.result.atMost(percent(s.gap))]);
   const text = JSON.stringify(rows);
   if (list.dataset.shown === text) return;
   list.dataset.shown = text;

@@ -8,6 +8,7 @@ import { clock, count, millimetres, size } from '../core/format.js';
 import { cutLength } from '../stage/shapes.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
+import { words } from '../core/words/index.js';
 
 /** Height of a row, CSS pixels; the same in `panels.css`. */
 const ROW = 32;
@@ -16,23 +17,22 @@ const SPARE = 8;
 /** Milliseconds between two refreshes while the path improves: a table that jumps cannot be read. */
 const PAUSE = 1000;
 
-const COLUMNS = ['No.', 'Layer', 'Length', 'Begins', 'Entry', 'Turn'];
 
 export class OrderTable {
   readonly root: HTMLElement;
   private readonly body = h('div', { role: 'rowgroup', class: 'rows' });
-  private readonly grid = h('div', { role: 'table', class: 'order', 'aria-label': 'Cutting order', 'aria-colcount': COLUMNS.length });
+  private readonly grid = h('div', { role: 'table', class: 'order', 'aria-label': words.table.title, 'aria-colcount': words.table.columns.length });
   private readonly scroller: HTMLElement;
   private selected: number | null = null;
   private timer = 0;
 
   constructor(private readonly session: Session, private readonly playback: Playback, private readonly onSelect: (contour: number) => void, onClose: () => void) {
     this.grid.append(
-      h('div', { role: 'rowgroup', class: 'order-head' }, h('div', { role: 'row', class: 'order-row', 'aria-rowindex': 1 }, ...COLUMNS.map((c) => h('span', { role: 'columnheader' }, c)))),
+      h('div', { role: 'rowgroup', class: 'order-head' }, h('div', { role: 'row', class: 'order-row', 'aria-rowindex': 1 }, ...words.table.columns.map((c) => h('span', { role: 'columnheader' }, c)))),
       this.body);
-    this.scroller = h('div', { class: 'order-scroll', tabindex: 0, role: 'region', 'aria-label': 'Rows of the cutting order' }, this.grid);
+    this.scroller = h('div', { class: 'order-scroll', tabindex: 0, role: 'region', 'aria-label': words.table.rows }, this.grid);
     this.root = h('section', { class: 'drawer', 'aria-labelledby': 'order-title', hidden: true },
-      h('div', { class: 'dialog-head' }, h('h2', { id: 'order-title' }, 'Cutting order'), button('Close the table', { icon: 'close', iconOnly: true, class: 'quiet', onclick: onClose })),
+      h('div', { class: 'dialog-head' }, h('h2', { id: 'order-title' }, words.table.title), button(words.table.close, { icon: 'close', iconOnly: true, class: 'quiet', onclick: onClose })),
       this.scroller);
     this.scroller.addEventListener('scroll', () => this.draw());
     new ResizeObserver(() => this.draw()).observe(this.scroller);
@@ -86,10 +86,10 @@ export class OrderTable {
     const info = this.session.state.loaded?.contours[contour];
     const cell = (text: string, extra = '') => h('span', { role: 'cell', class: extra }, text);
     const row = h('div', { role: 'row', class: contour === this.selected ? 'order-row selected' : 'order-row', 'aria-rowindex': stop + 2, 'data-stop': stop },
-      h('span', { role: 'cell' }, h('button', { type: 'button', class: 'row-button number', 'aria-label': `Contour ${stop + 1}, show on the sheet`, onclick: () => this.onSelect(contour) }, count(stop + 1))),
+      h('span', { role: 'cell' }, h('button', { type: 'button', class: 'row-button number', 'aria-label': words.table.show(stop + 1), onclick: () => this.onSelect(contour) }, count(stop + 1))),
       cell(info?.layer ?? ''), cell(info ? millimetres(cutLength(path, stop, info.length)) : '', 'number'), cell(clock(this.playback.begin(stop)), 'number'),
       cell(`${size(path.points[stop * 4]!)}, ${size(path.points[stop * 4 + 1]!)}`, 'number'),
-      cell(info?.closed ? (path.reversed[stop] ? 'reversed' : 'as drawn') : 'open'));
+      cell(info?.closed ? (path.reversed[stop] ? words.table.reversed : words.table.asDrawn) : words.table.open));
     row.style.transform = `translateY(${stop * ROW}px)`;
     return row;
   }

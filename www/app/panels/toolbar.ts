@@ -2,6 +2,7 @@
 
 import { button, h } from '../core/dom.js';
 import type { Viewport } from '../stage/viewport.js';
+import { words } from '../core/words/index.js';
 
 export interface StageSwitches {
   ramp(on: boolean): void;
@@ -10,7 +11,7 @@ export interface StageSwitches {
 
 export function toolbar(viewport: Viewport, switches: StageSwitches): { root: HTMLElement; legend: HTMLElement; flip(which: keyof StageSwitches): void; colors(ramp: readonly string[]): void } {
   const scale = h('span', { class: 'ramp', 'aria-hidden': 'true' });
-  const legend = h('div', { class: 'legend', hidden: true }, h('span', {}, 'first'), scale, h('span', {}, 'last'));
+  const legend = h('div', { class: 'legend', hidden: true }, h('span', {}, words.stage.first), scale, h('span', {}, words.stage.last));
   const toggle = (label: string, icon: 'ramp' | 'air', on: boolean, set: (on: boolean) => void) => {
     const b = button(label, { icon, iconOnly: true, 'aria-pressed': on });
     b.addEventListener('click', () => {
@@ -20,15 +21,15 @@ export function toolbar(viewport: Viewport, switches: StageSwitches): { root: HT
     });
     return b;
   };
-  const ramp = toggle('Colours by order (C)', 'ramp', false, (on) => {
+  const ramp = toggle(words.stage.colours, 'ramp', false, (on) => {
     legend.hidden = !on;
     switches.ramp(on);
   });
-  const air = toggle('Air moves (A)', 'air', true, switches.air);
-  const root = h('div', { class: 'toolbar', role: 'toolbar', 'aria-label': 'View', 'aria-orientation': 'vertical' },
-    button('Zoom in (+)', { icon: 'plus', iconOnly: true, onclick: () => viewport.zoom(1.4) }),
-    button('Zoom out (−)', { icon: 'minus', iconOnly: true, onclick: () => viewport.zoom(1 / 1.4) }),
-    button('Fit the sheet (F)', { icon: 'fit', iconOnly: true, onclick: () => viewport.fit() }),
+  const air = toggle(words.stage.air, 'air', true, switches.air);
+  const root = h('div', { class: 'toolbar', role: 'toolbar', 'aria-label': words.stage.view, 'aria-orientation': 'vertical' },
+    button(words.stage.zoomIn, { icon: 'plus', iconOnly: true, onclick: () => viewport.zoom(1.4) }),
+    button(words.stage.zoomOut, { icon: 'minus', iconOnly: true, onclick: () => viewport.zoom(1 / 1.4) }),
+    button(words.stage.fit, { icon: 'fit', iconOnly: true, onclick: () => viewport.fit() }),
     ramp, air);
   return {
     root, legend,

@@ -3,12 +3,15 @@
 import { button, h, icon, setText } from '../core/dom.js';
 import { menuItem, popover } from '../core/menu.js';
 import { extent } from '../core/format.js';
-import { UNIT_NAMES, UNIT_SIZES, UNIT_SOURCES } from '../core/strings.js';
+import { UNIT_SIZES } from '../core/strings.js';
 import type { Unit } from 'kerfway';
 import { SAMPLES, type Sample } from '../session/samples.js';
 import type { Session } from '../session/session.js';
 import type { Theme } from '../core/theme.js';
+import type { Queue } from '../session/queue.js';
+import { fileList } from './files.js';
 import { sizeIn } from './question.js';
+import { words } from '../core/words/index.js';
 
 export interface TopActions {
   open(): void;
@@ -18,26 +21,26 @@ export interface TopActions {
   panel(): void;
 }
 
-export function topBar(session: Session, theme: Theme, actions: TopActions): { nodes: Node[]; toggles: { table: HTMLButtonElement; panel: HTMLButtonElement } } {
-  const samples = button('Samples', { class: 'quiet' });
+export function topBar(session: Session, queue: Queue, theme: Theme, actions: TopActions): { nodes: Node[]; toggles: { table: HTMLButtonElement; panel: HTMLButtonElement } } {
+  const samples = button(words.top.samples, { class: 'quiet' });
   samples.append(icon('down'));
-  const list = h('div', { class: 'menu' }, ...SAMPLES.map((s) => menuItem(s.title, s.about, false, () => actions.sample(s))));
+  const list = h('div', { class: 'menu' }, ...SAMPLES.map((s) => menuItem(...told(s.file), false, () => actions.sample(s))));
 
   const name = h('span', { class: 'file-name' });
   const units = h('button', { type: 'button', class: 'quiet units' });
   const unitList = h('div', { class: 'menu rows-only' });
-  const unitMenu = popover(units, 'Units', unitList, () => fillUnits(session, unitList));
+  const unitMenu = popover(units, words.top.units, unitList, () => fillUnits(session, unitList));
   const measure = h('span', { class: 'measure number' });
 
-  const themes = button('Dark theme', { icon: 'moon', iconOnly: true, class: 'quiet theme', onclick: () => theme.toggle() });
-  const undo = button('Undo (Ctrl Z)', { icon: 'undo', iconOnly: true, class: 'quiet', onclick: () => session.undo() });
-  const redo = button('Redo (Ctrl Shift Z)', { icon: 'redo', iconOnly: true, class: 'quiet redo', onclick: () => session.redo() });
-  const table = button('Cutting order', { icon: 'table', iconOnly: true, class: 'quiet', 'aria-pressed': false, onclick: actions.table });
-  const panel = button('Panel', { icon: 'panel', iconOnly: true, class: 'quiet panel-toggle', 'aria-expanded': true, 'aria-controls': 'panel', onclick: actions.panel });
+  const themes = button(words.top.dark, { icon: 'moon', iconOnly: true, class: 'quiet theme', onclick: () => theme.toggle() });
+  const undo = button(words.top.undo, { icon: 'undo', iconOnly: true, class: 'quiet', onclick: () => session.undo() });
+  const redo = button(words.top.redo, { icon: 'redo', iconOnly: true, class: 'quiet redo', onclick: () => session.redo() });
+  const table = button(words.top.order, { icon: 'table', iconOnly: true, class: 'quiet', 'aria-pressed': false, onclick: actions.table });
+  const panel = button(words.top.panel, { icon: 'panel', iconOnly: true, class: 'quiet panel-toggle', 'aria-expanded': true, 'aria-controls': 'panel', onclick: actions.panel });
 
   const showTheme = () => {
     const dark = theme.current === 'dark';
-    const label = dark ? 'Light theme' : 'Dark theme';
+    const label = dark ? words.top.light : words.top.dark;
     themes.title = label;
     themes.setAttribute('aria-label', label);
     themes.replaceChildren(icon(dark ? 'sun' : 'moon'));
@@ -54,7 +57,7 @@ export function topBar(session: Session, theme: Theme, actions: TopActions): { n
     units.hidden = measure.hidden = loaded === null;
     if (!loaded) return;
     const { unit, source, doubtful } = loaded.units;
-    units.replaceChildren(h('span', { class: 'hidden' }, 'Units: '), h('span', {}, unit), h('span', { class: 'soft source' }, UNIT_SOURCES[source]), icon('down'));
+    units.replaceChildren(h('span', { class: 'hidden' }, words.top.unitsAre), h('span', {}, unit), h('span', { class: 'soft source' }, words.unitSources[source]), icon('down'));
     units.title = loaded.units.reason;
     units.classList.toggle('doubtful', doubtful);
     setText(measure, extent(x1 - x0, y1 - y0));
@@ -66,13 +69,17 @@ export function topBar(session: Session, theme: Theme, actions: TopActions): { n
   return {
     nodes: [
       h('div', { class: 'brand', 'aria-hidden': 'true' }, 'Kerfway'),
-      button('Open', { icon: 'open', class: 'quiet open', 'aria-label': 'Open a DXF file', onclick: actions.open }),
-      samples, popover(samples, 'Samples', list),
-      h('div', { class: 'file' }, name, units, unitMenu, measure),
-      h('div', { class: 'tools' }, undo, redo, table, themes, button('Keys and help', { icon: 'help', iconOnly: true, class: 'quiet', onclick: actions.help }), panel),
+      button(words.top.open, { icon: 'open', class: 'quiet open', 'aria-label': words.top.openFile, onclick: actions.open }),
+      samples, popover(samples, words.top.samples, list),
+      h('div', { class: 'file' }, name, ...fileList(queue), units, unitMenu, measure),
+      h('div', { class: 'tools' }, undo, redo, table, themes, button(words.top.help, { icon: 'help', iconOnly: true, class: 'quiet', onclick: actions.help }), panel),
     ],
     toggles: { table, panel },
   };
+}
+
+function told(file: string): readonly [title: string, about: string] {
+  return words.samples[file] ?? [file, ''];
 }
 
 function fillUnits(session: Session, list: HTMLElement): void {
@@ -81,5 +88,5 @@ function fillUnits(session: Session, list: HTMLElement): void {
   const choices = Object.keys(UNIT_SIZES) as Unit[];
   list.replaceChildren(
     h('p', { class: 'menu-note' }, loaded.units.reason),
-    ...choices.map((u) => menuItem(UNIT_NAMES[u], sizeIn(session.state, u), u === loaded.units.unit, () => session.setUnits(u))));
+    ...choices.map((u) => menuItem(words.unitNames[u], sizeIn(session.state, u), u === loaded.units.unit, () => session.setUnits(u))));
 }

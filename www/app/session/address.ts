@@ -3,7 +3,7 @@
  * the default is left out; what cannot be understood is passed over.
  */
 
-import type { LoadOptions, Unit } from 'kerfway';
+import type { CommonCuts, LoadOptions, Unit } from 'kerfway';
 import type { State } from './state.js';
 
 export interface Shared {
@@ -28,6 +28,7 @@ export function written({ machine, search, load }: State, defaults: { machine: s
   put('join', load.joinTolerance);
   put('by-layer', load.orderByLayer);
   put('part-by-part', load.partByPart);
+  put('common-cuts', load.commonCuts, 'best');
   return words.toString();
 }
 
@@ -45,6 +46,8 @@ export function read(hash: string): Shared {
   if (join !== null && join > 0) load.joinTolerance = join;
   if (words.get('by-layer') === '1') load.orderByLayer = true;
   if (words.get('part-by-part') === '1') load.partByPart = true;
+  const common = COMMON_CUTS.find((c) => c === words.get('common-cuts'));
+  if (common !== undefined) load.commonCuts = common;
   const seed = number('seed', 4294967295);
   return {
     machine: words.get('machine'), method: words.get('method'), load,
@@ -52,4 +55,5 @@ export function read(hash: string): Shared {
   };
 }
 
+const COMMON_CUTS: readonly CommonCuts[] = ['best', 'insertion', 'off'];
 const UNITS: readonly Unit[] = ['mm', 'cm', 'dm', 'm', 'um', 'in', 'ft', 'yd', 'mil', 'microinch'];

@@ -4,6 +4,7 @@
  */
 
 import type { MachineProfile } from 'kerfway';
+import { words } from '../core/words/index.js';
 
 const KEY = 'kerfway.machines';
 const SCHEMA = 'kerfway.machine/1';
@@ -43,11 +44,11 @@ export function fromFile(text: string): MachineProfile {
   try {
     content = JSON.parse(text);
   } catch {
-    throw new Error('This file is no machine profile: it is not JSON.');
+    throw new Error(words.machine.noJson);
   }
   const { schema, profile } = content as { schema?: unknown; profile?: unknown };
-  if (schema !== SCHEMA) throw new Error(`This file is no machine profile: its "schema" is not ${SCHEMA}.`);
-  if (!isProfile(profile)) throw new Error('This machine profile is incomplete: export one to see what belongs in it.');
+  if (schema !== SCHEMA) throw new Error(words.machine.noSchema(SCHEMA));
+  if (!isProfile(profile)) throw new Error(words.machine.incomplete);
   return profile;
 }
 

@@ -1,11 +1,11 @@
 /** Drawings that come with the page, fetched when chosen. */
 
 import type { LoadOptions } from 'kerfway';
+import { words } from '../core/words/index.js';
 
 export interface Sample {
+  /** Its title stands in `words.samples`. */
   file: string;
-  title: string;
-  about: string;
   /** What a person who knows the drawing has already decided. */
   options: LoadOptions;
 }
@@ -15,15 +15,19 @@ const BORDER: LoadOptions = { layers: [{ name: 'SHEET', operation: 'ignore' }] }
 
 /** The first is shown on a first visit. */
 export const SAMPLES: readonly Sample[] = [
-  { file: 'sheet_500.dxf', title: 'Sheet, 500 contours', about: 'A full sheet with parts inside parts', options: BORDER },
-  { file: 'sheet_100.dxf', title: 'Sheet, 100 contours', about: 'Gears, flanges and brackets on 1000 × 500 mm', options: BORDER },
-  { file: 'qu_du_43.dxf', title: '43 contours by Qu and Du', about: 'The test sheet of a paper of 2023', options: {} },
-  { file: 'lumberjack-polaris.dxf', title: 'Keyboard plate', about: 'A real drawing, by Paul James (MIT)', options: {} },
+  { file: 'sheet_500.dxf', options: BORDER },
+  { file: 'sheet_100.dxf', options: BORDER },
+  { file: 'qu_du_43.dxf', options: {} },
+  { file: 'gaps-and-copies.dxf', options: {} },
+  { file: 'layers.dxf', options: {} },
+  { file: 'no-units.dxf', options: {} },
+  { file: 'parts-in-parts.dxf', options: {} },
+  { file: 'lumberjack-polaris.dxf', options: {} },
 ];
 
 /** Bytes of a sample. */
 export async function fetchSample(sample: Sample): Promise<ArrayBuffer> {
   const answer = await fetch(`samples/${sample.file}`);
-  if (!answer.ok) throw new Error(`The sample "${sample.title}" could not be loaded. Reload the page, or drop a DXF of your own.`);
+  if (!answer.ok) throw new Error(words.page.noSample(words.samples[sample.file]?.[0] ?? sample.file));
   return answer.arrayBuffer();
 }

@@ -12,6 +12,7 @@ import { extentOf } from './extent.js';
 import { learn, noInsights } from './insights.js';
 import { kept } from './profiles.js';
 import { initialState, type Question, type Search, type State } from './state.js';
+import { words } from '../core/words/index.js';
 
 /** Milliseconds typed numbers rest before the plan starts anew, so that it does not at each digit. */
 const SETTLE = 350;
@@ -89,7 +90,7 @@ export class Session extends Emitter<Events> {
       this.papers = await (await this.ready).paperMethods();
       this.emit('change', this.state);
     } catch (error) {
-      this.emit('notice', `The methods of papers could not be loaded. ${messageOf(error)}`);
+      this.emit('notice', words.page.noPapers(messageOf(error)));
     }
   }
 
@@ -133,7 +134,7 @@ export class Session extends Emitter<Events> {
     if (pinned && !sameContours(options, state.load)) {
       const { first: _first, last: _last, ...others } = options;
       options = others;
-      this.emit('notice', 'The contours are other ones now: none is pinned any more.');
+      this.emit('notice', words.page.pinsGone);
     }
     await this.readAs(options);
   }
@@ -192,6 +193,11 @@ export class Session extends Emitter<Events> {
     const lists = { first: without(first), last: without(last) };
     if (place !== null) lists[place].push(contour);
     void this.reread({ ...others, ...lists });
+  }
+
+  /** Works what was pinned to one end of the order whenever it is best. */
+  loosen(place: 'first' | 'last'): void {
+    void this.reread({ ...this.state.load, [place]: [] });
   }
 
   /** Back to what was chosen before. */
@@ -290,7 +296,7 @@ export class Session extends Emitter<Events> {
   }
 
   private forget(): void {
-    Object.assign(this.state, { baselines: null, progress: null, path: null, reason: null, seed: null, history: { at: [], total: [] }, insights: noInsights() });
+    Object.assign(this.state, { baselines: null, found: [], progress: null, path: null, reason: null, seed: null, history: { at: [], total: [] }, insights: noInsights() });
   }
 
   private take(loaded: Loaded, fresh: boolean): void {
@@ -347,9 +353,9 @@ export class Session extends Emitter<Events> {
     this.run = run;
     Object.assign(this.state, { phase: 'planning', reason: null, error: null });
     this.emit('change', this.state);
-    run.started.then(({ seed, baselines }) => {
+    run.started.then(({ seed, baselines, findings }) => {
       if (wish !== this.wish) return;
-      Object.assign(this.state, { seed, baselines });
+      Object.assign(this.state, { seed, baselines, found: findings });
       this.emit('change', this.state);
     }, () => {
       // A search that cannot start fails in `done`, where it is told.

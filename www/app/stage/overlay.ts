@@ -4,7 +4,7 @@
  */
 
 import { size as sizeText } from '../core/format.js';
-import type { Finding } from 'kerfway';
+import type { Finding, Insight } from 'kerfway';
 import type { Palette } from './palette.js';
 import type { View } from './raster-messages.js';
 import type { Shapes } from './shapes.js';
@@ -55,6 +55,34 @@ export function drawEmphasis(pen: Pen, view: View, palette: Palette, shapes: Sha
   pen.stroke();
   pen.globalAlpha = 1;
   pen.lineWidth = (strong ? 2.4 : 1.8) * view.ratio;
+  pen.stroke();
+}
+
+/** Turn of the colours from one partition to the next, as a part of all of them: by the golden ratio no two near in number are alike. */
+const TURN = 0.618034;
+
+/** Partitions of a method that makes them, each in a colour of its own, and rings where contours are left for them. */
+export function drawPartitions(pen: Pen, view: View, palette: Palette, shapes: Shapes, partitions: NonNullable<Insight['partitions']>): void {
+  const r = view.ratio;
+  const contours: number[][] = Array.from({ length: partitions.parents.length + 1 }, () => []);
+  partitions.of.forEach((partition, contour) => contours[partition]?.push(contour));
+  pen.lineJoin = 'round';
+  pen.lineWidth = 2 * r;
+  contours.forEach((list, partition) => {
+    pen.strokeStyle = palette.ramp[Math.floor(((partition * TURN) % 1) * palette.ramp.length)]!;
+    pen.beginPath();
+    for (const contour of list) if (contour < shapes.count) traceChain(pen, view, shapes, contour);
+    pen.stroke();
+  });
+  pen.strokeStyle = palette.accent;
+  pen.fillStyle = palette.sheet;
+  pen.beginPath();
+  for (const { at } of partitions.parents) {
+    const x = view.x + at[0] * view.scale, y = view.y - at[1] * view.scale;
+    pen.moveTo(x + 4 * r, y);
+    pen.arc(x, y, 4 * r, 0, 2 * Math.PI);
+  }
+  pen.fill();
   pen.stroke();
 }
 

@@ -5,7 +5,7 @@
  */
 
 import { lessMotion } from '../core/dom.js';
-import type { BestPath, Finding, Loaded } from 'kerfway';
+import type { BestPath, Finding, Insight, Loaded } from 'kerfway';
 import { changedStops } from './changes.js';
 import { HitGrid } from './hit-grid.js';
 import * as overlay from './overlay.js';
@@ -18,6 +18,7 @@ import { traceAir } from './trace.js';
 import type { Moment } from '../playback/timeline.js';
 import type { Box } from '../session/extent.js';
 import type { Viewport } from './viewport.js';
+import { words } from '../core/words/index.js';
 
 /** Milliseconds between two paths shown: ten a second look continuous, more cost the planner time. */
 const PATH_PAUSE = 100;
@@ -42,6 +43,8 @@ export class Scene {
   finding: Finding | null = null;
   /** Where the head is shown; null: no playback, everything in full. */
   moment: Moment | null = null;
+  /** Of a method that makes partitions. */
+  partitions: Insight['partitions'] = null;
   showRamp = false;
   showAir = true;
   private loaded: Loaded | null = null;
@@ -60,7 +63,7 @@ export class Scene {
 
   constructor(private readonly canvas: HTMLCanvasElement, readonly viewport: Viewport, private theme: 'light' | 'dark') {
     const pen = canvas.getContext('2d', { alpha: false });
-    if (!pen) throw new Error('This browser cannot draw on a canvas.');
+    if (!pen) throw new Error(words.page.noCanvas);
     this.pen = pen;
     this.palette = readPalette(theme);
     this.restyle();
@@ -88,7 +91,7 @@ export class Scene {
     this.extent = extent;
     this.path = this.held = this.stopOf = null;
     this.hovered = this.selected = this.finding = this.moment = null;
-    this.shapes = this.grid = null;
+    this.shapes = this.grid = this.partitions = null;
     this.lengths = new Float64Array(0);
     if (loaded) {
       const shapes = (this.shapes = prepare(loaded.geometry));
@@ -180,6 +183,7 @@ export class Scene {
     this.blit('sheet', view, playing ? 0.25 : 1);
     if (playing) this.drawPlayed(view);
     else if (this.path) {
+      if (this.partitions?.parents.length) overlay.drawPartitions(pen, view, palette, shapes, this.partitions);
       this.blit('path', view, 1);
       this.drawGlow(view);
     }

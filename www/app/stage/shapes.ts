@@ -89,10 +89,11 @@ export function isWhole(path: BestPath, stop: number): boolean {
   return path.along[stop] === path.until[stop];
 }
 
-/** Length a stop cuts, mm; `whole`: that of its contour. */
+/** Length a stop cuts, mm; `whole`: that of its contour. A stretch may run against the contour's stored direction. */
 export function cutLength(path: BestPath, stop: number, whole: number): number {
   if (isWhole(path, stop)) return whole;
-  const length = path.until[stop]! - path.along[stop]!;
+  const ahead = path.until[stop]! - path.along[stop]!;
+  const length = path.reversed[stop] === 1 ? -ahead : ahead;
   return length > 0 ? length : length + whole;
 }
 

@@ -1,0 +1,123 @@
+// Several files at once, the samples, and what a click with Shift or a key does to a contour.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { SAMPLES } from '../../scripts/samples.mjs';
+import { drop, dropAll, grid, openPage, phase, planned, sample, serious, shot, SIZES } from './page-support.mjs';
+
+const queue = (page) => page.locator('button.queue');
+const told = (page, words) => page.waitForFunction((w) => document.querySelector('button.queue').textContent.startsWith(w), words);
+const items = (page) => page.locator('.menu-item:visible').evaluateAll((all) => all.map((item) => [...item.children].map((c) => c.textContent)));
+
+test('files dropped together are planned one after the other; any can be taken, the programs of all be had', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  const drawings = [['one.dxf', grid(20)], ['broken.dxf', Buffer.from('AC1032\0\0')], ['asks.dxf', sample('no-units.dxf')], ['two.dxf', grid(30)], ['three.dxf', grid(40)]];
+  await dropAll(page, drawings);
+  await told(page, '5 of 5');
+  assert.equal(await page.locator('.file-name').textContent(), 'three.dxf');
+  await queue(page).click();
+  const listed = Object.fromEntries(await items(page));
+  for (const name of ['one.dxf', 'two.dxf', 'three.dxf']) assert.match(listed[name], /^Planned: [\d.]+ (s|min)/, name);
+  assert.match(listed['broken.dxf'], /DWG/);
+  assert.equal(listed['asks.dxf'], 'Has a question for you');
+  await shot(page, 'page-queue');
+  assert.deepEqual(await serious(page), []);
+
+  const saved = [];
+  page.on('download', (d) => saved.push(d));
+  await page.getByRole('button', { name: 'G-code of all' }).click();
+  while (saved.length < 3) await page.waitForTimeout(20);
+  assert.deepEqual(saved.map((d) => d.suggestedFilename()).sort(), ['one.nc', 'three.nc', 'two.nc']);
+  const programs = await Promise.all(saved.map(async (d) => [d.suggestedFilename(), readFileSync(await d.path(), 'utf8')]));
+  for (const [name, program] of programs) assert.match(program, /M4/, name);
+  assert.equal(new Set(programs.map(([, program]) => program)).size, 3);
+
+  await page.getByRole('button', { name: /^asks\.dxf/ }).click();
+  await planned(page, 'asks.dxf', 'question');
+  await page.locator('.card.question button').first().click();
+  await phase(page, 'done');
+  await queue(page).click();
+  assert.match(Object.fromEntries(await items(page))['asks.dxf'], /^Planned/);
+  await page.keyboard.press('Escape');
+
+  // One alone makes no queue.
+  await drop(page, 'alone.dxf', grid(10));
+  await planned(page, 'alone.dxf');
+  assert.equal(await queue(page).isVisible(), false);
+});
+
+test('on a phone the list of files fits beside the rest', async (t) => {
+  const { page } = await openPage(t, { size: SIZES.phone, theme: 'dark', hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  await dropAll(page, [['a-plate-with-a-long-name.dxf', grid(20)], ['b.dxf', grid(30)]]);
+  await told(page, '2 of 2');
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), SIZES.phone.width);
+  const boxes = await page.locator('.top button:visible').evaluateAll((all) => all.map((b) => b.getBoundingClientRect()).map((r) => [r.left, r.right]));
+  boxes.sort((a, b) => a[0] - b[0]);
+  boxes.slice(1).forEach(([left], k) => assert.ok(left >= boxes[k][1] - 1, JSON.stringify(boxes)));
+  const narrow = await page.locator('.top button:visible').evaluateAll((all) => all.filter((b) => b.scrollWidth > b.clientWidth + 1).map((b) => b.textContent));
+  assert.deepEqual(narrow, [], 'nothing is wider than its button');
+  await queue(page).click();
+  await shot(page, 'page-queue-phone');
+});
+
+test('the samples are those of scripts/samples.mjs, and each shows what it says', async (t) => {
+  for (const [file, content] of Object.entries(SAMPLES)) assert.equal(sample(file).toString(), content, `${file}: node scripts/samples.mjs`);
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  const take = async (title, file, ...phases) => {
+    await page.getByRole('button', { name: 'Samples' }).click();
+    await page.locator('.menu-item', { hasText: title }).click();
+    await planned(page, file, ...phases);
+    await page.evaluate(() => document.querySelectorAll('.section').forEach((d) => (d.open = d.textContent.startsWith('Drawing'))));
+    await shot(page, `page-sample-${file.replace('.dxf', '')}`);
+    return page.locator('.section').first().textContent();
+  };
+  const careless = await take('Gaps, copies, crossings', 'gaps-and-copies.dxf');
+  for (const words of ['4 gaps in this contour were closed', 'Copies removed', 'lies on top of other lines', 'Two contours cross', 'does not close', 'TEXT left out']) assert.ok(careless.includes(words), words);
+  assert.match(await take('Layers', 'layers.dxf'), /ENGRAVE.*DIMENSIONS/);
+  await take('Units in doubt', 'no-units.dxf', 'question');
+  await page.locator('.card.question button').first().click();
+  assert.match(await take('Parts in parts', 'parts-in-parts.dxf'), /15 parts/);
+});
+
+test('a click with Shift or a key pins a contour; the list loosens it, undo brings it back', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  await drop(page, 'rings.dxf', sample('parts-in-parts.dxf'));
+  await planned(page, 'rings.dxf', 'done');
+  await page.evaluate(() => document.querySelectorAll('.section').forEach((d) => (d.open = d.textContent.startsWith('Drawing'))));
+  const until = (words) => page.waitForFunction((w) => [...document.querySelectorAll('.pins')].map((p) => p.firstChild.textContent).join() === w, words);
+
+  await page.keyboard.press('End');
+  await page.keyboard.press('1');
+  await until('Cut first: 1 contour');
+  // With the new order there, the last one is another.
+  await phase(page, 'done');
+  await page.keyboard.press('End');
+  await page.keyboard.press('0');
+  await until('Cut first: 1 contour,Cut last: 1 contour');
+  await page.getByRole('button', { name: 'Loosen what is cut first' }).click();
+  await until('Cut last: 1 contour');
+  await page.keyboard.press('Escape');
+  await page.locator('body').press('Control+z');
+  await until('Cut first: 1 contour,Cut last: 1 contour');
+  await page.locator('body').press('Control+Shift+z');
+  await until('Cut last: 1 contour');
+
+  // Where a contour lies on the screen: the pointer says so.
+  const box = await page.locator('#canvas').boundingBox();
+  let at = null;
+  for (let x = 60; x < box.width - 60 && at === null; x += 3) {
+    await page.mouse.move(box.x + x, box.y + box.height / 2);
+    if (await page.locator('#canvas.over').count()) at = [box.x + x, box.y + box.height / 2];
+  }
+  assert.ok(at, 'a contour under the pointer');
+  await page.keyboard.down('Shift');
+  await page.mouse.click(...at);
+  await page.keyboard.up('Shift');
+  await page.waitForFunction(() => document.querySelector('.pins')?.textContent.startsWith('Cut first: 1 contour'));
+  await shot(page, 'page-pins');
+});

@@ -1,0 +1,44 @@
+/** The files that were dropped together: how many are planned, and what came of each. */
+
+import { button, h, icon, setText } from '../core/dom.js';
+import { save } from '../core/files.js';
+import { count, seconds } from '../core/format.js';
+import { menuItem, popover } from '../core/menu.js';
+import { baseName } from '../core/strings.js';
+import type { Item, Queue } from '../session/queue.js';
+import { words } from '../core/words/index.js';
+
+/** A button with the list under it; hidden while there is one file. */
+export function fileList(queue: Queue): Node[] {
+  const label = h('span', { class: 'number' });
+  const opener = h('button', { type: 'button', class: 'quiet queue', hidden: true }, label, icon('down'));
+  const list = h('div', { class: 'menu' });
+  const all = button(words.files.all, { class: 'small', onclick: () => {
+    for (const { file, gcode } of queue.items) if (gcode !== null) save(gcode, `${baseName(file.name)}.nc`, 'text/plain');
+  } });
+  const fill = () => {
+    list.replaceChildren(
+      ...queue.items.map((item) => menuItem(item.file.name, about(item), item === queue.current, () => queue.begin(item))),
+      h('div', { class: 'menu-foot' }, all));
+    all.disabled = !queue.items.some((item) => item.gcode !== null);
+  };
+  const panel = popover(opener, words.files.title, list, fill);
+  queue.on('change', (items) => {
+    const done = items.filter((item) => item.state !== 'waits' && item.state !== 'working').length;
+    opener.hidden = items.length === 0;
+    setText(label, words.files.done(count(done), count(items.length)));
+    opener.setAttribute('aria-label', words.files.label(count(done), count(items.length)));
+    if (panel.matches(':popover-open')) fill();
+  });
+  return [opener, panel];
+}
+
+function about({ state, seconds: job, sentence }: Item): string {
+  switch (state) {
+    case 'waits': return words.files.waits;
+    case 'working': return words.files.working;
+    case 'asks': return words.files.asks;
+    case 'failed': return sentence ?? words.files.failed;
+    case 'done': return job === null ? words.files.planned : words.files.plannedIn(seconds(job));
+  }
+}
