@@ -31,6 +31,7 @@ export function build() {
   wasm('kerfway_lab', ['lab']);
   wasm('kerfway_papers', ['papers']);
   wasm('kerfway_quote', ['quote']);
+  wasm('kerfway_plate', ['planner', 'plate']);
   sdk();
   console.log('build: the page');
   run('tsc', ['-p', join(ROOT, 'www', 'app')]);
@@ -106,6 +107,7 @@ function weigh() {
     ['PNG wasm, on demand', [join(WASM, 'kerfway_png_bg.wasm')], null],
     ['bounds and instances wasm', [join(WASM, 'kerfway_lab_bg.wasm')], null],
     ['methods of papers wasm', [join(WASM, 'kerfway_papers_bg.wasm')], null],
+    ['planner with pierce groups', [join(WASM, 'kerfway_plate_bg.wasm')], null],
     ['single file for a script tag', [join(SDK, 'kerfway.global.js')], null],
     ['quote wasm', [join(WASM, 'kerfway_quote_bg.wasm')], null],
     ['page, all of a first visit', filesIn(APP).filter(firstVisit), BUDGETS.page],
@@ -124,7 +126,7 @@ function weigh() {
 
 /** Not loaded before somebody asks for it: the PNG renderer, source maps, samples past the first. */
 function firstVisit(file) {
-  return !/kerfway_png|kerfway_(lab|papers|quote)|\.map$|samples[\\/]/.test(file);
+  return !/kerfway_png|kerfway_(lab|papers|plate|quote)|\.map$|samples[\\/]/.test(file);
 }
 
 const kB = (n) => n.toFixed(1).padStart(9);

@@ -12,13 +12,15 @@ const WASM_PACK = '0.15.1';
 
 const say = (line) => console.log(`set-up: ${line}`);
 
-/** Everything a build needs; with `browser`, also what the browser tests need. */
+/** Everything a build needs; with `browser`, also what the browser tests and the test of the queue need. */
 export function setup({ browser = false } = {}) {
   rust();
   wasmPack();
   wasmBindgen();
   npmPackages();
-  if (browser) chromium();
+  if (!browser) return;
+  chromium();
+  redis();
 }
 
 function rust() {
@@ -97,6 +99,16 @@ function chromium() {
   throw new Stop(
     'The browser tests need Chromium or Chrome. Run: sudo apt-get install chromium (or set CHROME_PATH).',
   );
+}
+
+/** The queue example needs one; where there is none, its test says so and is left out. */
+function redis() {
+  if (process.env.REDIS_URL !== undefined || firstOf(['valkey-server', 'redis-server']) !== undefined) return;
+  if (process.getuid?.() !== 0 || ask('apt-get', '--version') === null) return;
+  say('installing redis-server with apt-get, for the test of the queue');
+  if (ask('apt-get', 'update', '-q') === null || ask('apt-get', 'install', '-y', '-q', '--no-install-recommends', 'redis-server') === null) {
+    say('redis-server cannot be installed: the test of the queue will be left out');
+  }
 }
 
 function read(name) {

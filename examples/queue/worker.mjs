@@ -1,0 +1,33 @@
+// One worker process: takes drawings from the queue, one at a time, and answers each with what a quote needs of it.
+
+import { readFile, rm } from 'node:fs/promises';
+import { UnrecoverableError, Worker } from 'bullmq';
+import { createPool } from 'kerfway';
+import { BUDGET, connection, drawingOf, PATIENCE, QUEUE, WORKING } from './queue.mjs';
+
+// One planner, kept from drawing to drawing, in a thread of its own: this one goes on telling the queue that it is alive.
+const pool = createPool({ size: 1 });
+
+const worker = new Worker(QUEUE, quoted, { connection, concurrency: 1, name: String(process.pid), ...WORKING });
+worker.on('error', (error) => console.error(`worker ${process.pid}: ${error.message}`));
+
+// What is done with needs its drawing no more.
+worker.on('completed', (job) => rm(drawingOf(job.id), { force: true }));
+worker.on('failed', (job) => job?.finishedOn !== undefined && rm(drawingOf(job.id), { force: true }));
+
+async function quoted(job) {
+  const signal = AbortSignal.timeout(PATIENCE);
+  try {
+    return await pool.quote(() => readFile(drawingOf(job.id)), { ...job.data, ...BUDGET, signal });
+  } catch (error) {
+    if (signal.aborted) throw new Error(`The drawing takes longer than ${PATIENCE / 1000} seconds.`);
+    // One sentence for the person who sent it; trying again would not mend the drawing.
+    throw new UnrecoverableError(error.message);
+  }
+}
+
+// What is under way is finished first.
+process.on('SIGTERM', async () => {
+  await worker.close();
+  pool.close();
+});

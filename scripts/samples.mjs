@@ -1,0 +1,57 @@
+// The page's small samples, each of one ability, written by hand: node scripts/samples.mjs
+
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { ROOT } from './tools.mjs';
+
+const line = (x0, y0, x1, y1, layer = 'CUT') => [[0, 'LINE'], [8, layer], [10, x0], [20, y0], [11, x1], [21, y1]];
+const circle = (x, y, r, layer = 'CUT') => [[0, 'CIRCLE'], [8, layer], [10, x], [20, y], [40, r]];
+const path = (points, layer = 'CUT', closed = true) => [
+  [0, 'LWPOLYLINE'], [8, layer], [90, points.length], [70, closed ? 1 : 0],
+  ...points.flatMap(([x, y, bulge = 0]) => [[10, x], [20, y], [42, bulge]]),
+];
+const box = (x, y, w, h, layer) => path([[x, y], [x + w, y], [x + w, y + h], [x, y + h]], layer);
+/** A plate with round corners; the bulge of a quarter turn is tan(pi / 8). */
+const plate = (x, y, w, h, r, layer) => {
+  const b = Math.SQRT2 - 1;
+  return path([[x + r, y], [x + w - r, y, b], [x + w, y + r], [x + w, y + h - r, b], [x + w - r, y + h], [x + r, y + h, b], [x, y + h - r], [x, y + r, b]], layer);
+};
+const text = (x, y, height, words, layer) => [[0, 'TEXT'], [8, layer], [10, x], [20, y], [40, height], [1, words]];
+
+function drawing(units, ...entities) {
+  const header = units === null ? [] : [[9, '$INSUNITS'], [70, units]];
+  const groups = [[0, 'SECTION'], [2, 'HEADER'], [9, '$ACADVER'], [1, 'AC1015'], ...header, [0, 'ENDSEC'], [0, 'SECTION'], [2, 'ENTITIES'], ...entities.flat(), [0, 'ENDSEC'], [0, 'EOF']];
+  return groups.map(([code, value]) => `${code}\n${value}\n`).join('');
+}
+
+const MM = 4;
+const rows = (n, make) => Array.from({ length: n }, (_, k) => make(k));
+
+export const SAMPLES = {
+  // A box of lines that miss each other by 0.03 mm, a plate drawn twice, two that share an edge, two that cross, one left open.
+  'gaps-and-copies.dxf': drawing(MM,
+    line(0, 0, 79.98, 0), line(80, 0.02, 80, 49.98), line(79.98, 50, 0.02, 50), line(0, 49.98, 0, 0.02), circle(40, 25, 8),
+    plate(100, 0, 80, 50, 6), plate(100, 0, 80, 50, 6), circle(140, 25, 8), circle(140, 25, 8),
+    box(200, 0, 40, 50), box(240, 0, 40, 50),
+    circle(40, 100, 22), circle(68, 100, 22),
+    path([[110, 80], [170, 80], [170, 120], [130, 120]], 'CUT', false),
+    text(200, 90, 8, 'not cut', 'CUT')),
+  // What a layer is for is told by its name; the page suggests what to do with it.
+  'layers.dxf': drawing(MM,
+    box(-10, -10, 320, 180, 'SHEET'),
+    ...rows(3, (k) => [...plate(100 * k, 0, 90, 60, 8, 'CUT'), ...circle(100 * k + 15, 15, 4, 'CUT'), ...circle(100 * k + 75, 15, 4, 'CUT'),
+      ...path([[100 * k + 20, 40], [100 * k + 45, 50, -0.4], [100 * k + 70, 40]], 'ENGRAVE', false)]),
+    ...rows(3, (k) => circle(50 + 100 * k, 110, 30, 'CUT')), ...rows(3, (k) => circle(50 + 100 * k, 110, 18, 'ENGRAVE')),
+    line(-10, 80, 310, 80, 'DIMENSIONS')),
+  // 8 x 5: millimetres, centimetres or inches? Nothing says.
+  'no-units.dxf': drawing(null, plate(0, 0, 8, 5, 0.5), ...[[1, 1], [7, 1], [7, 4], [1, 4]].map(([x, y]) => circle(x, y, 0.25)), circle(4, 2.5, 1.2)),
+  // Rings within rings, and plates in the holes of others.
+  'parts-in-parts.dxf': drawing(MM,
+    ...rows(3, (k) => rows(5 - k, (j) => circle(80 + 170 * k, 80, 76 - 14 * j)).flat()),
+    ...rows(4, (k) => [...box(20 + 120 * k, 180, 100, 100), ...box(30 + 120 * k, 190, 80, 80), ...plate(40 + 120 * k, 200, 60, 60, 10), ...circle(70 + 120 * k, 230, 12)])),
+};
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+  for (const [file, content] of Object.entries(SAMPLES)) writeFileSync(join(ROOT, 'www', 'app', 'public', 'samples', file), content);
+}
