@@ -67,10 +67,7 @@ fn scattered(dice: &mut Dice, k: u64) -> Problem {
                 .then_some(item + 1),
             rank: if k % 7 == 3 { item % 2 } else { 0 },
             fixed: 1.0,
-            run: None,
-            leave: None,
-            track: None,
-            paths: Vec::new(),
+            ..Item::default()
         });
     }
     let pairs = if k % 11 == 4 && count > 3 { vec![(0, 3), (2, 3)] } else { Vec::new() };
@@ -240,12 +237,7 @@ fn qu_and_du(name: &str, closed: bool, boundary: bool) -> Problem {
         items.push(Item {
             nodes: first..NodeId::try_from(nodes.len()).unwrap(),
             before: outer.map(|o| u32::try_from(o).unwrap()),
-            rank: 0,
-            fixed: 0.0,
-            run: None,
-            leave: None,
-            track: None,
-            paths: Vec::new(),
+            ..Item::default()
         });
     }
     Problem {

@@ -115,16 +115,7 @@ fn points(closed: bool) -> Problem {
             nodes.push(Node { item, entry, exit, along: 0.0, reversed: k == 1 && open, twin });
         }
         let nodes = first..u32::try_from(nodes.len()).unwrap();
-        items.push(Item {
-            nodes,
-            before: None,
-            rank: 0,
-            fixed: 0.0,
-            run: None,
-            leave: None,
-            track: None,
-            paths: Vec::new(),
-        });
+        items.push(Item { nodes, ..Item::default() });
     }
     let (machine, home) = (machine("length"), DVec2::ZERO);
     Problem { items, nodes, home, closed, machine, pairs: vec![], groups: Groups::default(), table: None }

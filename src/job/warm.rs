@@ -178,16 +178,7 @@ mod tests {
         for (node, id) in nodes.iter_mut().zip(0..) {
             node.twin = id;
         }
-        let item = |i: u32, before| Item {
-            nodes: 2 * i..2 * i + 2,
-            before,
-            rank: 0,
-            fixed: 1.0,
-            leave: None,
-            run: None,
-            track: None,
-            paths: Vec::new(),
-        };
+        let item = |i: u32, before| Item { nodes: 2 * i..2 * i + 2, before, fixed: 1.0, ..Item::default() };
         let machine = machine::preset("length").unwrap();
         Problem {
             items: vec![item(0, Some(2)), item(1, None), item(2, None)],

@@ -42,7 +42,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
             run,
             leave: leave_seconds(machine, contour).filter(|_| !sheet.part_by_part),
             track: contour.path.closed.then(|| contour.path.clone()),
-            paths: Vec::new(),
+            ..Item::default()
         });
     }
     Problem {

@@ -42,8 +42,8 @@ pub struct Node {
     pub twin: NodeId,
 }
 
-/// Something to be visited once.
-#[derive(Clone, Debug, PartialEq)]
+/// Something to be visited once; by default without nodes, and free to be visited at any time at no cost.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Item {
     /// Its nodes: a range of [`Problem::nodes`].
     pub nodes: std::ops::Range<NodeId>,

@@ -152,16 +152,7 @@ fn points(data: &Value, machine: Profile, boundary: bool) -> Option<Problem> {
         }
         let outer = contours.iter().position(|c| c["id"] == contour["parent"]).filter(|_| boundary);
         let before = outer.and_then(|o| u32::try_from(o).ok());
-        items.push(Item {
-            nodes: first..u32::try_from(nodes.len()).ok()?,
-            before,
-            rank: 0,
-            fixed: 0.0,
-            run: None,
-            leave: None,
-            track: None,
-            paths: Vec::new(),
-        });
+        items.push(Item { nodes: first..u32::try_from(nodes.len()).ok()?, before, ..Item::default() });
     }
     let (home, closed) = (DVec2::ZERO, machine.return_home);
     Some(Problem {

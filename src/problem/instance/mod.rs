@@ -99,16 +99,7 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
             let (entry, along, reversed) = (DVec2::ZERO, 0.0, false);
             list.push(Node { item, entry, exit: entry, along, reversed, twin });
         }
-        items.push(Item {
-            nodes: first..id(list.len()),
-            before: None,
-            rank: 0,
-            fixed: 0.0,
-            run: None,
-            leave: None,
-            track: None,
-            paths: Vec::new(),
-        });
+        items.push(Item { nodes: first..id(list.len()), ..Item::default() });
     }
     // The start is before everything as it is.
     let pairs = sets.pairs.iter().filter(|p| p.0 != sets.start).map(|&(a, b)| (id(place(a)), id(place(b))));

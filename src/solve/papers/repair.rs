@@ -130,16 +130,7 @@ mod tests {
     use glam::DVec2;
 
     fn problem(before: &[Option<u32>], ranks: &[u32], groups: Groups) -> Problem {
-        let item = |(&before, &rank): (&Option<u32>, &u32)| Item {
-            nodes: 0..0,
-            before,
-            rank,
-            fixed: 0.0,
-            run: None,
-            leave: None,
-            track: None,
-            paths: Vec::new(),
-        };
+        let item = |(&before, &rank): (&Option<u32>, &u32)| Item { before, rank, ..Item::default() };
         let items = before.iter().zip(ranks).map(item).collect();
         let machine = machine::presets().into_iter().next().unwrap();
         let (home, closed) = (DVec2::ZERO, true);

@@ -48,16 +48,7 @@ pub(super) fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Probl
         let run = (0..5).map(|k| Segment::line(corner[k], corner[(k + 1) % 5])).collect::<Vec<_>>();
         let open = nodes[first as usize].twin != first;
         let run = if open { None } else { ClosedRun::new(&machine, &machine.cut, &run) };
-        items.push(Item {
-            nodes: first..end,
-            before,
-            rank,
-            fixed: 0.0,
-            run,
-            leave: None,
-            track: None,
-            paths: Vec::new(),
-        });
+        items.push(Item { nodes: first..end, before, rank, run, ..Item::default() });
     }
     Problem {
         items,
@@ -135,16 +126,7 @@ fn circles(centers: &[DVec2]) -> Problem {
         let path = Path::new(vec![Segment::Arc(Arc::circle(c, 10.0))], true);
         let entry = c + DVec2::new(10.0, 0.0);
         nodes.push(Node { item, entry, exit: entry, along: 0.0, reversed: false, twin: item });
-        Item {
-            nodes: item..item + 1,
-            before: None,
-            rank: 0,
-            fixed: 0.0,
-            run: None,
-            leave: None,
-            track: Some(path),
-            paths: Vec::new(),
-        }
+        Item { nodes: item..item + 1, track: Some(path), ..Item::default() }
     });
     let items = items.collect();
     let machine = machine::preset("length").unwrap();

@@ -106,8 +106,7 @@ fn problem(sheet: &Value) -> Option<Problem> {
             along += entry.distance(*next);
         }
         let nodes = first..u32::try_from(nodes.len()).ok()?;
-        let (before, fixed, run, track) = (None, 0.0, None, None);
-        items.push(Item { nodes, before, rank: 0, fixed, run, leave: Some(0.0), track, paths: Vec::new() });
+        items.push(Item { nodes, leave: Some(0.0), ..Item::default() });
     }
     let machine = machine::preset("length-partial")?;
     let (home, pairs, groups, table) = (point(&sheet["origin"])?, Vec::new(), Groups::default(), None);

@@ -91,8 +91,7 @@ fn problem(data: &Value) -> Option<Problem> {
             nodes.push(Node { item, entry, exit: entry, along: f64::from(along), reversed: false, twin });
         }
         let nodes = first..u32::try_from(nodes.len()).ok()?;
-        let (before, fixed, run, track) = (None, 0.0, None, None);
-        items.push(Item { nodes, before, rank: 0, fixed, run, leave: None, track, paths: Vec::new() });
+        items.push(Item { nodes, ..Item::default() });
     }
     let machine = machine::preset("length-chebyshev")?;
     let (home, pairs, groups, table) = (point(&data["origin"])?, Vec::new(), Groups::default(), None);

@@ -24,8 +24,7 @@ fn sheet(contours: &[&[[f64; 2]]], closed: bool) -> Problem {
             nodes.push(Node { item, entry, exit: entry, along: along.into(), reversed: false, twin });
         }
         let nodes = first..u32::try_from(nodes.len()).unwrap();
-        let (before, fixed, run, track) = (None, 0.0, None, None);
-        items.push(Item { nodes, before, rank: 0, fixed, run, leave: Some(0.0), track, paths: Vec::new() });
+        items.push(Item { nodes, leave: Some(0.0), ..Item::default() });
     }
     let machine = machine::preset("length-partial").unwrap();
     let (home, pairs, groups, table) = (DVec2::ZERO, Vec::new(), Groups::default(), None);

@@ -132,16 +132,7 @@ mod tests {
                 nodes.push(Node { item, entry, exit: entry, along: 0.0, reversed: false, twin });
             }
             let nodes = first..u32::try_from(nodes.len()).unwrap();
-            items.push(Item {
-                nodes,
-                before: None,
-                rank: 0,
-                fixed: 0.0,
-                run: None,
-                leave: None,
-                track: None,
-                paths: Vec::new(),
-            });
+            items.push(Item { nodes, ..Item::default() });
         }
         let (machine, home) = (machine::presets().into_iter().next().unwrap(), DVec2::ZERO);
         let groups = Groups::default();

@@ -25,17 +25,7 @@ fn sheet(contours: &[&[[f64; 2]]]) -> Problem {
             nodes.push(Node { item, entry, exit: entry, along: along.into(), reversed: false, twin });
         }
         let nodes = first..NodeId::try_from(nodes.len()).unwrap();
-        let (before, fixed, run, track) = (None, 0.0, None, None);
-        items.push(Item {
-            nodes,
-            before,
-            rank: 0,
-            fixed,
-            run,
-            leave: Some(PRE_CUT),
-            track,
-            paths: Vec::new(),
-        });
+        items.push(Item { nodes, leave: Some(PRE_CUT), ..Item::default() });
     }
     let machine = machine::preset("length").unwrap();
     let (home, pairs, groups, table) = (DVec2::ZERO, Vec::new(), Groups::default(), None);
