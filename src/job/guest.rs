@@ -1,8 +1,8 @@
 //! A method of a paper at work on a problem that a planner handed over as numbers: see `hosted.rs`.
 
-use super::running::Running;
 use super::{JobError, Warm};
 use crate::problem::Problem;
+use crate::solve::Running;
 use crate::solve::Step;
 use crate::solve::papers::{self, Insight};
 

@@ -12,7 +12,6 @@ mod options;
 mod path;
 mod report;
 mod run;
-mod running;
 mod shared;
 #[cfg(feature = "lab")]
 mod solving;

@@ -2,7 +2,6 @@
 
 use super::hosted::Hosted;
 use super::options::{Budget, PlanOptions};
-use super::running::Running;
 use super::{Baselines, JobError, Warm, shared, warm};
 use crate::finding::Finding;
 use crate::machine::Profile;
@@ -11,6 +10,7 @@ use crate::plan::LowerBound;
 use crate::plan::{self, Plan};
 use crate::problem::{self, Problem};
 use crate::sheet::Sheet;
+use crate::solve::Running;
 use crate::solve::{self, Search, Solution, Solver, Status, Telemetry};
 
 /// Moves before the lower bound is begun: the first paths come first. A second of search on large sheets; on small ones

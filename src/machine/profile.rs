@@ -87,6 +87,11 @@ pub struct Profile {
 }
 
 impl Profile {
+    /// Whether it makes pre-cuts that cost something: then contours that share cuts are cut as one.
+    pub fn makes_pre_cuts(&self) -> bool {
+        self.pre_cut_time.is_some_and(|seconds| seconds > 0.0)
+    }
+
     /// Home as a point.
     pub fn home(&self) -> DVec2 {
         DVec2::from_array(self.home)

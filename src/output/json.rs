@@ -184,13 +184,10 @@ enum Named {
 
 impl Named {
     fn of(contour: u32, with: &[u32]) -> Self {
-        let mut all = vec![contour];
-        with.iter().for_each(|c| {
-            if !all.contains(c) {
-                all.push(*c)
-            }
-        });
-        if all.len() == 1 { Self::One(contour) } else { Self::Several(all) }
+        match with {
+            [] => Self::One(contour),
+            others => Self::Several(std::iter::once(contour).chain(others.iter().copied()).collect()),
+        }
     }
 }
 

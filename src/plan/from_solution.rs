@@ -3,7 +3,7 @@
 use super::evaluate::evaluate;
 use super::model::{Move, Plan};
 use crate::geometry::{DVec2, Path, Segment};
-use crate::problem::{Problem, Stroke, SubPath};
+use crate::problem::{Problem, Span, Stroke, SubPath};
 use crate::sheet::{Operation, Sheet};
 use crate::solve::{Solution, Stop};
 
@@ -14,7 +14,7 @@ use crate::solve::{Solution, Stop};
 pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> Plan {
     let mut moves = Vec::with_capacity(3 * solution.stops.len() + 1);
     let mut head = problem.home;
-    let pre_cuts = problem.machine.pre_cut_time.is_some_and(|seconds| seconds > 0.0);
+    let pre_cuts = problem.machine.makes_pre_cuts();
     // Where each contour was begun.
     let mut begun: Vec<Option<f64>> = vec![None; sheet.contours.len()];
     for stop in &solution.stops {
@@ -67,13 +67,14 @@ fn through(moves: &mut Vec<Move>, way: &SubPath) {
             Stroke::Pierce => moves.push(Move::Pierce),
             Stroke::PreCut(contour) => moves.push(Move::PreCut { contour: *contour, to: head }),
             Stroke::Cut { spans, path } => {
-                let mut contours: Vec<u32> = spans.iter().map(|s| s.contour).collect();
-                contours.dedup();
+                let Some(&Span { contour, .. }) = spans.first() else { continue };
+                let mut with = Vec::new();
+                for other in spans.iter().map(|s| s.contour) {
+                    if other != contour && !with.contains(&other) {
+                        with.push(other);
+                    }
+                }
                 head = path.last().map_or(head, Segment::end);
-                let (Some(&contour), with) = (contours.first(), contours.iter().skip(1).copied().collect())
-                else {
-                    continue;
-                };
                 moves.push(Move::Cut { contour, with, path: path.clone(), mark: false });
             }
         }

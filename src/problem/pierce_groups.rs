@@ -20,7 +20,7 @@ impl<'s> PierceGroups<'s> {
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
         let none = vec![None; sheet.contours.len()];
         let mut all = Self { sheet, groups: Vec::new(), of: none.clone(), within: none };
-        if machine.pre_cut_time.is_none_or(|seconds| seconds <= 0.0) {
+        if !machine.makes_pre_cuts() {
             return all;
         }
         for group in sheet.pierce_groups() {
@@ -93,10 +93,8 @@ impl<'s> PierceGroups<'s> {
             before: self.before(contour).filter(|_| stands),
             rank,
             fixed: if stands { least } else { 0.0 },
-            run: None,
-            leave: None,
-            track: None,
             paths,
+            ..Item::default()
         })
     }
 

@@ -7,12 +7,14 @@ mod greedy;
 #[cfg(feature = "papers")]
 pub mod papers;
 mod precedence;
+mod running;
 mod tour_tree;
 mod traits;
 
 pub use as_drawn::drawing_order;
 pub use exact::{TooLarge, exact};
 pub use greedy::greedy;
+pub(crate) use running::Running;
 pub use traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
 
 /// Every method of ours, the default first.

@@ -17,7 +17,6 @@ struct Work<'s> {
     cut: Vec<bool>,
     /// Pre-cuts made: contour and node.
     ahead: Vec<(u32, u32)>,
-    visited: Vec<bool>,
     /// By area: the move that cut it free.
     free: Vec<Option<usize>>,
 }
@@ -35,21 +34,17 @@ impl<'s> Groups<'s> {
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
         let mut of = vec![None; sheet.contours.len()];
         let mut work = Vec::new();
-        let joins = machine.pre_cut_time.is_some_and(|seconds| seconds > 0.0);
-        for group in sheet.pierce_groups().iter().filter(|_| joins) {
+        for group in sheet.pierce_groups().iter().filter(|_| machine.makes_pre_cuts()) {
             for &c in &group.contours {
                 if let Some(of) = of.get_mut(c as usize) {
                     *of = Some(work.len());
                 }
             }
-            let path = |c: u32| sheet.contours.get(c as usize).map(|c| &c.path);
-            let paths = group.elements.iter().map(|e| path(e.contour).map(|p| e.path(p)).unwrap_or_default());
             work.push(Work {
                 group,
-                paths: paths.collect(),
+                paths: group.elements.iter().map(|e| e.path(&sheet.contours)).collect(),
                 cut: vec![false; group.elements.len()],
                 ahead: Vec::new(),
-                visited: vec![false; group.nodes.len()],
                 free: vec![None; group.faces as usize],
             });
         }
@@ -108,7 +103,9 @@ impl<'s> Groups<'s> {
                 return;
             };
             let own = work.group.elements[e].contour;
-            named.push(own);
+            if !named.contains(&own) {
+                named.push(own);
+            }
             let pre_cut = |node: u32, work: &Work| work.ahead.contains(&(own, node));
             if (first && !ready && !pre_cut(node, work)) || (work.is_loose(to) && !pre_cut(to, work)) {
                 found.push(Violation::NoPreCut { step, contour: own });
@@ -120,7 +117,6 @@ impl<'s> Groups<'s> {
             gone += work.paths[e].length();
             first = false;
         }
-        named.dedup();
         if named != contours {
             found.push(Violation::Beam { step, what: "runs along other contours than it says" });
         }
@@ -210,9 +206,9 @@ impl Work<'_> {
         held
     }
 
+    /// Whether an element parts an area that hangs on the sheet still.
     fn is_held(&self, e: usize) -> bool {
-        let held = self.held();
-        self.group.elements[e].faces.iter().any(|&f| held[f as usize])
+        self.group.elements[e].faces.iter().any(|&f| self.free[f as usize].is_none())
     }
 
     /// Whether an area that ends at a node has been cut free.
@@ -223,9 +219,6 @@ impl Work<'_> {
 
     fn take(&mut self, e: usize, step: usize) {
         self.cut[e] = true;
-        for n in self.group.elements[e].ends {
-            self.visited[n as usize] = true;
-        }
         let held = self.held();
         for (free, held) in self.free.iter_mut().zip(held) {
             if !held && free.is_none() {

@@ -28,9 +28,7 @@ fn from(net: &Net, start: u32, ends: &[u32]) -> Vec<Order> {
     let mut layer: Vec<(u32, Step)> = Vec::new();
     let price = |state: &State, step: Step| {
         let mut state = state.clone();
-        let at = state.next(net, step);
-        let ahead = at.ahead.iter().filter(|a| **a).count() as f64;
-        (at.seconds + ahead * net.pre_cut(), state)
+        (state.next(net, step).seconds, state)
     };
     for step in (0..steps).filter(|&s| net.step(s)[0] == start) {
         let (seconds, state) = price(&State::new(net), step);
@@ -81,8 +79,7 @@ impl Net<'_> {
     /// one around the group by elements not yet cut.
     fn may_follow(&self, cut: u32, full: u32, step: Step) -> bool {
         let left = full & !cut;
-        let mut held = vec![false; self.group.faces as usize];
-        held[0] = true;
+        let mut held = self.held();
         loop {
             let mut grew = false;
             for e in self.elements().filter(|e| left >> e & 1 == 1) {

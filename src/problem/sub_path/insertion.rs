@@ -45,24 +45,13 @@ pub(super) fn order(net: &Net, from: u32, to: u32) -> Option<Order> {
 impl Net<'_> {
     /// Whether an order of some elements can become one of all: those that are missing may be cut last.
     fn is_possible_so_far(&self, order: &[Step], missing: &[u32]) -> bool {
-        let mut all = order.to_vec();
-        let inserted = |e: u32| order.iter().any(|s| s / 2 == e);
-        all.extend(missing.iter().filter(|e| !inserted(**e)).map(|e| 2 * e));
-        let mut held = vec![false; self.group.faces as usize];
-        held[0] = true;
+        let mut held = self.held();
         // What is missing holds wherever it is.
         for _ in 0..self.group.faces {
-            for s in &all[order.len()..] {
-                let [a, b] = self.faces(*s).map(|f| f as usize);
-                let holds = held[a] || held[b];
-                (held[a], held[b]) = (holds, holds);
+            for &e in missing.iter().filter(|e| !order.iter().any(|s| s / 2 == **e)) {
+                self.put_back(&mut held, 2 * e);
             }
         }
-        order.iter().rev().all(|&s| {
-            let [a, b] = self.faces(s).map(|f| f as usize);
-            let holds = held[a] || held[b];
-            (held[a], held[b]) = (holds, holds);
-            holds
-        })
+        order.iter().rev().all(|&s| self.put_back(&mut held, s))
     }
 }

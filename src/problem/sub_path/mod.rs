@@ -17,7 +17,7 @@ mod strokes;
 mod walk;
 
 use crate::geometry::DVec2;
-use crate::machine::{AirTime, Profile};
+use crate::machine::Profile;
 use crate::order::{real, sort_by};
 use crate::sheet::{CommonCuts, PierceGroup, Sheet};
 use net::{Net, Order};
@@ -41,9 +41,9 @@ pub struct SubPath {
 
 impl SubPath {
     /// The same, with a way back to its beginning.
-    fn round(mut self, machine: &Profile) -> Self {
+    fn round(mut self, net: &Net) -> Self {
         let [entry, exit] = self.ends;
-        self.seconds += AirTime::new(machine).seconds(exit, entry);
+        self.seconds += net.air.seconds(exit, entry);
         self.strokes.push(Stroke::Air(entry));
         self.ends = [entry; 2];
         self
@@ -66,7 +66,7 @@ pub(super) fn sub_paths(sheet: &Sheet, group: &PierceGroup, machine: &Profile) -
     pairs.truncate(PAIRS);
     if pairs.is_empty() {
         // Any order at all, and back to where it began: then it is its own way back.
-        let round = walk::any(&net).map(|order| strokes::sub_path(&net, &best(order)).round(machine));
+        let round = walk::any(&net).map(|order| strokes::sub_path(&net, &best(order)).round(&net));
         return round.map_or_else(Vec::new, |path| vec![path.clone(), path]);
     }
     pairs.into_iter().flatten().map(|order| strokes::sub_path(&net, &best(order))).collect()
@@ -75,20 +75,18 @@ pub(super) fn sub_paths(sheet: &Sheet, group: &PierceGroup, machine: &Profile) -
 /// Pairs of orders, out and back, the cheapest first.
 fn pairs(net: &Net, by: CommonCuts) -> Vec<[Order; 2]> {
     let ends = ends(net);
-    let by_hand = by == CommonCuts::Insertion;
-    let small = !by_hand && net.len() <= exact::MOST;
+    let by_insertion = by == CommonCuts::Insertion;
+    let small = !by_insertion && net.len() <= exact::MOST;
     let mut found: Vec<(f64, [Order; 2])> = Vec::new();
     let all = if small { exact::all(net, &ends) } else { Vec::new() };
     for (i, &a) in ends.iter().enumerate() {
-        for &b in &ends[i..] {
-            let of = |from: u32, to: u32| match (small, by_hand) {
+        // Without an air move a path comes back to its beginning only where every node is even.
+        for &b in ends[i..].iter().filter(|&&b| a != b || net.is_even()) {
+            let of = |from: u32, to: u32| match (small, by_insertion) {
                 (true, _) => all.iter().find(|o| net.ends(o) == [from, to]).cloned(),
                 (_, true) => insertion::order(net, from, to).or_else(|| walk::order(net, from, to)),
                 _ => walk::order(net, from, to),
             };
-            if a == b && !net.is_even() {
-                continue;
-            }
             if let (Some(out), Some(back)) = (of(a, b), of(b, a)) {
                 found.push((net.cost(&out) + net.cost(&back), [out, back]));
             }

@@ -15,7 +15,7 @@ pub(super) struct Net<'s> {
     pub(super) machine: &'s Profile,
     /// Geometry of each element.
     pub(super) paths: Vec<Path>,
-    air: AirTime,
+    pub(super) air: AirTime,
     /// Elements at each node.
     degree: Vec<u32>,
     /// Nodes of each face, and how many elements it has.
@@ -23,13 +23,9 @@ pub(super) struct Net<'s> {
     sides: Vec<u32>,
 }
 
-/// Where pre-cuts are needed for an element: at its first, at its second node.
-pub(super) type Ahead = [bool; 2];
-
 impl<'s> Net<'s> {
     pub(super) fn new(sheet: &Sheet, group: &'s PierceGroup, machine: &'s Profile) -> Self {
-        let path = |c: u32| sheet.contours.get(c as usize).map(|c| &c.path);
-        let paths = group.elements.iter().map(|e| path(e.contour).map(|p| e.path(p)).unwrap_or_default());
+        let paths = group.elements.iter().map(|e| e.path(&sheet.contours));
         let mut degree = vec![0; group.nodes.len()];
         let mut around = vec![Vec::new(); group.faces as usize];
         let mut sides = vec![0; group.faces as usize];
@@ -113,23 +109,29 @@ impl<'s> Net<'s> {
     /// Whether every element still hangs on the sheet when it is cut. Looked at backwards: an element put back must
     /// part an area that hangs on the sheet by elements put back before it.
     pub(super) fn is_possible(&self, order: &[Step]) -> bool {
+        let mut held = self.held();
+        order.iter().rev().all(|&s| self.put_back(&mut held, s))
+    }
+
+    /// Areas that hang on the sheet when all is cut: the one around the group.
+    pub(super) fn held(&self) -> Vec<bool> {
         let mut held = vec![false; self.sides.len()];
         held[0] = true;
-        order.iter().rev().all(|&s| {
-            let [a, b] = self.faces(s).map(|f| f as usize);
-            let holds = held[a] || held[b];
-            (held[a], held[b]) = (holds, holds);
-            holds
-        })
+        held
+    }
+
+    /// Puts an element back: both its areas hang on the sheet if one of them did. Whether it did.
+    pub(super) fn put_back(&self, held: &mut [bool], step: Step) -> bool {
+        let [a, b] = self.faces(step).map(|f| f as usize);
+        let holds = held[a] || held[b];
+        (held[a], held[b]) = (holds, holds);
+        holds
     }
 
     /// About the seconds of an order: air moves, piercings, pre-cuts, starts; the cutting itself left out.
     pub(super) fn cost(&self, order: &[Step]) -> f64 {
         let mut sum = 0.0;
-        self.follow(order, |at| {
-            let (seconds, ahead) = (at.seconds, at.ahead);
-            sum += seconds + ahead.iter().filter(|a| **a).count() as f64 * self.pre_cut();
-        });
+        self.follow(order, |at| sum += at.seconds);
         sum
     }
 
@@ -149,10 +151,10 @@ pub(super) struct At {
     pub(super) begins: bool,
     /// Nothing was cut at its start before: it is pierced.
     pub(super) pierced: bool,
-    /// Seconds of the way there, of piercing, of the start.
+    /// Seconds of the way there, of piercing, of the start, of pre-cuts.
     pub(super) seconds: f64,
     /// Pre-cuts that must have been made in it, at its start and end.
-    pub(super) ahead: Ahead,
+    pub(super) ahead: [bool; 2],
 }
 
 /// What an order has done so far.
@@ -177,8 +179,9 @@ impl State {
         let pierced = begins && !self.visited[from as usize];
         let way = self.head.filter(|_| begins).map_or(0.0, |head| net.way(head, from));
         let pierce = if pierced { net.machine.pierce_time } else { 0.0 };
-        let seconds = way + pierce + if begins { net.start() } else { 0.0 };
         let ahead = [begins && !pierced, self.loose[to as usize]];
+        let pre_cuts = ahead.iter().filter(|a| **a).count() as f64;
+        let seconds = way + pierce + if begins { net.start() } else { 0.0 } + pre_cuts * net.pre_cut();
         self.head = Some(to);
         self.visited[from as usize] = true;
         self.visited[to as usize] = true;

@@ -103,13 +103,12 @@ fn span(net: &Net, step: Step) -> (Span, Vec<Segment>) {
 
 /// All seconds of these strokes.
 fn seconds(net: &Net, start: DVec2, strokes: &[Stroke]) -> f64 {
-    let air = crate::machine::AirTime::new(net.machine);
     let mut head = start;
     let mut sum = 0.0;
     for stroke in strokes {
         match stroke {
             Stroke::Air(to) => {
-                sum += air.seconds(head, *to);
+                sum += net.air.seconds(head, *to);
                 head = *to;
             }
             Stroke::Pierce => sum += net.machine.pierce_time,

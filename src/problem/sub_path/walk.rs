@@ -69,9 +69,7 @@ impl<'n> Walk<'n> {
             arriving[node].push(step);
             left[node] += 1;
         }
-        let mut held = vec![false; net.group.faces as usize];
-        held[0] = true;
-        Self { net, arriving, hop, used: vec![false; net.len()], held, left, rest: net.len() }
+        Self { net, arriving, hop, used: vec![false; net.len()], held: net.held(), left, rest: net.len() }
     }
 
     /// Steps that may be put back from a node now; the last one at `from` only at the end.
@@ -86,7 +84,7 @@ impl<'n> Walk<'n> {
     fn take(&mut self, step: Step) -> u32 {
         self.used[step as usize / 2] = true;
         self.rest -= 1;
-        self.net.faces(step).iter().for_each(|&f| self.held[f as usize] = true);
+        self.net.put_back(&mut self.held, step);
         let [from, to] = self.net.step(step);
         self.left[from as usize] -= 1;
         self.left[to as usize] -= 1;

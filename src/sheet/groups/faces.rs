@@ -33,7 +33,7 @@ pub(super) fn group(contours: &[super::Contour], set: &Set) -> Option<PierceGrou
             elements.push(GroupElement { contour: id, from, to, ends, faces: [0; 2] });
         }
     }
-    let paths: Vec<Path> = elements.iter().map(|e| e.path(&contours[e.contour as usize].path)).collect();
+    let paths: Vec<Path> = elements.iter().map(|e| e.path(contours)).collect();
     if paths.iter().any(|p| p.segments.is_empty()) {
         return None;
     }

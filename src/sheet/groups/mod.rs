@@ -47,8 +47,11 @@ pub struct GroupElement {
 }
 
 impl GroupElement {
-    /// Its geometry, from beginning to end.
-    pub fn path(&self, contour: &Path) -> Path {
+    /// Its geometry, from beginning to end. `contours`: those of the sheet.
+    pub fn path(&self, contours: &[Contour]) -> Path {
+        let Some(contour) = contours.get(self.contour as usize).map(|c| &c.path) else {
+            return Path::default();
+        };
         let whole = self.from.total_cmp(&self.to).is_eq();
         let segments = match (whole, contour.closed) {
             (true, true) => contour.starting_at(self.from).segments,
@@ -96,7 +99,7 @@ fn lies_clear(contours: &[Contour], boxes: &BoxIndex, group: &PierceGroup) -> bo
         .elements
         .iter()
         .filter_map(|e| {
-            let path = e.path(&contours[e.contour as usize].path);
+            let path = e.path(contours);
             path.at(0.5 * path.length())
         })
         .collect();
@@ -142,7 +145,7 @@ fn within(outer: Aabb, inner: Aabb) -> bool {
 fn around(contours: &[Contour], group: &PierceGroup) -> Vec<Segment> {
     let mut segments = Vec::new();
     for e in &group.elements {
-        let path = e.path(&contours[e.contour as usize].path);
+        let path = e.path(contours);
         match e.faces {
             [0, 0] => {}
             [_, 0] => segments.extend(path.segments),

@@ -10,18 +10,7 @@ use super::forest::Forest;
 use super::ground::Ground;
 use crate::problem::{Groups, Item, ItemId, Node, NodeId, Problem};
 use crate::solve::tour_tree::{EPSILON, TourTree};
-use crate::solve::{Search, Solution, Solver, Status, Stop};
-
-type Searching<'p> = Box<dyn Search + 'p>;
-
-// The search borrows the problem; both live as long as the work on the partition.
-self_cell::self_cell!(
-    struct Running {
-        owner: Problem,
-        #[covariant]
-        dependent: Searching,
-    }
-);
+use crate::solve::{Running, Solution, Solver, Status, Stop};
 
 /// Contours that are tried in every order.
 const FEW: usize = 3;
