@@ -16,6 +16,8 @@
 
 #[path = "support/gcode.rs"]
 mod gcode;
+#[path = "support/outlines.rs"]
+mod outlines;
 #[path = "support/paths.rs"]
 mod paths;
 
@@ -24,21 +26,7 @@ use kerfway::job::{BestPath, Job, LoadOptions, MachineChoice, OutputKind, PlanOp
 use kerfway::machine::{Profile, preset};
 use kerfway::plan::{self, Move, Plan, Violation};
 use kerfway::sheet::{CommonCuts, Sheet};
-use std::fmt::Write;
-
-/// Closed polylines as a drawing.
-fn drawing(outlines: &[Vec<DVec2>]) -> Vec<u8> {
-    let mut text =
-        String::from("0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n");
-    for outline in outlines {
-        let _ = write!(text, "0\nLWPOLYLINE\n8\n0\n90\n{}\n70\n1\n", outline.len());
-        for p in outline {
-            let _ = write!(text, "10\n{}\n20\n{}\n", p.x, p.y);
-        }
-    }
-    text.push_str("0\nENDSEC\n0\nEOF\n");
-    text.into_bytes()
-}
+use outlines::{covers, drawing};
 
 fn rectangle([x, y, w, h]: [f64; 4]) -> Vec<DVec2> {
     [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|(dx, dy)| DVec2::new(x + dx, y + dy)).to_vec()
@@ -242,17 +230,7 @@ fn g_code_covers_every_outline() {
     for outlines in [grid(3, 2), bricks(), pinwheel()] {
         let mut job = job(&outlines, CommonCuts::Best, None);
         job.run_mut().unwrap().step(20_000);
-        let program = gcode::run(&job.output(OutputKind::Gcode).unwrap()).unwrap();
-        let burnt: Vec<_> = program.motions().filter(|m| m.beam > 0.0).map(|m| m.path).collect();
-        for outline in &outlines {
-            for (a, b) in outline.iter().zip(outline.iter().cycle().skip(1)) {
-                for k in 0..=20 {
-                    let p = a.lerp(*b, f64::from(k) / 20.0);
-                    let off = burnt.iter().map(|e| e.distance(p)).fold(f64::INFINITY, f64::min);
-                    assert!(off <= 0.01, "{p} is {off} mm from any cut");
-                }
-            }
-        }
+        covers(&outlines, &job.output(OutputKind::Gcode).unwrap());
     }
 }
 

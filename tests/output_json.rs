@@ -130,7 +130,13 @@ fn moves(document: &Value) -> Vec<Move> {
             Move::Air { to: at }
         }
         "pierce" => Move::Pierce,
-        "pre-cut" => Move::PreCut { contour: m["contour"].as_u64().unwrap() as u32, to: point(&m["to"]) },
+        "pre-cut" => {
+            let (contour, to) = (m["contour"].as_u64().unwrap() as u32, point(&m["to"]));
+            let mut from = to;
+            let ahead = m["ahead"].as_array().into_iter().flatten().map(|e| element(e, &mut from)).collect();
+            Move::PreCut { contour, to, ahead }
+        }
+        "macro" => Move::Macro { contour: m["contour"].as_u64().unwrap() as u32, at: point(&m["at"]) },
         "cut" => {
             let all = m["contour"].as_array().cloned().unwrap_or_else(|| vec![m["contour"].clone()]);
             let mut all = all.iter().map(|c| c.as_u64().unwrap() as u32);

@@ -363,7 +363,7 @@ fn faults_of_contours_left_unfinished() {
     beam(&after(&|m| drop(m.remove(cuts(m, 6)[0] + 1))), "cuts without piercing");
     beam(&after(&|m| m.insert(cuts(m, 6)[1], Move::Pierce)), "pierces where it goes on with a cut");
     beam(
-        &after(&|m| m.insert(cuts(m, 7)[0] + 1, Move::PreCut { contour: 7, to: p(0.0, 0.0) })),
+        &after(&|m| m.insert(cuts(m, 7)[0] + 1, Move::PreCut { contour: 7, to: p(0.0, 0.0), ahead: vec![] })),
         "makes a pre-cut where it leaves nothing unfinished",
     );
     // The last stretch of the plate is never cut.

@@ -82,8 +82,9 @@ impl BestPath {
 /// [`crate::plan::evaluate`], kept as they run.
 fn cutting_times(plan: &Plan, machine: &Profile, parts: &[Vec<f64>]) -> Vec<f64> {
     let air = AirTime::new(machine);
-    let mut parts = parts.iter();
-    let mut times = Vec::with_capacity(plan.moves.len());
+    // When each run begins and ends, pauses in sharp corners on the way.
+    let mut runs: Vec<[f64; 2]> = Vec::with_capacity(parts.len());
+    let mut goes_on = false;
     let (mut now, mut head) = (0.0, machine.home());
     for step in &plan.moves {
         match step {
@@ -96,22 +97,27 @@ fn cutting_times(plan: &Plan, machine: &Profile, parts: &[Vec<f64>]) -> Vec<f64>
                 now += machine.pre_cut_time.unwrap_or(0.0);
                 head = *to;
             }
+            Move::Macro { .. } => now += machine.sharp_corner.map_or(0.0, |c| c.time),
             Move::Cut { path, mark, .. } => {
-                let process = if *mark { &machine.mark } else { &machine.cut };
                 let begin = now + machine.beam_on_delay;
-                let seconds = cut_time(machine, process, path);
-                let lengths = parts.next().map_or(&[1.0][..], Vec::as_slice);
-                let all: f64 = lengths.iter().sum();
-                let mut gone = 0.0;
-                for length in lengths {
-                    let from = begin + seconds * (gone / all);
-                    gone += length;
-                    times.extend([from, begin + seconds * (gone / all)]);
+                let end = begin + cut_time(machine, machine.process(*mark), path);
+                match runs.last_mut().filter(|_| goes_on) {
+                    Some(run) => run[1] = end,
+                    None => runs.push([begin, end]),
                 }
-                let end = begin + seconds;
                 now = end + machine.beam_off_delay;
                 head = path.last().map_or(head, Segment::end);
             }
+        }
+        goes_on = matches!(step, Move::Macro { .. });
+    }
+    let mut times = Vec::with_capacity(2 * runs.len());
+    for ([begin, end], lengths) in runs.into_iter().zip(parts) {
+        let (all, mut gone) = (lengths.iter().sum::<f64>(), 0.0);
+        for length in lengths {
+            let from = begin + (end - begin) * (gone / all);
+            gone += length;
+            times.extend([from, begin + (end - begin) * (gone / all)]);
         }
     }
     times

@@ -8,11 +8,15 @@
 //! elements around it. Squares of speeds change by at most 2 a d over a distance d in either direction, so the
 //! profile with the stop is the least of the profile without it and both ramps, and the price is exact.
 //!
+//! In a sharp corner ([`super::SharpCorner`]) the head stops anyway, and waits; a run that is entered there does not cut it
+//! through, and saves the wait.
+//!
 //! The slowest place of the loop tells how little a stop can cost: that much is part of every run, and the extra
-//! seconds of a place are what it costs above that; never less than 0.
+//! seconds of a place are what it costs above that; never less than 0. With a sharp corner, a stop costs less than nothing:
+//! it saves the wait.
 
 use super::lookahead::{Run, corner_speed2, seconds};
-use super::profile::{Process, Profile};
+use super::profile::Profile;
 use crate::geometry::Segment;
 
 /// Places nearer than this to an element's end are that end, mm: as in `geometry/path.rs`.
@@ -21,12 +25,15 @@ const SNAP: f64 = 1e-9;
 /// The runs along a closed contour, from rest to rest at any of its places.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedRun {
-    accel: f64,
+    /// `None`: speeds change at once.
+    accel: Option<f64>,
     length: f64,
-    /// Seconds without any stop.
+    /// Seconds without any stop but those in sharp corners.
     through: f64,
-    /// Seconds that a stop costs at least.
+    /// Seconds that a stop costs at least; negative where it may save a wait in a sharp corner.
     stop: f64,
+    /// Seconds of that wait.
+    wait: f64,
     /// The same speed everywhere.
     even: bool,
     pieces: Vec<Piece>,
@@ -44,13 +51,17 @@ struct Piece {
     speed2: f64,
     /// Seconds along it, without any stop.
     seconds: f64,
+    /// It starts at a sharp corner.
+    sharp: bool,
 }
 
 impl ClosedRun {
-    /// The runs of a closed path with a process; `None` where stopping costs nothing, without an acceleration, and on
-    /// a path without length.
-    pub fn new(profile: &Profile, process: &Process, path: &[Segment]) -> Option<Self> {
-        let accel = process.accel?;
+    /// The runs of a closed path that is marked, or cut; `None` where stopping costs nothing, without an acceleration and
+    /// sharp corners, and on a path without length.
+    pub fn new(profile: &Profile, mark: bool, path: &[Segment]) -> Option<Self> {
+        let process = profile.process(mark);
+        let at_once = process.accel.is_none();
+        let accel = process.accel.unwrap_or(f64::INFINITY);
         let mut runs = Vec::with_capacity(path.len());
         let (mut pieces, mut length) = (Vec::with_capacity(path.len()), 0.0);
         for element in path {
@@ -63,7 +74,8 @@ impl ClosedRun {
                     length: run.length,
                     top2: run.top2,
                     speed2: f64::INFINITY,
-                    seconds: 0.0,
+                    seconds: run.length / process.speed,
+                    sharp: false,
                 });
                 runs.push(run);
             }
@@ -71,8 +83,21 @@ impl ClosedRun {
         let n = pieces.len();
         let mut before = runs.last()?;
         for (piece, run) in pieces.iter_mut().zip(&runs) {
-            piece.speed2 = corner_speed2(profile, accel, before, run);
+            piece.sharp = !mark && profile.is_sharp(before.leaves, run.enters);
+            if piece.sharp {
+                piece.speed2 = 0.0;
+            } else if !at_once {
+                piece.speed2 = corner_speed2(profile, accel, before, run);
+            }
             before = run;
+        }
+        let sharp = pieces.iter().filter(|p| p.sharp).count();
+        let wait = profile.macro_seconds();
+        let saved = if sharp > 0 { wait } else { 0.0 };
+        if at_once {
+            let through = pieces.iter().map(|p| p.seconds).sum::<f64>() + sharp as f64 * wait;
+            let run = Self { accel: None, length, through, stop: -saved, wait, even: false, pieces };
+            return (sharp > 0).then_some(run);
         }
         // The slowest corner is run at its own limit: both passes may start there.
         let slowest = (0..n).fold(0, |s, i| if pieces[i].speed2 < pieces[s].speed2 { i } else { s });
@@ -94,8 +119,8 @@ impl ClosedRun {
         } else {
             0.0
         };
-        let through = pieces.iter().map(|p| p.seconds).sum();
-        Some(Self { accel, length, through, stop, even, pieces })
+        let through = pieces.iter().map(|p| p.seconds).sum::<f64>() + sharp as f64 * wait;
+        Some(Self { accel: Some(accel), length, through, stop: stop - saved, wait, even, pieces })
     }
 
     /// Seconds that the run takes at least, wherever it is entered.
@@ -104,7 +129,7 @@ impl ClosedRun {
     }
 
     /// Seconds on top of [`ClosedRun::least`] when entered `along` mm from the path's start. Together they are
-    /// [`super::cut_time`] of the path re-cut to start there.
+    /// [`super::work_time`] of the path re-cut to start there.
     pub fn extra(&self, along: f64) -> f64 {
         if self.even {
             return 0.0;
@@ -118,36 +143,49 @@ impl ClosedRun {
             at = 0.0;
         }
         let whole = self.pieces[i];
-        let mut change = 0.0;
+        let saved = if whole.sharp && at <= 0.0 { self.wait } else { 0.0 };
+        let Some(accel) = self.accel else { return (-saved - self.stop).max(0.0) };
+        let mut change = -saved;
         let (mut ahead, mut d) = (i, 0.0);
         // Pieces that are run whole, forwards or back.
         let mut left = n;
         if at > 0.0 {
             left -= 1;
             (ahead, d) = ((i + 1) % n, whole.length - at);
-            change = seconds(d, whole.top2, 0.0, self.slowed2(ahead, d), self.accel)
-                + seconds(at, whole.top2, self.slowed2(i, at), 0.0, self.accel)
+            change += seconds(d, whole.top2, 0.0, self.slowed2(accel, ahead, d), accel)
+                + seconds(at, whole.top2, self.slowed2(accel, i, at), 0.0, accel)
                 - whole.seconds;
         }
-        while left > 0 && 2.0 * self.accel * d < self.pieces[ahead].speed2 {
+        while left > 0 && 2.0 * accel * d < self.pieces[ahead].speed2 {
             let next = (ahead + 1) % n;
             let there = d + self.pieces[ahead].length;
-            change += self.slower(ahead, self.slowed2(ahead, d), self.slowed2(next, there));
+            change +=
+                self.slower(accel, ahead, self.slowed2(accel, ahead, d), self.slowed2(accel, next, there));
             (ahead, d, left) = (next, there, left - 1);
         }
         let (mut behind, mut d) = (i, at);
-        while left > 0 && 2.0 * self.accel * d < self.pieces[behind].speed2 {
+        while left > 0 && 2.0 * accel * d < self.pieces[behind].speed2 {
             let previous = (behind + n - 1) % n;
             let there = d + self.pieces[previous].length;
-            change += self.slower(previous, self.slowed2(previous, there), self.slowed2(behind, d));
+            change += self.slower(
+                accel,
+                previous,
+                self.slowed2(accel, previous, there),
+                self.slowed2(accel, behind, d),
+            );
             (behind, d, left) = (previous, there, left - 1);
         }
         (change - self.stop).max(0.0)
     }
 
-    /// Seconds that each stop on the way takes at least; [`ClosedRun::least`] holds one.
+    /// Seconds that each stop on the way takes at least; [`ClosedRun::least`] holds one. Negative where it saves a wait.
     pub fn stop(&self) -> f64 {
         self.stop
+    }
+
+    /// Sharp corners in it.
+    pub fn sharp(&self) -> usize {
+        self.pieces.iter().filter(|p| p.sharp).count()
     }
 
     /// Whether the run takes the same from wherever it is entered, as on a circle.
@@ -161,15 +199,15 @@ impl ClosedRun {
     }
 
     /// Square of the speed at the start of piece `i`, `d` mm one way round from the stop.
-    fn slowed2(&self, i: usize, d: f64) -> f64 {
-        let ramp2 = 2.0 * self.accel * d.min(self.length - d).max(0.0);
+    fn slowed2(&self, accel: f64, i: usize, d: f64) -> f64 {
+        let ramp2 = 2.0 * accel * d.min(self.length - d).max(0.0);
         self.pieces[i].speed2.min(ramp2)
     }
 
     /// Seconds by which piece `i` takes longer between these speeds than without the stop.
-    fn slower(&self, i: usize, from2: f64, to2: f64) -> f64 {
+    fn slower(&self, accel: f64, i: usize, from2: f64, to2: f64) -> f64 {
         let p = &self.pieces[i];
-        seconds(p.length, p.top2, from2, to2, self.accel) - p.seconds
+        seconds(p.length, p.top2, from2, to2, accel) - p.seconds
     }
 }
 

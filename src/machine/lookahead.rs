@@ -38,14 +38,24 @@ pub fn cut_time(profile: &Profile, process: &Process, path: &[Segment]) -> f64 {
     runs.iter().zip(speed2.windows(2)).map(|(r, v2)| seconds(r.length, r.top2, v2[0], v2[1], accel)).sum()
 }
 
+/// Seconds to cut or mark along `path` with the pauses in sharp corners on the way.
+pub fn work_time(profile: &Profile, mark: bool, path: &[Segment]) -> f64 {
+    let process = profile.process(mark);
+    if mark {
+        return cut_time(profile, process, path);
+    }
+    let runs = profile.runs(path).map(|run| cut_time(profile, process, run));
+    runs.reduce(|sum, seconds| sum + profile.macro_seconds() + seconds).unwrap_or(0.0)
+}
+
 /// One element as the look-ahead sees it.
 pub(super) struct Run {
     pub(super) length: f64,
     /// Square of the highest speed along it.
     pub(super) top2: f64,
     /// Unit direction at its start and end.
-    enters: DVec2,
-    leaves: DVec2,
+    pub(super) enters: DVec2,
+    pub(super) leaves: DVec2,
 }
 
 impl Run {

@@ -1,13 +1,16 @@
 //! The machine: what it can do ([`Profile`]), and the seconds that follow from it ([`air_time`], [`cut_time`]).
 
 mod closed_run;
+mod corner;
 mod lookahead;
 mod motion;
 mod presets;
 mod profile;
 
 pub use closed_run::ClosedRun;
-pub use lookahead::cut_time;
+pub(crate) use corner::MARGIN;
+pub use corner::SharpCorner;
+pub use lookahead::{cut_time, work_time};
 pub use motion::{AirTime, air_time};
 pub use presets::{preset, presets};
 pub use profile::{Axes, Dialect, Process, Profile, ProfileError, Travel};

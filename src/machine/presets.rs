@@ -5,7 +5,9 @@
 //! 0.010 mm by default) and `$30` (full power, 1000) in the GRBL wiki; data sheets and cutting tables that makers
 //! of such machines publish. Each figure has its own reason beside it.
 
+use super::corner::SharpCorner;
 use super::profile::{Axes, Dialect, Process, Profile, Travel, VERSION};
+use std::f64::consts::PI;
 
 /// Every preset, the default first.
 pub fn presets() -> Vec<Profile> {
@@ -14,6 +16,7 @@ pub fn presets() -> Vec<Profile> {
         diode_hobby(),
         fibre_3kw_thin(),
         fibre_6kw_thick(),
+        fibre_6kw_plate(),
         length("length", "Length only: air moves in mm along straight lines", Travel::Vector),
         length("length-chebyshev", "Length only: air moves in mm of the longer axis", Travel::PerAxis),
         Profile {
@@ -53,6 +56,8 @@ fn co2_100w() -> Profile {
         // Acrylic is pierced while the tube comes up.
         pierce_time: 0.1,
         pre_cut_time: None,
+        pre_cut_length: 0.0,
+        sharp_corner: None,
         // Rise and fall of a high-voltage CO2 supply: a few ms.
         beam_on_delay: 0.005,
         beam_off_delay: 0.005,
@@ -84,6 +89,8 @@ fn diode_hobby() -> Profile {
         // With M4 the head starts at once; at 5 mm/s the beam pierces on the way.
         pierce_time: 0.0,
         pre_cut_time: None,
+        pre_cut_length: 0.0,
+        sharp_corner: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         dialect: Dialect::GrblM4,
@@ -116,6 +123,8 @@ fn fibre_3kw_thin() -> Profile {
         // Thin sheet is pierced in one pulse.
         pierce_time: 0.1,
         pre_cut_time: None,
+        pre_cut_length: 0.0,
+        sharp_corner: None,
         // Gas and height control settle.
         beam_on_delay: 0.05,
         beam_off_delay: 0.02,
@@ -135,10 +144,31 @@ fn fibre_6kw_thick() -> Profile {
         // Staged piercing of 12 mm: half a second to a second.
         pierce_time: 0.8,
         pre_cut_time: None,
+        pre_cut_length: 0.0,
+        sharp_corner: None,
         // Oxygen builds up and is blown off again.
         beam_on_delay: 0.2,
         beam_off_delay: 0.1,
         ..fibre_3kw_thin()
+    }
+}
+
+/// A 6 kW fibre laser on thick plate: 20 mm mild steel with oxygen. Piercing is dear enough that contours are left and resumed,
+/// and corners burn.
+fn fibre_6kw_plate() -> Profile {
+    Profile {
+        name: "fibre-6kw-plate".to_owned(),
+        title: "Fibre laser, 6 kW, 20 mm mild steel, oxygen".to_owned(),
+        // About 0.9 m/min for 20 mm in cutting tables.
+        cut: Process { speed: 15.0, accel: Some(3000.0), power: 0.9 },
+        // Staged piercing of 20 mm: two to three seconds.
+        pierce_time: 2.5,
+        // 4 mm at cutting speed, there and back dark, with the beam off and on.
+        pre_cut_time: Some(0.6),
+        pre_cut_length: 4.0,
+        // Points of less than 75 degrees burn off in plate; a second lets them cool.
+        sharp_corner: Some(SharpCorner { angle: 75.0 * PI / 180.0, time: 1.0 }),
+        ..fibre_6kw_thick()
     }
 }
 
@@ -157,6 +187,8 @@ fn length(name: &str, title: &str, travel: Travel) -> Profile {
         junction_deviation: None,
         pierce_time: 0.0,
         pre_cut_time: None,
+        pre_cut_length: 0.0,
+        sharp_corner: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         dialect: Dialect::GrblM4,

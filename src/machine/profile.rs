@@ -1,7 +1,9 @@
 //! The machine profile: versioned data in mm, s and rad.
 
+use super::corner::SharpCorner;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
 
 /// How the axes move on an air move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -76,6 +78,12 @@ pub struct Profile {
     /// contours are cut in one go.
     #[serde(default)]
     pub pre_cut_time: Option<f64>,
+    /// How far a pre-cut reaches into the contour, mm: cut there and back within [`Profile::pre_cut_time`].
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub pre_cut_length: f64,
+    /// Which corners are cut with a pause; `None`: none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sharp_corner: Option<SharpCorner>,
     /// Beam settling before a cut, s.
     pub beam_on_delay: f64,
     /// Beam settling after a cut, s.
@@ -86,7 +94,17 @@ pub struct Profile {
     pub max_s: f64,
 }
 
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
+fn is_zero(length: &f64) -> bool {
+    length.total_cmp(&0.0).is_eq()
+}
+
 impl Profile {
+    /// What the beam does along a contour that is marked, or cut.
+    pub fn process(&self, mark: bool) -> &Process {
+        if mark { &self.mark } else { &self.cut }
+    }
+
     /// Whether it makes pre-cuts that cost something: then contours that share cuts are cut as one.
     pub fn makes_pre_cuts(&self) -> bool {
         self.pre_cut_time.is_some_and(|seconds| seconds > 0.0)
@@ -136,6 +154,7 @@ struct Rule {
 const POSITIVE: Rule = Rule { words: "a number above 0", holds: |v| v.is_finite() && v > 0.0 };
 const NOT_NEGATIVE: Rule = Rule { words: "0 or a number above it", holds: |v| v.is_finite() && v >= 0.0 };
 const FRACTION: Rule = Rule { words: "a number from 0 to 1", holds: |v| (0.0..=1.0).contains(&v) };
+const ANGLE: Rule = Rule { words: "an angle from 0 to pi, in rad", holds: |v| (0.0..=PI).contains(&v) };
 /// Larger than any cutting table; keeps sums of squares far from overflow.
 const PLACE: Rule = Rule { words: "a place within 1 km of the origin, in mm", holds: |v| v.abs() <= 1e6 };
 
@@ -163,6 +182,9 @@ impl Profile {
             ("junction_deviation", self.junction_deviation.unwrap_or(0.0), NOT_NEGATIVE),
             ("pierce_time", self.pierce_time, NOT_NEGATIVE),
             ("pre_cut_time", self.pre_cut_time.unwrap_or(0.0), NOT_NEGATIVE),
+            ("pre_cut_length", self.pre_cut_length, NOT_NEGATIVE),
+            ("sharp_corner.angle", self.sharp_corner.map_or(0.0, |c| c.angle), ANGLE),
+            ("sharp_corner.time", self.sharp_corner.map_or(0.0, |c| c.time), NOT_NEGATIVE),
             ("beam_on_delay", self.beam_on_delay, NOT_NEGATIVE),
             ("beam_off_delay", self.beam_off_delay, NOT_NEGATIVE),
             ("max_s", self.max_s, POSITIVE),

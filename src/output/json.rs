@@ -168,10 +168,24 @@ struct ContourView<'a> {
 #[derive(Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 enum MoveView<'a> {
-    Air { to: Place },
+    Air {
+        to: Place,
+    },
     Pierce,
-    PreCut { contour: u32, to: Place },
-    Cut { contour: Named, path: PathView<'a> },
+    PreCut {
+        contour: u32,
+        to: Place,
+        #[serde(skip_serializing_if = "PathView::is_empty")]
+        ahead: PathView<'a>,
+    },
+    Macro {
+        contour: u32,
+        at: Place,
+    },
+    Cut {
+        contour: Named,
+        path: PathView<'a>,
+    },
 }
 
 /// The contours of a cut: one number, or a list where it runs through a pierce group.
@@ -203,6 +217,12 @@ struct Place(DVec2);
 
 /// Elements, turned into their views as they are written.
 struct PathView<'a>(&'a [Segment]);
+
+impl PathView<'_> {
+    fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
 
 impl Serialize for Place {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -313,7 +333,10 @@ impl<'a> View<'a> {
                 .map(|step| match step {
                     Move::Air { to } => MoveView::Air { to: Place(*to) },
                     Move::Pierce => MoveView::Pierce,
-                    Move::PreCut { contour, to } => MoveView::PreCut { contour: *contour, to: Place(*to) },
+                    Move::PreCut { contour, to, ahead } => {
+                        MoveView::PreCut { contour: *contour, to: Place(*to), ahead: PathView(ahead) }
+                    }
+                    Move::Macro { contour, at } => MoveView::Macro { contour: *contour, at: Place(*at) },
                     Move::Cut { contour, with, path, .. } => {
                         MoveView::Cut { contour: Named::of(*contour, with), path: PathView(path) }
                     }

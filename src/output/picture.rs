@@ -58,6 +58,7 @@ enum Move {
     Air { to: [f64; 2] },
     Pierce,
     PreCut { to: [f64; 2] },
+    Macro,
     Cut { contour: Contours, path: Vec<Element> },
 }
 
@@ -94,7 +95,7 @@ impl Picture {
                     at = point(to);
                     strokes.push(Stroke::Air { from, to: at });
                 }
-                Move::Pierce => {}
+                Move::Pierce | Move::Macro => {}
                 Move::PreCut { to } => {
                     at = point(to);
                     strokes.push(Stroke::Beam { contour: None, path: vec![Segment::line(from, at)] });

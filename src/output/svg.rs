@@ -58,7 +58,7 @@ pub fn svg(plan: &Plan, sheet: &Sheet, profile: &Profile) -> String {
 fn reach(plan: &Plan, home: DVec2) -> Aabb {
     plan.moves.iter().fold(Aabb::of(home), |b, step| match step {
         Move::Air { to } | Move::PreCut { to, .. } => b.with(*to),
-        Move::Pierce => b,
+        Move::Pierce | Move::Macro { .. } => b,
         Move::Cut { path, .. } => path.iter().fold(b, |b, s| b.union(s.bounds())),
     })
 }
@@ -77,14 +77,14 @@ fn style(out: &mut String, width: f64) {
 }
 
 fn contours(out: &mut String, plan: &Plan, sheet: &Sheet) {
-    for (order, cut) in cuts(plan).enumerate() {
-        let Cut { contour, entry, path, mark } = cut;
+    for (order, cut) in cuts(plan).iter().enumerate() {
+        let &Cut { contour, entry, ref path, mark } = cut;
         let class = if mark { "mark" } else { "cut" };
         let _ = write!(out, "<path class=\"{class}\" d=\"M{}", Point(entry));
-        for segment in path {
+        for segment in path.iter() {
             element(out, segment);
         }
-        let end = if closes(sheet, &cut) { "Z" } else { "" };
+        let end = if closes(sheet, cut) { "Z" } else { "" };
         let (order, layer) = (order + 1, Escaped(layer_name(sheet, contour)));
         let _ = writeln!(out, "{end}\"><title>{order}: contour {contour}, layer {layer}</title></path>");
     }
@@ -115,7 +115,7 @@ fn air(out: &mut String, plan: &Plan, home: DVec2) {
                 let _ = write!(out, "M{}L{}", Point(at), Point(*to));
                 at = *to;
             }
-            Move::Pierce => {}
+            Move::Pierce | Move::Macro { .. } => {}
             Move::PreCut { to, .. } => at = *to,
             Move::Cut { path, .. } => at = path.last().map_or(at, Segment::end),
         }
@@ -124,7 +124,7 @@ fn air(out: &mut String, plan: &Plan, home: DVec2) {
 }
 
 fn entries(out: &mut String, plan: &Plan, width: f64) {
-    let places: Vec<DVec2> = cuts(plan).map(|c| c.entry).collect();
+    let places: Vec<DVec2> = cuts(plan).iter().map(|c| c.entry).collect();
     out.push_str("<path class=\"entry\" d=\"");
     for p in &places {
         let _ = write!(out, "M{}h0", Point(*p));

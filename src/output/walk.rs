@@ -3,29 +3,39 @@
 use crate::geometry::{DVec2, Segment};
 use crate::plan::{Move, Plan};
 use crate::sheet::Sheet;
+use std::borrow::Cow;
 
 /// A cut or mark of a plan: all of a contour, or a stretch of one that is left unfinished.
-#[derive(Clone, Copy)]
 pub(super) struct Cut<'a> {
     /// The contour's id.
     pub(super) contour: u32,
     /// Where it is entered, mm.
     pub(super) entry: DVec2,
-    /// Its elements from the entry on; never empty.
-    pub(super) path: &'a [Segment],
+    /// Its elements from the entry on; never empty. Pauses in sharp corners interrupt nothing.
+    pub(super) path: Cow<'a, [Segment]>,
     /// Marks instead of cutting through.
     pub(super) mark: bool,
 }
 
 /// The cuts and marks of a plan, in order.
-pub(super) fn cuts(plan: &Plan) -> impl Iterator<Item = Cut<'_>> {
-    plan.moves.iter().filter_map(|step| match step {
-        Move::Cut { contour, path, mark, .. } => {
-            let entry = path.first()?.start();
-            Some(Cut { contour: *contour, entry, path, mark: *mark })
+pub(super) fn cuts(plan: &Plan) -> Vec<Cut<'_>> {
+    let mut all: Vec<Cut> = Vec::with_capacity(plan.moves.len());
+    let mut goes_on = false;
+    for step in &plan.moves {
+        if let Move::Cut { contour, path, mark, .. } = step
+            && let Some(first) = path.first()
+        {
+            match all.last_mut().filter(|_| goes_on) {
+                Some(before) => before.path.to_mut().extend_from_slice(path),
+                None => {
+                    let (contour, mark) = (*contour, *mark);
+                    all.push(Cut { contour, entry: first.start(), path: Cow::Borrowed(path), mark });
+                }
+            }
         }
-        Move::Air { .. } | Move::Pierce | Move::PreCut { .. } => None,
-    })
+        goes_on = matches!(step, Move::Macro { .. });
+    }
+    all
 }
 
 /// The name of a contour's layer; empty when the sheet does not know it.

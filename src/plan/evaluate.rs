@@ -31,9 +31,9 @@ pub fn evaluate(moves: &[Move], machine: &Profile) -> Summary {
                 sum.pre_cut_time += machine.pre_cut_time.unwrap_or(0.0);
                 head = *to;
             }
+            Move::Macro { .. } => sum.macro_time += machine.sharp_corner.map_or(0.0, |c| c.time),
             Move::Cut { contour, with, path, mark } => {
                 let (Some(first), Some(last)) = (path.first(), path.last()) else { continue };
-                let process = if *mark { &machine.mark } else { &machine.cut };
                 for contour in with.iter().chain([contour]).map(|&c| c as usize) {
                     if contour >= worked.len() {
                         worked.resize(contour + 1, None);
@@ -41,8 +41,8 @@ pub fn evaluate(moves: &[Move], machine: &Profile) -> Summary {
                     worked[contour] = Some((worked[contour].map_or(first.start(), |w| w.0), last.end()));
                 }
                 sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
-                sum.cut_time += cut_time(machine, process, path);
-                sum.pierce_time += machine.beam_on_delay + machine.beam_off_delay;
+                sum.cut_time += cut_time(machine, machine.process(*mark), path);
+                sum.pierce_time += machine.beam_delays();
                 bounds = path.iter().fold(bounds, |b, s| b.union(s.bounds()));
                 head = last.end();
             }

@@ -3,14 +3,15 @@
 use super::evaluate::evaluate;
 use super::model::{Move, Plan};
 use crate::geometry::{DVec2, Path, Segment};
-use crate::problem::{Problem, Span, Stroke, SubPath};
+use crate::machine::Profile;
+use crate::problem::{Problem, Stroke, SubPath};
 use crate::sheet::{Operation, Sheet};
 use crate::solve::{Solution, Stop};
 
 /// The moves of a solution, with their sums. `solution` is one of `problem`, `problem` one of `sheet`.
 ///
 /// Cuts are pierced, marks are not. A contour that is left unfinished gets a pre-cut where it is left, if the machine
-/// charges for them, and is resumed without piercing. There is no air move where the head is in place already.
+/// charges for them, and is resumed without piercing. A cut pauses in sharp corners. There is no air move where the head is in place already.
 pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> Plan {
     let mut moves = Vec::with_capacity(3 * solution.stops.len() + 1);
     let mut head = problem.home;
@@ -23,7 +24,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         let Some(known) = sheet.contours.get(contour as usize) else { continue };
         if let Some(way) = problem.items.get(contour as usize).and_then(|i| i.path(stop.along)) {
             go(&mut moves, &mut head, way.ends[0]);
-            through(&mut moves, way);
+            through(&mut moves, &problem.machine, way);
             head = way.ends[1];
             continue;
         }
@@ -36,13 +37,18 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         if !mark && !resumed {
             moves.push(Move::Pierce);
         }
-        moves.push(Move::Cut { contour, with: Vec::new(), path, mark });
+        if mark {
+            moves.push(Move::Cut { contour, with: Vec::new(), path, mark });
+        } else {
+            cut(&mut moves, &problem.machine, &path, |_| contour);
+        }
         head = exit;
         let start = *begun[contour as usize].get_or_insert(stop.along);
         #[expect(clippy::float_cmp, reason = "the last visit ends where the first began, bit for bit")]
         let left = stop.until != start;
         if left && pre_cuts {
-            moves.push(Move::PreCut { contour, to: head });
+            let ahead = ahead(&known.path, stop, start, problem.machine.pre_cut_length);
+            moves.push(Move::PreCut { contour, to: head, ahead });
         }
     }
     if problem.closed {
@@ -59,25 +65,47 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
 }
 
 /// What the head does in a pierce group, once it is there.
-fn through(moves: &mut Vec<Move>, way: &SubPath) {
+fn through(moves: &mut Vec<Move>, machine: &Profile, way: &SubPath) {
     let mut head = way.ends[0];
     for stroke in &way.strokes {
         match stroke {
             Stroke::Air(to) => go(moves, &mut head, *to),
             Stroke::Pierce => moves.push(Move::Pierce),
-            Stroke::PreCut(contour) => moves.push(Move::PreCut { contour: *contour, to: head }),
+            Stroke::PreCut { contour, ahead } => {
+                moves.push(Move::PreCut { contour: *contour, to: head, ahead: ahead.clone() });
+            }
             Stroke::Cut { spans, path } => {
-                let Some(&Span { contour, .. }) = spans.first() else { continue };
-                let mut with = Vec::new();
-                for other in spans.iter().map(|s| s.contour) {
-                    if other != contour && !with.contains(&other) {
-                        with.push(other);
-                    }
-                }
+                let whose = spans.iter().flat_map(|s| std::iter::repeat_n(s.contour, s.elements));
+                let whose: Vec<u32> = whose.collect();
+                cut(moves, machine, path, |element| whose.get(element).copied().unwrap_or_default());
                 head = path.last().map_or(head, Segment::end);
-                moves.push(Move::Cut { contour, with, path: path.clone(), mark: false });
             }
         }
+    }
+}
+
+/// What a pre-cut reaches of what is left of a contour, half of that at most.
+fn ahead(path: &Path, stop: &Stop, start: f64, length: f64) -> Vec<Segment> {
+    let rest = Path::new(path.between(stop.until, start), false);
+    if length > 0.0 { rest.between(0.0, length.min(0.5 * rest.length())) } else { Vec::new() }
+}
+
+/// Cuts along elements, of contours that `whose` tells, with a macro in each sharp corner.
+fn cut(moves: &mut Vec<Move>, machine: &Profile, path: &[Segment], whose: impl Fn(usize) -> u32) {
+    let mut done = 0;
+    for run in machine.runs(path) {
+        let Some(first) = run.first() else { continue };
+        if done > 0 {
+            moves.push(Move::Macro { contour: whose(done - 1), at: first.start() });
+        }
+        let (contour, mut with) = (whose(done), Vec::new());
+        for other in (done..done + run.len()).map(&whose) {
+            if other != contour && !with.contains(&other) {
+                with.push(other);
+            }
+        }
+        moves.push(Move::Cut { contour, with, path: run.to_vec(), mark: false });
+        done += run.len();
     }
 }
 

@@ -19,6 +19,15 @@ pub enum Move {
         contour: u32,
         /// Where to, mm.
         to: DVec2,
+        /// What is cut ahead from there, before the head comes back dark; empty where pre-cuts have no length.
+        ahead: Vec<Segment>,
+    },
+    /// A pause in a sharp corner, beam off; the next move goes on with the cut.
+    Macro {
+        /// The contour's id.
+        contour: u32,
+        /// The corner, mm.
+        at: DVec2,
     },
     /// Beam on along a contour, or a stretch of it: a contour left unfinished goes on in a later cut from where this one
     /// ended.

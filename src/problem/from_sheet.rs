@@ -4,7 +4,7 @@ use super::entries::entries;
 use super::groups::Groups;
 use super::model::{Item, ItemId, Node, NodeId, Problem};
 use super::pierce_groups::PierceGroups;
-use crate::machine::{ClosedRun, Process, Profile, cut_time};
+use crate::machine::{ClosedRun, Profile, work_time};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
 
@@ -81,25 +81,21 @@ fn count(nodes: &[Node]) -> NodeId {
 
 /// Fixed seconds of a contour, and what they depend on.
 fn seconds(machine: &Profile, contour: &Contour) -> (f64, Option<ClosedRun>) {
-    let (process, pierce): (&Process, f64) = match contour.operation {
-        Operation::Cut => (&machine.cut, machine.pierce_time),
-        Operation::Mark | Operation::Ignore => (&machine.mark, 0.0),
-    };
-    let delays = machine.beam_on_delay + machine.beam_off_delay;
+    let mark = contour.operation != Operation::Cut;
+    let pierce = if mark { 0.0 } else { machine.pierce_time };
     let path = &contour.path;
-    let run = if path.closed { ClosedRun::new(machine, process, &path.segments) } else { None };
-    let least = run.as_ref().map_or_else(|| cut_time(machine, process, &path.segments), ClosedRun::least);
-    (pierce + delays + least, run)
+    let run = if path.closed { ClosedRun::new(machine, mark, &path.segments) } else { None };
+    let least = run.as_ref().map_or_else(|| work_time(machine, mark, &path.segments), ClosedRun::least);
+    (pierce + machine.beam_delays() + least, run)
 }
 
 /// Leaving a contour and resuming it: the pre-cut, and the beam once more off and on. Marks and open contours are run
 /// in one go.
 fn leave_seconds(machine: &Profile, contour: &Contour) -> Option<f64> {
-    let delays = machine.beam_on_delay + machine.beam_off_delay;
     machine
         .pre_cut_time
         .filter(|_| contour.path.closed && contour.operation == Operation::Cut)
-        .map(|pre_cut| pre_cut + delays)
+        .map(|pre_cut| pre_cut + machine.beam_delays())
 }
 
 /// The parts as groups, those in holes within those around them.

@@ -35,6 +35,8 @@ pub(crate) fn machine() -> Profile {
         mark: Process { speed: 100.0, accel: Some(1000.0), power: 0.2 },
         junction_deviation: Some(0.02),
         pierce_time: 0.5,
+        pre_cut_length: 0.0,
+        sharp_corner: None,
         pre_cut_time: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
@@ -257,7 +259,7 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
         let rest: Vec<Segment> =
             [cut.piece(f, 1.0)].into_iter().chain(path[at + 1..].iter().copied()).collect();
         let to = rest[0].start();
-        moves.extend([stretch(first), Move::PreCut { contour: *contour, to }]);
+        moves.extend([stretch(first), Move::PreCut { contour: *contour, to, ahead: vec![] }]);
         unfinished = Some(stretch(rest));
     }
     // No cut came after it: it goes on before the way home.
@@ -278,7 +280,7 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
                 head = *to;
             }
             Move::Cut { path, .. } => head = path[path.len() - 1].end(),
-            Move::Pierce | Move::PreCut { .. } => {}
+            Move::Pierce | Move::PreCut { .. } | Move::Macro { .. } => {}
         }
     }
     Plan { moves, summary }

@@ -139,6 +139,10 @@ export interface MachineProfile {
    * 0: left free of charge; null or nothing: contours are cut in one go.
    */
   pre_cut_time?: number | null;
+  /** How far a pre-cut reaches into the contour, mm: cut there and back within `pre_cut_time`. Default 0. */
+  pre_cut_length?: number;
+  /** Cuts pause for `time` seconds in corners of less than `angle` rad; null or nothing: nowhere. */
+  sharp_corner?: { angle: number; time: number } | null;
   beam_on_delay: number;
   beam_off_delay: number;
   dialect: 'grbl-m4';

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::geometry::{Arc, DVec2, Path, math};
-use crate::machine::{cut_time, presets};
+use crate::machine::{SharpCorner, presets, work_time};
 use std::f64::consts::{PI, TAU};
 
 fn polygon(points: &[(f64, f64)]) -> Path {
@@ -76,13 +76,18 @@ fn shapes() -> Vec<(&'static str, Path)> {
 #[test]
 fn extra_seconds_are_those_of_the_path_started_there() {
     for mut profile in presets() {
-        for deviation in [profile.junction_deviation, None, Some(0.0), Some(0.4)] {
+        let free = profile.junction_deviation;
+        // The last two: waits in the corners of the triangle, and in those of the square, too.
+        let settings =
+            [(free, 0.0), (None, 0.0), (Some(0.0), 0.0), (Some(0.4), 0.0), (free, 1.5), (None, 1.6)];
+        for (deviation, angle) in settings {
             profile.junction_deviation = deviation;
+            profile.sharp_corner = (angle > 0.0).then_some(SharpCorner { angle, time: 0.7 });
             for (name, path) in shapes() {
-                for process in [&profile.cut, &profile.mark] {
-                    let time = |along: f64| cut_time(&profile, process, &path.starting_at(along).segments);
-                    let Some(run) = ClosedRun::new(&profile, process, &path.segments) else {
-                        assert_eq!(process.accel, None);
+                for mark in [false, true] {
+                    let time = |along: f64| work_time(&profile, mark, &path.starting_at(along).segments);
+                    let Some(run) = ClosedRun::new(&profile, mark, &path.segments) else {
+                        assert_eq!(profile.process(mark).accel, None);
                         continue;
                     };
                     let length = path.length();
@@ -110,7 +115,7 @@ fn extra_seconds_are_those_of_the_path_started_there() {
 fn a_sharp_corner_costs_next_to_nothing_and_the_middle_of_a_side_a_stop() {
     let profile = presets().swap_remove(0);
     let (_, square) = shapes().swap_remove(0);
-    let run = ClosedRun::new(&profile, &profile.cut, &square.segments).unwrap();
+    let run = ClosedRun::new(&profile, false, &square.segments).unwrap();
     let (v, a) = (35.0, 2000.0);
     // To stop and to come back to v takes v / a each, over v^2 / 2a each, which take half of that at speed.
     let middle = run.extra(20.0) + run.stop;
@@ -127,12 +132,12 @@ fn a_sharp_corner_costs_next_to_nothing_and_the_middle_of_a_side_a_stop() {
 fn what_is_the_same_everywhere_has_no_price() {
     for profile in presets() {
         let circle = [Segment::Arc(Arc::circle(DVec2::ONE, 5.0))];
-        let run = ClosedRun::new(&profile, &profile.cut, &circle);
+        let run = ClosedRun::new(&profile, false, &circle);
         assert!(run.is_none_or(|r| r.is_even() && r.extra(1.0) == 0.0));
-        assert_eq!(ClosedRun::new(&profile, &profile.cut, &[]), None);
+        assert_eq!(ClosedRun::new(&profile, false, &[]), None);
         let point = [Segment::line(DVec2::ONE, DVec2::ONE)];
-        assert_eq!(ClosedRun::new(&profile, &profile.cut, &point), None);
+        assert_eq!(ClosedRun::new(&profile, false, &point), None);
     }
     let length = presets().into_iter().find(|p| p.name == "length").unwrap();
-    assert_eq!(ClosedRun::new(&length, &length.cut, &shapes()[0].1.segments), None);
+    assert_eq!(ClosedRun::new(&length, false, &shapes()[0].1.segments), None);
 }

@@ -35,9 +35,9 @@ const BULGE_DECIMALS: usize = 12;
 pub fn dxf(plan: &Plan, sheet: &Sheet) -> String {
     let layers = Layers::of(sheet);
     let mut tags = Tags::default();
-    frame::before_entities(&mut tags, plan.summary.bounds, &layers, cuts(plan).count());
+    frame::before_entities(&mut tags, plan.summary.bounds, &layers, cuts(plan).len());
     for cut in cuts(plan) {
-        polyline(&mut tags, layers.of_contour(sheet, cut.contour), cut.path, closes(sheet, &cut));
+        polyline(&mut tags, layers.of_contour(sheet, cut.contour), &cut.path, closes(sheet, &cut));
     }
     frame::after_entities(&mut tags);
     tags.into_text()

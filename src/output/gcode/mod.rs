@@ -11,7 +11,9 @@
 //! power. The settling time of the beam before a cut is part of that dwell; the one after a cut is a dwell at S0.
 //!
 //! **Contours left unfinished** go on with the beam as it comes, under M4 and without the dwell of a pierce: a cut that no
-//! pierce precedes is resumed from its pre-cut.
+//! pierce precedes is resumed from its pre-cut. A pre-cut with a length is cut ahead, and the head comes back dark.
+//!
+//! **Sharp corners** are a dwell with the beam off in the corner (`S0`, `G4 P..`); the cut goes on as the beam comes.
 //!
 //! **Comments** begin with a semicolon, which nests in nothing and needs no closing. GRBL picks its real-time commands
 //! (`?`, `!`, `~`, and every byte from 0x80) out of the stream before it knows of comments, so names are written in
@@ -50,23 +52,31 @@ fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
         Some((Move::Air { to }, work)) => (work, Some(*to)),
         _ => (plan.moves.as_slice(), None),
     };
-    let all = cuts(plan).count();
-    let (mut order, mut pierce) = (0, 0.0);
+    let all = cuts(plan).len();
+    let (mut order, mut pierce, mut goes_on) = (0, 0.0, false);
     for step in work {
         match step {
             Move::Air { to } => pen.rapid(*to),
             Move::Pierce => pierce += profile.pierce_time,
-            // A charge of time at the end of a cut, without a length of its own: nothing to burn.
+            // Where pre-cuts have no length they are a charge of time: nothing to burn.
+            Move::PreCut { contour, to, ahead } if !ahead.is_empty() => {
+                comment(&mut pen, &format!("pre-cut into contour {contour}"));
+                work_contour(&mut pen, profile, &profile.cut, ahead, mem::take(&mut pierce));
+                pen.rapid(*to);
+            }
             Move::PreCut { .. } => {}
+            Move::Macro { .. } => pen.settle_dark(profile.sharp_corner.map_or(0.0, |c| c.time)),
             Move::Cut { contour, path, mark, .. } => {
-                order += 1;
-                let layer = layer_name(sheet, *contour);
-                let verb = if *mark { "mark" } else { "cut" };
-                comment(&mut pen, &format!("{order} of {all}: {verb} contour {contour}, layer {layer}"));
-                let process = if *mark { &profile.mark } else { &profile.cut };
-                work_contour(&mut pen, profile, process, path, mem::take(&mut pierce));
+                if !goes_on {
+                    order += 1;
+                    let layer = layer_name(sheet, *contour);
+                    let verb = if *mark { "mark" } else { "cut" };
+                    comment(&mut pen, &format!("{order} of {all}: {verb} contour {contour}, layer {layer}"));
+                }
+                work_contour(&mut pen, profile, profile.process(*mark), path, mem::take(&mut pierce));
             }
         }
+        goes_on = matches!(step, Move::Macro { .. });
     }
 
     pen.off();

@@ -5,6 +5,7 @@
 //! plan look at the order backwards instead.)
 
 use super::violation::Violation;
+use super::visits::leads;
 use super::{SAME, rounding};
 use crate::geometry::{DVec2, Path, Segment, turns};
 use crate::machine::Profile;
@@ -62,17 +63,21 @@ impl<'s> Groups<'s> {
     }
 
     /// A pre-cut into a contour where the head is: whether something of it begins there and is not cut yet.
-    pub(super) fn pre_cut(&mut self, contour: u32, head: DVec2) -> bool {
+    pub(super) fn pre_cut(&mut self, contour: u32, head: DVec2, ahead: &[Segment]) -> bool {
         let Some(work) = self.of.get(contour as usize).copied().flatten().and_then(|g| self.work.get_mut(g))
         else {
             return false;
         };
         let Some(node) = work.node(head) else { return false };
-        let elements = work.group.elements.iter().zip(&work.cut);
-        let left =
-            elements.filter(|(e, cut)| !**cut && e.contour == contour && e.ends.contains(&node)).count();
+        let ahead = Path::new(ahead.to_vec(), false);
+        let left = work.group.elements.iter().zip(&work.paths).zip(&work.cut).filter(|(_, cut)| !**cut);
+        let fits = left.map(|(e, _)| e).any(|(e, path)| {
+            let [from, to] = e.ends;
+            e.contour == contour
+                && ((from == node && leads(path, &ahead)) || (to == node && leads(&path.reversed(), &ahead)))
+        });
         work.ahead.push((contour, node));
-        left > 0
+        fits
     }
 
     /// A run of the beam. `ready`: it was pierced, or goes on from where the beam just was.

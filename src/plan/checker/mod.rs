@@ -7,6 +7,7 @@
 
 mod coverage;
 mod groups;
+mod macros;
 mod nesting;
 mod order;
 mod sums;
@@ -41,6 +42,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     let mut visits = Visits::new(sheet, machine);
     let mut groups = Groups::new(sheet, machine);
     follow(&mut visits, &mut groups, sheet, machine, plan, &mut found);
+    pre_cuts(machine, plan, &mut found);
     visits.finish(&groups, &mut found);
     groups.finish(|c| visits.ends(c), &mut found);
     order::check(sheet, &visits, &groups, &mut found);
@@ -56,6 +58,23 @@ fn rounding(element: &Segment) -> f64 {
     ROUNDINGS * f64::EPSILON * (ends + radius)
 }
 
+/// Pre-cuts reach ahead from where the head is, no farther than the machine cuts ahead, and nowhere if it does not.
+fn pre_cuts(machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+    for (step, m) in plan.moves.iter().enumerate() {
+        let Move::PreCut { to, ahead, .. } = m else { continue };
+        let length = ahead.iter().map(Segment::length).sum::<f64>();
+        let joined = ahead.iter().try_fold(*to, |at, s| (s.start().distance(at) <= JOIN).then(|| s.end()));
+        let short =
+            length <= machine.pre_cut_length + SAME && (length > 0.0) == (machine.pre_cut_length > 0.0);
+        if !short || joined.is_none() {
+            found.push(Violation::Beam {
+                step,
+                what: "makes a pre-cut of another length than the machine does",
+            });
+        }
+    }
+}
+
 /// Follows the head: joined, finite, the beam on only along contours and after piercing, home at the end.
 fn follow(
     visits: &mut Visits,
@@ -69,9 +88,10 @@ fn follow(
     let mut pierced = false;
     // The contour of the move before, if that was a cut.
     let mut just_cut = None;
-    for (step, m) in plan.moves.iter().enumerate() {
+    for (step, m) in macros::joined(&plan.moves, machine, groups, found) {
         let before = just_cut.take();
-        match m {
+        match m.as_ref() {
+            Move::Macro { .. } => {}
             Move::Air { to } => {
                 if !to.is_finite() {
                     found.push(Violation::NotFinite { step });
@@ -88,24 +108,24 @@ fn follow(
                 }
                 pierced = true;
             }
-            Move::PreCut { contour, to } if groups.holds(*contour) => {
+            Move::PreCut { contour, to, ahead } if groups.holds(*contour) => {
                 just_cut = before;
                 let there = pierced || before.is_some_and(|b| groups.same(b, *contour));
-                if !groups.pre_cut(*contour, *to) || !there || to.distance(head) > JOIN {
+                if !groups.pre_cut(*contour, *to, ahead) || !there || to.distance(head) > JOIN {
                     found.push(Violation::Beam {
                         step,
                         what: "makes a pre-cut where there is nothing to make it for",
                     });
                 }
             }
-            Move::PreCut { contour, to } => {
-                if !visits.pre_cut(*contour) || before != Some(*contour) {
+            Move::PreCut { contour, to, ahead } => {
+                if !visits.pre_cut(*contour, ahead) || before != Some(*contour) {
                     found.push(Violation::Beam {
                         step,
                         what: "makes a pre-cut where it leaves nothing unfinished",
                     });
                 }
-                // A pre-cut has no length: the time it takes is a charge.
+                // The head comes back: the time it takes is a charge.
                 let gap = to.distance(head);
                 let joined = gap <= JOIN;
                 if !joined {

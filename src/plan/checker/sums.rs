@@ -16,7 +16,7 @@ const RELATIVE: f64 = 1e-9;
 
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     let mut head = machine.home();
-    let (mut cuts, mut pierces, mut pre_cuts) = (0u32, 0u32, 0u32);
+    let (mut cuts, mut pierces, mut pre_cuts, mut macros) = (0u32, 0u32, 0u32, 0u32);
     let mut worked: Vec<u32> = Vec::new();
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
     let (mut bounds, mut slack) = (Aabb::EMPTY, 0.0_f64);
@@ -29,6 +29,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             }
             Move::Pierce => pierces += 1,
             Move::PreCut { .. } => pre_cuts += 1,
+            Move::Macro { .. } => macros += 1,
             Move::Cut { contour, with, path, mark } => {
                 cuts += 1;
                 worked.push(*contour);
@@ -46,6 +47,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let delays = machine.beam_on_delay + machine.beam_off_delay;
     let pierce_seconds = f64::from(pierces) * machine.pierce_time + f64::from(cuts) * delays;
     let pre_cut_seconds = f64::from(pre_cuts) * machine.pre_cut_time.unwrap_or(0.0);
+    let macro_seconds = machine.sharp_corner.map_or(0.0, |c| c.time) * f64::from(macros);
     // A contour cut in several goes counts once.
     sort_by(&mut worked, |&c| [c.into(), 0, 0]);
     worked.dedup();
@@ -53,7 +55,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let (contours, open) = (worked.len() as f64, worked.iter().filter(is_open).count() as f64);
     let s = &plan.summary;
     let parts = u32::try_from(sheet.parts.len()).unwrap_or(u32::MAX);
-    let total = air_seconds + cut_seconds + pierce_seconds + pre_cut_seconds;
+    let total = air_seconds + cut_seconds + pierce_seconds + pre_cut_seconds + macro_seconds;
     let mut sums = vec![
         ("the number of contours", f64::from(s.contours), contours),
         ("the number of open contours", f64::from(s.open_contours), open),
@@ -66,7 +68,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         ("the time of cuts", s.cut_time, cut_seconds),
         ("the time of piercing", s.pierce_time, pierce_seconds),
         ("the time of pre-cuts", s.pre_cut_time, pre_cut_seconds),
-        ("the time of macros", s.macro_time, 0.0),
+        ("the time of macros", s.macro_time, macro_seconds),
         ("the total time", s.total_time, total),
     ];
     if !bounds.is_empty() {

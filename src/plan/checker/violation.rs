@@ -20,6 +20,16 @@ pub enum Violation {
         /// How far, mm.
         gap: f64,
     },
+    /// A sharp corner is cut through without a pause.
+    #[error("move {step} cuts contour {contour} through the sharp corner at {at} without a pause")]
+    NoMacro {
+        /// Which move.
+        step: usize,
+        /// Which contour.
+        contour: u32,
+        /// The corner, mm.
+        at: DVec2,
+    },
     /// Piercing and cutting do not go together.
     #[error("move {step}: the head {what}")]
     Beam {

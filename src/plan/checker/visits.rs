@@ -7,7 +7,7 @@ use super::coverage::{Fault, follows};
 use super::groups::Groups;
 use super::violation::Violation;
 use super::{SAME, rounding};
-use crate::geometry::Segment;
+use crate::geometry::{Path, Segment};
 use crate::machine::Profile;
 use crate::sheet::{Operation, Sheet};
 
@@ -21,6 +21,8 @@ struct Work {
     length: f64,
     /// May be resumed without piercing.
     ready: bool,
+    /// What was cut ahead of what is left.
+    ahead: Vec<Segment>,
 }
 
 /// The contours of a sheet as they are worked.
@@ -52,10 +54,11 @@ impl<'s> Visits<'s> {
     }
 
     /// A pre-cut after the cut of a contour: whether there is anything to make it for.
-    pub(super) fn pre_cut(&mut self, contour: u32) -> bool {
+    pub(super) fn pre_cut(&mut self, contour: u32, ahead: &[Segment]) -> bool {
         let fits = self.is_unfinished(contour) && self.pre_cut.is_some_and(|seconds| seconds > 0.0);
         if let Some(work) = self.work.get_mut(contour as usize) {
             work.ready = fits;
+            work.ahead = ahead.to_vec();
         }
         fits
     }
@@ -86,6 +89,10 @@ impl<'s> Visits<'s> {
         } else {
             work.steps = Some((step, step));
             self.open.push(contour);
+        }
+        let ahead = Path::new(std::mem::take(&mut work.ahead), false);
+        if !leads(&Path::new(path.to_vec(), false), &ahead) {
+            found.push(Violation::Beam { step, what: "goes on elsewhere than it was cut ahead" });
         }
         work.path.extend(path);
         work.length += path.iter().map(Segment::length).sum::<f64>();
@@ -129,4 +136,14 @@ impl<'s> Visits<'s> {
             }
         }
     }
+}
+
+/// Whether a run begins with what was cut ahead.
+pub(super) fn leads(run: &Path, ahead: &Path) -> bool {
+    let length = ahead.length();
+    let slack = SAME + run.segments.iter().map(rounding).sum::<f64>();
+    [0.0, 0.5, 1.0].into_iter().filter(|_| length > 0.0).all(|t| {
+        let places = run.at(t * length).zip(ahead.at(t * length));
+        length <= run.length() + slack && places.is_some_and(|(a, b)| a.distance(b) <= slack)
+    })
 }

@@ -1,6 +1,6 @@
 //! The elements of a group, which orders of them are possible, and about what an order costs.
 
-use crate::geometry::{DVec2, Path};
+use crate::geometry::{DVec2, Path, Segment};
 use crate::machine::{AirTime, Profile};
 use crate::sheet::{PierceGroup, Sheet};
 
@@ -77,6 +77,14 @@ impl<'s> Net<'s> {
         if step.is_multiple_of(2) { [a, b] } else { [b, a] }
     }
 
+    /// Directions, of length 1, in which a step begins and ends.
+    pub(super) fn directions(&self, step: Step) -> [DVec2; 2] {
+        let path = &self.paths[step as usize / 2].segments;
+        let way = |at: f64, s: Option<&Segment>| s.map_or(DVec2::ZERO, |s| s.tangent(at));
+        let [first, last] = [way(0.0, path.first()), way(1.0, path.last())];
+        if step.is_multiple_of(2) { [first, last] } else { [-last, -first] }
+    }
+
     /// Areas beside an element.
     pub(super) fn faces(&self, step: Step) -> [u32; 2] {
         self.group.elements[step as usize / 2].faces
@@ -98,7 +106,7 @@ impl<'s> Net<'s> {
 
     /// Seconds that every start of the beam takes.
     pub(super) fn start(&self) -> f64 {
-        self.machine.beam_on_delay + self.machine.beam_off_delay
+        self.machine.beam_delays()
     }
 
     /// Seconds of a pre-cut.
@@ -151,7 +159,7 @@ pub(super) struct At {
     pub(super) begins: bool,
     /// Nothing was cut at its start before: it is pierced.
     pub(super) pierced: bool,
-    /// Seconds of the way there, of piercing, of the start, of pre-cuts.
+    /// Seconds of the way there, of piercing, of the start, of pre-cuts; of a sharp corner that is cut through.
     pub(super) seconds: f64,
     /// Pre-cuts that must have been made in it, at its start and end.
     pub(super) ahead: [bool; 2],
@@ -161,6 +169,8 @@ pub(super) struct At {
 #[derive(Clone)]
 pub(super) struct State {
     head: Option<u32>,
+    /// The way it came there.
+    leaves: DVec2,
     visited: Vec<bool>,
     /// A finished contour ends here: what is cut to here later may not run into it.
     loose: Vec<bool>,
@@ -170,7 +180,13 @@ pub(super) struct State {
 impl State {
     pub(super) fn new(net: &Net) -> Self {
         let nodes = net.group.nodes.len();
-        Self { head: None, visited: vec![false; nodes], loose: vec![false; nodes], sides: net.sides.clone() }
+        Self {
+            head: None,
+            leaves: DVec2::ZERO,
+            visited: vec![false; nodes],
+            loose: vec![false; nodes],
+            sides: net.sides.clone(),
+        }
     }
 
     pub(super) fn next(&mut self, net: &Net, step: Step) -> At {
@@ -181,7 +197,16 @@ impl State {
         let pierce = if pierced { net.machine.pierce_time } else { 0.0 };
         let ahead = [begins && !pierced, self.loose[to as usize]];
         let pre_cuts = ahead.iter().filter(|a| **a).count() as f64;
-        let seconds = way + pierce + if begins { net.start() } else { 0.0 } + pre_cuts * net.pre_cut();
+        let [enters, leaves] = net.directions(step);
+        let start = if begins {
+            net.start()
+        } else if net.machine.is_sharp(self.leaves, enters) {
+            net.machine.macro_seconds()
+        } else {
+            0.0
+        };
+        let seconds = way + pierce + start + pre_cuts * net.pre_cut();
+        self.leaves = leaves;
         self.head = Some(to);
         self.visited[from as usize] = true;
         self.visited[to as usize] = true;

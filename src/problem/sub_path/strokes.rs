@@ -7,7 +7,7 @@
 use super::SubPath;
 use super::net::{Net, Step};
 use crate::geometry::{DVec2, Segment};
-use crate::machine::cut_time;
+use crate::machine::work_time;
 
 /// One thing the head does in a group.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,8 +16,13 @@ pub enum Stroke {
     Air(DVec2),
     /// Piercing.
     Pierce,
-    /// A bit cut ahead into a contour from where the head is.
-    PreCut(u32),
+    /// A bit cut ahead from where the head is.
+    PreCut {
+        /// Into which contour.
+        contour: u32,
+        /// What is cut; empty where pre-cuts have no length.
+        ahead: Vec<Segment>,
+    },
     /// Along elements.
     Cut {
         /// Which, in order.
@@ -40,17 +45,19 @@ pub struct Span {
     pub reversed: bool,
     /// mm.
     pub length: f64,
+    /// Elements of the path.
+    pub elements: usize,
 }
 
 /// The path of an order.
 pub(super) fn sub_path(net: &Net, order: &[Step]) -> SubPath {
     let mut steps = Vec::with_capacity(order.len());
-    // Pre-cuts of each node still to be made, by contour.
-    let mut due: Vec<Vec<u32>> = vec![Vec::new(); net.group.nodes.len()];
+    // Pre-cuts of each node still to be made.
+    let mut due: Vec<Vec<Stroke>> = vec![Vec::new(); net.group.nodes.len()];
     net.follow(order, |at| {
         let ends = net.step(at.step);
         for (&node, _) in ends.iter().zip(at.ahead).filter(|e| e.1) {
-            due[node as usize].push(net.group.elements[at.step as usize / 2].contour);
+            due[node as usize].push(pre_cut(net, at.step, node == ends[0]));
         }
         steps.push((at.step, at.begins, at.pierced));
     });
@@ -67,7 +74,7 @@ pub(super) fn sub_path(net: &Net, order: &[Step]) -> SubPath {
             if pierced {
                 strokes.push(Stroke::Pierce);
             }
-            strokes.extend(due[from as usize].drain(..).map(Stroke::PreCut));
+            strokes.append(&mut due[from as usize]);
         }
         let (span, path) = span(net, step);
         open.0.push(span);
@@ -75,13 +82,25 @@ pub(super) fn sub_path(net: &Net, order: &[Step]) -> SubPath {
         head = Some(to);
         if !due[to as usize].is_empty() {
             close(&mut open, &mut strokes);
-            strokes.extend(due[to as usize].drain(..).map(Stroke::PreCut));
+            strokes.append(&mut due[to as usize]);
         }
     }
     close(&mut open, &mut strokes);
     let ends = net.ends(order).map(|n| net.place(n));
     let seconds = seconds(net, ends[0], &strokes);
     SubPath { ends, strokes, seconds }
+}
+
+/// What is cut ahead of a step from where it begins, or back from where it ends: half of it at most.
+fn pre_cut(net: &Net, step: Step, begins: bool) -> Stroke {
+    let (element, path) = (&net.group.elements[step as usize / 2], &net.paths[step as usize / 2]);
+    let (contour, length) = (element.contour, net.machine.pre_cut_length.min(0.5 * path.length()));
+    let ahead = match (length > 0.0, begins == step.is_multiple_of(2)) {
+        (false, _) => Vec::new(),
+        (true, true) => path.between(0.0, length),
+        (true, false) => path.reversed().between(0.0, length),
+    };
+    Stroke::PreCut { contour, ahead }
 }
 
 fn close(open: &mut (Vec<Span>, Vec<Segment>), strokes: &mut Vec<Stroke>) {
@@ -94,11 +113,12 @@ fn close(open: &mut (Vec<Span>, Vec<Segment>), strokes: &mut Vec<Stroke>) {
 fn span(net: &Net, step: Step) -> (Span, Vec<Segment>) {
     let (element, path) = (&net.group.elements[step as usize / 2], &net.paths[step as usize / 2]);
     let (reversed, contour, length) = (step % 2 == 1, element.contour, path.length());
+    let (along, until, elements) = (element.from, element.to, path.segments.len());
     if reversed {
-        let span = Span { contour, along: element.to, until: element.from, reversed, length };
+        let span = Span { contour, along: until, until: along, reversed, length, elements };
         return (span, path.reversed().segments);
     }
-    (Span { contour, along: element.from, until: element.to, reversed, length }, path.segments.clone())
+    (Span { contour, along, until, reversed, length, elements }, path.segments.clone())
 }
 
 /// All seconds of these strokes.
@@ -112,9 +132,9 @@ fn seconds(net: &Net, start: DVec2, strokes: &[Stroke]) -> f64 {
                 head = *to;
             }
             Stroke::Pierce => sum += net.machine.pierce_time,
-            Stroke::PreCut(_) => sum += net.pre_cut(),
+            Stroke::PreCut { .. } => sum += net.pre_cut(),
             Stroke::Cut { path, .. } => {
-                sum += cut_time(net.machine, &net.machine.cut, path) + net.start();
+                sum += work_time(net.machine, false, path) + net.start();
                 head = path.last().map_or(head, Segment::end);
             }
         }

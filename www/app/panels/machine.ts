@@ -18,6 +18,14 @@ interface Quantity {
   set(m: MachineProfile, value: number): void;
 }
 
+/** In rad. */
+const DEGREE = Math.PI / 180;
+
+/** Where cuts may first pause in corners: corners of a triangle, long enough to cool, to be replaced by one's own. */
+const PAUSE = { angle: 70 * DEGREE, time: 1 };
+
+const degrees = (angle: number | undefined) => (angle === undefined ? null : Math.round((angle / DEGREE) * 1e6) / 1e6);
+
 const QUANTITIES: readonly Quantity[] = [
   { label: words.machine.cutSpeed, unit: 'mm/s', least: 0.01, get: (m) => m.cut.speed, set: (m, v) => (m.cut.speed = v) },
   { label: words.machine.cutAccel, unit: 'mm/s²', least: 1, get: (m) => m.cut.accel, set: (m, v) => (m.cut.accel = v) },
@@ -31,6 +39,9 @@ const QUANTITIES: readonly Quantity[] = [
   { label: words.machine.corners, unit: 'mm', least: 0, get: (m) => m.junction_deviation, set: (m, v) => (m.junction_deviation = v) },
   { label: words.machine.pierce, unit: 's', least: 0, get: (m) => m.pierce_time, set: (m, v) => (m.pierce_time = v) },
   { label: words.machine.preCut, unit: 's', least: 0, none: words.machine.whole, get: (m) => m.pre_cut_time ?? null, set: (m, v) => (m.pre_cut_time = v) },
+  { label: words.machine.preCutLength, unit: 'mm', least: 0, get: (m) => m.pre_cut_length ?? 0, set: (m, v) => (m.pre_cut_length = v) },
+  { label: words.machine.sharpAngle, unit: '°', least: 0, none: words.machine.noPauses, get: (m) => degrees(m.sharp_corner?.angle), set: (m, v) => (m.sharp_corner = { ...PAUSE, ...m.sharp_corner, angle: Math.min(v, 180) * DEGREE }) },
+  { label: words.machine.sharpTime, unit: 's', least: 0, get: (m) => m.sharp_corner?.time ?? null, none: words.machine.noPauses, set: (m, v) => (m.sharp_corner = { ...PAUSE, ...m.sharp_corner, time: v }) },
   { label: words.machine.beamOn, unit: 's', least: 0, get: (m) => m.beam_on_delay, set: (m, v) => (m.beam_on_delay = v) },
   { label: words.machine.beamOff, unit: 's', least: 0, get: (m) => m.beam_off_delay, set: (m, v) => (m.beam_off_delay = v) },
   { label: words.machine.homeX, unit: 'mm', least: -1e6, get: (m) => m.home[0], set: (m, v) => (m.home[0] = v) },
@@ -67,6 +78,7 @@ export function machinePanel(session: Session, tell: (sentence: string) => void,
   const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)));
   const home = check(words.machine.home, (on) => edit((m) => (m.return_home = on)));
   const leaving = check(words.machine.leaving, (on) => edit((m) => (m.pre_cut_time = on ? PRE_CUT : null)));
+  const pausing = check(words.machine.pausing, (on) => edit((m) => (m.sharp_corner = on ? PAUSE : null)));
   const inputs = QUANTITIES.map((q) => numberInput(q, edit));
   const back = button(words.machine.back, { class: 'small', onclick: () => {
     const original = preset();
@@ -76,7 +88,7 @@ export function machinePanel(session: Session, tell: (sentence: string) => void,
   const numbers = h('details', { class: 'more' }, h('summary', {}, words.machine.numbers),
     h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.map((q, i) => field(q.label, inputs[i]!, q.unit)), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
-  body.append(h('div', { class: 'stack' }, choice.root, leaving.root, numbers, own.root));
+  body.append(h('div', { class: 'stack' }, choice.root, leaving.root, pausing.root, numbers, own.root));
 
   const show = () => {
     const { machine } = session.state;
@@ -88,6 +100,7 @@ export function machinePanel(session: Session, tell: (sentence: string) => void,
     travel.fill(TRAVELS, machine.travel);
     home.input.checked = machine.return_home;
     leaving.input.checked = typeof machine.pre_cut_time === 'number';
+    pausing.input.checked = Boolean(machine.sharp_corner);
     back.hidden = !changed;
     own.show(machine);
     QUANTITIES.forEach((q, i) => {

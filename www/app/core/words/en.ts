@@ -158,12 +158,12 @@ export const en = {
   },
 
   machine: {
-    title: 'Machine', preset: 'Preset', home: 'Return home at the end', leaving: 'Leave contours unfinished where that saves time', back: 'Back to the preset',
+    title: 'Machine', preset: 'Preset', home: 'Return home at the end', leaving: 'Leave contours unfinished where that saves time', pausing: 'Pause in sharp corners', back: 'Back to the preset',
     numbers: 'Numbers', air: 'Air moves', start: 'Choose the start on the sheet', unlimited: 'no limit', whole: 'in one go',
     travel: { straight: 'Straight, axis limits', vector: 'Straight, one speed', 'per-axis': 'Each axis for itself' },
     cutSpeed: 'Cutting speed', cutAccel: 'Cutting acceleration', cutPower: 'Cutting power', markSpeed: 'Marking speed', markPower: 'Marking power',
     rapidX: 'Rapid speed, x', rapidY: 'Rapid speed, y', rapidAccelX: 'Rapid acceleration, x', rapidAccelY: 'Rapid acceleration, y', corners: 'Corner deviation',
-    pierce: 'Pierce time', preCut: 'Pre-cut time', beamOn: 'Beam on delay', beamOff: 'Beam off delay', homeX: 'Home, x', homeY: 'Home, y', fullPower: 'S word of full power',
+    pierce: 'Pierce time', preCut: 'Pre-cut time', preCutLength: 'Pre-cut length', sharpAngle: 'Pause in corners below', sharpTime: 'Pause in a corner', noPauses: 'no pauses', beamOn: 'Beam on delay', beamOff: 'Beam off delay', homeX: 'Home, x', homeY: 'Home, y', fullPower: 'S word of full power',
     own: 'Your machines', name: 'Name of your machine', keepsNothing: 'This browser keeps nothing: export the machine to a file instead.',
     keep: 'Keep', forget: 'Forget', export: 'Export', import: 'Import',
     noJson: 'This file is no machine profile: it is not JSON.', noSchema: (schema: string) => `This file is no machine profile: its "schema" is not ${schema}.`,

@@ -1,0 +1,103 @@
+//! Sharp corners: a pause in each that is cut through, and nowhere else.
+//!
+//! The runs of the beam before and after a pause are one cut to everybody else who looks at the plan: they are put
+//! together here. The angle in a corner is found by arc tangent (those who plan compare cosines).
+
+use super::JOIN;
+use super::groups::Groups;
+use super::violation::Violation;
+use crate::geometry::{Segment, math};
+use crate::machine::{MARGIN, Profile};
+use crate::plan::model::Move;
+use std::borrow::Cow;
+use std::f64::consts::PI;
+
+/// The moves of a plan with their places in it; cuts that only a pause in a sharp corner interrupts are one move.
+pub(super) fn joined<'p>(
+    moves: &'p [Move],
+    machine: &Profile,
+    groups: &Groups,
+    found: &mut Vec<Violation>,
+) -> Vec<(usize, Cow<'p, Move>)> {
+    let limit = machine.sharp_corner.map(|c| c.angle);
+    let is_sharp = |a: &Segment, b: &Segment| limit.is_some_and(|limit| angle(a, b) < limit - 2.0 * MARGIN);
+    let mut out: Vec<(usize, Cow<Move>)> = Vec::with_capacity(moves.len());
+    let mut paused = None;
+    let astray = |step| Violation::Beam { step, what: "pauses where no sharp corner is cut through" };
+    for (step, m) in moves.iter().enumerate() {
+        let pause = paused.take();
+        match m {
+            Move::Macro { at, .. } => {
+                let here = matches!(out.last().map(|o| o.1.as_ref()), Some(Move::Cut { path, mark: false, .. })
+                    if path.last().is_some_and(|s| s.end().distance(*at) <= JOIN));
+                if !here || pause.is_some() {
+                    found.push(astray(step));
+                }
+                paused = Some((step, *at));
+            }
+            Move::Cut { contour, with, path, mark: false } => {
+                for pair in path.windows(2).filter(|p| is_sharp(&p[0], &p[1])) {
+                    found.push(Violation::NoMacro { step, contour: *contour, at: pair[1].start() });
+                }
+                let corner = match (out.last().map(|o| o.1.as_ref()), path.first()) {
+                    (Some(Move::Cut { path, mark: false, .. }), Some(next)) => path.last().zip(Some(next)),
+                    _ => None,
+                };
+                if let Some((step, _)) = pause
+                    && corner.is_none_or(|(a, b)| limit.is_none_or(|limit| angle(a, b) > limit))
+                {
+                    found.push(astray(step));
+                }
+                if let Some((a, b)) = corner
+                    && pause.is_none()
+                    && is_sharp(a, b)
+                {
+                    found.push(Violation::NoMacro { step, contour: *contour, at: b.start() });
+                }
+                if let (Some(_), Some((_, before))) = (pause, out.last_mut())
+                    && goes_on(before, *contour, groups)
+                {
+                    append(before.to_mut(), *contour, with, path);
+                    continue;
+                }
+                out.push((step, Cow::Borrowed(m)));
+            }
+            _ => {
+                if let Some((step, _)) = pause {
+                    found.push(astray(step));
+                }
+                out.push((step, Cow::Borrowed(m)));
+            }
+        }
+    }
+    if let Some((step, _)) = paused {
+        found.push(astray(step));
+    }
+    out
+}
+
+/// The angle between two elements, seen from where they meet: pi is straight on.
+fn angle(a: &Segment, b: &Segment) -> f64 {
+    let (back, on) = (-a.tangent(1.0), b.tangent(0.0));
+    // Elements without a length have no direction.
+    if back.length_squared() < 0.5 || on.length_squared() < 0.5 {
+        return PI;
+    }
+    math::atan2(back.perp_dot(on), back.dot(on)).abs()
+}
+
+/// Whether a cut may go on along a contour.
+fn goes_on(before: &Move, next: u32, groups: &Groups) -> bool {
+    matches!(before, Move::Cut { contour, mark: false, .. } if *contour == next || groups.same(*contour, next))
+}
+
+fn append(before: &mut Move, next: u32, also: &[u32], run: &[Segment]) {
+    if let Move::Cut { contour, with, path, .. } = before {
+        path.extend_from_slice(run);
+        for &other in std::iter::once(&next).chain(also) {
+            if other != *contour && !with.contains(&other) {
+                with.push(other);
+            }
+        }
+    }
+}
