@@ -20,39 +20,19 @@ mod gcode;
 mod outlines;
 #[path = "support/paths.rs"]
 mod paths;
+#[path = "support/plates.rs"]
+mod plates;
 
 use kerfway::geometry::DVec2;
-use kerfway::job::{BestPath, Job, LoadOptions, MachineChoice, OutputKind, PlanOptions, Warm};
-use kerfway::machine::{Profile, preset};
+use kerfway::job::{BestPath, Job, OutputKind, Warm};
 use kerfway::plan::{self, Move, Plan, Violation};
 use kerfway::sheet::{CommonCuts, Sheet};
-use outlines::{covers, drawing};
-
-fn rectangle([x, y, w, h]: [f64; 4]) -> Vec<DVec2> {
-    [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|(dx, dy)| DVec2::new(x + dx, y + dy)).to_vec()
-}
-
-/// m by n rectangles of 20 by 10 with shared sides, the first at 100, 100.
-fn grid(m: usize, n: usize) -> Vec<Vec<DVec2>> {
-    let cell =
-        |k: usize| rectangle([100.0 + 20.0 * (k % m) as f64, 100.0 + 10.0 * (k / m) as f64, 20.0, 10.0]);
-    (0..m * n).map(cell).collect()
-}
+use outlines::covers;
+use plates::{grid, pinwheel, rectangle, thick};
 
 /// Length of all lines of a grid.
 fn union(m: usize, n: usize) -> f64 {
     (n + 1) as f64 * 20.0 * m as f64 + (m + 1) as f64 * 10.0 * n as f64
-}
-
-/// Four oblong parts around an island of 10 by 10, with a small part in it.
-fn pinwheel() -> Vec<Vec<DVec2>> {
-    let around =
-        [[0.0, 0.0, 30.0, 20.0], [30.0, 0.0, 20.0, 30.0], [20.0, 30.0, 30.0, 20.0], [0.0, 20.0, 20.0, 30.0]];
-    around
-        .into_iter()
-        .chain([[22.0, 22.0, 5.0, 4.0]])
-        .map(|r| rectangle([r[0] + 60.0, r[1] + 40.0, r[2], r[3]]))
-        .collect()
 }
 
 /// Rows of bricks: partial overlaps, T-junctions.
@@ -65,17 +45,8 @@ fn bricks() -> Vec<Vec<DVec2>> {
     (0..3).flat_map(row).collect()
 }
 
-/// Thick plate: piercing 1 s, pre-cuts 0.3 s.
-fn thick() -> Profile {
-    Profile { pre_cut_time: Some(0.3), pierce_time: 1.0, ..preset("fibre-6kw-thick").unwrap() }
-}
-
 fn job(outlines: &[Vec<DVec2>], common_cuts: CommonCuts, warm: Option<Warm>) -> Job {
-    let load = LoadOptions { common_cuts, ..LoadOptions::default() };
-    let mut job = Job::load(drawing(outlines), "grid.dxf", &load).unwrap();
-    let machine = MachineChoice::Profile(Box::new(thick()));
-    job.start(&PlanOptions { machine, seed: 1, warm, ..PlanOptions::default() }).unwrap();
-    job
+    plates::job(outlines, common_cuts, thick(), warm)
 }
 
 fn planned(outlines: &[Vec<DVec2>], common_cuts: CommonCuts) -> (Sheet, Plan) {

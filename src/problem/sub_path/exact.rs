@@ -1,96 +1,173 @@
 //! Every order of a small group: the cheapest from each node to each other one, by dynamic programming over the
-//! elements cut so far and the last one. What is visited and what is loose depends on these alone.
+//! elements cut so far and the last one.
+//!
+//! What is visited, what is loose and what hangs on the sheet depends on the elements alone. Where a pre-cut can still be
+//! made does not: it takes a stop of the beam at its node before anything there is loose, and there may have been one
+//! anyway. So several orders of the same elements are kept: one that takes longer is of use if it stopped at more nodes.
 
-use super::net::{Net, Order, State, Step};
-use rustc_hash::FxHashMap;
+use super::net::{Net, Order, Step};
 
-/// Elements of a group at most: 2^10 sets with 20 last steps each.
+/// Elements of a group at most: 2^10 sets with 20 last steps each. They hang together, so there are 11 nodes at most.
 pub(super) const MOST: usize = 10;
 
-/// A best order so far: seconds, what was done, the step before the last.
-struct Best {
+/// Elements, or nodes, as bits.
+type Set = u32;
+
+/// An order so far.
+struct Label {
     seconds: f64,
-    state: State,
-    before: Step,
+    /// Nodes at which the beam stopped before anything there was loose.
+    ready: Set,
+    last: Step,
+    /// The order without its last step.
+    before: Option<u32>,
 }
 
-const NONE: Step = Step::MAX;
-
-/// The cheapest order from each of these nodes to each of them.
-pub(super) fn all(net: &Net, ends: &[u32]) -> Vec<Order> {
-    ends.iter().flat_map(|&start| from(net, start, ends)).collect()
+/// What a set of elements already cut leaves.
+#[derive(Clone, Default)]
+struct Left {
+    /// Elements that may be cut.
+    may: Set,
+    visited: Set,
+    loose: Set,
+    /// Nodes at which something is left to be cut.
+    open: Set,
 }
 
-fn from(net: &Net, start: u32, ends: &[u32]) -> Vec<Order> {
-    let steps = net.steps().end;
-    let full = (1_u32 << net.len()) - 1;
-    let mut best: FxHashMap<(u32, Step), Best> = FxHashMap::default();
-    let mut layer: Vec<(u32, Step)> = Vec::new();
-    let price = |state: &State, step: Step| {
-        let mut state = state.clone();
-        (state.next(net, step).seconds, state)
-    };
-    for step in (0..steps).filter(|&s| net.step(s)[0] == start) {
-        let (seconds, state) = price(&State::new(net), step);
-        best.insert((1 << (step / 2), step), Best { seconds, state, before: NONE });
-        layer.push((1 << (step / 2), step));
-    }
-    for _ in 1..net.len() {
-        let mut next = Vec::new();
-        for key in layer {
-            let Some(Best { seconds, state, .. }) = best.get(&key) else { continue };
-            let (seconds, state) = (*seconds, state.clone());
-            for step in (0..steps).filter(|s| key.0 >> (s / 2) & 1 == 0) {
-                let (more, after) = price(&state, step);
-                let (to, total) = ((key.0 | 1 << (step / 2), step), seconds + more);
-                let known = best.get(&to).map(|b| b.seconds);
-                if known.is_none() {
-                    next.push(to);
-                }
-                if known.is_none_or(|k| total < k) && net.may_follow(key.0, full, step) {
-                    best.insert(to, Best { seconds: total, state: after, before: key.1 });
+struct Table<'n> {
+    net: &'n Net<'n>,
+    /// By set of elements.
+    left: Vec<Left>,
+    labels: Vec<Label>,
+    /// By set of elements and last step: those that none of the others is better than.
+    kept: Vec<Vec<u32>>,
+}
+
+/// The cheapest order from each node to each, with its seconds as [`Net::cost`] counts them.
+pub(super) fn all(net: &Net) -> Vec<(f64, Order)> {
+    let left: Vec<Left> = (0..1 << net.len()).map(|cut| net.left(cut)).collect();
+    let kept = vec![Vec::new(); left.len() * net.steps().len()];
+    let mut table = Table { net, left, labels: Vec::new(), kept };
+    net.nodes().flat_map(|start| table.from(start)).collect()
+}
+
+impl Table<'_> {
+    /// The cheapest order from a node to each.
+    fn from(&mut self, start: u32) -> Vec<(f64, Order)> {
+        let net = self.net;
+        self.labels.clear();
+        self.kept.iter_mut().for_each(Vec::clear);
+        for last in net.steps().filter(|&s| net.step(s)[0] == start) {
+            if self.left[0].may >> (last / 2) & 1 == 1 {
+                let seconds = net.machine.pierce_time + net.start();
+                self.keep(1 << (last / 2), Label { seconds, ready: 1 << start, last, before: None });
+            }
+        }
+        for cut in 1..self.left.len() - 1 {
+            for last in net.steps() {
+                for k in 0..self.kept[self.place(cut, last)].len() {
+                    let label = self.kept[self.place(cut, last)][k];
+                    self.go_on(cut, label);
                 }
             }
         }
-        layer = next;
-        crate::order::sort_by(&mut layer, |k| [u64::from(k.0), u64::from(k.1), 0]);
-        layer.dedup();
+        let full = self.left.len() - 1;
+        let best = |end: u32| {
+            let steps = net.steps().filter(|&s| net.step(s)[1] == end);
+            let labels = steps.flat_map(|s| &self.kept[self.place(full, s)]).copied();
+            let seconds = |k: u32| self.labels[k as usize].seconds;
+            labels.reduce(|a, b| if seconds(b) < seconds(a) { b } else { a })
+        };
+        net.nodes().filter_map(best).map(|k| (self.labels[k as usize].seconds, self.order(k))).collect()
     }
-    let order = |last: Step| {
-        let (mut set, mut step, mut order) = (full, last, Vec::new());
-        while step != NONE {
-            order.push(step);
-            let before = best.get(&(set, step))?.before;
-            (set, step) = (set & !(1 << (step / 2)), before);
+
+    /// Every step that may follow.
+    fn go_on(&mut self, cut: usize, label: u32) {
+        let net = self.net;
+        let Label { seconds, ready, last, .. } = self.labels[label as usize];
+        let Left { may, visited, loose, .. } = self.left[cut];
+        let head = net.step(last)[1];
+        for step in net.steps().filter(|s| may >> (s / 2) & 1 == 1) {
+            let [from, to] = net.step(step);
+            let mut ways = [None; 2];
+            if from == head {
+                let seconds = seconds - net.gain(last, step);
+                ways[0] = Some((seconds, ready));
+                if (ready | loose) >> from & 1 == 0 {
+                    ways[1] = Some((seconds + net.stop(last, step), ready | 1 << from));
+                }
+            } else {
+                let ready = ready | (1 << head & !loose);
+                let there = seconds + net.way(head, from) + net.start();
+                if visited >> from & 1 == 0 {
+                    ways[0] = Some((there + net.machine.pierce_time, ready | 1 << from));
+                } else if ready >> from & 1 == 1 {
+                    ways[0] = Some((there + net.pre_cut(), ready));
+                }
+            }
+            for (mut seconds, ready) in ways.into_iter().flatten() {
+                if loose >> to & 1 == 1 {
+                    if ready >> to & 1 == 0 {
+                        continue;
+                    }
+                    seconds += net.pre_cut();
+                }
+                self.keep(cut | 1 << (step / 2), Label { seconds, ready, last: step, before: Some(label) });
+            }
         }
+    }
+
+    /// Keeps an order unless there is one as good in every way; drops those it is as good as.
+    fn keep(&mut self, cut: usize, mut label: Label) {
+        label.ready &= self.left[cut].open;
+        let place = self.place(cut, label.last);
+        let (labels, kept) = (&self.labels, &mut self.kept[place]);
+        let covers = |a: &Label, b: &Label| a.seconds <= b.seconds && b.ready & !a.ready == 0;
+        if kept.iter().any(|&k| covers(&labels[k as usize], &label)) {
+            return;
+        }
+        kept.retain(|&k| !covers(&label, &labels[k as usize]));
+        kept.extend(u32::try_from(labels.len()));
+        self.labels.push(label);
+    }
+
+    fn place(&self, cut: usize, last: Step) -> usize {
+        cut * self.net.steps().len() + last as usize
+    }
+
+    fn order(&self, label: u32) -> Order {
+        let before = |k: &u32| self.labels[*k as usize].before;
+        let mut order: Order =
+            std::iter::successors(Some(label), before).map(|k| self.labels[k as usize].last).collect();
         order.reverse();
-        Some(order)
-    };
-    let last = |end: u32| {
-        let seconds = |s: Step| best.get(&(full, s)).map_or(f64::INFINITY, |b| b.seconds);
-        let steps = (0..steps).filter(|&s| net.step(s)[1] == end && seconds(s) < f64::INFINITY);
-        steps.reduce(|a, b| if seconds(b) < seconds(a) { b } else { a })
-    };
-    ends.iter().filter_map(|&end| order(last(end)?)).collect()
+        order
+    }
 }
 
 impl Net<'_> {
-    /// Whether an element still hangs on the sheet when those of a set are cut: whether one of its areas is joined to the
-    /// one around the group by elements not yet cut.
-    fn may_follow(&self, cut: u32, full: u32, step: Step) -> bool {
-        let left = full & !cut;
+    fn left(&self, cut: Set) -> Left {
+        let mut left = Left::default();
         let mut held = self.held();
-        loop {
-            let mut grew = false;
-            for e in self.elements().filter(|e| left >> e & 1 == 1) {
-                let [a, b] = self.group.elements[e as usize].faces.map(|f| f as usize);
-                if held[a] != held[b] {
-                    (held[a], held[b], grew) = (true, true, true);
-                }
+        let uncut = |e: &u32| cut >> e & 1 == 0;
+        // What is left holds wherever it is.
+        for _ in 0..self.group.faces {
+            self.elements().filter(uncut).for_each(|e| {
+                self.put_back(&mut held, 2 * e);
+            });
+        }
+        for e in self.elements() {
+            let nodes = self.step(2 * e).into_iter().fold(0, |set, n| set | 1 << n);
+            let holds = self.faces(2 * e).iter().all(|&f| held[f as usize]);
+            if uncut(&e) {
+                left.open |= nodes;
+                left.may |= u32::from(holds) << e;
+            } else {
+                left.visited |= nodes;
             }
-            if !grew {
-                return self.faces(step).iter().any(|&f| held[f as usize]);
+            if !holds {
+                left.loose |= nodes;
             }
         }
+        left
     }
 }

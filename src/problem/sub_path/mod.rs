@@ -7,14 +7,15 @@
 //!
 //! * [`net`]: elements, what an order of them costs, which orders are possible.
 //! * [`insertion`]: the element insertion heuristic of the paper. [`exact`]: every order, for small groups.
-//!   [`walk`]: ours for larger ones.
+//!   [`beam`] and [`anneal`]: ours for larger ones.
 //! * [`strokes`]: an order as what the head does, and the exact seconds of it.
 
+mod anneal;
+mod beam;
 mod exact;
 mod insertion;
 mod net;
 mod strokes;
-mod walk;
 
 use crate::geometry::DVec2;
 use crate::machine::Profile;
@@ -23,10 +24,11 @@ use crate::sheet::{CommonCuts, PierceGroup, Sheet};
 use net::{Net, Order};
 pub use strokes::{Span, Stroke};
 
-/// Pairs of ends that a group is offered with at most: with their ways back, as many nodes as neighbour lists look at.
+/// Pairs of ends that a larger group is offered with at most: with their ways back, as many nodes as neighbour lists look at.
 const PAIRS: usize = 8;
-/// Nodes tried as ends of a larger group: 15 pairs to choose from.
+/// Nodes tried as ends of a larger group, and ways to each of them, as the beam search finds them.
 const ENDS: usize = 6;
+const WAYS: usize = 2;
 
 /// A way through all of a group.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,12 +42,17 @@ pub struct SubPath {
 }
 
 impl SubPath {
-    /// The same, with a way back to its beginning.
-    fn round(mut self, net: &Net) -> Self {
-        let [entry, exit] = self.ends;
-        self.seconds += net.air.seconds(exit, entry);
-        self.strokes.push(Stroke::Air(entry));
-        self.ends = [entry; 2];
+    /// The same between other ends, with air moves from one and to the other.
+    fn between(mut self, net: &Net, [entry, exit]: [DVec2; 2]) -> Self {
+        let [first, last] = self.ends;
+        self.seconds += net.air.seconds(entry, first) + net.air.seconds(last, exit);
+        if entry != first {
+            self.strokes.insert(0, Stroke::Air(first));
+        }
+        if last != exit {
+            self.strokes.push(Stroke::Air(exit));
+        }
+        self.ends = [entry, exit];
         self
     }
 
@@ -60,40 +67,57 @@ impl SubPath {
 /// The paths through a group, in pairs of out and back.
 pub(super) fn sub_paths(sheet: &Sheet, group: &PierceGroup, machine: &Profile) -> Vec<SubPath> {
     let net = Net::new(sheet, group, machine);
-    let best =
-        |order| if sheet.common_cuts == CommonCuts::Best { walk::annealed(&net, order) } else { order };
-    let mut pairs = pairs(&net, sheet.common_cuts);
-    pairs.truncate(PAIRS);
-    if pairs.is_empty() {
-        // Any order at all, and back to where it began: then it is its own way back.
-        let round = walk::any(&net).map(|order| strokes::sub_path(&net, &best(order)).round(&net));
-        return round.map_or_else(Vec::new, |path| vec![path.clone(), path]);
-    }
-    pairs.into_iter().flatten().map(|order| strokes::sub_path(&net, &best(order))).collect()
+    let by_insertion = if sheet.common_cuts == CommonCuts::Insertion { inserted(&net) } else { Vec::new() };
+    if by_insertion.is_empty() { best(&net) } else { by_insertion }
 }
 
-/// Pairs of orders, out and back, the cheapest first.
-fn pairs(net: &Net, by: CommonCuts) -> Vec<[Order; 2]> {
+/// Ways through a group that may be of use in a route: none where another one with air moves from and to its ends takes
+/// no longer. In pairs of out and back, the cheapest first; of a small group, all there are.
+fn best(net: &Net) -> Vec<SubPath> {
+    let small = net.len() <= exact::MOST;
+    let all: Vec<SubPath> = if small {
+        exact::all(net).iter().map(|(_, order)| strokes::sub_path(net, order)).collect()
+    } else {
+        let orders = ends(net).into_iter().flat_map(|to| beam::orders(net, to).into_iter().take(WAYS));
+        orders.map(|order| strokes::sub_path(net, &anneal::annealed(net, order))).collect()
+    };
+    let as_long = |way: &SubPath, [entry, exit]: [DVec2; 2]| {
+        way.seconds + net.air.seconds(entry, way.ends[0]) + net.air.seconds(way.ends[1], exit)
+    };
+    let is_of_use =
+        |way: &SubPath| !all.iter().any(|w| w.ends != way.ends && as_long(w, way.ends) <= way.seconds);
+    let mut found: Vec<[SubPath; 2]> = Vec::new();
+    for way in all.iter().filter(|way| is_of_use(way)) {
+        let ends = [way.ends[1], way.ends[0]];
+        if found.iter().any(|pair| pair[0].ends == ends) {
+            continue;
+        }
+        // An area in the middle can be begun in, but not ended in.
+        let back = all.iter().reduce(|a, b| if as_long(b, ends) < as_long(a, ends) { b } else { a });
+        found.extend(back.map(|back| [way.clone(), back.clone().between(net, ends)]));
+    }
+    sort_by(&mut found, |f| [real(f[0].seconds + f[1].seconds), 0, 0]);
+    if !small {
+        found.truncate(PAIRS);
+    }
+    found.into_iter().flatten().collect()
+}
+
+/// Ways by the insertion heuristic, in pairs of out and back, the cheapest first; none where it finds none.
+fn inserted(net: &Net) -> Vec<SubPath> {
     let ends = ends(net);
-    let by_insertion = by == CommonCuts::Insertion;
-    let small = !by_insertion && net.len() <= exact::MOST;
     let mut found: Vec<(f64, [Order; 2])> = Vec::new();
-    let all = if small { exact::all(net, &ends) } else { Vec::new() };
     for (i, &a) in ends.iter().enumerate() {
         // Without an air move a path comes back to its beginning only where every node is even.
         for &b in ends[i..].iter().filter(|&&b| a != b || net.is_even()) {
-            let of = |from: u32, to: u32| match (small, by_insertion) {
-                (true, _) => all.iter().find(|o| net.ends(o) == [from, to]).cloned(),
-                (_, true) => insertion::order(net, from, to).or_else(|| walk::order(net, from, to)),
-                _ => walk::order(net, from, to),
-            };
-            if let (Some(out), Some(back)) = (of(a, b), of(b, a)) {
+            if let (Some(out), Some(back)) = (insertion::order(net, a, b), insertion::order(net, b, a)) {
                 found.push((net.cost(&out) + net.cost(&back), [out, back]));
             }
         }
     }
     sort_by(&mut found, |f| [real(f.0), 0, 0]);
-    found.into_iter().map(|f| f.1).collect()
+    found.truncate(PAIRS);
+    found.into_iter().flat_map(|f| f.1).map(|order| strokes::sub_path(net, &order)).collect()
 }
 
 /// Nodes to begin and end at: where an odd number of elements meets, a path has to begin or end anyway. Spread over the
@@ -101,12 +125,11 @@ fn pairs(net: &Net, by: CommonCuts) -> Vec<[Order; 2]> {
 fn ends(net: &Net) -> Vec<u32> {
     let odd: Vec<u32> = net.nodes().filter(|&n| net.is_odd(n)).collect();
     let mut left = if odd.is_empty() { net.nodes().collect() } else { odd };
-    let most = if net.len() <= exact::MOST { exact::MOST } else { ENDS };
-    if left.len() <= most {
+    if left.len() <= ENDS {
         return left;
     }
     let mut taken = vec![left.swap_remove(0)];
-    while taken.len() < most && !left.is_empty() {
+    while taken.len() < ENDS && !left.is_empty() {
         let room =
             |n: u32| taken.iter().map(|&t| net.place(t).distance(net.place(n))).fold(f64::INFINITY, f64::min);
         let farthest =

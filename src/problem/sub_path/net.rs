@@ -1,7 +1,7 @@
 //! The elements of a group, which orders of them are possible, and about what an order costs.
 
 use crate::geometry::{DVec2, Path, Segment};
-use crate::machine::{AirTime, Profile};
+use crate::machine::{AirTime, Profile, work_time};
 use crate::sheet::{PierceGroup, Sheet};
 
 /// An element and the way it is cut: twice its index, one more against its direction.
@@ -16,6 +16,8 @@ pub(super) struct Net<'s> {
     /// Geometry of each element.
     pub(super) paths: Vec<Path>,
     pub(super) air: AirTime,
+    /// By step: what may follow without a stop of the beam, and [`Net::gain`] of that.
+    gains: Vec<Vec<(Step, f64)>>,
     /// Elements at each node.
     degree: Vec<u32>,
     /// Nodes of each face, and how many elements it has.
@@ -36,7 +38,34 @@ impl<'s> Net<'s> {
                 around[f as usize].extend(e.ends);
             }
         }
-        Self { group, machine, paths: paths.collect(), air: AirTime::new(machine), degree, around, sides }
+        let (paths, air) = (paths.collect(), AirTime::new(machine));
+        let mut net = Self { group, machine, paths, air, gains: Vec::new(), degree, around, sides };
+        net.gains = net.steps().map(|step| net.gains_after(step)).collect();
+        net
+    }
+
+    fn gains_after(&self, step: Step) -> Vec<(Step, f64)> {
+        let seconds = |path: &[Segment]| work_time(self.machine, false, path);
+        let own = self.travelled(step);
+        let from = self.step(step)[1];
+        let next = self.steps().filter(|&s| s / 2 != step / 2 && self.step(s)[0] == from);
+        let gain = |s: Step| {
+            let (other, both) = (self.travelled(s), [own.clone(), self.travelled(s)].concat());
+            seconds(&own) + seconds(&other) - seconds(&both)
+        };
+        next.map(|s| (s, gain(s))).collect()
+    }
+
+    /// Geometry of a step in the direction of travel.
+    pub(super) fn travelled(&self, step: Step) -> Vec<Segment> {
+        let path = &self.paths[step as usize / 2];
+        if step.is_multiple_of(2) { path.segments.clone() } else { path.reversed().segments }
+    }
+
+    /// Seconds of cutting that are saved when a step follows another one without a stop of the beam in between; less than
+    /// none in a sharp corner.
+    pub(super) fn gain(&self, step: Step, next: Step) -> f64 {
+        self.gains[step as usize].iter().find(|g| g.0 == next).map_or(0.0, |g| g.1)
     }
 
     /// How many elements there are.
@@ -77,12 +106,9 @@ impl<'s> Net<'s> {
         if step.is_multiple_of(2) { [a, b] } else { [b, a] }
     }
 
-    /// Directions, of length 1, in which a step begins and ends.
-    pub(super) fn directions(&self, step: Step) -> [DVec2; 2] {
-        let path = &self.paths[step as usize / 2].segments;
-        let way = |at: f64, s: Option<&Segment>| s.map_or(DVec2::ZERO, |s| s.tangent(at));
-        let [first, last] = [way(0.0, path.first()), way(1.0, path.last())];
-        if step.is_multiple_of(2) { [first, last] } else { [-last, -first] }
+    /// Seconds that a stop for pre-cuts takes between a step and the next.
+    pub(super) fn stop(&self, step: Step, next: Step) -> f64 {
+        (self.start() + self.gain(step, next)).max(0.0)
     }
 
     /// Areas beside an element.
@@ -136,7 +162,8 @@ impl<'s> Net<'s> {
         holds
     }
 
-    /// About the seconds of an order: air moves, piercings, pre-cuts, starts; the cutting itself left out.
+    /// The seconds of an order beside those of cutting its elements one by one: air moves, piercings, pre-cuts, starts,
+    /// less what is saved where the beam goes on. Exact where elements are long enough to get to full speed.
     pub(super) fn cost(&self, order: &[Step]) -> f64 {
         let mut sum = 0.0;
         self.follow(order, |at| sum += at.seconds);
@@ -159,55 +186,71 @@ pub(super) struct At {
     pub(super) begins: bool,
     /// Nothing was cut at its start before: it is pierced.
     pub(super) pierced: bool,
-    /// Seconds of the way there, of piercing, of the start, of pre-cuts; of a sharp corner that is cut through.
+    /// Seconds that it adds to [`Net::cost`].
     pub(super) seconds: f64,
-    /// Pre-cuts that must have been made in it, at its start and end.
-    pub(super) ahead: [bool; 2],
+    /// Pre-cuts that it needs at its start and end: how many steps were done when they were made.
+    pub(super) ahead: [Option<u32>; 2],
 }
 
 /// What an order has done so far.
 #[derive(Clone)]
 pub(super) struct State {
-    head: Option<u32>,
-    /// The way it came there.
-    leaves: DVec2,
+    done: u32,
+    last: Option<Step>,
     visited: Vec<bool>,
     /// A finished contour ends here: what is cut to here later may not run into it.
     loose: Vec<bool>,
     sides: Vec<u32>,
+    /// By node: the cheapest stop of the beam for a pre-cut, its seconds and how many steps were done.
+    stops: Vec<(f64, u32)>,
 }
 
 impl State {
     pub(super) fn new(net: &Net) -> Self {
         let nodes = net.group.nodes.len();
         Self {
-            head: None,
-            leaves: DVec2::ZERO,
+            done: 0,
+            last: None,
             visited: vec![false; nodes],
             loose: vec![false; nodes],
             sides: net.sides.clone(),
+            stops: vec![(f64::INFINITY, 0); nodes],
         }
     }
 
+    /// The next step. A pre-cut is made where the beam stops at its node anyway, if that is before anything that ends
+    /// there is finished; otherwise a run is interrupted for it.
     pub(super) fn next(&mut self, net: &Net, step: Step) -> At {
         let [from, to] = net.step(step);
-        let begins = self.head != Some(from);
+        let head = self.last.map(|last| net.step(last)[1]);
+        let begins = head != Some(from);
         let pierced = begins && !self.visited[from as usize];
-        let way = self.head.filter(|_| begins).map_or(0.0, |head| net.way(head, from));
-        let pierce = if pierced { net.machine.pierce_time } else { 0.0 };
-        let ahead = [begins && !pierced, self.loose[to as usize]];
-        let pre_cuts = ahead.iter().filter(|a| **a).count() as f64;
-        let [enters, leaves] = net.directions(step);
-        let start = if begins {
-            net.start()
-        } else if net.machine.is_sharp(self.leaves, enters) {
-            net.machine.macro_seconds()
-        } else {
-            0.0
-        };
-        let seconds = way + pierce + start + pre_cuts * net.pre_cut();
-        self.leaves = leaves;
-        self.head = Some(to);
+        let mut seconds = 0.0;
+        if begins {
+            if let Some(head) = head {
+                seconds += net.way(head, from);
+                self.may_stop(head, 0.0);
+            }
+            seconds += net.start();
+            if pierced {
+                seconds += net.machine.pierce_time;
+                self.may_stop(from, 0.0);
+            }
+        } else if let Some(last) = self.last {
+            let gain = net.gain(last, step);
+            seconds -= gain;
+            self.may_stop(from, net.stop(last, step));
+        }
+        let due = [begins && !pierced, self.loose[to as usize]];
+        let ahead = [(from, due[0]), (to, due[1])].map(|(node, due)| {
+            due.then(|| {
+                let stop = &mut self.stops[node as usize];
+                seconds += net.pre_cut() + std::mem::replace(&mut stop.0, 0.0);
+                stop.1
+            })
+        });
+        self.done += 1;
+        self.last = Some(step);
         self.visited[from as usize] = true;
         self.visited[to as usize] = true;
         for f in net.faces(step) {
@@ -218,5 +261,13 @@ impl State {
             }
         }
         At { step, begins, pierced, seconds, ahead }
+    }
+
+    /// The beam could stop, or stops, at a node now.
+    fn may_stop(&mut self, node: u32, seconds: f64) {
+        let stop = &mut self.stops[node as usize];
+        if seconds < stop.0 && !self.loose[node as usize] {
+            *stop = (seconds, self.done);
+        }
     }
 }

@@ -1,8 +1,7 @@
 //! An order of elements as what the head does.
 //!
-//! Elements that follow each other without an air move are one run of the beam. A pre-cut is made when the head is first
-//! at its node, before anything that ends there is finished; where that is in the middle of a run, the run is
-//! interrupted.
+//! Elements that follow each other without an air move are one run of the beam. Pre-cuts are made where the beam stops
+//! anyway, as long as nothing that ends there is finished; where it does not stop in time, a run is interrupted.
 
 use super::SubPath;
 use super::net::{Net, Step};
@@ -52,38 +51,39 @@ pub struct Span {
 /// The path of an order.
 pub(super) fn sub_path(net: &Net, order: &[Step]) -> SubPath {
     let mut steps = Vec::with_capacity(order.len());
-    // Pre-cuts of each node still to be made.
-    let mut due: Vec<Vec<Stroke>> = vec![Vec::new(); net.group.nodes.len()];
+    // Pre-cuts: how many steps were done, and where.
+    let mut made: Vec<(u32, u32, Stroke)> = Vec::new();
     net.follow(order, |at| {
-        let ends = net.step(at.step);
-        for (&node, _) in ends.iter().zip(at.ahead).filter(|e| e.1) {
-            due[node as usize].push(pre_cut(net, at.step, node == ends[0]));
+        let [from, to] = net.step(at.step);
+        for (node, begins, done) in [(from, true, at.ahead[0]), (to, false, at.ahead[1])] {
+            made.extend(done.map(|done| (done, node, pre_cut(net, at.step, begins))));
         }
         steps.push((at.step, at.begins, at.pierced));
     });
     let mut strokes = Vec::new();
     let mut open: (Vec<Span>, Vec<Segment>) = Default::default();
     let mut head = None;
-    for (step, begins, pierced) in steps {
+    for (done, (step, begins, pierced)) in (0..).zip(steps) {
         let [from, to] = net.step(step);
+        let pre_cuts =
+            |node: u32| made.iter().filter(move |m| m.0 == done && m.1 == node).map(|m| m.2.clone());
         if begins {
             close(&mut open, &mut strokes);
-            if head.is_some() {
+            if let Some(head) = head {
+                strokes.extend(pre_cuts(head));
                 strokes.push(Stroke::Air(net.place(from)));
             }
             if pierced {
                 strokes.push(Stroke::Pierce);
             }
-            strokes.append(&mut due[from as usize]);
+        } else if pre_cuts(from).next().is_some() {
+            close(&mut open, &mut strokes);
         }
+        strokes.extend(pre_cuts(from));
         let (span, path) = span(net, step);
         open.0.push(span);
         open.1.extend(path);
         head = Some(to);
-        if !due[to as usize].is_empty() {
-            close(&mut open, &mut strokes);
-            strokes.append(&mut due[to as usize]);
-        }
     }
     close(&mut open, &mut strokes);
     let ends = net.ends(order).map(|n| net.place(n));
@@ -111,14 +111,10 @@ fn close(open: &mut (Vec<Span>, Vec<Segment>), strokes: &mut Vec<Stroke>) {
 }
 
 fn span(net: &Net, step: Step) -> (Span, Vec<Segment>) {
-    let (element, path) = (&net.group.elements[step as usize / 2], &net.paths[step as usize / 2]);
-    let (reversed, contour, length) = (step % 2 == 1, element.contour, path.length());
-    let (along, until, elements) = (element.from, element.to, path.segments.len());
-    if reversed {
-        let span = Span { contour, along: until, until: along, reversed, length, elements };
-        return (span, path.reversed().segments);
-    }
-    (Span { contour, along, until, reversed, length, elements }, path.segments.clone())
+    let (element, path) = (&net.group.elements[step as usize / 2], net.travelled(step));
+    let (reversed, contour, length) = (step % 2 == 1, element.contour, net.paths[step as usize / 2].length());
+    let (along, until) = if reversed { (element.to, element.from) } else { (element.from, element.to) };
+    (Span { contour, along, until, reversed, length, elements: path.len() }, path)
 }
 
 /// All seconds of these strokes.
