@@ -19,12 +19,10 @@ export const SIZES = { desktop: { width: 1440, height: 900 }, phone: { width: 39
 /** Opens the built page; everything is closed when the test ends. Errors on the page fail the test, unless `broken`. */
 export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch = false, hash = '', prepare, broken = false } = {}) {
   const server = await serve(join(ROOT, 'dist', 'app'));
-  t.after(() => server.close());
   const browser = await chromium.launch({
     executablePath: browserPath(),
     args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
   });
-  t.after(() => browser.close());
   const context = await browser.newContext({ viewport: size, colorScheme: theme, hasTouch: touch, acceptDownloads: true });
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE);
@@ -33,7 +31,12 @@ export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch
   page.on('request', (request) => requests.push(request.url()));
   page.on('pageerror', (error) => errors.push(String(error)));
   page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
-  t.after(() => broken || assert.deepEqual(errors, []));
+  // The browser first: a page that is still filling its cache must not find the server gone.
+  t.after(async () => {
+    await browser.close();
+    await server.close();
+    if (!broken) assert.deepEqual(errors, []);
+  });
   if (prepare) await page.addInitScript(prepare);
   await page.goto(`${server.url}${hash && `#${hash}`}`);
   return { page, requests, url: server.url };
