@@ -220,3 +220,25 @@ fn a_best_path_is_taken_up_again() {
         assert!((second.run().unwrap().best().cost - cost).abs() < 1e-9);
     }
 }
+
+/// Turned and written with a few decimals, sides no longer meet exactly.
+#[test]
+fn parts_that_meet_within_the_tolerance_are_a_group() {
+    for (turned, decimals) in [(0.0, 3), (0.3, 6), (0.3, 4), (1.1, 3)] {
+        let (sin, cos) = f64::sin_cos(turned);
+        let grain = 10_f64.powi(decimals);
+        let place = |p: &DVec2| {
+            let p = DVec2::new(400.0 + p.x * cos - p.y * sin, 100.0 + p.x * sin + p.y * cos);
+            (p * grain).round() / grain
+        };
+        for (outlines, pierces) in [(grid(2, 1), 1), (grid(3, 2), 1), (bricks(), 1), (pinwheel(), 2)] {
+            let turned_outlines: Vec<Vec<DVec2>> =
+                outlines.iter().map(|o| o.iter().map(place).collect()).collect();
+            let mut job = job(&turned_outlines, CommonCuts::Best, None);
+            job.run_mut().unwrap().step(5_000);
+            let plan = job.plan().unwrap();
+            assert_eq!((job.sheet().groups.len(), plan.summary.pierces), (1, pierces), "{turned} {decimals}");
+            covers(&turned_outlines, &job.output(OutputKind::Gcode).unwrap());
+        }
+    }
+}

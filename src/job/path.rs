@@ -22,6 +22,10 @@ pub struct BestPath {
     pub reversed: Vec<u8>,
     /// Seconds from the start of the job at which each stop's beam goes on along its contour, and off.
     pub times: Vec<f64>,
+    /// Where pre-cuts are made: x, y each, mm.
+    pub pre_cuts: Vec<f64>,
+    /// Sharp corners in which a cut pauses: x, y each, mm.
+    pub pauses: Vec<f64>,
 }
 
 impl BestPath {
@@ -45,6 +49,13 @@ impl BestPath {
             path.until.push(stop.until);
             path.reversed.push(node.reversed.into());
             parts.push(vec![1.0]);
+        }
+        for step in &plan.moves {
+            match step {
+                Move::PreCut { to, .. } => path.pre_cuts.extend([to.x, to.y]),
+                Move::Macro { at, .. } => path.pauses.extend([at.x, at.y]),
+                _ => {}
+            }
         }
         path.times = cutting_times(&plan, &run.machine, &parts);
         (path, plan)

@@ -88,7 +88,7 @@ fn find_groups(
         return Vec::new();
     }
     let rank = |c: &Contour| (c.pin, layers.get(c.layer as usize).map_or(0, |l| l.rank));
-    groups::find(contours, crossing, join, |a, b| rank(a) == rank(b))
+    groups::find(contours, crossing, [join, options.copy_tolerance], |a, b| rank(a) == rank(b))
 }
 
 /// Pins contours, with what lies inside those that come first. What lies around those that come last waits for them

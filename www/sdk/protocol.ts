@@ -223,6 +223,10 @@ export interface BestPath {
   reversed: Uint8Array;
   /** Seconds from the start of the job at which each stop's cut begins and ends: 2 a stop. */
   times: Float64Array;
+  /** Where pre-cuts are made: x, y each. */
+  preCuts: Float64Array;
+  /** Sharp corners in which a cut pauses: x, y each. */
+  pauses: Float64Array;
 }
 
 /** How a search stands. */

@@ -218,7 +218,7 @@ function given<T extends object>(options: T): T {
 }
 
 function pathBuffers({ path }: { path: import('./protocol.js').BestPath | null }): ArrayBuffer[] {
-  return path === null ? [] : buffers([path.contours, path.points, path.along, path.until, path.reversed, path.times]);
+  return path === null ? [] : buffers([path.contours, path.points, path.along, path.until, path.reversed, path.times, path.preCuts, path.pauses]);
 }
 
 function buffers(arrays: ArrayBufferView[]): ArrayBuffer[] {

@@ -1,13 +1,11 @@
 //! Which contours end on which, and where.
 
 use super::super::cluster::cluster;
-use super::super::element::{ROUNDING, with_end, with_start};
 use super::super::model::Contour;
+use super::vertices::with_vertices;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path};
 use crate::order::{real, sort_by};
 
-/// Contours meet within this, mm: rounding of a place along a contour.
-const MEET: f64 = 1e-9;
 /// A place on a contour where a group has a node.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Break {
@@ -137,42 +135,41 @@ fn joined(contours: &[Contour], set: &[(u32, Break)], tolerance: f64) -> Set {
     out
 }
 
-/// Ends of open contours moved onto what they end on, so that all meet bit for bit; the middle of a contour stays. `false`
-/// and nothing moved where they are farther apart than rounding: what was drawn stays as it is.
-pub(super) fn join(contours: &mut [Contour], set: &Set) -> bool {
+/// Gives every contour of a set vertices at its nodes, so that all meet bit for bit. `false`, and nothing moved, where something
+/// would move farther than `limit`: what was drawn stays as it is.
+pub(super) fn join(contours: &mut [Contour], set: &mut Set, limit: f64) -> bool {
     let nodes = set.node.iter().max().map_or(0, |n| *n as usize + 1);
     let mut place: Vec<Option<DVec2>> = vec![None; nodes];
-    let is_inner = |contours: &[Contour], b: &Break| {
+    let is_inner = |b: &Break| {
         let path = &contours[b.contour as usize].path;
         path.closed || (b.along > 0.0 && b.along < path.length())
     };
+    // The middle of a contour stays, ends move onto it.
     for inner in [true, false] {
         for (b, &n) in set.breaks.iter().zip(&set.node) {
-            if is_inner(contours, b) == inner && place[n as usize].is_none() {
+            if is_inner(b) == inner && place[n as usize].is_none() {
                 place[n as usize] = contours[b.contour as usize].path.at(b.along);
             }
         }
     }
-    let mut moves: Vec<(u32, bool, DVec2)> = Vec::new();
-    for (b, &n) in set.breaks.iter().zip(&set.node) {
-        let path = &contours[b.contour as usize].path;
-        let (Some(to), Some(from)) = (place[n as usize], path.at(b.along)) else { return false };
-        let inner = is_inner(contours, b);
-        if from.distance(to) > if inner { MEET } else { ROUNDING } {
-            return false;
-        }
-        if !inner {
-            moves.push((b.contour, b.along > 0.0, to));
-        }
+    let mut paths = Vec::with_capacity(set.contours.len());
+    let mut alongs = Vec::with_capacity(set.breaks.len());
+    for &id in &set.contours {
+        let own = set.breaks.iter().zip(&set.node).filter(|(b, _)| b.contour == id);
+        let places = own.map(|(b, &n)| Some((b.along, place[n as usize]?))).collect::<Option<Vec<_>>>();
+        let path = &contours[id as usize].path;
+        let Some((path, new)) = places.and_then(|p| with_vertices(path, &p, limit)) else { return false };
+        paths.push(path);
+        alongs.extend(new);
     }
-    for (id, at_end, to) in moves {
+    for (b, along) in set.breaks.iter_mut().zip(alongs) {
+        b.along = along;
+    }
+    for (&id, path) in set.contours.iter().zip(paths) {
         let contour = &mut contours[id as usize];
-        let segments = &mut contour.path.segments;
-        if let Some(s) = if at_end { segments.last_mut() } else { segments.first_mut() } {
-            *s = if at_end { with_end(*s, to) } else { with_start(*s, to) };
-        }
-        contour.length = contour.path.length();
-        contour.bounds = contour.path.bounds();
+        contour.length = path.length();
+        contour.bounds = path.bounds();
+        contour.path = path;
     }
     true
 }

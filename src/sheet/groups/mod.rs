@@ -4,13 +4,14 @@
 //! it. Where an open contour ends on others at both ends, they are one group: it can be pierced once and cut as a whole,
 //! from element to element.
 //!
-//! [`contacts`] finds where contours of a group meet and lets them meet bit for bit; [`faces`] tells the areas that
+//! [`contacts`] finds where contours of a group meet, [`vertices`] lets them meet bit for bit; [`faces`] tells the areas that
 //! the elements close in: parts, and islands between parts. What is closed in falls out when the last element around it
 //! is cut, so a face may be closed only when nothing in it is left to cut; a stretch shared by two parts comes before
 //! the contour that both have together.
 
 mod contacts;
 mod faces;
+mod vertices;
 
 use super::model::{Contour, Operation};
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, turns, winding};
@@ -62,12 +63,13 @@ impl GroupElement {
     }
 }
 
-/// The groups of a sheet. Ends of their contours are moved onto what they end on, by the joining tolerance at most.
+/// The groups of a sheet. Ends of their contours are moved onto what they end on, by `limit` at most, mm;
+/// `tolerance` is what ends are looked for within.
 /// `crossing`: contours that cross each other, of which no net can be made. `same`: whether two contours may be worked one after the other at all.
 pub(super) fn find(
     contours: &mut [Contour],
     crossing: &[(u32, u32)],
-    tolerance: f64,
+    [tolerance, limit]: [f64; 2],
     same: impl Fn(&Contour, &Contour) -> bool,
 ) -> Vec<PierceGroup> {
     let mut groups = Vec::new();
@@ -77,10 +79,10 @@ pub(super) fn find(
         sound[a as usize] = false;
         sound[b as usize] = false;
     }
-    for set in contacts::sets(contours, &sound, tolerance) {
+    for mut set in contacts::sets(contours, &sound, tolerance) {
         let first = &contours[set.contours[0] as usize];
         let alike = set.contours.iter().all(|&c| same(first, &contours[c as usize]));
-        if alike && contacts::join(contours, &set) {
+        if alike && contacts::join(contours, &mut set, limit) {
             groups.extend(faces::group(contours, &set));
         }
     }

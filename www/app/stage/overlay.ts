@@ -86,6 +86,30 @@ export function drawPartitions(pen: Pen, view: View, palette: Palette, shapes: S
   pen.stroke();
 }
 
+/** From the middle of a mark to its sides, CSS pixels. */
+const MARK = 3.5;
+
+/** Where pre-cuts are made: diamonds; where a cut pauses in a sharp corner: squares. */
+export function drawMarks(pen: Pen, view: View, palette: Palette, path: BestPath): void {
+  const size = MARK * view.ratio;
+  const marks = (places: Float64Array, corners: readonly (readonly [number, number])[]) => {
+    pen.beginPath();
+    for (let i = 0; i + 1 < places.length; i += 2) {
+      const x = view.x + places[i]! * view.scale, y = view.y - places[i + 1]! * view.scale;
+      if (x < -size || y < -size || x > view.width + size || y > view.height + size) continue;
+      corners.forEach(([dx, dy], k) => (k === 0 ? pen.moveTo(x + dx * size, y + dy * size) : pen.lineTo(x + dx * size, y + dy * size)));
+      pen.closePath();
+    }
+    pen.fill();
+    pen.stroke();
+  };
+  pen.lineWidth = 1.5 * view.ratio;
+  pen.fillStyle = palette.sheet;
+  pen.strokeStyle = palette.accent;
+  marks(path.preCuts, [[0, -1.3], [1.3, 0], [0, 1.3], [-1.3, 0]]);
+  marks(path.pauses, [[-0.8, -0.8], [0.8, -0.8], [0.8, 0.8], [-0.8, 0.8]]);
+}
+
 /** The air moves into and out of a stop, drawn heavier. */
 export function drawWays(pen: Pen, view: View, palette: Palette, path: BestPath, travel: Travel, stop: number): void {
   const p = path.points;

@@ -186,6 +186,7 @@ export class Scene {
       if (this.partitions?.parents.length) overlay.drawPartitions(pen, view, palette, shapes, this.partitions);
       this.blit('path', view, 1);
       this.drawGlow(view);
+      overlay.drawMarks(pen, view, palette, this.path);
     }
     if (this.hovered !== null && this.hovered !== this.selected) overlay.drawEmphasis(pen, view, palette, shapes, this.hovered, false);
     if (this.selected !== null) {
