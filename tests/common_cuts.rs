@@ -114,7 +114,7 @@ fn moved_turned_mirrored_and_reordered_drawings_have_the_same_nets() {
         let mut degrees = vec![0; group.nodes.len()];
         group.elements.iter().flat_map(|e| e.ends).for_each(|n| degrees[n as usize] += 1);
         degrees.sort_unstable();
-        let length: f64 = group.elements.iter().map(|e| e.path(&sheet.contours).length()).sum();
+        let length: f64 = group.elements.iter().map(|e| group.path(e).length()).sum();
         (group.faces, degrees, (length * 1e6).round() as i64)
     };
     let all = |f: &dyn Fn(DVec2) -> DVec2, o: &[Vec<DVec2>]| -> Vec<Vec<DVec2>> {

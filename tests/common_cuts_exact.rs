@@ -122,7 +122,7 @@ fn agrees(name: &str, outlines: &[Vec<DVec2>], machine: &Profile) -> usize {
     let mut job = job(outlines, CommonCuts::Best, machine.clone(), None);
     let sheet = job.sheet().clone();
     let [group] = &sheet.groups[..] else { panic!("{name}: {} groups", sheet.groups.len()) };
-    let by_hand = ByHand::new(&sheet, group, machine);
+    let by_hand = ByHand::new(group, machine);
     assert!(by_hand.count() <= 9, "{name}: {} elements", by_hand.count());
 
     // Every way through the group that is offered is the least between its ends, and none is missing.
@@ -186,7 +186,7 @@ fn two_groups_are_cut_in_the_best_order_from_the_best_ends() {
         let mut job = job(&outlines, CommonCuts::Best, machine.clone(), None);
         let sheet = job.sheet().clone();
         let [one, other] = &sheet.groups[..] else { panic!("{} groups", sheet.groups.len()) };
-        let (one, other) = (ByHand::new(&sheet, one, &machine), ByHand::new(&sheet, other, &machine));
+        let (one, other) = (ByHand::new(one, &machine), ByHand::new(other, &machine));
         let least = |a: &ByHand, b: &ByHand| {
             let first = a.nodes.iter().map(|&n| (n, a.between(machine.home(), n)));
             let then = |(n, seconds)| seconds + b.between(n, machine.home());

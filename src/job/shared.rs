@@ -10,12 +10,12 @@ pub(super) fn findings(sheet: &Sheet, problem: &Problem) -> Vec<Finding> {
         let first = g.contours.first().and_then(|&c| problem.items.get(c as usize));
         first.is_some_and(|item| !item.ways().is_empty())
     };
-    sheet.pierce_groups().iter().filter(joined).map(|group| finding(sheet, group)).collect()
+    sheet.pierce_groups().iter().filter(joined).map(finding).collect()
 }
 
-fn finding(sheet: &Sheet, group: &PierceGroup) -> Finding {
+fn finding(group: &PierceGroup) -> Finding {
     let between_parts = group.elements.iter().filter(|e| !e.faces.contains(&0));
-    let shared: f64 = between_parts.map(|e| e.path(&sheet.contours).length()).sum();
+    let shared: f64 = between_parts.map(|e| group.path(e).length()).sum();
     let contours = group.contours.len();
     let message = format!(
         "{contours} contours share cuts and are cut as one: {:.3} m are cut once instead of twice, {} fewer piercings.",

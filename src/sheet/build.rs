@@ -56,7 +56,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     }
     parts::orient(&mut contours);
     pin(&mut contours, options);
-    let groups = find_groups(&mut contours, &layers, &crossing, options, join);
+    let groups = find_groups(&contours, &layers, &crossing, options, join);
     for c in &contours {
         if let Some(l) = layers.get_mut(c.layer as usize) {
             l.contours += 1;
@@ -78,7 +78,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
 
 /// Contours that share cuts, unless they are cut by themselves: where that is wished, and part by part.
 fn find_groups(
-    contours: &mut [Contour],
+    contours: &[Contour],
     layers: &[LayerUse],
     crossing: &[(u32, u32)],
     options: &SheetOptions,

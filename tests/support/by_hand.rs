@@ -5,7 +5,7 @@
 
 use kerfway::geometry::DVec2;
 use kerfway::machine::{Profile, Travel};
-use kerfway::sheet::{PierceGroup, Sheet};
+use kerfway::sheet::PierceGroup;
 use std::collections::HashMap;
 
 /// Side of a cell, mm.
@@ -69,11 +69,11 @@ struct Done {
 
 impl<'m> ByHand<'m> {
     /// Least seconds from each node to each, of everything that is done in a group.
-    pub(crate) fn new(sheet: &Sheet, group: &PierceGroup, machine: &'m Profile) -> Self {
+    pub(crate) fn new(group: &PierceGroup, machine: &'m Profile) -> Self {
         let mut nodes: Vec<DVec2> = Vec::new();
         let mut elements = Vec::new();
         for e in &group.elements {
-            let path = e.path(&sheet.contours);
+            let path = group.path(e);
             let mut corners = vec![path.segments[0].start()];
             let mut walls = Vec::new();
             for s in &path.segments {

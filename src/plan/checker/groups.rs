@@ -43,7 +43,7 @@ impl<'s> Groups<'s> {
             }
             work.push(Work {
                 group,
-                paths: group.elements.iter().map(|e| e.path(&sheet.contours)).collect(),
+                paths: group.elements.iter().map(|e| group.path(e)).collect(),
                 cut: vec![false; group.elements.len()],
                 ahead: Vec::new(),
                 free: vec![None; group.faces as usize],

@@ -5,7 +5,7 @@
 
 use super::violation::Violation;
 use super::{SAME, rounding};
-use crate::geometry::{Aabb, DVec2};
+use crate::geometry::{Aabb, DVec2, Path};
 use crate::machine::{Profile, Travel, cut_time};
 use crate::order::sort_by;
 use crate::plan::model::{Move, Plan};
@@ -34,9 +34,9 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 cuts += 1;
                 worked.push(*contour);
                 worked.extend(with);
-                for c in with.iter().chain([contour]).filter_map(|&c| sheet.contours.get(c as usize)) {
-                    bounds = bounds.union(c.path.bounds());
-                    slack = c.path.segments.iter().map(rounding).fold(slack, f64::max);
+                for path in with.iter().chain([contour]).filter_map(|&c| path_of(sheet, machine, c)) {
+                    bounds = bounds.union(path.bounds());
+                    slack = path.segments.iter().map(rounding).fold(slack, f64::max);
                 }
                 cut_length += path.iter().map(|s| s.length()).sum::<f64>();
                 cut_seconds += cut_time(machine, if *mark { &machine.mark } else { &machine.cut }, path);
@@ -93,6 +93,14 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             found.push(Violation::Sum { what, says, found: adds_up });
         }
     }
+}
+
+/// A contour's path; that in its group where the machine cuts groups as one.
+fn path_of<'s>(sheet: &'s Sheet, machine: &Profile, contour: u32) -> Option<&'s Path> {
+    let mut groups = sheet.pierce_groups().iter().filter(|_| machine.makes_pre_cuts());
+    let joined =
+        groups.find_map(|g| g.contours.iter().position(|&c| c == contour).and_then(|k| g.paths.get(k)));
+    joined.or_else(|| sheet.contours.get(contour as usize).map(|c| &c.path))
 }
 
 /// Seconds of an air move along `way`, mm.

@@ -66,7 +66,7 @@ impl SubPath {
 
 /// The paths through a group, in pairs of out and back.
 pub(super) fn sub_paths(sheet: &Sheet, group: &PierceGroup, machine: &Profile) -> Vec<SubPath> {
-    let net = Net::new(sheet, group, machine);
+    let net = Net::new(group, machine);
     let by_insertion = if sheet.common_cuts == CommonCuts::Insertion { inserted(&net) } else { Vec::new() };
     if by_insertion.is_empty() { best(&net) } else { by_insertion }
 }

@@ -2,7 +2,7 @@
 
 use crate::geometry::{DVec2, Path, Segment};
 use crate::machine::{AirTime, Profile, work_time};
-use crate::sheet::{PierceGroup, Sheet};
+use crate::sheet::PierceGroup;
 
 /// An element and the way it is cut: twice its index, one more against its direction.
 pub(super) type Step = u32;
@@ -26,8 +26,8 @@ pub(super) struct Net<'s> {
 }
 
 impl<'s> Net<'s> {
-    pub(super) fn new(sheet: &Sheet, group: &'s PierceGroup, machine: &'s Profile) -> Self {
-        let paths = group.elements.iter().map(|e| e.path(&sheet.contours));
+    pub(super) fn new(group: &'s PierceGroup, machine: &'s Profile) -> Self {
+        let paths = group.elements.iter().map(|e| group.path(e));
         let mut degree = vec![0; group.nodes.len()];
         let mut around = vec![Vec::new(); group.faces as usize];
         let mut sides = vec![0; group.faces as usize];

@@ -135,9 +135,9 @@ fn joined(contours: &[Contour], set: &[(u32, Break)], tolerance: f64) -> Set {
     out
 }
 
-/// Gives every contour of a set vertices at its nodes, so that all meet bit for bit. `false`, and nothing moved, where something
-/// would move farther than `limit`: what was drawn stays as it is.
-pub(super) fn join(contours: &mut [Contour], set: &mut Set, limit: f64) -> bool {
+/// The paths of the contours of a set with vertices at its nodes, so that all meet bit for bit. `None` where something would
+/// move farther than `limit`.
+pub(super) fn join(contours: &[Contour], set: &mut Set, limit: f64) -> Option<Vec<Path>> {
     let nodes = set.node.iter().max().map_or(0, |n| *n as usize + 1);
     let mut place: Vec<Option<DVec2>> = vec![None; nodes];
     let is_inner = |b: &Break| {
@@ -158,20 +158,14 @@ pub(super) fn join(contours: &mut [Contour], set: &mut Set, limit: f64) -> bool 
         let own = set.breaks.iter().zip(&set.node).filter(|(b, _)| b.contour == id);
         let places = own.map(|(b, &n)| Some((b.along, place[n as usize]?))).collect::<Option<Vec<_>>>();
         let path = &contours[id as usize].path;
-        let Some((path, new)) = places.and_then(|p| with_vertices(path, &p, limit)) else { return false };
+        let (path, new) = with_vertices(path, &places?, limit)?;
         paths.push(path);
         alongs.extend(new);
     }
     for (b, along) in set.breaks.iter_mut().zip(alongs) {
         b.along = along;
     }
-    for (&id, path) in set.contours.iter().zip(paths) {
-        let contour = &mut contours[id as usize];
-        contour.length = path.length();
-        contour.bounds = path.bounds();
-        contour.path = path;
-    }
-    true
+    Some(paths)
 }
 
 fn root(leader: &[u32], mut c: u32) -> u32 {

@@ -14,16 +14,16 @@ use crate::order::{real, sort_by};
 const AHEAD: f64 = 0.05;
 
 /// The group of a set of contours; `None` when its elements are no proper net, as when they cross elsewhere.
-pub(super) fn group(contours: &[super::Contour], set: &Set) -> Option<PierceGroup> {
+pub(super) fn group(set: &Set, paths: Vec<Path>) -> Option<PierceGroup> {
     let nodes = set.node.iter().max().map_or(0, |n| *n as usize + 1);
     let mut at = vec![DVec2::ZERO; nodes];
     for (b, &n) in set.breaks.iter().zip(&set.node) {
-        at[n as usize] = contours[b.contour as usize].path.at(b.along)?;
+        let own = set.contours.iter().position(|&c| c == b.contour)?;
+        at[n as usize] = paths[own].at(b.along)?;
     }
     let mut elements = Vec::new();
     let own = |id: u32| (0..set.breaks.len()).filter(move |&k| set.breaks[k].contour == id);
-    for &id in &set.contours {
-        let path = &contours[id as usize].path;
+    for (&id, path) in set.contours.iter().zip(&paths) {
         let breaks: Vec<usize> = own(id).collect();
         let last = if path.closed { breaks.first().copied() } else { None };
         let next = breaks.iter().skip(1).copied().chain(last);
@@ -33,12 +33,14 @@ pub(super) fn group(contours: &[super::Contour], set: &Set) -> Option<PierceGrou
             elements.push(GroupElement { contour: id, from, to, ends, faces: [0; 2] });
         }
     }
-    let paths: Vec<Path> = elements.iter().map(|e| e.path(contours)).collect();
+    let contours = set.contours.clone();
+    let mut group = PierceGroup { contours, paths, nodes: at, elements, faces: 0, inside: Vec::new() };
+    let paths: Vec<Path> = group.elements.iter().map(|e| group.path(e)).collect();
     if paths.iter().any(|p| p.segments.is_empty()) {
         return None;
     }
-    let faces = trace(&mut elements, &paths, nodes)?;
-    Some(PierceGroup { contours: set.contours.clone(), nodes: at, elements, faces, inside: Vec::new() })
+    group.faces = trace(&mut group.elements, &paths, nodes)?;
+    Some(group)
 }
 
 /// Gives every element its faces; how many there are.

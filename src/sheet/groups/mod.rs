@@ -21,6 +21,9 @@ use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, turns, winding};
 pub struct PierceGroup {
     /// Contour ids, ascending; the first stands for the group.
     pub contours: Vec<u32>,
+    /// Their paths in the group: as those of the sheet, but with a vertex at each node, which they are moved onto within the
+    /// copy tolerance. The contours themselves stay as they are for machines that cut them one by one.
+    pub paths: Vec<Path>,
     /// Where elements end, mm.
     pub nodes: Vec<DVec2>,
     /// Stretches of its contours between nodes.
@@ -36,7 +39,7 @@ pub struct PierceGroup {
 pub struct GroupElement {
     /// Whose it is.
     pub contour: u32,
-    /// Arc length on the contour where it begins and ends, mm; over the contour's end where it ends before it begins,
+    /// Arc length on the contour's path in the group where it begins and ends, mm; over the contour's end where it ends before it begins,
     /// and once round where both are one.
     pub from: f64,
     /// See `from`.
@@ -47,27 +50,25 @@ pub struct GroupElement {
     pub faces: [u32; 2],
 }
 
-impl GroupElement {
-    /// Its geometry, from beginning to end. `contours`: those of the sheet.
-    pub fn path(&self, contours: &[Contour]) -> Path {
-        let Some(contour) = contours.get(self.contour as usize).map(|c| &c.path) else {
-            return Path::default();
-        };
-        let whole = self.from.total_cmp(&self.to).is_eq();
+impl PierceGroup {
+    /// The geometry of an element, from beginning to end.
+    pub fn path(&self, element: &GroupElement) -> Path {
+        let place = self.contours.iter().position(|&c| c == element.contour);
+        let Some(contour) = place.and_then(|k| self.paths.get(k)) else { return Path::default() };
+        let whole = element.from.total_cmp(&element.to).is_eq();
         let segments = match (whole, contour.closed) {
-            (true, true) => contour.starting_at(self.from).segments,
+            (true, true) => contour.starting_at(element.from).segments,
             (true, false) => contour.segments.clone(),
-            _ => contour.between(self.from, self.to),
+            _ => contour.between(element.from, element.to),
         };
         Path::new(segments, false)
     }
 }
 
-/// The groups of a sheet. Ends of their contours are moved onto what they end on, by `limit` at most, mm;
-/// `tolerance` is what ends are looked for within.
+/// The groups of a sheet. `tolerance`, mm: within it ends are looked for; `limit`: what meets is moved by this at most.
 /// `crossing`: contours that cross each other, of which no net can be made. `same`: whether two contours may be worked one after the other at all.
 pub(super) fn find(
-    contours: &mut [Contour],
+    contours: &[Contour],
     crossing: &[(u32, u32)],
     [tolerance, limit]: [f64; 2],
     same: impl Fn(&Contour, &Contour) -> bool,
@@ -82,9 +83,8 @@ pub(super) fn find(
     for mut set in contacts::sets(contours, &sound, tolerance) {
         let first = &contours[set.contours[0] as usize];
         let alike = set.contours.iter().all(|&c| same(first, &contours[c as usize]));
-        if alike && contacts::join(contours, &mut set, limit) {
-            groups.extend(faces::group(contours, &set));
-        }
+        let paths = if alike { contacts::join(contours, &mut set, limit) } else { None };
+        groups.extend(paths.and_then(|paths| faces::group(&set, paths)));
     }
     let boxes = BoxIndex::new(contours.iter().map(|c| c.bounds));
     groups.retain(|group| lies_clear(contours, &boxes, group));
@@ -101,7 +101,7 @@ fn lies_clear(contours: &[Contour], boxes: &BoxIndex, group: &PierceGroup) -> bo
         .elements
         .iter()
         .filter_map(|e| {
-            let path = e.path(contours);
+            let path = group.path(e);
             path.at(0.5 * path.length())
         })
         .collect();
@@ -122,7 +122,7 @@ fn lies_clear(contours: &[Contour], boxes: &BoxIndex, group: &PierceGroup) -> bo
 
 /// Contours that are closed in by a group.
 fn inside(contours: &[Contour], boxes: &BoxIndex, group: &PierceGroup) -> Vec<u32> {
-    let around = around(contours, group);
+    let around = around(group);
     let bounds = around.iter().fold(Aabb::EMPTY, |b, s| b.union(s.bounds()));
     let mut found = boxes.query(bounds);
     crate::order::sort_by(&mut found, |&c| [c as u64, 0, 0]);
@@ -144,10 +144,10 @@ fn within(outer: Aabb, inner: Aabb) -> bool {
 }
 
 /// The elements that the area around a group ends at, in no order: enough to count crossings.
-fn around(contours: &[Contour], group: &PierceGroup) -> Vec<Segment> {
+fn around(group: &PierceGroup) -> Vec<Segment> {
     let mut segments = Vec::new();
     for e in &group.elements {
-        let path = e.path(contours);
+        let path = group.path(e);
         match e.faces {
             [0, 0] => {}
             [_, 0] => segments.extend(path.segments),
