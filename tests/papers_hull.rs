@@ -5,12 +5,11 @@
 mod plan_support;
 
 use kerfway::machine::Profile;
-use kerfway::plan;
-use kerfway::problem::{self, Problem};
+use kerfway::problem;
 use kerfway::sheet::Sheet;
 use kerfway::solve::papers::{self, Insight};
-use kerfway::solve::{Search, Solution, Status};
-use plan_support::{Builder, assert_feasible, circle, line, machine, nested_sheet, p, rectangle};
+use kerfway::solve::{Solution, Status};
+use plan_support::{Builder, assert_passes, circle, line, machine, nested_sheet, p, paper, rectangle};
 
 /// Every method of these papers, made small.
 const METHODS: [(&str, &str); 6] = [
@@ -22,17 +21,6 @@ const METHODS: [(&str, &str); 6] = [
     ("dual-coding-ga", SMALL),
 ];
 const SMALL: &str = r#"{"population": 12, "generations": 15}"#;
-
-fn start<'p>(name: &str, parameters: &str, problem: &'p Problem, seed: u64) -> Box<dyn Search + 'p> {
-    // The method lives as long as the search does not need it.
-    papers::method(name, parameters).unwrap().start(problem, seed, None)
-}
-
-fn assert_passes(sheet: &Sheet, machine: &Profile, problem: &Problem, best: &Solution) {
-    assert_feasible(problem, best);
-    let plan = plan::from_solution(sheet, problem, best);
-    assert_eq!(plan::check(sheet, machine, &plan), Ok(()), "{}", machine.name);
-}
 
 /// Holes, slots, marks, open cuts, parts in parts; worked by layer and as one.
 fn sheets() -> Vec<Sheet> {
@@ -60,7 +48,7 @@ fn every_best_is_allowed_and_passes_the_checker() {
             let machine = Profile { return_home: closed, ..machine(name) };
             let problem = problem::from_sheet(sheet, &machine);
             for (method, parameters) in METHODS {
-                let mut search = start(method, parameters, &problem, 1);
+                let mut search = paper(method, parameters, &problem, 1);
                 assert_passes(sheet, &machine, &problem, search.best());
                 let mut last = search.best().clone();
                 loop {
@@ -88,7 +76,7 @@ fn slices_and_seeds_repeat_to_the_bit() {
     let problem = problem::from_sheet(&sheet, &machine("length-partial"));
     for (method, parameters) in METHODS {
         let run = |slice: u64, seed: u64, moves: u64| -> (Solution, Insight, u64) {
-            let mut search = start(method, parameters, &problem, seed);
+            let mut search = paper(method, parameters, &problem, seed);
             (0..moves / slice).for_each(|_| {
                 search.step(slice);
             });

@@ -5,12 +5,11 @@
 mod plan_support;
 
 use kerfway::machine::Profile;
-use kerfway::plan;
-use kerfway::problem::{self, Problem};
+use kerfway::problem;
 use kerfway::sheet::Sheet;
+use kerfway::solve::Status;
 use kerfway::solve::papers::{self, Insight};
-use kerfway::solve::{Search, Solution, Status};
-use plan_support::{Builder, assert_feasible, circle, line, machine, nested_sheet, p, rectangle};
+use plan_support::{Builder, assert_passes, circle, line, machine, nested_sheet, p, paper, rectangle};
 
 /// Every method of the paper, with each of its forms.
 const METHODS: [(&str, &str); 8] = [
@@ -27,17 +26,6 @@ const METHODS: [(&str, &str); 8] = [
 /// Plate: piercing and leaving cost seconds.
 fn plate(closed: bool) -> Profile {
     Profile { pierce_time: 1.0, pre_cut_time: Some(0.2), return_home: closed, ..machine("co2-100w") }
-}
-
-fn start<'p>(name: &str, parameters: &str, problem: &'p Problem, seed: u64) -> Box<dyn Search + 'p> {
-    // The method lives as long as the search does not need it.
-    papers::method(name, parameters).unwrap().start(problem, seed, None)
-}
-
-fn assert_passes(sheet: &Sheet, machine: &Profile, problem: &Problem, best: &Solution) {
-    assert_feasible(problem, best);
-    let plan = plan::from_solution(sheet, problem, best);
-    assert_eq!(plan::check(sheet, machine, &plan), Ok(()), "{}", machine.name);
 }
 
 /// Parts close together: rectangles 4 mm apart with holes and parts in the holes, nothing but cuts.
@@ -72,7 +60,7 @@ fn every_best_is_allowed_and_passes_the_checker() {
             for machine in [plate(closed), machine("length"), machine("length-partial")] {
                 let problem = problem::from_sheet(&sheet, &machine);
                 for (method, parameters) in METHODS {
-                    let mut search = start(method, parameters, &problem, 1);
+                    let mut search = paper(method, parameters, &problem, 1);
                     assert_passes(&sheet, &machine, &problem, search.best());
                     while search.step(20_000).status == Status::Running {
                         assert_passes(&sheet, &machine, &problem, search.best());
@@ -93,7 +81,7 @@ fn slices_repeat_to_the_bit() {
     let problem = problem::from_sheet(&sheet, &plate(true));
     for (method, parameters) in METHODS {
         let run = |slice: u64| -> (Solution, Insight, u64) {
-            let mut search = start(method, parameters, &problem, 1);
+            let mut search = paper(method, parameters, &problem, 1);
             while search.step(slice).status == Status::Running {}
             (search.best().clone(), search.insight(), search.telemetry().best_at)
         };
@@ -120,7 +108,7 @@ fn the_tree_improves_on_its_construction_and_on_a_tour_where_parts_are_close() {
     }
     let problem = problem::from_sheet(&b.sheet, &plate(true));
     let cost = |method: &str, parameters: &str| {
-        let mut search = start(method, parameters, &problem, 1);
+        let mut search = paper(method, parameters, &problem, 1);
         while search.step(100_000).status == Status::Running {}
         let values = search.insight().curves.into_iter().map(|c| (c.name, c.value)).collect::<Vec<_>>();
         (search.best().cost, values)

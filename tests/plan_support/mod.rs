@@ -4,8 +4,10 @@
 
 use kerfway::geometry::{Arc, DVec2, Path, Segment};
 use kerfway::machine::{Profile, preset};
+use kerfway::plan;
 use kerfway::problem::Problem;
 use kerfway::sheet::{Contour, LayerUse, Operation, Part, Pin, Sheet};
+use kerfway::solve::{Search, Solution, papers};
 
 pub fn p(x: f64, y: f64) -> DVec2 {
     DVec2::new(x, y)
@@ -194,9 +196,21 @@ pub fn nested_sheet(contours: usize, seed: u64) -> Sheet {
     b.sheet
 }
 
+/// A search by a method of a paper. It does not need the method it comes from.
+pub fn paper<'p>(name: &str, parameters: &str, problem: &'p Problem, seed: u64) -> Box<dyn Search + 'p> {
+    papers::method(name, parameters).unwrap().start(problem, seed, None)
+}
+
+/// What a search has found is a plan that passes the checker.
+pub fn assert_passes(sheet: &Sheet, machine: &Profile, problem: &Problem, best: &Solution) {
+    assert_feasible(problem, best);
+    let plan = plan::from_solution(sheet, problem, best);
+    assert_eq!(plan::check(sheet, machine, &plan), Ok(()), "{}", machine.name);
+}
+
 /// Whether a solution does every item once round, in one go or left unfinished where that is allowed, visits nested, inner
 /// finished before outer, by rank.
-pub fn assert_feasible(problem: &Problem, solution: &kerfway::solve::Solution) {
+pub fn assert_feasible(problem: &Problem, solution: &Solution) {
     let mut finished = vec![None; problem.items.len()];
     // Items left unfinished: first place and the one they were left at.
     let mut open: Vec<(usize, u64, u64)> = Vec::new();
@@ -230,6 +244,6 @@ pub fn assert_feasible(problem: &Problem, solution: &kerfway::solve::Solution) {
             assert!(*at < finished[outer as usize], "item {outer} before what is inside it");
         }
     }
-    let again = kerfway::solve::Solution::new(problem, solution.stops.clone());
+    let again = Solution::new(problem, solution.stops.clone());
     assert_eq!(again.cost.to_bits(), solution.cost.to_bits());
 }
