@@ -7,8 +7,8 @@ mod plan_support;
 use kerfway::machine::Profile;
 use kerfway::problem;
 use kerfway::sheet::Sheet;
-use kerfway::solve::Status;
 use kerfway::solve::papers::{self, Insight};
+use kerfway::solve::{Solution, Status};
 use plan_support::{Builder, assert_passes, circle, line, machine, nested_sheet, p, paper, rectangle};
 
 /// Every method of the paper, with each of its forms.
