@@ -81,6 +81,8 @@ pub enum Code {
     LayerSuggestion,
     /// A layer that is not cut, with what it holds.
     LayerIgnored,
+    /// Contours left out one by one.
+    ContourExcluded,
     /// An operation was asked for a layer that the drawing does not have.
     LayerUnknown,
     /// A check was cut short because of the size of the drawing, with what was left unchecked.

@@ -90,7 +90,10 @@ fn a_pin_on_a_contour_that_is_not_there_is_refused() {
     let bytes = std::fs::read(file).unwrap();
     let load = |last: u32| LoadOptions { last: vec![last], ..LoadOptions::default() };
     let told = Job::load(bytes.clone(), "a.dxf", &load(4000)).err().unwrap().to_string();
-    assert!(told.starts_with("Contour 4000 was to be worked first or last, but there are only "), "{told}");
+    assert!(
+        told.starts_with("Contour 4000 was to be worked first or last, or left out, but there are only "),
+        "{told}"
+    );
     let mut job = Job::load(bytes, "a.dxf", &LoadOptions::default()).unwrap();
     assert!(matches!(job.reload(&load(4000)), Err(JobError::Options(_))));
     assert!(job.start(&PlanOptions::default()).is_ok(), "what was loaded before is still there");

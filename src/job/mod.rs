@@ -31,7 +31,7 @@ pub use written::OutputKind;
 
 use crate::dxf::{self, Drawing, ReadError, ReadOptions};
 use crate::machine::ProfileError;
-use crate::sheet::{self, Sheet, SheetOptions};
+use crate::sheet::{self, Contour, Sheet, SheetOptions};
 use sha2::{Digest, Sha256};
 
 /// Why a job cannot go on: one sentence for people.
@@ -137,7 +137,7 @@ impl Job {
 
     /// Starts a plan; one under way is dropped.
     pub fn start(&mut self, options: &PlanOptions) -> Result<&Run, JobError> {
-        if self.sheet.contours.is_empty() {
+        if !self.sheet.contours.iter().any(Contour::is_worked) {
             return Err(JobError::NothingToCut(self.why_empty()));
         }
         self.run = None;
@@ -158,7 +158,7 @@ impl Job {
         if self.sheet.ignored.is_empty() {
             "the drawing holds no outlines."
         } else {
-            "every layer that holds something is left out. Set one to cut or mark."
+            "everything in the drawing is left out. Set a layer to cut or mark, or take a contour back."
         }
     }
 }
@@ -166,10 +166,11 @@ impl Job {
 fn built(drawing: &Drawing, options: &SheetOptions) -> Result<Sheet, JobError> {
     let sheet = sheet::build(drawing, options);
     let count = sheet.contours.len();
-    match options.first.iter().chain(&options.last).find(|&&id| id as usize >= count) {
+    match options.first.iter().chain(&options.last).chain(&options.exclude).find(|&&id| id as usize >= count)
+    {
         None => Ok(sheet),
         Some(id) => Err(JobError::Options(format!(
-            "Contour {id} was to be worked first or last, but there are only {count}, counted from 0."
+            "Contour {id} was to be worked first or last, or left out, but there are only {count}, counted from 0."
         ))),
     }
 }

@@ -46,6 +46,8 @@ pub struct LoadOptions {
     pub first: Vec<u32>,
     /// Contours worked after all others, by id.
     pub last: Vec<u32>,
+    /// Contours left out, by id.
+    pub exclude: Vec<u32>,
 }
 
 impl Default for LoadOptions {
@@ -63,6 +65,7 @@ impl Default for LoadOptions {
             common_cuts: sheet.common_cuts,
             first: sheet.first,
             last: sheet.last,
+            exclude: sheet.exclude,
         }
     }
 }
@@ -97,6 +100,7 @@ impl LoadOptions {
             common_cuts: self.common_cuts,
             first: self.first.clone(),
             last: self.last.clone(),
+            exclude: self.exclude.clone(),
             ..SheetOptions::default()
         })
     }

@@ -146,6 +146,8 @@ struct OptionsView<'a> {
     common_cuts: CommonCuts,
     first: &'a [u32],
     last: &'a [u32],
+    #[serde(skip_serializing_if = "<[u32]>::is_empty")]
+    exclude: &'a [u32],
 }
 
 #[derive(Serialize)]
@@ -313,6 +315,7 @@ impl<'a> View<'a> {
                 common_cuts: arrange.common_cuts,
                 first: &arrange.first,
                 last: &arrange.last,
+                exclude: &arrange.exclude,
             },
             summary: &plan.summary,
             contours: (0..)

@@ -19,6 +19,7 @@ use crate::sheet::{Contour, Operation, Sheet};
 /// * Leaving: closed cuts may be left unfinished where the machine allows it, but not part by part.
 /// * Pierce groups: one item for all contours of a group, that of the first, where the machine makes pre-cuts; the items
 ///   of the others have no nodes. Their nodes are ways through the group.
+/// * Contours left out: items without nodes.
 /// * Groups: the parts, when the sheet is worked part by part.
 pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
     let joined = PierceGroups::new(sheet, machine);
@@ -30,6 +31,10 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
         let first = count(&nodes);
         if let Some(item) = joined.item(item, rank, &mut nodes) {
             items.push(item);
+            continue;
+        }
+        if !contour.is_worked() {
+            items.push(Item::default());
             continue;
         }
         push_nodes(&mut nodes, item, contour);

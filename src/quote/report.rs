@@ -291,7 +291,7 @@ pub(super) fn made(head: Head, shapes: &[Shape], material: &Material) -> Quote {
 
 fn layers(contours: &[Contour]) -> Vec<LayerUse> {
     let mut all: Vec<LayerUse> = Vec::new();
-    for c in contours {
+    for c in contours.iter().filter(|c| c.operation != Operation::Ignore) {
         let known = all.iter().position(|l| l.layer == c.layer && l.operation == c.operation);
         let at = known.unwrap_or_else(|| {
             let (layer, operation) = (c.layer.clone(), c.operation);

@@ -7,7 +7,7 @@ use super::groups::{self, PierceGroup};
 use super::model::{
     CommonCuts, Contour, Ignored, LayerUse, Operation, PIERCE_GROUPS, Pin, Sheet, SheetOptions,
 };
-use super::{cross, layers, nest, outline, parts};
+use super::{cross, exclude, layers, nest, outline, parts};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::Aabb;
@@ -29,11 +29,14 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     for operation in [Operation::Cut, Operation::Mark] {
         let shapes = layers::shapes_of(drawing, &layers, operation);
         let chains = clean(drawing, &shapes, copy, join, &mut findings);
-        for a in assemble(drawing, &chains, join, &mut findings) {
-            contours.push(contour(drawing, a, operation, &mut findings));
-        }
+        let assembled = assemble(drawing, &chains, join, &mut findings);
+        contours.extend(assembled.into_iter().map(|a| contour(drawing, a, operation)));
     }
-    sort_by(&mut contours, |c| [c.first_shape.into(), 0, 0]);
+    sort_by(&mut contours, |(c, _)| [c.first_shape.into(), 0, 0]);
+    let (mut contours, told): (Vec<Contour>, Vec<Vec<Finding>>) = contours.into_iter().unzip();
+    exclude::leave_out(&mut contours, &options.exclude, copy, &mut findings);
+    let told = contours.iter().zip(told).filter(|(c, _)| c.is_worked());
+    told.flat_map(|(_, told)| told).for_each(|f| findings.push(f));
     let mut crossing = cross::find(drawing, &mut contours, copy.max(SEEN), &mut findings);
     if !nest::nest(&mut contours, &crossing, join) {
         let message =
@@ -44,12 +47,8 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     if let Some(index) = border {
         findings.push(outline::finding(drawing, &contours[index as usize], options.ignore_outline));
         if options.ignore_outline {
-            let c = contours.remove(index as usize);
-            ignored.push(Ignored { path: c.path, layer: c.layer });
-            // Contours behind it move up; what crossed it is not around it any more.
-            let renumbered = |i: u32| if i > index { i - 1 } else { i };
+            contours[index as usize].operation = Operation::Ignore;
             crossing.retain(|&(a, b)| a != index && b != index);
-            crossing.iter_mut().for_each(|(a, b)| (*a, *b) = (renumbered(*a), renumbered(*b)));
             nest::nest(&mut contours, &crossing, join);
             border = None;
         }
@@ -58,8 +57,9 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     pin(&mut contours, options);
     let groups = find_groups(&contours, &layers, &crossing, options, join);
     for c in &contours {
-        if let Some(l) = layers.get_mut(c.layer as usize) {
-            l.contours += 1;
+        match layers.get_mut(c.layer as usize) {
+            Some(l) if c.is_worked() => l.contours += 1,
+            _ => ignored.push(Ignored { path: c.path.clone(), layer: c.layer }),
         }
     }
     Sheet {
@@ -67,7 +67,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         part_by_part: options.part_by_part,
         groups,
         common_cuts: options.common_cuts,
-        bounds: contours.iter().fold(Aabb::EMPTY, |b, c| b.union(c.bounds)),
+        bounds: contours.iter().filter(|c| c.is_worked()).fold(Aabb::EMPTY, |b, c| b.union(c.bounds)),
         contours,
         layers,
         ignored,
@@ -127,7 +127,9 @@ fn by_layer(mut lengths: Vec<(u32, f64)>) -> Vec<(u32, f64)> {
     lengths
 }
 
-fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut Findings) -> Contour {
+/// A contour, and what is worth knowing of it.
+fn contour(drawing: &Drawing, a: Assembled, operation: Operation) -> (Contour, Vec<Finding>) {
+    let mut findings = Vec::new();
     let layers = by_layer(a.layers);
     let most = layers.iter().fold((0, f64::NEG_INFINITY), |m, &(l, d)| if d > m.1 { (l, d) } else { m });
     let layer = most.0;
@@ -164,7 +166,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
             at,
         ));
     }
-    Contour {
+    let contour = Contour {
         layer,
         operation,
         inside: None,
@@ -177,5 +179,6 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         first_shape: a.first_shape,
         outline: a.outline,
         path: a.path,
-    }
+    };
+    (contour, findings)
 }

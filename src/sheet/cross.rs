@@ -81,7 +81,7 @@ fn is_cut(c: &Contour) -> bool {
 fn elements(contours: &[Contour]) -> (Vec<Place>, Vec<Aabb>) {
     let mut places = Vec::new();
     let mut boxes = Vec::new();
-    for (contour, c) in (0_u32..).zip(contours) {
+    for (contour, c) in (0_u32..).zip(contours).filter(|(_, c)| c.is_worked()) {
         for (element, s) in c.path.segments.iter().enumerate() {
             places.push(Place { contour, element });
             boxes.push(s.bounds());

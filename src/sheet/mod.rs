@@ -4,6 +4,7 @@
 //! shapes -> layers: operations, order, what names suggest; ignored ones set aside
 //!        -> clean: every line and arc once (zero lengths, copies, overlaps)
 //!        -> assemble: chains joined end to end, best match first; gaps closed bit for bit
+//!        -> exclude: contours left out one by one
 //!        -> cross: contours that cross themselves or each other
 //!        -> nest: containment tree of any depth; the sheet's own border recognised
 //!        -> groups: contours that share cuts, and what they close in
@@ -21,6 +22,7 @@ mod clean;
 mod cluster;
 mod cross;
 mod element;
+mod exclude;
 mod groups;
 mod layers;
 mod model;

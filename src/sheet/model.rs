@@ -54,6 +54,9 @@ pub struct SheetOptions {
     pub first: Vec<u32>,
     /// Contours worked after all others, by id; what lies around them, too.
     pub last: Vec<u32>,
+    /// Contours left out, by id; see [`Sheet::contours`]. What lies inside one of them is no hole any more but a part of
+    /// its own, and a side that one of them shared with another contour is cut with that one.
+    pub exclude: Vec<u32>,
 }
 
 impl Default for SheetOptions {
@@ -68,6 +71,7 @@ impl Default for SheetOptions {
             common_cuts: CommonCuts::default(),
             first: Vec::new(),
             last: Vec::new(),
+            exclude: Vec::new(),
         }
     }
 }
@@ -94,7 +98,7 @@ pub struct Contour {
     pub outline: Option<Path>,
     /// Index into [`Sheet::layers`]: the layer most of its length is on.
     pub layer: u32,
-    /// Cut or mark.
+    /// Cut or mark; [`Operation::Ignore`]: left out by itself.
     pub operation: Operation,
     /// The smallest cut contour around it that bounds an area.
     pub inside: Option<u32>,
@@ -115,6 +119,11 @@ pub struct Contour {
 }
 
 impl Contour {
+    /// Whether it is worked, not left out.
+    pub fn is_worked(&self) -> bool {
+        self.operation != Operation::Ignore
+    }
+
     /// What bounds an area: the path of a closed contour, or the outline that an open one is the rest of.
     pub fn boundary(&self) -> Option<&Path> {
         if self.path.closed { Some(&self.path) } else { self.outline.as_ref() }
@@ -166,13 +175,14 @@ pub struct Ignored {
 /// Contours with their nesting, ready to be planned.
 #[derive(Clone, Debug)]
 pub struct Sheet {
-    /// Contours to cut and mark; the index is the contour's id everywhere. In drawing order.
+    /// Contours to cut and mark; the index is the contour's id everywhere. In drawing order. Those left out one by one
+    /// ([`SheetOptions::exclude`], the border) stay among them, to be ignored, so that the others keep their ids.
     pub contours: Vec<Contour>,
     /// Parts, in drawing order of their outer contours.
     pub parts: Vec<Part>,
     /// Layers.
     pub layers: Vec<LayerUse>,
-    /// Shown, not cut.
+    /// Shown, not cut: what lies on ignored layers, then the contours left out.
     pub ignored: Vec<Ignored>,
     /// The contour that looks like the sheet's border, when there is one and it is not ignored yet.
     pub outline: Option<u32>,
@@ -182,7 +192,7 @@ pub struct Sheet {
     pub groups: Vec<PierceGroup>,
     /// How ways through groups are found.
     pub common_cuts: CommonCuts,
-    /// Box around all contours to cut and mark.
+    /// Box around all contours that are cut and marked.
     pub bounds: Aabb,
     /// Everything worth knowing.
     pub findings: Vec<Finding>,

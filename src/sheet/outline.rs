@@ -18,7 +18,7 @@ const WITH_HOLES: f64 = 0.5;
 
 /// The contour that looks like the sheet's border.
 pub(super) fn find(contours: &[Contour], layers: &[LayerUse]) -> Option<u32> {
-    let mut outermost = (0_u32..).zip(contours).filter(|(_, c)| c.inside.is_none());
+    let mut outermost = (0_u32..).zip(contours).filter(|(_, c)| c.inside.is_none() && c.is_worked());
     let (index, border) = outermost.next()?;
     let lone = outermost.next().is_none() && contours.len() > 1;
     if !lone || !border.path.closed || border.operation != Operation::Cut || !is_rectangular(border) {
@@ -33,7 +33,7 @@ pub(super) fn find(contours: &[Contour], layers: &[LayerUse]) -> Option<u32> {
 /// A layer called FRAME with all the parts on it says nothing about the border.
 fn alone_on_layer(contours: &[Contour], index: u32) -> bool {
     let layer = contours[index as usize].layer;
-    contours.iter().filter(|c| c.layer == layer).count() == 1
+    contours.iter().filter(|c| c.layer == layer && c.is_worked()).count() == 1
 }
 
 fn holds_parts(contours: &[Contour], border: u32) -> bool {

@@ -119,8 +119,8 @@ fn a_lone_border_is_recognised_by_the_parts_in_it() {
     assert_eq!(s.parts.len(), 3);
     let s =
         built(&sheet_of_parts("0", "0"), &SheetOptions { ignore_outline: true, ..SheetOptions::default() });
-    assert_eq!((s.outline, s.ignored.len(), s.contours.len(), s.parts.len()), (None, 1, 4, 2));
-    assert_eq!(s.contours.iter().map(|c| c.depth).collect::<Vec<_>>(), [0, 1, 0, 1]);
+    assert_eq!((s.outline, s.ignored.len(), s.contours.len(), s.parts.len()), (None, 1, 5, 2));
+    assert_eq!(s.contours.iter().map(|c| c.depth).collect::<Vec<_>>(), [0, 0, 1, 0, 1]);
     close(s.bounds.size().x, 240.0);
 }
 

@@ -149,9 +149,8 @@ fn follow(
                     found.push(Violation::Beam { step, what: "cuts without piercing" });
                 }
                 pierced = false;
-                if let Some(c) = sheet.contours.get(*contour as usize)
-                    && *mark != (c.operation == Operation::Mark)
-                {
+                let operation = if *mark { Operation::Mark } else { Operation::Cut };
+                if sheet.contours.get(*contour as usize).is_some_and(|c| c.operation != operation) {
                     found.push(Violation::Operation { step, contour: *contour });
                 }
                 for s in path {

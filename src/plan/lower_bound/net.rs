@@ -66,7 +66,7 @@ pub(super) fn homes(problem: &Problem) -> usize {
 fn of_item(problem: &Problem, item: &problem::Item) -> Item {
     let nodes = &problem.nodes[item.nodes.start as usize..item.nodes.end as usize];
     if nodes.is_empty() {
-        // Nothing to be visited (a contour that is cut with its pierce group): every tour passes it at home, for nothing.
+        // Nothing to be visited (a contour that is left out): every tour passes it at home, for nothing.
         return points(&[problem.home], false);
     }
     if let Some(path) = &item.track {

@@ -31,7 +31,8 @@ use slabs::Slabs;
 const LOOKED_AT: usize = 256;
 
 /// Sets `inside` and `depth` of all contours. `crossing`: pairs of contours that cross. `slack` in mm: contours that
-/// touch may stick out of each other's boxes by as much as ends were moved. `false` when some were given up.
+/// touch may stick out of each other's boxes by as much as ends were moved. What is left out lies in nothing, and nothing
+/// in it. `false` when some were given up.
 pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64) -> bool {
     // What is around others comes after them.
     let mut order: Vec<u32> = (0_u32..).take(contours.len()).collect();
@@ -45,7 +46,8 @@ pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64
     }
     let mut around = crossed_by(contours, crossing, &place, slack);
     let mut search = Search::new(contours, crossing, slack);
-    for (i, outer) in (0_u32..).zip(&mut around) {
+    let worked = (0_u32..).zip(&mut around).filter(|(i, _)| contours[*i as usize].is_worked());
+    for (i, outer) in worked {
         search.add_around(i, outer);
     }
     let complete = search.complete;
