@@ -33,7 +33,9 @@ export class Session {
   private search: Search | null = null;
   /** What was loaded, for the planner that knows pierce groups; `null` when it has taken over. */
   private source: { bytes: Uint8Array; name: string; options: LoadOptions } | null = null;
-  /** What comes in while it is loaded. */
+  /** Open cuts may be what is left of contours that share a side with others. */
+  private openCuts = false;
+  /** What comes in while that planner is loaded. */
   private held: ToWorker[] | null = null;
 
   constructor(private readonly host: Host) {}
@@ -115,15 +117,16 @@ export class Session {
   private tellLoaded(id: number): void {
     const job = this.loaded();
     const loaded = { ...job.report(), geometry: job.geometry(), ignored: job.ignored() };
+    this.openCuts = loaded.contours.some((c) => !c.closed && c.operation === 'cut');
     const arrays = [loaded.geometry, loaded.ignored.geometry].flatMap((g) => [g.segments, g.offsets]);
     this.host.post({ type: 'loaded', id, loaded }, buffers([...arrays, loaded.ignored.layers]));
   }
 
-  // Open cuts may be what is left of contours that share a side with others; pre-cuts are what lets them be one.
+  // Pre-cuts are what lets contours that share a side be one.
   private mayShareCuts({ machine }: PlanOptions): boolean {
+    if (!this.openCuts || this.source === null || this.source.options.commonCuts === 'off') return false;
     const profile = typeof machine === 'object' ? machine : machines().find((m) => m.name === machine);
-    if (this.source === null || this.source.options.commonCuts === 'off' || !profile?.pre_cut_time) return false;
-    return this.loaded().report().contours.some((c) => !c.closed && c.operation === 'cut');
+    return Boolean(profile?.pre_cut_time);
   }
 
   private async planAsPlate(id: number, options: PlanOptions & Membership): Promise<void> {
