@@ -3,8 +3,10 @@
 import { statSync } from 'node:fs';
 import { setTimeout as wait } from 'node:timers/promises';
 import type { Words } from './arguments.js';
+import { Destinations, type Output } from './destinations.js';
 import { filesOf } from './glob.js';
 import { Unusable } from './io.js';
+import { Report, type Column } from './report.js';
 
 /** Which of how many files one is. */
 export interface Place {
@@ -12,8 +14,23 @@ export interface Place {
   of: number;
 }
 
-/** What is done with files. */
-export interface Job {
+/** What a command writes, and the columns of its table after that of the file. */
+export interface Asked<Kind extends string = string> {
+  outputs: readonly Output<Kind>[];
+  columns: readonly Column[];
+}
+
+/** Where what comes of files goes: outputs, and what people read. */
+export interface Outlet {
+  write: Destinations['write'];
+  tell: Report['tell'];
+}
+
+/** What is done with one file. */
+export type Work = (file: string, place: Place, to: Outlet) => Promise<void>;
+
+/** What is done with all of them. */
+interface Job {
   /** Told all files before the first. */
   begin(files: readonly string[]): void;
   work(file: string, place: Place): Promise<void>;
@@ -23,7 +40,20 @@ export interface Job {
 const LOOK = 250;
 
 /** A file that is unusable is told in a sentence and makes the exit code 1; the others are done all the same. */
-export async function eachFile({ words, values }: Words, job: Job): Promise<void> {
+export async function eachFile({ words, values }: Words, { outputs, columns }: Asked, work: Work): Promise<void> {
+  const destinations = new Destinations(outputs);
+  const report = new Report(destinations.piped, columns);
+  const to: Outlet = {
+    write: (output, file, data) => destinations.write(output, file, data),
+    tell: (place, words, cells) => report.tell(place, words, cells),
+  };
+  const job: Job = {
+    begin: (files) => {
+      destinations.begin(files);
+      report.begin(files);
+    },
+    work: (file, place) => work(file, place, to),
+  };
   const files = filesOf(words);
   if (values['watch'] === true) return watched(words, job);
   await round(files, files, job);

@@ -5,12 +5,21 @@
 
 import { mkdirSync, statSync } from 'node:fs';
 import { basename, extname, join, resolve } from 'node:path';
+import { text, type Words } from './arguments.js';
 import { put, Unusable, WrongUse } from './io.js';
 
 /** An output that is asked for. */
 export interface Output<Kind extends string = string> {
   kind: Kind;
   out: string;
+}
+
+/** Those of these kinds that the words ask for. */
+export function outputsOf<Kind extends string>({ values }: Words, kinds: readonly Kind[]): Output<Kind>[] {
+  return kinds.flatMap((kind) => {
+    const out = text(values, kind);
+    return out === undefined ? [] : [{ kind, out }];
+  });
 }
 
 const ENDINGS: Record<string, string> = { gcode: '.nc', json: '.json', svg: '.svg', dxf: '.dxf', png: '.png' };

@@ -3,33 +3,27 @@
 import { basename } from 'node:path';
 import { createPlanner } from '../node.js';
 import type { Finding, Loaded } from '../protocol.js';
-import { loadOptions, parsed, text } from './arguments.js';
-import { eachFile, type Place } from './batch.js';
-import { Destinations } from './destinations.js';
+import { worked } from '../worked.js';
+import { loadOptions, parsed } from './arguments.js';
+import { eachFile } from './batch.js';
+import { outputsOf } from './destinations.js';
 import { bytesOf, usable } from './io.js';
-import { Report, type Column } from './report.js';
+import type { Column } from './report.js';
 import { meters, plural, size } from './words.js';
 
 export async function inspect(args: string[]): Promise<void> {
   const given = parsed('inspect', args);
   const options = loadOptions(given.values);
-  const out = text(given.values, 'json');
-  const outputs = out === undefined ? [] : [{ kind: 'json', out }];
-  const to = new Destinations(outputs);
-  const table = new Report(to.piped, COLUMNS);
+  const outputs = outputsOf(given, ['json']);
+  const piped = outputs.some((output) => output.out === '-');
   const planner = await createPlanner();
-  const begin = (files: readonly string[]) => {
-    to.begin(files);
-    table.begin(files);
-  };
-  const work = async (file: string, place: Place) => {
-    const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), options));
-    for (const output of outputs) await to.write(output, file, `${JSON.stringify(report(loaded))}\n`);
-    // Whoever reads the report of one drawing by a program needs no second one.
-    if (out !== '-' || place.of > 1) await table.tell(place, () => told(loaded), () => row(file, loaded));
-  };
   try {
-    await eachFile(given, { begin, work });
+    await eachFile(given, { outputs, columns: COLUMNS }, async (file, place, to) => {
+      const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), options));
+      for (const output of outputs) await to.write(output, file, `${JSON.stringify(report(loaded))}\n`);
+      // Whoever reads the report of one drawing by a program needs no second one.
+      if (!piped || place.of > 1) await to.tell(place, () => told(loaded), () => row(file, loaded));
+    });
   } finally {
     planner.close();
   }
@@ -46,19 +40,21 @@ const COLUMNS: readonly Column[] = [
 ];
 
 function row(file: string, loaded: Loaded): string[] {
-  const open = loaded.contours.filter((c) => !c.closed).length;
+  const contours = worked(loaded);
+  const open = contours.filter((c) => !c.closed).length;
   return [
-    ...[file, String(loaded.contours.length), String(open), String(loaded.parts.length), meters(lengthOf(loaded, 'cut'))],
+    ...[file, String(contours.length), String(open), String(loaded.parts.length), meters(lengthOf(loaded, 'cut'))],
     ...[size(loaded.bounds), `${loaded.units.unit}, ${loaded.units.source}`, String(loaded.findings.length)],
   ];
 }
 
 /** Contours without their geometry, and the sums people ask for first. */
 function report({ geometry: _, ignored, ...loaded }: Loaded): object {
-  const closed = loaded.contours.filter((c) => c.closed).length;
+  const contours = worked(loaded);
+  const closed = contours.filter((c) => c.closed).length;
   const totals = {
     closed,
-    open: loaded.contours.length - closed,
+    open: contours.length - closed,
     ignored: ignored.layers.length,
     cut_length: lengthOf(loaded, 'cut'),
     mark_length: lengthOf(loaded, 'mark'),
@@ -71,7 +67,8 @@ function lengthOf({ contours }: Pick<Loaded, 'contours'>, operation: string): nu
 }
 
 function told(loaded: Loaded): string {
-  const { units, contours, parts, layers, entities, findings } = loaded;
+  const { units, parts, layers, entities, findings } = loaded;
+  const contours = worked(loaded);
   const open = contours.filter((c) => !c.closed).length;
   const marks = lengthOf(loaded, 'mark');
   const lines = [

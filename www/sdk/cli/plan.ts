@@ -3,32 +3,21 @@
 import { basename } from 'node:path';
 import type { PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, OutputKind, PlanOptions } from '../protocol.js';
-import { parsed, text } from './arguments.js';
-import { Destinations, type Output } from './destinations.js';
+import { parsed } from './arguments.js';
+import { outputsOf } from './destinations.js';
 import { usable } from './io.js';
 import { planFiles } from './planning.js';
-import { Report, type Column } from './report.js';
+import type { Column } from './report.js';
 import { duration, percent, meters, plural } from './words.js';
 
 const OUTPUTS: readonly OutputKind[] = ['json', 'gcode', 'svg', 'dxf', 'png'];
 
 export async function plan(args: string[]): Promise<void> {
   const given = parsed('plan', args);
-  const outputs = OUTPUTS.flatMap((kind): Output<OutputKind>[] => {
-    const out = text(given.values, kind);
-    return out === undefined ? [] : [{ kind, out }];
-  });
-  const to = new Destinations(outputs);
-  const report = new Report(to.piped, COLUMNS);
-  await planFiles(given, {
-    begin: (files) => {
-      to.begin(files);
-      report.begin(files);
-    },
-    write: async ({ file, place, planner, loaded, result, options }) => {
-      for (const output of outputs) await to.write(output, file, await usable(file, planner.output(output.kind)));
-      await report.tell(place, () => told(file, loaded, result, options), () => row(file, loaded, result));
-    },
+  const outputs = outputsOf(given, OUTPUTS);
+  await planFiles(given, { outputs, columns: COLUMNS }, async ({ file, place, planner, loaded, result, options }, to) => {
+    for (const output of outputs) await to.write(output, file, await usable(file, planner.output(output.kind)));
+    await to.tell(place, () => told(file, loaded, result, options), () => row(file, loaded, result));
   });
 }
 

@@ -4,7 +4,7 @@ import { basename } from 'node:path';
 import { createPlanner, type Planner, type PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, PlanOptions } from '../protocol.js';
 import { loadOptions, oneOf, parameters, seconds, text, whole, type Words } from './arguments.js';
-import { eachFile, type Place } from './batch.js';
+import { eachFile, type Asked, type Outlet, type Place } from './batch.js';
 import { bytesOf, Unusable, usable, WrongUse } from './io.js';
 import { progressLine } from './progress.js';
 
@@ -20,15 +20,8 @@ export interface PlannedFile {
   options: PlanOptions;
 }
 
-/** What `plan` and `quote` do of their own. */
-export interface Planning {
-  /** Told all files before the first. */
-  begin(files: readonly string[]): void;
-  write(planned: PlannedFile): Promise<void>;
-}
-
 /** Plans the files named, and hands each to whoever writes of it. */
-export async function planFiles(given: Words, { begin, write }: Planning): Promise<void> {
+export async function planFiles(given: Words, asked: Asked, write: (planned: PlannedFile, to: Outlet) => Promise<void>): Promise<void> {
   const { values } = given;
   const load = loadOptions(values);
   const [moves, workers, seed] = ['moves', 'workers', 'seed'].map((name) => whole(values, name));
@@ -36,12 +29,11 @@ export async function planFiles(given: Words, { begin, write }: Planning): Promi
   const planner = await createPlanner();
   try {
     const options: PlanOptions = { ...budget, ...(await choices(given, planner)) };
-    const work = async (file: string, place: Place) => {
+    await eachFile(given, asked, async (file, place, to) => {
       const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), load));
       const result = await usable(file, searched(planner, options, file, place));
-      await write({ file, place, planner, loaded, result, options });
-    };
-    await eachFile(given, { begin, work });
+      await write({ file, place, planner, loaded, result, options }, to);
+    });
   } finally {
     planner.close();
   }

@@ -2,31 +2,24 @@
 
 import type { Material, Quote } from '../quote.js';
 import { parsed, positive, text, type Words } from './arguments.js';
-import { Destinations } from './destinations.js';
+import { outputsOf } from './destinations.js';
 import { usable } from './io.js';
 import { planFiles } from './planning.js';
-import { Report, type Column } from './report.js';
+import type { Column } from './report.js';
 import { area, duration, grams, meters, millimetres, plural } from './words.js';
 
 export async function quote(args: string[]): Promise<void> {
   const given = parsed('quote', args);
   const material = materialOf(given);
-  const out = text(given.values, 'json');
-  const outputs = out === undefined ? [] : [{ kind: 'json', out }];
-  const to = new Destinations(outputs);
-  const report = new Report(to.piped, COLUMNS);
-  await planFiles(given, {
-    begin: (files) => {
-      to.begin(files);
-      report.begin(files);
-    },
-    write: async ({ file, place, planner }) => {
-      const quoted = await usable(file, planner.quote(material));
+  const outputs = outputsOf(given, ['json']);
+  await planFiles(given, { outputs, columns: COLUMNS }, async ({ file, place, planner }, to) => {
+    const quoted = await usable(file, planner.quote(material));
+    for (const output of outputs) {
       // One document a line where several follow each other.
-      const json = `${JSON.stringify(quoted, null, place.of > 1 && out === '-' ? 0 : 2)}\n`;
-      for (const output of outputs) await to.write(output, file, json);
-      await report.tell(place, () => told(quoted), () => row(file, quoted));
-    },
+      const indent = place.of > 1 && output.out === '-' ? 0 : 2;
+      await to.write(output, file, `${JSON.stringify(quoted, null, indent)}\n`);
+    }
+    await to.tell(place, () => told(quoted), () => row(file, quoted));
   });
 }
 
