@@ -185,6 +185,11 @@ impl Findings {
         }
     }
 
+    /// Takes back those that it says of.
+    pub fn withdraw(&mut self, of: impl Fn(&Finding) -> bool) {
+        self.list.retain(|f| !of(f));
+    }
+
     /// The list, with a closing `More` for each code that overflowed.
     pub fn into_list(mut self) -> Vec<Finding> {
         for (code, rest) in self.seen.rests() {

@@ -166,8 +166,8 @@ impl Job {
 fn built(drawing: &Drawing, options: &SheetOptions) -> Result<Sheet, JobError> {
     let sheet = sheet::build(drawing, options);
     let count = sheet.contours.len();
-    match options.first.iter().chain(&options.last).chain(&options.exclude).find(|&&id| id as usize >= count)
-    {
+    let lists = [&options.first, &options.last, &options.exclude];
+    match lists.into_iter().flatten().find(|&&id| id as usize >= count) {
         None => Ok(sheet),
         Some(id) => Err(JobError::Options(format!(
             "Contour {id} was to be worked first or last, or left out, but there are only {count}, counted from 0."

@@ -29,14 +29,12 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     for operation in [Operation::Cut, Operation::Mark] {
         let shapes = layers::shapes_of(drawing, &layers, operation);
         let chains = clean(drawing, &shapes, copy, join, &mut findings);
-        let assembled = assemble(drawing, &chains, join, &mut findings);
-        contours.extend(assembled.into_iter().map(|a| contour(drawing, a, operation)));
+        for a in assemble(drawing, &chains, join, &mut findings) {
+            contours.push(contour(drawing, a, operation, &mut findings));
+        }
     }
-    sort_by(&mut contours, |(c, _)| [c.first_shape.into(), 0, 0]);
-    let (mut contours, told): (Vec<Contour>, Vec<Vec<Finding>>) = contours.into_iter().unzip();
+    sort_by(&mut contours, |c| [c.first_shape.into(), 0, 0]);
     exclude::leave_out(&mut contours, &options.exclude, copy, &mut findings);
-    let told = contours.iter().zip(told).filter(|(c, _)| c.is_worked());
-    told.flat_map(|(_, told)| told).for_each(|f| findings.push(f));
     let mut crossing = cross::find(drawing, &mut contours, copy.max(SEEN), &mut findings);
     if !nest::nest(&mut contours, &crossing, join) {
         let message =
@@ -56,9 +54,13 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     parts::orient(&mut contours);
     pin(&mut contours, options);
     let groups = find_groups(&contours, &layers, &crossing, options, join);
+    let mut bounds = Aabb::EMPTY;
     for c in &contours {
         match layers.get_mut(c.layer as usize) {
-            Some(l) if c.is_worked() => l.contours += 1,
+            Some(l) if c.is_worked() => {
+                l.contours += 1;
+                bounds = bounds.union(c.bounds);
+            }
             _ => ignored.push(Ignored { path: c.path.clone(), layer: c.layer }),
         }
     }
@@ -67,7 +69,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         part_by_part: options.part_by_part,
         groups,
         common_cuts: options.common_cuts,
-        bounds: contours.iter().filter(|c| c.is_worked()).fold(Aabb::EMPTY, |b, c| b.union(c.bounds)),
+        bounds,
         contours,
         layers,
         ignored,
@@ -127,9 +129,7 @@ fn by_layer(mut lengths: Vec<(u32, f64)>) -> Vec<(u32, f64)> {
     lengths
 }
 
-/// A contour, and what is worth knowing of it.
-fn contour(drawing: &Drawing, a: Assembled, operation: Operation) -> (Contour, Vec<Finding>) {
-    let mut findings = Vec::new();
+fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut Findings) -> Contour {
     let layers = by_layer(a.layers);
     let most = layers.iter().fold((0, f64::NEG_INFINITY), |m, &(l, d)| if d > m.1 { (l, d) } else { m });
     let layer = most.0;
@@ -166,7 +166,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation) -> (Contour, V
             at,
         ));
     }
-    let contour = Contour {
+    Contour {
         layer,
         operation,
         inside: None,
@@ -179,6 +179,5 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation) -> (Contour, V
         first_shape: a.first_shape,
         outline: a.outline,
         path: a.path,
-    };
-    (contour, findings)
+    }
 }

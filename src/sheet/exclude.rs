@@ -4,44 +4,61 @@
 use super::about::{count, plural};
 use super::model::{Contour, Operation};
 use crate::finding::{Code, Finding, Findings, Severity};
-use crate::geometry::{Aabb, BoxIndex, Path, Segment};
+use crate::geometry::{DVec2, Path, Segment};
 
-/// Places looked at on each element of an outline: a shared stretch is at least this part of a side.
+/// Places looked at on each side of an outline: a shared stretch is at least this part of a side.
 const PLACES: u32 = 16;
 
-/// Leaves out those of these ids. A contour that had lost a side to one of them gets all of its outline back, as nobody
-/// else cuts that side now; a side that it shares with a third one is then cut with both. `tolerance` in mm: what is nearer
-/// lies on top of each other.
+/// Leaves out those of these ids, and what was told of each of them alone. `tolerance` in mm: what is nearer lies on top of
+/// each other.
 pub(super) fn leave_out(contours: &mut [Contour], ids: &[u32], tolerance: f64, findings: &mut Findings) {
-    let mut gone: Vec<(Operation, Segment)> = Vec::new();
+    let mut left = 0;
+    let mut at = DVec2::ZERO;
     for &id in ids {
-        let Some(c) = contours.get_mut(id as usize) else { continue };
-        gone.extend(c.path.segments.iter().map(|s| (c.operation, *s)));
-        c.operation = Operation::Ignore;
+        let Some(c) = contours.get_mut(id as usize).filter(|c| c.is_worked()) else { continue };
+        let operation = std::mem::replace(&mut c.operation, Operation::Ignore);
+        let path = std::mem::take(&mut c.path);
+        let shape = c.first_shape;
+        at = path.start().unwrap_or(at);
+        left += 1;
+        findings.withdraw(|f| f.at == Some(at) && matches!(f.code, Code::OpenContour | Code::SeveralLayers));
+        give_back(contours, &path, (operation, shape), tolerance);
+        contours[id as usize].path = path;
     }
-    let mut left = contours.iter().filter(|c| !c.is_worked());
-    let Some(at) = left.next().and_then(|c| c.path.start()) else { return };
-    let n = 1 + left.count();
-    let message = format!("{} left out by choice.", plural(n, "contour", "contours"));
-    findings.push(Finding::new(Code::ContourExcluded, Severity::Info, message).at(at).times(count(n)));
+    if left > 0 {
+        let message = format!("{} left out by choice.", plural(left, "contour", "contours"));
+        let finding = Finding::new(Code::ContourExcluded, Severity::Info, message);
+        findings.push(finding.at(at).times(count(left)));
+    }
+}
 
-    let index = BoxIndex::new(gone.iter().map(|(_, s)| s.bounds().grown(tolerance)));
-    let lost_to = |operation: Operation, outline: &Path| {
-        outline.segments.iter().any(|side| {
-            (0..PLACES).map(|k| side.at((f64::from(k) + 0.5) / f64::from(PLACES))).any(|p| {
-                let near =
-                    |i: usize| gone[i].0 == operation && gone[i].1.nearest(p).1 <= tolerance * tolerance;
-                index.query(Aabb::EMPTY.with(p)).into_iter().any(near)
-            })
-        })
-    };
+/// Gives contours the outline back of which the one that is gone held a side, as nobody else cuts that side now; a side
+/// that they share with a third one is then cut with both.
+fn give_back(contours: &mut [Contour], gone: &Path, of: (Operation, u32), tolerance: f64) {
     for i in 0..contours.len() {
         let c = &mut contours[i];
-        let (operation, shape) = (c.operation, c.first_shape);
-        let Some(whole) = c.outline.take_if(|outline| lost_to(operation, outline)) else { continue };
+        let shape = c.first_shape;
+        // What one shape was parted into gives itself nothing back.
+        if c.operation != of.0 || shape == of.1 {
+            continue;
+        }
+        let Some(whole) = c.outline.take_if(|outline| shares(outline, gone, tolerance)) else { continue };
         (c.length, c.bounds, c.path) = (whole.length(), whole.bounds(), whole);
         // Other rests of the same shape are part of it again.
-        let rests = contours.iter_mut().filter(|r| r.first_shape == shape && r.operation == operation);
-        rests.filter(|r| !r.path.closed).for_each(|r| r.operation = Operation::Ignore);
+        for rest in contours.iter_mut().filter(|r| r.first_shape == shape && !r.path.closed) {
+            rest.operation = Operation::Ignore;
+        }
     }
+}
+
+/// Whether a stretch of an outline lies on a path.
+fn shares(outline: &Path, path: &Path, tolerance: f64) -> bool {
+    let near = path.bounds().grown(tolerance);
+    outline.segments.iter().any(|side| {
+        (0..PLACES).any(|k| {
+            let p = side.at((f64::from(k) + 0.5) / f64::from(PLACES));
+            let on = |s: &Segment| s.nearest(p).1 <= tolerance * tolerance;
+            near.contains(p) && path.segments.iter().any(on)
+        })
+    })
 }

@@ -57,7 +57,7 @@ export interface RenderOptions {
 
 const READING: Record<keyof LoadOptions, true> = {
   units: true, tolerance: true, keepDamaged: true, joinTolerance: true, layers: true, orderByLayer: true,
-  ignoreOutline: true, partByPart: true, commonCuts: true, first: true, last: true,
+  ignoreOutline: true, partByPart: true, commonCuts: true, first: true, last: true, exclude: true,
 };
 
 const PLANNING: Record<keyof PlanOptions, true> = {

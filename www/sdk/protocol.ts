@@ -41,6 +41,12 @@ export interface LoadOptions {
   first?: number[];
   /** Contours worked after all others, by id; what lies around them, too. */
   last?: number[];
+  /**
+   * Contours left out, by id: not cut, but told among the contours (to be ignored), so that the others keep their ids, and
+   * shown with what is ignored. What was a hole in one is a part by itself; a side that one shared with another contour is cut
+   * with that one.
+   */
+  exclude?: number[];
 }
 
 /** What is done with cuts that contours share. */
@@ -83,6 +89,7 @@ export interface ContourInfo {
   id: number;
   closed: boolean;
   layer: string;
+  /** `ignore`: left out by itself, by `exclude` or as the border. */
   operation: Operation;
   /** The contour around it. */
   inside: number | null;
@@ -117,7 +124,7 @@ export interface Loaded {
   findings: Finding[];
   /** Contours, by id. */
   geometry: Geometry;
-  /** Shown, not cut: one entry a chain, with its layer index. */
+  /** Shown, not cut: one entry a chain, with its layer index. First ignored layers, then contours left out, by id. */
   ignored: { geometry: Geometry; layers: Uint32Array };
 }
 

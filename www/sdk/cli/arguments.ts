@@ -51,9 +51,9 @@ export function loadOptions(values: Values): LoadOptions {
   if (values['part-by-part'] === true) options.partByPart = true;
   const common = text(values, 'common-cuts');
   if (common !== undefined) options.commonCuts = oneOf('--common-cuts', common, COMMON_CUTS);
-  for (const pin of ['first', 'last'] as const) {
-    const contours = (values[pin] as string[] | undefined) ?? [];
-    if (contours.length > 0) options[pin] = contours.map((word) => wholeNumber(pin, word));
+  for (const list of ['first', 'last', 'exclude'] as const) {
+    const contours = (values[list] as string[] | undefined) ?? [];
+    if (contours.length > 0) options[list] = contours.map((word) => wholeNumber(list, word));
   }
   return options;
 }

@@ -47,6 +47,7 @@ const READING: Options = {
   'common-cuts': { value: 'HOW', about: 'contours that share cuts: as one, on the best way or that of a heuristic, or not', choices: COMMON_CUTS },
   first: { value: 'ID', about: 'a contour before all others', repeat: true },
   last: { value: 'ID', about: 'a contour after all others', repeat: true },
+  exclude: { value: 'ID', about: 'a contour not cut; the others keep their ids', repeat: true },
 };
 
 const PLANNING: Options = {

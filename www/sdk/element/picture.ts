@@ -47,7 +47,7 @@ export class Picture {
 
   /** Another drawing, without a path yet; `null`: none. */
   show(loaded: Loaded | null, home: Home | null): void {
-    this.sheet = loaded && { cut: traced(loaded.geometry), ignored: traced(loaded.ignored.geometry), bounds: loaded.bounds };
+    this.sheet = loaded && { cut: traced(loaded.geometry, (id) => loaded.contours[id]?.operation !== 'ignore'), ignored: traced(loaded.ignored.geometry), bounds: loaded.bounds };
     this.home = home;
     this.path = null;
     this.drawContours();
@@ -123,9 +123,10 @@ export class Picture {
   }
 }
 
-function traced({ segments: s, offsets }: Geometry): Path2D {
+function traced({ segments: s, offsets }: Geometry, shown = (_chain: number) => true): Path2D {
   const path = new Path2D();
   for (let chain = 0; chain + 1 < offsets.length; chain += 1) {
+    if (!shown(chain)) continue;
     const [first, end] = [STRIDE * (offsets[chain] ?? 0), STRIDE * (offsets[chain + 1] ?? 0)];
     path.moveTo(s[first] ?? 0, s[first + 1] ?? 0);
     for (let i = first; i < end; i += STRIDE) {
