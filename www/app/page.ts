@@ -22,16 +22,19 @@ import { topBar } from './panels/topbar.js';
 import { playbackBar } from './playback/bar.js';
 import { Playback } from './playback/playback.js';
 import { Timeline } from './playback/timeline.js';
+import { type Fate, fateOf } from './session/choices.js';
 import { Queue } from './session/queue.js';
 import { read as readAddress } from './session/address.js';
+import { Preview } from './session/preview.js';
 import { fetchSample, SAMPLES, type Sample } from './session/samples.js';
 import { Session } from './session/session.js';
+import { worked } from './session/worked.js';
 import { attachGestures } from './stage/gestures.js';
 import { ramp } from './stage/ramp.js';
 import type { Travel } from './stage/raster-messages.js';
 import { Scene } from './stage/scene.js';
 import { Viewport } from './stage/viewport.js';
-import type { Finding, MachineProfile, OutputKind } from 'kerfway';
+import type { Finding, LoadOptions, MachineProfile, OutputKind } from 'kerfway';
 import { words } from './core/words/index.js';
 
 /** CSS pixels around the pointer in which a contour is picked; a finger is wider. */
@@ -74,12 +77,12 @@ export async function startPage(): Promise<void> {
     hint.hidden = true;
     layout();
   };
-  const openFile = async (file: File, begun: () => void) => {
+  const openFile = async (file: File, load: LoadOptions | null, begun: () => void) => {
     hideHint();
     try {
       const bytes = await file.arrayBuffer();
       begun();
-      await session.open(bytes, file.name, false, shared.load);
+      await session.open(bytes, file.name, false, load ?? shared.load);
     } catch {
       begun();
       session.refuse(file.name, words.page.unreadable(file.name));
@@ -128,13 +131,13 @@ export async function startPage(): Promise<void> {
     if (contour !== null && reveal) announcer.say(describe(session, playback, contour).join(', '));
     scene.invalidate();
   };
-  /** Pins a contour to an end of the order, or loosens it where it is pinned there. */
-  const pin = (contour: number | null, place: 'first' | 'last') => {
+  /** Pins a contour to an end of the order or leaves it out; takes that back where it is so already. */
+  const decide = (contour: number | null, fate: Fate) => {
     if (contour === null) return;
-    const pinned = state.load[place]?.includes(contour) ?? false;
-    const [name] = describe(session, playback, contour);
-    session.pin(contour, pinned ? null : place);
-    announcer.say(pinned ? words.page.loosened(name ?? '') : words.page.pinned(name ?? '', place));
+    const already = fateOf(state.load, contour) === fate;
+    const [name = ''] = describe(session, playback, contour);
+    session.decide(contour, already ? null : fate);
+    announcer.say(already ? words.page.loosened(name) : words.page.decided[fate](name));
   };
   // The stop stepped to: a contour that is left unfinished has several.
   let stepped = 0;
@@ -148,7 +151,7 @@ export async function startPage(): Promise<void> {
     const at = scene.selected === null ? null : there ? stepped : playback.stopOf(scene.selected);
     step(at === null ? (by > 0 ? 0 : playback.stops - 1) : at + by);
   };
-  const card = new ContourCard(session, playback, { step: stepBy, close: () => select(null) });
+  const card = new ContourCard(session, playback, { decide, step: stepBy, close: () => select(null) });
   const table = new OrderTable(session, playback, (contour) => select(contour, true), () => toggleTable(false));
   const showFinding = (finding: Finding, zoom: boolean) => {
     scene.finding = finding;
@@ -165,7 +168,12 @@ export async function startPage(): Promise<void> {
     const open = document.body.classList.toggle('sheet-open');
     document.querySelector('.sheet-toggle')?.setAttribute('aria-expanded', String(open));
   };
-  const drawing = drawingPanel(session, (finding) => showFinding(finding, true));
+  const preview = new Preview(session);
+  preview.on('outlook', (outlook) => {
+    scene.marks = outlook?.marks ?? [];
+    scene.invalidate();
+  });
+  const drawing = drawingPanel(session, preview, (finding) => showFinding(finding, true), (contour) => select(contour, true));
   const scroller = place('sections');
   scroller.append(drawing, machinePanel(session, tell, () => choosingHome(true)), planPanel(session), resultPanel(session, theme, (kind) => void download(kind)), quotePanel(session, tell));
   place('dock').append(dock(session, { open: chooseFile, gcode: () => void download('gcode'), sheet: toggleSheet }));
@@ -240,7 +248,7 @@ export async function startPage(): Promise<void> {
       canvas.classList.toggle('over', scene.hovered !== null);
       scene.invalidate();
     },
-    click(x, y, { touch, shift }) {
+    click(x, y, { touch, shift, alt }) {
       if (homeNext) return setHome(x, y);
       const finding = scene.pickFinding(x, y, touch ? REACH.touch : REACH.pointer + 4);
       if (finding) {
@@ -251,7 +259,7 @@ export async function startPage(): Promise<void> {
       }
       scene.finding = null;
       const contour = scene.pick(x, y, touch ? REACH.touch : REACH.pointer);
-      if (shift && contour !== null) pin(contour, 'first');
+      if (shift || alt) decide(contour, alt ? 'exclude' : 'first');
       else select(contour);
     },
   });
@@ -262,7 +270,7 @@ export async function startPage(): Promise<void> {
     'Shift+ArrowUp': () => viewport.pan(0, STEP), 'Shift+ArrowDown': () => viewport.pan(0, -STEP),
     o: chooseFile, s: () => session.stop(), p: () => (state.phase === 'paused' ? session.resume() : session.pause()), k: () => session.keepImproving(),
     c: () => tools.flip('ramp'), a: () => tools.flip('air'), t: () => toggleTable(!table.open), 'Ctrl+z': () => session.undo(), 'Ctrl+Shift+z': () => session.redo(), 'Ctrl+y': () => session.redo(), '?': () => help.showModal(),
-    1: () => pin(scene.selected, 'first'), 0: () => pin(scene.selected, 'last'),
+    1: () => decide(scene.selected, 'first'), 0: () => decide(scene.selected, 'last'), x: () => decide(scene.selected, 'exclude'),
     Escape: () => {
       if (homeNext) return choosingHome(false);
       scene.finding = null;
@@ -271,11 +279,14 @@ export async function startPage(): Promise<void> {
   });
 
   // The job
-  session.on('loaded', ({ loaded, fresh }) => {
+  session.on('loaded', ({ loaded, fresh, same }) => {
     playback.setTimeline(null);
-    select(null);
-    scene.setDrawing(loaded, state.extent, true);
-    if (fresh) announcer.say(words.page.read(state.name, words.drawing.contours(loaded.contours.length, count(loaded.contours.length))));
+    // With the same contours, what is looked at stays.
+    const selected = same ? scene.selected : null;
+    scene.setDrawing(loaded, state.extent, !same);
+    select(selected);
+    const contours = worked(loaded).length;
+    if (fresh) announcer.say(words.page.read(state.name, words.drawing.contours(contours, count(contours))));
   });
   session.on('cleared', () => {
     playback.setTimeline(null);

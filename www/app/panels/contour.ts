@@ -2,6 +2,7 @@
 
 import { button, h } from '../core/dom.js';
 import { clock, count, millimetres } from '../core/format.js';
+import { type Fate, fateOf, FATES } from '../session/choices.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
 import { words } from '../core/words/index.js';
@@ -14,7 +15,7 @@ export function describe(session: Session, playback: Playback, contour: number):
   const stop = playback.stopOf(contour);
   const part = loaded.parts.findIndex((p) => p.outer === contour || p.holes.includes(contour));
   const name = stop === null ? words.contour.numbered(contour + 1) : words.contour.place(count(stop + 1), count(playback.stops));
-  const kind = info.operation === 'mark' ? words.contour.mark : !info.closed ? words.contour.open : info.inside === null ? words.contour.outer : words.contour.inner;
+  const kind = info.operation === 'ignore' ? words.contour.excluded : info.operation === 'mark' ? words.contour.mark : !info.closed ? words.contour.open : info.inside === null ? words.contour.outer : words.contour.inner;
   return [name, info.layer, millimetres(info.length), part < 0 ? '' : words.contour.part(count(part + 1)), kind].filter((t) => t !== '');
 }
 
@@ -39,7 +40,7 @@ export class Tooltip {
 export class ContourCard {
   readonly root = h('section', { class: 'card contour', 'aria-label': words.contour.card, hidden: true });
 
-  constructor(private readonly session: Session, private readonly playback: Playback, private readonly actions: { step(by: number): void; close(): void }) {}
+  constructor(private readonly session: Session, private readonly playback: Playback, private readonly actions: { decide(contour: number, fate: Fate): void; step(by: number): void; close(): void }) {}
 
   show(contour: number | null): void {
     this.root.hidden = contour === null;
@@ -48,13 +49,11 @@ export class ContourCard {
     const stop = this.playback.stopOf(contour);
     const begin = stop === null ? [] : [words.contour.begins(clock(this.playback.begin(stop)))];
     const focused = this.root.contains(document.activeElement) ? [...this.root.querySelectorAll('button')].indexOf(document.activeElement as HTMLButtonElement) : -1;
-    const pin = (place: 'first' | 'last', label: string) => {
-      const pinned = this.session.state.load[place]?.includes(contour) ?? false;
-      return button(label, { class: 'quiet small', 'aria-pressed': pinned, onclick: () => this.session.pin(contour, pinned ? null : place) });
-    };
+    const now = fateOf(this.session.state.load, contour);
+    const choices = FATES.map((fate) => button(words.contour.fates[fate], { class: 'quiet small fate', 'aria-pressed': fate === now, onclick: () => this.actions.decide(contour, fate) }));
     this.root.replaceChildren(
       h('div', { class: 'contour-text' }, h('strong', {}, name ?? ''), h('span', { class: 'soft number' }, [...facts, ...begin].join(' · '))),
-      pin('first', words.contour.first), pin('last', words.contour.last),
+      ...choices,
       button(words.contour.before, { icon: 'back', iconOnly: true, class: 'quiet small', onclick: () => this.actions.step(-1) }),
       button(words.contour.next, { icon: 'next', iconOnly: true, class: 'quiet small', onclick: () => this.actions.step(1) }),
       button(words.contour.close, { icon: 'close', iconOnly: true, class: 'quiet small', onclick: () => this.actions.close() }));

@@ -3,50 +3,58 @@
 import { button, h, setText } from '../core/dom.js';
 import { count } from '../core/format.js';
 import type { Finding, Loaded } from 'kerfway';
+import { type Fate, FATES } from '../session/choices.js';
+import type { Preview } from '../session/preview.js';
 import type { Session } from '../session/session.js';
+import { worked } from '../session/worked.js';
 import { FindingList } from './findings.js';
 import { layerList } from './layers.js';
-import { check, field, section } from './section.js';
+import { check, section } from './section.js';
+import { tolerances } from './tolerances.js';
 import { words } from '../core/words/index.js';
 
 /** CSS pixels of height from which drawing and result fit below each other. */
 const ROOMY = 1000;
 
-/** What a tolerance is when nobody chose one, mm; as `LoadOptions` says. */
-const DEFAULTS = { joinTolerance: 0.05, tolerance: 0.005 };
+/** Contours listed one by one where something was decided of many. */
+const LISTED = 24;
 
-export function drawingPanel(session: Session, onFinding: (finding: Finding) => void): HTMLDetailsElement & { findings: FindingList } {
+export function drawingPanel(session: Session, preview: Preview, onFinding: (finding: Finding) => void, onContour: (contour: number) => void): HTMLDetailsElement & { findings: FindingList } {
   const { root, body, setGist } = section(words.drawing.title, innerHeight >= ROOMY);
   const layers = h('div');
   const counts = h('p', { class: 'soft' });
   const findings = new FindingList(onFinding);
   const outline = check(words.drawing.outline, (on) => void session.reread({ ...session.state.load, ignoreOutline: on }));
-  const tolerances = h('details', { class: 'more' }, h('summary', {}, words.drawing.tolerances),
-    toleranceField(session, 'joinTolerance', words.drawing.join), toleranceField(session, 'tolerance', words.drawing.curves));
   const pins = h('div', { class: 'stack' });
-  const content = h('div', { class: 'stack' }, counts, layers, outline.root, pins, findings.root, tolerances);
+  const content = h('div', { class: 'stack' }, counts, layers, outline.root, pins, findings.root, tolerances(session, preview));
   const empty = h('p', { class: 'soft' }, words.drawing.none);
   body.append(empty, content);
 
+  // Those of the drawing, and what a plan finds.
+  const showFindings = () => {
+    const { loaded, found } = session.state;
+    findings.show([...(loaded?.findings ?? []), ...found]);
+  };
   const show = () => {
-    const { loaded, load, found } = session.state;
+    const { loaded, load } = session.state;
     empty.hidden = loaded !== null;
     content.hidden = loaded === null;
     if (!loaded) {
       setGist('');
-      findings.show([]);
+      showFindings();
       return;
     }
     const grave = loaded.findings.filter((f) => f.severity !== 'info').length;
-    setGist([words.drawing.contours(loaded.contours.length, count(loaded.contours.length)), grave ? words.drawing.toLookAt(count(grave)) : ''].filter(Boolean).join(', '), grave > 0);
-    const open = loaded.contours.filter((c) => !c.closed).length;
+    const contours = worked(loaded);
+    setGist([words.drawing.contours(contours.length, count(contours.length)), grave ? words.drawing.toLookAt(count(grave)) : ''].filter(Boolean).join(', '), grave > 0);
+    const open = contours.filter((c) => !c.closed).length;
     setText(counts, [words.drawing.parts(loaded.parts.length, count(loaded.parts.length)), open ? words.drawing.openContours(open, count(open)) : '', loaded.version ? versionName(loaded.version) : '']
       .filter(Boolean).join(' · '));
     layers.replaceChildren(layerList(session, loaded));
-    pins.replaceChildren(...(['first', 'last'] as const).flatMap((place) => pinned(session, place)));
+    pins.replaceChildren(...FATES.flatMap((fate) => listed(session, fate, onContour)));
     outline.root.hidden = !load.ignoreOutline && (loaded.outline === null || suggestedAnyway(loaded, loaded.outline));
     outline.input.checked = load.ignoreOutline ?? false;
-    findings.show([...loaded.findings, ...found]);
+    showFindings();
   };
   session.on('loaded', ({ loaded, fresh }) => {
     show();
@@ -56,7 +64,7 @@ export function drawingPanel(session: Session, onFinding: (finding: Finding) => 
   // What a plan finds comes when it starts.
   let told = session.state.found;
   session.on('change', ({ found, loaded }) => {
-    if (found !== told && loaded) findings.show([...loaded.findings, ...found]);
+    if (found !== told && loaded) showFindings();
     told = found;
   });
   session.on('cleared', show);
@@ -64,12 +72,14 @@ export function drawingPanel(session: Session, onFinding: (finding: Finding) => 
   return Object.assign(root, { findings });
 }
 
-/** The contours that were pinned to one end of the order, and how to loosen them. */
-function pinned(session: Session, place: 'first' | 'last'): HTMLElement[] {
-  const contours = session.state.load[place] ?? [];
+/** The contours of which something was decided, each to be shown, and how to take that back. */
+function listed(session: Session, fate: Fate, onContour: (contour: number) => void): HTMLElement[] {
+  const contours = session.state.load[fate] ?? [];
   if (contours.length === 0) return [];
-  const loosen = button(words.drawing.loosen, { class: 'quiet small', 'aria-label': words.drawing.loosenWhat(place), onclick: () => session.loosen(place) });
-  return [h('p', { class: 'pins' }, words.drawing.pinned(place, words.drawing.contours(contours.length, count(contours.length))), loosen)];
+  const loosen = button(words.drawing.loosen[fate], { class: 'quiet small', 'aria-label': words.drawing.loosenWhat[fate], onclick: () => session.loosen(fate) });
+  const shown = contours.slice(0, LISTED).map((c) => button(count(c + 1), { class: 'small number', 'aria-label': words.drawing.show(count(c + 1)), onclick: () => onContour(c) }));
+  const more = contours.length > LISTED && h('span', { class: 'soft' }, words.drawing.others(count(contours.length - LISTED)));
+  return [h('div', { class: 'pins' }, h('span', {}, words.drawing.decided[fate](words.drawing.contours(contours.length, count(contours.length)))), h('span', { class: 'pinned' }, ...shown, more), loosen)];
 }
 
 /** Whether there is something in a drawing for a person to decide or see. */
@@ -81,19 +91,6 @@ function wantsALook({ findings, layers, outline }: Loaded): boolean {
 function suggestedAnyway({ contours, layers }: Loaded, outline: number): boolean {
   const layer = layers.find((l) => l.name === contours[outline]?.layer);
   return layer?.suggestion === 'ignore' && layer.contours === 1;
-}
-
-function toleranceField(session: Session, key: keyof typeof DEFAULTS, label: string): HTMLElement {
-  const input = h('input', { type: 'number', min: '0.0001', max: '10', step: 'any', inputmode: 'decimal' });
-  const reset = () => (input.value = String(session.state.load[key] ?? DEFAULTS[key]));
-  input.addEventListener('change', () => {
-    const value = input.valueAsNumber;
-    if (value > 0 && value <= 10) void session.reread({ ...session.state.load, [key]: value });
-    else reset();
-  });
-  session.on('loaded', reset);
-  reset();
-  return field(label, input, 'mm');
 }
 
 const VERSIONS: Record<string, string> = {

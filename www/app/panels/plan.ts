@@ -10,7 +10,7 @@ import { words } from '../core/words/index.js';
 /** Budgets offered, s. */
 const BUDGETS = [2, 5, 10, 30, 60, 300];
 
-const span = (s: number) => (s < 60 ? `${s} s` : `${s / 60} min`);
+const span = (s: number) => (s < 60 || s % 60 > 0 ? `${s} s` : `${s / 60} min`);
 
 export function planPanel(session: Session): HTMLElement {
   const { root, body, setGist } = section(words.plan.title, false);
@@ -45,7 +45,9 @@ export function planPanel(session: Session): HTMLElement {
     own.show(papers.find((m) => m.name === search.method));
     setText(source, chosen?.source ?? '');
     source.hidden = !chosen?.source;
-    budget.fill(BUDGETS.map((s) => ({ value: s, label: span(s) })), search.seconds);
+    // One from an address need not be among those offered.
+    const budgets = [...new Set([...BUDGETS, search.seconds])].sort((a, b) => a - b);
+    budget.fill(budgets.map((s) => ({ value: s, label: span(s) })), search.seconds);
     setText(about, chosen?.about ?? '');
     byLayer.root.hidden = (loaded?.layers.length ?? 0) < 2;
     byLayer.input.checked = load.orderByLayer ?? false;

@@ -6,6 +6,28 @@
 import type { LoadOptions, MachineProfile } from 'kerfway';
 import type { Search } from './state.js';
 
+/** What may be decided of single contours. Of each, one at most. */
+export const FATES = ['first', 'last', 'exclude'] as const;
+export type Fate = (typeof FATES)[number];
+
+/** What is decided of a contour. */
+export function fateOf(load: LoadOptions, contour: number): Fate | null {
+  return FATES.find((fate) => load[fate]?.includes(contour)) ?? null;
+}
+
+/** Options with another fate of a contour. */
+export function decided({ first = [], last = [], exclude = [], ...others }: LoadOptions, contour: number, fate: Fate | null): LoadOptions {
+  const without = (list: number[]) => list.filter((c) => c !== contour);
+  const lists = { first: without(first), last: without(last), exclude: without(exclude) };
+  if (fate !== null) lists[fate].push(contour);
+  return { ...others, ...lists };
+}
+
+/** Options in which nothing is decided of any contour. */
+export function undecided({ first: _first, last: _last, exclude: _exclude, ...others }: LoadOptions): LoadOptions {
+  return others;
+}
+
 export interface Choices {
   load: LoadOptions;
   machine: MachineProfile | null;
@@ -64,7 +86,7 @@ export class History {
 
 /** Whether two readings find the same contours, so that the numbers of contours mean the same. */
 export function sameContours(a: LoadOptions, b: LoadOptions): boolean {
-  const key = ({ units, tolerance, keepDamaged, joinTolerance, layers, ignoreOutline }: LoadOptions) =>
-    JSON.stringify([units, tolerance, keepDamaged, joinTolerance, layers, ignoreOutline]);
+  const key = ({ units, tolerance, keepDamaged, joinTolerance, layers }: LoadOptions) =>
+    JSON.stringify([units, tolerance, keepDamaged, joinTolerance, layers]);
   return key(a) === key(b);
 }

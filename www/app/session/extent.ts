@@ -2,12 +2,13 @@
 
 import type { Loaded } from 'kerfway';
 import { prepare } from '../stage/shapes.js';
+import { worked } from './worked.js';
 
 export type Box = [xmin: number, ymin: number, xmax: number, ymax: number];
 
 /** The box around all of a drawing, mm. */
 export function extentOf(loaded: Loaded): Box {
-  const box: Box = loaded.contours.length > 0 ? [...loaded.bounds] : [Infinity, Infinity, -Infinity, -Infinity];
+  const box: Box = worked(loaded).length > 0 ? [...loaded.bounds] : [Infinity, Infinity, -Infinity, -Infinity];
   const { boxes } = prepare(loaded.ignored.geometry);
   for (let i = 0; i < boxes.length; i += 4) {
     box[0] = Math.min(box[0], boxes[i]!);

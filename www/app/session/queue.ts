@@ -3,6 +3,7 @@
  * What comes of each is kept as G-code; any of them can be looked at again, which plans it anew.
  */
 
+import type { LoadOptions } from 'kerfway';
 import { Emitter } from '../core/emitter.js';
 import { messageOf } from '../core/strings.js';
 import type { Session } from './session.js';
@@ -17,6 +18,8 @@ export interface Item {
   /** Seconds of the job as planned. */
   seconds: number | null;
   gcode: string | null;
+  /** How it was read when it was left, contours pinned and left out among it. */
+  load: LoadOptions | null;
   /** Why it failed. */
   sentence: string | null;
 }
@@ -30,10 +33,10 @@ export class Queue extends Emitter<Events> {
   /** The one that is open. */
   current: Item | null = null;
 
-  /** `open` reads a file and has the session take it; `begun` is called between the two. */
+  /** `open` reads a file and has the session take it with these options, if there are any; `begun` is called between the two. */
   constructor(
     private readonly session: Session,
-    private readonly open: (file: File, begun: () => void) => Promise<void>,
+    private readonly open: (file: File, load: LoadOptions | null, begun: () => void) => Promise<void>,
   ) {
     super();
     session.on('change', () => void this.hear());
@@ -43,10 +46,10 @@ export class Queue extends Emitter<Events> {
   take(files: readonly File[]): void {
     const [first] = files;
     if (first === undefined) return;
-    this.items = files.length < 2 ? [] : files.map((file) => ({ file, state: 'waits', seconds: null, gcode: null, sentence: null }));
+    this.items = files.length < 2 ? [] : files.map((file) => ({ file, state: 'waits', seconds: null, gcode: null, load: null, sentence: null }));
     this.current = null;
     this.emit('change', this.items);
-    if (this.items[0] === undefined) void this.open(first, () => {});
+    if (this.items[0] === undefined) void this.open(first, null, () => {});
     else this.begin(this.items[0]);
   }
 
@@ -54,13 +57,14 @@ export class Queue extends Emitter<Events> {
   begin(item: Item): void {
     this.leave();
     item.state = 'working';
-    void this.open(item.file, () => (this.current = item));
+    void this.open(item.file, item.load, () => (this.current = item));
     this.emit('change', this.items);
   }
 
   /** Something else is opened: what is under way waits, until somebody comes back to it. */
   leave(): void {
     if (this.current?.state === 'working') this.current.state = 'waits';
+    if (this.current !== null) this.current.load = this.session.state.load;
     this.current = null;
     this.emit('change', this.items);
   }

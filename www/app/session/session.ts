@@ -7,11 +7,12 @@ import { createPlanner, type LoadOptions, type Loaded, type MachineProfile, type
 import { Emitter } from '../core/emitter.js';
 import { messageOf } from '../core/strings.js';
 import { type Shared, written } from './address.js';
-import { type Choices, History, sameContours } from './choices.js';
+import { type Choices, decided, type Fate, FATES, History, sameContours, undecided } from './choices.js';
 import { extentOf } from './extent.js';
 import { learn, noInsights } from './insights.js';
 import { kept } from './profiles.js';
 import { initialState, type Question, type Search, type State } from './state.js';
+import { worked } from './worked.js';
 import { words } from '../core/words/index.js';
 
 /** Milliseconds typed numbers rest before the plan starts anew, so that it does not at each digit. */
@@ -28,8 +29,11 @@ const DEFAULT_MACHINE = 'co2-100w';
 interface Events extends Record<string, unknown> {
   /** Anything but progress changed. */
   change: State;
-  /** A drawing was read; `fresh`: another file, not the same one read otherwise. */
-  loaded: { loaded: Loaded; fresh: boolean };
+  /**
+   * A drawing was read; `fresh`: another file, not the same one read otherwise; `same`: its contours are those of before, and
+   * so are their numbers.
+   */
+  loaded: { loaded: Loaded; fresh: boolean; same: boolean };
   /** No drawing, or none that can be used. */
   cleared: void;
   progress: State;
@@ -37,10 +41,18 @@ interface Events extends Record<string, unknown> {
   notice: string;
 }
 
+/** A drawing as it was given. */
+export interface Source {
+  bytes: ArrayBuffer | Uint8Array;
+  name: string;
+}
+
 export class Session extends Emitter<Events> {
   readonly state: State = initialState();
   /** The way back. */
   readonly history = new History();
+  /** The drawing in hand. */
+  source: Source | null = null;
   private readonly answered = new Set<Question>();
   private run: PlanHandle | null = null;
   private wish = 0;
@@ -109,6 +121,7 @@ export class Session extends Emitter<Events> {
   async open(bytes: ArrayBuffer | Uint8Array, name: string, sample: boolean, options: LoadOptions = {}): Promise<void> {
     const { state } = this;
     const wish = this.begin();
+    this.source = { bytes, name };
     this.answered.clear();
     this.history.clear();
     Object.assign(state, { phase: 'reading', name, sample, load: options, loaded: null, question: null, error: null });
@@ -119,7 +132,7 @@ export class Session extends Emitter<Events> {
       const planner = await this.ready;
       if (wish !== this.wish) return;
       const loaded = await planner.load(bytes, name, state.load);
-      if (wish === this.wish) this.take(loaded, true);
+      if (wish === this.wish) this.take(loaded, { fresh: true, same: false });
     } catch (error) {
       if (wish === this.wish) this.fail(error);
     }
@@ -130,11 +143,9 @@ export class Session extends Emitter<Events> {
     const { state } = this;
     if (!state.loaded) return;
     this.keep();
-    const pinned = (options.first?.length ?? 0) + (options.last?.length ?? 0) > 0;
-    if (pinned && !sameContours(options, state.load)) {
-      const { first: _first, last: _last, ...others } = options;
-      options = others;
-      this.emit('notice', words.page.pinsGone);
+    if (!sameContours(options, state.load)) {
+      if (FATES.some((fate) => options[fate]?.length)) this.emit('notice', words.page.pinsGone);
+      options = undecided(options);
     }
     await this.readAs(options);
   }
@@ -143,10 +154,11 @@ export class Session extends Emitter<Events> {
     const { state, planner } = this;
     if (!state.loaded || !planner) return;
     const wish = this.begin();
+    const same = sameContours(options, state.load);
     state.load = options;
     try {
       const loaded = await planner.reload(options);
-      if (wish === this.wish) this.take(loaded, false);
+      if (wish === this.wish) this.take(loaded, { fresh: false, same });
     } catch (error) {
       if (wish === this.wish) this.fail(error);
     }
@@ -186,18 +198,14 @@ export class Session extends Emitter<Events> {
     else this.ask();
   }
 
-  /** Works a contour before or after all others, or whenever it is best. */
-  pin(contour: number, place: 'first' | 'last' | null): void {
-    const { first = [], last = [], ...others } = this.state.load;
-    const without = (list: number[]) => list.filter((c) => c !== contour);
-    const lists = { first: without(first), last: without(last) };
-    if (place !== null) lists[place].push(contour);
-    void this.reread({ ...others, ...lists });
+  /** Works a contour before or after all others, leaves it out, or works it whenever it is best. */
+  decide(contour: number, fate: Fate | null): void {
+    void this.reread(decided(this.state.load, contour, fate));
   }
 
-  /** Works what was pinned to one end of the order whenever it is best. */
-  loosen(place: 'first' | 'last'): void {
-    void this.reread({ ...this.state.load, [place]: [] });
+  /** Works what was pinned to one end of the order, or left out, whenever it is best. */
+  loosen(fate: Fate): void {
+    void this.reread({ ...this.state.load, [fate]: [] });
   }
 
   /** Back to what was chosen before. */
@@ -299,12 +307,12 @@ export class Session extends Emitter<Events> {
     Object.assign(this.state, { baselines: null, found: [], progress: null, path: null, reason: null, seed: null, history: { at: [], total: [] }, insights: noInsights() });
   }
 
-  private take(loaded: Loaded, fresh: boolean): void {
+  private take(loaded: Loaded, as: { fresh: boolean; same: boolean }): void {
     this.state.loaded = loaded;
     this.state.extent = extentOf(loaded);
     this.state.error = null;
     this.forget();
-    this.emit('loaded', { loaded, fresh });
+    this.emit('loaded', { loaded, ...as });
     this.ask();
   }
 
@@ -336,7 +344,7 @@ export class Session extends Emitter<Events> {
     if (!state.loaded || !state.machine || !planner) return;
     const wish = this.begin();
     this.forget();
-    if (state.loaded.contours.length === 0) {
+    if (worked(state.loaded).length === 0) {
       state.phase = 'ready';
       this.emit('change', state);
       return;

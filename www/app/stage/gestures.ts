@@ -14,7 +14,7 @@ const PINCH_RATE = 0.012;
 export interface Picks {
   /** The pointer is over this place, or has left (null). */
   hover(at: { x: number; y: number } | null): void;
-  click(x: number, y: number, by: { touch: boolean; shift: boolean }): void;
+  click(x: number, y: number, by: { touch: boolean; shift: boolean; alt: boolean }): void;
 }
 
 export function attachGestures(target: HTMLElement, viewport: Viewport, picks: Picks): void {
@@ -67,7 +67,7 @@ export function attachGestures(target: HTMLElement, viewport: Viewport, picks: P
     if (pointers.size > 0) return;
     target.classList.remove('dragging');
     if (at && event.type === 'pointerup' && !wasPinch && moved <= CLICK_SLOP && event.button === 0) {
-      picks.click(at.x, at.y, { touch: event.pointerType === 'touch', shift: event.shiftKey });
+      picks.click(at.x, at.y, { touch: event.pointerType === 'touch', shift: event.shiftKey, alt: event.altKey });
     }
   };
   target.addEventListener('pointerup', release);

@@ -5,6 +5,7 @@
 
 import { size as sizeText } from '../core/format.js';
 import type { Finding, Insight } from 'kerfway';
+import type { Mark } from '../session/outlook.js';
 import type { Palette } from './palette.js';
 import type { View } from './raster-messages.js';
 import type { Shapes } from './shapes.js';
@@ -165,6 +166,39 @@ function drawMarker(pen: Pen, x: number, y: number, error: boolean, color: strin
   pen.fillStyle = ground;
   pen.fillRect(x - 0.8 * r, y - 3.4 * r, 1.6 * r, 4 * r);
   pen.fillRect(x - 0.8 * r, y + 1.8 * r, 1.6 * r, 1.6 * r);
+}
+
+/** What another reading would change: rings where ends would join, two bars where they would part, crosses where something disappears. */
+export function drawMarks(pen: Pen, view: View, palette: Palette, marks: readonly Mark[]): void {
+  const r = view.ratio;
+  const taken = new Set<number>();
+  pen.lineCap = 'round';
+  for (const { kind, x: mx, y: my } of marks) {
+    const x = view.x + mx * view.scale, y = view.y - my * view.scale;
+    if (x < -20 || y < -20 || x > view.width + 20 || y > view.height + 20) continue;
+    const cell = Math.floor(x / (CROWD * r)) * 65536 + Math.floor(y / (CROWD * r));
+    if (taken.has(cell)) continue;
+    taken.add(cell);
+    pen.beginPath();
+    const line = (x0: number, y0: number, x1: number, y1: number) => {
+      pen.moveTo(x + x0 * r, y + y0 * r);
+      pen.lineTo(x + x1 * r, y + y1 * r);
+    };
+    if (kind === 'joins') pen.arc(x, y, 8 * r, 0, 2 * Math.PI);
+    else if (kind === 'opens') {
+      line(-4, -8, -4, 8);
+      line(4, -8, 4, 8);
+    } else {
+      line(-6, -6, 6, 6);
+      line(-6, 6, 6, -6);
+    }
+    pen.strokeStyle = palette.sheet;
+    pen.lineWidth = 6 * r;
+    pen.stroke();
+    pen.strokeStyle = kind === 'joins' ? palette.accent : palette.amber;
+    pen.lineWidth = 2.5 * r;
+    pen.stroke();
+  }
 }
 
 /** The head: a ring with a dot, filled while the beam is on. */

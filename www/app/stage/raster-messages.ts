@@ -22,8 +22,8 @@ export interface View {
   ratio: number;
 }
 
-/** How a contour is drawn. */
-export const Role = { outer: 0, inner: 1, mark: 2 } as const;
+/** How a contour is drawn; one left out is drawn with what is ignored. */
+export const Role = { outer: 0, inner: 1, mark: 2, none: 3 } as const;
 
 /** How the head moves between contours. */
 export interface Travel {

@@ -17,6 +17,7 @@ import { chainLength, firstStops, prepare, type Shapes } from './shapes.js';
 import { traceAir } from './trace.js';
 import type { Moment } from '../playback/timeline.js';
 import type { Box } from '../session/extent.js';
+import type { Mark } from '../session/outlook.js';
 import type { Viewport } from './viewport.js';
 import { words } from '../core/words/index.js';
 
@@ -41,6 +42,8 @@ export class Scene {
   /** The selected contour. */
   selected: number | null = null;
   finding: Finding | null = null;
+  /** What another reading would change, while somebody looks. */
+  marks: readonly Mark[] = [];
   /** Where the head is shown; null: no playback, everything in full. */
   moment: Moment | null = null;
   /** Of a method that makes partitions. */
@@ -91,6 +94,7 @@ export class Scene {
     this.extent = extent;
     this.path = this.held = this.stopOf = null;
     this.hovered = this.selected = this.finding = this.moment = null;
+    this.marks = [];
     this.shapes = this.grid = this.partitions = null;
     this.lengths = new Float64Array(0);
     if (loaded) {
@@ -195,6 +199,7 @@ export class Scene {
       if (this.path && stop !== null) overlay.drawWays(pen, view, palette, this.path, this.travel, stop);
     }
     overlay.drawFindings(pen, view, palette, loaded.findings, this.finding);
+    overlay.drawMarks(pen, view, palette, this.marks);
     if (playing) overlay.drawHead(pen, view, palette, this.moment!.x, this.moment!.y, this.moment!.cutting);
   }
 
@@ -264,7 +269,7 @@ export class Scene {
 function rolesOf(loaded: Loaded): Uint8Array {
   const { contours, outline } = loaded;
   return Uint8Array.from(contours, (contour) => {
-    if (contour.operation === 'mark') return Role.mark;
+    if (contour.operation !== 'cut') return contour.operation === 'mark' ? Role.mark : Role.none;
     let inner = false;
     // The border of the sheet is no part: what lies in it is outside all parts. The bound keeps bad data from going round.
     let at = contour.inside;

@@ -30,7 +30,7 @@ const findingTitles: Record<string, string> = {
   branch: 'More than two ends meet',
   'duplicate-removed': 'Copies removed',
   'overlap-removed': 'Overlapping lines removed',
-    'common-cut': 'Contours that share cuts',
+  'common-cut': 'Contours that share cuts',
   'zero-length': 'Elements without length',
   'self-crossing': 'Contours that cross themselves',
   crossing: 'Contours that cross each other',
@@ -39,6 +39,7 @@ const findingTitles: Record<string, string> = {
   'sheet-outline': 'Border of the sheet',
   'layer-suggestion': 'Layers that are probably not cut',
   'layer-ignored': 'Layers left out',
+  'contour-excluded': 'Contours left out',
   more: 'More, not listed one by one',
 };
 
@@ -77,6 +78,7 @@ const keys: readonly (readonly [string, string])[] = [
   ['A', 'Air moves'],
   ['T', 'Table of the cutting order'],
   ['1 0', 'Cut the selected contour first or last'],
+  ['X', 'Leave the selected contour out'],
   ['Ctrl Z', 'Undo a choice; with Shift, redo'],
   ['Esc', 'Clear the selection'],
   ['?', 'This list'],
@@ -93,10 +95,12 @@ export const en = {
     noCanvas: 'This browser cannot draw on a canvas.',
     best: (time: string) => `Best ${time}.`,
     read: (file: string, contours: string) => `${file}: ${contours} read.`,
-    pinned: (contour: string, place: 'first' | 'last') => `${contour}: cut ${place}.`,
+    decided: {
+      first: (contour: string) => `${contour}: cut first.`, last: (contour: string) => `${contour}: cut last.`, exclude: (contour: string) => `${contour}: left out, not cut.`,
+    },
     loosened: (contour: string) => `${contour}: cut whenever it is best.`,
     noPapers: (why: string) => `The methods of papers could not be loaded. ${why}`,
-    pinsGone: 'The contours are other ones now: none is pinned any more.',
+    pinsGone: 'The contours are other ones now: none is pinned or left out by itself any more.',
   },
 
   top: {
@@ -127,12 +131,21 @@ export const en = {
 
   drawing: {
     title: 'Drawing', none: 'No drawing yet.', outline: 'Leave out the border around everything', tolerances: 'Tolerances',
-    join: 'Join ends nearer than', curves: 'Follow curves within',
+    join: 'Join ends nearer than', curves: 'Follow curves within', apply: 'Apply', keep: 'Keep as it is', looking: 'Looking what would change…',
+    within: (least: number, most: number) => `From ${least} to ${most} mm.`,
+    outlook: {
+      joins: (n: number, written: string) => `${counted(n, written, 'gap')} would close`, opens: (n: number, written: string) => `${counted(n, written, 'joint')} would open`,
+      goes: (n: number, written: string) => `${counted(n, written, 'piece')} would disappear`, contours: (now: string, then: string) => `${then} contours instead of ${now}`,
+      open: (now: string, then: string) => `${then} of them open instead of ${now}`, elements: (now: string, then: string) => `${then} lines and arcs instead of ${now}`,
+      nothing: 'Nothing would change.', sentence: (parts: readonly string[]) => `${parts.join(', ')}.`,
+    },
     contours: (n: number, written: string) => counted(n, written, 'contour'), openContours: (n: number, written: string) => counted(n, written, 'open contour'),
     parts: (n: number, written: string) => counted(n, written, 'part'), toLookAt: (written: string) => `${written} to look at`,
     notes: (n: number, written: string) => counted(n, written, 'note'), nothingToDo: (notes: string) => `${notes}, nothing to do`,
-    version: (name: string) => `DXF ${name}`, pinned: (place: 'first' | 'last', contours: string) => `Cut ${place}: ${contours}`, loosen: 'Loosen',
-    loosenWhat: (place: 'first' | 'last') => `Loosen what is cut ${place}`,
+    version: (name: string) => `DXF ${name}`, show: (contour: string) => `Contour ${contour}, show on the sheet`,
+    decided: { first: (contours: string) => `Cut first: ${contours}`, last: (contours: string) => `Cut last: ${contours}`, exclude: (contours: string) => `Left out: ${contours}` },
+    loosen: { first: 'Loosen', last: 'Loosen', exclude: 'Cut again' }, others: (n: string) => `and ${n} more`,
+    loosenWhat: { first: 'Loosen what is cut first', last: 'Loosen what is cut last', exclude: 'Cut again what was left out' },
   },
 
   layers: {
@@ -198,7 +211,7 @@ export const en = {
 
   contour: {
     card: 'Selected contour', numbered: (n: number) => `Contour ${n}`, place: (n: string, of: string) => `No. ${n} of ${of}`, part: (n: string) => `part ${n}`,
-    mark: 'mark', open: 'open cut', outer: 'outer', inner: 'inner', begins: (time: string) => `cut begins at ${time}`, first: 'Cut first', last: 'Cut last',
+    mark: 'mark', open: 'open cut', outer: 'outer', inner: 'inner', begins: (time: string) => `cut begins at ${time}`, fates: { first: 'Cut first', last: 'Cut last', exclude: 'Leave out' }, excluded: 'left out, not cut',
     before: 'The one before (←)', next: 'The next (→)', close: 'Close (Esc)',
   },
 
@@ -216,7 +229,7 @@ export const en = {
 
   help: {
     title: 'Keys', close: 'Close', with: 'with', keys,
-    more: 'Wheel or pinch zooms about the pointer, drag moves the sheet, a click selects a contour, a click with Shift has it cut first. The drawing never leaves this machine.',
+    more: 'Wheel or pinch zooms about the pointer, drag moves the sheet, a click selects a contour, a click with Shift has it cut first, one with Alt leaves it out. The drawing never leaves this machine.',
   },
 
   numbers: { locale: 'en', thousand: (n: string) => `${n} thousand`, million: (n: string) => `${n} million` },

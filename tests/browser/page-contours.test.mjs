@@ -1,0 +1,131 @@
+// Single contours and what joins them: left out and taken back; tolerances looked at before they are applied.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { beamRuns, download, drop, dropAll, grid, openPage, phase, planned, sample } from './page-support.mjs';
+
+const open = (page) => page.evaluate(() => document.querySelectorAll('.section').forEach((d) => (d.open = d.textContent.startsWith('Drawing'))));
+const listed = (page) => page.evaluate(() => [...document.querySelectorAll('.pins')].map((p) => p.firstChild.textContent).join());
+const until = (page, words) => page.waitForFunction((w) => [...document.querySelectorAll('.pins')].map((p) => p.firstChild.textContent).join() === w, words);
+const gist = (page, begin) => page.waitForFunction((b) => document.querySelector('.section .gist').textContent.startsWith(b), begin);
+const gcode = async (page) => (await download(page, () => page.locator('.dock').getByRole('button', { name: 'G-code' }).click())).bytes.toString();
+
+test('a contour is left out by card, key and Alt with a click, shown where it was, and taken back', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  await drop(page, 'rings.dxf', sample('parts-in-parts.dxf'));
+  await planned(page, 'rings.dxf', 'done');
+  await open(page);
+  await gist(page, '28 contours');
+
+  await page.keyboard.press('End');
+  const card = page.getByRole('region', { name: 'Selected contour' });
+  await card.getByRole('button', { name: 'Leave out' }).click();
+  await gist(page, '27 contours');
+  await until(page, 'Left out: 1 contour');
+  // What is looked at stays, and says what it is.
+  assert.match(await card.textContent(), /^Contour \d+.*left out, not cut/);
+  assert.equal(await card.getByRole('button', { name: 'Leave out' }).getAttribute('aria-pressed'), 'true');
+  await phase(page, 'done');
+  assert.equal(beamRuns(await gcode(page)).length, 27);
+  assert.match(await page.locator('.findings').textContent(), /1 contour left out by choice/);
+
+  await page.keyboard.press('Home');
+  await page.keyboard.press('x');
+  await until(page, 'Left out: 2 contours');
+  await page.keyboard.press('Control+z');
+  await until(page, 'Left out: 1 contour');
+  await page.keyboard.press('Control+Shift+z');
+  await until(page, 'Left out: 2 contours');
+  // From the list to the contour, and back into the cut.
+  await page.locator('.pinned button').first().click();
+  await card.getByRole('button', { name: 'Cut first' }).click();
+  await until(page, 'Cut first: 1 contour,Left out: 1 contour');
+  await page.getByRole('button', { name: 'Cut again what was left out' }).click();
+  await until(page, 'Cut first: 1 contour');
+  await gist(page, '28 contours');
+
+  await page.keyboard.press('Escape');
+  const box = await page.locator('#canvas').boundingBox();
+  let at = null;
+  for (let x = 60; x < box.width - 60 && at === null; x += 3) {
+    await page.mouse.move(box.x + x, box.y + box.height / 2);
+    if (await page.locator('#canvas.over').count()) at = [box.x + x, box.y + box.height / 2];
+  }
+  await page.keyboard.down('Alt');
+  await page.mouse.click(...at);
+  await page.keyboard.up('Alt');
+  await until(page, 'Cut first: 1 contour,Left out: 1 contour');
+  // It is still there to be pointed at, and to be taken back.
+  await page.keyboard.down('Alt');
+  await page.mouse.click(...at);
+  await page.keyboard.up('Alt');
+  await until(page, 'Cut first: 1 contour');
+});
+
+test('what was left out of a file is left out when it is opened again', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  await dropAll(page, [['one.dxf', grid(12)], ['two.dxf', grid(20)]]);
+  await page.waitForFunction(() => document.querySelector('.queue').textContent === '2 of 2');
+  await open(page);
+  await page.keyboard.press('End');
+  await page.keyboard.press('x');
+  await until(page, 'Left out: 1 contour');
+  await phase(page, 'done');
+  const go = async (name) => {
+    await page.locator('.queue').click();
+    await page.getByRole('button', { name: new RegExp(`^${name}`) }).click();
+    await planned(page, name, 'done');
+  };
+  await go('one.dxf');
+  assert.equal(await listed(page), '');
+  await go('two.dxf');
+  await until(page, 'Left out: 1 contour');
+});
+
+test('what another tolerance would join or part is shown on the sheet before it is applied', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=300' });
+  await phase(page, 'planning', 'done');
+  await drop(page, 'careless.dxf', sample('gaps-and-copies.dxf'));
+  await planned(page, 'careless.dxf', 'planning');
+  await open(page);
+  await page.locator('summary', { hasText: 'Tolerances' }).click();
+  const told = page.locator('.outlook');
+  const says = (words) => page.waitForFunction((w) => document.querySelector('.outlook').textContent.includes(w), words);
+  const before = await page.locator('.section .gist').first().textContent();
+  await page.keyboard.press('a');
+  await page.waitForTimeout(500);
+  const plain = await page.locator('#canvas').screenshot();
+  const join = page.getByRole('slider', { name: 'Join ends nearer than' });
+  const turn = (value) => join.evaluate((slider, v) => {
+    slider.value = v;
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+  }, value);
+
+  // A hand that moves the slider wishes often; the plan goes on, and the page's thread stays free.
+  for (let value = 90; value >= 40; value -= 1) await turn(value);
+  await says('4 joints would open');
+  assert.match(await told.textContent(), /12 contours instead of 9/);
+  assert.equal(await page.evaluate(() => document.body.dataset.phase), 'planning');
+  assert.equal(await page.locator('.section .gist').first().textContent(), before, 'nothing is applied yet');
+  assert.notDeepEqual(await page.locator('#canvas').screenshot(), plain, 'marks on the sheet');
+  await page.getByRole('button', { name: 'Keep as it is' }).click();
+  assert.equal(await told.textContent(), '');
+  assert.equal(await page.getByLabel('Join ends nearer than').first().inputValue(), '0.05');
+
+  const number = page.locator('.tolerance-field input[type=number]').first();
+  await number.fill('0.01');
+  await says('4 joints would open');
+  await number.press('Enter');
+  await gist(page, '12 contours');
+  await number.fill('0.05');
+  await says('4 gaps would close');
+  assert.match(await told.textContent(), /9 contours instead of 12/);
+  await number.fill('9');
+  await says('From 0.001 to 5 mm');
+  assert.equal(await page.getByRole('button', { name: 'Apply' }).isDisabled(), true);
+  await number.press('Escape');
+  assert.equal(await number.inputValue(), '0.01');
+  await gist(page, '12 contours');
+});
