@@ -169,7 +169,7 @@ function drawMarker(pen: Pen, x: number, y: number, error: boolean, color: strin
 }
 
 /** What another reading would change: rings where ends would join, two bars where they would part, crosses where something disappears. */
-export function drawMarks(pen: Pen, view: View, palette: Palette, marks: readonly Mark[]): void {
+export function drawOutlook(pen: Pen, view: View, palette: Palette, marks: readonly Mark[]): void {
   const r = view.ratio;
   const taken = new Set<number>();
   pen.lineCap = 'round';

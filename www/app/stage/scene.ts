@@ -199,7 +199,7 @@ export class Scene {
       if (this.path && stop !== null) overlay.drawWays(pen, view, palette, this.path, this.travel, stop);
     }
     overlay.drawFindings(pen, view, palette, loaded.findings, this.finding);
-    overlay.drawMarks(pen, view, palette, this.marks);
+    overlay.drawOutlook(pen, view, palette, this.marks);
     if (playing) overlay.drawHead(pen, view, palette, this.moment!.x, this.moment!.y, this.moment!.cutting);
   }
 
