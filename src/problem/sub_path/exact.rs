@@ -36,6 +36,8 @@ struct Left {
 
 struct Table<'n> {
     net: &'n Net<'n>,
+    /// Seconds from node to node.
+    ways: Vec<Vec<f64>>,
     /// By set of elements.
     left: Vec<Left>,
     labels: Vec<Label>,
@@ -47,7 +49,8 @@ struct Table<'n> {
 pub(super) fn all(net: &Net) -> Vec<(f64, Order)> {
     let left: Vec<Left> = (0..1 << net.len()).map(|cut| net.left(cut)).collect();
     let kept = vec![Vec::new(); left.len() * net.steps().len()];
-    let mut table = Table { net, left, labels: Vec::new(), kept };
+    let ways = net.nodes().map(|a| net.nodes().map(|b| net.way(a, b)).collect()).collect();
+    let mut table = Table { net, ways, left, labels: Vec::new(), kept };
     net.nodes().flat_map(|start| table.from(start)).collect()
 }
 
@@ -98,7 +101,7 @@ impl Table<'_> {
                 }
             } else {
                 let ready = ready | (1 << head & !loose);
-                let there = seconds + net.way(head, from) + net.start();
+                let there = seconds + self.ways[head as usize][from as usize] + net.start();
                 if visited >> from & 1 == 0 {
                     ways[0] = Some((there + net.machine.pierce_time, ready | 1 << from));
                 } else if ready >> from & 1 == 1 {
