@@ -9,7 +9,7 @@ const SHEET = readFileSync(new URL('../fixtures/plate/shared-sides.dxf', import.
 
 /** The finished plan, as the page hands it out. */
 async function planned(page) {
-  const { bytes } = await download(page, () => page.getByRole('button', { name: 'JSON' }).click());
+  const { bytes } = await download(page, () => page.locator('.downloads').getByRole('button', { name: 'Plan', exact: true }).click());
   return JSON.parse(bytes);
 }
 
