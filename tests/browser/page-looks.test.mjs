@@ -32,6 +32,10 @@ for (const [name, size] of Object.entries(SIZES)) {
       const clean = async (what) => assert.deepEqual(await serious(page), [], what);
 
       await keep('result');
+      await page.keyboard.press('k');
+      await phase(page, 'planning');
+      await keep('live');
+      await phase(page, 'done');
       await page.keyboard.press('c');
       await page.locator('#playback input').evaluate((slider) => {
         slider.value = 5000;
@@ -76,8 +80,14 @@ for (const [name, size] of Object.entries(SIZES)) {
       await keep('preview-sheet');
       await panel('Machine', 'Numbers', 'Your machines');
       await keep('machine');
+      await panel('Plan');
+      const method = page.locator('select').filter({ hasText: 'RLSGA' });
+      await method.selectOption({ label: 'RLSGA' });
+      await phase(page, 'done');
       await panel('Plan', 'Parameters');
       await keep('plan');
+      await method.selectOption({ index: 0 });
+      await phase(page, 'done');
       await panel('Quote');
       await page.getByLabel('Thickness').fill('3');
       await page.getByLabel('Density').fill('7.85');
