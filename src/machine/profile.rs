@@ -94,7 +94,7 @@ pub struct Profile {
     pub max_s: f64,
 }
 
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for; natively it is small enough")]
 fn is_zero(length: &f64) -> bool {
     length.total_cmp(&0.0).is_eq()
 }

@@ -77,7 +77,7 @@ describe('load', () => {
     await planner.load(PLATE, 'plate.dxf', {
       layers: [{ name: '0', operation: 'ignore' }, { name: 'MARK', operation: 'ignore' }],
     });
-    await assert.rejects(planner.plan({ moves: 10 }).done, /nothing to cut: every layer that holds something is left out/);
+    await assert.rejects(planner.plan({ moves: 10 }).done, /nothing to cut: everything in the drawing is left out/);
   });
 });
 
