@@ -2,9 +2,8 @@
 
 use super::{JobError, Warm};
 use crate::problem::Problem;
-use crate::solve::Running;
-use crate::solve::Step;
 use crate::solve::papers::{self, Insight};
+use crate::solve::{Running, Step};
 
 /// A method at work.
 pub struct Guest(Running);

@@ -108,7 +108,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, parts: &[Vec<f64>]) -> Vec<f64>
                 now += machine.pre_cut_time.unwrap_or(0.0);
                 head = *to;
             }
-            Move::Macro { .. } => now += machine.sharp_corner.map_or(0.0, |c| c.time),
+            Move::Macro { .. } => now += machine.macro_time(),
             Move::Cut { path, mark, .. } => {
                 let begin = now + machine.beam_on_delay;
                 let end = begin + cut_time(machine, machine.process(*mark), path);

@@ -10,8 +10,7 @@ use crate::plan::LowerBound;
 use crate::plan::{self, Plan};
 use crate::problem::{self, Item, Problem};
 use crate::sheet::Sheet;
-use crate::solve::Running;
-use crate::solve::{self, Search, Solution, Solver, Status, Telemetry};
+use crate::solve::{self, Running, Search, Solution, Solver, Status, Telemetry};
 
 /// Moves before the lower bound is begun: the first paths come first. A second of search on large sheets; on small ones
 /// the best path is found by then and only the proof is left.

@@ -25,8 +25,8 @@ const SNAP: f64 = 1e-9;
 /// The runs along a closed contour, from rest to rest at any of its places.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedRun {
-    /// `None`: speeds change at once.
-    accel: Option<f64>,
+    /// Infinite: speeds change at once.
+    accel: f64,
     length: f64,
     /// Seconds without any stop but those in sharp corners.
     through: f64,
@@ -60,7 +60,6 @@ impl ClosedRun {
     /// sharp corners, and on a path without length.
     pub fn new(profile: &Profile, mark: bool, path: &[Segment]) -> Option<Self> {
         let process = profile.process(mark);
-        let at_once = process.accel.is_none();
         let accel = process.accel.unwrap_or(f64::INFINITY);
         let mut runs = Vec::with_capacity(path.len());
         let (mut pieces, mut length) = (Vec::with_capacity(path.len()), 0.0);
@@ -86,7 +85,7 @@ impl ClosedRun {
             piece.sharp = !mark && profile.is_sharp(before.leaves, run.enters);
             if piece.sharp {
                 piece.speed2 = 0.0;
-            } else if !at_once {
+            } else if accel.is_finite() {
                 piece.speed2 = corner_speed2(profile, accel, before, run);
             }
             before = run;
@@ -94,9 +93,9 @@ impl ClosedRun {
         let sharp = pieces.iter().filter(|p| p.sharp).count();
         let wait = profile.macro_seconds();
         let saved = if sharp > 0 { wait } else { 0.0 };
-        if at_once {
+        if accel.is_infinite() {
             let through = pieces.iter().map(|p| p.seconds).sum::<f64>() + sharp as f64 * wait;
-            let run = Self { accel: None, length, through, stop: -saved, wait, even: false, pieces };
+            let run = Self { accel, length, through, stop: -saved, wait, even: false, pieces };
             return (sharp > 0).then_some(run);
         }
         // The slowest corner is run at its own limit: both passes may start there.
@@ -120,7 +119,7 @@ impl ClosedRun {
             0.0
         };
         let through = pieces.iter().map(|p| p.seconds).sum::<f64>() + sharp as f64 * wait;
-        Some(Self { accel: Some(accel), length, through, stop: stop - saved, wait, even, pieces })
+        Some(Self { accel, length, through, stop: stop - saved, wait, even, pieces })
     }
 
     /// Seconds that the run takes at least, wherever it is entered.
@@ -144,7 +143,9 @@ impl ClosedRun {
         }
         let whole = self.pieces[i];
         let saved = if whole.sharp && at <= 0.0 { self.wait } else { 0.0 };
-        let Some(accel) = self.accel else { return (-saved - self.stop).max(0.0) };
+        if self.accel.is_infinite() {
+            return (-saved - self.stop).max(0.0);
+        }
         let mut change = -saved;
         let (mut ahead, mut d) = (i, 0.0);
         // Pieces that are run whole, forwards or back.
@@ -152,27 +153,21 @@ impl ClosedRun {
         if at > 0.0 {
             left -= 1;
             (ahead, d) = ((i + 1) % n, whole.length - at);
-            change += seconds(d, whole.top2, 0.0, self.slowed2(accel, ahead, d), accel)
-                + seconds(at, whole.top2, self.slowed2(accel, i, at), 0.0, accel)
+            change += seconds(d, whole.top2, 0.0, self.slowed2(ahead, d), self.accel)
+                + seconds(at, whole.top2, self.slowed2(i, at), 0.0, self.accel)
                 - whole.seconds;
         }
-        while left > 0 && 2.0 * accel * d < self.pieces[ahead].speed2 {
+        while left > 0 && 2.0 * self.accel * d < self.pieces[ahead].speed2 {
             let next = (ahead + 1) % n;
             let there = d + self.pieces[ahead].length;
-            change +=
-                self.slower(accel, ahead, self.slowed2(accel, ahead, d), self.slowed2(accel, next, there));
+            change += self.slower(ahead, self.slowed2(ahead, d), self.slowed2(next, there));
             (ahead, d, left) = (next, there, left - 1);
         }
         let (mut behind, mut d) = (i, at);
-        while left > 0 && 2.0 * accel * d < self.pieces[behind].speed2 {
+        while left > 0 && 2.0 * self.accel * d < self.pieces[behind].speed2 {
             let previous = (behind + n - 1) % n;
             let there = d + self.pieces[previous].length;
-            change += self.slower(
-                accel,
-                previous,
-                self.slowed2(accel, previous, there),
-                self.slowed2(accel, behind, d),
-            );
+            change += self.slower(previous, self.slowed2(previous, there), self.slowed2(behind, d));
             (behind, d, left) = (previous, there, left - 1);
         }
         (change - self.stop).max(0.0)
@@ -199,15 +194,15 @@ impl ClosedRun {
     }
 
     /// Square of the speed at the start of piece `i`, `d` mm one way round from the stop.
-    fn slowed2(&self, accel: f64, i: usize, d: f64) -> f64 {
-        let ramp2 = 2.0 * accel * d.min(self.length - d).max(0.0);
+    fn slowed2(&self, i: usize, d: f64) -> f64 {
+        let ramp2 = 2.0 * self.accel * d.min(self.length - d).max(0.0);
         self.pieces[i].speed2.min(ramp2)
     }
 
     /// Seconds by which piece `i` takes longer between these speeds than without the stop.
-    fn slower(&self, accel: f64, i: usize, from2: f64, to2: f64) -> f64 {
+    fn slower(&self, i: usize, from2: f64, to2: f64) -> f64 {
         let p = &self.pieces[i];
-        seconds(p.length, p.top2, from2, to2, accel) - p.seconds
+        seconds(p.length, p.top2, from2, to2, self.accel) - p.seconds
     }
 }
 

@@ -32,6 +32,11 @@ impl Profile {
         path.chunk_by(|a, b| !self.is_sharp(a.tangent(1.0), b.tangent(0.0)))
     }
 
+    /// Seconds of a pause in a sharp corner, the beam off.
+    pub fn macro_time(&self) -> f64 {
+        self.sharp_corner.map_or(0.0, |c| c.time)
+    }
+
     /// Seconds that a sharp corner takes in which a cut stops and goes on: to cool, and of the beam.
     pub fn macro_seconds(&self) -> f64 {
         self.sharp_corner.map_or(0.0, |c| c.time + self.beam_delays())

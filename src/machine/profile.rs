@@ -1,6 +1,7 @@
 //! The machine profile: versioned data in mm, s and rad.
 
 use super::corner::SharpCorner;
+use crate::geometry::{Path, Segment};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -110,6 +111,12 @@ impl Profile {
         self.pre_cut_time.is_some_and(|seconds| seconds > 0.0)
     }
 
+    /// What a pre-cut reaches of the rest of a contour, from where that begins: half of it at most.
+    pub fn cut_ahead(&self, rest: &Path) -> Vec<Segment> {
+        let length = self.pre_cut_length.min(0.5 * rest.length());
+        if length > 0.0 { rest.between(0.0, length) } else { Vec::new() }
+    }
+
     /// Home as a point.
     pub fn home(&self) -> DVec2 {
         DVec2::from_array(self.home)
@@ -184,7 +191,7 @@ impl Profile {
             ("pre_cut_time", self.pre_cut_time.unwrap_or(0.0), NOT_NEGATIVE),
             ("pre_cut_length", self.pre_cut_length, NOT_NEGATIVE),
             ("sharp_corner.angle", self.sharp_corner.map_or(0.0, |c| c.angle), ANGLE),
-            ("sharp_corner.time", self.sharp_corner.map_or(0.0, |c| c.time), NOT_NEGATIVE),
+            ("sharp_corner.time", self.macro_time(), NOT_NEGATIVE),
             ("beam_on_delay", self.beam_on_delay, NOT_NEGATIVE),
             ("beam_off_delay", self.beam_off_delay, NOT_NEGATIVE),
             ("max_s", self.max_s, POSITIVE),

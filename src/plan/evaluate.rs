@@ -31,7 +31,7 @@ pub fn evaluate(moves: &[Move], machine: &Profile) -> Summary {
                 sum.pre_cut_time += machine.pre_cut_time.unwrap_or(0.0);
                 head = *to;
             }
-            Move::Macro { .. } => sum.macro_time += machine.sharp_corner.map_or(0.0, |c| c.time),
+            Move::Macro { .. } => sum.macro_time += machine.macro_time(),
             Move::Cut { contour, with, path, mark } => {
                 let (Some(first), Some(last)) = (path.first(), path.last()) else { continue };
                 for contour in with.iter().chain([contour]).map(|&c| c as usize) {

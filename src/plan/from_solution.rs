@@ -47,7 +47,8 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         #[expect(clippy::float_cmp, reason = "the last visit ends where the first began, bit for bit")]
         let left = stop.until != start;
         if left && pre_cuts {
-            let ahead = ahead(&known.path, stop, start, problem.machine.pre_cut_length);
+            let rest = Path::new(known.path.between(stop.until, start), false);
+            let ahead = problem.machine.cut_ahead(&rest);
             moves.push(Move::PreCut { contour, to: head, ahead });
         }
     }
@@ -82,12 +83,6 @@ fn through(moves: &mut Vec<Move>, machine: &Profile, way: &SubPath) {
             }
         }
     }
-}
-
-/// What a pre-cut reaches of what is left of a contour, half of that at most.
-fn ahead(path: &Path, stop: &Stop, start: f64, length: f64) -> Vec<Segment> {
-    let rest = Path::new(path.between(stop.until, start), false);
-    if length > 0.0 { rest.between(0.0, length.min(0.5 * rest.length())) } else { Vec::new() }
 }
 
 /// Cuts along elements, of contours that `whose` tells, with a macro in each sharp corner.

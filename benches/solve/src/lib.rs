@@ -4,7 +4,19 @@ pub mod source;
 
 use kerfway::solve::{self, Search, Status};
 use source::Source;
+use std::process::ExitCode;
 use wasm_bindgen::prelude::*;
+
+/// How a bench ends: what went wrong is said.
+pub fn ended(bench: Result<(), String>) -> ExitCode {
+    bench.map_or_else(
+        |why| {
+            eprintln!("{why}");
+            ExitCode::FAILURE
+        },
+        |()| ExitCode::SUCCESS,
+    )
+}
 
 /// One search, for a caller with a clock.
 #[wasm_bindgen]

@@ -65,7 +65,7 @@ fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
                 pen.rapid(*to);
             }
             Move::PreCut { .. } => {}
-            Move::Macro { .. } => pen.settle_dark(profile.sharp_corner.map_or(0.0, |c| c.time)),
+            Move::Macro { .. } => pen.settle_dark(profile.macro_time()),
             Move::Cut { contour, path, mark, .. } => {
                 if !goes_on {
                     order += 1;

@@ -39,7 +39,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                     slack = path.segments.iter().map(rounding).fold(slack, f64::max);
                 }
                 cut_length += path.iter().map(|s| s.length()).sum::<f64>();
-                cut_seconds += cut_time(machine, if *mark { &machine.mark } else { &machine.cut }, path);
+                cut_seconds += cut_time(machine, machine.process(*mark), path);
                 head = path.last().map_or(head, |s| s.end());
             }
         }
@@ -47,7 +47,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let delays = machine.beam_on_delay + machine.beam_off_delay;
     let pierce_seconds = f64::from(pierces) * machine.pierce_time + f64::from(cuts) * delays;
     let pre_cut_seconds = f64::from(pre_cuts) * machine.pre_cut_time.unwrap_or(0.0);
-    let macro_seconds = machine.sharp_corner.map_or(0.0, |c| c.time) * f64::from(macros);
+    let macro_seconds = machine.macro_time() * f64::from(macros);
     // A contour cut in several goes counts once.
     sort_by(&mut worked, |&c| [c.into(), 0, 0]);
     worked.dedup();
@@ -98,8 +98,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
 /// A contour's path; that in its group where the machine cuts groups as one.
 fn path_of<'s>(sheet: &'s Sheet, machine: &Profile, contour: u32) -> Option<&'s Path> {
     let mut groups = sheet.pierce_groups().iter().filter(|_| machine.makes_pre_cuts());
-    let joined =
-        groups.find_map(|g| g.contours.iter().position(|&c| c == contour).and_then(|k| g.paths.get(k)));
+    let joined = groups.find_map(|g| g.path_of(contour));
     joined.or_else(|| sheet.contours.get(contour as usize).map(|c| &c.path))
 }
 

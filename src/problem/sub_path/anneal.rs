@@ -1,5 +1,6 @@
 //! Orders of larger groups: exchanges, by simulated annealing.
 
+use super::mixed;
 use super::net::{Net, Order, Step};
 
 /// Elements in all orders that are looked at to anneal one, and how many orders that may be: a few milliseconds.
@@ -11,11 +12,7 @@ const WARMTH: f64 = 1.0;
 
 /// Evenly spread numbers, from 0 to 1: which of several ways is preferred.
 fn whim(seed: u64, k: u64) -> f64 {
-    // splitmix64.
-    let mut z = (seed << 48 ^ k).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    z = (z ^ z >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ z >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-    ((z ^ z >> 31) >> 11) as f64 / (1_u64 << 53) as f64
+    (mixed(seed << 48 ^ k) >> 11) as f64 / (1_u64 << 53) as f64
 }
 
 /// An order with stretches turned round, as long as that takes less, or a little more to begin with: simulated annealing.

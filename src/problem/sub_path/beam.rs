@@ -6,6 +6,7 @@
 //! moves.) Orders of as many elements are compared by their seconds and those of the trails still needed: where an odd number
 //! of elements is left, a trail begins or ends.
 
+use super::mixed;
 use super::net::{Net, Order, Step};
 use crate::order::{real, sort_by};
 use rustc_hash::FxHashSet;
@@ -267,12 +268,4 @@ impl<'n> Search<'n> {
         state.made = made.len() - 1;
         state
     }
-}
-
-/// splitmix64.
-fn mixed(k: u64) -> u64 {
-    let mut z = k.wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    z = (z ^ z >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ z >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-    z ^ z >> 31
 }

@@ -193,8 +193,7 @@ pub(super) struct At {
 }
 
 /// What an order has done so far.
-#[derive(Clone)]
-pub(super) struct State {
+struct State {
     done: u32,
     last: Option<Step>,
     visited: Vec<bool>,
@@ -206,7 +205,7 @@ pub(super) struct State {
 }
 
 impl State {
-    pub(super) fn new(net: &Net) -> Self {
+    fn new(net: &Net) -> Self {
         let nodes = net.group.nodes.len();
         Self {
             done: 0,
@@ -220,7 +219,7 @@ impl State {
 
     /// The next step. A pre-cut is made where the beam stops at its node anyway, if that is before anything that ends
     /// there is finished; otherwise a run is interrupted for it.
-    pub(super) fn next(&mut self, net: &Net, step: Step) -> At {
+    fn next(&mut self, net: &Net, step: Step) -> At {
         let [from, to] = net.step(step);
         let head = self.last.map(|last| net.step(last)[1]);
         let begins = head != Some(from);

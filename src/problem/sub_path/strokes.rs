@@ -91,16 +91,12 @@ pub(super) fn sub_path(net: &Net, order: &[Step]) -> SubPath {
     SubPath { ends, strokes, seconds }
 }
 
-/// What is cut ahead of a step from where it begins, or back from where it ends: half of it at most.
+/// What is cut ahead of a step from where it begins, or back from where it ends.
 fn pre_cut(net: &Net, step: Step, begins: bool) -> Stroke {
     let (element, path) = (&net.group.elements[step as usize / 2], &net.paths[step as usize / 2]);
-    let (contour, length) = (element.contour, net.machine.pre_cut_length.min(0.5 * path.length()));
-    let ahead = match (length > 0.0, begins == step.is_multiple_of(2)) {
-        (false, _) => Vec::new(),
-        (true, true) => path.between(0.0, length),
-        (true, false) => path.reversed().between(0.0, length),
-    };
-    Stroke::PreCut { contour, ahead }
+    let forwards = begins == step.is_multiple_of(2);
+    let ahead = if forwards { net.machine.cut_ahead(path) } else { net.machine.cut_ahead(&path.reversed()) };
+    Stroke::PreCut { contour: element.contour, ahead }
 }
 
 fn close(open: &mut (Vec<Span>, Vec<Segment>), strokes: &mut Vec<Stroke>) {

@@ -51,10 +51,14 @@ pub struct GroupElement {
 }
 
 impl PierceGroup {
+    /// The path of one of its contours.
+    pub fn path_of(&self, contour: u32) -> Option<&Path> {
+        self.contours.iter().position(|&c| c == contour).and_then(|k| self.paths.get(k))
+    }
+
     /// The geometry of an element, from beginning to end.
     pub fn path(&self, element: &GroupElement) -> Path {
-        let place = self.contours.iter().position(|&c| c == element.contour);
-        let Some(contour) = place.and_then(|k| self.paths.get(k)) else { return Path::default() };
+        let Some(contour) = self.path_of(element.contour) else { return Path::default() };
         let whole = element.from.total_cmp(&element.to).is_eq();
         let segments = match (whole, contour.closed) {
             (true, true) => contour.starting_at(element.from).segments,

@@ -35,7 +35,7 @@ const MOST = 4000;
 /** Compares two readings; `join`: how far apart ends may be in the second one, mm. */
 export function outlook(now: Loaded, then: Loaded, join: number): Outlook {
   const [ends, endsThen] = [freeEnds(now, join), freeEnds(then, 0)];
-  const joined = missing(ends, endsThen), opened = missing(freeEnds(then, 0), freeEnds(now, 0));
+  const joined = missing(ends, endsThen), opened = missing(endsThen, freeEnds(now, 0));
   const [gone, goneThen] = [goneIn(now), goneIn(then)];
   const sum = (of: typeof gone) => of.reduce((n, f) => n + f.count, 0);
   const places = new Set(gone.map(({ at }) => String(at)));

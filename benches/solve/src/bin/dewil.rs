@@ -20,11 +20,8 @@ const SLICE: u64 = 10_000;
 const SLICE_OF_BOUND: u32 = 2_000_000;
 const BOUND_SECONDS: f64 = 2.0;
 
-fn main() {
-    if let Err(why) = bench() {
-        eprintln!("{why}");
-        std::process::exit(1);
-    }
+fn main() -> std::process::ExitCode {
+    kerfway_bench_solve::ended(bench())
 }
 
 fn bench() -> Result<(), String> {

@@ -19,11 +19,8 @@ struct Options {
     seconds: f64,
 }
 
-fn main() {
-    if let Err(why) = options().and_then(|options| bench(&options)) {
-        eprintln!("{why}");
-        std::process::exit(1);
-    }
+fn main() -> std::process::ExitCode {
+    kerfway_bench_solve::ended(options().and_then(|options| bench(&options)))
 }
 
 fn options() -> Result<Options, String> {

@@ -15,11 +15,8 @@ const SLICE: u64 = 100_000;
 /// Moves of the default method, which knows no end.
 const MOVES: u64 = 4_000_000;
 
-fn main() {
-    if let Err(why) = bench() {
-        eprintln!("{why}");
-        std::process::exit(1);
-    }
+fn main() -> std::process::ExitCode {
+    kerfway_bench_solve::ended(bench())
 }
 
 fn bench() -> Result<(), String> {
