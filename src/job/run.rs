@@ -146,7 +146,7 @@ impl Run {
     /// Works on the bound; gives the work that is left to others.
     #[cfg(feature = "lab")]
     fn prove(&mut self) -> u32 {
-        let (cost, work) = (self.best().cost, self.bound_work());
+        let (cost, work) = (self.telemetry().best, self.bound_work());
         if let Some(prover) = &mut self.prover {
             prover.improve(work, cost);
             self.proven = Some(prover.value());

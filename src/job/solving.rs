@@ -53,7 +53,7 @@ impl Solving {
         let work = work.min(self.bound_at - self.moves);
         let step = self.running.with_dependent_mut(|_, search| search.step(work));
         self.moves += step.done;
-        let cost = self.running.borrow_dependent().best().cost;
+        let cost = self.running.borrow_dependent().telemetry().best;
         if self.moves >= self.bound_at {
             self.bound_at += BOUND_EVERY;
             self.bound.improve(BOUND_WORK, cost);

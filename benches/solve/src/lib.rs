@@ -46,7 +46,7 @@ impl Runner {
 
     /// What the best costs, by the search.
     pub fn cost(&self) -> f64 {
-        self.search.best().cost
+        self.search.telemetry().best
     }
 
     /// The length of the best, checked by code that shares nothing with the search.

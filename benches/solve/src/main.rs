@@ -120,14 +120,14 @@ fn run(source: &Source, seed: u64, options: &Options) -> Result<Run, String> {
     let mut search = method.start(&source.problem, seed, None);
     let (mut moves, mut found) = (0, 0.0);
     let reached = |cost: f64| source.known.is_some_and(|k| cost <= k + 1e-6);
-    let mut least = search.best().cost;
+    let mut least = search.telemetry().best;
     let mut trace = vec![(clock.elapsed().as_secs_f64(), least)];
     loop {
         let step = search.step(SLICE.min(options.moves - moves));
         moves += step.done;
         if step.improved {
             found = clock.elapsed().as_secs_f64();
-            least = search.best().cost;
+            least = search.telemetry().best;
             trace.push((found, least));
         }
         let over = moves >= options.moves || clock.elapsed().as_secs_f64() >= options.seconds;

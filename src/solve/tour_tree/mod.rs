@@ -15,9 +15,11 @@
 //! Computing 12 (2000).
 
 mod anneal;
+mod best;
 mod children;
 mod entries;
 mod exchange;
+mod gates;
 mod improve;
 mod neighbours;
 mod polish;
@@ -35,6 +37,7 @@ use super::greedy::greedy;
 use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
 use crate::problem::Problem;
 use anneal::Annealing;
+use best::Best;
 use children::Children;
 use space::Space;
 use tour::Tour;
@@ -69,8 +72,7 @@ impl Solver for TourTree {
             hanging: false,
             began: 0,
             granted: 0,
-            best: first,
-            best_at: 0,
+            best: Best::new(first, 0),
         })
     }
 }
@@ -84,17 +86,13 @@ struct TourTreeSearch<'p> {
     began: u64,
     /// Work handed out so far: what one slice did too much, the next does less.
     granted: u64,
-    best: Solution,
-    best_at: u64,
+    best: Best,
 }
 
 impl TourTreeSearch<'_> {
     /// Takes a solution over, if it is better.
     fn take(&mut self, found: Solution) {
-        if found.cost < self.best.cost {
-            self.best = found;
-            self.best_at = self.priced();
-        }
+        self.best.take(found, self.priced());
     }
 
     fn priced(&self) -> u64 {
@@ -125,13 +123,11 @@ impl TourTreeSearch<'_> {
     /// Takes over what is better since the last slice.
     fn collect(&mut self) {
         self.annealing.save();
-        let (seconds, kept) = self.annealing.best();
-        if seconds < self.best.cost {
-            self.take(polish::unpolished(self.annealing.tour(), kept));
-        }
+        let (priced, (seconds, kept)) = (self.priced(), self.annealing.best());
+        self.best.take_tour(seconds, kept, priced);
         if let Some(children) = &mut self.children {
             children.save(&self.annealing.tour().space);
-            if children.best().cost < self.best.cost {
+            if children.best().cost < self.best.cost() {
                 let found = children.best().clone();
                 self.take(found);
             }
@@ -141,7 +137,7 @@ impl TourTreeSearch<'_> {
 
 impl Search for TourTreeSearch<'_> {
     fn step(&mut self, work: u64) -> Step {
-        let cost = self.best.cost;
+        let cost = self.best.cost();
         let before = self.granted;
         self.granted = before.saturating_add(work);
         while !self.annealing.is_finished() && self.priced() < self.granted {
@@ -155,19 +151,19 @@ impl Search for TourTreeSearch<'_> {
         } else {
             (Status::Running, work)
         };
-        Step { status, done, improved: self.best.cost < cost }
+        Step { status, done, improved: self.best.cost() < cost }
     }
 
     fn best(&self) -> &Solution {
-        &self.best
+        self.best.solution(self.annealing.tour())
     }
 
     fn telemetry(&self) -> Telemetry {
-        Telemetry { moves: self.priced(), best_at: self.best_at, best: self.best.cost }
+        Telemetry { moves: self.priced(), best_at: self.best.at, best: self.best.cost() }
     }
 
     fn offer(&mut self, other: &Solution) {
-        if other.cost < self.best.cost {
+        if other.cost < self.best.cost() {
             if let Some(children) = &mut self.children {
                 children.offer(other);
             }

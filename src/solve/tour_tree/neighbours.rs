@@ -5,12 +5,11 @@
 //! Nearness is by the cost of travel: out of a place, and, where a way costs more than the way back, into it as well.
 //! Built item by item, so that a worker can take its turns in between.
 
+use super::gates::{Gate, Gates};
 use super::space::{Space, index};
 use super::tour::Tour;
 use super::travel::Place;
-use crate::geometry::Aabb;
 use crate::order::{real, sort_by};
-use crate::problem::Buckets;
 
 /// Items listed for a gate: 8 hold the wanted edge in all but a few in a thousand cases (planar tours mostly use the
 /// nearest 5), and a pass over them stays in one cache line pair.
@@ -20,9 +19,7 @@ const PER_ITEM: usize = 10;
 
 /// Neighbour lists, as far as they are built.
 pub(super) struct Neighbours {
-    grid: Buckets,
-    /// Item and place of each gate.
-    gates: Vec<(u32, Place)>,
+    gates: Gates,
     /// Items near to go to, and near to come from; the second is empty where it would be the same.
     by_gate: [Vec<Vec<u32>>; 2],
     by_item: Vec<Vec<u32>>,
@@ -31,15 +28,10 @@ pub(super) struct Neighbours {
 impl Neighbours {
     /// Empty lists; [`Neighbours::extend`] fills them.
     pub(super) fn new(space: &Space) -> Self {
-        let bounds = space.place.iter().fold(Aabb::EMPTY, |b, p| b.with(*p));
         let listed = if space.travel.by_table() { 0 } else { space.home + 1 };
-        let gates: Vec<(u32, Place)> =
+        let gates: Vec<Gate> =
             (0..listed).flat_map(|item| space.gates(item).map(move |place| (item, place))).collect();
-        let mut grid = Buckets::new(bounds, gates.len());
-        for (gate, &(_, place)) in (0..).zip(&gates) {
-            grid.insert(gate, place);
-        }
-        Self { grid, gates, by_gate: [Vec::new(), Vec::new()], by_item: Vec::new() }
+        Self { gates: Gates::new(&gates), by_gate: [Vec::new(), Vec::new()], by_item: Vec::new() }
     }
 
     /// Lists the neighbours of the next item; false when all are listed.
@@ -71,17 +63,16 @@ impl Neighbours {
     /// Seconds to, and item of, the nearest other items, in this order.
     fn nearest(&self, space: &Space, item: u32, place: Place) -> Vec<(f64, u32)> {
         let mut found: Vec<(f64, u32)> = Vec::with_capacity(PER_GATE + 1);
-        for r in 0..self.grid.rings(place) {
-            let d = self.grid.distance_of_ring(r);
+        for r in 0..self.gates.rings(place) {
+            let d = self.gates.distance_of_ring(r);
             if found.len() >= PER_GATE && found[PER_GATE - 1].0 <= space.travel.seconds_at_least(d) {
                 break;
             }
-            for gate in self.grid.ring(place, r) {
-                let (other, there) = self.gates[gate as usize];
-                if other != item {
+            self.gates.ring(place, r, |run| {
+                for &(other, there) in run.iter().filter(|gate| gate.0 != item) {
                     insert(&mut found, (space.travel.seconds(place, there), other));
                 }
-            }
+            });
         }
         found
     }
@@ -121,7 +112,10 @@ fn nearest_by_table(space: &Space, item: u32, place: Place, back: bool) -> Vec<(
 
 /// Keeps the [`PER_GATE`] nearest in order, one entry an item, with the least seconds.
 fn insert(list: &mut Vec<(f64, u32)>, new: (f64, u32)) {
-    if list.len() == PER_GATE && list[PER_GATE - 1] <= new {
+    // Of two as near the lower number; a comparison of the seconds alone decides of most.
+    if let Some(&last) = list.get(PER_GATE - 1)
+        && (last.0 < new.0 || last <= new)
+    {
         return;
     }
     if let Some(old) = list.iter().position(|old| old.1 == new.1) {
