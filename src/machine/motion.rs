@@ -37,6 +37,12 @@ impl AirTime {
     /// Seconds from `from` to `to`, mm. The same both ways, 0 on the spot, and never less for a longer way along
     /// either axis.
     pub fn seconds(&self, from: DVec2, to: DVec2) -> f64 {
+        self.seconds_here(from, to)
+    }
+
+    /// The same, for where the call itself counts.
+    #[inline(always)]
+    pub(crate) fn seconds_here(&self, from: DVec2, to: DVec2) -> f64 {
         let d = (to - from).abs();
         match self.travel {
             Travel::Straight => {
@@ -65,6 +71,7 @@ pub fn air_time(profile: &Profile, from: DVec2, to: DVec2) -> f64 {
 }
 
 /// Seconds of a motion from rest to rest: see the head of this file.
+#[inline(always)]
 fn ramped(run: f64, ramp2: f64) -> f64 {
     // No division for machines that are at speed at once.
     if ramp2 == 0.0 {

@@ -140,7 +140,7 @@ fn turn_ahead(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> 
     let after_a = tour.next(a);
     let given = tour.edge(a, after_a);
     for &b in near.of_exit(tour, a) {
-        let taken = tour.space.travel.seconds(tour.exit(a), tour.exit(b));
+        let taken = tour.space.travel.seconds_here(tour.exit(a), tour.exit(b));
         if taken >= given - EPSILON {
             continue;
         }

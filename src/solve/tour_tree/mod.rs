@@ -26,6 +26,7 @@ mod polish;
 mod rebuild;
 mod repair;
 mod ring;
+mod ring_in;
 mod space;
 #[cfg(test)]
 mod tests;

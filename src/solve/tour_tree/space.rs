@@ -10,6 +10,7 @@
 //! last item, with all its nodes.
 
 use super::ring::{nearest, ring};
+use super::ring_in::RingIn;
 use super::tour::Kept;
 use super::travel::{Place, Travel, node_place};
 use crate::geometry::{Aabb, DVec2};
@@ -159,6 +160,7 @@ impl<'p> Space<'p> {
     }
 
     /// An item's places.
+    #[inline]
     pub(super) fn places(&self, item: u32) -> &[Place] {
         &self.place[self.first[item as usize] as usize..self.first[item as usize + 1] as usize]
     }
@@ -175,6 +177,7 @@ impl<'p> Space<'p> {
     }
 
     /// Seconds on top for entering an item at a place.
+    #[inline]
     pub(super) fn extra(&self, item: u32, at: u32) -> f64 {
         if self.extra.is_empty() { 0.0 } else { self.extra[(self.first[item as usize] + at) as usize] }
     }
@@ -234,6 +237,7 @@ impl<'p> Space<'p> {
     }
 
     /// Whether an item may be entered anywhere along its track.
+    #[inline]
     pub(super) fn is_ring(&self, item: u32) -> bool {
         self.kind[item as usize] == Kind::Ring
     }
@@ -252,6 +256,7 @@ impl<'p> Space<'p> {
     }
 
     /// An open contour or a pierce group: run the other way, by the other node of its pair, entry and exit change places.
+    #[inline]
     pub(super) fn two_ends(&self, item: u32) -> bool {
         self.kind[item as usize] == Kind::Open
     }
@@ -261,14 +266,16 @@ impl<'p> Space<'p> {
         let i = item as usize;
         let gate = match self.kind[i] {
             Kind::Ring => {
+                // Both are powers of two: a division would take longer than all the rest.
                 let step = self.places(item).len() / GATES;
-                (at as usize + step / 2) / step % GATES
+                (at as usize + step / 2) >> step.trailing_zeros() & (GATES - 1)
             }
             Kind::Open | Kind::Loose => (at as usize).min(self.gate_count(item) - 1),
         };
         self.gate_first[i] as usize + gate
     }
 
+    #[inline]
     fn gate_count(&self, item: u32) -> usize {
         (self.gate_first[item as usize + 1] - self.gate_first[item as usize]) as usize
     }
@@ -286,8 +293,10 @@ impl<'p> Space<'p> {
             return self.travel.least(p, item, self.places(item), back);
         }
         let i = item as usize;
-        let outside = ((p - self.middle[i]).abs() - self.half[i]).max(DVec2::ZERO);
-        self.travel.seconds(DVec2::ZERO, outside)
+        let d = (p - self.middle[i]).abs() - self.half[i];
+        // In wasm the maximum of glam is a call, as it heeds what is not a number.
+        let outside = |d: f64| if d > 0.0 { d } else { 0.0 };
+        self.travel.seconds_here(DVec2::ZERO, DVec2::new(outside(d.x), outside(d.y)))
     }
 
     /// Seconds from `gap.from` into an item at place `at` and on to `gap.to`, with what that place costs on top.
@@ -311,27 +320,21 @@ impl<'p> Space<'p> {
             }
             return best;
         }
-        let step = self.places(item).len() / GATES;
+        let ring = self.ring_in(item, gap);
+        let step = ring.places.len() / GATES;
         for (first, every, reach) in [(0, 4, 4.0), (2, 4, 2.0), (1, 2, 1.0)] {
             for gate in (first..GATES).step_by(every) {
-                let at = index(gate * step);
-                let seconds = self.through(item, at, gap);
-                if seconds < best.1 {
-                    best = (at, seconds);
-                }
+                ring.try_at(gate * step, &mut best);
             }
             if best.1 - reach * self.slack[item as usize] >= under {
                 return best;
             }
         }
-        let mut best = self.better_near(item, best, gap);
+        ring.better_near(&mut best);
         let corners =
             self.corner_first[item as usize] as usize..self.corner_first[item as usize + 1] as usize;
         for &at in &self.corner[corners] {
-            let seconds = self.through(item, at, gap);
-            if seconds < best.1 {
-                best = (at, seconds);
-            }
+            ring.try_at(at as usize, &mut best);
         }
         best
     }
@@ -341,20 +344,16 @@ impl<'p> Space<'p> {
         if !self.is_ring(item) {
             return start;
         }
-        let count = index(self.places(item).len());
         let mut best = start;
-        let mut step = count / index(GATES) / 2;
-        while step >= 1 {
-            for at in [(best.0 + step) % count, (best.0 + count - step) % count] {
-                let seconds = self.through(item, at, gap);
-                if seconds < best.1 {
-                    best = (at, seconds);
-                    break;
-                }
-            }
-            step /= 2;
-        }
+        self.ring_in(item, gap).better_near(&mut best);
         best
+    }
+
+    /// The ring of an item in a gap.
+    fn ring_in(&self, item: u32, gap: Gap) -> RingIn<'_> {
+        let places = self.first[item as usize] as usize..self.first[item as usize + 1] as usize;
+        let extra = if self.extra.is_empty() { &[][..] } else { &self.extra[places.clone()] };
+        RingIn { travel: &self.travel, places: &self.place[places], extra, gap }
     }
 }
 

@@ -138,31 +138,38 @@ impl<'p> Tour<'p> {
     }
 
     /// Item at a position; one past the last is home again.
+    #[inline]
     pub(super) fn item(&self, position: usize) -> u32 {
         self.now.order.get(position).copied().unwrap_or(self.space.home)
     }
 
+    #[inline]
     pub(super) fn position(&self, item: u32) -> usize {
         self.position[item as usize] as usize
     }
 
+    #[inline]
     pub(super) fn next(&self, item: u32) -> u32 {
         self.item(self.position(item) + 1)
     }
 
+    #[inline]
     pub(super) fn previous(&self, item: u32) -> u32 {
         let p = self.position(item);
         self.now.order[if p == 0 { self.last() } else { p - 1 }]
     }
 
+    #[inline]
     pub(super) fn at(&self, item: u32) -> u32 {
         self.now.at[item as usize]
     }
 
+    #[inline]
     pub(super) fn entry(&self, item: u32) -> Place {
         self.entry[item as usize]
     }
 
+    #[inline]
     pub(super) fn exit(&self, item: u32) -> Place {
         self.exit[item as usize]
     }
@@ -172,7 +179,7 @@ impl<'p> Tour<'p> {
         if item == self.space.home && !self.space.problem.closed {
             0.0
         } else {
-            self.space.travel.seconds(p, q)
+            self.space.travel.seconds_here(p, q)
         }
     }
 
@@ -182,6 +189,7 @@ impl<'p> Tour<'p> {
     }
 
     /// Seconds on top of an item's fixed ones for being entered where it is.
+    #[inline]
     pub(super) fn extra(&self, item: u32) -> f64 {
         self.space.extra(item, self.at(item))
     }
