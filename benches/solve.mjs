@@ -1,19 +1,21 @@
 // The search against the best values known and against other solvers, on every kind of instance, natively and in wasm
 // under Node:
 //
-//     npm run bench -- solve [sheets|qu-du|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME]
+//     npm run bench -- solve [sheets|pool|qu-du|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME]
 //
 // Instances come from ../shared/data. Runs go one after the other, each in a process of its own, and end early when the
 // best value known is reached. Every run ends with a tour checked by code that shares nothing with the search. Other
 // solvers run on the same instances in the same run where Python has them (`KERFWAY_PYTHON`, else python3; what they
 // need stands in ../shared/tools/README.md).
 
-import { existsSync, readdirSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
 import { basename, join } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { setup } from '../scripts/setup.mjs';
 import { ask, DIST, ENV, ROOT, run, Stop } from '../scripts/tools.mjs';
-import { LEAN } from '../scripts/build.mjs';
+import { build as buildAll, LEAN } from '../scripts/build.mjs';
 import { mb, mean, median, ms, rows, table } from './common/table.mjs';
 
 const HERE = join(ROOT, 'benches', 'solve');
@@ -24,10 +26,12 @@ const PYTHON = process.env.KERFWAY_PYTHON ?? 'python3';
 
 /** Seconds at which values are told. */
 const MARKS = [1, 10, 30, 60];
+const SHEETS = [100, 500, 2000, 10000];
 const SOLVERS = ['elkai', 'pyvrp', 'ortools'];
 
 const SETS = {
   sheets,
+  pool,
   'qu-du': quDu,
   gtsplib: (options) => library('gtsplib', /\.gtsp$/, options, true),
   pcgtsp: (options) => library('pcgtsp', /\.pcglns$/, options, false),
@@ -88,7 +92,7 @@ const bySize = (a, b) => (parseInt(a) || 0) - (parseInt(b) || 0) || (a < b ? -1 
 
 async function sheets({ seconds, seeds, only }) {
   const lines = [];
-  for (const n of [100, 500, 2000, 10000]) {
+  for (const n of SHEETS) {
     const file = join(DATA, 'sheets', `sheet_${n}.dxf`);
     if (only !== undefined && !file.includes(only)) continue;
     const { known } = natively(file, { seconds: 0, seeds: 1 }, '--on')[0];
@@ -103,6 +107,24 @@ async function sheets({ seconds, seeds, only }) {
   }
   const marks = MARKS.filter((m) => m <= seconds).map((m) => `${m} s`);
   table(`Sheets in wasm, one worker: air length in mm, median of ${seeds} seeds`, ['', 'first plan', ...marks, 'best', 'best known before', 'median to it', 'memory'], lines);
+}
+
+/** The package's own pool on the sheets: as many workers as there are cores. */
+async function pool({ seconds, only }) {
+  buildAll();
+  const { plan } = await import(pathToFileURL(join(DIST, 'sdk', 'node.js')).href);
+  const workers = availableParallelism();
+  const lines = [];
+  for (const n of SHEETS) {
+    const file = join(DATA, 'sheets', `sheet_${n}.dxf`);
+    if (only !== undefined && !file.includes(only)) continue;
+    const { known } = natively(file, { seconds: 0, seeds: 1 }, '--on')[0];
+    const options = { machine: 'length', layers: ['SHEET', 'MARK'].map((name) => ({ name, operation: 'ignore' })), workers, seed: 1, seconds };
+    const { summary } = await plan(readFileSync(file), options);
+    lines.push([`sheet_${n}`, summary.air_length.toFixed(3), known.toFixed(3), percent(summary.air_length, known)]);
+    console.log(lines.at(-1).join('  '));
+  }
+  table(`Sheets by the pool of the package under Node, ${workers} workers, ${seconds} s, seed 1: air length in mm`, ['', 'length', 'best known before', 'to it'], lines);
 }
 
 async function quDu({ seconds, seeds }) {
@@ -151,7 +173,7 @@ function library(set, ext, options, baselines) {
 /** Moves in wasm against natively, and what a move costs as sheets grow. */
 async function scaling() {
   const MOVES = 8_000_000;
-  const lines = [100, 500, 2000, 10000].map((n) => {
+  const lines = SHEETS.map((n) => {
     const file = join(DATA, 'sheets', `sheet_${n}.dxf`);
     const work = (r) => r.seconds - r.trace[0][0];
     const native = [1, 2, 3].map((seed) => rows(NATIVE, [file, '--moves', String(MOVES), '--seeds', '1', '--first', String(seed), '--on', '--json'])[0]);

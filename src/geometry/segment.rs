@@ -7,7 +7,7 @@
 use super::aabb::Aabb;
 use super::math;
 use glam::DVec2;
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{PI, TAU};
 
 /// A straight element.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -206,20 +206,20 @@ impl Segment {
         let mut b = Aabb::of(self.start()).with(self.end());
         if let Self::Arc(a) = self {
             let r = a.radius();
-            let from = a.start_angle();
-            let (low, high) = (from.min(from + a.sweep), from.max(from + a.sweep));
-            // Quarter turns inside the arc, from the least: a quarter turn lies at every multiple of pi / 2.
-            let mut quarter = (low / FRAC_PI_2).ceil();
-            for _ in 0..5 {
-                if quarter * FRAC_PI_2 <= high {
-                    let v = match quarter.rem_euclid(4.0) {
-                        q if q < 0.5 => DVec2::X,
-                        q if q < 1.5 => DVec2::Y,
-                        q if q < 2.5 => DVec2::NEG_X,
-                        _ => DVec2::NEG_Y,
-                    };
+            let [from, to] =
+                if a.sweep < 0.0 { [a.end, a.start] } else { [a.start, a.end] }.map(|p| p - a.center);
+            // By the sides of both radii: no angle is needed, which would take most of the time of reading a drawing.
+            let passes = |v: DVec2| {
+                let (after, before) = (from.perp_dot(v) >= 0.0, v.perp_dot(to) >= 0.0);
+                match a.sweep.abs() {
+                    whole if whole >= TAU => true,
+                    half if half > PI => after || before,
+                    small => after && before && (small > 1.0 || from.dot(v) >= 0.0),
+                }
+            };
+            for v in [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y] {
+                if passes(v) {
                     b = b.with(a.center + v * r);
-                    quarter += 1.0;
                 }
             }
         }

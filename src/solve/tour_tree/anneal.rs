@@ -1,4 +1,4 @@
-//! The search itself: local kicks, accepted by a falling temperature, in cycles that double.
+//! The search itself: local kicks, accepted by a falling temperature, in cycles that grow.
 //!
 //! A kick exchanges two neighbouring stretches of the tour (a segment double-bridge: feasible with precedence, and no
 //! local move undoes it at once), the local search mends what was touched, and the result is kept if it is no worse,
@@ -7,8 +7,10 @@
 //!
 //! A cycle has two parts. The first heeds no nesting, because the large structure of a good tour is found only
 //! where outer contours do not pin it; its result is repaired (`repair.rs`), and the second part goes on with every
-//! precedence kept. Each cycle starts from the best path so far and is twice as long as the one before, so that the
-//! search is good at any moment and needs no budget in advance. Without nesting there is one part.
+//! precedence kept. Each cycle starts from the best path so far and is half as long again as the one before, so that
+//! the search is good at any moment and needs no budget in advance (twice as long ends 0.3 and 0.5 % higher on 10,000
+//! contours after 120 and 150 million moves, a third as long again 0.1 and 0.3 %; on 500 and 2,000 after 60 million all are
+//! within 0.1 %). Without nesting there is one part. Problems with few places have cycles that double every second time.
 
 use super::super::dice::Dice;
 use super::entries::enter_best;
@@ -226,9 +228,13 @@ impl<'p> Annealing<'p> {
 
     fn begin_part(&mut self, share: u64) {
         let items = self.tour.last() as u64;
-        let doublings = if self.few { self.cycle / 2 } else { self.cycle };
-        // Past 40 doublings no machine arrives.
-        self.kicks_wanted = (FIRST_CYCLE * items * share / 100).max(1) << doublings.min(40);
+        let first = (FIRST_CYCLE * items * share / 100).max(1);
+        // Past so many cycles no machine arrives.
+        self.kicks_wanted = if self.few {
+            first << (self.cycle / 2).min(40)
+        } else {
+            (0..self.cycle.min(70)).fold(first, |kicks, _| kicks + kicks.div_ceil(2))
+        };
         self.kicks = 0;
         let turn = self.cycle as usize % 3;
         let points = self.few && items <= MOST_POINTS as u64 && !self.tour.space.travel.by_table();

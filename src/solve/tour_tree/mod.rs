@@ -2,7 +2,7 @@
 //!
 //! 1. At once: nearest next (`greedy`), the first feasible path.
 //! 2. Neighbour lists by gate (`neighbours.rs`), then local search over the whole tour (`improve.rs`).
-//! 3. Cycles of annealed kicks, each twice as long as the one before (`anneal.rs`): first free of the nesting, then
+//! 3. Cycles of annealed kicks, each longer than the one before (`anneal.rs`): first free of the nesting, then
 //!    repaired (`repair.rs`) and within it.
 //! 4. Entries slide to the exact minimum at the end of every cycle (`polish.rs`).
 //! 5. Where contours may be left unfinished, cycles of the root alternate with cycles over all routes (`children`), which

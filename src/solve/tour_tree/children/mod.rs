@@ -36,7 +36,7 @@ use super::space::Space;
 use super::tour::Kept;
 use crate::solve::Solution;
 use bridges::Bridges;
-use hang::hang_all;
+use hang::hang;
 use moves::{Ground, improve};
 use tree::Tree;
 
@@ -54,6 +54,8 @@ enum Stage {
     Listing,
     /// All routes are improved locally.
     Settling,
+    /// Everything is hung from what is nearest to it, this stop next.
+    Hanging(u32),
     /// Kicks.
     Kicking,
 }
@@ -185,10 +187,7 @@ impl Children {
                     None if self.fresh => {
                         self.settled(space);
                         self.fresh = false;
-                        let g = Ground { space, near, bridges: &self.bridges };
-                        hang_all(g, &mut self.tree);
-                        self.cost = self.tree.cost(space);
-                        self.settle(space);
+                        self.stage = Stage::Hanging(0);
                     }
                     None => {
                         self.settled(space);
@@ -196,6 +195,15 @@ impl Children {
                         self.stage = Stage::Kicking;
                     }
                 }
+            }
+            Stage::Hanging(stop) if stop < space.home => {
+                let g = Ground { space, near, bridges: &self.bridges };
+                hang(g, &mut self.tree, stop);
+                self.stage = Stage::Hanging(stop + 1);
+            }
+            Stage::Hanging(_) => {
+                self.cost = self.tree.cost(space);
+                self.settle(space);
             }
             Stage::Kicking => {
                 if self.tree.priced < self.ends {

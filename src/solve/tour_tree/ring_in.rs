@@ -1,0 +1,46 @@
+//! A ring between two stops.
+
+use super::space::{GATES, Gap, index};
+use super::travel::{Place, Travel};
+
+/// A ring between two stops, for pricing many of its places: where most of the time of a search goes.
+pub(super) struct RingIn<'s> {
+    pub(super) travel: &'s Travel<'s>,
+    pub(super) places: &'s [Place],
+    /// Seconds on top by place; empty where there are none.
+    pub(super) extra: &'s [f64],
+    pub(super) gap: Gap,
+}
+
+impl RingIn<'_> {
+    /// Takes place `at` over, if it costs less.
+    #[inline(always)]
+    pub(super) fn try_at(&self, at: usize, best: &mut (u32, f64)) -> bool {
+        let place = self.places[at];
+        let on = self.gap.to.map_or(0.0, |to| self.travel.seconds_here(place, to));
+        let seconds =
+            self.travel.seconds_here(self.gap.from, place) + on + self.extra.get(at).copied().unwrap_or(0.0);
+        let better = seconds < best.1;
+        if better {
+            *best = (index(at), seconds);
+        }
+        better
+    }
+
+    /// Halving steps to both sides.
+    pub(super) fn better_near(&self, best: &mut (u32, f64)) {
+        // A power of two.
+        let count = self.places.len();
+        let mut step = count / GATES / 2;
+        while step >= 1 {
+            let at = best.0 as usize;
+            let (ahead, back) = ((at + step) & (count - 1), (at + count - step) & (count - 1));
+            for at in [ahead, back] {
+                if self.try_at(at, best) {
+                    break;
+                }
+            }
+            step /= 2;
+        }
+    }
+}
