@@ -20,6 +20,7 @@ import { mb, mean, median, ms, rows, table } from './common/table.mjs';
 
 const HERE = join(ROOT, 'benches', 'solve');
 const NATIVE = join(HERE, 'target', 'release', 'kerfway-bench-solve');
+const BOUND = join(HERE, 'target', 'release', 'bound');
 const DATA = join(ROOT, '..', 'shared', 'data');
 const BASELINES = join(ROOT, '..', 'shared', 'tools', 'gtsp_baselines.py');
 const PYTHON = process.env.KERFWAY_PYTHON ?? 'python3';
@@ -85,6 +86,13 @@ function at(run, seconds) {
   return run.trace.findLast(([s]) => s <= seconds)?.[1] ?? run.trace[0][1];
 }
 
+/** What is proven of every instance of a file in so many seconds, natively. */
+function proven(file, seconds) {
+  return new Map(rows(BOUND, [file, '--seconds', String(seconds)]).map((row) => [row.instance, row.bound]));
+}
+
+/** How far a value is from what is proven at most. */
+const off = (value, bound) => (bound > 0 ? `${((100 * Math.max(0, value - bound)) / bound).toFixed(2)} %` : 'none');
 const percent = (value, known) => (known === null ? '' : `${((100 * (value - known)) / known).toFixed(3)} %`);
 const files = (set, ext, only) =>
   readdirSync(join(DATA, set)).filter((f) => ext.test(f) && (only === undefined || f.includes(only))).sort(bySize).map((f) => join(DATA, set, f));
@@ -102,11 +110,12 @@ async function sheets({ seconds, seeds, only }) {
     lines.push([
       `sheet_${n}`, ms(1000 * median(ours.map((r) => r.trace[0][0]))), ...marks.map((m) => of(m).toFixed(1)),
       Math.min(...ours.map((r) => r.value)).toFixed(1), known.toFixed(1), percent(of(seconds), known),
+      off(of(seconds), proven(file, seconds).get(`sheet_${n}`)),
       `${mb(Math.max(...ours.map((r) => r.memory)))} MB`,
     ]);
   }
   const marks = MARKS.filter((m) => m <= seconds).map((m) => `${m} s`);
-  table(`Sheets in wasm, one worker: air length in mm, median of ${seeds} seeds`, ['', 'first plan', ...marks, 'best', 'best known before', 'median to it', 'memory'], lines);
+  table(`Sheets in wasm, one worker: air length in mm, median of ${seeds} seeds`, ['', 'first plan', ...marks, 'best', 'best known before', 'median to it', 'above the bound', 'memory'], lines);
 }
 
 /** The package's own pool on the sheets: as many workers as there are cores. */
@@ -129,16 +138,16 @@ async function pool({ seconds, only }) {
 
 async function quDu({ seconds, seeds }) {
   const file = join(DATA, 'qu-du-43', 'qu_du_43.json');
+  const bounds = proven(file, seconds);
   const lines = natively(file, { seconds, seeds }).map((source) => {
     const wasm = source.runs.map(({ seed }) => inWasm(file, source, seed, seconds));
     const reached = (runs) => `${runs.filter((r) => r.reached).length}/${runs.length}`;
     const found = (runs) => `${median(runs.map((r) => r.found)).toFixed(3)} s`;
     const best = Math.min(...wasm.map((r) => r.value));
-    return [source.name, source.known.toFixed(3), best.toFixed(3), reached(source.runs), found(source.runs), reached(wasm), found(wasm)];
+    return [source.name, source.known.toFixed(3), best.toFixed(3), reached(source.runs), found(source.runs), reached(wasm), found(wasm), off(best, bounds.get(source.name))];
   });
-  table('Qu & Du, 43 contours, fixed points: optima of data/README.md', ['', 'optimum', 'best', 'natively', 'median', 'wasm', 'median'], lines);
+  table('Qu & Du, 43 contours, fixed points: optima of data/README.md', ['', 'optimum', 'best', 'natively', 'median', 'wasm', 'median', 'above the bound'], lines);
 }
-
 
 function library(set, ext, options, baselines) {
   const { seconds, seeds, only } = options;
@@ -159,12 +168,12 @@ function library(set, ext, options, baselines) {
     const line = [
       basename(file).replace(ext, ''), String(source.known), `${source.runs.filter((r) => r.reached).length}/${values.length}`,
       percent(Math.min(...values), source.known), percent(mean(values), source.known),
-      `${median(source.runs.map((r) => r.found)).toFixed(2)} s`, percent(wasm.value, source.known), ...others,
+      `${median(source.runs.map((r) => r.found)).toFixed(2)} s`, percent(wasm.value, source.known), off(Math.min(...values), proven(file, seconds).get(source.name)), ...others,
     ];
     console.log(line.join('  '));
     return line;
   });
-  const columns = ['', 'best known', 'reached', 'best', 'mean', 'median found', 'wasm, seed 1', ...solvers];
+  const columns = ['', 'best known', 'reached', 'best', 'mean', 'median found', 'wasm, seed 1', 'above the bound', ...solvers];
   table(`${set}: gap to the best known after ${seconds} s, ${seeds} seeds`, columns, lines);
   const reached = gaps.filter((g) => g <= 1e-6).length;
   console.log(`reached ${reached} of ${gaps.length} runs, mean gap ${mean(gaps).toFixed(4)} %`);
