@@ -35,6 +35,12 @@ impl Table {
         self.costs[from as usize * self.nodes + to as usize]
     }
 
+    /// From one node to `count` nodes that follow one another; all are nodes of this table.
+    pub(crate) fn row(&self, from: NodeId, first: NodeId, count: usize) -> &[f64] {
+        let first = from as usize * self.nodes + first as usize;
+        &self.costs[first..first + count]
+    }
+
     /// Around a cycle of nodes.
     pub fn around(&self, cycle: &[NodeId]) -> f64 {
         let next = cycle.iter().cycle().skip(1);

@@ -13,7 +13,8 @@
 //! within 0.1 %). Without nesting there is one part. Problems with few places have cycles that double every second time.
 
 use super::super::dice::Dice;
-use super::entries::enter_best;
+use super::crossing::Elites;
+use super::entries::Layers;
 use super::exchange::exchange;
 use super::improve::{EPSILON, Queue, improve};
 use super::neighbours::Neighbours;
@@ -33,10 +34,11 @@ const REHEAT: f64 = 0.3;
 /// Items at most of a problem with few places, where other kicks and temperatures pay: what is done there takes time
 /// that grows with all of the tour.
 const MOST_FEW: usize = 500;
-/// Share of [`HEAT`] in later cycles of such a problem, by turns: most anneal it anew (over 13 PCGTSP and 7 GTSPLIB
-/// instances 0.3 ends with a mean gap of 0.6 %, 1 with 0.2 %, 2 with 0.1 %, 4 with 0.0 %), one in three refines
-/// the best (8 PCGTSP instances after 20 million moves: 8 of 16 at the best value known, without it 5).
-const REHEAT_FEW: [f64; 3] = [4.0, 0.5, 4.0];
+/// Share of [`HEAT`] in later cycles of such a problem, by turns: one forgets most of the best path, one refines it, one
+/// loosens it. With 4 for the first every cycle ends in the valley of the second one, however long it is; crossing
+/// (`crossing.rs`) needs flaws that differ: of 12 runs of 6 s on 132d657 and 157rat783 four as well as eight reached the
+/// best value in 6, eight twice in 7, 16 and 4 in 7, but 16 only half of those on 89rbg443.
+const REHEAT_FEW: [f64; 3] = [8.0, 0.5, 4.0];
 /// The same for at most [`MOST_POINTS`] items entered at points of the plane, where every kick rebuilds: on Qu & Du's
 /// 43 contours (boundary points, Chebyshev) 27 of 32 runs came to the best value within 12 million moves with 4, 0.5, 4
 /// and rebuilding by turns, 48 of 48 within 17 million so; the tables of 132 to 157 items of GTSPLIB end 0.05 to 0.4 %
@@ -44,8 +46,15 @@ const REHEAT_FEW: [f64; 3] = [4.0, 0.5, 4.0];
 const REHEAT_POINTS: [f64; 3] = [8.0, 2.0, 8.0];
 /// Between the sizes measured.
 const MOST_POINTS: usize = 100;
-/// Kicks that rebuild, percent, by the same turns; where precedence is given by pairs, also the last.
-const REBUILDS: [usize; 3] = [50, 100, 0];
+/// Kicks that rebuild, percent, by the same turns: they cost three times an exchange (132d657, 5 runs of 6 s: with 50 and
+/// 100 in the first two turns none reaches the best value, with none at all two; but then 2 of 4 miss that of 89rbg443,
+/// which all reach so).
+const REBUILDS: [usize; 3] = [0, 50, 0];
+/// The same where precedence is given by pairs, which forbid most exchanges.
+const REBUILDS_PAIRS: [usize; 3] = [50, 100, 50];
+/// A kick may end this many mean ways above the best of its cycle for all its entries to be chosen anew: of 5 runs of 6 s
+/// on 132d657 all reach the best value with 0.3, two with 0.1, two with 1 and one with 10.
+const ENTER_ANEW: f64 = 0.3;
 
 /// The best of a part of a cycle; `unsaved` while the tour itself is the best.
 struct Top {
@@ -69,6 +78,8 @@ pub(super) struct Annealing<'p> {
     tour: Tour<'p>,
     near: Neighbours,
     queue: Queue,
+    layers: Layers,
+    elites: Elites,
     dice: Dice,
     stage: Stage,
     /// Seconds of the tour as it is.
@@ -101,6 +112,8 @@ impl<'p> Annealing<'p> {
             tour,
             near,
             queue,
+            layers: Layers::default(),
+            elites: Elites::default(),
             dice,
             stage: Stage::Listing,
             cost,
@@ -199,8 +212,8 @@ impl<'p> Annealing<'p> {
     /// The tour is locally best: a part of a cycle may begin.
     fn settled(&mut self) {
         if self.few {
-            let Self { tour, queue, .. } = self;
-            let gain = enter_best(tour, self.cost, |i| queue.push(i));
+            let Self { tour, queue, layers, .. } = self;
+            let gain = layers.enter_best(tour, self.cost, |i| queue.push(i));
             self.cost -= gain;
             if gain > EPSILON {
                 return;
@@ -249,8 +262,8 @@ impl<'p> Annealing<'p> {
         self.rebuilds = match turn {
             _ if !self.few || !problem.groups.is_empty() => 0,
             _ if points => 100,
-            2 if !problem.pairs.is_empty() => REBUILDS[0],
-            _ => REBUILDS[turn],
+            _ if problem.pairs.is_empty() => REBUILDS[turn],
+            _ => REBUILDS_PAIRS[turn],
         };
         self.stage = Stage::Kicking;
     }
@@ -275,9 +288,43 @@ impl<'p> Annealing<'p> {
             return false;
         }
         self.save();
+        // With a table only: the wasm of sheets has no room for it. Stretches know no groups, which tables have not.
+        if self.few && self.tour.space.travel.by_table() {
+            self.cross();
+        }
         self.cycle += 1;
         self.begin_cycle();
         true
+    }
+
+    /// All entries of a tour of this cost at once, and what the local search makes of it; gives the seconds gained.
+    fn entered_anew(&mut self, cost: f64) -> f64 {
+        let Self { tour, near, queue, layers, .. } = self;
+        let mut gain = layers.enter_best(tour, cost, |i| queue.push(i));
+        while let Some(item) = queue.pop() {
+            gain += improve(tour, near, queue, item);
+        }
+        gain
+    }
+
+    /// Crosses the tour that a cycle ended in with the best, and with what earlier cycles ended in.
+    fn cross(&mut self) {
+        let own = self.tour.now().clone();
+        self.tour.commit();
+        loop {
+            let crossed = self.elites.cross(&mut self.tour, &self.best.1);
+            let gain = crossed + self.entered_anew(self.cost - crossed);
+            self.cost -= gain;
+            if gain <= EPSILON {
+                break;
+            }
+        }
+        debug_assert!(self.tour.cost_is(self.cost), "a priced gain is not the gain");
+        debug_assert!(self.tour.is_feasible(), "crossing broke precedence");
+        if self.cost < self.best.0 - EPSILON {
+            self.best = (self.cost, self.tour.now().clone());
+        }
+        self.elites.keep(own);
     }
 
     /// The tour as it is is the first, so the best, of a part.
@@ -301,7 +348,7 @@ impl<'p> Annealing<'p> {
         };
         let Self { tour, near, queue, dice, .. } = self;
         let change = if self.rebuilds > 0 && dice.below(100) < self.rebuilds {
-            rebuild(tour, near, queue, dice).then(|| tour.cost() - self.cost)
+            rebuild(tour, near, queue, dice)
         } else {
             exchange(tour, queue, dice)
         };
@@ -313,13 +360,9 @@ impl<'p> Annealing<'p> {
         while let Some(item) = self.queue.pop() {
             change -= improve(&mut self.tour, &self.near, &mut self.queue, item);
         }
-        if self.few && change.abs() > EPSILON && self.cost + change < self.top.cost + self.mean.unwrap_or(0.0)
-        {
-            let Self { tour, queue, .. } = self;
-            change -= enter_best(tour, self.cost + change, |i| queue.push(i));
-            while let Some(item) = self.queue.pop() {
-                change -= improve(&mut self.tour, &self.near, &mut self.queue, item);
-            }
+        let most = self.top.cost + ENTER_ANEW * self.mean.unwrap_or(0.0);
+        if self.few && change.abs() > EPSILON && self.cost + change < most {
+            change -= self.entered_anew(self.cost + change);
         }
         if !self.dice.passes(change, heat) {
             self.tour.undo();

@@ -1,65 +1,109 @@
 //! All entries of an order at once: the cheapest way through layers of places, one layer an item.
 //!
 //! A dynamic programme over the order (layer by layer, for each place the least cost so far), once for every place of
-//! home. Local moves change one entry at a time; this finds what only pays together. Not for items with places all
-//! along a track, which slide (`polish.rs`).
+//! the item with the fewest, where the cycle is cut open: in benchmark instances that is often one place. Local moves
+//! change one entry at a time; this finds what only pays together. Not for items with places all along a track, which
+//! slide (`polish.rs`).
 //! Source: the cluster optimisation of Fischetti, Salazar & Toth, Operations Research 45 (1997).
 
+use super::improve::EPSILON;
 use super::space::index;
 use super::tour::Tour;
 use super::travel::Place;
 
-/// Enters every item where the whole tour costs least; gives the seconds gained. `changed` hears of each item that
-/// is entered elsewhere.
-pub(super) fn enter_best(tour: &mut Tour, cost: f64, mut changed: impl FnMut(u32)) -> f64 {
-    let home = tour.space.home;
-    let items: Vec<u32> = (1..=tour.last()).map(|p| tour.item(p)).collect();
-    let (mut least, mut best) = (cost, Vec::new());
-    for start in 0..index(tour.space.places(home).len()) {
-        // The places where the layer before is left, and what each has cost.
-        let mut reached: Vec<(Place, f64)> = vec![(tour.space.exit(home, start), 0.0)];
-        let mut from: Vec<Vec<u32>> = Vec::with_capacity(items.len());
-        for &item in &items {
-            let mut next = Vec::with_capacity(tour.space.places(item).len());
-            let mut via = Vec::with_capacity(next.capacity());
-            tour.priced += (reached.len() * tour.space.places(item).len() / 8) as u64;
-            for at in 0..index(tour.space.places(item).len()) {
-                let entry = tour.space.places(item)[at as usize];
-                let (cost, k) = cheapest(&reached, |p| tour.space.travel.seconds(p, entry));
-                next.push((tour.space.exit(item, at), cost + tour.space.extra(item, at)));
-                via.push(k);
-            }
-            reached = next;
-            from.push(via);
-        }
-        let end = tour.space.places(home)[start as usize];
-        let (total, mut k) = cheapest(&reached, |p| tour.way(p, home, end));
-        if total < least {
-            least = total;
-            best.clear();
-            for via in from.iter().rev() {
-                best.push(k);
-                k = via[k as usize];
-            }
-            best.push(start);
-        }
-    }
-    let visited = items.iter().rev().chain([&home]);
-    for (&item, &at) in visited.zip(&best).filter(|(i, at)| tour.at(**i) != **at).collect::<Vec<_>>() {
-        tour.enter(item, at);
-        changed(item);
-    }
-    cost - least
+/// Room for the layers, kept from one call to the next.
+#[derive(Default)]
+pub(super) struct Layers {
+    /// The items in order, from the one where the cycle is cut open.
+    items: Vec<u32>,
+    /// What each place of the layer before has cost, where the head leaves it, and the same of the layer after.
+    reached: Vec<(Place, f64)>,
+    next: Vec<f64>,
+    /// The place before each place: layer by layer.
+    from: Vec<u32>,
+    best: Vec<u32>,
 }
 
-/// The least cost by way of one of the places reached, and which.
-fn cheapest(reached: &[(Place, f64)], way: impl Fn(Place) -> f64) -> (f64, u32) {
-    let costs = reached.iter().map(|&(p, cost)| cost + way(p));
-    let least = (0..).zip(costs).fold(
-        (f64::INFINITY, 0),
-        |least, (k, cost)| {
-            if cost < least.0 { (cost, k) } else { least }
-        },
-    );
-    (least.0, least.1)
+impl Layers {
+    /// Enters every item where the whole tour costs least; gives the seconds gained. `changed` hears of each item that
+    /// is entered elsewhere.
+    pub(super) fn enter_best(&mut self, tour: &mut Tour, cost: f64, mut changed: impl FnMut(u32)) -> f64 {
+        let count = |p: usize| tour.space.places(tour.item(p)).len();
+        // Coming home may cost nothing, which only home's own layer knows: a path is cut open there.
+        let ends = if tour.space.problem.closed { tour.last() } else { 0 };
+        let cut = (0..=ends).min_by_key(|&p| count(p)).unwrap_or(0);
+        self.items.clear();
+        self.items.extend((cut..=tour.last()).chain(0..cut).map(|p| tour.item(p)));
+        let mut least = cost - EPSILON;
+        self.best.clear();
+        let first = self.items[0];
+        for start in 0..index(tour.space.places(first).len()) {
+            tour.priced += self.pass(tour, start);
+            let end = tour.space.places(first)[start as usize];
+            let mut total = (f64::INFINITY, 0);
+            for (k, &(p, cost)) in (0..).zip(&self.reached) {
+                let cost = cost + tour.way(p, first, end);
+                if cost < total.0 {
+                    total = (cost, k);
+                }
+            }
+            if total.0 < least {
+                least = total.0;
+                self.trace(tour, start, total.1);
+            }
+        }
+        if self.best.is_empty() {
+            return 0.0;
+        }
+        for (&item, &at) in self.items.iter().zip(&self.best) {
+            if tour.at(item) != at {
+                tour.enter(item, at);
+                changed(item);
+            }
+        }
+        cost - least
+    }
+
+    /// Layer by layer from one place of the first item; gives the moves that this is worth.
+    fn pass(&mut self, tour: &Tour, start: u32) -> u64 {
+        let (space, first) = (&tour.space, self.items[0]);
+        self.reached.clear();
+        self.reached.push((space.exit(first, start), space.extra(first, start)));
+        self.from.clear();
+        let mut looked = 0;
+        for &item in &self.items[1..] {
+            let places = space.places(item);
+            looked += self.reached.len() * places.len();
+            self.next.clear();
+            self.next.resize(places.len(), f64::INFINITY);
+            let layer = self.from.len();
+            self.from.resize(layer + places.len(), 0);
+            for (k, &(p, cost)) in (0..).zip(&self.reached) {
+                space.travel.fan(p, places, |at, way| {
+                    if cost + way < self.next[at] {
+                        self.next[at] = cost + way;
+                        self.from[layer + at] = k;
+                    }
+                });
+            }
+            self.reached.clear();
+            let reached = (0..).zip(&self.next);
+            self.reached.extend(reached.map(|(at, c)| (space.exit(item, at), c + space.extra(item, at))));
+        }
+        // Rows of costs: 64 of them take about as long as a move.
+        looked as u64 / 64
+    }
+
+    /// The places of the cheapest way that ends at place `k` of the last item.
+    fn trace(&mut self, tour: &Tour, start: u32, mut k: u32) {
+        self.best.clear();
+        let mut layer = self.from.len();
+        for &item in self.items[1..].iter().rev() {
+            layer -= tour.space.places(item).len();
+            self.best.push(k);
+            k = self.from[layer + k as usize];
+        }
+        self.best.push(start);
+        self.best.reverse();
+    }
 }

@@ -18,31 +18,20 @@ const BLINK: usize = 100;
 /// four sheet-cutting instances of 20 contours, 24 did at once, for every seed.
 const MOST: usize = 40;
 
-/// Takes out up to [`MOST`] items and puts them back. Touched items are queued. False when precedence left an item no
-/// place: the journal then takes the tour back.
-pub(super) fn rebuild(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, dice: &mut Dice) -> bool {
+/// Takes out up to [`MOST`] items and puts them back; gives the seconds that costs. Touched items are queued. `None`
+/// when precedence left an item no place: the journal then takes the tour back.
+pub(super) fn rebuild(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, dice: &mut Dice) -> Option<f64> {
     let mut gone = chosen(tour, near, dice);
-    let mut out = vec![false; tour.space.home as usize + 1];
-    for &item in &gone {
-        out[item as usize] = true;
-        for touched in [item, tour.previous(item), tour.next(item)] {
-            queue.push(touched);
-        }
-    }
-    let mut order: Vec<u32> = (0..=tour.last()).map(|p| tour.item(p)).filter(|&i| !out[i as usize]).collect();
+    let mut rest = Rest::without(tour, &gone, queue);
     for k in (1..gone.len()).rev() {
         gone.swap(k, dice.below(k + 1));
     }
     for item in gone {
-        let Some((place, at)) = cheapest(tour, &order, &out, dice, item) else { return false };
-        tour.enter(item, at);
-        queue.push(order[place - 1]);
-        queue.push(order.get(place).copied().unwrap_or(tour.space.home));
-        order.insert(place, item);
-        out[item as usize] = false;
+        let found = rest.cheapest(tour, dice, item)?;
+        rest.put(tour, queue, item, found);
     }
-    tour.reorder(order);
-    true
+    tour.reorder(rest.order);
+    Some(rest.change)
 }
 
 /// Items to be taken out.
@@ -76,61 +65,131 @@ fn chosen(tour: &Tour, near: &Neighbours, dice: &mut Dice) -> Vec<u32> {
     gone
 }
 
-/// Where in `order` an item that is out costs least, and where it is entered there.
-fn cheapest(
-    tour: &mut Tour,
-    order: &[u32],
-    out: &[bool],
-    dice: &mut Dice,
-    item: u32,
-) -> Option<(usize, u32)> {
-    let [early, late] = if tour.free { [Vec::new(), Vec::new()] } else { bounds(&tour.space, out, item) };
-    let rank = |i: u32| tour.space.rank[i as usize];
-    let mut best: Option<(usize, u32)> = None;
-    let mut least = f64::INFINITY;
-    let mut priced = 0;
-    for place in 1..=order.len() {
-        let (from, to) = (order[place - 1], order.get(place).copied().unwrap_or(tour.space.home));
-        if late.contains(&from) {
-            break;
-        }
-        if early.contains(&from) {
-            (best, least) = (None, f64::INFINITY);
-        }
-        let ranked =
-            (place == 1 || rank(from) <= rank(item)) && (place == order.len() || rank(item) <= rank(to));
-        if !ranked {
-            continue;
-        }
-        priced += 1;
-        let gap = tour.gap(from, to);
-        let given = tour.edge(from, to);
-        let on = gap.to.map_or(0.0, |q| tour.space.at_least(q, item, true));
-        if tour.space.at_least(gap.from, item, false) + on - given >= least || dice.below(BLINK) == 0 {
-            continue;
-        }
-        let (at, seconds) = tour.space.best_entry(item, gap, least + given);
-        if seconds - given < least {
-            least = seconds - given;
-            best = Some((place, at));
-        }
-    }
-    tour.priced += priced;
-    best
+/// A gap in the order: the item at `place` would move on for one that is entered at `at`.
+struct Found {
+    place: usize,
+    at: u32,
+    /// Seconds on top.
+    more: f64,
 }
 
-/// The items in place that an item has to follow, and those that have to follow it: next in line, or behind items
-/// that are out themselves.
-fn bounds(space: &Space, out: &[bool], item: u32) -> [Vec<u32>; 2] {
-    [false, true].map(|later| {
-        let mut found = Vec::new();
-        let mut open = vec![item];
-        while let Some(next) = open.pop() {
-            let p = &space.precedence;
-            for &other in if later { p.after(next) } else { p.before(next) } {
-                if out[other as usize] { open.push(other) } else { found.push(other) }
+/// What is left of the tour while items are out.
+struct Rest {
+    order: Vec<u32>,
+    /// Seconds from each to the one after it; the last goes home.
+    ways: Vec<f64>,
+    out: Vec<bool>,
+    /// Seconds more than the tour had.
+    change: f64,
+    /// Items that bound where one may go: see [`Rest::bounds`].
+    marked: Vec<bool>,
+}
+
+impl Rest {
+    /// The tour without some items, home not one of them.
+    fn without(tour: &Tour, gone: &[u32], queue: &mut Queue) -> Self {
+        let mut out = vec![false; tour.space.home as usize + 1];
+        for &item in gone {
+            out[item as usize] = true;
+            for touched in [item, tour.previous(item), tour.next(item)] {
+                queue.push(touched);
             }
         }
-        found
-    })
+        let left = tour.last() + 1 - gone.len();
+        let (mut order, mut ways) =
+            (Vec::with_capacity(tour.last() + 1), Vec::with_capacity(tour.last() + 1));
+        let mut change = 0.0;
+        for p in 0..=tour.last() {
+            let item = tour.item(p);
+            let way = tour.edge(item, tour.item(p + 1));
+            if out[item as usize] {
+                change -= way + tour.extra(item);
+                continue;
+            }
+            ways.push(way);
+            order.push(item);
+        }
+        debug_assert_eq!(order.len(), left);
+        for p in 0..left {
+            let (item, next) = (order[p], order.get(p + 1).copied().unwrap_or(tour.space.home));
+            if out[tour.next(item) as usize] {
+                let way = tour.edge(item, next);
+                change += way - ways[p];
+                ways[p] = way;
+            }
+        }
+        Self { order, ways, out, change, marked: Vec::new() }
+    }
+
+    fn put(&mut self, tour: &mut Tour, queue: &mut Queue, item: u32, found: Found) {
+        let Found { place, at, more } = found;
+        let (before, after) =
+            (self.order[place - 1], self.order.get(place).copied().unwrap_or(tour.space.home));
+        tour.enter(item, at);
+        queue.push(before);
+        queue.push(after);
+        self.ways[place - 1] = tour.edge(before, item);
+        self.ways.insert(place, tour.edge(item, after));
+        self.order.insert(place, item);
+        self.out[item as usize] = false;
+        self.change += more;
+    }
+
+    /// Where an item that is out costs least, and where it is entered there.
+    fn cheapest(&mut self, tour: &mut Tour, dice: &mut Dice, item: u32) -> Option<Found> {
+        let space = &tour.space;
+        let (first, last) = self.bounds(space, tour.free, item);
+        let rank = |i: u32| space.rank[i as usize];
+        let mut best = None;
+        let mut least = f64::INFINITY;
+        tour.priced += (last + 1).saturating_sub(first) as u64;
+        for place in first..=last {
+            let (from, to) = (self.order[place - 1], self.order.get(place).copied().unwrap_or(space.home));
+            let ranked = (place == 1 || rank(from) <= rank(item))
+                && (place == self.order.len() || rank(item) <= rank(to));
+            if !ranked {
+                continue;
+            }
+            let (gap, given) = (tour.gap(from, to), self.ways[place - 1]);
+            let on = gap.to.map_or(0.0, |q| space.at_least(q, item, true));
+            if space.at_least(gap.from, item, false) + on - given >= least || dice.below(BLINK) == 0 {
+                continue;
+            }
+            let (at, seconds) = space.best_entry(item, gap, least + given);
+            if seconds - given < least {
+                least = seconds - given;
+                best = Some(Found { place, at, more: least });
+            }
+        }
+        best
+    }
+
+    /// The first and the last place that precedence leaves an item: behind what it has to follow, and before what has
+    /// to follow it, be it next in line or by way of items that are out themselves.
+    fn bounds(&mut self, space: &Space, free: bool, item: u32) -> (usize, usize) {
+        let mut places = (1, self.order.len());
+        let p = &space.precedence;
+        if free || !p.any {
+            return places;
+        }
+        for later in [false, true] {
+            self.marked.clear();
+            self.marked.resize(self.out.len(), false);
+            let (mut open, mut any) = (vec![item], false);
+            while let Some(next) = open.pop() {
+                for &other in if later { p.after(next) } else { p.before(next) } {
+                    if !std::mem::replace(&mut self.marked[other as usize], true) {
+                        if self.out[other as usize] { open.push(other) } else { any = true }
+                    }
+                }
+            }
+            let bounds = |i: &u32| self.marked[*i as usize] && !self.out[*i as usize];
+            if any && later {
+                places.1 = self.order.iter().position(bounds).unwrap_or(places.1);
+            } else if any {
+                places.0 = self.order.iter().rposition(bounds).map_or(1, |at| at + 1);
+            }
+        }
+        places
+    }
 }

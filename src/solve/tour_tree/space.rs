@@ -312,7 +312,17 @@ impl<'p> Space<'p> {
     pub(super) fn best_entry(&self, item: u32, gap: Gap, under: f64) -> (u32, f64) {
         let mut best = (0, f64::INFINITY);
         if !self.is_ring(item) {
-            for at in 0..index(self.places(item).len()) {
+            let places = self.places(item);
+            let rows = gap.to.and_then(|to| self.travel.both_ways(gap.from, to, places));
+            if let Some([out, on]) = rows {
+                for (at, (out, on)) in (0..).zip(out.iter().zip(on)) {
+                    if out + on < best.1 {
+                        best = (at, out + on);
+                    }
+                }
+                return best;
+            }
+            for at in 0..index(places.len()) {
                 let seconds = self.through(item, at, gap);
                 if seconds < best.1 {
                     best = (at, seconds);

@@ -178,3 +178,135 @@ fn a_better_path_from_elsewhere_is_taken() {
     let warm = TourTree.start(&problem, 4, Some(far.best()));
     assert_eq!(warm.best(), far.best());
 }
+
+/// A tour of the first feasible path, without the local search's order of things.
+fn tour(problem: &Problem) -> (Tour<'_>, neighbours::Neighbours) {
+    let space = Space::new(problem);
+    let kept = space.kept(&greedy(problem));
+    let tour = Tour::new(space, kept);
+    let mut near = neighbours::Neighbours::new(&tour.space);
+    while near.extend(&tour.space) {}
+    (tour, near)
+}
+
+/// Problems of points and of tables, with and without precedence, whose ways back may cost something else.
+fn few() -> impl Iterator<Item = Problem> {
+    (0..60).map(|seed| {
+        let mut problem = small(seed, 7, "length", seed % 3 > 0);
+        if seed % 2 == 0 {
+            problem.items.iter_mut().for_each(|i| i.before = None);
+        }
+        if seed % 4 > 1 {
+            let mut dice = Dice(Xoshiro256PlusPlus::seed_from_u64(seed));
+            let n = problem.nodes.len();
+            let mut costs: Vec<f64> = (0..n * n).map(|_| f64::from(dice.below(100))).collect();
+            if seed % 8 < 4 {
+                (0..n).for_each(|a| (0..a).for_each(|b| costs[a * n + b] = costs[b * n + a]));
+            }
+            problem.nodes.iter_mut().zip(0..).for_each(|(node, id)| node.twin = id);
+            // The cycle starts at the last item: nothing comes before it.
+            let start = Some(6);
+            problem.items.iter_mut().filter(|i| i.before == start).for_each(|i| i.before = None);
+            problem.items.iter_mut().for_each(|i| (i.rank, i.run) = (0, None));
+            (problem.closed, problem.table) = (true, crate::problem::Table::new(n, costs));
+        }
+        problem
+    })
+}
+
+#[test]
+fn what_is_rebuilt_costs_what_is_told_and_keeps_precedence() {
+    for (problem, seed) in few().zip(0..) {
+        let (mut tour, near) = tour(&problem);
+        let (mut queue, mut dice) = (improve::Queue::new(8), super::super::dice::Dice::new(seed));
+        for _ in 0..200 {
+            let before = tour.cost();
+            match rebuild::rebuild(&mut tour, &near, &mut queue, &mut dice) {
+                Some(change) => assert!(tour.cost_is(before + change), "{seed}"),
+                None => tour.undo(),
+            }
+            assert!(tour.is_feasible(), "{seed}");
+            tour.commit();
+        }
+    }
+}
+
+#[test]
+fn entries_chosen_together_are_the_best_of_all() {
+    for (problem, seed) in few().zip(0..) {
+        let (mut tour, near) = tour(&problem);
+        let (mut queue, mut dice) = (improve::Queue::new(8), super::super::dice::Dice::new(seed));
+        for _ in 0..5 {
+            if rebuild::rebuild(&mut tour, &near, &mut queue, &mut dice).is_none() {
+                tour.undo();
+            }
+            let kept = tour.now().clone();
+            let mut least = f64::INFINITY;
+            let counts: Vec<usize> = (0..).take(kept.at.len()).map(|i| tour.space.places(i).len()).collect();
+            for which in 0..counts.iter().product::<usize>() {
+                let mut left = which;
+                let mut other = kept.clone();
+                for (at, &count) in other.at.iter_mut().zip(&counts) {
+                    *at = space::index(left % count);
+                    left /= count;
+                }
+                tour.put(other);
+                least = least.min(tour.cost());
+            }
+            tour.put(kept);
+            let cost = tour.cost();
+            let gain = entries::Layers::default().enter_best(&mut tour, cost, |_| ());
+            assert!(
+                tour.cost_is(least) && tour.cost_is(cost - gain),
+                "{seed}: {} is not {least}",
+                tour.cost()
+            );
+        }
+    }
+}
+
+#[test]
+fn a_crossed_tour_leaves_no_better_stretch_to_the_other() {
+    let mut crossed = 0;
+    for (problem, seed) in few().zip(0..) {
+        let (mut tour, near) = tour(&problem);
+        let (mut queue, mut dice) = (improve::Queue::new(8), super::super::dice::Dice::new(seed));
+        for _ in 0..20 {
+            let other = tour.now().clone();
+            for _ in 0..3 {
+                if rebuild::rebuild(&mut tour, &near, &mut queue, &mut dice).is_none() {
+                    tour.undo();
+                }
+                tour.commit();
+            }
+            let before = tour.cost();
+            let gain = crossing::cross(&mut tour, &other);
+            crossed += usize::from(gain > EPSILON);
+            assert!(tour.cost_is(before - gain), "{seed}");
+            assert!(tour.is_feasible(), "{seed}");
+            // Every stretch of the same items, put in the other's order with its entries.
+            let (kept, cost) = (tour.now().clone(), tour.cost());
+            let last = tour.last();
+            for (from, to) in (1..=last).flat_map(|from| (from..=last).map(move |to| (from, to))) {
+                let set = |order: &[u32]| {
+                    let mut set = order.to_vec();
+                    set.sort_unstable();
+                    set
+                };
+                let length = to - from + 1;
+                let Some(there) = (1..=last + 1 - length)
+                    .find(|&k| set(&other.order[k..k + length]) == set(&kept.order[from..=to]))
+                else {
+                    continue;
+                };
+                let mut taken = kept.clone();
+                taken.order[from..=to].copy_from_slice(&other.order[there..there + length]);
+                taken.order[from..=to].iter().for_each(|&i| taken.at[i as usize] = other.at[i as usize]);
+                tour.put(taken);
+                assert!(tour.cost() >= cost - 1e-6, "{seed}: {from} to {to}");
+            }
+            tour.put(kept);
+        }
+    }
+    assert!(crossed > 100, "{crossed}");
+}

@@ -19,11 +19,10 @@ pub(super) type Place = DVec2;
 pub(super) struct Travel<'p> {
     air: AirTime,
     table: Option<&'p Table>,
-    /// Least cost from a node to an item, by node and item, and from an item to a node; empty without a table, and
-    /// where items have so few nodes that looking through them is as quick.
+    /// Least cost from a node to an item, by item and node, and from an item to a node (empty where it is the same).
+    /// Both empty without a table, and where items have so few nodes that looking through them is as quick. Item by
+    /// item, as a search asks for one item at many nodes: the row is then at hand.
     least: [Vec<f64>; 2],
-    /// Least costs a node.
-    items: usize,
     /// A way costs the same in both directions.
     pub(super) symmetric: bool,
 }
@@ -46,16 +45,17 @@ impl<'p> Travel<'p> {
             air: AirTime::new(&problem.machine),
             table,
             least: [Vec::new(), Vec::new()],
-            items: problem.items.len(),
             symmetric: table.is_none_or(Table::is_symmetric),
         };
-        if problem.nodes.len() >= 2 * travel.items && table.is_some() {
+        if problem.nodes.len() >= 2 * problem.items.len() && table.is_some() {
             let (mut out, mut back) = (Vec::new(), Vec::new());
-            for node in 0..index(problem.nodes.len()) {
-                for item in &problem.items {
-                    let places: Vec<Place> = item.nodes.clone().map(node_place).collect();
+            for item in &problem.items {
+                let places: Vec<Place> = item.nodes.clone().map(node_place).collect();
+                for node in 0..index(problem.nodes.len()) {
                     out.push(travel.least(node_place(node), 0, &places, false));
-                    back.push(travel.least(node_place(node), 0, &places, true));
+                    if !travel.symmetric {
+                        back.push(travel.least(node_place(node), 0, &places, true));
+                    }
                 }
             }
             travel.least = [out, back];
@@ -89,14 +89,33 @@ impl<'p> Travel<'p> {
 
     /// The least cost from `p` to (`back`: to `p` from) any of an item's places, by the table.
     pub(super) fn least(&self, p: Place, item: u32, places: &[Place], back: bool) -> f64 {
-        let least = &self.least[usize::from(back)];
+        let least = &self.least[usize::from(back && !self.symmetric)];
         if !least.is_empty() {
-            return least[node_at(p) as usize * self.items + item as usize];
+            return least[item as usize * self.table.map_or(0, Table::nodes) + node_at(p) as usize];
         }
         places
             .iter()
             .map(|&q| if back { self.seconds(q, p) } else { self.seconds(p, q) })
             .fold(f64::INFINITY, f64::min)
+    }
+
+    /// Seconds from a place to each of an item's places.
+    pub(super) fn fan(&self, from: Place, places: &[Place], mut each: impl FnMut(usize, f64)) {
+        match (self.table, places) {
+            // Nodes of an item follow one another.
+            (Some(table), [first, ..]) if TABLES => {
+                let row = table.row(node_at(from), node_at(*first), places.len());
+                row.iter().enumerate().for_each(|(k, &cost)| each(k, cost));
+            }
+            _ => places.iter().enumerate().for_each(|(k, &to)| each(k, self.air.seconds(from, to))),
+        }
+    }
+
+    /// Costs from `from`, and back to `to`, of each of an item's places, where a table says them and ways back cost the
+    /// same: two rows that lie at hand, while a column does not.
+    pub(super) fn both_ways(&self, from: Place, to: Place, places: &[Place]) -> Option<[&[f64]; 2]> {
+        let (table, first) = (self.table.filter(|_| TABLES && self.symmetric)?, node_at(*places.first()?));
+        Some([from, to].map(|p| table.row(node_at(p), first, places.len())))
     }
 
     /// Whether costs come from a table.
