@@ -85,6 +85,8 @@ pub enum Code {
     ContourExcluded,
     /// An operation was asked for a layer that the drawing does not have.
     LayerUnknown,
+    /// Contours that keep their drawn line on a machine with a kerf width.
+    KerfNotApplied,
     /// A check was cut short because of the size of the drawing, with what was left unchecked.
     NotAllChecked,
     /// More findings of one code than are listed one by one.

@@ -30,8 +30,10 @@ pub use warm::Warm;
 pub use written::OutputKind;
 
 use crate::dxf::{self, Drawing, ReadError, ReadOptions};
+use crate::finding::Finding;
+use crate::geometry::Path;
 use crate::machine::ProfileError;
-use crate::sheet::{self, Contour, Sheet, SheetOptions};
+use crate::sheet::{self, Contour, PIERCE_GROUPS, Sheet, SheetOptions};
 use sha2::{Digest, Sha256};
 
 /// Why a job cannot go on: one sentence for people.
@@ -69,6 +71,8 @@ pub struct Job {
     sheet_options: SheetOptions,
     drawing: Drawing,
     sheet: Sheet,
+    /// The sheet with the lines of the beam, where the machine of the run has a kerf width.
+    worked: Option<Sheet>,
     run: Option<Run>,
 }
 
@@ -88,6 +92,7 @@ impl Job {
             sheet_options,
             drawing,
             sheet,
+            worked: None,
             run: None,
         })
     }
@@ -106,7 +111,7 @@ impl Job {
             self.read_options = read_options;
         }
         self.sheet_options = sheet_options;
-        self.run = None;
+        (self.worked, self.run) = (None, None);
         Ok(())
     }
 
@@ -135,13 +140,54 @@ impl Job {
         &self.sheet
     }
 
+    /// The contours as the plan has them: those arranged, or the lines of the beam beside them where the machine has a kerf
+    /// width.
+    pub fn worked(&self) -> &Sheet {
+        self.worked.as_ref().unwrap_or(&self.sheet)
+    }
+
+    /// The lines of the beam, where they are not those drawn: contours by id, and their geometry.
+    pub fn beside(&self) -> Option<(Vec<ContourInfo<'_>>, Geometry)> {
+        let sheet = self.worked.as_ref().filter(|_| PIERCE_GROUPS)?;
+        Some((report::contours(sheet), Geometry::of(sheet.contours.iter().map(|c| &c.path))))
+    }
+
+    /// What the plan cuts once for two parts: stretches of contours of pierce groups.
+    pub fn common_cuts(&self) -> Geometry {
+        let groups = self.worked().pierce_groups();
+        let paths: Vec<Path> = groups.iter().flat_map(|g| g.between_parts().map(|e| g.path(e))).collect();
+        Geometry::of(paths.iter())
+    }
+
     /// Starts a plan; one under way is dropped.
     pub fn start(&mut self, options: &PlanOptions) -> Result<&Run, JobError> {
         if !self.sheet.contours.iter().any(Contour::is_worked) {
             return Err(JobError::NothingToCut(self.why_empty()));
         }
-        self.run = None;
-        Ok(self.run.insert(Run::start(&self.sheet, options)?))
+        let machine = options.machine.profile()?;
+        (self.worked, self.run) = (None, None);
+        let mut findings = Vec::new();
+        if machine.kerf_width > 0.0 {
+            let (sheet, found) = self.compensated(machine.kerf_width)?;
+            (self.worked, findings) = (Some(sheet), found);
+        }
+        let mut run = Run::start(self.worked(), machine, options)?;
+        findings.append(&mut run.findings);
+        run.findings = findings;
+        Ok(self.run.insert(run))
+    }
+
+    #[cfg(feature = "plate")]
+    fn compensated(&self, width: f64) -> Result<(Sheet, Vec<Finding>), JobError> {
+        Ok(sheet::compensated(&self.drawing, &self.sheet, &self.sheet_options, width))
+    }
+
+    #[cfg(not(feature = "plate"))]
+    fn compensated(&self, width: f64) -> Result<(Sheet, Vec<Finding>), JobError> {
+        Err(JobError::Options(format!(
+            "The machine has a kerf width of {width} mm, which the single-file build cannot make up for. Set kerf_width to 0 to \
+             cut along the lines drawn, or use the package with its files."
+        )))
     }
 
     /// The plan under way or done.

@@ -75,12 +75,17 @@ pub(super) fn loaded<'a>(
         units: &drawing.units,
         entities: &drawing.entities,
         layers: &sheet.layers,
-        contours: (0u32..).zip(&sheet.contours).map(|(id, c)| contour_info(id, c, sheet)).collect(),
+        contours: contours(sheet),
         parts: &sheet.parts,
         outline: sheet.outline,
         bounds,
         findings: drawing.findings.iter().chain(&sheet.findings).collect(),
     }
+}
+
+/// The contours of a sheet, for lists.
+pub(super) fn contours(sheet: &Sheet) -> Vec<ContourInfo<'_>> {
+    (0u32..).zip(&sheet.contours).map(|(id, c)| contour_info(id, c, sheet)).collect()
 }
 
 fn contour_info<'a>(id: u32, contour: &Contour, sheet: &'a Sheet) -> ContourInfo<'a> {

@@ -81,8 +81,7 @@ pub struct Run {
 }
 
 impl Run {
-    pub(super) fn start(sheet: &Sheet, options: &PlanOptions) -> Result<Self, JobError> {
-        let machine = options.machine.profile()?;
+    pub(super) fn start(sheet: &Sheet, machine: Profile, options: &PlanOptions) -> Result<Self, JobError> {
         let name = options.method.as_deref().unwrap_or(solve::methods()[0].info().name);
         let method = Method::named(name, options)?;
         let problem = problem::from_sheet(sheet, &machine);

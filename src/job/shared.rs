@@ -14,8 +14,7 @@ pub(super) fn findings(sheet: &Sheet, problem: &Problem) -> Vec<Finding> {
 }
 
 fn finding(group: &PierceGroup) -> Finding {
-    let between_parts = group.elements.iter().filter(|e| !e.faces.contains(&0));
-    let shared: f64 = between_parts.map(|e| group.path(e).length()).sum();
+    let shared: f64 = group.between_parts().map(|e| group.path(e).length()).sum();
     let contours = group.contours.len();
     let message = format!(
         "{contours} contours share cuts and are cut as one: {:.3} m are cut once instead of twice, {} fewer piercings.",

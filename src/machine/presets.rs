@@ -58,6 +58,7 @@ fn co2_100w() -> Profile {
         pre_cut_time: None,
         pre_cut_length: 0.0,
         sharp_corner: None,
+        kerf_width: 0.0,
         // Rise and fall of a high-voltage CO2 supply: a few ms.
         beam_on_delay: 0.005,
         beam_off_delay: 0.005,
@@ -91,6 +92,7 @@ fn diode_hobby() -> Profile {
         pre_cut_time: None,
         pre_cut_length: 0.0,
         sharp_corner: None,
+        kerf_width: 0.0,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         dialect: Dialect::GrblM4,
@@ -125,6 +127,7 @@ fn fibre_3kw_thin() -> Profile {
         pre_cut_time: None,
         pre_cut_length: 0.0,
         sharp_corner: None,
+        kerf_width: 0.0,
         // Gas and height control settle.
         beam_on_delay: 0.05,
         beam_off_delay: 0.02,
@@ -146,6 +149,7 @@ fn fibre_6kw_thick() -> Profile {
         pre_cut_time: None,
         pre_cut_length: 0.0,
         sharp_corner: None,
+        kerf_width: 0.0,
         // Oxygen builds up and is blown off again.
         beam_on_delay: 0.2,
         beam_off_delay: 0.1,
@@ -189,6 +193,7 @@ fn length(name: &str, title: &str, travel: Travel) -> Profile {
         pre_cut_time: None,
         pre_cut_length: 0.0,
         sharp_corner: None,
+        kerf_width: 0.0,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         dialect: Dialect::GrblM4,

@@ -14,7 +14,7 @@ use super::arcs;
 use super::walk::layer_name;
 use crate::dxf::{Drawing, ReadOptions, Unit, UnitsSource};
 use crate::finding::Finding;
-use crate::geometry::{Arc, DVec2, Segment};
+use crate::geometry::{Arc, DVec2, Path, Segment};
 use crate::machine::Profile;
 use crate::plan::{Move, Plan, Summary};
 use crate::sheet::{CommonCuts, Operation, Sheet, SheetOptions};
@@ -165,6 +165,21 @@ struct ContourView<'a> {
     inside: Option<u32>,
     length: f64,
     area: f64,
+    /// The outline of what is made, where the line that is cut lies half a kerf beside it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    drawn: Option<OutlineView<'a>>,
+}
+
+#[derive(Serialize)]
+struct OutlineView<'a> {
+    from: Place,
+    path: PathView<'a>,
+}
+
+impl<'a> OutlineView<'a> {
+    fn of(path: &'a Path) -> Option<Self> {
+        Some(Self { from: Place(path.start()?), path: PathView(&path.segments) })
+    }
 }
 
 #[derive(Serialize)]
@@ -328,6 +343,7 @@ impl<'a> View<'a> {
                     inside: c.inside,
                     length: c.length,
                     area: c.area,
+                    drawn: c.drawn.as_ref().and_then(OutlineView::of),
                 })
                 .collect(),
             moves: plan

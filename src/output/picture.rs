@@ -31,6 +31,8 @@ pub(crate) enum Stroke {
 pub(crate) struct Picture {
     home: DVec2,
     operations: Vec<Operation>,
+    /// By contour: the outline of what is made, where that is not the line cut.
+    pub(crate) outlines: Vec<Option<Vec<Segment>>>,
     pub(crate) strokes: Vec<Stroke>,
 }
 
@@ -50,6 +52,14 @@ struct Machine {
 #[derive(Deserialize)]
 struct Contour {
     operation: Operation,
+    #[serde(default)]
+    drawn: Option<Outline>,
+}
+
+#[derive(Deserialize)]
+struct Outline {
+    from: [f64; 2],
+    path: Vec<Element>,
 }
 
 #[derive(Deserialize)]
@@ -110,8 +120,13 @@ impl Picture {
                 }
             }
         }
-        let operations = document.contours.into_iter().map(|c| c.operation).collect();
-        Ok(Self { home, operations, strokes })
+        let operations = document.contours.iter().map(|c| c.operation).collect();
+        let outline = |o: Outline| {
+            let mut at = point(o.from);
+            o.path.into_iter().map(|e| e.segment(&mut at)).collect()
+        };
+        let outlines = document.contours.into_iter().map(|c| c.drawn.map(outline)).collect();
+        Ok(Self { home, operations, outlines, strokes })
     }
 
     /// What is done along a contour; pre-cuts are cuts.

@@ -3,7 +3,7 @@
 use super::model::{Item, ItemId, Node, NodeId};
 use super::sub_path::{SubPath, sub_paths};
 use crate::machine::Profile;
-use crate::sheet::{PIERCE_GROUPS, PierceGroup, Sheet};
+use crate::sheet::{Contour, PIERCE_GROUPS, PierceGroup, Sheet};
 
 /// The groups of a sheet that are cut as one.
 pub(super) struct PierceGroups<'s> {
@@ -52,7 +52,12 @@ impl<'s> PierceGroups<'s> {
 
     /// The contour that a contour, or all of its group, must come before.
     pub(super) fn before(&self, contour: u32) -> Option<ItemId> {
-        let inside = |c: u32| self.sheet.contours.get(c as usize).and_then(|c| c.inside).filter(|&o| o != c);
+        // Others may cut all of what lies around it.
+        let inside = |c: u32| {
+            let up = |c: &u32| self.sheet.contours.get(*c as usize).and_then(|c| c.inside);
+            let mut around = std::iter::successors(up(&c), up).take(self.of.len());
+            around.find(|&o| o != c && self.sheet.contours.get(o as usize).is_some_and(Contour::is_worked))
+        };
         if !PIERCE_GROUPS {
             return inside(contour);
         }

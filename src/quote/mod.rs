@@ -60,7 +60,7 @@ fn hash(quote: &Quote) -> String {
     Sha256::digest(json_text(quote)).iter().map(|b| format!("{b:02x}")).collect()
 }
 
-/// Every contour's line, as it is cut.
+/// Every contour's line, as it is drawn.
 fn shapes(picture: &Picture, contours: usize) -> Vec<Shape> {
     let mut shapes: Vec<Shape> = (0..contours).map(|_| Shape::default()).collect();
     for stroke in &picture.strokes {
@@ -68,6 +68,12 @@ fn shapes(picture: &Picture, contours: usize) -> Vec<Shape> {
             && let Some(shape) = shapes.get_mut(*id)
         {
             shape.add(path);
+        }
+    }
+    for (shape, outline) in shapes.iter_mut().zip(&picture.outlines) {
+        if let Some(outline) = outline {
+            *shape = Shape::default();
+            shape.add(outline);
         }
     }
     shapes

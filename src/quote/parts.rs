@@ -7,7 +7,6 @@
 use super::report::{Contour, PartGroup};
 use super::shape::{Moments, Shape};
 use crate::order::{real, sort_by};
-use crate::sheet::Operation;
 
 /// Figures this near to each other, as a share, are the same: chords of one curve cut at other places differ by less.
 const SAME: f64 = 1e-3;
@@ -22,7 +21,7 @@ pub(super) struct Part {
 
 /// The parts of what is cut, by the outer contours.
 pub(super) fn parts(contours: &[Contour]) -> Vec<Part> {
-    let cut = |id: usize| contours.get(id).is_some_and(|c| c.closed && c.operation == Operation::Cut);
+    let cut = |id: usize| contours.get(id).is_some_and(Contour::bounds_area);
     // The next contour around that is cut, and how many there are; a document's circle of contours ends the count.
     let around = |id: usize| {
         let up = |id: &usize| contours.get(*id)?.inside.map(|i| i as usize);

@@ -7,6 +7,7 @@ use super::shape::Shape;
 use crate::dxf::{Unit, UnitsSource};
 use crate::finding::Severity;
 use crate::sheet::Operation;
+use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 
 /// The format this writes.
@@ -70,6 +71,21 @@ pub(super) struct Contour {
     pub(super) inside: Option<u32>,
     pub(super) length: f64,
     pub(super) area: f64,
+    /// There where the line cut lies beside the outline.
+    drawn: Option<IgnoredAny>,
+}
+
+impl Contour {
+    /// Whether it bounds a part or a hole; of one that is cut in pieces, those of others among them, one stands for it.
+    pub(super) fn bounds_area(&self) -> bool {
+        let drawn = self.drawn.is_some() && self.area > 0.0;
+        drawn || (self.closed && self.operation == Operation::Cut)
+    }
+
+    /// Whether it frees no part.
+    fn is_open(&self) -> bool {
+        !self.closed && self.drawn.is_none()
+    }
 }
 
 #[derive(Deserialize)]
@@ -299,7 +315,7 @@ fn layers(contours: &[Contour]) -> Vec<LayerUse> {
             all.len() - 1
         });
         all[at].contours += 1;
-        all[at].open += u32::from(!c.closed);
+        all[at].open += u32::from(c.is_open());
         all[at].length += c.length;
     }
     all
@@ -354,7 +370,7 @@ fn confidence(input: &Input, defects: &[Defect], contours: &[Contour]) -> Confid
     if input.units_source == UnitsSource::Guessed {
         doubt(Level::Low, "The file does not say its units; they were guessed.".into());
     }
-    let open = contours.iter().filter(|c| !c.closed && c.operation == Operation::Cut).count();
+    let open = contours.iter().filter(|c| c.is_open() && c.operation == Operation::Cut).count();
     if open > 0 {
         doubt(Level::Medium, format!("{open} contours that are cut are open: they enclose no part."));
     }

@@ -79,7 +79,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
 }
 
 /// Contours that share cuts, unless they are cut by themselves: where that is wished, and part by part.
-fn find_groups(
+pub(super) fn find_groups(
     contours: &[Contour],
     layers: &[LayerUse],
     crossing: &[(u32, u32)],
@@ -114,7 +114,7 @@ fn pin(contours: &mut [Contour], options: &SheetOptions) {
 }
 
 /// A length that came from outside: not negative, and a number.
-fn length_or(v: f64, otherwise: f64) -> f64 {
+pub(super) fn length_or(v: f64, otherwise: f64) -> f64 {
     if v.is_finite() { v.max(0.0) } else { otherwise }
 }
 
@@ -178,6 +178,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         pin: Pin::None,
         first_shape: a.first_shape,
         outline: a.outline,
+        drawn: None,
         path: a.path,
     }
 }

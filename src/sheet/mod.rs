@@ -9,6 +9,8 @@
 //!        -> nest: containment tree of any depth; the sheet's own border recognised
 //!        -> groups: contours that share cuts, and what they close in
 //!        -> parts: outer contours counter-clockwise, holes clockwise, parts in holes
+//! contours, machine with a kerf width
+//!        -> kerf: the lines of the beam, half a kerf beside the outlines; groups anew
 //! ```
 //!
 //! Everything that is left out, changed or doubted is a finding with its place. Results depend on the drawing alone:
@@ -24,6 +26,8 @@ mod cross;
 mod element;
 mod exclude;
 mod groups;
+#[cfg(feature = "plate")]
+mod kerf;
 mod layers;
 mod model;
 mod nest;
@@ -33,5 +37,7 @@ mod words;
 
 pub use build::build;
 pub use groups::{GroupElement, PierceGroup};
+#[cfg(feature = "plate")]
+pub(crate) use kerf::compensated;
 pub(crate) use model::PIERCE_GROUPS;
 pub use model::{CommonCuts, Contour, Ignored, LayerUse, Operation, Part, Pin, Sheet, SheetOptions};

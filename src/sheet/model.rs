@@ -17,7 +17,7 @@ pub enum Operation {
     Ignore,
 }
 
-/// Whether this build knows pierce groups.
+/// Whether this build knows pierce groups, and makes up for the kerf.
 pub(crate) const PIERCE_GROUPS: bool = cfg!(feature = "plate");
 
 /// What is done with cuts that contours share.
@@ -96,6 +96,8 @@ pub struct Contour {
     /// The closed outline that an open contour is the rest of, when another contour cuts the side they share. It
     /// bounds a part or a hole as a closed contour does.
     pub outline: Option<Path>,
+    /// The outline of what is made, as drawn, where `path` lies half a kerf beside it; see [`Sheet`].
+    pub drawn: Option<Path>,
     /// Index into [`Sheet::layers`]: the layer most of its length is on.
     pub layer: u32,
     /// Cut or mark; [`Operation::Ignore`]: left out by itself.
@@ -106,7 +108,7 @@ pub struct Contour {
     pub depth: u32,
     /// Length, mm.
     pub length: f64,
-    /// Unsigned area of a closed one or of its outline, mm2; 0 for other open ones.
+    /// Unsigned area of a closed one or of its outline, as drawn, mm2; 0 for other open ones.
     pub area: f64,
     /// The smallest box around it.
     pub bounds: Aabb,
@@ -173,6 +175,9 @@ pub struct Ignored {
 }
 
 /// Contours with their nesting, ready to be planned.
+///
+/// As built, contours are the lines drawn. For a machine with a kerf width they are the lines of the beam, and [`Contour::drawn`]
+/// are the outlines of parts and holes; nesting, parts and areas are of these.
 #[derive(Clone, Debug)]
 pub struct Sheet {
     /// Contours to cut and mark; the index is the contour's id everywhere. In drawing order. Those left out one by one

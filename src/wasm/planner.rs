@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = "import type {
-  Baselines, BestPath, Budget, Finding, Geometry, Loaded, LoadOptions, MachineProfile, MethodInfo, Slice, StartOptions, Summary,
+  Baselines, Beam, BestPath, Budget, Finding, Geometry, Loaded, LoadOptions, MachineProfile, MethodInfo, Slice, StartOptions, Summary,
   WarmPath,
 } from '../protocol.js';";
 
@@ -85,18 +85,24 @@ impl Job {
 
     /// Starts a plan; one under way is dropped.
     #[wasm_bindgen(
-        unchecked_return_type = "{ seed: number; method: string; baselines: Baselines; findings: Finding[] }"
+        unchecked_return_type = "{ seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry }"
     )]
     pub fn start(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
     ) -> Result<JsValue, JsError> {
-        let run = self.0.start(&options(plan_options)?)?;
+        self.0.start(&options(plan_options)?)?;
+        let beam = self.0.beside().map(|(contours, lines)| {
+            object(&[("contours", plain(&contours)?), ("geometry", geometry(&lines)?)])
+        });
+        let run = self.0.run()?;
         object(&[
             ("seed", plain(&run.seed)?),
             ("method", run.method.as_str().into()),
             ("baselines", plain(&run.baselines)?),
             ("findings", plain(&run.findings)?),
+            ("beam", beam.transpose()?.unwrap_or(JsValue::NULL)),
+            ("common", geometry(&self.0.common_cuts())?),
         ])
     }
 
@@ -153,7 +159,7 @@ impl Job {
     /// The best path so far and what it adds up to.
     #[wasm_bindgen(unchecked_return_type = "{ path: BestPath; summary: Summary }")]
     pub fn best(&self) -> Result<JsValue, JsError> {
-        let (best, plan) = BestPath::of(self.0.run()?, self.0.sheet());
+        let (best, plan) = BestPath::of(self.0.run()?, self.0.worked());
         object(&[("path", path(&best)?), ("summary", plain(&plan.summary)?)])
     }
 

@@ -101,6 +101,7 @@ impl Builder {
         }
         self.sheet.contours.push(Contour {
             outline: None,
+            drawn: None,
             layer: u32::from(operation == Operation::Mark),
             operation,
             inside,

@@ -37,6 +37,7 @@ pub(crate) fn machine() -> Profile {
         pierce_time: 0.5,
         pre_cut_length: 0.0,
         sharp_corner: None,
+        kerf_width: 0.0,
         pre_cut_time: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
@@ -78,6 +79,7 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
         at = to;
         contours.push(Contour {
             outline: None,
+            drawn: None,
             layer: stop.layer,
             operation: stop.operation,
             inside: None,

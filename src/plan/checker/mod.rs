@@ -1,12 +1,14 @@
 //! Whether a plan does what the sheet asks for: checked from the moves and the geometry alone.
 //!
 //! The checker trusts nobody. It shares no code with the solvers nor with the making of a plan; it finds out by
-//! itself what lies inside what (`nesting.rs`), follows every cut along its contour (`coverage.rs`) and adds lengths
-//! and times up again with a trapezoid formula of its own (`sums.rs`). What it does share is geometry (points and
+//! itself what lies inside what (`nesting.rs`), follows every cut along its contour (`coverage.rs`), sees whether
+//! parts come out as drawn (`kerf.rs`) and adds lengths and times up again with a trapezoid formula of its own (`sums.rs`). What it does share is geometry (points and
 //! lengths of elements) and the look-ahead along a contour, which has its own oracle.
 
 mod coverage;
 mod groups;
+#[cfg(feature = "plate")]
+mod kerf;
 mod macros;
 mod nesting;
 mod order;
@@ -47,6 +49,8 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     groups.finish(|c| visits.ends(c), &mut found);
     order::check(sheet, &visits, &groups, &mut found);
     sums::check(sheet, machine, plan, &mut found);
+    #[cfg(feature = "plate")]
+    kerf::check(sheet, machine, plan, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
 }
 

@@ -98,6 +98,16 @@ pub enum Violation {
         /// About where, mm.
         at: DVec2,
     },
+    /// The beam takes something of a part, leaves something on it, or runs on the wrong side of its outline.
+    #[error("move {step} does not keep half a kerf from the drawn outline of contour {contour} at {at}")]
+    Kerf {
+        /// Which move.
+        step: usize,
+        /// Which contour.
+        contour: u32,
+        /// The place, mm.
+        at: DVec2,
+    },
     /// Less or more of the contour is worked than there is.
     #[error("move {step} works {worked} mm of contour {contour}, which is {length} mm long")]
     Partly {

@@ -56,6 +56,11 @@ impl PierceGroup {
         self.contours.iter().position(|&c| c == contour).and_then(|k| self.paths.get(k))
     }
 
+    /// Elements between two areas that the group closes in: cut once for both.
+    pub fn between_parts(&self) -> impl Iterator<Item = &GroupElement> {
+        self.elements.iter().filter(|e| !e.faces.contains(&0))
+    }
+
     /// The geometry of an element, from beginning to end.
     pub fn path(&self, element: &GroupElement) -> Path {
         let Some(contour) = self.path_of(element.contour) else { return Path::default() };
