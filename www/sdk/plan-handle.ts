@@ -1,7 +1,7 @@
 /** A plan under way, as its caller holds it, and what is known of it. */
 
 import { bounded } from './bound.js';
-import type { Baselines, BestPath, DoneReason, Finding, FromWorker, PlanOptions, Progress } from './protocol.js';
+import type { Baselines, Beam, BestPath, DoneReason, Finding, FromWorker, Geometry, PlanOptions, Progress } from './protocol.js';
 
 /** What a plan started with. */
 export interface Started {
@@ -10,6 +10,10 @@ export interface Started {
   baselines: Baselines;
   /** What is worth knowing of the drawing on this machine, besides what `load` told. */
   findings: Finding[];
+  /** The lines of the beam, where the machine has a kerf width. */
+  beam: Beam | null;
+  /** What is cut once for two parts: stretches of contours that share cuts. */
+  common: Geometry;
 }
 
 /** What a plan came to; `progress.path` is always set. */
@@ -72,7 +76,7 @@ export class RunningPlan {
   hear(message: PlanMessage): void {
     switch (message.type) {
       case 'started':
-        this.begin({ seed: message.seed, method: message.method, baselines: message.baselines, findings: message.findings });
+        this.begin({ seed: message.seed, method: message.method, baselines: message.baselines, findings: message.findings, beam: message.beam, common: message.common });
         return;
       case 'progress':
         this.keep(message.progress);

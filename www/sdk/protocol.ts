@@ -150,10 +150,25 @@ export interface MachineProfile {
   pre_cut_length?: number;
   /** Cuts pause for `time` seconds in corners of less than `angle` rad; null or nothing: nowhere. */
   sharp_corner?: { angle: number; time: number } | null;
+  /**
+   * How wide the beam cuts, mm, from 0.02 to 10. Contours are then outlines of parts and holes, and the beam follows them half
+   * of this aside. 0 or nothing: it follows the lines drawn.
+   */
+  kerf_width?: number;
   beam_on_delay: number;
   beam_off_delay: number;
   dialect: 'grbl-m4';
   max_s: number;
+}
+
+/**
+ * The contours as they are cut where these are not the lines drawn, by id: those of `Loaded` keep their ids, further pieces of
+ * contours of which others cut the rest come after them. A contour of which others cut everything is there with the operation
+ * `ignore`. Areas are those of what is made.
+ */
+export interface Beam {
+  contours: ContourInfo[];
+  geometry: Geometry;
 }
 
 /** When a plan stops; with both, whichever comes first. */
@@ -336,7 +351,7 @@ export type ToWorker =
 export type FromWorker =
   | { type: 'ready'; methods: MethodInfo[]; machines: MachineProfile[] }
   | { type: 'loaded'; id: number; loaded: Loaded }
-  | { type: 'started'; id: number; seed: number; method: string; baselines: Baselines; findings: Finding[] }
+  | { type: 'started'; id: number; seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry }
   | { type: 'progress'; id: number; progress: Progress }
   /** One of several searches has come to where they meet, and waits. */
   | { type: 'meeting'; id: number; progress: Progress }

@@ -16,7 +16,7 @@ export interface Host {
   lab(): Promise<typeof import('./pkg/kerfway_lab.js')>;
   /** The methods of papers, loaded when first asked for. */
   papers(): Promise<typeof import('./pkg/kerfway_papers.js')>;
-  /** The planner that knows pierce groups, loaded when a sheet may have some. */
+  /** The planner that knows pierce groups and the kerf, loaded when a sheet may have some, or the machine has one. */
   plate(): Promise<typeof import('./pkg/kerfway_plate.js')>;
   /** What makes quotes, loaded when first asked for. */
   quote(): Promise<typeof import('./pkg/kerfway_quote.js')>;
@@ -77,7 +77,7 @@ export class Session {
       case 'plan':
         this.search?.stop();
         this.search = null;
-        if (this.mayShareCuts(message.options)) void this.planAsPlate(message.id, message.options);
+        if (this.asksForPlate(message.options)) void this.planAsPlate(message.id, message.options);
         else this.plan(message.id, message.options);
         return;
       case 'continue':
@@ -122,18 +122,19 @@ export class Session {
     this.host.post({ type: 'loaded', id, loaded }, buffers([...arrays, loaded.ignored.layers]));
   }
 
-  // Pre-cuts are what lets contours that share a side be one.
-  private mayShareCuts({ machine }: PlanOptions): boolean {
-    if (!this.openCuts || this.source === null || this.source.options.commonCuts === 'off') return false;
+  // For the kerf's width; or pre-cuts, which are what lets contours that share a side be one.
+  private asksForPlate({ machine }: PlanOptions): boolean {
+    if (this.source === null) return false;
     const profile = typeof machine === 'object' ? machine : machines().find((m) => m.name === machine);
-    return Boolean(profile?.pre_cut_time);
+    const mayShare = this.openCuts && this.source.options.commonCuts !== 'off';
+    return Boolean(profile?.kerf_width) || (mayShare && Boolean(profile?.pre_cut_time));
   }
 
   private async planAsPlate(id: number, options: PlanOptions & Membership): Promise<void> {
     const { source } = this;
     this.held = [];
     try {
-      // Without it, as in a single file, every contour is cut by itself.
+      // Without it, as in a single file, every contour is cut by itself; a kerf's width is refused.
       const plate = await this.host.plate().catch(() => null);
       if (plate !== null && source !== null) {
         const job = new plate.Job(source.bytes, source.name, source.options);
@@ -161,7 +162,8 @@ export class Session {
     const text = JSON.stringify(parameters ?? {});
     const started = job.start({ ...others, ...given({ method, parameters: paper === null ? undefined : text }), ...budget, seed });
     const invite = paper === null ? null : async () => new (await this.host.papers()).Guest(job.packed(), paper, text, seed);
-    this.host.post({ type: 'started', id, ...started });
+    const lines = [started.common, ...(started.beam === null ? [] : [started.beam.geometry])];
+    this.host.post({ type: 'started', id, ...started }, buffers(lines.flatMap((g) => [g.segments, g.offsets])));
     this.search = new Search(job, {
       progress: (progress) => this.host.post({ type: 'progress', ...progress }, pathBuffers(progress.progress)),
       done: (done) => this.host.post({ type: 'done', ...done }, pathBuffers(done.progress)),
