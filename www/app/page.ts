@@ -310,6 +310,8 @@ export async function startPage(): Promise<void> {
     failure.hidden = state.phase !== 'failed';
     failure.replaceChildren(h('h2', {}, icon('error'), state.name), h('p', {}, state.error ?? ''));
     if (state.phase === 'done' || state.phase === 'paused') announcer.say(head(state));
+    tools.common((state.common?.offsets.length ?? 0) > 1);
+    if (scene.shapes) scene.setPlanned(state);
     if (state.progress === null && scene.shapes) {
       playback.setTimeline(null);
       scene.partitions = null;

@@ -5,12 +5,13 @@ import { clock, count, millimetres } from '../core/format.js';
 import { type Fate, fateOf, FATES } from '../session/choices.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
+import { cutContours } from '../session/worked.js';
 import { words } from '../core/words/index.js';
 
 /** Facts about a contour, the first being its name. */
 export function describe(session: Session, playback: Playback, contour: number): string[] {
   const { loaded } = session.state;
-  const info = loaded?.contours[contour];
+  const info = cutContours(session.state)[contour];
   if (!loaded || !info) return [];
   const stop = playback.stopOf(contour);
   const part = loaded.parts.findIndex((p) => p.outer === contour || p.holes.includes(contour));

@@ -14,6 +14,8 @@ interface Quantity {
   /** Null where the profile says "at once" or "no limit". */
   /** What the empty field says then, if not "no limit". */
   none?: string;
+  /** What it does, below the field. */
+  hint?: string;
   get(m: MachineProfile): number | null;
   set(m: MachineProfile, value: number): void;
 }
@@ -24,12 +26,16 @@ const DEGREE = Math.PI / 180;
 /** Where cuts may first pause in corners: corners of a triangle, long enough to cool, to be replaced by one's own. */
 const PAUSE = { angle: 70 * DEGREE, time: 1 };
 
+/** As profiles have it, mm. */
+const WIDEST_KERF = 10;
+
 const degrees = (angle: number | undefined) => (angle === undefined ? null : Math.round((angle / DEGREE) * 1e6) / 1e6);
 
 const QUANTITIES: readonly Quantity[] = [
   { label: words.machine.cutSpeed, unit: 'mm/s', least: 0.01, get: (m) => m.cut.speed, set: (m, v) => (m.cut.speed = v) },
   { label: words.machine.cutAccel, unit: 'mm/s²', least: 1, get: (m) => m.cut.accel, set: (m, v) => (m.cut.accel = v) },
   { label: words.machine.cutPower, unit: '%', least: 0, get: (m) => Math.round(m.cut.power * 1000) / 10, set: (m, v) => (m.cut.power = Math.min(1, v / 100)) },
+  { label: words.machine.kerf, hint: words.machine.kerfHint, unit: 'mm', least: 0, get: (m) => m.kerf_width ?? 0, set: (m, v) => (m.kerf_width = Math.min(v, WIDEST_KERF)) },
   { label: words.machine.markSpeed, unit: 'mm/s', least: 0.01, get: (m) => m.mark.speed, set: (m, v) => (m.mark.speed = v) },
   { label: words.machine.markPower, unit: '%', least: 0, get: (m) => Math.round(m.mark.power * 1000) / 10, set: (m, v) => (m.mark.power = Math.min(1, v / 100)) },
   { label: words.machine.rapidX, unit: 'mm/s', least: 0.01, get: (m) => m.rapid.speed[0], set: (m, v) => (m.rapid.speed[0] = v) },
@@ -86,7 +92,7 @@ export function machinePanel(session: Session, tell: (sentence: string) => void,
   } });
   const own = ownMachines(session, tell);
   const numbers = h('details', { class: 'more' }, h('summary', {}, words.machine.numbers),
-    h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.map((q, i) => field(q.label, inputs[i]!, q.unit)), home.root,
+    h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!, q.unit), hintOf(q)]), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
   body.append(h('div', { class: 'stack' }, choice.root, leaving.root, pausing.root, numbers, own.root));
 
@@ -113,12 +119,20 @@ export function machinePanel(session: Session, tell: (sentence: string) => void,
   return root;
 }
 
+/** Outside the label, so that the field's name stays short. */
+const hintId = ({ label }: Quantity) => `hint-${label.toLowerCase().replace(/[^a-z]+/g, '-')}`;
+
+function hintOf(quantity: Quantity): HTMLElement | null {
+  return quantity.hint === undefined ? null : h('p', { class: 'soft', id: hintId(quantity) }, quantity.hint);
+}
+
 function shown(value: number | null): string {
   return value === null ? '' : String(Math.round(value * 1e6) / 1e6);
 }
 
 function numberInput(quantity: Quantity, edit: (change: (m: MachineProfile) => void) => void): HTMLInputElement {
   const input = h('input', { type: 'number', step: 'any', min: quantity.least, inputmode: 'decimal', placeholder: quantity.none ?? words.machine.unlimited });
+  if (quantity.hint !== undefined) input.setAttribute('aria-describedby', hintId(quantity));
   input.addEventListener('input', () => {
     const value = input.valueAsNumber;
     const sound = Number.isFinite(value) && value >= quantity.least;

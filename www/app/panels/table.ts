@@ -8,6 +8,7 @@ import { clock, count, millimetres, size } from '../core/format.js';
 import { cutLength } from '../stage/shapes.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
+import { cutContours } from '../session/worked.js';
 import { words } from '../core/words/index.js';
 
 /** Height of a row, CSS pixels; the same in `panels.css`. */
@@ -83,7 +84,7 @@ export class OrderTable {
   private row(stop: number): HTMLElement {
     const path = this.session.state.path!;
     const contour = path.contours[stop]!;
-    const info = this.session.state.loaded?.contours[contour];
+    const info = cutContours(this.session.state)[contour];
     const cell = (text: string, extra = '') => h('span', { role: 'cell', class: extra }, text);
     const row = h('div', { role: 'row', class: contour === this.selected ? 'order-row selected' : 'order-row', 'aria-rowindex': stop + 2, 'data-stop': stop },
       h('span', { role: 'cell' }, h('button', { type: 'button', class: 'row-button number', 'aria-label': words.table.show(stop + 1), onclick: () => this.onSelect(contour) }, count(stop + 1))),

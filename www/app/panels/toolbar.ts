@@ -9,9 +9,15 @@ export interface StageSwitches {
   air(on: boolean): void;
 }
 
-export function toolbar(viewport: Viewport, switches: StageSwitches): { root: HTMLElement; legend: HTMLElement; flip(which: keyof StageSwitches): void; colors(ramp: readonly string[]): void } {
+export function toolbar(viewport: Viewport, switches: StageSwitches): { root: HTMLElement; legend: HTMLElement; flip(which: keyof StageSwitches): void; colors(ramp: readonly string[]): void; common(shown: boolean): void } {
   const scale = h('span', { class: 'ramp', 'aria-hidden': 'true' });
-  const legend = h('div', { class: 'legend', hidden: true }, h('span', {}, words.stage.first), scale, h('span', {}, words.stage.last));
+  const order = h('span', { class: 'legend-part', hidden: true }, words.stage.first, scale, words.stage.last);
+  const once = h('span', { class: 'legend-part', hidden: true }, h('span', { class: 'common', 'aria-hidden': 'true' }), words.stage.common);
+  const legend = h('div', { class: 'legend', hidden: true }, once, order);
+  const tell = (part: HTMLElement, shown: boolean) => {
+    part.hidden = !shown;
+    legend.hidden = order.hidden && once.hidden;
+  };
   const toggle = (label: string, icon: 'ramp' | 'air', on: boolean, set: (on: boolean) => void) => {
     const b = button(label, { icon, iconOnly: true, 'aria-pressed': on });
     b.addEventListener('click', () => {
@@ -22,7 +28,7 @@ export function toolbar(viewport: Viewport, switches: StageSwitches): { root: HT
     return b;
   };
   const ramp = toggle(words.stage.colours, 'ramp', false, (on) => {
-    legend.hidden = !on;
+    tell(order, on);
     switches.ramp(on);
   });
   const air = toggle(words.stage.air, 'air', true, switches.air);
@@ -34,6 +40,7 @@ export function toolbar(viewport: Viewport, switches: StageSwitches): { root: HT
   return {
     root, legend,
     flip: (which) => (which === 'ramp' ? ramp : air).click(),
+    common: (shown) => tell(once, shown),
     colors: (steps) => scale.style.setProperty('--ramp', steps.join(',')),
   };
 }

@@ -304,7 +304,7 @@ export class Session extends Emitter<Events> {
   }
 
   private forget(): void {
-    Object.assign(this.state, { baselines: null, found: [], progress: null, path: null, reason: null, seed: null, history: { at: [], total: [] }, insights: noInsights() });
+    Object.assign(this.state, { baselines: null, found: [], beam: null, common: null, progress: null, path: null, reason: null, seed: null, history: { at: [], total: [] }, insights: noInsights() });
   }
 
   private take(loaded: Loaded, as: { fresh: boolean; same: boolean }): void {
@@ -361,9 +361,9 @@ export class Session extends Emitter<Events> {
     this.run = run;
     Object.assign(this.state, { phase: 'planning', reason: null, error: null });
     this.emit('change', this.state);
-    run.started.then(({ seed, baselines, findings }) => {
+    run.started.then(({ seed, baselines, findings, beam, common }) => {
       if (wish !== this.wish) return;
-      Object.assign(this.state, { seed, baselines, found: findings });
+      Object.assign(this.state, { seed, baselines, found: findings, beam, common });
       this.emit('change', this.state);
     }, () => {
       // A search that cannot start fails in `done`, where it is told.

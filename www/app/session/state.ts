@@ -2,7 +2,7 @@
 
 import type { Box } from './extent.js';
 import { type Insights, noInsights } from './insights.js';
-import type { Baselines, BestPath, DoneReason, Finding, LoadOptions, Loaded, MachineProfile, Progress } from 'kerfway';
+import type { Baselines, Beam, BestPath, DoneReason, Finding, Geometry, LoadOptions, Loaded, MachineProfile, Progress } from 'kerfway';
 
 /**
  * starting: the planner is being loaded. reading: a file is. question: an answer is needed before planning.
@@ -42,6 +42,10 @@ export interface State {
   baselines: Baselines | null;
   /** What is worth knowing of the drawing on this machine. */
   found: Finding[];
+  /** The lines of the beam of the plan in hand, where they are not those drawn. */
+  beam: Beam | null;
+  /** What the plan in hand cuts once for two parts. */
+  common: Geometry | null;
   progress: Progress | null;
   path: BestPath | null;
   /** Seconds of search and seconds of the job, for the chart. */
@@ -58,7 +62,7 @@ export interface State {
 export function initialState(): State {
   return {
     phase: 'starting', name: '', sample: true, load: {}, loaded: null, extent: [0, 0, 1, 1], question: null, machine: null,
-    search: { method: '', parameters: {}, seed: null, seconds: 10 }, seed: null, baselines: null, found: [], progress: null, path: null,
+    search: { method: '', parameters: {}, seed: null, seconds: 10 }, seed: null, baselines: null, found: [], beam: null, common: null, progress: null, path: null,
     history: { at: [], total: [] }, insights: noInsights(), budget: 10, reason: null, error: null,
   };
 }

@@ -16,6 +16,10 @@ export interface Subject {
   shapes: Shapes;
   roles: Uint8Array;
   ignored: Shapes;
+  /** The outlines of parts, where `shapes` are the lines of a beam beside them. */
+  drawn: Shapes | null;
+  /** Stretches that are cut once for two parts. */
+  common: Shapes | null;
   path: BestPath | null;
   travel: Travel;
   changed: Uint8Array | null;
@@ -26,6 +30,9 @@ export interface Subject {
 
 /** Elements stroked at once. Larger paths cost the rasteriser more per element, smaller ones more calls. */
 const BATCH = 256;
+/** The band along a cut that two parts share, CSS pixels; the legend shows the same. */
+const COMMON_WIDTH = 6;
+const COMMON_ALPHA = 0.3;
 /** A contour smaller than this many pixels is a dot. */
 const DOT = 1.2;
 
@@ -88,6 +95,16 @@ export function* paintSheet(pen: Pen, view: View, subject: Subject): Generator<v
   pen.strokeStyle = palette.faint;
   yield* strokeChains(pen, view, subject.ignored, () => true);
   pen.setLineDash([]);
+  if (subject.common) {
+    pen.globalAlpha = COMMON_ALPHA;
+    pen.lineWidth = COMMON_WIDTH * view.ratio;
+    pen.strokeStyle = palette.accent;
+    yield* strokeChains(pen, view, subject.common, () => true);
+    pen.globalAlpha = 1;
+    pen.lineWidth = view.ratio;
+    pen.strokeStyle = palette.faint;
+  }
+  if (subject.drawn) yield* strokeChains(pen, view, subject.drawn, (c) => roles[c] !== Role.mark);
   if (subject.ramp && path) {
     const step = new Uint8Array(shapes.count).fill(RAMP_STEPS);
     const stops = path.contours.length;

@@ -34,7 +34,8 @@ export interface Travel {
 }
 
 export type ToRaster =
-  | { type: 'geometry'; geometry: Geometry; roles: Uint8Array; ignored: Geometry }
+  | { type: 'geometry'; geometry: Geometry; roles: Uint8Array; ignored: Geometry; drawn: Geometry | null }
+  | { type: 'common'; common: Geometry | null }
   /** `changed`: 1 for each stop the improvement moved. */
   | { type: 'path'; path: BestPath | null; travel: Travel; changed: Uint8Array | null }
   | { type: 'style'; palette: Palette; ramp: boolean; air: boolean }

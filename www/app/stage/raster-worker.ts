@@ -34,9 +34,13 @@ onmessage = (event: MessageEvent<ToRaster>) => {
     case 'geometry':
       subject.shapes = prepare(message.geometry);
       subject.ignored = prepare(message.ignored);
+      subject.drawn = message.drawn && prepare(message.drawn);
       subject.roles = message.roles;
-      subject.path = null;
+      subject.path = subject.common = null;
       epoch += 1;
+      break;
+    case 'common':
+      subject.common = message.common && prepare(message.common);
       break;
     case 'path':
       subject.path = message.path;

@@ -35,14 +35,20 @@ export class Raster extends Emitter<{ drawn: Layer }> {
     this.worker.onmessage = (event: MessageEvent<FromRaster>) => this.receive(event.data);
   }
 
-  /** Another drawing: nothing drawn before is of use. */
-  setGeometry(geometry: Geometry, roles: Uint8Array, ignored: Geometry): void {
-    this.send({ type: 'geometry', geometry, roles, ignored });
+  /** Another drawing: nothing drawn before is of use. `drawn`: the outlines where the contours are lines beside them. */
+  setGeometry(geometry: Geometry, roles: Uint8Array, ignored: Geometry, drawn: Geometry | null): void {
+    this.send({ type: 'geometry', geometry, roles, ignored, drawn });
     for (const slot of Object.values(this.slots)) {
       slot.drawn?.bitmap.close();
       slot.drawn = slot.asked = null;
       slot.stale = true;
     }
+  }
+
+  /** What is cut once for two parts. */
+  setCommon(common: Geometry | null): void {
+    this.send({ type: 'common', common });
+    this.slots.sheet.stale = true;
   }
 
   setPath(path: BestPath | null, travel: Travel, changed: Uint8Array | null, ramp: boolean): void {

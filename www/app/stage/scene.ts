@@ -5,7 +5,7 @@
  */
 
 import { lessMotion } from '../core/dom.js';
-import type { BestPath, Finding, Insight, Loaded } from 'kerfway';
+import type { Beam, BestPath, ContourInfo, Finding, Geometry, Insight, Loaded } from 'kerfway';
 import { changedStops } from './changes.js';
 import { HitGrid } from './hit-grid.js';
 import * as overlay from './overlay.js';
@@ -51,6 +51,12 @@ export class Scene {
   showRamp = false;
   showAir = true;
   private loaded: Loaded | null = null;
+  /** The lines of the beam where they are not those drawn. */
+  private beam: Beam | null = null;
+  /** Stretches that are cut once for two parts. */
+  private common: Geometry | null = null;
+  /** Found on the machine, besides what is told of the drawing. */
+  private found: readonly Finding[] = [];
   private extent: Box = [0, 0, 1, 1];
   /** Made when the pointer first comes over the sheet. */
   private grid: HitGrid | null = null;
@@ -95,16 +101,37 @@ export class Scene {
     this.path = this.held = this.stopOf = null;
     this.hovered = this.selected = this.finding = this.moment = null;
     this.marks = [];
+    this.beam = this.common = null;
+    this.found = [];
+    this.showContours();
+    if (loaded && fit) this.viewport.setBounds(extent);
+    this.invalidate();
+  }
+
+  /** What a plan began with: the lines of the beam over those drawn (null: it follows these), what is cut once, findings. */
+  setPlanned({ beam, common, found }: { beam: Beam | null; common: Geometry | null; found: readonly Finding[] }): void {
+    if (beam === this.beam && common === this.common && found === this.found) return;
+    const other = beam !== this.beam;
+    Object.assign(this, { beam, common, found });
+    if (other) {
+      this.path = this.held = this.stopOf = this.hovered = null;
+      if (this.selected !== null && this.selected >= (beam ?? this.loaded)!.contours.length) this.selected = null;
+      this.showContours();
+    }
+    this.raster.setCommon(common);
+    this.invalidate();
+  }
+
+  private showContours(): void {
+    const { loaded, beam } = this;
     this.shapes = this.grid = this.partitions = null;
     this.lengths = new Float64Array(0);
-    if (loaded) {
-      const shapes = (this.shapes = prepare(loaded.geometry));
-      this.lengths = new Float64Array(shapes.count);
-      for (let c = 0; c < shapes.count; c += 1) this.lengths[c] = chainLength(shapes, c);
-      this.raster.setGeometry(loaded.geometry, rolesOf(loaded), loaded.ignored.geometry);
-      if (fit) this.viewport.setBounds(extent);
-    }
-    this.invalidate();
+    if (!loaded) return;
+    const { geometry, contours } = beam ?? loaded;
+    const shapes = (this.shapes = prepare(geometry));
+    this.lengths = new Float64Array(shapes.count);
+    for (let c = 0; c < shapes.count; c += 1) this.lengths[c] = chainLength(shapes, c);
+    this.raster.setGeometry(geometry, rolesOf(contours, loaded.outline), loaded.ignored.geometry, beam && loaded.geometry);
   }
 
   /** The best path, shown at most ten times a second. */
@@ -141,7 +168,7 @@ export class Scene {
   pickFinding(x: number, y: number, reach: number): Finding | null {
     const v = this.viewport;
     const hit = (f: Finding) => f.at && f.severity !== 'info' && Math.hypot(v.x + f.at[0] * v.scale - x, v.y - f.at[1] * v.scale - y) < reach;
-    return this.loaded?.findings.find(hit) ?? null;
+    return this.loaded?.findings.find(hit) ?? this.found.find(hit) ?? null;
   }
 
   /** Box of a contour, mm. */
@@ -198,7 +225,7 @@ export class Scene {
       const stop = this.stopFor(this.selected);
       if (this.path && stop !== null) overlay.drawWays(pen, view, palette, this.path, this.travel, stop);
     }
-    overlay.drawFindings(pen, view, palette, loaded.findings, this.finding);
+    overlay.drawFindings(pen, view, palette, [...loaded.findings, ...this.found], this.finding);
     overlay.drawOutlook(pen, view, palette, this.marks);
     if (playing) overlay.drawHead(pen, view, palette, this.moment!.x, this.moment!.y, this.moment!.cutting);
   }
@@ -266,8 +293,7 @@ export class Scene {
   }
 }
 
-function rolesOf(loaded: Loaded): Uint8Array {
-  const { contours, outline } = loaded;
+function rolesOf(contours: ContourInfo[], outline: number | null): Uint8Array {
   return Uint8Array.from(contours, (contour) => {
     if (contour.operation !== 'cut') return contour.operation === 'mark' ? Role.mark : Role.none;
     let inner = false;

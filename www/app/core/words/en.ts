@@ -31,6 +31,7 @@ const findingTitles: Record<string, string> = {
   'duplicate-removed': 'Copies removed',
   'overlap-removed': 'Overlapping lines removed',
   'common-cut': 'Contours that share cuts',
+  'kerf-not-applied': 'Contours that keep their drawn line',
   'zero-length': 'Elements without length',
   'self-crossing': 'Contours that cross themselves',
   crossing: 'Contours that cross each other',
@@ -176,7 +177,7 @@ export const en = {
     travel: { straight: 'Straight, axis limits', vector: 'Straight, one speed', 'per-axis': 'Each axis for itself' },
     cutSpeed: 'Cutting speed', cutAccel: 'Cutting acceleration', cutPower: 'Cutting power', markSpeed: 'Marking speed', markPower: 'Marking power',
     rapidX: 'Rapid speed, x', rapidY: 'Rapid speed, y', rapidAccelX: 'Rapid acceleration, x', rapidAccelY: 'Rapid acceleration, y', corners: 'Corner deviation',
-    pierce: 'Pierce time', preCut: 'Pre-cut time', preCutLength: 'Pre-cut length', sharpAngle: 'Pause in corners below', sharpTime: 'Pause in a corner', noPauses: 'no pauses', beamOn: 'Beam on delay', beamOff: 'Beam off delay', homeX: 'Home, x', homeY: 'Home, y', fullPower: 'S word of full power',
+    pierce: 'Pierce time', preCut: 'Pre-cut time', preCutLength: 'Pre-cut length', sharpAngle: 'Pause in corners below', sharpTime: 'Pause in a corner', noPauses: 'no pauses', kerf: 'Kerf width', kerfHint: 'Parts come out as drawn: the beam follows outlines half a kerf aside. What lies one kerf apart is cut once. 0: the beam follows the lines drawn.', beamOn: 'Beam on delay', beamOff: 'Beam off delay', homeX: 'Home, x', homeY: 'Home, y', fullPower: 'S word of full power',
     own: 'Your machines', name: 'Name of your machine', keepsNothing: 'This browser keeps nothing: export the machine to a file instead.',
     keep: 'Keep', forget: 'Forget', export: 'Export', import: 'Import',
     noJson: 'This file is no machine profile: it is not JSON.', noSchema: (schema: string) => `This file is no machine profile: its "schema" is not ${schema}.`,
@@ -220,7 +221,7 @@ export const en = {
     show: (n: number) => `Contour ${n}, show on the sheet`, reversed: 'reversed', asDrawn: 'as drawn', open: 'open',
   },
 
-  stage: { first: 'first', last: 'last', colours: 'Colours by order (C)', air: 'Air moves (A)', view: 'View', zoomIn: 'Zoom in (+)', zoomOut: 'Zoom out (−)', fit: 'Fit the sheet (F)' },
+  stage: { first: 'first', last: 'last', common: 'cut once for two parts', colours: 'Colours by order (C)', air: 'Air moves (A)', view: 'View', zoomIn: 'Zoom in (+)', zoomOut: 'Zoom out (−)', fit: 'Fit the sheet (F)' },
 
   playback: {
     play: 'Play', moment: 'Moment of the job', speed: 'Speed', whole: 'Whole job in 20 s', pauseKey: 'Pause the cut (space)', playKey: 'Play the cut (space)',

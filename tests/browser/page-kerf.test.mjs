@@ -1,0 +1,77 @@
+// The width of the kerf on the page: set in the machine, it changes what is cut; both lines are shown.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { download, drop, openPage, phase, shot, SIZES } from './page-support.mjs';
+
+const SHEET = readFileSync(new URL('../fixtures/plate/one-kerf-apart.dxf', import.meta.url));
+const HASH = 'machine=fibre-6kw-plate&seconds=1&seed=1';
+
+async function planned(page) {
+  const { bytes } = await download(page, () => page.locator('.downloads').getByRole('button', { name: 'Plan', exact: true }).click());
+  return JSON.parse(bytes);
+}
+
+async function opened(t, options = {}) {
+  const { page } = await openPage(t, { hash: HASH, ...options });
+  await phase(page, 'planning', 'done');
+  await drop(page, 'one-kerf-apart.dxf', SHEET);
+  await page.waitForFunction(() => document.querySelector('.file-name')?.textContent === 'one-kerf-apart.dxf');
+  await phase(page, 'done');
+  return page;
+}
+
+/** Types a width and waits for the plan with it. */
+async function setKerf(page, width) {
+  await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
+  await page.getByLabel('Kerf width', { exact: true }).fill(String(width));
+  await phase(page, 'planning');
+  await phase(page, 'done');
+}
+
+test('a kerf width set in the machine changes what is cut, is told, and can be undone', async (t) => {
+  const page = await opened(t);
+  const drawn = await planned(page);
+  const legend = page.getByText('cut once for two parts');
+  assert.ok(!(await legend.isVisible()), 'nothing is shared as drawn');
+
+  await setKerf(page, 0.4);
+  assert.ok(await legend.isVisible());
+  assert.ok((await page.getByText('narrower here than the kerf', { exact: false }).count()) > 0, 'what keeps its line is told');
+  const beam = await planned(page);
+  assert.equal(beam.machine.kerf_width, 0.4);
+  // Sides in common are cut once.
+  assert.ok(beam.summary.cut_length < drawn.summary.cut_length - 500, `${beam.summary.cut_length} ${drawn.summary.cut_length}`);
+  assert.ok(beam.summary.pierces < drawn.summary.pierces);
+  assert.equal(beam.summary.parts, drawn.summary.parts);
+  const [x0, y0, x1] = beam.summary.bounds, before = drawn.summary.bounds;
+  for (const [a, b] of [[x0, before[0] - 0.2], [y0, before[1] - 0.2], [x1, before[2]]]) assert.ok(Math.abs(a - b) < 0.21, `${a} ${b}`);
+
+  await page.keyboard.press('Escape');
+  await page.locator('#canvas').focus().catch(() => {});
+  await page.evaluate(() => document.activeElement?.blur());
+  await page.keyboard.press('Control+z');
+  await phase(page, 'planning', 'done');
+  await page.waitForFunction(() => document.querySelector('.legend')?.hidden);
+  await phase(page, 'done');
+  assert.ok(Math.abs((await planned(page)).summary.cut_length - drawn.summary.cut_length) < 1e-6);
+});
+
+for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone', 'light'], ['phone', 'dark']]) {
+  test(`looks: the beam beside the outlines, ${size}, ${theme}`, async (t) => {
+    const page = await opened(t, { size: SIZES[size], theme, touch: size === 'phone' });
+    await setKerf(page, 0.4);
+    await shot(page, `kerf-${size}-${theme}-panel`);
+    if (size === 'phone') await page.evaluate(() => document.body.classList.remove('sheet-open'));
+    await page.keyboard.press('f');
+    await page.waitForTimeout(400);
+    await shot(page, `kerf-${size}-${theme}`);
+    const { x, y, width, height } = await page.locator('#canvas').boundingBox();
+    await page.mouse.move(x + 0.3 * width, y + 0.55 * height);
+    for (let k = 0; k < 12; k += 1) await page.mouse.wheel(0, -300);
+    await page.waitForTimeout(600);
+    await shot(page, `kerf-${size}-${theme}-near`);
+    assert.ok(await page.getByText('cut once for two parts').isVisible());
+  });
+}
