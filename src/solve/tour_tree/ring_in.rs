@@ -17,9 +17,13 @@ impl RingIn<'_> {
     #[inline(always)]
     pub(super) fn try_at(&self, at: usize, best: &mut (u32, f64)) -> bool {
         let place = self.places[at];
-        let on = self.gap.to.map_or(0.0, |to| self.travel.seconds_here(place, to));
-        let seconds =
-            self.travel.seconds_here(self.gap.from, place) + on + self.extra.get(at).copied().unwrap_or(0.0);
+        let mut seconds = self.travel.seconds_here(self.gap.from, place);
+        if let Some(to) = self.gap.to {
+            seconds += self.travel.seconds_here(place, to);
+        }
+        if let Some(extra) = self.extra.get(at) {
+            seconds += extra;
+        }
         let better = seconds < best.1;
         if better {
             *best = (index(at), seconds);
