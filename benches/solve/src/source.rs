@@ -11,7 +11,9 @@ use std::path::Path;
 
 /// Something to solve, and what others reach on it.
 pub struct Source {
+    /// What it is called.
     pub name: String,
+    /// What is solved.
     pub problem: Problem,
     /// Best value known.
     pub known: Option<f64>,

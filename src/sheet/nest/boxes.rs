@@ -6,6 +6,7 @@
 //! thousands of boxes around each other the smallest is met first.
 
 use crate::geometry::Aabb;
+use crate::order::{real, sort_by};
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
@@ -84,7 +85,10 @@ impl BoxTree {
             if to - from > LEAF {
                 let middle = (from + to) / 2;
                 let key = |i: &Item| [i.0.min.x, i.0.min.y, i.0.max.x, i.0.max.y][side];
-                items[from..to].select_nth_unstable_by(middle - from, |a, b| key(a).total_cmp(&key(b)));
+                // All of it, not the half only: the one sort there is in wasm anyway.
+                let mut part = items[from..to].to_vec();
+                sort_by(&mut part, |i| [real(key(i)), i.2.into(), 0]);
+                items[from..to].copy_from_slice(&part);
                 nodes[next].children = Some(nodes.len());
                 nodes.push(Node::of(&items, from, middle));
                 nodes.push(Node::of(&items, middle, to));
