@@ -31,9 +31,8 @@ pub use written::OutputKind;
 
 use crate::dxf::{self, Drawing, ReadError, ReadOptions};
 use crate::finding::Finding;
-use crate::geometry::Path;
 use crate::machine::ProfileError;
-use crate::sheet::{self, Contour, PIERCE_GROUPS, Sheet, SheetOptions};
+use crate::sheet::{self, Contour, Sheet, SheetOptions};
 use sha2::{Digest, Sha256};
 
 /// Why a job cannot go on: one sentence for people.
@@ -72,6 +71,7 @@ pub struct Job {
     drawing: Drawing,
     sheet: Sheet,
     /// The sheet with the lines of the beam, where the machine of the run has a kerf width.
+    #[cfg(feature = "plate")]
     worked: Option<Sheet>,
     run: Option<Run>,
 }
@@ -92,6 +92,7 @@ impl Job {
             sheet_options,
             drawing,
             sheet,
+            #[cfg(feature = "plate")]
             worked: None,
             run: None,
         })
@@ -111,7 +112,7 @@ impl Job {
             self.read_options = read_options;
         }
         self.sheet_options = sheet_options;
-        (self.worked, self.run) = (None, None);
+        self.drop_run();
         Ok(())
     }
 
@@ -140,22 +141,34 @@ impl Job {
         &self.sheet
     }
 
+    #[cfg(feature = "plate")]
+    fn moved(&self) -> Option<&Sheet> {
+        self.worked.as_ref()
+    }
+
+    #[cfg(not(feature = "plate"))]
+    fn moved(&self) -> Option<&Sheet> {
+        None
+    }
+
     /// The contours as the plan has them: those arranged, or the lines of the beam beside them where the machine has a kerf
     /// width.
     pub fn worked(&self) -> &Sheet {
-        self.worked.as_ref().unwrap_or(&self.sheet)
+        self.moved().unwrap_or(&self.sheet)
     }
 
     /// The lines of the beam, where they are not those drawn: contours by id, and their geometry.
+    #[cfg(feature = "plate")]
     pub fn beside(&self) -> Option<(Vec<ContourInfo<'_>>, Geometry)> {
-        let sheet = self.worked.as_ref().filter(|_| PIERCE_GROUPS)?;
+        let sheet = self.moved()?;
         Some((report::contours(sheet), Geometry::of(sheet.contours.iter().map(|c| &c.path))))
     }
 
     /// What the plan cuts once for two parts: stretches of contours of pierce groups.
+    #[cfg(feature = "plate")]
     pub fn common_cuts(&self) -> Geometry {
         let groups = self.worked().pierce_groups();
-        let paths: Vec<Path> = groups.iter().flat_map(|g| g.between_parts().map(|e| g.path(e))).collect();
+        let paths: Vec<_> = groups.iter().flat_map(|g| g.between_parts().map(|e| g.path(e))).collect();
         Geometry::of(paths.iter())
     }
 
@@ -165,29 +178,40 @@ impl Job {
             return Err(JobError::NothingToCut(self.why_empty()));
         }
         let machine = options.machine.profile()?;
-        (self.worked, self.run) = (None, None);
-        let mut findings = Vec::new();
-        if machine.kerf_width > 0.0 {
-            let (sheet, found) = self.compensated(machine.kerf_width)?;
-            (self.worked, findings) = (Some(sheet), found);
-        }
+        self.drop_run();
+        let mut findings = self.make_up_for(machine.kerf_width)?;
         let mut run = Run::start(self.worked(), machine, options)?;
         findings.append(&mut run.findings);
         run.findings = findings;
         Ok(self.run.insert(run))
     }
 
+    fn drop_run(&mut self) {
+        self.run = None;
+        #[cfg(feature = "plate")]
+        {
+            self.worked = None;
+        }
+    }
+
+    /// Moves the lines half a kerf aside; what is worth knowing of that.
     #[cfg(feature = "plate")]
-    fn compensated(&self, width: f64) -> Result<(Sheet, Vec<Finding>), JobError> {
-        Ok(sheet::compensated(&self.drawing, &self.sheet, &self.sheet_options, width))
+    fn make_up_for(&mut self, kerf: f64) -> Result<Vec<Finding>, JobError> {
+        if kerf <= 0.0 {
+            return Ok(Vec::new());
+        }
+        let (sheet, found) = sheet::compensated(&self.drawing, &self.sheet, &self.sheet_options, kerf);
+        self.worked = Some(sheet);
+        Ok(found)
     }
 
     #[cfg(not(feature = "plate"))]
-    fn compensated(&self, width: f64) -> Result<(Sheet, Vec<Finding>), JobError> {
-        Err(JobError::Options(format!(
-            "The machine has a kerf width of {width} mm, which the single-file build cannot make up for. Set kerf_width to 0 to \
-             cut along the lines drawn, or use the package with its files."
-        )))
+    fn make_up_for(&mut self, kerf: f64) -> Result<Vec<Finding>, JobError> {
+        if kerf <= 0.0 {
+            return Ok(Vec::new());
+        }
+        let why = "The single-file build makes up for no kerf. Set kerf_width to 0, or use the package with its files.";
+        Err(JobError::Options(why.to_owned()))
     }
 
     /// The plan under way or done.

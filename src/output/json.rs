@@ -14,7 +14,7 @@ use super::arcs;
 use super::walk::layer_name;
 use crate::dxf::{Drawing, ReadOptions, Unit, UnitsSource};
 use crate::finding::Finding;
-use crate::geometry::{Arc, DVec2, Path, Segment};
+use crate::geometry::{Arc, DVec2, Segment};
 use crate::machine::Profile;
 use crate::plan::{Move, Plan, Summary};
 use crate::sheet::{CommonCuts, Operation, Sheet, SheetOptions};
@@ -166,18 +166,21 @@ struct ContourView<'a> {
     length: f64,
     area: f64,
     /// The outline of what is made, where the line that is cut lies half a kerf beside it.
+    #[cfg(feature = "plate")]
     #[serde(skip_serializing_if = "Option::is_none")]
     drawn: Option<OutlineView<'a>>,
 }
 
+#[cfg(feature = "plate")]
 #[derive(Serialize)]
 struct OutlineView<'a> {
     from: Place,
     path: PathView<'a>,
 }
 
+#[cfg(feature = "plate")]
 impl<'a> OutlineView<'a> {
-    fn of(path: &'a Path) -> Option<Self> {
+    fn of(path: &'a crate::geometry::Path) -> Option<Self> {
         Some(Self { from: Place(path.start()?), path: PathView(&path.segments) })
     }
 }
@@ -343,6 +346,7 @@ impl<'a> View<'a> {
                     inside: c.inside,
                     length: c.length,
                     area: c.area,
+                    #[cfg(feature = "plate")]
                     drawn: c.drawn.as_ref().and_then(OutlineView::of),
                 })
                 .collect(),

@@ -52,15 +52,13 @@ impl<'s> PierceGroups<'s> {
 
     /// The contour that a contour, or all of its group, must come before.
     pub(super) fn before(&self, contour: u32) -> Option<ItemId> {
-        // Others may cut all of what lies around it.
-        let inside = |c: u32| {
-            let up = |c: &u32| self.sheet.contours.get(*c as usize).and_then(|c| c.inside);
-            let mut around = std::iter::successors(up(&c), up).take(self.of.len());
-            around.find(|&o| o != c && self.sheet.contours.get(o as usize).is_some_and(Contour::is_worked))
-        };
+        let up = |c: &u32| self.sheet.contours.get(*c as usize).and_then(|c| c.inside).filter(|o| o != c);
         if !PIERCE_GROUPS {
-            return inside(contour);
+            return up(&contour);
         }
+        // Others may cut all of what lies around it.
+        let is_worked = |o: &u32| self.sheet.contours.get(*o as usize).is_some_and(Contour::is_worked);
+        let inside = |c: u32| std::iter::successors(up(&c), up).take(self.of.len()).find(is_worked);
         let own = self.of[contour as usize];
         // Around the group, not of it.
         let mut outer = inside(contour);

@@ -178,6 +178,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         pin: Pin::None,
         first_shape: a.first_shape,
         outline: a.outline,
+        #[cfg(feature = "plate")]
         drawn: None,
         path: a.path,
     }

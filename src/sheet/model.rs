@@ -97,6 +97,7 @@ pub struct Contour {
     /// bounds a part or a hole as a closed contour does.
     pub outline: Option<Path>,
     /// The outline of what is made, as drawn, where `path` lies half a kerf beside it; see [`Sheet`].
+    #[cfg(feature = "plate")]
     pub drawn: Option<Path>,
     /// Index into [`Sheet::layers`]: the layer most of its length is on.
     pub layer: u32,

@@ -37,6 +37,20 @@ pub fn machines() -> Result<JsValue, JsError> {
     plain(&machine::presets())
 }
 
+/// The lines of the beam where they are not those drawn, and what is cut once for two parts.
+#[cfg(feature = "plate")]
+fn lines(job: &job::Job) -> Result<[JsValue; 2], JsError> {
+    let beam = job
+        .beside()
+        .map(|(contours, lines)| object(&[("contours", plain(&contours)?), ("geometry", geometry(&lines)?)]));
+    Ok([beam.transpose()?.unwrap_or(JsValue::NULL), geometry(&job.common_cuts())?])
+}
+
+#[cfg(not(feature = "plate"))]
+fn lines(_: &job::Job) -> Result<[JsValue; 2], JsError> {
+    Ok([JsValue::NULL, JsValue::NULL])
+}
+
 /// One drawing through the whole flow.
 #[wasm_bindgen]
 pub struct Job(job::Job);
@@ -85,24 +99,22 @@ impl Job {
 
     /// Starts a plan; one under way is dropped.
     #[wasm_bindgen(
-        unchecked_return_type = "{ seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry }"
+        unchecked_return_type = "{ seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry | null }"
     )]
     pub fn start(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
     ) -> Result<JsValue, JsError> {
         self.0.start(&options(plan_options)?)?;
-        let beam = self.0.beside().map(|(contours, lines)| {
-            object(&[("contours", plain(&contours)?), ("geometry", geometry(&lines)?)])
-        });
+        let [beam, common] = lines(&self.0)?;
         let run = self.0.run()?;
         object(&[
             ("seed", plain(&run.seed)?),
             ("method", run.method.as_str().into()),
             ("baselines", plain(&run.baselines)?),
             ("findings", plain(&run.findings)?),
-            ("beam", beam.transpose()?.unwrap_or(JsValue::NULL)),
-            ("common", geometry(&self.0.common_cuts())?),
+            ("beam", beam),
+            ("common", common),
         ])
     }
 

@@ -70,10 +70,10 @@ for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone'
     await page.keyboard.press('f');
     await page.waitForTimeout(400);
     await shot(page, `kerf-${size}-${theme}`);
-    const { x, y, width, height } = await page.locator('#canvas').boundingBox();
-    await page.mouse.move(x + 0.3 * width, y + 0.55 * height);
-    for (let k = 0; k < 12; k += 1) await page.mouse.wheel(0, -300);
-    await page.waitForTimeout(600);
+    // Shown near: the corner of a part, its outline beneath the beam.
+    await page.evaluate(() => document.body.classList.add('sheet-open'));
+    await page.getByRole('button', { name: 'Parts one kerf apart' }).click();
+    await page.waitForTimeout(800);
     await shot(page, `kerf-${size}-${theme}-near`);
     assert.ok(await page.getByText('cut once for two parts').isVisible());
   });

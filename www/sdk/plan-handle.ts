@@ -12,8 +12,8 @@ export interface Started {
   findings: Finding[];
   /** The lines of the beam, where the machine has a kerf width. */
   beam: Beam | null;
-  /** What is cut once for two parts: stretches of contours that share cuts. */
-  common: Geometry;
+  /** What is cut once for two parts: stretches of contours that share cuts. Null where nobody has looked for them. */
+  common: Geometry | null;
 }
 
 /** What a plan came to; `progress.path` is always set. */

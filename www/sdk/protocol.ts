@@ -351,7 +351,7 @@ export type ToWorker =
 export type FromWorker =
   | { type: 'ready'; methods: MethodInfo[]; machines: MachineProfile[] }
   | { type: 'loaded'; id: number; loaded: Loaded }
-  | { type: 'started'; id: number; seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry }
+  | { type: 'started'; id: number; seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry | null }
   | { type: 'progress'; id: number; progress: Progress }
   /** One of several searches has come to where they meet, and waits. */
   | { type: 'meeting'; id: number; progress: Progress }

@@ -162,7 +162,7 @@ export class Session {
     const text = JSON.stringify(parameters ?? {});
     const started = job.start({ ...others, ...given({ method, parameters: paper === null ? undefined : text }), ...budget, seed });
     const invite = paper === null ? null : async () => new (await this.host.papers()).Guest(job.packed(), paper, text, seed);
-    const lines = [started.common, ...(started.beam === null ? [] : [started.beam.geometry])];
+    const lines = [started.common, started.beam?.geometry].filter((g) => g !== null && g !== undefined);
     this.host.post({ type: 'started', id, ...started }, buffers(lines.flatMap((g) => [g.segments, g.offsets])));
     this.search = new Search(job, {
       progress: (progress) => this.host.post({ type: 'progress', ...progress }, pathBuffers(progress.progress)),
