@@ -1,8 +1,9 @@
 // The search against the best values known and against other solvers, on every kind of instance, natively and in wasm
 // under Node:
 //
-//     npm run bench -- solve [sheets|pool|qu-du|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME]
+//     npm run bench -- solve [sheets|pool|qu-du|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME] [--cpu]
 //
+// `--cpu` counts native seconds of the processor instead of the clock's, for a machine that others use too (Linux).
 // Instances come from ../shared/data. Runs go one after the other, each in a process of its own, and end early when the
 // best value known is reached. Every run ends with a tour checked by code that shares nothing with the search. Other
 // solvers run on the same instances in the same run where Python has them (`KERFWAY_PYTHON`, else python3; what they
@@ -43,7 +44,7 @@ export async function bench(args) {
   const { values, positionals } = parseArgs({
     args,
     allowPositionals: true,
-    options: { seconds: { type: 'string' }, seeds: { type: 'string' }, only: { type: 'string' } },
+    options: { seconds: { type: 'string' }, seeds: { type: 'string' }, only: { type: 'string' }, cpu: { type: 'boolean' } },
   });
   const unknown = positionals.find((name) => !(name in SETS));
   if (unknown !== undefined) throw new Stop(`There is no set ${unknown}: ${Object.keys(SETS).join(', ')}.`);
@@ -52,7 +53,8 @@ export async function bench(args) {
   build();
   const chosen = positionals.length > 0 ? positionals : Object.keys(SETS);
   for (const name of chosen) {
-    await SETS[name]({ seconds: Number(values.seconds ?? 10), seeds: Number(values.seeds ?? 5), only: values.only });
+    const { seconds = 10, seeds = 5, only, cpu } = values;
+    await SETS[name]({ seconds: Number(seconds), seeds: Number(seeds), only, cpu });
   }
 }
 
@@ -67,8 +69,8 @@ function build() {
 }
 
 /** Every seed natively: the instances of a file, each with its runs. */
-function natively(file, { seconds, seeds }, ...more) {
-  const args = [file, '--seconds', String(seconds), '--seeds', String(seeds), '--json', ...more];
+function natively(file, { seconds, seeds, cpu = false }, ...more) {
+  const args = [file, '--seconds', String(seconds), '--seeds', String(seeds), '--json', ...(cpu ? ['--cpu'] : []), ...more];
   const all = rows(NATIVE, args);
   return [...new Set(all.map((row) => row.instance))].map((name, index) => {
     const runs = all.filter((row) => row.instance === name);
@@ -136,10 +138,10 @@ async function pool({ seconds, only }) {
   table(`Sheets by the pool of the package under Node, ${workers} workers, ${seconds} s, seed 1: air length in mm`, ['', 'length', 'best known before', 'to it'], lines);
 }
 
-async function quDu({ seconds, seeds }) {
+async function quDu({ seconds, seeds, cpu }) {
   const file = join(DATA, 'qu-du-43', 'qu_du_43.json');
   const bounds = proven(file, seconds);
-  const lines = natively(file, { seconds, seeds }).map((source) => {
+  const lines = natively(file, { seconds, seeds, cpu }).map((source) => {
     const wasm = source.runs.map(({ seed }) => inWasm(file, source, seed, seconds));
     const reached = (runs) => `${runs.filter((r) => r.reached).length}/${runs.length}`;
     const found = (runs) => `${median(runs.map((r) => r.found)).toFixed(3)} s`;

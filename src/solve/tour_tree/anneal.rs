@@ -16,6 +16,7 @@ use super::super::dice::Dice;
 use super::crossing::Elites;
 use super::entries::Layers;
 use super::exchange::exchange;
+use super::few::{ENTER_ANEW, Turn, is_few};
 use super::improve::{EPSILON, Queue, improve};
 use super::neighbours::Neighbours;
 use super::rebuild::rebuild;
@@ -31,31 +32,6 @@ const FREE_SHARE: u64 = 60;
 const HEAT: f64 = 0.3;
 /// Share of it in later cycles, which refine the best path: 0.3 found more than 0.6 and 1.0.
 const REHEAT: f64 = 0.3;
-/// Items at most of a problem with few places, where other kicks and temperatures pay: what is done there takes time
-/// that grows with all of the tour.
-const MOST_FEW: usize = 500;
-/// Share of [`HEAT`] in later cycles of such a problem, by turns: one forgets most of the best path, one refines it, one
-/// loosens it. With 4 for the first every cycle ends in the valley of the second one, however long it is; crossing
-/// (`crossing.rs`) needs flaws that differ: of 12 runs of 6 s on 132d657 and 157rat783 four as well as eight reached the
-/// best value in 6, eight twice in 7, 16 and 4 in 7, but 16 only half of those on 89rbg443.
-const REHEAT_FEW: [f64; 3] = [8.0, 0.5, 4.0];
-/// The same for at most [`MOST_POINTS`] items entered at points of the plane, where every kick rebuilds: on Qu & Du's
-/// 43 contours (boundary points, Chebyshev) 27 of 32 runs came to the best value within 12 million moves with 4, 0.5, 4
-/// and rebuilding by turns, 48 of 48 within 17 million so; the tables of 132 to 157 items of GTSPLIB end 0.05 to 0.4 %
-/// higher so.
-const REHEAT_POINTS: [f64; 3] = [8.0, 2.0, 8.0];
-/// Between the sizes measured.
-const MOST_POINTS: usize = 100;
-/// Kicks that rebuild, percent, by the same turns: they cost three times an exchange (132d657, 5 runs of 6 s: with 50 and
-/// 100 in the first two turns none reaches the best value, with none at all two; but then 2 of 4 miss that of 89rbg443,
-/// which all reach so).
-const REBUILDS: [usize; 3] = [0, 50, 0];
-/// The same where precedence is given by pairs, which forbid most exchanges.
-const REBUILDS_PAIRS: [usize; 3] = [50, 100, 50];
-/// A kick may end this many mean ways above the best of its cycle for all its entries to be chosen anew: of 5 runs of 6 s
-/// on 132d657 all reach the best value with 0.3, two with 0.1, two with 1 and one with 10.
-const ENTER_ANEW: f64 = 0.3;
-
 /// The best of a part of a cycle; `unsaved` while the tour itself is the best.
 struct Top {
     cost: f64,
@@ -95,7 +71,7 @@ pub(super) struct Annealing<'p> {
     temperature: f64,
     /// Kicks of this part that rebuild, percent.
     rebuilds: usize,
-    /// Few items, none of them entered just anywhere: see [`MOST_FEW`].
+    /// Few items, none of them entered just anywhere: see `few.rs`.
     few: bool,
 }
 
@@ -107,7 +83,7 @@ impl<'p> Annealing<'p> {
         let (cost, kept) = (tour.cost(), tour.now().clone());
         tour.free = false;
         let space = &tour.space;
-        let few = tour.last() <= MOST_FEW && !(0..=space.home).any(|i| space.is_ring(i));
+        let few = is_few(space, tour.last());
         Self {
             tour,
             near,
@@ -249,22 +225,11 @@ impl<'p> Annealing<'p> {
             (0..self.cycle.min(70)).fold(first, |kicks, _| kicks + kicks.div_ceil(2))
         };
         self.kicks = 0;
-        let turn = self.cycle as usize % 3;
-        let points = self.few && items <= MOST_POINTS as u64 && !self.tour.space.travel.by_table();
-        let reheat = match (self.few, points) {
-            (false, _) => REHEAT,
-            (true, false) => REHEAT_FEW[turn],
-            (true, true) => REHEAT_POINTS[turn],
-        };
-        self.temperature = HEAT * self.mean.unwrap_or(0.0) * if self.cycle > 0 { reheat } else { 1.0 };
+        let usual = Turn { heat: if self.cycle > 0 { REHEAT } else { 1.0 }, rebuilds: 0 };
         let problem = self.tour.space.problem;
-        // Rebuilding knows no groups.
-        self.rebuilds = match turn {
-            _ if !self.few || !problem.groups.is_empty() => 0,
-            _ if points => 100,
-            _ if problem.pairs.is_empty() => REBUILDS[turn],
-            _ => REBUILDS_PAIRS[turn],
-        };
+        let turn = if self.few { Turn::of(self.cycle, problem, self.tour.last()) } else { usual };
+        self.temperature = HEAT * self.mean.unwrap_or(0.0) * turn.heat;
+        self.rebuilds = turn.rebuilds;
         self.stage = Stage::Kicking;
     }
 

@@ -4,8 +4,7 @@
 //! 2. Neighbour lists by gate (`neighbours.rs`), then local search over the whole tour (`improve.rs`).
 //! 3. Cycles of annealed kicks, each longer than the one before (`anneal.rs`): first free of the nesting, then
 //!    repaired (`repair.rs`) and within it.
-//!    Few items take rather more at a kick (`rebuild.rs`, `entries.rs`), and what the cycles end in is crossed
-//!    (`crossing.rs`).
+//!    Few items take rather more at a kick (`few.rs`), and what the cycles end in is crossed (`crossing.rs`).
 //! 4. Entries slide to the exact minimum at the end of every cycle (`polish.rs`).
 //! 5. Where contours may be left unfinished, cycles of the root alternate with cycles over all routes (`children`), which
 //!    start from the better of both.
@@ -22,6 +21,7 @@ mod children;
 mod crossing;
 mod entries;
 mod exchange;
+mod few;
 mod gates;
 mod improve;
 mod neighbours;
