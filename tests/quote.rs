@@ -83,6 +83,36 @@ fn plates_are_measured_weighed_and_counted() {
     assert_eq!((quote.times.total, quote.cut_length), (plan.total_time, plan.cut_length));
 }
 
+/// They were taken for open contours, which make no part: a row of plates was quoted as none or one.
+#[test]
+fn parts_that_share_sides_are_parts() {
+    let at = |k: u32| {
+        plate(
+            DVec2::new(60.0, 30.0),
+            &Similarity {
+                mirror: false,
+                turn: 0.0,
+                scale: 1.0,
+                shift: DVec2::new(100.0 * f64::from(k), 0.0),
+            },
+        )
+    };
+    let row: Vec<Entity> = (0..3).flat_map(at).collect();
+    let hole = std::f64::consts::PI * 25.0;
+    for machine in ["co2-100w", "fibre-6kw-plate"] {
+        let quote = of(&job(drawn(&row), json!({}), json!({ "machine": machine })), &steel(2.0));
+        assert_eq!((quote.part_count, quote.parts.len()), (3, 1), "{machine}");
+        assert!(
+            (quote.net_area - 3.0 * (5000.0 - 120.0 - hole)).abs() < 1e-6,
+            "{machine}: {}",
+            quote.net_area
+        );
+        assert_eq!(quote.parts[0].holes, 2, "{machine}");
+        assert_eq!(quote.layers[0].open, 0, "{machine}");
+        assert_eq!(quote.confidence.level, Level::High, "{machine}: {:?}", quote.confidence);
+    }
+}
+
 #[test]
 fn parts_in_holes_are_parts_and_what_is_marked_is_none() {
     let square = |half: f64| {

@@ -165,20 +165,17 @@ struct ContourView<'a> {
     inside: Option<u32>,
     length: f64,
     area: f64,
-    /// The outline of what is made, where the line that is cut lies half a kerf beside it.
-    #[cfg(feature = "plate")]
+    /// The outline of what is made, where the line that is cut is not that.
     #[serde(skip_serializing_if = "Option::is_none")]
     drawn: Option<OutlineView<'a>>,
 }
 
-#[cfg(feature = "plate")]
 #[derive(Serialize)]
 struct OutlineView<'a> {
     from: Place,
     path: PathView<'a>,
 }
 
-#[cfg(feature = "plate")]
 impl<'a> OutlineView<'a> {
     fn of(path: &'a crate::geometry::Path) -> Option<Self> {
         Some(Self { from: Place(path.start()?), path: PathView(&path.segments) })
@@ -302,6 +299,15 @@ impl<'a> View<'a> {
             more,
             plan,
         } = document;
+        // Contours of a pierce group are cut stretch by stretch, in any order.
+        let groups = sheet.pierce_groups().iter().filter(|_| machine.makes_pre_cuts());
+        let mut pieces = vec![false; sheet.contours.len()];
+        for id in groups.flat_map(|g| &g.contours) {
+            if let Some(p) = pieces.get_mut(*id as usize) {
+                *p = true;
+            }
+        }
+        let in_pieces = |id: u32| pieces.get(id as usize).is_some_and(|p| *p);
         Self {
             schema: SCHEMA,
             units: Unit::Mm,
@@ -346,8 +352,10 @@ impl<'a> View<'a> {
                     inside: c.inside,
                     length: c.length,
                     area: c.area,
-                    #[cfg(feature = "plate")]
-                    drawn: c.drawn.as_ref().and_then(OutlineView::of),
+                    drawn: c
+                        .made()
+                        .or_else(|| c.boundary().filter(|_| in_pieces(id)))
+                        .and_then(OutlineView::of),
                 })
                 .collect(),
             moves: plan

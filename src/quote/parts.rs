@@ -50,7 +50,7 @@ struct Features {
 }
 
 impl Features {
-    fn of(part: &Part, contours: &[Contour], shapes: &[Shape]) -> Self {
+    fn of(part: &Part, shapes: &[Shape]) -> Self {
         let outer = shapes[part.outer].moments();
         let mut holes: Vec<[f64; 2]> = part
             .holes
@@ -60,7 +60,9 @@ impl Features {
             .collect();
         // Areas that differ by rounding alone must not change the order of the distances.
         sort_by(&mut holes, |[area, distance]| [real((area / SMALL).round()), real(*distance), 0]);
-        Self { outer, length: contours[part.outer].length, holes }
+        // Of the outline: a side that is cut with another part is no less of it.
+        let length = shapes[part.outer].chords().map(|[a, b]| a.distance(b)).sum();
+        Self { outer, length, holes }
     }
 
     fn same(&self, other: &Self) -> bool {
@@ -76,11 +78,13 @@ impl Features {
 /// The parts in groups of the same, those with most area first.
 pub(super) fn groups(parts: &[Part], contours: &[Contour], shapes: &[Shape]) -> Vec<PartGroup> {
     let mut known: Vec<(Features, PartGroup)> = Vec::new();
-    // By length of the outer contour, so that only neighbours need be compared.
-    let mut order: Vec<usize> = (0..parts.len()).collect();
-    sort_by(&mut order, |&p| [real(contours[parts[p].outer].length), p as u64, 0]);
-    for part in order.into_iter().map(|p| &parts[p]) {
-        let features = Features::of(part, contours, shapes);
+    // By length of the outline, so that only neighbours need be compared.
+    let mut order: Vec<(Features, &Part)> =
+        parts.iter().map(|part| (Features::of(part, shapes), part)).collect();
+    sort_by(&mut order, |(features, part)| [real(features.length), part.outer as u64, 0]);
+    for (features, part) in order {
+        let holes = |what: fn(&Contour) -> f64| part.holes.iter().map(|&h| what(&contours[h])).sum::<f64>();
+        let cut_length = contours[part.outer].length + holes(|c| c.length);
         let near = known
             .iter_mut()
             .rev()
@@ -88,14 +92,13 @@ pub(super) fn groups(parts: &[Part], contours: &[Contour], shapes: &[Shape]) -> 
         let mut near = near.filter(|(f, _)| f.same(&features));
         if let Some((_, group)) = near.next() {
             group.count += 1;
+            group.cut_length += cut_length;
             group.contours.push(id(part));
         } else {
-            let holes: f64 = part.holes.iter().map(|&h| contours[h].area).sum();
-            let inner: f64 = part.holes.iter().map(|&h| contours[h].length).sum();
             let group = PartGroup {
                 count: 1,
-                net_area: contours[part.outer].area - holes,
-                cut_length: contours[part.outer].length + inner,
+                net_area: contours[part.outer].area - holes(|c| c.area),
+                cut_length,
                 holes: part.holes.len(),
                 contours: vec![id(part)],
             };
@@ -104,6 +107,8 @@ pub(super) fn groups(parts: &[Part], contours: &[Contour], shapes: &[Shape]) -> 
     }
     let mut groups: Vec<PartGroup> = known.into_iter().map(|(_, g)| g).collect();
     for g in &mut groups {
+        // The mean: what is cut once for two parts is counted with one of them.
+        g.cut_length /= g.count as f64;
         sort_by(&mut g.contours, |&id| [id.into(), 0, 0]);
     }
     sort_by(&mut groups, |g| [!real(g.net_area), g.contours[0].into(), 0]);

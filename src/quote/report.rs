@@ -71,7 +71,7 @@ pub(super) struct Contour {
     pub(super) inside: Option<u32>,
     pub(super) length: f64,
     pub(super) area: f64,
-    /// There where the line cut lies beside the outline.
+    /// There where the line cut is not the outline.
     drawn: Option<IgnoredAny>,
 }
 
@@ -79,7 +79,7 @@ impl Contour {
     /// Whether it bounds a part or a hole; of one that is cut in pieces, those of others among them, one stands for it.
     pub(super) fn bounds_area(&self) -> bool {
         let drawn = self.drawn.is_some() && self.area > 0.0;
-        drawn || (self.closed && self.operation == Operation::Cut)
+        self.operation == Operation::Cut && (self.closed || drawn)
     }
 
     /// Whether it frees no part.

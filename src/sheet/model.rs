@@ -132,6 +132,15 @@ impl Contour {
         if self.path.closed { Some(&self.path) } else { self.outline.as_ref() }
     }
 
+    /// The outline of what is made, where the line that is cut is not that: half a kerf beside it, or the rest of it.
+    pub fn made(&self) -> Option<&Path> {
+        #[cfg(feature = "plate")]
+        if self.drawn.is_some() {
+            return self.drawn.as_ref();
+        }
+        self.outline.as_ref()
+    }
+
     /// Whether it bounds a part or a hole: a cut around an area.
     pub fn bounds_area(&self) -> bool {
         self.operation == Operation::Cut && self.boundary().is_some()
