@@ -79,7 +79,7 @@ impl Contour {
     /// Whether it bounds a part or a hole; of one that is cut in pieces, those of others among them, one stands for it.
     pub(super) fn bounds_area(&self) -> bool {
         let drawn = self.drawn.is_some() && self.area > 0.0;
-        self.operation == Operation::Cut && (self.closed || drawn)
+        drawn || (self.closed && self.operation == Operation::Cut)
     }
 
     /// Whether it frees no part.

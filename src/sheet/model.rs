@@ -138,7 +138,7 @@ impl Contour {
         if self.drawn.is_some() {
             return self.drawn.as_ref();
         }
-        self.outline.as_ref()
+        self.outline.as_ref().filter(|_| self.operation == Operation::Cut)
     }
 
     /// Whether it bounds a part or a hole: a cut around an area.
