@@ -2,20 +2,27 @@
 //!
 //!     dewil FILE MACHINE RUNS
 //!
-//! MACHINE: a profile as JSON. RUNS: a JSON list of `{"name", "method", "parameters", "seeds", "as_long_as", "seconds"}`;
-//! a method without an end works as many seconds as the run of that name did, or at least so many.
+//! MACHINE: a profile as JSON. RUNS: a JSON list of `{"name", "method", "parameters", "seeds", "as_long_as", "seconds"}`.
+//! Seconds are those of the processor, each method beginning with the same problem in hand. A method without an end works
+//! as long as the run of that name, which has one, and no longer: both are run in turn, again and again where that is
+//! short, and what counts is how many moves it gets done in that time in the median. With `seconds`, so many at least.
 
+use cpu_time::ThreadTime;
 use kerfway::job::{Job, LoadOptions};
 use kerfway::machine::Profile;
 use kerfway::plan::{self, LowerBound};
 use kerfway::problem::{self, Problem};
 use kerfway::sheet::Sheet;
-use kerfway::solve::{self, Search, Solution, Status, papers};
+use kerfway::solve::{self, Search, Status, papers};
 use serde_json::{Value, json};
-use std::time::Instant;
 
 /// Moves between two looks whether it goes on: some milliseconds.
 const SLICE: u64 = 10_000;
+/// The same where milliseconds count: 10 to 20 us.
+const SHORT: u64 = 100;
+/// Both of two methods are run again until that took so many seconds, or so often: a clock tells 1 ms to some percent.
+const REPEATED: f64 = 0.5;
+const TIMES: usize = 25;
 /// Work of the lower bound in one go, numbers looked at, and seconds it gets.
 const SLICE_OF_BOUND: u32 = 2_000_000;
 const BOUND_SECONDS: f64 = 2.0;
@@ -31,63 +38,118 @@ fn bench() -> Result<(), String> {
     let machine: Profile = serde_json::from_str(machine).map_err(|e| e.to_string())?;
     let runs: Vec<Value> = serde_json::from_str(runs).map_err(|e| e.to_string())?;
     let job = Job::load(bytes, file, &LoadOptions::default()).map_err(|e| e.to_string())?;
-    let sheet = job.sheet();
-    let problem = problem::from_sheet(sheet, &machine);
-    let mut took: Vec<(Value, u64, f64)> = Vec::new();
+    let problem = problem::from_sheet(job.sheet(), &machine);
+    let case = Case { sheet: job.sheet(), machine: &machine, problem: &problem };
     // Seconds of the best path by the search's measure, and what every path costs besides.
     let (mut best, mut fixed) = (f64::INFINITY, 0.0);
     for run in &runs {
         for seed in 1..=run["seeds"].as_u64().unwrap_or(1) {
-            let other = took.iter().find(|t| t.0 == run["as_long_as"] && t.1 == seed).map(|t| t.2);
-            let wanted = other.map(|other| other.max(run["seconds"].as_f64().unwrap_or(0.0)));
-            let (row, cost) = row(run, (seed, wanted), (sheet, &machine, &problem))?;
-            took.push((run["name"].clone(), seed, row["seconds"].as_f64().unwrap_or(0.0)));
+            let other = runs.iter().find(|r| r["name"] == run["as_long_as"]);
+            let (row, cost) = match (other, run["seconds"].as_f64()) {
+                (Some(other), Some(least)) => {
+                    let clock = ThreadTime::now();
+                    case.to_its_end(other, seed)?;
+                    let seconds = clock.elapsed().as_secs_f64().max(least);
+                    case.timed(run, seed, |search, clock| {
+                        while clock.elapsed().as_secs_f64() < seconds {
+                            search.step(SLICE);
+                        }
+                    })?
+                }
+                (Some(other), None) => {
+                    let Some(moves) = case.moves_as_long_as(run, other, seed)? else {
+                        println!("{}", json!({ "name": run["name"], "seed": seed, "value": null }));
+                        continue;
+                    };
+                    case.timed(run, seed, |search, _| {
+                        search.step(moves);
+                    })?
+                }
+                (None, _) => case.timed(run, seed, |search, _| ended(search))?,
+            };
             best = best.min(cost);
             fixed = row["fixed"].as_f64().unwrap_or(0.0);
             println!("{row}");
         }
     }
     let mut bound = LowerBound::new(&problem);
-    let clock = Instant::now();
+    let clock = ThreadTime::now();
     while bound.improve(SLICE_OF_BOUND, best) && clock.elapsed().as_secs_f64() < BOUND_SECONDS {}
     println!("{}", json!({ "name": "bound", "value": bound.value() + fixed }));
     Ok(())
 }
 
-fn row(
-    run: &Value,
-    (seed, wanted): (u64, Option<f64>),
-    (sheet, machine, problem): (&Sheet, &Profile, &Problem),
-) -> Result<(Value, f64), String> {
-    let name = run["method"].as_str().ok_or("Which method?")?;
-    let clock = Instant::now();
-    let made;
-    let mut search: Box<dyn Search> = match solve::method(name) {
-        Some(method) => method.start(problem, seed, None),
-        None => {
-            made = papers::method(name, &run["parameters"].to_string())?;
-            made.start(problem, seed, None)
-        }
-    };
-    let mut moves = 0;
-    while wanted.is_none_or(|wanted| clock.elapsed().as_secs_f64() < wanted) {
-        let step = search.step(SLICE);
-        moves += step.done;
-        if step.status == Status::Exhausted {
-            break;
-        }
+/// Works until nothing more can be gained.
+fn ended(search: &mut dyn Search) {
+    while search.step(SLICE).status != Status::Exhausted {}
+}
+
+/// What all methods work on.
+struct Case<'c> {
+    sheet: &'c Sheet,
+    machine: &'c Profile,
+    problem: &'c Problem,
+}
+
+impl<'c> Case<'c> {
+    fn start(&self, run: &Value, seed: u64) -> Result<Box<dyn Search + 'c>, String> {
+        let name = run["method"].as_str().ok_or("Which method?")?;
+        Ok(match solve::method(name) {
+            Some(method) => method.start(self.problem, seed, None),
+            None => papers::method(name, &run["parameters"].to_string())?.start(self.problem, seed, None),
+        })
     }
-    let seconds = clock.elapsed().as_secs_f64();
-    let best: &Solution = search.best();
-    let plan = plan::from_solution(sheet, problem, best);
-    plan::check(sheet, machine, &plan).map_err(|v| format!("{}: {v:?}", run["name"]))?;
-    let s = &plan.summary;
-    // Everything but cutting, as in the paper.
-    let value = s.total_time - s.cut_time;
-    let row = json!({
-        "name": run["name"], "method": name, "seed": seed, "value": value, "fixed": value - best.cost,
-        "pre_cuts": s.pre_cuts, "pierces": s.pierces, "air": s.air_time, "moves": moves, "seconds": seconds,
-        "contours": sheet.contours.len(), "insight": search.insight(),
-    });
-    Ok((row, best.cost))
+
+    fn to_its_end(&self, run: &Value, seed: u64) -> Result<(), String> {
+        let mut search = self.start(run, seed)?;
+        ended(search.as_mut());
+        Ok(())
+    }
+
+    /// Moves that one method gets done, its start included, while another one works to its end; none if it has not
+    /// even started by then.
+    fn moves_as_long_as(&self, run: &Value, other: &Value, seed: u64) -> Result<Option<u64>, String> {
+        let mut done: Vec<Option<u64>> = Vec::new();
+        let all = ThreadTime::now();
+        while done.is_empty() || (all.elapsed().as_secs_f64() < REPEATED && done.len() < TIMES) {
+            let clock = ThreadTime::now();
+            self.to_its_end(other, seed)?;
+            let time = clock.elapsed();
+            let clock = ThreadTime::now();
+            let mut search = self.start(run, seed)?;
+            let mut moves = None;
+            while clock.elapsed() <= time {
+                moves = Some(moves.map_or(0, |moves| moves + SHORT));
+                search.step(SHORT);
+            }
+            done.push(moves);
+        }
+        done.sort_unstable();
+        Ok(done[(done.len() - 1) / 2])
+    }
+
+    /// A method at work, its path checked; and what that costs by the search's measure.
+    fn timed(
+        &self,
+        run: &Value,
+        seed: u64,
+        work: impl FnOnce(&mut dyn Search, ThreadTime),
+    ) -> Result<(Value, f64), String> {
+        let clock = ThreadTime::now();
+        let mut search = self.start(run, seed)?;
+        work(search.as_mut(), clock);
+        let seconds = clock.elapsed().as_secs_f64();
+        let best = search.best();
+        let plan = plan::from_solution(self.sheet, self.problem, best);
+        plan::check(self.sheet, self.machine, &plan).map_err(|v| format!("{}: {v:?}", run["name"]))?;
+        let s = &plan.summary;
+        // Everything but cutting, as in the paper.
+        let value = s.total_time - s.cut_time;
+        let row = json!({
+            "name": run["name"], "method": run["method"], "seed": seed, "value": value, "fixed": value - best.cost,
+            "pre_cuts": s.pre_cuts, "pierces": s.pierces, "air": s.air_time, "moves": search.telemetry().moves,
+            "seconds": seconds, "contours": self.sheet.contours.len(), "insight": search.insight(),
+        });
+        Ok((row, best.cost))
+    }
 }
