@@ -1,7 +1,7 @@
 //! Pierce groups among the items: which contours are one item, and what comes before it.
 
 use super::model::{Item, ItemId, Node, NodeId};
-use super::sub_path::{SubPath, sub_paths};
+use super::sub_path::{SubPath, SubPaths};
 use crate::machine::Profile;
 use crate::sheet::{Contour, PIERCE_GROUPS, PierceGroup, Sheet};
 
@@ -23,8 +23,9 @@ impl<'s> PierceGroups<'s> {
         if !machine.makes_pre_cuts() {
             return all;
         }
+        let mut sub_paths = SubPaths::new(sheet, machine);
         for group in sheet.pierce_groups() {
-            let paths = sub_paths(sheet, group, machine);
+            let paths = sub_paths.of(group);
             if paths.is_empty() {
                 continue;
             }

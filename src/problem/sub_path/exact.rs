@@ -45,8 +45,8 @@ struct Table<'n> {
     kept: Vec<Vec<u32>>,
 }
 
-/// The cheapest order from each node to each, with its seconds as [`Net::cost`] counts them.
-pub(super) fn all(net: &Net) -> Vec<(f64, Order)> {
+/// The cheapest order from each node to each, as [`Net::cost`] counts them.
+pub(super) fn all(net: &Net) -> Vec<Order> {
     let left: Vec<Left> = (0..1 << net.len()).map(|cut| net.left(cut)).collect();
     let kept = vec![Vec::new(); left.len() * net.steps().len()];
     let ways = net.nodes().map(|a| net.nodes().map(|b| net.way(a, b)).collect()).collect();
@@ -56,7 +56,7 @@ pub(super) fn all(net: &Net) -> Vec<(f64, Order)> {
 
 impl Table<'_> {
     /// The cheapest order from a node to each.
-    fn from(&mut self, start: u32) -> Vec<(f64, Order)> {
+    fn from(&mut self, start: u32) -> Vec<Order> {
         let net = self.net;
         self.labels.clear();
         self.kept.iter_mut().for_each(Vec::clear);
@@ -81,7 +81,7 @@ impl Table<'_> {
             let seconds = |k: u32| self.labels[k as usize].seconds;
             labels.reduce(|a, b| if seconds(b) < seconds(a) { b } else { a })
         };
-        net.nodes().filter_map(best).map(|k| (self.labels[k as usize].seconds, self.order(k))).collect()
+        net.nodes().filter_map(best).map(|k| self.order(k)).collect()
     }
 
     /// Every step that may follow.

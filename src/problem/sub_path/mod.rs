@@ -64,23 +64,49 @@ impl SubPath {
     }
 }
 
-/// The paths through a group, in pairs of out and back.
-pub(super) fn sub_paths(sheet: &Sheet, group: &PierceGroup, machine: &Profile) -> Vec<SubPath> {
-    let net = Net::new(group, machine);
-    let by_insertion = if sheet.common_cuts == CommonCuts::Insertion { inserted(&net) } else { Vec::new() };
-    if by_insertion.is_empty() { best(&net) } else { by_insertion }
+/// The paths through the groups of a sheet.
+pub(super) struct SubPaths<'s> {
+    by_insertion: bool,
+    machine: &'s Profile,
+    /// The shapes met so far, with orders for them: parts are often nested in the same way again and again.
+    known: Vec<(Net<'s>, Vec<Order>)>,
+}
+
+impl<'s> SubPaths<'s> {
+    pub(super) fn new(sheet: &Sheet, machine: &'s Profile) -> Self {
+        Self { by_insertion: sheet.common_cuts == CommonCuts::Insertion, machine, known: Vec::new() }
+    }
+
+    /// The paths through a group, in pairs of out and back.
+    pub(super) fn of(&mut self, group: &'s PierceGroup) -> Vec<SubPath> {
+        let net = Net::new(group, self.machine);
+        let by_insertion = if self.by_insertion { inserted(&net) } else { Vec::new() };
+        if !by_insertion.is_empty() {
+            return by_insertion;
+        }
+        if let Some((_, orders)) = self.known.iter().find(|known| known.0.is_like(&net)) {
+            return best(&net, orders);
+        }
+        let orders = orders(&net);
+        let paths = best(&net, &orders);
+        self.known.push((net, orders));
+        paths
+    }
+}
+
+/// Orders between all ends of a small group, and between some of a larger one.
+fn orders(net: &Net) -> Vec<Order> {
+    if net.len() <= exact::MOST {
+        return exact::all(net);
+    }
+    let orders = ends(net).into_iter().flat_map(|to| beam::orders(net, to).into_iter().take(WAYS));
+    orders.map(|order| anneal::annealed(net, order)).collect()
 }
 
 /// Ways through a group that may be of use in a route: none where another one with air moves from and to its ends takes
 /// no longer. In pairs of out and back, the cheapest first; of a small group, all there are.
-fn best(net: &Net) -> Vec<SubPath> {
-    let small = net.len() <= exact::MOST;
-    let all: Vec<SubPath> = if small {
-        exact::all(net).iter().map(|(_, order)| strokes::sub_path(net, order)).collect()
-    } else {
-        let orders = ends(net).into_iter().flat_map(|to| beam::orders(net, to).into_iter().take(WAYS));
-        orders.map(|order| strokes::sub_path(net, &anneal::annealed(net, order))).collect()
-    };
+fn best(net: &Net, orders: &[Order]) -> Vec<SubPath> {
+    let all: Vec<SubPath> = orders.iter().map(|order| strokes::sub_path(net, order)).collect();
     let as_long = |way: &SubPath, [entry, exit]: [DVec2; 2]| {
         way.seconds + net.air.seconds(entry, way.ends[0]) + net.air.seconds(way.ends[1], exit)
     };
@@ -97,7 +123,7 @@ fn best(net: &Net) -> Vec<SubPath> {
         found.extend(back.map(|back| [way.clone(), back.clone().between(net, ends)]));
     }
     sort_by(&mut found, |f| [real(f[0].seconds + f[1].seconds), 0, 0]);
-    if !small {
+    if net.len() > exact::MOST {
         found.truncate(PAIRS);
     }
     found.into_iter().flatten().collect()

@@ -6,6 +6,9 @@ use crate::sheet::PierceGroup;
 
 /// An element and the way it is cut: twice its index, one more against its direction.
 pub(super) type Step = u32;
+/// Nodes at most for all ways to be priced once: half a megabyte.
+const IN_ROWS: usize = 256;
+
 /// All elements of a group once.
 pub(super) type Order = Vec<Step>;
 
@@ -16,8 +19,16 @@ pub(super) struct Net<'s> {
     /// Geometry of each element.
     pub(super) paths: Vec<Path>,
     pub(super) air: AirTime,
+    /// By step: the node at which it begins, and at which it ends.
+    ends: Vec<[u32; 2]>,
+    /// By element: the areas beside it.
+    beside: Vec<[u32; 2]>,
+    /// Seconds from node to node, row by row; empty where nodes are too many.
+    ways: Vec<f64>,
     /// By step: what may follow without a stop of the beam, and [`Net::gain`] of that.
     gains: Vec<Vec<(Step, f64)>>,
+    /// By element: the most that may be gained behind it.
+    most: Vec<f64>,
     /// Elements at each node.
     degree: Vec<u32>,
     /// Nodes of each face, and how many elements it has.
@@ -39,9 +50,31 @@ impl<'s> Net<'s> {
             }
         }
         let (paths, air) = (paths.collect(), AirTime::new(machine));
-        let mut net = Self { group, machine, paths, air, gains: Vec::new(), degree, around, sides };
+        let ends = group.elements.iter().flat_map(|e| [e.ends, [e.ends[1], e.ends[0]]]).collect();
+        let beside = group.elements.iter().map(|e| e.faces).collect();
+        let places = if group.nodes.len() <= IN_ROWS { group.nodes.as_slice() } else { &[] };
+        let ways = places.iter().flat_map(|&a| places.iter().map(move |&b| air.seconds(a, b))).collect();
+        let (gains, most) = (Vec::new(), Vec::new());
+        let mut net =
+            Self { group, machine, paths, air, ends, beside, ways, gains, most, degree, around, sides };
         net.gains = net.steps().map(|step| net.gains_after(step)).collect();
+        let most = |e: usize| {
+            [2 * e, 2 * e + 1].iter().flat_map(|&s| &net.gains[s]).fold(0.0_f64, |m, g| m.max(g.1))
+        };
+        net.most = (0..net.len()).map(most).collect();
         net
+    }
+
+    /// Whether the same orders are possible in another group, and cost the same but for rounding: the same elements in
+    /// the same places, all of them moved by as much.
+    pub(super) fn is_like(&self, other: &Net) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() < ROUNDING;
+        let from = |net: &Net, k: usize| net.group.nodes[k] - net.group.nodes[0];
+        self.ends == other.ends
+            && self.beside == other.beside
+            && self.group.nodes.len() == other.group.nodes.len()
+            && (0..self.group.nodes.len()).all(|k| from(self, k).abs_diff_eq(from(other, k), ROUNDING))
+            && self.gains.iter().flatten().zip(other.gains.iter().flatten()).all(|(a, b)| near(a.1, b.1))
     }
 
     fn gains_after(&self, step: Step) -> Vec<(Step, f64)> {
@@ -102,8 +135,7 @@ impl<'s> Net<'s> {
 
     /// Node at which a step begins, and at which it ends.
     pub(super) fn step(&self, step: Step) -> [u32; 2] {
-        let [a, b] = self.group.elements[step as usize / 2].ends;
-        if step.is_multiple_of(2) { [a, b] } else { [b, a] }
+        self.ends[step as usize]
     }
 
     /// Seconds that a stop for pre-cuts takes between a step and the next.
@@ -113,7 +145,7 @@ impl<'s> Net<'s> {
 
     /// Areas beside an element.
     pub(super) fn faces(&self, step: Step) -> [u32; 2] {
-        self.group.elements[step as usize / 2].faces
+        self.beside[step as usize / 2]
     }
 
     /// Node at which an order begins, and at which it ends.
@@ -127,7 +159,8 @@ impl<'s> Net<'s> {
 
     /// Seconds from node to node.
     pub(super) fn way(&self, from: u32, to: u32) -> f64 {
-        self.air.seconds(self.place(from), self.place(to))
+        let way = self.ways.get(from as usize * self.group.nodes.len() + to as usize);
+        way.copied().unwrap_or_else(|| self.air.seconds(self.place(from), self.place(to)))
     }
 
     /// Seconds that every start of the beam takes.
@@ -143,8 +176,14 @@ impl<'s> Net<'s> {
     /// Whether every element still hangs on the sheet when it is cut. Looked at backwards: an element put back must
     /// part an area that hangs on the sheet by elements put back before it.
     pub(super) fn is_possible(&self, order: &[Step]) -> bool {
-        let mut held = self.held();
-        order.iter().rev().all(|&s| self.put_back(&mut held, s))
+        self.is_possible_from(&mut self.held(), order)
+    }
+
+    /// The same; `held` is room for as many areas as there are.
+    pub(super) fn is_possible_from(&self, held: &mut [bool], order: &[Step]) -> bool {
+        held.fill(false);
+        held[0] = true;
+        order.iter().rev().all(|&s| self.put_back(held, s))
     }
 
     /// Areas that hang on the sheet when all is cut: the one around the group.
@@ -170,6 +209,22 @@ impl<'s> Net<'s> {
         sum
     }
 
+    /// [`Net::cost`], if it is at most `limit`.
+    pub(super) fn cost_within(&self, state: &mut State, order: &[Step], limit: f64) -> Option<f64> {
+        state.begin(self);
+        // Nothing but gains makes it less again.
+        let mut left: f64 = self.most.iter().sum::<f64>() + ROUNDING;
+        let mut sum = 0.0;
+        for &step in order {
+            sum += state.next(self, step).seconds;
+            left -= self.most[step as usize / 2];
+            if sum - left > limit {
+                return None;
+            }
+        }
+        (sum <= limit).then_some(sum)
+    }
+
     /// Follows an order: what comes before each step, and which pre-cuts it needs.
     pub(super) fn follow(&self, order: &[Step], mut visit: impl FnMut(&At)) {
         let mut state = State::new(self);
@@ -192,8 +247,11 @@ pub(super) struct At {
     pub(super) ahead: [Option<u32>; 2],
 }
 
+/// Seconds that sums may be off by, and mm that places may be.
+const ROUNDING: f64 = 1e-6;
+
 /// What an order has done so far.
-struct State {
+pub(super) struct State {
     done: u32,
     last: Option<Step>,
     visited: Vec<bool>,
@@ -205,7 +263,7 @@ struct State {
 }
 
 impl State {
-    fn new(net: &Net) -> Self {
+    pub(super) fn new(net: &Net) -> Self {
         let nodes = net.group.nodes.len();
         Self {
             done: 0,
@@ -215,6 +273,15 @@ impl State {
             sides: net.sides.clone(),
             stops: vec![(f64::INFINITY, 0); nodes],
         }
+    }
+
+    /// Nothing is done any more.
+    fn begin(&mut self, net: &Net) {
+        (self.done, self.last) = (0, None);
+        self.visited.fill(false);
+        self.loose.fill(false);
+        self.sides.copy_from_slice(&net.sides);
+        self.stops.fill((f64::INFINITY, 0));
     }
 
     /// The next step. A pre-cut is made where the beam stops at its node anyway, if that is before anything that ends
@@ -240,14 +307,13 @@ impl State {
             seconds -= gain;
             self.may_stop(from, net.stop(last, step));
         }
-        let due = [begins && !pierced, self.loose[to as usize]];
-        let ahead = [(from, due[0]), (to, due[1])].map(|(node, due)| {
-            due.then(|| {
-                let stop = &mut self.stops[node as usize];
-                seconds += net.pre_cut() + std::mem::replace(&mut stop.0, 0.0);
-                stop.1
-            })
-        });
+        let mut pre_cut = |node: u32| {
+            let stop = &mut self.stops[node as usize];
+            seconds += net.pre_cut() + std::mem::replace(&mut stop.0, 0.0);
+            Some(stop.1)
+        };
+        let before = if begins && !pierced { pre_cut(from) } else { None };
+        let ahead = [before, if self.loose[to as usize] { pre_cut(to) } else { None }];
         self.done += 1;
         self.last = Some(step);
         self.visited[from as usize] = true;
