@@ -125,6 +125,20 @@ impl<'p> Annealing<'p> {
         (self.best.0, &self.best.1)
     }
 
+    /// Whether the tour was locally best once.
+    pub(super) fn has_settled(&self) -> bool {
+        self.mean.is_some()
+    }
+
+    /// The best feasible tour, the same whether it was taken over yet or not.
+    pub(super) fn least(&self) -> (f64, &Kept) {
+        let Self { tour, top, best, .. } = self;
+        if tour.free || top.cost >= best.0 - EPSILON {
+            return (best.0, &best.1);
+        }
+        (top.cost, if top.unsaved { tour.now() } else { &top.kept })
+    }
+
     /// With one item or none there is no order to search: one cycle is enough.
     pub(super) fn is_finished(&self) -> bool {
         let items = self.tour.last();

@@ -6,8 +6,8 @@
 //!    repaired (`repair.rs`) and within it.
 //!    Few items take rather more at a kick (`few.rs`), and what the cycles end in is crossed (`crossing.rs`).
 //! 4. Entries slide to the exact minimum at the end of every cycle (`polish.rs`).
-//! 5. Where contours may be left unfinished, cycles of the root alternate with cycles over all routes (`children`), which
-//!    start from the better of both.
+//! 5. Where contours may be left unfinished, the search over the root takes turns with one over all routes (`children`),
+//!    whose cycles start from the better of both.
 //!
 //! Sources: neighbour lists and queue instead of don't-look bits: Bentley, ORSA J. Computing 4 (1992); Or-opt: Or,
 //! PhD thesis, Northwestern (1976); gain criterion: Lin & Kernighan, Operations Research 21 (1973); segment
@@ -74,7 +74,6 @@ impl Solver for TourTree {
             annealing,
             children,
             hanging: false,
-            began: 0,
             granted: 0,
             best: Best::new(first, 0),
         })
@@ -83,11 +82,9 @@ impl Solver for TourTree {
 
 struct TourTreeSearch<'p> {
     annealing: Annealing<'p>,
-    /// The search over all routes, where contours may be left unfinished; `hanging`: its cycle is under way.
+    /// The search over all routes, where contours may be left unfinished; `hanging`: it works next.
     children: Option<Children>,
     hanging: bool,
-    /// Work the root had done when its cycle began.
-    began: u64,
     /// Work handed out so far: what one slice did too much, the next does less.
     granted: u64,
     best: Best,
@@ -105,22 +102,16 @@ impl TourTreeSearch<'_> {
 
     /// The smallest piece of work there is.
     fn advance(&mut self) {
-        if let Some(children) = self.children.as_mut().filter(|_| self.hanging) {
-            let space = &self.annealing.tour().space;
-            if children.advance(space, self.annealing.near()) {
-                self.hanging = false;
-                let found = children.polished(space);
-                self.take(found);
+        let root = &mut self.annealing;
+        let ended = match &mut self.children {
+            Some(children) if self.hanging => {
+                children.advance(root).then(|| children.polished(&root.tour().space))
             }
-        } else if self.annealing.advance() {
-            let (tour, kept) = (self.annealing.tour(), self.annealing.best().1);
-            if let Some(children) = &mut self.children {
-                let work = self.annealing.priced() - self.began;
-                self.began = self.annealing.priced();
-                children.begin(&tour.space, &polish::unpolished(tour, kept), work);
-                self.hanging = true;
-            }
-            self.take(polish::polished(tour, kept));
+            _ => root.advance().then(|| polish::polished(root.tour(), root.best().1)),
+        };
+        self.hanging = self.children.as_ref().is_some_and(|c| c.is_next(root, self.hanging));
+        if let Some(found) = ended {
+            self.take(found);
         }
     }
 

@@ -359,6 +359,19 @@ impl<'p> Space<'p> {
         best
     }
 
+    /// How many places on along a ring one is from another; 0 if it is a gate farther, or on no ring.
+    pub(super) fn steps(&self, item: u32, from: u32, to: u32) -> i32 {
+        let count = index(self.places(item).len());
+        let (ahead, back) = (to.wrapping_sub(from) & (count - 1), from.wrapping_sub(to) & (count - 1));
+        let steps = if ahead < back { ahead.cast_signed() } else { -back.cast_signed() };
+        if self.is_ring(item) && ahead.min(back) < count / index(GATES) { steps } else { 0 }
+    }
+
+    /// The place of a ring so many places on.
+    pub(super) fn stepped(&self, item: u32, from: u32, steps: i32) -> u32 {
+        from.wrapping_add_signed(steps) & (index(self.places(item).len()) - 1)
+    }
+
     /// The ring of an item in a gap.
     fn ring_in(&self, item: u32, gap: Gap) -> RingIn<'_> {
         let places = self.first[item as usize] as usize..self.first[item as usize + 1] as usize;

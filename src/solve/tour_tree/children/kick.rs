@@ -2,7 +2,6 @@
 //! it, and the decision whether that stays.
 
 use super::super::super::dice::Dice;
-use super::super::improve::EPSILON;
 use super::super::neighbours::Neighbours;
 use super::super::space::{Gap, Space, index};
 use super::allowed::{in_order, may_shift};
@@ -69,9 +68,7 @@ impl Children {
         self.cost += change;
         self.tree.commit();
         self.check(space);
-        if self.cost < self.unsaved.unwrap_or(self.best.cost) - EPSILON {
-            self.unsaved = Some(self.cost);
-        }
+        self.keep_least(space);
     }
 }
 

@@ -115,6 +115,15 @@ impl Tree {
         live.map(|t| self.edge(space, t, self.next(t)) + self.price(space, t)).sum()
     }
 
+    /// Whether routes hang from one place, or from where their item is entered: as visits they take less.
+    pub(super) fn is_doubled(&self) -> bool {
+        let same = |a: u32, b: u32| self.at(a) == self.at(b);
+        (0..self.home).any(|i| {
+            let kids = self.kids(i);
+            kids.first().is_some_and(|&k| same(k, i)) || kids.windows(2).any(|k| same(k[0], k[1]))
+        })
+    }
+
     /// Seconds for the place of a touch, besides the ways: a run along a contour may take longer when it is begun or
     /// broken off there.
     pub(super) fn extra(&self, space: &Space, touch: u32) -> f64 {
