@@ -300,7 +300,7 @@ impl<'a> View<'a> {
             plan,
         } = document;
         // Contours of a pierce group are cut stretch by stretch, in any order.
-        let groups = sheet.pierce_groups().iter().filter(|_| machine.makes_pre_cuts());
+        let groups = sheet.cut_as_one(machine.makes_pre_cuts()).iter();
         let mut pieces = vec![false; sheet.contours.len()];
         for id in groups.flat_map(|g| &g.contours) {
             if let Some(p) = pieces.get_mut(*id as usize) {

@@ -20,11 +20,8 @@ impl<'s> PierceGroups<'s> {
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
         let none = vec![None; sheet.contours.len()];
         let mut all = Self { sheet, groups: Vec::new(), of: none.clone(), within: none };
-        if !machine.makes_pre_cuts() {
-            return all;
-        }
         let mut sub_paths = SubPaths::new(sheet, machine);
-        for group in sheet.pierce_groups() {
+        for group in sheet.cut_as_one(machine.makes_pre_cuts()) {
             let paths = sub_paths.of(group);
             if paths.is_empty() {
                 continue;

@@ -219,4 +219,10 @@ impl Sheet {
     pub fn pierce_groups(&self) -> &[PierceGroup] {
         if PIERCE_GROUPS { &self.groups } else { &[] }
     }
+
+    /// Those that are cut as one: all of them by a machine that makes pre-cuts, none by others, which cut every contour by
+    /// itself.
+    pub fn cut_as_one(&self, makes_pre_cuts: bool) -> &[PierceGroup] {
+        if makes_pre_cuts { self.pierce_groups() } else { &[] }
+    }
 }

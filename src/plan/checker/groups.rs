@@ -35,7 +35,7 @@ impl<'s> Groups<'s> {
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
         let mut of = vec![None; sheet.contours.len()];
         let mut work = Vec::new();
-        for group in sheet.pierce_groups().iter().filter(|_| machine.makes_pre_cuts()) {
+        for group in sheet.cut_as_one(machine.makes_pre_cuts()) {
             for &c in &group.contours {
                 if let Some(of) = of.get_mut(c as usize) {
                     *of = Some(work.len());

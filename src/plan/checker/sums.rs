@@ -97,8 +97,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
 
 /// A contour's path; that in its group where the machine cuts groups as one.
 fn path_of<'s>(sheet: &'s Sheet, machine: &Profile, contour: u32) -> Option<&'s Path> {
-    let mut groups = sheet.pierce_groups().iter().filter(|_| machine.makes_pre_cuts());
-    let joined = groups.find_map(|g| g.path_of(contour));
+    let joined = sheet.cut_as_one(machine.makes_pre_cuts()).iter().find_map(|g| g.path_of(contour));
     joined.or_else(|| sheet.contours.get(contour as usize).map(|c| &c.path))
 }
 

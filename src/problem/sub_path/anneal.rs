@@ -1,7 +1,8 @@
 //! Orders of larger groups: exchanges, by simulated annealing.
 
+use super::follow::State;
 use super::mixed;
-use super::net::{Net, Order, State, Step};
+use super::net::{Net, Order, Step};
 
 /// Elements in all orders that are looked at to anneal one, and how many orders that may be: a few milliseconds.
 const WORK: u64 = 200_000;

@@ -5,7 +5,7 @@
 //! and pre-cuts in between (Dewil et al., section 4.7). A path back for every path out, so that a route may be turned
 //! round; few pairs for large groups, spread around them.
 //!
-//! * [`net`]: elements, what an order of them costs, which orders are possible.
+//! * [`net`]: elements, which orders of them are possible. [`follow`]: what an order costs.
 //! * [`insertion`]: the element insertion heuristic of the paper. [`exact`]: every order, for small groups.
 //!   [`beam`] and [`anneal`]: ours for larger ones.
 //! * [`strokes`]: an order as what the head does, and the exact seconds of it.
@@ -13,6 +13,7 @@
 mod anneal;
 mod beam;
 mod exact;
+mod follow;
 mod insertion;
 mod net;
 mod strokes;

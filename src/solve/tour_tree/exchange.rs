@@ -4,7 +4,8 @@
 //! drawn with it.
 
 use super::super::dice::Dice;
-use super::improve::{Queue, reenter};
+use super::improve::Queue;
+use super::reenter::reenter;
 use super::space::index;
 use super::tour::Tour;
 

@@ -8,6 +8,7 @@
 //! A move is priced in constant time; whether precedence allows it is looked up only when it gains.
 
 use super::neighbours::Neighbours;
+use super::reenter::reenter;
 use super::tour::Tour;
 use std::collections::VecDeque;
 
@@ -33,7 +34,7 @@ impl Queue {
         }
     }
 
-    fn push_all(&mut self, items: &[u32]) {
+    pub(super) fn push_all(&mut self, items: &[u32]) {
         items.iter().for_each(|&i| self.push(i));
     }
 
@@ -59,79 +60,6 @@ pub(super) fn improve(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, ite
             None => return total,
         }
     }
-}
-
-/// A better entry where the item stands.
-pub(super) fn reenter(tour: &mut Tour, queue: &mut Queue, item: u32) -> Option<f64> {
-    if tour.space.places(item).len() == 1 || tour.is_entered_best(item) {
-        return None;
-    }
-    let (before, after) = (tour.previous(item), tour.next(item));
-    let gap = tour.gap(before, after);
-    tour.priced += 1;
-    let now = tour.space.through(item, tour.at(item), gap);
-    let near = tour.space.better_near(item, (tour.at(item), now), gap);
-    let best = tour.space.best_entry(item, gap, near.1);
-    let best = if best.1 < near.1 { best } else { near };
-    if best.1 >= now - EPSILON {
-        tour.entered_best(item);
-        return None;
-    }
-    let steps = tour.space.steps(item, tour.at(item), best.0);
-    tour.enter(item, best.0);
-    tour.entered_best(item);
-    queue.push_all(&[item, before, after]);
-    let gain = now - best.1;
-    Some(gain + slide_on(tour, queue, [item, before], steps) + slide_on(tour, queue, [item, after], steps))
-}
-
-/// Two items that follow each other, of which the first has slid some steps: the other follows, and both go on so, ever
-/// farther, as long as that gains. By turns alone they would pass sides that face each other place by place, which took
-/// three quarters of the first milliseconds where large parts lie close together. Gives the seconds gained.
-fn slide_on(tour: &mut Tour, queue: &mut Queue, [item, other]: [u32; 2], steps: i32) -> f64 {
-    if steps == 0 || item == other {
-        return 0.0;
-    }
-    let space = &tour.space;
-    let gap = tour.gap(tour.previous(other), tour.next(other));
-    let now = space.through(other, tour.at(other), gap);
-    let near = space.better_near(other, (tour.at(other), now), gap);
-    let follow = space.steps(other, tour.at(other), near.0);
-    tour.priced += 1;
-    if follow == 0 || near.1 >= now - EPSILON {
-        return 0.0;
-    }
-    let space = &tour.space;
-    let [first, last] = if tour.next(item) == other { [item, other] } else { [other, item] };
-    let (before, after) = (tour.previous(first), tour.next(last));
-    let price = |[own, others]: [u32; 2]| {
-        let [a, b] = if first == item { [own, others] } else { [others, own] };
-        let (p, q) = (space.places(first)[a as usize], space.places(last)[b as usize]);
-        let (into, on) = (tour.way(tour.exit(before), first, p), tour.way(q, after, tour.entry(after)));
-        into + space.extra(first, a) + space.travel.seconds(p, q) + space.extra(last, b) + on
-    };
-    let start = [tour.at(item), near.0];
-    let mut best = (start, price(start));
-    let from = price([tour.at(item), tour.at(other)]);
-    let (mut on, mut looked) = ([steps, follow], 0);
-    loop {
-        let there = [space.stepped(item, start[0], on[0]), space.stepped(other, start[1], on[1])];
-        let seconds = price(there);
-        looked += 1;
-        if seconds >= best.1 - EPSILON {
-            break;
-        }
-        best = (there, seconds);
-        on = on.map(|steps| 2 * steps);
-    }
-    tour.priced += looked;
-    if from - best.1 <= EPSILON {
-        return 0.0;
-    }
-    tour.enter(item, best.0[0]);
-    tour.enter(other, best.0[1]);
-    queue.push_all(&[before, first, last, after]);
-    from - best.1
 }
 
 /// The item taken out and put in elsewhere, at its best entry there: the best of all candidates.

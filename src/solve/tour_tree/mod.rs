@@ -27,6 +27,7 @@ mod improve;
 mod neighbours;
 mod polish;
 mod rebuild;
+mod reenter;
 mod repair;
 mod ring;
 mod ring_in;

@@ -38,7 +38,9 @@ fn bench() -> Result<(), String> {
     let machine: Profile = serde_json::from_str(machine).map_err(|e| e.to_string())?;
     let runs: Vec<Value> = serde_json::from_str(runs).map_err(|e| e.to_string())?;
     let job = Job::load(bytes, file, &LoadOptions::default()).map_err(|e| e.to_string())?;
+    let clock = ThreadTime::now();
     let problem = problem::from_sheet(job.sheet(), &machine);
+    println!("{}", json!({ "name": "problem", "seconds": clock.elapsed().as_secs_f64() }));
     let case = Case { sheet: job.sheet(), machine: &machine, problem: &problem };
     // Seconds of the best path by the search's measure, and what every path costs besides.
     let (mut best, mut fixed) = (f64::INFINITY, 0.0);
