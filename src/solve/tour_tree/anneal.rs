@@ -13,7 +13,7 @@
 //! within 0.1 %). Without nesting there is one part. Problems with few places have cycles that double every second time.
 
 use super::super::dice::Dice;
-use super::crossing::Elites;
+use super::crossing::{Elites, cross};
 use super::entries::Layers;
 use super::exchange::exchange;
 use super::few::{ENTER_ANEW, Turn, is_few};
@@ -47,6 +47,8 @@ enum Stage {
     Settling,
     /// Kicks.
     Kicking,
+    /// What they ended in is crossed with the tour of this number; the seconds it cost before the first.
+    Crossing(usize, f64),
 }
 
 /// The search over one tour.
@@ -170,8 +172,10 @@ impl<'p> Annealing<'p> {
                     self.kick();
                     return false;
                 }
-                self.part_ended()
+                self.part_ended();
+                false
             }
+            Stage::Crossing(number, cost) => self.cross(number, cost),
         }
     }
 
@@ -247,8 +251,7 @@ impl<'p> Annealing<'p> {
         self.stage = Stage::Kicking;
     }
 
-    /// True when the cycle ended.
-    fn part_ended(&mut self) -> bool {
+    fn part_ended(&mut self) {
         if self.top.unsaved {
             self.save_top();
         }
@@ -264,46 +267,48 @@ impl<'p> Annealing<'p> {
             }
             self.start_top();
             self.settle();
-            return false;
+            return;
         }
         self.save();
-        // With a table only: the wasm of sheets has no room for it. Stretches know no groups, which tables have not.
-        if self.few && self.tour.space.travel.by_table() {
-            self.cross();
+        self.tour.put(self.top.kept.clone());
+        self.cost = self.tour.cost();
+        // Stretches know no groups.
+        let number = if self.tour.space.problem.groups.is_empty() { 0 } else { usize::MAX };
+        self.stage = Stage::Crossing(number, self.cost);
+    }
+
+    /// Crosses the tour that a cycle ended in with what earlier cycles ended in and the best, one after the other,
+    /// until that gains no more; true when the cycle ended with it.
+    fn cross(&mut self, number: usize, before: f64) -> bool {
+        let Self { tour, queue, elites, best, .. } = self;
+        if let Some(other) = elites.partner(number, &best.1) {
+            self.cost -= cross(tour, queue, other);
+            self.stage = Stage::Crossing(number + 1, before);
+            return false;
         }
+        self.cost -= self.settled_anew(self.cost);
+        debug_assert!(self.tour.cost_is(self.cost), "a priced gain is not the gain");
+        debug_assert!(self.tour.is_feasible(), "crossing broke precedence");
+        if self.cost < before - EPSILON {
+            self.stage = Stage::Crossing(0, self.cost);
+            return false;
+        }
+        self.offer(self.cost, self.tour.now().clone());
+        self.elites.keep(self.top.kept.clone());
         self.cycle += 1;
         self.begin_cycle();
         true
     }
 
-    /// All entries of a tour of this cost at once, and what the local search makes of it; gives the seconds gained.
-    fn entered_anew(&mut self, cost: f64) -> f64 {
+    /// All entries of a tour of this cost at once where items are few, and what the local search makes of it; gives
+    /// the seconds gained.
+    fn settled_anew(&mut self, cost: f64) -> f64 {
         let Self { tour, near, queue, layers, .. } = self;
-        let mut gain = layers.enter_best(tour, cost, |i| queue.push(i));
+        let mut gain = if self.few { layers.enter_best(tour, cost, |i| queue.push(i)) } else { 0.0 };
         while let Some(item) = queue.pop() {
             gain += improve(tour, near, queue, item);
         }
         gain
-    }
-
-    /// Crosses the tour that a cycle ended in with the best, and with what earlier cycles ended in.
-    fn cross(&mut self) {
-        let own = self.tour.now().clone();
-        self.tour.commit();
-        loop {
-            let crossed = self.elites.cross(&mut self.tour, &self.best.1);
-            let gain = crossed + self.entered_anew(self.cost - crossed);
-            self.cost -= gain;
-            if gain <= EPSILON {
-                break;
-            }
-        }
-        debug_assert!(self.tour.cost_is(self.cost), "a priced gain is not the gain");
-        debug_assert!(self.tour.is_feasible(), "crossing broke precedence");
-        if self.cost < self.best.0 - EPSILON {
-            self.best = (self.cost, self.tour.now().clone());
-        }
-        self.elites.keep(own);
     }
 
     /// The tour as it is is the first, so the best, of a part.
@@ -341,7 +346,7 @@ impl<'p> Annealing<'p> {
         }
         let most = self.top.cost + ENTER_ANEW * self.mean.unwrap_or(0.0);
         if self.few && change.abs() > EPSILON && self.cost + change < most {
-            change -= self.entered_anew(self.cost + change);
+            change -= self.settled_anew(self.cost + change);
         }
         if !self.dice.passes(change, heat) {
             self.tour.undo();

@@ -280,7 +280,7 @@ fn a_crossed_tour_leaves_no_better_stretch_to_the_other() {
                 tour.commit();
             }
             let before = tour.cost();
-            let gain = crossing::cross(&mut tour, &other);
+            let gain = crossing::cross(&mut tour, &mut queue, &other);
             crossed += usize::from(gain > EPSILON);
             assert!(tour.cost_is(before - gain), "{seed}");
             assert!(tour.is_feasible(), "{seed}");
