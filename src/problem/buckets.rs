@@ -1,50 +1,36 @@
 //! Nodes by place, in square cells: searched outwards ring by ring, filled and emptied as a construction goes.
 
+use super::cells::Cells;
 use super::model::NodeId;
 use crate::geometry::{Aabb, DVec2};
 
 /// Nodes to a cell, on average: a ring of 8 cells then holds the nearest few contours.
 const NODES_PER_CELL: f64 = 8.0;
-/// Cells along an axis at most, so that a long thin sheet needs no more memory than its nodes.
-const MOST_CELLS: f64 = 2048.0;
 
 /// A grid of nodes.
 #[derive(Clone, Debug)]
 pub struct Buckets {
-    corner: DVec2,
-    /// Side of a cell, mm.
-    side: f64,
-    columns: usize,
-    rows: usize,
+    grid: Cells,
     cells: Vec<Vec<NodeId>>,
 }
 
 impl Buckets {
     /// An empty grid for about `count` nodes in `bounds`.
     pub fn new(bounds: Aabb, count: usize) -> Self {
-        let size = bounds.size();
-        let cells = (count as f64 / NODES_PER_CELL).max(1.0);
-        let square = (size.x * size.y / cells).sqrt();
-        // A sheet without width or height is cut along its length; a single point gets one cell.
-        let longest = size.max_element();
-        let side = square.max(longest / cells.min(MOST_CELLS));
-        let side = if side > 0.0 && side.is_finite() { side } else { 1.0 };
-        let along = |length: f64| cell_index(length, side).saturating_add(1);
-        let (columns, rows) = (along(size.x), along(size.y));
-        let corner = if bounds.is_empty() { DVec2::ZERO } else { bounds.min };
-        Self { corner, side, columns, rows, cells: vec![Vec::new(); columns * rows] }
+        let grid = Cells::new(bounds, count as f64 / NODES_PER_CELL);
+        Self { cells: vec![Vec::new(); grid.columns * grid.rows], grid }
     }
 
     /// Puts a node in at its place.
     pub fn insert(&mut self, node: NodeId, place: DVec2) {
-        let cell = self.cell(place);
-        self.cells[cell.1 * self.columns + cell.0].push(node);
+        let cell = self.grid.cell(place);
+        self.cells[cell.1 * self.grid.columns + cell.0].push(node);
     }
 
     /// Takes a node out; `place` is where it was put in.
     pub fn remove(&mut self, node: NodeId, place: DVec2) {
-        let cell = self.cell(place);
-        let list = &mut self.cells[cell.1 * self.columns + cell.0];
+        let cell = self.grid.cell(place);
+        let list = &mut self.cells[cell.1 * self.grid.columns + cell.0];
         if let Some(i) = list.iter().position(|&n| n == node) {
             list.swap_remove(i);
         }
@@ -52,43 +38,28 @@ impl Buckets {
 
     /// How many rings around `place` it takes to see every cell.
     pub fn rings(&self, place: DVec2) -> usize {
-        let (x, y) = self.cell(place);
-        x.max(self.columns - 1 - x).max(y).max(self.rows - 1 - y) + 1
+        self.grid.rings(place)
     }
 
     /// Whatever lies in ring `r` or beyond is at least this far from the place along x or along y, mm.
     pub fn distance_of_ring(&self, r: usize) -> f64 {
-        self.side * r.saturating_sub(1) as f64
+        self.grid.distance_of_ring(r)
     }
 
     /// The nodes in ring `r` around the cell of `place` (0: the cell itself).
     pub fn ring(&self, place: DVec2, r: usize) -> impl Iterator<Item = NodeId> {
-        let (x, y) = self.cell(place);
-        let (left, right) = (x.checked_sub(r), Some(x + r).filter(|&c| c < self.columns));
-        let columns = x.saturating_sub(r)..(x + r + 1).min(self.columns);
-        let rows = y.saturating_sub(r)..(y + r + 1).min(self.rows);
+        let (x, y) = self.grid.cell(place);
+        let (left, right) = (x.checked_sub(r), Some(x + r).filter(|&c| c < self.grid.columns));
+        let columns = x.saturating_sub(r)..(x + r + 1).min(self.grid.columns);
+        let rows = y.saturating_sub(r)..(y + r + 1).min(self.grid.rows);
         rows.flat_map(move |row| {
             let whole = row + r == y || row == y + r;
             let (from, to) = if whole { (columns.start, columns.end) } else { (0, 0) };
             let sides = if whole || r == 0 { [None, None] } else { [left, right] };
             (from..to).chain(sides.into_iter().flatten()).map(move |column| (row, column))
         })
-        .flat_map(|(row, column)| self.cells[row * self.columns + column].iter().copied())
+        .flat_map(|(row, column)| self.cells[row * self.grid.columns + column].iter().copied())
     }
-
-    fn cell(&self, place: DVec2) -> (usize, usize) {
-        let d = (place - self.corner).max(DVec2::ZERO);
-        (cell_index(d.x, self.side).min(self.columns - 1), cell_index(d.y, self.side).min(self.rows - 1))
-    }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a float cast to an integer saturates; lengths are not negative"
-)]
-fn cell_index(length: f64, side: f64) -> usize {
-    (length / side) as usize
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 //! what. Solvers know nothing else.
 
 mod buckets;
+mod cells;
 mod entries;
 mod from_sheet;
 mod groups;
@@ -13,6 +14,7 @@ mod sub_path;
 mod table;
 
 pub use buckets::Buckets;
+pub use cells::Cells;
 pub use from_sheet::from_sheet;
 pub use groups::Groups;
 pub use instance::{Fault, Instance, InstanceError, check, instance};

@@ -131,6 +131,38 @@ describe('a worker that dies', () => {
   });
 });
 
+// Seen on a busy machine: two workers died at once, the death of the idle one was told last, and the file of the other
+// was given to it, which used up both tries.
+it('a file whose worker died does not go to an idle one that died with it', async (t) => {
+  const planner = (name, work) => ({ name, replaced: null, close: () => {}, work });
+  const answered = [];
+  const all = ['first', 'second', 'third'].map((name) => planner(name));
+  const opened = [...all];
+  const pool = poolOf(async () => opened.shift(), 2);
+  t.after(() => pool.close());
+  // A worker that is dead says so when it is asked, or when its death is told.
+  const dead = new Set();
+  let fall;
+  const falls = new Promise((resolve) => (fall = resolve));
+  for (const p of all) {
+    p.load = async (_, name) => {
+      if (name === 'long.dxf' && p.name === 'first') await falls;
+      if (dead.has(p.name)) {
+        p.replaced = 'The planner ended unexpectedly.';
+        throw new Error(p.replaced);
+      }
+      answered.push([p.name, name]);
+      throw new Error(`read by the ${p.name}`);
+    };
+  }
+  const long = pool.inspect(PLATE, { name: 'long.dxf' });
+  await assert.rejects(pool.inspect(PLATE, { name: 'short.dxf' }), /read by the second/);
+  ['first', 'second'].forEach((name) => dead.add(name));
+  fall();
+  await assert.rejects(long, /read by the third/);
+  assert.deepEqual(answered, [['second', 'short.dxf'], ['third', 'long.dxf']]);
+});
+
 describe('signals and the end', () => {
   it('an aborted plan makes room for the next at once, one that waits leaves the queue', async (t) => {
     const pool = pooled(t, { size: 1 });

@@ -143,7 +143,8 @@ class Benches {
   private async tried<T>(work: (planner: Planner) => Promise<T>, signal: AbortSignal | undefined): Promise<T> {
     let why = '';
     for (let k = 0; k < TRIES; k++) {
-      const planner = await this.seated();
+      // Not again one that was idle: what killed a worker may have killed those beside it, and not be told yet.
+      const planner = await (k === 0 ? this.seated() : this.opened());
       try {
         const result = await abortable(work(planner), signal);
         if (planner.replaced === null) {
@@ -170,6 +171,10 @@ class Benches {
       if (planner.replaced === null) return planner;
       this.dismiss(planner);
     }
+    return this.opened();
+  }
+
+  private async opened(): Promise<Planner> {
     const planner = await this.open();
     this.all.add(planner);
     if (this.closed) this.dismiss(planner);

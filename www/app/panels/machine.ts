@@ -11,11 +11,11 @@ interface Quantity {
   label: string;
   unit: string;
   least: number;
-  /** Null where the profile says "at once" or "no limit". */
   /** What the empty field says then, if not "no limit". */
   none?: string;
   /** What it does, below the field. */
   hint?: string;
+  /** Null where the profile says "at once" or "no limit". */
   get(m: MachineProfile): number | null;
   set(m: MachineProfile, value: number): void;
 }
