@@ -10,7 +10,6 @@
 use super::improve::Queue;
 use super::tour::{Kept, Tour};
 use crate::order::sort_by;
-use std::collections::VecDeque;
 
 /// Tours kept to cross with: the last of this many cycles.
 const MOST: usize = 8;
@@ -22,19 +21,19 @@ const CLEAR: f64 = 1e-7;
 /// What the last cycles ended in.
 #[derive(Default)]
 pub(super) struct Elites {
-    kept: VecDeque<Kept>,
+    kept: Vec<Kept>,
 }
 
 impl Elites {
     /// Those to cross with, by number: each of them, then the best tour.
     pub(super) fn partner<'k>(&'k self, number: usize, best: &'k Kept) -> Option<&'k Kept> {
-        self.kept.iter().chain([best]).nth(number)
+        if number == self.kept.len() { Some(best) } else { self.kept.get(number) }
     }
 
     /// One more, in place of the oldest.
     pub(super) fn keep(&mut self, kept: Kept) {
         self.kept.truncate(MOST - 1);
-        self.kept.push_front(kept);
+        self.kept.insert(0, kept);
     }
 }
 
@@ -66,7 +65,7 @@ pub(super) fn cross(tour: &mut Tour, queue: &mut Queue, other: &Kept) -> f64 {
             touched.fill(true);
             untouched
         });
-        let mut order: Vec<u32> = (0..=tour.last()).map(|p| tour.item(p)).collect();
+        let mut order = tour.now().order.clone();
         for s in &found {
             let part = &mut order[s.from..=s.to];
             part.copy_from_slice(&other.order[s.there..=s.there + s.to - s.from]);
