@@ -4,7 +4,7 @@
 //! 2. Neighbour lists by gate (`neighbours.rs`), then local search over the whole tour (`improve.rs`).
 //! 3. Cycles of annealed kicks, each longer than the one before (`anneal.rs`): first free of the nesting, then
 //!    repaired (`repair.rs`) and within it.
-//!    Few items take rather more at a kick (`few.rs`), and what the cycles end in is crossed (`crossing.rs`).
+//!    What they end in is crossed (`crossing.rs`); few items take rather more at a kick (`few.rs`).
 //! 4. Entries slide to the exact minimum at the end of every cycle (`polish.rs`).
 //! 5. Where contours may be left unfinished, the search over the root takes turns with one over all routes (`children`),
 //!    whose cycles start from the better of both.
