@@ -3,7 +3,7 @@
 //
 //     npm run bench -- solve [sheets|pool|qu-du|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME] [--cpu]
 //
-// `--cpu` counts native seconds of the processor instead of the clock's, for a machine that others use too (Linux).
+// `--cpu` counts seconds of the processor instead of the clock's, for a machine that others use too (Linux).
 // Instances come from ../shared/data. Runs go one after the other, each in a process of its own, and end early when the
 // best value known is reached. Every run ends with a tour checked by code that shares nothing with the search. Other
 // solvers run on the same instances in the same run where Python has them (`KERFWAY_PYTHON`, else python3; what they
@@ -79,8 +79,9 @@ function natively(file, { seconds, seeds, cpu = false }, ...more) {
 }
 
 /** One seed in wasm. */
-function inWasm(file, { index, known }, seed, seconds, moves = Infinity) {
-  return rows(process.execPath, [join(HERE, 'wasm.mjs'), file, ...[index, seed, seconds, moves, known ?? NaN].map(String)])[0];
+function inWasm(file, { index, known }, seed, { seconds, cpu = false }, moves = Infinity) {
+  const numbers = [index, seed, seconds, moves, known ?? NaN].map(String);
+  return rows(process.execPath, [join(HERE, 'wasm.mjs'), file, ...numbers, ...(cpu ? ['cpu'] : [])])[0];
 }
 
 /** The best value a run had at a time. */
@@ -100,13 +101,13 @@ const files = (set, ext, only) =>
   readdirSync(join(DATA, set)).filter((f) => ext.test(f) && (only === undefined || f.includes(only))).sort(bySize).map((f) => join(DATA, set, f));
 const bySize = (a, b) => (parseInt(a) || 0) - (parseInt(b) || 0) || (a < b ? -1 : 1);
 
-async function sheets({ seconds, seeds, only }) {
+async function sheets({ seconds, seeds, only, cpu }) {
   const lines = [];
   for (const n of SHEETS) {
     const file = join(DATA, 'sheets', `sheet_${n}.dxf`);
     if (only !== undefined && !file.includes(only)) continue;
     const { known } = natively(file, { seconds: 0, seeds: 1 }, '--on')[0];
-    const ours = Array.from({ length: seeds }, (_, k) => inWasm(file, { index: 0, known: null }, k + 1, seconds));
+    const ours = Array.from({ length: seeds }, (_, k) => inWasm(file, { index: 0, known: null }, k + 1, { seconds, cpu }));
     const of = (key) => median(ours.map((r) => at(r, key)));
     const marks = MARKS.filter((m) => m <= seconds);
     lines.push([
@@ -142,7 +143,7 @@ async function quDu({ seconds, seeds, cpu }) {
   const file = join(DATA, 'qu-du-43', 'qu_du_43.json');
   const bounds = proven(file, seconds);
   const lines = natively(file, { seconds, seeds, cpu }).map((source) => {
-    const wasm = source.runs.map(({ seed }) => inWasm(file, source, seed, seconds));
+    const wasm = source.runs.map(({ seed }) => inWasm(file, source, seed, { seconds, cpu }));
     const reached = (runs) => `${runs.filter((r) => r.reached).length}/${runs.length}`;
     const found = (runs) => `${median(runs.map((r) => r.found)).toFixed(3)} s`;
     const best = Math.min(...wasm.map((r) => r.value));
@@ -160,7 +161,7 @@ function library(set, ext, options, baselines) {
   }
   const lines = files(set, ext, only).map((file) => {
     const [source] = natively(file, options);
-    const wasm = inWasm(file, source, 1, seconds);
+    const wasm = inWasm(file, source, 1, options);
     const values = source.runs.map((r) => r.value);
     gaps.push(...values.map((v) => (100 * (v - source.known)) / source.known));
     const others = solvers.map((solver) => {
@@ -181,17 +182,19 @@ function library(set, ext, options, baselines) {
   console.log(`reached ${reached} of ${gaps.length} runs, mean gap ${mean(gaps).toFixed(4)} %`);
 }
 
-/** Moves in wasm against natively, and what a move costs as sheets grow. */
-async function scaling() {
+/** Moves in wasm against natively, by turns, and what a move costs as sheets grow. */
+async function scaling({ seeds, only, cpu }) {
   const MOVES = 8_000_000;
-  const lines = SHEETS.map((n) => {
-    const file = join(DATA, 'sheets', `sheet_${n}.dxf`);
+  const lines = SHEETS.map((n) => join(DATA, 'sheets', `sheet_${n}.dxf`)).filter((f) => only === undefined || f.includes(only)).map((file) => {
     const work = (r) => r.seconds - r.trace[0][0];
-    const native = [1, 2, 3].map((seed) => rows(NATIVE, [file, '--moves', String(MOVES), '--seeds', '1', '--first', String(seed), '--on', '--json'])[0]);
-    const wasm = [1, 2, 3].map((seed) => inWasm(file, { index: 0, known: null }, seed, Infinity, MOVES));
-    const same = native.every((r, k) => r.value === wasm[k].value) ? 'yes' : 'NO';
-    const [a, b] = [native, wasm].map((runs) => median(runs.map(work)));
-    return [`sheet_${n}`, `${((1e9 * a) / MOVES).toFixed(0)} ns`, `${((1e9 * b) / MOVES).toFixed(0)} ns`, (b / a).toFixed(2), same];
+    const fixed = [file, '--moves', String(MOVES), '--seeds', '1', '--on', '--json', ...(cpu ? ['--cpu'] : [])];
+    const runs = Array.from({ length: seeds }, (_, k) => [
+      rows(NATIVE, [...fixed, '--first', String(k + 1)])[0],
+      inWasm(file, { index: 0, known: null }, k + 1, { seconds: Infinity, cpu }, MOVES),
+    ]);
+    const same = runs.every(([native, wasm]) => native.value === wasm.value) ? 'yes' : 'NO';
+    const [a, b] = [0, 1].map((k) => median(runs.map((run) => work(run[k]))));
+    return [basename(file, '.dxf'), `${((1e9 * a) / MOVES).toFixed(0)} ns`, `${((1e9 * b) / MOVES).toFixed(0)} ns`, (b / a).toFixed(2), same];
   });
-  table(`${MOVES / 1e6} million moves: time a move, and whether both come to the same value`, ['', 'natively', 'wasm', 'ratio', 'same'], lines);
+  table(`${MOVES / 1e6} million moves, median of ${seeds} seeds: time a move, and whether both come to the same value`, ['', 'natively', 'wasm', 'ratio', 'same'], lines);
 }

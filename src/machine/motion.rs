@@ -46,7 +46,8 @@ impl AirTime {
         let d = (to - from).abs();
         match self.travel {
             Travel::Straight => {
-                ramped((d * self.per_speed).max_element(), (d * self.per_accel).max_element())
+                let (run, ramp2) = (d * self.per_speed, d * self.per_accel);
+                ramped(larger(run.x, run.y), larger(ramp2.x, ramp2.y))
             }
             Travel::Vector => {
                 let d = d.length();
@@ -54,7 +55,7 @@ impl AirTime {
             }
             Travel::PerAxis => {
                 let (run, ramp2) = (d * self.per_speed, d * self.per_accel);
-                ramped(run.x, ramp2.x).max(ramped(run.y, ramp2.y))
+                larger(ramped(run.x, ramp2.x), ramped(run.y, ramp2.y))
             }
         }
     }
@@ -68,6 +69,12 @@ impl AirTime {
 /// Seconds of an air move of a machine, mm to s.
 pub fn air_time(profile: &Profile, from: DVec2, to: DVec2) -> f64 {
     AirTime::new(profile).seconds(from, to)
+}
+
+/// The larger of two: in wasm that of the library is a call, as it heeds what is not a number.
+#[inline(always)]
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// Seconds of a motion from rest to rest: see the head of this file.

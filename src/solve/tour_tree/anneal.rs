@@ -10,7 +10,8 @@
 //! precedence kept. Each cycle starts from the best path so far and is half as long again as the one before, so that
 //! the search is good at any moment and needs no budget in advance (twice as long ends 0.3 and 0.5 % higher on 10,000
 //! contours after 120 and 150 million moves, a third as long again 0.1 and 0.3 %; on 500 and 2,000 after 60 million all are
-//! within 0.1 %). Without nesting there is one part. Problems with few places have cycles that double every second time.
+//! within 0.1 %). Without nesting there is one part. Problems with few places have cycles that double every second
+//! time, or hardly grow (`few.rs`).
 
 use super::super::dice::Dice;
 use super::crossing::{Elites, cross};
@@ -236,16 +237,15 @@ impl<'p> Annealing<'p> {
     fn begin_part(&mut self, share: u64) {
         let items = self.tour.last() as u64;
         let first = (FIRST_CYCLE * items * share / 100).max(1);
-        // Past so many cycles no machine arrives.
-        self.kicks_wanted = if self.few {
-            first << (self.cycle / 2).min(40)
+        let turn = if self.few {
+            Turn::of(self.cycle, self.tour.space.problem, first)
         } else {
-            (0..self.cycle.min(70)).fold(first, |kicks, _| kicks + kicks.div_ceil(2))
+            // Past so many cycles no machine arrives.
+            let kicks = (0..self.cycle.min(70)).fold(first, |kicks, _| kicks + kicks.div_ceil(2));
+            Turn { heat: if self.cycle > 0 { REHEAT } else { 1.0 }, rebuilds: 0, kicks }
         };
+        self.kicks_wanted = turn.kicks;
         self.kicks = 0;
-        let usual = Turn { heat: if self.cycle > 0 { REHEAT } else { 1.0 }, rebuilds: 0 };
-        let problem = self.tour.space.problem;
-        let turn = if self.few { Turn::of(self.cycle, problem, self.tour.last()) } else { usual };
         self.temperature = HEAT * self.mean.unwrap_or(0.0) * turn.heat;
         self.rebuilds = turn.rebuilds;
         self.stage = Stage::Kicking;

@@ -84,10 +84,14 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
                 continue;
             }
             tour.priced += 1;
-            let gap = tour.gap(from, to);
             let given = freed + tour.edge(from, to);
-            let on = gap.to.map_or(0.0, |q| tour.space.at_least(q, item, true));
-            if given - tour.space.at_least(gap.from, item, false) - on <= most {
+            // Most places are too far by the way there alone.
+            let left = given - tour.space.at_least(tour.exit(from), item, false);
+            if left <= most {
+                continue;
+            }
+            let gap = tour.gap(from, to);
+            if left - gap.to.map_or(0.0, |q| tour.space.at_least(q, item, true)) <= most {
                 continue;
             }
             let (at, seconds) = tour.space.best_entry(item, gap, given - most);

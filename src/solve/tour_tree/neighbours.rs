@@ -17,12 +17,17 @@ const PER_GATE: usize = 8;
 /// Items listed for an item.
 const PER_ITEM: usize = 10;
 
-/// Neighbour lists, as far as they are built.
+/// Neighbour lists, as far as they are built. All in one array: lists of their own were further apart in memory, and a look at
+/// one waited twice.
 pub(super) struct Neighbours {
     gates: Gates,
-    /// Items near to go to, and near to come from; the second is empty where it would be the same.
-    by_gate: [Vec<Vec<u32>>; 2],
-    by_item: Vec<Vec<u32>>,
+    /// Items near to go to, and near to come from, gate by gate; the second is empty where it would be the same.
+    by_gate: [Vec<u32>; 2],
+    /// Items to a gate: [`PER_GATE`], or all others where there are fewer.
+    stride: usize,
+    /// Those of item i: `first[i]..first[i + 1]`.
+    by_item: Vec<u32>,
+    first: Vec<u32>,
 }
 
 impl Neighbours {
@@ -31,12 +36,19 @@ impl Neighbours {
         let listed = if space.travel.by_table() { 0 } else { space.home + 1 };
         let gates: Vec<Gate> =
             (0..listed).flat_map(|item| space.gates(item).map(move |place| (item, place))).collect();
-        Self { gates: Gates::new(&gates), by_gate: [Vec::new(), Vec::new()], by_item: Vec::new() }
+        let room = space.gate_first.last().map_or(0, |&all| all as usize * PER_GATE);
+        Self {
+            gates: Gates::new(&gates),
+            by_gate: [Vec::with_capacity(room), Vec::new()],
+            stride: 0,
+            by_item: Vec::new(),
+            first: vec![0],
+        }
     }
 
     /// Lists the neighbours of the next item; false when all are listed.
     pub(super) fn extend(&mut self, space: &Space) -> bool {
-        let item = index(self.by_item.len());
+        let item = index(self.first.len() - 1);
         if item > space.home {
             return false;
         }
@@ -48,7 +60,8 @@ impl Neighbours {
                 } else {
                     self.nearest(space, item, place)
                 };
-                self.by_gate[usize::from(back)].push(nearest.iter().map(|n| n.1).collect());
+                self.stride = nearest.len();
+                self.by_gate[usize::from(back)].extend(nearest.iter().map(|n| n.1));
                 for n in nearest {
                     merge(&mut all, n);
                 }
@@ -56,7 +69,8 @@ impl Neighbours {
         }
         sort_by(&mut all, |n| [real(n.0), n.1.into(), 0]);
         all.truncate(PER_ITEM);
-        self.by_item.push(all.into_iter().map(|n| n.1).collect());
+        self.by_item.extend(all.into_iter().map(|n| n.1));
+        self.first.push(index(self.by_item.len()));
         true
     }
 
@@ -79,24 +93,30 @@ impl Neighbours {
 
     /// Items near any place of an item.
     pub(super) fn of_item(&self, item: u32) -> &[u32] {
-        &self.by_item[item as usize]
+        &self.by_item[self.first[item as usize] as usize..self.first[item as usize + 1] as usize]
+    }
+
+    /// Of a gate, to go to or to come from.
+    #[inline(always)]
+    fn of_gate(&self, back: bool, gate: usize) -> &[u32] {
+        &self.by_gate[usize::from(back)][gate * self.stride..(gate + 1) * self.stride]
     }
 
     /// Items near to go to from a place of an item.
     pub(super) fn of_place(&self, space: &Space, item: u32, at: u32) -> &[u32] {
-        &self.by_gate[0][space.gate(item, at)]
+        self.of_gate(false, space.gate(item, at))
     }
 
     /// Items near to come from to the place where an item is entered now.
     pub(super) fn of_entry(&self, tour: &Tour, item: u32) -> &[u32] {
-        &self.by_gate[usize::from(!tour.space.travel.symmetric)][tour.space.gate(item, tour.at(item))]
+        self.of_gate(!tour.space.travel.symmetric, tour.space.gate(item, tour.at(item)))
     }
 
     /// Items near to go to from the place where an item is left now.
     pub(super) fn of_exit(&self, tour: &Tour, item: u32) -> &[u32] {
         let at = tour.at(item);
         let at = if tour.space.two_ends(item) { at ^ 1 } else { at };
-        &self.by_gate[0][tour.space.gate(item, at)]
+        self.of_gate(false, tour.space.gate(item, at))
     }
 }
 

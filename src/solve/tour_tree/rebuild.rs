@@ -150,9 +150,15 @@ impl Rest {
             if !ranked {
                 continue;
             }
-            let (gap, given) = (tour.gap(from, to), self.ways[place - 1]);
+            let given = self.ways[place - 1];
+            // Most places are too far by the way there alone.
+            let there = space.at_least(tour.exit(from), item, false);
+            if there - given >= least {
+                continue;
+            }
+            let gap = tour.gap(from, to);
             let on = gap.to.map_or(0.0, |q| space.at_least(q, item, true));
-            if space.at_least(gap.from, item, false) + on - given >= least || dice.below(BLINK) == 0 {
+            if there + on - given >= least || dice.below(BLINK) == 0 {
                 continue;
             }
             let (at, seconds) = space.best_entry(item, gap, least + given);

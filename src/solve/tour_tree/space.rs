@@ -323,7 +323,13 @@ impl<'p> Space<'p> {
                 return best;
             }
             for at in 0..index(places.len()) {
-                let seconds = self.through(item, at, gap);
+                // The way there alone tells of most that they cost more.
+                let out = self.travel.seconds_here(gap.from, places[at as usize]);
+                if out >= best.1 {
+                    continue;
+                }
+                let on = gap.to.map_or(0.0, |to| self.travel.seconds_here(self.exit(item, at), to));
+                let seconds = out + on + self.extra(item, at);
                 if seconds < best.1 {
                     best = (at, seconds);
                 }

@@ -176,6 +176,12 @@ impl<'p> Tour<'p> {
 
     /// Seconds from `p` into `item` at point `q`; home costs nothing when the path does not return.
     pub(super) fn way(&self, p: Place, item: u32, q: Place) -> f64 {
+        self.way_here(p, item, q)
+    }
+
+    /// The same, for where a call within a call counts.
+    #[inline(always)]
+    fn way_here(&self, p: Place, item: u32, q: Place) -> f64 {
         if item == self.space.home && !self.space.problem.closed {
             0.0
         } else {
@@ -185,7 +191,7 @@ impl<'p> Tour<'p> {
 
     /// Seconds from one item to the one after it.
     pub(super) fn edge(&self, from: u32, to: u32) -> f64 {
-        self.way(self.exit(from), to, self.entry(to))
+        self.way_here(self.exit(from), to, self.entry(to))
     }
 
     /// Seconds on top of an item's fixed ones for being entered where it is.
@@ -217,6 +223,7 @@ impl<'p> Tour<'p> {
     }
 
     /// The gap between two items that follow each other, or would.
+    #[inline(always)]
     pub(super) fn gap(&self, from: u32, to: u32) -> Gap {
         let ends = to == self.space.home && !self.space.problem.closed;
         Gap { from: self.exit(from), to: (!ends).then(|| self.entry(to)) }
