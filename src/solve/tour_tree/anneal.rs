@@ -282,8 +282,10 @@ impl<'p> Annealing<'p> {
     fn cross(&mut self, number: usize, before: f64) -> bool {
         let Self { tour, queue, elites, best, .. } = self;
         if let Some(other) = elites.partner(number, &best.1) {
-            self.cost -= cross(tour, queue, other);
-            self.stage = Stage::Crossing(number + 1, before);
+            let gain = cross(tour, queue, other);
+            self.cost -= gain;
+            // Again with the same one, until it has nothing better.
+            self.stage = Stage::Crossing(number + usize::from(gain <= 0.0), before);
             return false;
         }
         self.cost -= self.settled_anew(self.cost);
