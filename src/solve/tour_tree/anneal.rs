@@ -257,12 +257,11 @@ impl<'p> Annealing<'p> {
         }
         if self.tour.free {
             self.tour.free = false;
-            let cost = |tour: &mut Tour, kept: &Kept| {
-                tour.put(kept.clone());
-                tour.cost()
-            };
             let [ahead, back] = repaired(&self.tour.space, &self.top.kept);
-            if cost(&mut self.tour, &ahead) <= cost(&mut self.tour, &back) {
+            self.tour.put(ahead.clone());
+            let cost = self.tour.cost();
+            self.tour.put(back);
+            if cost <= self.tour.cost() {
                 self.tour.put(ahead);
             }
             self.start_top();

@@ -9,7 +9,6 @@
 
 use super::improve::Queue;
 use super::tour::{Kept, Tour};
-use crate::order::sort_by;
 
 /// Tours kept to cross with: the last of this many cycles.
 const MOST: usize = 8;
@@ -47,22 +46,13 @@ struct Stretch {
     gain: f64,
 }
 
-/// Takes over from `other` stretches that cost less there, as many as leave each other alone, short ones first; gives
-/// the seconds gained: none when there are no more. Touched items are queued.
+/// Takes over from `other` stretches that cost less there, as many as leave each other alone; gives the seconds gained:
+/// none when there are no more. Touched items are queued.
 pub(super) fn cross(tour: &mut Tour, queue: &mut Queue, other: &Kept) -> f64 {
-    let mut found = stretches(tour, other);
+    let found = stretches(tour, other);
     if found.is_empty() {
         return 0.0;
     }
-    sort_by(&mut found, |s| [(s.to - s.from) as u64, s.from as u64, 0]);
-    // What one gains is known as long as what it begins and ends at stays.
-    let mut taken = vec![false; tour.last() + 2];
-    found.retain(|s| {
-        let touched = &mut taken[s.from - 1..=s.to + 1];
-        let untouched = !touched.contains(&true);
-        touched.fill(true);
-        untouched
-    });
     let mut order = tour.now().order.clone();
     for s in &found {
         let part = &mut order[s.from..=s.to];
@@ -84,7 +74,8 @@ pub(super) fn cross(tour: &mut Tour, queue: &mut Queue, other: &Kept) -> f64 {
     found.iter().map(|s| s.gain).sum()
 }
 
-/// From every position on, the shortest stretch that costs less the other's way.
+/// Stretches that cost less the other's way: of all positions the shortest that begins there, and of those that touch one
+/// another short ones, as what one gains is known as long as what it begins and ends at stays.
 fn stretches(tour: &mut Tour, other: &Kept) -> Vec<Stretch> {
     let space = &tour.space;
     let last = tour.last();
@@ -106,7 +97,7 @@ fn stretches(tour: &mut Tour, other: &Kept) -> Vec<Stretch> {
     }
     let may_turn =
         space.travel.symmetric && !space.precedence.any && !(0..space.home).any(|i| space.two_ends(i));
-    let mut found = Vec::new();
+    let mut found: Vec<Stretch> = Vec::new();
     let mut looked = 0;
     for from in 1..=last {
         let (before, first) = (tour.item(from - 1), tour.item(from));
@@ -141,6 +132,13 @@ fn stretches(tour: &mut Tour, other: &Kept) -> Vec<Stretch> {
             let (ahead, back) = (then(start, end), if turns { then(end, start) } else { f64::INFINITY });
             let gain = now - ahead.min(back);
             if gain > CLEAR {
+                let touched = found.last().filter(|s| from <= s.to + 2).map(|s| s.to - s.from);
+                if touched.is_some_and(|length| length <= to - from) {
+                    break;
+                }
+                if touched.is_some() {
+                    found.pop();
+                }
                 found.push(Stretch { from, to, there: low, turned: back < ahead, gain });
                 break;
             }

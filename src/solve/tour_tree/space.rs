@@ -328,7 +328,7 @@ impl<'p> Space<'p> {
                 if out >= best.1 {
                     continue;
                 }
-                let on = gap.to.map_or(0.0, |to| self.travel.seconds_here(self.exit(item, at), to));
+                let on = gap.to.map_or(0.0, |to| self.travel.seconds(self.exit(item, at), to));
                 let seconds = out + on + self.extra(item, at);
                 if seconds < best.1 {
                     best = (at, seconds);
