@@ -593,5 +593,6 @@ fn dense_outlines_end_in_time() {
     }));
     let job = started(drawing(&[star, comb]), machine(5.0));
     assert!(job.worked().contours.iter().all(|c| c.drawn.is_none()));
-    assert!(began.elapsed().as_secs() < 20, "{:?}", began.elapsed());
+    // A guard against what never ends, not a target: alone it takes 9 s, beside two builds 25.
+    assert!(began.elapsed().as_secs() < 120, "{:?}", began.elapsed());
 }
