@@ -124,13 +124,15 @@ fn stretches(tour: &mut Tour, other: &Kept) -> Vec<Stretch> {
             let (start, end) = (other.order[low], other.order[high]);
             let inner = space.extra(start, other.at[start as usize]) + there[high] - there[low];
             let turns = may_turn && space.rank[start as usize] == space.rank[end as usize];
-            let then = |a: u32, b: u32| {
-                space.travel.seconds(tour.exit(before), entry(a))
-                    + inner
-                    + tour.way(exit(b), after, tour.entry(after))
-            };
-            let (ahead, back) = (then(start, end), if turns { then(end, start) } else { f64::INFINITY });
-            let gain = now - ahead.min(back);
+            let mut then = (f64::INFINITY, false);
+            for (turned, a, b) in [(false, start, end), (true, end, start)] {
+                let seconds = space.travel.seconds(tour.exit(before), entry(a))
+                    + tour.way(exit(b), after, tour.entry(after));
+                if (turns || !turned) && seconds < then.0 {
+                    then = (seconds, turned);
+                }
+            }
+            let gain = now - inner - then.0;
             if gain > CLEAR {
                 let touched = found.last().filter(|s| from <= s.to + 2).map(|s| s.to - s.from);
                 if touched.is_some_and(|length| length <= to - from) {
@@ -139,7 +141,7 @@ fn stretches(tour: &mut Tour, other: &Kept) -> Vec<Stretch> {
                 if touched.is_some() {
                     found.pop();
                 }
-                found.push(Stretch { from, to, there: low, turned: back < ahead, gain });
+                found.push(Stretch { from, to, there: low, turned: then.1, gain });
                 break;
             }
         }

@@ -97,7 +97,6 @@ impl Neighbours {
     }
 
     /// Of a gate, to go to or to come from.
-    #[inline(always)]
     fn of_gate(&self, back: bool, gate: usize) -> &[u32] {
         &self.by_gate[usize::from(back)][gate * self.stride..(gate + 1) * self.stride]
     }

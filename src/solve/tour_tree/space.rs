@@ -324,7 +324,7 @@ impl<'p> Space<'p> {
             }
             for at in 0..index(places.len()) {
                 // The way there alone tells of most that they cost more.
-                let out = self.travel.seconds_here(gap.from, places[at as usize]);
+                let out = self.travel.seconds(gap.from, places[at as usize]);
                 if out >= best.1 {
                     continue;
                 }

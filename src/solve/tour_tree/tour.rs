@@ -223,7 +223,6 @@ impl<'p> Tour<'p> {
     }
 
     /// The gap between two items that follow each other, or would.
-    #[inline(always)]
     pub(super) fn gap(&self, from: u32, to: u32) -> Gap {
         let ends = to == self.space.home && !self.space.problem.closed;
         Gap { from: self.exit(from), to: (!ends).then(|| self.entry(to)) }
