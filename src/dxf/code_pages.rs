@@ -24,7 +24,7 @@ impl SingleByte {
             })
         };
         let text: String = bytes.iter().map(char_of).collect();
-        let wrong = text.contains(char::REPLACEMENT_CHARACTER);
+        let wrong = text.chars().any(|c| c == char::REPLACEMENT_CHARACTER);
         (text, wrong)
     }
 }

@@ -31,7 +31,7 @@ impl EastAsian {
     /// The text of `bytes`, and whether some of them meant nothing.
     pub(super) fn decode(self, bytes: &[u8]) -> (String, bool) {
         let text = decode(self.label(), bytes);
-        let wrong = text.contains(char::REPLACEMENT_CHARACTER);
+        let wrong = text.chars().any(|c| c == char::REPLACEMENT_CHARACTER);
         (text, wrong)
     }
 }

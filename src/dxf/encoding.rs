@@ -74,7 +74,7 @@ impl Decoder {
     /// The text of `bytes`.
     pub(super) fn text<'b>(&mut self, bytes: &'b [u8]) -> Cow<'b, str> {
         let text = self.decode(bytes);
-        if text.contains("\\U+") || text.contains("\\M+") { Cow::Owned(unescape(&text)) } else { text }
+        if text.contains('\\') { Cow::Owned(unescape(&text)) } else { text }
     }
 
     fn decode<'b>(&mut self, bytes: &'b [u8]) -> Cow<'b, str> {

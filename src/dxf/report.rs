@@ -111,9 +111,12 @@ impl<'a> Notes<'a> {
             self.seen.rests().map(|(code, rest)| Note { count: rest, ..Note::new(code, Severity::Info, "") });
         let tallies = self.tallies.into_iter().map(|((subject, layer), tally)| tally.note(subject, layer));
         for note in self.list.into_iter().chain(overflow).chain(tallies) {
-            let message = match note.name {
-                b"" => note.message,
-                name => note.message.replace("{}", &decoder.text(name)),
+            let message = match note.message.split_once('{') {
+                Some((before, after)) if !note.name.is_empty() => {
+                    let after = after.strip_prefix('}').unwrap_or(after);
+                    format!("{before}{}{after}", decoder.text(note.name))
+                }
+                _ => note.message,
             };
             let layer = note.layer.and_then(|i| layers.get(i as usize)).map(|l| l.name.clone());
             let handle = note.handle.map(|h| decoder.text(h).into_owned());

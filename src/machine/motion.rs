@@ -17,6 +17,8 @@ pub struct AirTime {
     per_speed: DVec2,
     /// Seconds squared for one mm, by axis; 0 when the machine is at speed at once.
     per_accel: DVec2,
+    /// The machine is at speed at once.
+    at_once: bool,
 }
 
 impl AirTime {
@@ -24,13 +26,15 @@ impl AirTime {
     pub fn new(profile: &Profile) -> Self {
         let per_speed = 1.0 / DVec2::from_array(profile.rapid.speed);
         let per_accel = profile.rapid.accel.map_or(DVec2::ZERO, |a| 1.0 / DVec2::from_array(a));
-        match profile.travel {
+        let (travel, at_once) = (profile.travel, profile.rapid.accel.is_none());
+        match travel {
             Travel::Vector => Self {
-                travel: Travel::Vector,
+                travel,
                 per_speed: DVec2::splat(per_speed.max_element()),
                 per_accel: DVec2::splat(per_accel.max_element()),
+                at_once,
             },
-            travel => Self { travel, per_speed, per_accel },
+            _ => Self { travel, per_speed, per_accel, at_once },
         }
     }
 
@@ -44,19 +48,28 @@ impl AirTime {
     #[inline(always)]
     pub(crate) fn seconds_here(&self, from: DVec2, to: DVec2) -> f64 {
         let d = (to - from).abs();
-        match self.travel {
-            Travel::Straight => {
-                let (run, ramp2) = (d * self.per_speed, d * self.per_accel);
-                ramped(larger(run.x, run.y), larger(ramp2.x, ramp2.y))
-            }
-            Travel::Vector => {
-                let d = d.length();
-                ramped(d * self.per_speed.x, d * self.per_accel.x)
-            }
-            Travel::PerAxis => {
-                let (run, ramp2) = (d * self.per_speed, d * self.per_accel);
-                larger(ramped(run.x, ramp2.x), ramped(run.y, ramp2.y))
-            }
+        if self.travel == Travel::Vector {
+            let d = d.length();
+            return self.ramped(d * self.per_speed.x, d * self.per_accel.x);
+        }
+        let (run, ramp2) = (d * self.per_speed, d * self.per_accel);
+        if self.travel == Travel::Straight || self.at_once {
+            self.ramped(larger(run.x, run.y), larger(ramp2.x, ramp2.y))
+        } else {
+            larger(self.ramped(run.x, ramp2.x), self.ramped(run.y, ramp2.y))
+        }
+    }
+
+    /// Seconds of a motion from rest to rest: see the head of this file.
+    #[inline(always)]
+    fn ramped(&self, run: f64, ramp2: f64) -> f64 {
+        // No root and no division for machines that are at speed at once.
+        if self.at_once {
+            run
+        } else if ramp2 >= run * run {
+            2.0 * ramp2.sqrt()
+        } else {
+            run + ramp2 / run
         }
     }
 
@@ -71,22 +84,15 @@ pub fn air_time(profile: &Profile, from: DVec2, to: DVec2) -> f64 {
     AirTime::new(profile).seconds(from, to)
 }
 
-/// The larger of two: in wasm that of the library is a call, as it heeds what is not a number.
+/// The larger of two that are not below 0: in wasm that of the library is a call, as it heeds what is not a number.
 #[inline(always)]
 pub(crate) fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
-}
-
-/// Seconds of a motion from rest to rest: see the head of this file.
-#[inline(always)]
-fn ramped(run: f64, ramp2: f64) -> f64 {
-    // No division for machines that are at speed at once.
-    if ramp2 == 0.0 {
-        run
-    } else if ramp2 >= run * run {
-        2.0 * ramp2.sqrt()
+    if cfg!(target_family = "wasm") {
+        f64::from_bits(a.to_bits().max(b.to_bits()))
+    } else if a > b {
+        a
     } else {
-        run + ramp2 / run
+        b
     }
 }
 

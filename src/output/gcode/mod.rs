@@ -125,7 +125,11 @@ fn head(pen: &mut Pen, plan: &Plan, profile: &Profile, name: &str) {
 /// A comment line of plain characters that no controller acts upon; parentheses, which some take for the comments they
 /// are in other dialects, are left out.
 fn comment(pen: &mut Pen, text: &str) {
-    let plain = |c: char| if c.is_ascii_alphanumeric() || " .,:_+-=/".contains(c) { c } else { '_' };
-    let line: String = text.chars().filter(|c| !"()".contains(*c)).map(plain).take(COMMENT).collect();
+    let plain = |c: char| match c {
+        ' ' | '.' | ',' | ':' | '_' | '+' | '-' | '=' | '/' => c,
+        c if c.is_ascii_alphanumeric() => c,
+        _ => '_',
+    };
+    let line: String = text.chars().filter(|c| !matches!(c, '(' | ')')).map(plain).take(COMMENT).collect();
     pen.command(&format!("; {}", line.trim_end()));
 }

@@ -42,9 +42,8 @@ fn lost(drawing: &Drawing, elements: &[Element], kept: &[Kept]) -> Option<Findin
     let (code, message) = if copies == elements.len() {
         (Code::DuplicateRemoved, format!("This {kind} lies on top of another one: it is cut once."))
     } else if copies == touched {
-        let pieces =
-            plural(copies, "piece of this KIND lies", "pieces of this KIND lie").replace("KIND", kind);
-        (Code::DuplicateRemoved, format!("{pieces} on top of other lines: cut once."))
+        let (pieces, lie) = (plural(copies, "piece", "pieces"), if copies == 1 { "lies" } else { "lie" });
+        (Code::DuplicateRemoved, format!("{pieces} of this {kind} {lie} on top of other lines: cut once."))
     } else if gone == elements.len() {
         (Code::OverlapRemoved, format!("This {kind} lies wholly along other lines: it is cut once."))
     } else {

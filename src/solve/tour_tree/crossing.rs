@@ -61,15 +61,13 @@ pub(super) fn cross(tour: &mut Tour, queue: &mut Queue, other: &Kept) -> f64 {
             part.reverse();
         }
     }
-    tour.reorder(order);
-    for s in &found {
-        for item in (s.from - 1..=s.to + 1).map(|p| tour.item(p)) {
-            queue.push(item);
-        }
-        for p in s.from..=s.to {
-            let item = tour.item(p);
-            tour.enter(item, other.at[item as usize]);
-        }
+    for &item in found.iter().flat_map(|s| &order[s.from..=s.to]) {
+        tour.enter(item, other.at[item as usize]);
+    }
+    let ways = tour.ways_of(&order);
+    tour.reorder(order, ways);
+    for item in found.iter().flat_map(|s| s.from - 1..=s.to + 1).map(|p| tour.item(p)) {
+        queue.push(item);
     }
     found.iter().map(|s| s.gain).sum()
 }
@@ -89,8 +87,8 @@ fn stretches(tour: &mut Tour, other: &Kept) -> Vec<Stretch> {
     let mut here = vec![0.0; last + 1];
     let mut there = vec![0.0; last + 1];
     for p in 1..=last {
-        let (a, b) = (tour.item(p - 1), tour.item(p));
-        here[p] = here[p - 1] + tour.edge(a, b) + tour.extra(b);
+        let b = tour.item(p);
+        here[p] = here[p - 1] + tour.way_to(b) + tour.extra(b);
         let (a, b) = (other.order[p - 1], other.order[p]);
         there[p] =
             there[p - 1] + space.travel.seconds(exit(a), entry(b)) + space.extra(b, other.at[b as usize]);
@@ -119,8 +117,8 @@ fn stretches(tour: &mut Tour, other: &Kept) -> Vec<Stretch> {
                 continue;
             }
             let after = tour.item(to + 1);
-            let now = tour.edge(before, first) + tour.extra(first) + here[to] - here[from]
-                + tour.edge(tour.item(to), after);
+            let now =
+                tour.way_to(first) + tour.extra(first) + here[to] - here[from] + tour.way_on(tour.item(to));
             let (start, end) = (other.order[low], other.order[high]);
             let inner = space.extra(start, other.at[start as usize]) + there[high] - there[low];
             let turns = may_turn && space.rank[start as usize] == space.rank[end as usize];

@@ -34,9 +34,9 @@ pub(super) fn exchange(tour: &mut Tour, queue: &mut Queue, dice: &mut Dice) -> O
     let t = &mut *tour;
     let (a, b, c) = (t.item(from - 1), t.item(from), t.item(middle));
     let (d, e, f) = (t.item(middle + 1), t.item(to), t.item(to + 1));
-    let given = t.edge(a, b) + t.edge(c, d) + t.edge(e, f);
+    let given = t.way_on(a) + t.way_on(c) + t.way_on(e);
     t.exchange(from, middle, to);
-    let mut change = t.edge(a, d) + t.edge(e, b) + t.edge(c, f) - given;
+    let mut change = t.way_on(a) + t.way_on(e) + t.way_on(c) - given;
     if dice.below(DRAW_ENTRY) == 0 {
         change += draw_entry(tour, queue, dice, b);
     }
@@ -54,9 +54,9 @@ fn draw_entry(tour: &mut Tour, queue: &mut Queue, dice: &mut Dice, item: u32) ->
     let at = dice.below(tour.space.places(item).len());
     let t = &mut *tour;
     let (before, after) = (t.previous(item), t.next(item));
-    let given = t.edge(before, item) + t.edge(item, after) + t.extra(item);
+    let given = t.way_to(item) + t.way_on(item) + t.extra(item);
     t.enter(item, index(at));
     queue.push(before);
     queue.push(after);
-    t.edge(before, item) + t.edge(item, after) + t.extra(item) - given
+    t.way_to(item) + t.way_on(item) + t.extra(item) - given
 }

@@ -74,8 +74,7 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
     }
     let here = tour.position(item);
     let (before, after) = (tour.previous(item), tour.next(item));
-    let freed =
-        tour.edge(before, item) + tour.edge(item, after) + tour.extra(item) - tour.edge(before, after);
+    let freed = tour.way_to(item) + tour.way_on(item) + tour.extra(item) - tour.edge(before, after);
     let mut best: Option<(u32, u32, u32)> = None;
     let mut most = EPSILON;
     for &b in near.of_item(item) {
@@ -84,7 +83,7 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
                 continue;
             }
             tour.priced += 1;
-            let given = freed + tour.edge(from, to);
+            let given = freed + tour.way_on(from);
             // Most places are too far by the way there alone.
             let left = given - tour.space.at_least(tour.exit(from), item, false);
             if left <= most {
@@ -126,7 +125,7 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
 fn turn_ahead(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
     let here = tour.position(a);
     let after_a = tour.next(a);
-    let given = tour.edge(a, after_a);
+    let given = tour.way_on(a);
     for &b in near.of_exit(tour, a) {
         let taken = tour.space.travel.seconds_here(tour.exit(a), tour.exit(b));
         if taken >= given - EPSILON {
@@ -141,7 +140,7 @@ fn turn_ahead(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> 
         let on = tour.way(tour.entry(first), follows, tour.entry(follows));
         // Into the stretch the way is from the earlier of the two, whichever is nearer to go to.
         let into = if here < there { taken } else { tour.space.travel.seconds(tour.exit(b), tour.exit(a)) };
-        let gain = given + tour.edge(b, after_b) - into - on;
+        let gain = given + tour.way_on(b) - into - on;
         if gain <= EPSILON || from >= to || !tour.may_reverse(from, to) {
             continue;
         }
@@ -161,7 +160,7 @@ fn turn_behind(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) ->
     let end = |tour: &Tour, i: u32| if i == tour.space.home { tour.last() + 1 } else { tour.position(i) };
     let here = end(tour, a);
     let before_a = tour.previous(a);
-    let given = tour.edge(before_a, a);
+    let given = tour.way_to(a);
     for &b in near.of_entry(tour, a) {
         let there = end(tour, b);
         let (first, follows) = if here < there { (a, b) } else { (b, a) };
@@ -173,7 +172,7 @@ fn turn_behind(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) ->
         let before_b = tour.previous(b);
         let (u, w) = if here < there { (before_a, before_b) } else { (before_b, before_a) };
         let into = tour.space.travel.seconds(tour.exit(u), tour.exit(w));
-        let gain = given + tour.edge(before_b, b) - taken - into;
+        let gain = given + tour.way_to(b) - taken - into;
         let (from, to) = (here.min(there), here.max(there) - 1);
         if gain <= EPSILON || from >= to || !tour.may_reverse(from, to) {
             continue;
@@ -193,7 +192,7 @@ fn turn_behind(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) ->
 fn exchange(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
     let here = tour.position(a);
     let after_a = tour.next(a);
-    let given = tour.edge(a, after_a);
+    let given = tour.way_on(a);
     for &b in near.of_exit(tour, a) {
         let left = given - tour.edge(a, b);
         if left <= EPSILON {
@@ -203,7 +202,7 @@ fn exchange(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Op
             continue;
         }
         let (there, before_b) = (tour.position(b), tour.previous(b));
-        let left = left + tour.edge(before_b, b);
+        let left = left + tour.way_to(b);
         for &c in near.of_entry(tour, after_a) {
             let left = left - tour.edge(c, after_a);
             if left <= EPSILON {
@@ -212,7 +211,7 @@ fn exchange(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Op
             tour.priced += 1;
             let after_c = tour.next(c);
             let on = tour.way(tour.exit(before_b), after_c, tour.entry(after_c));
-            let gain = left + tour.edge(c, after_c) - on;
+            let gain = left + tour.way_on(c) - on;
             if gain <= EPSILON {
                 continue;
             }
@@ -267,7 +266,7 @@ fn place_chain(
 ) -> Option<f64> {
     let (first, last) = (tour.item(from), tour.item(to));
     let (before, after) = (tour.item(from - 1), tour.item(to + 1));
-    let freed = tour.edge(before, first) + tour.edge(last, after) - tour.edge(before, after);
+    let freed = tour.way_to(first) + tour.way_on(last) - tour.edge(before, after);
     if freed <= EPSILON {
         return None;
     }
@@ -297,7 +296,7 @@ fn place_chain(
             } else {
                 tour.space.travel.seconds(tour.exit(u), enter)
             };
-            let mut gain = freed + tour.edge(u, w) - link - other;
+            let mut gain = freed + tour.way_on(u) - link - other;
             if turned && gain > EPSILON {
                 if !tour.may_reverse(from, to) {
                     continue;

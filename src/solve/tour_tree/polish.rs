@@ -23,7 +23,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// A tour as a solution, entered at its places.
 pub(super) fn unpolished(tour: &Tour, kept: &Kept) -> Solution {
     // Home is a stop only where it is an item of the problem.
-    let first = usize::from(!tour.space.travel.by_table());
+    let first = usize::from(tour.space.problem.table().is_none());
     let stops =
         kept.order[first..].iter().map(|&item| tour.space.stop(item, kept.at[item as usize])).collect();
     Solution::new(tour.space.problem, stops)

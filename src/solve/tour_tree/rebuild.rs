@@ -30,7 +30,7 @@ pub(super) fn rebuild(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, dic
         let found = rest.cheapest(tour, dice, item)?;
         rest.put(tour, queue, item, found);
     }
-    tour.reorder(rest.order);
+    tour.reorder(rest.order, rest.ways);
     Some(rest.change)
 }
 
@@ -101,7 +101,7 @@ impl Rest {
         let mut change = 0.0;
         for p in 0..=tour.last() {
             let item = tour.item(p);
-            let way = tour.edge(item, tour.item(p + 1));
+            let way = tour.way_on(item);
             if out[item as usize] {
                 change -= way + tour.extra(item);
                 continue;

@@ -59,7 +59,7 @@ enum Kind {
     Ring,
     /// Ways with two ends, in pairs of out and back: those of an open contour, or through a pierce group.
     Open,
-    /// Any places, in no order.
+    /// Any places, in no order, each left where it is entered.
     Loose,
 }
 
@@ -126,8 +126,9 @@ impl<'p> Space<'p> {
             };
             s.close_item(kind, spacing, charged);
         }
-        if !s.travel.by_table() {
-            s.place.push(problem.home);
+        if problem.table().is_none() {
+            let home = problem.home;
+            s.place.push(if s.travel.by_table() { node_place(index(problem.nodes.len())) } else { home });
             s.along.push(0.0);
             s.close_item(Kind::Loose, 0.0, charged);
             s.rank.push(0);
@@ -244,15 +245,7 @@ impl<'p> Space<'p> {
 
     /// Where the head leaves an item entered at place `at`.
     pub(super) fn exit(&self, item: u32, at: u32) -> Place {
-        let places = self.places(item);
-        match self.kind[item as usize] {
-            Kind::Open => places[at as usize ^ 1],
-            Kind::Ring => places[at as usize],
-            Kind::Loose if item == self.home || self.travel.by_table() => places[at as usize],
-            Kind::Loose => {
-                self.problem.nodes[self.problem.items[item as usize].nodes.start as usize + at as usize].exit
-            }
-        }
+        self.places(item)[at as usize ^ usize::from(self.two_ends(item))]
     }
 
     /// An open contour or a pierce group: run the other way, by the other node of its pair, entry and exit change places.
@@ -295,14 +288,14 @@ impl<'p> Space<'p> {
         let i = item as usize;
         let d = (p - self.middle[i]).abs() - self.half[i];
         // In wasm the maximum of glam is a call, as it heeds what is not a number.
-        let outside = |d: f64| if d > 0.0 { d } else { 0.0 };
+        let outside = |d: f64| 0.5 * (d + d.abs());
         self.travel.seconds_here(DVec2::ZERO, DVec2::new(outside(d.x), outside(d.y)))
     }
 
     /// Seconds from `gap.from` into an item at place `at` and on to `gap.to`, with what that place costs on top.
     pub(super) fn through(&self, item: u32, at: u32, gap: Gap) -> f64 {
         let entry = self.places(item)[at as usize];
-        let exit = if self.is_ring(item) { entry } else { self.exit(item, at) };
+        let exit = if self.two_ends(item) { self.exit(item, at) } else { entry };
         let on = gap.to.map_or(0.0, |to| self.travel.seconds(exit, to));
         self.travel.seconds(gap.from, entry) + on + self.extra(item, at)
     }
@@ -322,13 +315,15 @@ impl<'p> Space<'p> {
                 }
                 return best;
             }
-            for at in 0..index(places.len()) {
+            let two_ends = self.two_ends(item);
+            for (at, &place) in (0..).zip(places) {
                 // The way there alone tells of most that they cost more.
-                let out = self.travel.seconds(gap.from, places[at as usize]);
+                let out = self.travel.seconds(gap.from, place);
                 if out >= best.1 {
                     continue;
                 }
-                let on = gap.to.map_or(0.0, |to| self.travel.seconds(self.exit(item, at), to));
+                let exit = if two_ends { self.exit(item, at) } else { place };
+                let on = gap.to.map_or(0.0, |to| self.travel.seconds(exit, to));
                 let seconds = out + on + self.extra(item, at);
                 if seconds < best.1 {
                     best = (at, seconds);
@@ -339,8 +334,11 @@ impl<'p> Space<'p> {
         let ring = self.ring_in(item, gap);
         let step = ring.places.len() / GATES;
         for (first, every, reach) in [(0, 4, 4.0), (2, 4, 2.0), (1, 2, 1.0)] {
-            for gate in (first..GATES).step_by(every) {
-                ring.try_at(gate * step, &mut best);
+            // In steps of one's own: those of the library begin with a division.
+            let mut at = first * step;
+            while at < ring.places.len() {
+                ring.try_at(at, &mut best);
+                at += every * step;
             }
             if best.1 - reach * self.slack[item as usize] >= under {
                 return best;

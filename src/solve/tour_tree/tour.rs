@@ -37,10 +37,13 @@ pub(super) struct Tour<'p> {
     /// Where the head enters and leaves, by item.
     entry: Vec<Place>,
     exit: Vec<Place>,
+    /// Seconds from each to the one after it, by position; the last goes home.
+    ways: Vec<f64>,
     /// Items known to be entered best where they stand.
     best_entered: Vec<bool>,
     journal: Vec<Change>,
-    orders: Vec<Vec<u32>>,
+    /// Orders before others, with their ways.
+    orders: Vec<(Vec<u32>, Vec<f64>)>,
     /// Heeds ranks, but not what lies inside what: see `anneal.rs`.
     pub(super) free: bool,
     /// Moves priced so far.
@@ -57,6 +60,7 @@ impl<'p> Tour<'p> {
             position: vec![0; n],
             entry: vec![Place::ZERO; n],
             exit: vec![Place::ZERO; n],
+            ways: Vec::new(),
             best_entered: vec![false; n],
             journal: Vec::new(),
             orders: Vec::new(),
@@ -79,6 +83,13 @@ impl<'p> Tour<'p> {
         for position in 0..self.now.order.len() {
             self.place(self.now.order[position]);
         }
+        self.ways = self.ways_of(&self.now.order);
+    }
+
+    /// Seconds from each to the one after it in an order, entered as they are now.
+    pub(super) fn ways_of(&self, order: &[u32]) -> Vec<f64> {
+        let next = order.iter().skip(1).chain([&self.space.home]);
+        order.iter().zip(next).map(|(&from, &to)| self.edge(from, to)).collect()
     }
 
     fn number(&mut self) {
@@ -96,6 +107,20 @@ impl<'p> Tour<'p> {
         for touched in [self.previous(item), item, self.next(item)] {
             self.best_entered[touched as usize] = false;
         }
+    }
+
+    /// Enters an item at another place.
+    fn moved(&mut self, item: u32, at: u32) {
+        self.now.at[item as usize] = at;
+        self.place(item);
+        let here = self.position(item);
+        self.price(if here == 0 { self.last() } else { here - 1 });
+        self.price(here);
+    }
+
+    /// Prices the way from a position on.
+    fn price(&mut self, position: usize) {
+        self.ways[position] = self.edge(self.item(position), self.item(position + 1));
     }
 
     /// Whether an item is known to be entered where that costs least between its neighbours as they are.
@@ -126,7 +151,7 @@ impl<'p> Tour<'p> {
                     }
                 }
                 Change::Entered(item, at) => kept.at[item as usize] = at,
-                Change::Reordered => orders.next().into_iter().for_each(|o| kept.order.clone_from(o)),
+                Change::Reordered => orders.next().into_iter().for_each(|o| kept.order.clone_from(&o.0)),
             }
         }
         kept
@@ -176,12 +201,6 @@ impl<'p> Tour<'p> {
 
     /// Seconds from `p` into `item` at point `q`; home costs nothing when the path does not return.
     pub(super) fn way(&self, p: Place, item: u32, q: Place) -> f64 {
-        self.way_here(p, item, q)
-    }
-
-    /// The same, for where a call within a call counts.
-    #[inline(always)]
-    fn way_here(&self, p: Place, item: u32, q: Place) -> f64 {
         if item == self.space.home && !self.space.problem.closed {
             0.0
         } else {
@@ -189,9 +208,22 @@ impl<'p> Tour<'p> {
         }
     }
 
-    /// Seconds from one item to the one after it.
+    /// Seconds from one item to another, if that came after it.
     pub(super) fn edge(&self, from: u32, to: u32) -> f64 {
-        self.way_here(self.exit(from), to, self.entry(to))
+        self.way(self.exit(from), to, self.entry(to))
+    }
+
+    /// Seconds from an item on to the one after it.
+    #[inline]
+    pub(super) fn way_on(&self, item: u32) -> f64 {
+        self.ways[self.position(item)]
+    }
+
+    /// Seconds to an item from the one before it.
+    #[inline]
+    pub(super) fn way_to(&self, item: u32) -> f64 {
+        let p = self.position(item);
+        self.ways[if p == 0 { self.last() } else { p - 1 }]
     }
 
     /// Seconds on top of an item's fixed ones for being entered where it is.
@@ -209,7 +241,9 @@ impl<'p> Tour<'p> {
     /// Whether the tour takes `seconds`, but for rounding: for debug assertions.
     pub(super) fn cost_is(&self, seconds: f64) -> bool {
         let cost = self.cost();
-        (cost - seconds).abs() <= 1e-6 * cost.max(1.0)
+        let near = |a: f64| (cost - a).abs() <= 1e-6 * cost.max(1.0);
+        let extra = |p| self.extra(self.item(p));
+        near(seconds) && near(self.ways.iter().sum::<f64>() + (0..=self.last()).map(extra).sum::<f64>())
     }
 
     /// Whether ranks do not fall and, unless free, nothing comes before what lies inside it: for debug assertions.
@@ -233,8 +267,7 @@ impl<'p> Tour<'p> {
         let before = self.at(item);
         if before != at {
             self.journal.push(Change::Entered(item, before));
-            self.now.at[item as usize] = at;
-            self.place(item);
+            self.moved(item, at);
         }
     }
 
@@ -252,6 +285,7 @@ impl<'p> Tour<'p> {
             self.best_entered[outer as usize] = false;
         }
         self.now.order[from..=to].reverse();
+        self.ways[from..to].reverse();
         for (position, &item) in (index(from)..).zip(&self.now.order[from..=to]) {
             let i = item as usize;
             self.position[i] = position;
@@ -260,6 +294,11 @@ impl<'p> Tour<'p> {
                 self.now.at[i] ^= 1;
                 std::mem::swap(&mut self.entry[i], &mut self.exit[i]);
             }
+        }
+        self.price(from - 1);
+        self.price(to);
+        if !self.space.travel.symmetric {
+            (from..to).for_each(|p| self.price(p));
         }
     }
 
@@ -271,10 +310,11 @@ impl<'p> Tour<'p> {
         self.reverse(from + second, to);
     }
 
-    /// Puts the items into another order, home first.
-    pub(super) fn reorder(&mut self, order: Vec<u32>) {
+    /// Puts the items into another order, home first, with the seconds from each to the one after it.
+    pub(super) fn reorder(&mut self, order: Vec<u32>, ways: Vec<f64>) {
         self.journal.push(Change::Reordered);
-        self.orders.push(std::mem::replace(&mut self.now.order, order));
+        let before = std::mem::replace(&mut self.now.order, order);
+        self.orders.push((before, std::mem::replace(&mut self.ways, ways)));
         self.number();
     }
 
@@ -289,13 +329,10 @@ impl<'p> Tour<'p> {
         while let Some(change) = self.journal.pop() {
             match change {
                 Change::Reversed(from, to) => self.turn(from, to),
-                Change::Entered(item, at) => {
-                    self.now.at[item as usize] = at;
-                    self.place(item);
-                }
+                Change::Entered(item, at) => self.moved(item, at),
                 Change::Reordered => {
-                    if let Some(order) = self.orders.pop() {
-                        self.now.order = order;
+                    if let Some((order, ways)) = self.orders.pop() {
+                        (self.now.order, self.ways) = (order, ways);
                         self.number();
                     }
                 }
