@@ -132,12 +132,12 @@ impl<'p> Travel<'p> {
     }
 }
 
-/// The seconds between all nodes, and home after them, of a problem with a choice of points to enter items at. No sheet is
-/// one: closed contours have tracks, open ones two ends, and points no choice.
+/// The seconds between all nodes, and home after them, of a problem with a choice of points to enter items at, none of
+/// which is left unfinished. No sheet is one: closed contours have tracks, open ones two ends, and points no choice.
 fn of_points(problem: &Problem, air: &AirTime) -> Option<Table> {
     let points = TABLES
         && (problem.items.len() + 1..=MOST_NODES).contains(&problem.nodes.len())
-        && problem.items.iter().all(|item| item.track.is_none() && !item.is_uneven())
+        && problem.items.iter().all(|item| item.track.is_none() && item.leave.is_none() && !item.is_uneven())
         && (0..).zip(&problem.nodes).all(|(id, node)| node.twin == id);
     if !points {
         return None;
