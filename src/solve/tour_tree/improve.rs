@@ -75,6 +75,7 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
     let here = tour.position(item);
     let (before, after) = (tour.previous(item), tour.next(item));
     let freed = tour.way_to(item) + tour.way_on(item) + tour.extra(item) - tour.edge(before, after);
+    let reaching = tour.space.reaching(item);
     let mut best: Option<(u32, u32, u32)> = None;
     let mut most = EPSILON;
     for &b in near.of_item(item) {
@@ -85,12 +86,12 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
             tour.priced += 1;
             let given = freed + tour.way_on(from);
             // Most places are too far by the way there alone.
-            let left = given - tour.space.at_least(tour.exit(from), item, false);
+            let left = given - reaching.at_least(tour.exit(from), false);
             if left <= most {
                 continue;
             }
             let gap = tour.gap(from, to);
-            if left - gap.to.map_or(0.0, |q| tour.space.at_least(q, item, true)) <= most {
+            if left - gap.to.map_or(0.0, |q| reaching.at_least(q, true)) <= most {
                 continue;
             }
             let (at, seconds) = tour.space.best_entry(item, gap, given - most);

@@ -139,7 +139,7 @@ impl Rest {
     fn cheapest(&mut self, tour: &mut Tour, dice: &mut Dice, item: u32) -> Option<Found> {
         let space = &tour.space;
         let (first, last) = self.bounds(space, tour.free, item);
-        let rank = |i: u32| space.rank[i as usize];
+        let (reaching, rank) = (space.reaching(item), |i: u32| space.rank[i as usize]);
         let mut best = None;
         let mut least = f64::INFINITY;
         tour.priced += (last + 1).saturating_sub(first) as u64;
@@ -152,12 +152,12 @@ impl Rest {
             }
             let given = self.ways[place - 1];
             // Most places are too far by the way there alone.
-            let there = space.at_least(tour.exit(from), item, false);
+            let there = reaching.at_least(tour.exit(from), false);
             if there - given >= least {
                 continue;
             }
             let gap = tour.gap(from, to);
-            let on = gap.to.map_or(0.0, |q| space.at_least(q, item, true));
+            let on = gap.to.map_or(0.0, |q| reaching.at_least(q, true));
             if there + on - given >= least || dice.below(BLINK) == 0 {
                 continue;
             }

@@ -12,9 +12,9 @@
 use super::ring::{nearest, ring};
 use super::ring_in::RingIn;
 use super::tour::Kept;
-use super::travel::{Place, Travel, node_place};
+use super::travel::{Place, Travel, node_at, node_place};
 use crate::geometry::{Aabb, DVec2};
-use crate::problem::{Item, Node, NodeId, Problem};
+use crate::problem::{Item, Node, NodeId, Problem, TABLES};
 use crate::solve::precedence::Precedence;
 use crate::solve::{Solution, Stop};
 
@@ -69,6 +69,24 @@ enum Kind {
 pub(super) struct Gap {
     pub(super) from: Place,
     pub(super) to: Option<Place>,
+}
+
+/// How far one item is from places: what a table says lies at hand.
+pub(super) struct Reaching<'s> {
+    space: &'s Space<'s>,
+    item: u32,
+    rows: [Option<&'s [f64]>; 2],
+}
+
+impl Reaching<'_> {
+    /// See [`Space::at_least`].
+    #[inline]
+    pub(super) fn at_least(&self, p: Place, back: bool) -> f64 {
+        match self.rows[usize::from(back)] {
+            Some(row) if TABLES => row[node_at(p) as usize],
+            _ => self.space.at_least(p, self.item, back),
+        }
+    }
 }
 
 impl<'p> Space<'p> {
@@ -290,6 +308,11 @@ impl<'p> Space<'p> {
         // In wasm the maximum of glam is a call, as it heeds what is not a number.
         let outside = |d: f64| 0.5 * (d + d.abs());
         self.travel.seconds_here(DVec2::ZERO, DVec2::new(outside(d.x), outside(d.y)))
+    }
+
+    /// How far an item is, for where that is asked of one place after the other.
+    pub(super) fn reaching(&self, item: u32) -> Reaching<'_> {
+        Reaching { space: self, item, rows: [false, true].map(|back| self.travel.leasts(item, back)) }
     }
 
     /// Seconds from `gap.from` into an item at place `at` and on to `gap.to`, with what that place costs on top.

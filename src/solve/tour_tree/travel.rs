@@ -94,11 +94,17 @@ impl<'p> Travel<'p> {
         self.air.seconds_at_least(d)
     }
 
+    /// The least costs from every node to (`back`: to every node from) any place of an item, where a table has them at hand.
+    pub(super) fn leasts(&self, item: u32, back: bool) -> Option<&[f64]> {
+        let nodes = self.table.as_ref().filter(|_| TABLES)?.nodes();
+        let first = item as usize * nodes;
+        self.least[usize::from(back && !self.symmetric)].get(first..first + nodes)
+    }
+
     /// The least cost from `p` to (`back`: to `p` from) any of an item's places, by the table.
     pub(super) fn least(&self, p: Place, item: u32, places: &[Place], back: bool) -> f64 {
-        let least = &self.least[usize::from(back && !self.symmetric)];
-        if !least.is_empty() {
-            return least[item as usize * self.table.as_ref().map_or(0, |t| t.nodes()) + node_at(p) as usize];
+        if let Some(least) = self.leasts(item, back) {
+            return least[node_at(p) as usize];
         }
         places
             .iter()
