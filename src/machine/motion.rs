@@ -84,7 +84,8 @@ pub fn air_time(profile: &Profile, from: DVec2, to: DVec2) -> f64 {
     AirTime::new(profile).seconds(from, to)
 }
 
-/// The larger of two that are not below 0: in wasm that of the library is a call, as it heeds what is not a number.
+/// The larger of two that are not below 0. In wasm that of the library is a call, as it heeds what is not a number, and a
+/// choice of two such numbers a jump, which machines guess wrong half the time; their bits are in the same order.
 #[inline(always)]
 pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if cfg!(target_family = "wasm") {

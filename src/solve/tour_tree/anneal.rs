@@ -282,6 +282,8 @@ impl<'p> Annealing<'p> {
         let Self { tour, queue, elites, best, .. } = self;
         if let Some(other) = elites.partner(number, &best.1) {
             let gain = cross(tour, queue, other);
+            // It is never taken back.
+            tour.commit();
             self.cost -= gain;
             // Again with the same one, until it has nothing better.
             self.stage = Stage::Crossing(number + usize::from(gain <= 0.0), before);

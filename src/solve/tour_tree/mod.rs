@@ -15,6 +15,7 @@
 //! J. Computing 15 (2003); precedence by exchange of neighbouring stretches: Gambardella & Dorigo, INFORMS J.
 //! Computing 12 (2000).
 
+mod allowed;
 mod anneal;
 mod best;
 mod children;
@@ -22,6 +23,7 @@ mod crossing;
 mod entries;
 mod exchange;
 mod few;
+mod gap;
 mod gates;
 mod improve;
 mod neighbours;

@@ -5,7 +5,8 @@
 //! so a golden section search on each element near the place finds it; corners are tried by themselves. The run along
 //! the contour is charged by its exact price at each place tried.
 
-use super::space::{Gap, Space};
+use super::gap::Gap;
+use super::space::Space;
 use super::tour::{Kept, Tour};
 use crate::geometry::{DVec2, Path, Segment};
 use crate::problem::Item;

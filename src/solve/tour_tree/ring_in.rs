@@ -1,6 +1,7 @@
 //! A ring between two stops.
 
-use super::space::{GATES, Gap, index};
+use super::gap::Gap;
+use super::space::{GATES, index};
 use super::travel::{Place, Travel};
 
 /// A ring between two stops, for pricing many of its places: where most of the time of a search goes.

@@ -10,11 +10,10 @@
 //! last item, with all its nodes.
 
 use super::ring::{nearest, ring};
-use super::ring_in::RingIn;
 use super::tour::Kept;
-use super::travel::{Place, Travel, node_at, node_place};
+use super::travel::{Place, Travel, node_place};
 use crate::geometry::{Aabb, DVec2};
-use crate::problem::{Item, Node, NodeId, Problem, TABLES};
+use crate::problem::{Item, Node, NodeId, Problem};
 use crate::solve::precedence::Precedence;
 use crate::solve::{Solution, Stop};
 
@@ -28,27 +27,27 @@ pub(super) struct Space<'p> {
     /// The home item: one past the problem's items; with a table the last of them.
     pub(super) home: u32,
     /// Places of item i: `first[i]..first[i + 1]`.
-    first: Vec<u32>,
+    pub(super) first: Vec<u32>,
     pub(super) place: Vec<Place>,
     /// Arc length of each place along its track, mm.
     along: Vec<f64>,
     /// Seconds on top for entering at each place; empty when no item has any.
-    extra: Vec<f64>,
+    pub(super) extra: Vec<f64>,
     /// Corners of item i: `corner_first[i]..corner_first[i + 1]`.
-    corner_first: Vec<u32>,
-    corner: Vec<u32>,
+    pub(super) corner_first: Vec<u32>,
+    pub(super) corner: Vec<u32>,
     /// Gates of item i: `gate_first[i]..gate_first[i + 1]`.
     pub(super) gate_first: Vec<u32>,
     kind: Vec<Kind>,
     spacing: Vec<f64>,
     /// No place of a ring costs less than the gate nearest to it by more than this many seconds, in any gap: that is
     /// at most the way there and back, and what places cost on top (the times of ways obey the triangle inequality).
-    slack: Vec<f64>,
+    pub(super) slack: Vec<f64>,
     /// Items that cost more one way than the other.
     pub(super) lopsided: Vec<u32>,
     /// Box of an item's places: middle and half size.
-    middle: Vec<DVec2>,
-    half: Vec<DVec2>,
+    pub(super) middle: Vec<DVec2>,
+    pub(super) half: Vec<DVec2>,
     pub(super) rank: Vec<u32>,
     pub(super) precedence: Precedence,
 }
@@ -61,32 +60,6 @@ enum Kind {
     Open,
     /// Any places, in no order, each left where it is entered.
     Loose,
-}
-
-/// Where a stop lies between its neighbours: where the head comes from, and where it goes (`None`: nowhere, the last
-/// stop of a path without return).
-#[derive(Clone, Copy)]
-pub(super) struct Gap {
-    pub(super) from: Place,
-    pub(super) to: Option<Place>,
-}
-
-/// How far one item is from places: what a table says lies at hand.
-pub(super) struct Reaching<'s> {
-    space: &'s Space<'s>,
-    item: u32,
-    rows: [Option<&'s [f64]>; 2],
-}
-
-impl Reaching<'_> {
-    /// See [`Space::at_least`].
-    #[inline]
-    pub(super) fn at_least(&self, p: Place, back: bool) -> f64 {
-        match self.rows[usize::from(back)] {
-            Some(row) if TABLES => row[node_at(p) as usize],
-            _ => self.space.at_least(p, self.item, back),
-        }
-    }
 }
 
 impl<'p> Space<'p> {
@@ -298,94 +271,6 @@ impl<'p> Space<'p> {
         places.iter().step_by(step).take(self.gate_count(item)).copied()
     }
 
-    /// No way from `p` to any place of `item` (`back`: from any place of it to `p`) takes less than this.
-    pub(super) fn at_least(&self, p: Place, item: u32, back: bool) -> f64 {
-        if self.travel.by_table() {
-            return self.travel.least(p, item, self.places(item), back);
-        }
-        let i = item as usize;
-        let d = (p - self.middle[i]).abs() - self.half[i];
-        // In wasm the maximum of glam is a call, as it heeds what is not a number.
-        let outside = |d: f64| 0.5 * (d + d.abs());
-        self.travel.seconds_here(DVec2::ZERO, DVec2::new(outside(d.x), outside(d.y)))
-    }
-
-    /// How far an item is, for where that is asked of one place after the other.
-    pub(super) fn reaching(&self, item: u32) -> Reaching<'_> {
-        Reaching { space: self, item, rows: [false, true].map(|back| self.travel.leasts(item, back)) }
-    }
-
-    /// Seconds from `gap.from` into an item at place `at` and on to `gap.to`, with what that place costs on top.
-    pub(super) fn through(&self, item: u32, at: u32, gap: Gap) -> f64 {
-        let entry = self.places(item)[at as usize];
-        let exit = if self.two_ends(item) { self.exit(item, at) } else { entry };
-        let on = gap.to.map_or(0.0, |to| self.travel.seconds(exit, to));
-        self.travel.seconds(gap.from, entry) + on + self.extra(item, at)
-    }
-
-    /// The best entry of an item in a gap, from all its places: index and seconds. Where none costs less than
-    /// `under`, any of them: every fourth gate of a ring often tells so already.
-    pub(super) fn best_entry(&self, item: u32, gap: Gap, under: f64) -> (u32, f64) {
-        let mut best = (0, f64::INFINITY);
-        if !self.is_ring(item) {
-            let places = self.places(item);
-            let rows = gap.to.and_then(|to| self.travel.both_ways(gap.from, to, places));
-            if let Some([out, on]) = rows {
-                for (at, (out, on)) in (0..).zip(out.iter().zip(on)) {
-                    if out + on < best.1 {
-                        best = (at, out + on);
-                    }
-                }
-                return best;
-            }
-            let two_ends = self.two_ends(item);
-            for (at, &place) in (0..).zip(places) {
-                // The way there alone tells of most that they cost more.
-                let out = self.travel.seconds(gap.from, place);
-                if out >= best.1 {
-                    continue;
-                }
-                let exit = if two_ends { self.exit(item, at) } else { place };
-                let on = gap.to.map_or(0.0, |to| self.travel.seconds(exit, to));
-                let seconds = out + on + self.extra(item, at);
-                if seconds < best.1 {
-                    best = (at, seconds);
-                }
-            }
-            return best;
-        }
-        let ring = self.ring_in(item, gap);
-        let step = ring.places.len() / GATES;
-        for (first, every, reach) in [(0, 4, 4.0), (2, 4, 2.0), (1, 2, 1.0)] {
-            // In steps of one's own: those of the library begin with a division.
-            let mut at = first * step;
-            while at < ring.places.len() {
-                ring.try_at(at, &mut best);
-                at += every * step;
-            }
-            if best.1 - reach * self.slack[item as usize] >= under {
-                return best;
-            }
-        }
-        ring.better_near(&mut best);
-        let corners =
-            self.corner_first[item as usize] as usize..self.corner_first[item as usize + 1] as usize;
-        for &at in &self.corner[corners] {
-            ring.try_at(at as usize, &mut best);
-        }
-        best
-    }
-
-    /// A better entry near a given one, by halving steps to both sides; only rings have a near.
-    pub(super) fn better_near(&self, item: u32, start: (u32, f64), gap: Gap) -> (u32, f64) {
-        if !self.is_ring(item) {
-            return start;
-        }
-        let mut best = start;
-        self.ring_in(item, gap).better_near(&mut best);
-        best
-    }
-
     /// How many places on along a ring one is from another; 0 if it is a gate farther, or on no ring.
     pub(super) fn steps(&self, item: u32, from: u32, to: u32) -> i32 {
         let count = index(self.places(item).len());
@@ -397,13 +282,6 @@ impl<'p> Space<'p> {
     /// The place of a ring so many places on.
     pub(super) fn stepped(&self, item: u32, from: u32, steps: i32) -> u32 {
         from.wrapping_add_signed(steps) & (index(self.places(item).len()) - 1)
-    }
-
-    /// The ring of an item in a gap.
-    fn ring_in(&self, item: u32, gap: Gap) -> RingIn<'_> {
-        let places = self.first[item as usize] as usize..self.first[item as usize + 1] as usize;
-        let extra = if self.extra.is_empty() { &[][..] } else { &self.extra[places.clone()] };
-        RingIn { travel: &self.travel, places: &self.place[places], extra, gap }
     }
 }
 

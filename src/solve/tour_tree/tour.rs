@@ -4,7 +4,8 @@
 //! sequence of reversals, which undo themselves: a kick that did not pay is taken back by its journal. An open
 //! contour in a reversed stretch is run the other way.
 
-use super::space::{Gap, Space, index};
+use super::gap::Gap;
+use super::space::{Space, index};
 use super::travel::Place;
 use crate::problem::PATHS;
 
@@ -246,16 +247,6 @@ impl<'p> Tour<'p> {
         near(seconds) && near(self.ways.iter().sum::<f64>() + (0..=self.last()).map(extra).sum::<f64>())
     }
 
-    /// Whether ranks do not fall and, unless free, nothing comes before what lies inside it: for debug assertions.
-    pub(super) fn is_feasible(&self) -> bool {
-        let rank = |p: usize| self.space.rank[self.item(p) as usize];
-        let ranks = (2..=self.last()).all(|p| rank(p - 1) <= rank(p));
-        let late = |i: u32| self.space.precedence.waits(i, |o| self.position(o) < self.position(i));
-        let items = self.now.order[1..].iter().copied();
-        let together = self.space.problem.groups.kept(items, |i| self.space.rank[i as usize]);
-        ranks && together && (self.free || !self.now.order.iter().any(|&i| late(i)))
-    }
-
     /// The gap between two items that follow each other, or would.
     pub(super) fn gap(&self, from: u32, to: u32) -> Gap {
         let ends = to == self.space.home && !self.space.problem.closed;
@@ -340,15 +331,6 @@ impl<'p> Tour<'p> {
         }
     }
 
-    /// Whether a stretch may be run the other way round: nothing in it waits for anything else in it.
-    pub(super) fn may_reverse(&self, from: usize, to: usize) -> bool {
-        let stretch = &self.now.order[from..=to];
-        self.same_rank(from, to)
-            && self.keeps_groups(from, to, [self.item(from), self.item(to)])
-            && (self.is_free()
-                || !stretch.iter().any(|&i| self.space.precedence.waits(i, |o| self.position(o) <= to)))
-    }
-
     /// Seconds that a stretch costs more when run the other way round: none, unless ways cost more than the ways back.
     /// Looks at the whole stretch then, so it is asked last.
     pub(super) fn turning(&self, from: usize, to: usize) -> f64 {
@@ -367,53 +349,5 @@ impl<'p> Tour<'p> {
         let within = |&&i: &&u32| (from..=to).contains(&self.position(i));
         let over = |&i: &u32| self.space.extra(i, self.at(i) ^ 1) - self.extra(i);
         self.space.lopsided.iter().filter(within).map(over).sum()
-    }
-
-    /// Whether two neighbouring stretches may change places: nothing in the second waits for anything in the first.
-    pub(super) fn may_exchange(&self, from: usize, middle: usize, to: usize) -> bool {
-        let between = [self.item(middle), self.item(middle + 1)];
-        if !self.same_rank(from, to) || !self.keeps_groups(from, to, between) {
-            return false;
-        }
-        if self.is_free() {
-            return true;
-        }
-        // Whichever is shorter is looked through.
-        if middle - from < to - middle {
-            let second = middle + 1..=to;
-            !self.now.order[from..=middle]
-                .iter()
-                .any(|&i| self.space.precedence.waits(i, |o| second.contains(&self.position(o))))
-        } else {
-            self.now.order[middle + 1..=to].iter().all(|&i| {
-                self.space.precedence.before(i).iter().all(|&c| !(from..=middle).contains(&self.position(c)))
-            })
-        }
-    }
-
-    fn is_free(&self) -> bool {
-        self.free || !self.space.precedence.any
-    }
-
-    /// Whether groups stay together when a stretch changes its order as things that lie side by side in the group of
-    /// two items: see `problem/groups.rs`.
-    fn keeps_groups(&self, from: usize, to: usize, of: [u32; 2]) -> bool {
-        let groups = &self.space.problem.groups;
-        let seam = |p: usize| {
-            let (a, b) = (self.item(p - 1), self.item(p));
-            let one_rank = self.space.rank[a as usize] == self.space.rank[b as usize];
-            if one_rank { groups.common(a, b) } else { None }
-        };
-        groups.is_empty()
-            || groups.may_change(
-                groups.common(of[0], of[1]),
-                [self.item(from), self.item(to)],
-                [seam(from), seam(to + 1)],
-            )
-    }
-
-    /// Ranks never fall along the tour, so the ends of a stretch tell.
-    fn same_rank(&self, from: usize, to: usize) -> bool {
-        self.space.rank[self.item(from) as usize] == self.space.rank[self.item(to) as usize]
     }
 }

@@ -3,8 +3,9 @@
 //! From the cheapest pair of coarse places each end goes by turns to the best place for the other: exact for items of few
 //! places, within a place's spacing nearly always for rings. Built item by item, so that a worker can take its turns.
 
+use super::super::gap::Gap;
 use super::super::neighbours::Neighbours;
-use super::super::space::{GATES, Gap, Space, index};
+use super::super::space::{GATES, Space, index};
 
 /// Turns taken by each end: the second changes little.
 const TURNS: usize = 2;

@@ -2,8 +2,9 @@
 //! it, and the decision whether that stays.
 
 use super::super::super::dice::Dice;
+use super::super::gap::Gap;
 use super::super::neighbours::Neighbours;
-use super::super::space::{Gap, Space, index};
+use super::super::space::{Space, index};
 use super::allowed::{in_order, may_shift};
 use super::moves::{Ground, Shift, Spot, freed, improve, is_left, leaving, perform, reenter};
 use super::{Children, Tree};

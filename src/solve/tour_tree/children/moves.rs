@@ -6,9 +6,10 @@
 //! touch (2-opt). A route whose last stop goes elsewhere is gone, with its charge. Every move is priced in constant time;
 //! whether ranks, precedence and nesting allow it is looked up only when it gains.
 
+use super::super::gap::Gap;
 use super::super::improve::{EPSILON, Queue};
 use super::super::neighbours::Neighbours;
-use super::super::space::{Gap, Space};
+use super::super::space::Space;
 use super::allowed::{in_order, may_shift};
 use super::bridges::Bridges;
 use super::flip::flip;

@@ -1,7 +1,8 @@
 //! From places on rings to exact ones: stops and anchors slide along their tracks as stops of the root do.
 
+use super::super::gap::Gap;
 use super::super::polish::{ENOUGH, ROUNDS, Slide};
-use super::super::space::{Gap, Space, index};
+use super::super::space::{Space, index};
 use super::tree::Tree;
 use crate::solve::Solution;
 

@@ -6,7 +6,8 @@
 //! number of their item; anchors follow home. Here is what the routes are; `change.rs` changes them, `visits.rs` makes them
 //! from solutions and solutions from them.
 
-use super::super::space::{Gap, Space, index};
+use super::super::gap::Gap;
+use super::super::space::{Space, index};
 use super::super::travel::Place;
 use super::closing::Closing;
 use super::moves::leaving;

@@ -1,0 +1,72 @@
+//! Which orders precedence, ranks and groups allow: asked before a stretch of the tour is turned or moved.
+
+use super::tour::Tour;
+
+impl Tour<'_> {
+    /// Whether ranks do not fall and, unless free, nothing comes before what lies inside it: for debug assertions.
+    pub(super) fn is_feasible(&self) -> bool {
+        let rank = |p: usize| self.space.rank[self.item(p) as usize];
+        let ranks = (2..=self.last()).all(|p| rank(p - 1) <= rank(p));
+        let late = |i: u32| self.space.precedence.waits(i, |o| self.position(o) < self.position(i));
+        let items = self.now().order[1..].iter().copied();
+        let together = self.space.problem.groups.kept(items, |i| self.space.rank[i as usize]);
+        ranks && together && (self.free || !self.now().order.iter().any(|&i| late(i)))
+    }
+
+    /// Whether a stretch may be run the other way round: nothing in it waits for anything else in it.
+    pub(super) fn may_reverse(&self, from: usize, to: usize) -> bool {
+        let stretch = &self.now().order[from..=to];
+        self.same_rank(from, to)
+            && self.keeps_groups(from, to, [self.item(from), self.item(to)])
+            && (self.is_free()
+                || !stretch.iter().any(|&i| self.space.precedence.waits(i, |o| self.position(o) <= to)))
+    }
+
+    /// Whether two neighbouring stretches may change places: nothing in the second waits for anything in the first.
+    pub(super) fn may_exchange(&self, from: usize, middle: usize, to: usize) -> bool {
+        let between = [self.item(middle), self.item(middle + 1)];
+        if !self.same_rank(from, to) || !self.keeps_groups(from, to, between) {
+            return false;
+        }
+        if self.is_free() {
+            return true;
+        }
+        // Whichever is shorter is looked through.
+        if middle - from < to - middle {
+            let second = middle + 1..=to;
+            !self.now().order[from..=middle]
+                .iter()
+                .any(|&i| self.space.precedence.waits(i, |o| second.contains(&self.position(o))))
+        } else {
+            self.now().order[middle + 1..=to].iter().all(|&i| {
+                self.space.precedence.before(i).iter().all(|&c| !(from..=middle).contains(&self.position(c)))
+            })
+        }
+    }
+
+    fn is_free(&self) -> bool {
+        self.free || !self.space.precedence.any
+    }
+
+    /// Whether groups stay together when a stretch changes its order as things that lie side by side in the group of
+    /// two items: see `problem/groups.rs`.
+    fn keeps_groups(&self, from: usize, to: usize, of: [u32; 2]) -> bool {
+        let groups = &self.space.problem.groups;
+        let seam = |p: usize| {
+            let (a, b) = (self.item(p - 1), self.item(p));
+            let one_rank = self.space.rank[a as usize] == self.space.rank[b as usize];
+            if one_rank { groups.common(a, b) } else { None }
+        };
+        groups.is_empty()
+            || groups.may_change(
+                groups.common(of[0], of[1]),
+                [self.item(from), self.item(to)],
+                [seam(from), seam(to + 1)],
+            )
+    }
+
+    /// Ranks never fall along the tour, so the ends of a stretch tell.
+    fn same_rank(&self, from: usize, to: usize) -> bool {
+        self.space.rank[self.item(from) as usize] == self.space.rank[self.item(to) as usize]
+    }
+}
