@@ -178,12 +178,13 @@ impl Rest {
         if free || !p.any {
             return places;
         }
-        for later in [false, true] {
+        let bound = |i, later| if later { p.after(i) } else { p.before(i) };
+        for later in [false, true].into_iter().filter(|&later| !bound(item, later).is_empty()) {
             self.marked.clear();
             self.marked.resize(self.out.len(), false);
             let (mut open, mut any) = (vec![item], false);
             while let Some(next) = open.pop() {
-                for &other in if later { p.after(next) } else { p.before(next) } {
+                for &other in bound(next, later) {
                     if !std::mem::replace(&mut self.marked[other as usize], true) {
                         if self.out[other as usize] { open.push(other) } else { any = true }
                     }
