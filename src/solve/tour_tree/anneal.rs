@@ -128,9 +128,9 @@ impl<'p> Annealing<'p> {
         (self.best.0, &self.best.1)
     }
 
-    /// Whether the tour was locally best once.
-    pub(super) fn has_settled(&self) -> bool {
-        self.mean.is_some()
+    /// Whether a cycle has ended.
+    pub(super) fn has_cycled(&self) -> bool {
+        self.cycle > 0
     }
 
     /// The best feasible tour, the same whether it was taken over yet or not.
