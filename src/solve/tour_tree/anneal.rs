@@ -17,14 +17,15 @@ use super::super::dice::Dice;
 use super::crossing::{Elites, cross};
 use super::entries::Layers;
 use super::exchange::exchange;
-use super::few::{ENTER_ANEW, Turn, is_few};
+use super::few::{ENTER_ANEW, Small, Turn, is_few};
 use super::improve::{EPSILON, Queue, improve};
 use super::neighbours::Neighbours;
 use super::rebuild::rebuild;
 use super::repair::repaired;
 use super::tour::{Kept, Tour};
 
-/// Kicks in the first cycle, for every item: enough to see an improvement within a tenth of a second.
+/// Kicks in the first cycle, for every item: enough to see an improvement within a tenth of a second. 4 ends 0.1 % lower on
+/// 500 contours after 2 s, but is 1.3 % above after 0.3 s.
 const FIRST_CYCLE: u64 = 2;
 /// Share of a cycle, in percent, that heeds no nesting.
 const FREE_SHARE: u64 = 60;
@@ -236,13 +237,14 @@ impl<'p> Annealing<'p> {
 
     fn begin_part(&mut self, share: u64) {
         let items = self.tour.last() as u64;
-        let first = (FIRST_CYCLE * items * share / 100).max(1);
+        let first = |per_item: u64| (per_item * items * share / 100).max(1);
         let turn = if self.few {
-            Turn::of(self.cycle, self.tour.space.problem, first)
+            Turn::of(self.cycle, self.tour.space.problem, first(FIRST_CYCLE))
         } else {
+            let Small { first_cycle, rebuilds } = Small::of(self.tour.space.problem, items, FIRST_CYCLE);
             // Past so many cycles no machine arrives.
-            let kicks = (0..self.cycle.min(70)).fold(first, |kicks, _| kicks + kicks.div_ceil(2));
-            Turn { heat: if self.cycle > 0 { REHEAT } else { 1.0 }, rebuilds: 0, kicks }
+            let kicks = (0..self.cycle.min(70)).fold(first(first_cycle), |kicks, _| kicks + kicks.div_ceil(2));
+            Turn { heat: if self.cycle > 0 { REHEAT } else { 1.0 }, rebuilds, kicks }
         };
         self.kicks_wanted = turn.kicks;
         self.kicks = 0;
