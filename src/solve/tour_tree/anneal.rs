@@ -129,6 +129,11 @@ impl<'p> Annealing<'p> {
         (self.best.0, &self.best.1)
     }
 
+    /// Whether the tour was locally best once.
+    pub(super) fn has_settled(&self) -> bool {
+        self.mean.is_some()
+    }
+
     /// Whether a cycle has ended.
     pub(super) fn has_cycled(&self) -> bool {
         self.cycle > 0
@@ -243,7 +248,8 @@ impl<'p> Annealing<'p> {
         } else {
             let Small { first_cycle, rebuilds } = Small::of(self.tour.space.problem, items, FIRST_CYCLE);
             // Past so many cycles no machine arrives.
-            let kicks = (0..self.cycle.min(70)).fold(first(first_cycle), |kicks, _| kicks + kicks.div_ceil(2));
+            let kicks =
+                (0..self.cycle.min(70)).fold(first(first_cycle), |kicks, _| kicks + kicks.div_ceil(2));
             Turn { heat: if self.cycle > 0 { REHEAT } else { 1.0 }, rebuilds, kicks }
         };
         self.kicks_wanted = turn.kicks;

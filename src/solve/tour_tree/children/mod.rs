@@ -54,6 +54,11 @@ const LONG: u64 = 10_000;
 /// use, some use, much use. One for one, the root comes late to what it finds on sheets of small parts far apart, 0.1 to
 /// 0.2 % above after 2 million moves; and the routes on those of large parts close together, 1.7 % above after 200,000.
 const SHARES: [(f64, f64); 3] = [(0.98, 3.0), (0.999, 1.0), (f64::INFINITY, 1.0 / 3.0)];
+/// How much they work until the root's first cycle has ended. One for one, that takes twice as long, and on sheet 38 of Dewil
+/// et al. (`npm run bench -- dewil`) F-R ends before; beginning after it comes too late on sheet 34. Ahead of F-R on these
+/// two, and on set 2 but sheet 35 in the mean, 12 seeds: one for one -0.5, 3.2, 6.0 %; after it 1.1, 1.2, 5.8 %; a third
+/// 0.7, 2.9, 6.1 %.
+const SHARE_AT_FIRST: f64 = 1.0 / 3.0;
 /// A turn takes so much more than a share, so that turns are not too short.
 const TURN: f64 = 1.25;
 
@@ -152,12 +157,11 @@ impl Children {
         polish::polished(space, &Tree::new(space, &self.best))
     }
 
-    /// Whether it works next, and not the root; `goes_on`: it did just now. The root has its first cycle for itself: beside
-    /// it that takes twice as long, and the routes start from something worse. On sheet 38 of Dewil et al. (`npm run bench --
-    /// dewil`) a path of 48.6 s is found in 11 ms so, in 20 ms otherwise; on 11 others both are even after 20 to 30 ms.
+    /// Whether it works next, and not the root; `goes_on`: it did just now.
     pub(super) fn is_next(&self, root: &Annealing, goes_on: bool) -> bool {
-        let most = self.share * root.priced() as f64 * if goes_on { TURN } else { 1.0 };
-        root.has_cycled() && self.priced() as f64 <= most
+        let share = if root.has_cycled() { self.share } else { SHARE_AT_FIRST };
+        let most = share * root.priced() as f64 * if goes_on { TURN } else { 1.0 };
+        root.has_settled() && self.priced() as f64 <= most
     }
 
     /// Begins a cycle, which ends when so much work is done.
