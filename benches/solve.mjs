@@ -139,10 +139,11 @@ async function pool({ seconds, only }) {
   table(`Sheets by the pool of the package under Node, ${workers} workers, ${seconds} s, seed 1: air length in mm`, ['', 'length', 'best known before', 'to it'], lines);
 }
 
-async function quDu({ seconds, seeds, cpu }) {
+async function quDu({ seconds, seeds, only, cpu }) {
   const file = join(DATA, 'qu-du-43', 'qu_du_43.json');
   const bounds = proven(file, seconds);
-  const lines = natively(file, { seconds, seeds, cpu }).map((source) => {
+  const wanted = natively(file, { seconds, seeds, cpu }).filter((source) => only === undefined || source.name.includes(only));
+  const lines = wanted.map((source) => {
     const wasm = source.runs.map(({ seed }) => inWasm(file, source, seed, { seconds, cpu }));
     const reached = (runs) => `${runs.filter((r) => r.reached).length}/${runs.length}`;
     const found = (runs) => `${median(runs.map((r) => r.found)).toFixed(3)} s`;
