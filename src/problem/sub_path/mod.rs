@@ -100,7 +100,8 @@ fn orders(net: &Net) -> Vec<Order> {
     if net.len() <= exact::MOST {
         return exact::all(net);
     }
-    let orders = ends(net).into_iter().flat_map(|to| beam::orders(net, to).into_iter().take(WAYS));
+    let search = beam::Search::new(net);
+    let orders = ends(net).into_iter().flat_map(|to| search.orders(to).into_iter().take(WAYS));
     orders.map(|order| anneal::annealed(net, order)).collect()
 }
 

@@ -1,0 +1,105 @@
+//! What lies at each node of a group, and what may be put back next.
+
+use super::super::net::{Net, Step};
+use super::state::State;
+use crate::order::{real, sort_by};
+
+/// Nodes looked at as the end of the trail before: so many of those with one element left, and of others, the nearest;
+/// rather where an odd number of elements is left.
+const JUMPS: usize = 3;
+/// Nearest nodes of each that are looked through first: with all of 2,000 there would be 16 MB of them.
+const NEAREST: usize = 256;
+/// Cosine of the angle up to which an element goes straight on.
+const STRAIGHT: f64 = 0.99;
+
+/// What lies at each node.
+pub(super) struct Places {
+    /// Steps that end there.
+    arriving: Vec<Vec<Step>>,
+    areas: Vec<Vec<u32>>,
+    /// Other nodes, the nearest first.
+    near: Vec<Vec<u32>>,
+    /// By step: the one that leads straight to it.
+    straight: Vec<Option<Step>>,
+}
+
+impl Places {
+    pub(super) fn new(net: &Net) -> Self {
+        let nodes = net.nodes().count();
+        let (mut arriving, mut areas) = (vec![Vec::new(); nodes], vec![Vec::new(); nodes]);
+        for step in net.steps() {
+            let node = net.step(step)[1] as usize;
+            arriving[node].push(step);
+            for f in net.faces(step) {
+                if !areas[node].contains(&f) {
+                    areas[node].push(f);
+                }
+            }
+        }
+        let straight = net.steps().map(|step| straight_to(net, &arriving, step)).collect();
+        let near = net.nodes().map(|n| nearest(net, n)).collect();
+        Self { arriving, areas, near, straight }
+    }
+
+    /// The step that leads straight to another one.
+    pub(super) fn straight_on(&self, step: Step) -> Option<Step> {
+        self.straight[step as usize]
+    }
+
+    /// Areas around a node.
+    pub(super) fn areas(&self, node: u32) -> &[u32] {
+        &self.areas[node as usize]
+    }
+
+    /// Steps that may be put back where a state is, or (`true`) after a jump.
+    pub(super) fn steps(&self, net: &Net, state: &State, mut visit: impl FnMut(Step, bool)) {
+        let open =
+            |node: u32| self.arriving[node as usize].iter().copied().filter(|&s| state.may_take(net, s));
+        let here = state.at.here;
+        open(here).for_each(|s| visit(s, false));
+        if state.at.after.is_none() {
+            return;
+        }
+        // With one element left, with an odd number, with an even one.
+        let mut ends: [Vec<u32>; 3] = Default::default();
+        let look = |ends: &mut [Vec<u32>; 3], node: u32| {
+            let kind = match state.left(node) {
+                0 => return false,
+                1 => 0,
+                left => 2 - usize::from(left % 2),
+            };
+            if ends[kind].len() < JUMPS && open(node).next().is_some() {
+                ends[kind].push(node);
+            }
+            ends[0].len() + ends[1].len() == 2 * JUMPS
+        };
+        let enough = self.near[here as usize].iter().any(|&n| look(&mut ends, n));
+        if !enough && ends.iter().all(Vec::is_empty) {
+            net.nodes().filter(|&n| n != here).any(|n| look(&mut ends, n));
+        }
+        let [last, odd, even] = &ends;
+        for &node in last.iter().chain(odd.iter().chain(even).take(JUMPS)) {
+            open(node).for_each(|s| visit(s, true));
+        }
+    }
+}
+
+/// The step that leads straight to another one.
+fn straight_to(net: &Net, arriving: &[Vec<Step>], step: Step) -> Option<Step> {
+    let begin = net.travelled(step).first()?.tangent(0.0);
+    let before = arriving[net.step(step)[0] as usize].iter().copied().filter(|&a| a / 2 != step / 2);
+    before
+        .filter_map(|a| Some((net.travelled(a).last()?.tangent(1.0).dot(begin), a)))
+        .filter(|a| a.0 > STRAIGHT)
+        .reduce(|best, a| if a.0 > best.0 { a } else { best })
+        .map(|a| a.1)
+}
+
+/// The nodes nearest to one in seconds.
+fn nearest(net: &Net, node: u32) -> Vec<u32> {
+    let mut others: Vec<(f64, u32)> =
+        net.nodes().filter(|&n| n != node).map(|n| (net.way(n, node), n)).collect();
+    sort_by(&mut others, |o| [real(o.0), o.1.into(), 0]);
+    others.truncate(NEAREST);
+    others.into_iter().map(|o| o.1).collect()
+}
