@@ -1,5 +1,6 @@
 //! Items between others: what it takes at least to reach one, and where it is entered best in a gap of the tour.
 
+use super::boxes::ARCS;
 use super::ring_in::RingIn;
 use super::space::{GATES, Space};
 use super::travel::{Place, node_at};
@@ -38,11 +39,7 @@ impl Space<'_> {
         if self.travel.by_table() {
             return self.travel.least(p, item, self.places(item), back);
         }
-        let i = item as usize;
-        let d = (p - self.middle[i]).abs() - self.half[i];
-        // In wasm the maximum of glam is a call, and a choice of two numbers a jump.
-        let outside = |d: f64| 0.5 * (d + d.abs());
-        self.travel.seconds_here(DVec2::ZERO, DVec2::new(outside(d.x), outside(d.y)))
+        self.travel.seconds_here(DVec2::ZERO, self.whole[item as usize].outside(p))
     }
 
     /// How far an item is, for where that is asked of one place after the other.
@@ -59,7 +56,7 @@ impl Space<'_> {
     }
 
     /// The best entry of an item in a gap, from all its places: index and seconds. Where none costs less than
-    /// `under`, any of them: every fourth gate of a ring often tells so already.
+    /// `under`, any of them: the boxes of a ring's arcs often tell so already.
     pub(super) fn best_entry(&self, item: u32, gap: Gap, under: f64) -> (u32, f64) {
         let mut best = (0, f64::INFINITY);
         if !self.is_ring(item) {
@@ -91,16 +88,18 @@ impl Space<'_> {
         }
         let ring = self.ring_in(item, gap);
         let step = ring.places.len() / GATES;
-        for (first, every, reach) in [(0, 4, 4.0), (2, 4, 2.0), (1, 2, 1.0)] {
-            // In steps of one's own: those of the library begin with a division.
-            let mut at = first * step;
-            while at < ring.places.len() {
-                ring.try_at(at, &mut best);
-                at += every * step;
+        for (q, arc) in self.arcs[item as usize].iter().enumerate() {
+            if ring.at_least(arc) < best.1.min(under) {
+                // In steps of one's own: those of the library begin with a division.
+                let mut at = GATES / ARCS * q * step;
+                for _ in 0..GATES / ARCS {
+                    ring.try_at(at, &mut best);
+                    at += step;
+                }
             }
-            if best.1 - reach * self.slack[item as usize] >= under {
-                return best;
-            }
+        }
+        if best.1 == f64::INFINITY {
+            return best;
         }
         ring.better_near(&mut best);
         let corners =

@@ -18,6 +18,7 @@
 mod allowed;
 mod anneal;
 mod best;
+mod boxes;
 mod children;
 mod crossing;
 mod entries;

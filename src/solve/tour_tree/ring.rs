@@ -6,76 +6,91 @@
 //! nothing any more.
 
 use super::space::{GATES, index};
-use crate::geometry::{DVec2, Segment};
+use crate::geometry::{DVec2, Path, Segment};
 use crate::problem::Item;
 
 /// Places at most this far apart, mm: half of it, seen across a gap of 5 mm, is 0.3 % of the gap.
 const SPACING: f64 = 0.8;
-/// Places of one ring at most: a contour of 3 m at 0.8 mm needs no more; longer ones get wider spacing.
-const MOST: usize = 4096;
+/// Places of one ring at most: a contour of 1.6 m at 0.8 mm needs no more; longer ones get wider spacing. With 4,096 the search
+/// is slower where large parts lie close together, and finds nothing shorter in a second.
+const MOST: usize = 2048;
 
 /// Places in order around a closed contour.
-pub(super) struct Ring {
+pub(super) struct Ring<'p> {
+    item: &'p Item,
+    track: &'p Path,
+    /// How many there are.
+    pub(super) count: usize,
     /// Distance of places, mm; of two neighbours up to twice that where they were put on corners.
     pub(super) spacing: f64,
-    pub(super) points: Vec<DVec2>,
+}
+
+/// What places of a ring cost on top.
+pub(super) struct Prices {
     /// Arc length of each from the track's start, mm.
     pub(super) along: Vec<f64>,
-    /// Seconds on top by place; empty where all cost the same.
+    /// Seconds on top by place.
     pub(super) extra: Vec<f64>,
     /// Places that cost less than both their neighbours, the cheapest between each two gates.
     pub(super) corners: Vec<u32>,
 }
 
-/// The ring of an item; none where it has no closed track with a length.
-pub(super) fn ring(item: &Item) -> Option<Ring> {
-    let track = item.track.as_ref().filter(|t| t.closed)?;
-    let lengths: Vec<f64> = track.segments.iter().map(Segment::length).collect();
-    let length: f64 = lengths.iter().sum();
-    if length <= 0.0 || !length.is_finite() {
-        return None;
-    }
-    let mut count = GATES;
-    while count < MOST && length > SPACING * count as f64 {
-        count *= 2;
-    }
-    let spacing = length / count as f64;
-    let mut along: Vec<f64> = (0..count).map(|k| spacing * k as f64).collect();
-    let extra = prices(item, spacing, &mut along);
-    let corners = corners(&extra);
-    let (mut element, mut before) = (0, 0.0);
-    let point = |&at: &f64| {
-        while element + 1 < lengths.len() && before + lengths[element] < at {
-            before += lengths[element];
-            element += 1;
+impl<'p> Ring<'p> {
+    /// The ring of an item; none where it has no closed track with a length.
+    pub(super) fn new(item: &'p Item) -> Option<Self> {
+        let track = item.track.as_ref().filter(|t| t.closed)?;
+        let length: f64 = track.segments.iter().map(Segment::length).sum();
+        if length <= 0.0 || !length.is_finite() {
+            return None;
         }
-        let f = if lengths[element] > 0.0 { (at - before) / lengths[element] } else { 0.0 };
-        track.segments[element].at(f)
-    };
-    let points = along.iter().map(point).collect();
-    Some(Ring { spacing, points, along, extra, corners })
-}
+        let mut count = GATES;
+        while count < MOST && length > SPACING * count as f64 {
+            count *= 2;
+        }
+        Some(Self { item, track, count, spacing: length / count as f64 })
+    }
 
-/// Puts places on corners and gives the price of each place.
-fn prices(item: &Item, spacing: f64, along: &mut [f64]) -> Vec<f64> {
-    let Some(run) = item.uneven() else { return Vec::new() };
-    // The slowest joint of the stretch around each place: the only one that may be worth more than the place.
-    let mut slowest = vec![(f64::INFINITY, 0.0); along.len()];
-    for (joint, speed2) in run.joints() {
-        let k = nearest(joint / spacing).min(along.len() - 1);
-        if speed2 < slowest[k].0 {
-            slowest[k] = (speed2, joint);
-        }
+    /// The places; where along the track each of them is, in order, from the prices or from here.
+    pub(super) fn points(&self, prices: Option<&Prices>) -> impl Iterator<Item = DVec2> {
+        let lengths: Vec<f64> = self.track.segments.iter().map(Segment::length).collect();
+        let (mut element, mut before) = (0, 0.0);
+        (0..self.count).map(move |k| {
+            let at = prices.map_or(self.spacing * k as f64, |p| p.along[k]);
+            while element + 1 < lengths.len() && before + lengths[element] < at {
+                before += lengths[element];
+                element += 1;
+            }
+            let f = if lengths[element] > 0.0 { (at - before) / lengths[element] } else { 0.0 };
+            self.track.segments[element].at(f)
+        })
     }
-    let price = |(at, (speed2, joint)): (&mut f64, (f64, f64))| {
-        let here = run.extra(*at);
-        let there = if speed2.is_finite() { run.extra(joint) } else { here };
-        if there < here {
-            *at = joint;
+
+    /// Puts places on corners and gives the price of each place.
+    pub(super) fn prices(&self) -> Prices {
+        let mut along: Vec<f64> = (0..self.count).map(|k| self.spacing * k as f64).collect();
+        let Some(run) = self.item.uneven() else {
+            return Prices { extra: vec![0.0; along.len()], along, corners: Vec::new() };
+        };
+        // The slowest joint of the stretch around each place: the only one that may be worth more than the place.
+        let mut slowest = vec![(f64::INFINITY, 0.0); along.len()];
+        for (joint, speed2) in run.joints() {
+            let k = nearest(joint / self.spacing).min(along.len() - 1);
+            if speed2 < slowest[k].0 {
+                slowest[k] = (speed2, joint);
+            }
         }
-        there.min(here)
-    };
-    along.iter_mut().zip(slowest).map(price).collect()
+        let price = |(at, (speed2, joint)): (&mut f64, (f64, f64))| {
+            let here = run.extra(*at);
+            let there = if speed2.is_finite() { run.extra(joint) } else { here };
+            if there < here {
+                *at = joint;
+            }
+            there.min(here)
+        };
+        let extra: Vec<f64> = along.iter_mut().zip(slowest).map(price).collect();
+        let corners = corners(&extra);
+        Prices { along, extra, corners }
+    }
 }
 
 fn corners(extra: &[f64]) -> Vec<u32> {

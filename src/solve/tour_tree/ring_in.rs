@@ -1,8 +1,10 @@
 //! A ring between two stops.
 
+use super::boxes::Boxed;
 use super::gap::Gap;
 use super::space::{GATES, index};
 use super::travel::{Place, Travel};
+use crate::geometry::DVec2;
 
 /// A ring between two stops, for pricing many of its places: where most of the time of a search goes.
 pub(super) struct RingIn<'s> {
@@ -14,6 +16,16 @@ pub(super) struct RingIn<'s> {
 }
 
 impl RingIn<'_> {
+    /// No place in a box takes less.
+    #[inline(always)]
+    pub(super) fn at_least(&self, b: &Boxed) -> f64 {
+        let there = self.travel.seconds_here(DVec2::ZERO, b.outside(self.gap.from));
+        match self.gap.to {
+            Some(to) => there + self.travel.seconds_here(DVec2::ZERO, b.outside(to)),
+            None => there,
+        }
+    }
+
     /// Takes place `at` over, if it costs less.
     #[inline(always)]
     pub(super) fn try_at(&self, at: usize, best: &mut (u32, f64)) -> bool {

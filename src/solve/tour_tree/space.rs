@@ -9,10 +9,11 @@
 //! Home is one more item, the last, with one place; the tour starts at it. With a table of costs it is the problem's
 //! last item, with all its nodes.
 
-use super::ring::{nearest, ring};
+use super::boxes::{ARCS, Boxed, arcs};
+use super::ring::{Ring, nearest};
 use super::tour::Kept;
 use super::travel::{Place, Travel, node_place};
-use crate::geometry::{Aabb, DVec2};
+use crate::geometry::Aabb;
 use crate::problem::{Item, Node, NodeId, Problem};
 use crate::solve::precedence::Precedence;
 use crate::solve::{Solution, Stop};
@@ -29,7 +30,7 @@ pub(super) struct Space<'p> {
     /// Places of item i: `first[i]..first[i + 1]`.
     pub(super) first: Vec<u32>,
     pub(super) place: Vec<Place>,
-    /// Arc length of each place along its track, mm.
+    /// Arc length of each place of a ring along its track, mm; empty where all are evenly spaced.
     along: Vec<f64>,
     /// Seconds on top for entering at each place; empty when no item has any.
     pub(super) extra: Vec<f64>,
@@ -40,14 +41,12 @@ pub(super) struct Space<'p> {
     pub(super) gate_first: Vec<u32>,
     kind: Vec<Kind>,
     spacing: Vec<f64>,
-    /// No place of a ring costs less than the gate nearest to it by more than this many seconds, in any gap: that is
-    /// at most the way there and back, and what places cost on top (the times of ways obey the triangle inequality).
-    pub(super) slack: Vec<f64>,
+    /// By item: where the arcs of a ring run.
+    pub(super) arcs: Vec<[Boxed; ARCS]>,
     /// Items that cost more one way than the other.
     pub(super) lopsided: Vec<u32>,
-    /// Box of an item's places: middle and half size.
-    pub(super) middle: Vec<DVec2>,
-    pub(super) half: Vec<DVec2>,
+    /// By item: the box of its places.
+    pub(super) whole: Vec<Boxed>,
     pub(super) rank: Vec<u32>,
     pub(super) precedence: Precedence,
 }
@@ -78,26 +77,33 @@ impl<'p> Space<'p> {
             gate_first: vec![0],
             kind: Vec::with_capacity(n + 1),
             spacing: Vec::with_capacity(n + 1),
-            slack: Vec::with_capacity(n + 1),
+            arcs: Vec::with_capacity(n + 1),
             lopsided: (0..)
                 .zip(&problem.items)
                 .filter(|(_, i)| !i.ways().is_empty())
                 .map(|(id, _)| id)
                 .collect(),
-            middle: Vec::with_capacity(n + 1),
-            half: Vec::with_capacity(n + 1),
+            whole: Vec::with_capacity(n + 1),
             rank: problem.items.iter().map(|i| i.rank).collect(),
             precedence: Precedence::new(problem),
         };
         let charged = problem.items.iter().any(Item::is_uneven);
-        for item in &problem.items {
+        let rings: Vec<_> = problem.items.iter().map(Ring::new).collect();
+        // Grown place by place, room for large rings took longer than all the rest.
+        let count =
+            |(ring, item): (&Option<Ring>, &Item)| ring.as_ref().map_or(item.nodes.len(), |r| r.count);
+        s.place.reserve_exact(rings.iter().zip(&problem.items).map(count).sum::<usize>() + 1);
+        for (item, ring) in problem.items.iter().zip(rings) {
             let nodes = &problem.nodes[item.nodes.start as usize..item.nodes.end as usize];
-            let (kind, spacing) = match ring(item) {
+            let (kind, spacing) = match ring {
                 Some(ring) => {
-                    s.place.extend(ring.points);
-                    s.along.extend(ring.along);
-                    s.extra.extend(ring.extra);
-                    s.corner.extend(ring.corners);
+                    let prices = charged.then(|| ring.prices());
+                    s.place.extend(ring.points(prices.as_ref()));
+                    if let Some(prices) = prices {
+                        s.along.extend(prices.along);
+                        s.extra.extend(prices.extra);
+                        s.corner.extend(prices.corners);
+                    }
                     (Kind::Ring, ring.spacing)
                 }
                 None => {
@@ -105,7 +111,6 @@ impl<'p> Space<'p> {
                     let place =
                         |(node, id): (&Node, NodeId)| if by_table { node_place(id) } else { node.entry };
                     s.place.extend(nodes.iter().zip(item.nodes.clone()).map(place));
-                    s.along.extend(nodes.iter().map(|node| node.along));
                     s.extra.extend(nodes.iter().filter(|_| charged).map(|n| item.extra(n.along)));
                     let ends = !nodes.is_empty()
                         && nodes
@@ -120,7 +125,6 @@ impl<'p> Space<'p> {
         if problem.table().is_none() {
             let home = problem.home;
             s.place.push(if s.travel.by_table() { node_place(index(problem.nodes.len())) } else { home });
-            s.along.push(0.0);
             s.close_item(Kind::Loose, 0.0, charged);
             s.rank.push(0);
         }
@@ -131,22 +135,18 @@ impl<'p> Space<'p> {
     fn close_item(&mut self, kind: Kind, spacing: f64, charged: bool) {
         let from = self.first[self.first.len() - 1] as usize;
         let places = &self.place[from..];
-        let count = places.len();
         let b = places.iter().fold(Aabb::EMPTY, |b, p| b.with(*p));
-        self.middle.push(b.center());
-        self.half.push(b.size() * 0.5);
+        let whole = Boxed::new(b);
+        self.whole.push(whole);
+        self.arcs.push(if kind == Kind::Ring { arcs(places) } else { [whole; ARCS] });
         let gates = if self.travel.by_table() { places.len() } else { places.len().min(GATES) };
         self.gate_first.push(self.gate_first[self.gate_first.len() - 1] + index(gates));
         self.first.push(index(self.place.len()));
         self.corner_first.push(index(self.corner.len()));
         if charged {
+            self.along.resize(self.place.len(), 0.0);
             self.extra.resize(self.place.len(), 0.0);
         }
-        // Places put on corners are off by up to half a spacing, as may be the gate.
-        let apart = spacing * (0.5 * count as f64 / GATES as f64 + if charged { 1.0 } else { 0.0 });
-        let top = &self.extra[from.min(self.extra.len())..];
-        let [low, high] = top.iter().fold([0.0_f64; 2], |[low, high], &x| [low.min(x), high.max(x)]);
-        self.slack.push(2.0 * self.travel.seconds_at_most(apart) + high - low);
         self.kind.push(kind);
         self.spacing.push(spacing);
     }
@@ -174,11 +174,17 @@ impl<'p> Space<'p> {
         if self.extra.is_empty() { 0.0 } else { self.extra[(self.first[item as usize] + at) as usize] }
     }
 
+    /// Where along its track a place of a ring is, mm.
+    fn along(&self, item: u32, at: u32) -> f64 {
+        let along = self.along.get((self.first[item as usize] + at) as usize);
+        along.copied().unwrap_or(self.spacing[item as usize] * f64::from(at))
+    }
+
     /// The stop that enters an item at a place.
     pub(super) fn stop(&self, item: u32, at: u32) -> Stop {
         let first = self.problem.items[item as usize].nodes.start;
         match self.kind[item as usize] {
-            Kind::Ring => Stop::whole(first, self.along[(self.first[item as usize] + at) as usize]),
+            Kind::Ring => Stop::whole(first, self.along(item, at)),
             Kind::Open | Kind::Loose => Stop::at(self.problem, first + at),
         }
     }
@@ -218,10 +224,10 @@ impl<'p> Space<'p> {
 
     /// The place of a ring nearest to an arc length: no place is off its even spacing by more than half of it.
     fn nearest(&self, item: u32, along: f64) -> u32 {
-        let (first, count) = (self.first[item as usize] as usize, self.places(item).len());
+        let count = self.places(item).len();
         let (guess, spacing) = (nearest(along / self.spacing[item as usize]), self.spacing[item as usize]);
         let off = |k: usize| {
-            let off = (self.along[first + k] - along).abs();
+            let off = (self.along(item, index(k)) - along).abs();
             off.min(spacing * count as f64 - off)
         };
         let near = [guess, guess + count - 1, guess + 1].map(|k| k % count);

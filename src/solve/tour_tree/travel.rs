@@ -84,11 +84,6 @@ impl<'p> Travel<'p> {
         }
     }
 
-    /// Seconds that a move of `d` mm takes at most, whichever way it goes.
-    pub(super) fn seconds_at_most(&self, d: f64) -> f64 {
-        self.air.seconds(DVec2::ZERO, DVec2::splat(d))
-    }
-
     /// Seconds that a move of at least `d` mm along an axis takes at least.
     pub(super) fn seconds_at_least(&self, d: f64) -> f64 {
         self.air.seconds_at_least(d)

@@ -183,7 +183,7 @@ fn consider(
             (Some(bridge.from), bridge.to, bridge.seconds)
         } else {
             let around = Gap { from: tree.exit(last), to: Some(tree.entry(first)) };
-            let (place, seconds) = g.space.best_entry(b, around, f64::INFINITY);
+            let (place, seconds) = g.space.best_entry(b, around, freed - leaving(g.space, b) - *most);
             (None, place, seconds)
         };
         let shift = Shift { spot: Spot::Child(b, place), at, ..shift(b) };
@@ -211,7 +211,7 @@ fn put_in(
         if given - g.space.at_least(gap.from, enter, false) - on <= *most {
             return;
         }
-        let (at, seconds) = g.space.best_entry(enter, gap, f64::INFINITY);
+        let (at, seconds) = g.space.best_entry(enter, gap, given - *most);
         let shift = Shift { at: Some(at), ..shift };
         if given - seconds > *most && may_shift(g, tree, shift) {
             *most = given - seconds;
