@@ -5,9 +5,10 @@
 //! pre-cut: a stop is charged, and given back when a trail ends there before. (A trail is what is cut between two air
 //! moves.)
 //!
-//! Put back is one element, or in larger groups a run: straight on through nodes where an odd number is left, that is where a trail goes on
-//! anyway. So a line through a grid is one decision, not as many as it has elements. Orders of as many elements are compared
-//! by their seconds and those of the trails still needed: where an odd number of elements is left, a trail begins or ends.
+//! Put back is one element, or in larger groups a run: straight on through nodes where an odd number is left, that is where
+//! a trail goes on anyway. So a line through a grid is one decision, not as many as it has elements. Orders of as many
+//! elements are compared by their seconds and those of the trails still needed: where an odd number of elements is left, a
+//! trail begins or ends.
 //!
 //! * [`state`]: what has been put back, and what that costs. [`places`]: what may be put back next.
 
@@ -21,10 +22,11 @@ use rustc_hash::FxHashSet;
 use state::{State, Undo};
 use std::rc::Rc;
 
-/// Orders kept: of grids of 10 by 10 and of 20 by 20 the best is as fast with 64, with 8 up to 2 % slower.
+/// Orders kept: of grids of 10 by 10 and of 20 by 20 the best is as fast with 64; with 8 that of 10 by 10 is 2.5 % slower.
 const WIDTH: usize = 16;
 /// Groups of up to so many elements are put back element by element, with so many orders kept and no air moves foreseen: as
-/// many piercings and pre-cuts, but other ends. On sheets 14, 16 and 16b of Dewil et al. that makes paths 0.4 to 1.2 % faster.
+/// many piercings and pre-cuts, but other ends. On sheets 14, 16 and 16b of Dewil et al. that makes paths 0.4 to 1.2 % faster,
+/// on sheet 15 0.3 % slower.
 const FEW: usize = 24;
 const WIDTH_OF_FEW: usize = 64;
 /// Candidates are thinned out when there are so many times as many as are kept.
@@ -59,7 +61,7 @@ pub(super) struct Search<'n> {
 impl<'n> Search<'n> {
     pub(super) fn new(net: &'n Net<'n>) -> Self {
         let ready = net.machine.pierce_time.min(net.pre_cut() + net.start());
-        // The air move before a trail is as long as an average one: from a tenth to the double of it, grids come out alike.
+        // The air move before a trail is as long as an average one: from 0.6 of it to the double, grids come out alike.
         let count = net.nodes().count().max(1) as f64;
         let air = net.nodes().map(|n| net.way(n, 0)).sum::<f64>() / count;
         let is_small = net.len() <= FEW;
