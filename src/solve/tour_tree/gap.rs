@@ -35,6 +35,7 @@ impl Reaching<'_> {
 
 impl Space<'_> {
     /// No way from `p` to any place of `item` (`back`: from any place of it to `p`) takes less than this.
+    #[inline(always)]
     pub(super) fn at_least(&self, p: Place, item: u32, back: bool) -> f64 {
         if self.travel.by_table() {
             return self.travel.least(p, item, self.places(item), back);
@@ -51,8 +52,8 @@ impl Space<'_> {
     pub(super) fn through(&self, item: u32, at: u32, gap: Gap) -> f64 {
         let entry = self.places(item)[at as usize];
         let exit = if self.two_ends(item) { self.exit(item, at) } else { entry };
-        let on = gap.to.map_or(0.0, |to| self.travel.seconds(exit, to));
-        self.travel.seconds(gap.from, entry) + on + self.extra(item, at)
+        let on = gap.to.map_or(0.0, |to| self.travel.seconds_here(exit, to));
+        self.travel.seconds_here(gap.from, entry) + on + self.extra(item, at)
     }
 
     /// The best entry of an item in a gap, from all its places: index and seconds. Where none costs less than

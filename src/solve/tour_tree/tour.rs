@@ -201,6 +201,7 @@ impl<'p> Tour<'p> {
     }
 
     /// Seconds from `p` into `item` at point `q`; home costs nothing when the path does not return.
+    #[inline(always)]
     pub(super) fn way(&self, p: Place, item: u32, q: Place) -> f64 {
         if item == self.space.home && !self.space.problem.closed {
             0.0
