@@ -106,3 +106,26 @@ fn grids_are_near_the_bound() {
         assert!(total <= 1.0 && besides <= most, "{m} x {n}: {total:.2} %, {besides:.2} % above");
     }
 }
+
+/// Seconds that a solver has proven any path to take at least (`tests/oracle/grids.py`).
+#[derive(serde::Deserialize)]
+struct Proven {
+    m: usize,
+    n: usize,
+    seconds: f64,
+}
+
+#[test]
+fn small_grids_are_within_two_per_cent_of_what_is_proven() {
+    let machine = even();
+    let proven: Vec<Proven> = serde_json::from_str(include_str!("fixtures/grids.json")).unwrap();
+    assert_eq!(proven.len(), 9);
+    for Proven { m, n, seconds } in proven {
+        let s = planned(m, n, &machine).summary;
+        let besides = s.total_time - s.cut_time;
+        let above = 100.0 * (besides / seconds - 1.0);
+        assert!((0.0..=2.0).contains(&above), "{m} x {n}: {besides:.4}, {above:.2} % above");
+        // What is proven is no less than what the bound above says.
+        assert!(seconds > bound(m, n, &machine) - 1e-3, "{m} x {n}");
+    }
+}
