@@ -9,9 +9,9 @@
 // solvers run on the same instances in the same run where Python has them (`KERFWAY_PYTHON`, else python3; what they
 // need stands in ../shared/tools/README.md).
 
-import { existsSync, mkdtempSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { availableParallelism, tmpdir } from 'node:os';
-import { basename, join } from 'node:path';
+import { basename, dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { setup } from '../scripts/setup.mjs';
@@ -166,8 +166,9 @@ function library(set, ext, options, baselines) {
     const wasm = inWasm(file, source, 1, options);
     const values = source.runs.map((r) => r.value);
     gaps.push(...values.map((v) => (100 * (v - source.known)) / source.known));
+    const readable = solvers.length > 0 ? forOthers(file) : file;
     const others = solvers.map((solver) => {
-      const row = baseline(forOthers(file), solver, seconds);
+      const row = baseline(readable, solver, seconds);
       if (typeof row?.length !== 'number') return 'none';
       // The worst seed, natively, when the other solver was done: one of them takes the time it needs.
       const then = Math.max(...source.runs.map((r) => at(r, row.seconds)));
@@ -179,6 +180,7 @@ function library(set, ext, options, baselines) {
       percent(Math.min(...values), source.known), percent(mean(values), source.known),
       `${median(source.runs.map((r) => r.found)).toFixed(2)} s`, percent(wasm.value, source.known), off(Math.min(...values), proven(file, seconds).get(source.name)), ...others,
     ];
+    if (readable !== file) rmSync(dirname(readable), { recursive: true });
     console.log(line.join('  '));
     return line;
   });
@@ -200,7 +202,7 @@ function baseline(file, solver, seconds) {
   }
 }
 
-/** The file, or a copy with the whole matrix of one that holds half of it: the baselines read no other. */
+/** The file, or a copy, in a folder of its own, with the whole matrix of one that holds half of it: the baselines read no other. */
 function forOthers(file) {
   const [head, numbers, tail] = readFileSync(file, 'utf8').split(/EDGE_WEIGHT_SECTION\s*|(?=GTSP_SET_SECTION)/);
   const half = /(UPPER|LOWER)_DIAG_ROW/.exec(head)?.[1];
