@@ -24,7 +24,7 @@ pub(super) struct Reaching<'s> {
 
 impl Reaching<'_> {
     /// See [`Space::at_least`].
-    #[inline]
+    #[inline(always)]
     pub(super) fn at_least(&self, p: Place, back: bool) -> f64 {
         match self.rows[usize::from(back)] {
             Some(row) if TABLES => row[node_at(p) as usize],
@@ -90,7 +90,9 @@ impl Space<'_> {
         let ring = self.ring_in(item, gap);
         let step = ring.places.len() / GATES;
         for (q, arc) in self.arcs[item as usize].iter().enumerate() {
-            if ring.at_least(arc) < best.1.min(under) {
+            let least = ring.at_least(arc);
+            // Not the smaller of the two: in wasm that is a call, as it heeds what is not a number.
+            if least < best.1 && least < under {
                 // In steps of one's own: those of the library begin with a division.
                 let mut at = GATES / ARCS * q * step;
                 for _ in 0..GATES / ARCS {
@@ -122,6 +124,7 @@ impl Space<'_> {
     }
 
     /// The ring of an item in a gap.
+    #[inline(always)]
     fn ring_in(&self, item: u32, gap: Gap) -> RingIn<'_> {
         let places = self.first[item as usize] as usize..self.first[item as usize + 1] as usize;
         let extra = if self.extra.is_empty() { &[][..] } else { &self.extra[places.clone()] };

@@ -74,7 +74,7 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
     }
     let here = tour.position(item);
     let (before, after) = (tour.previous(item), tour.next(item));
-    let freed = tour.way_to(item) + tour.way_on(item) + tour.extra(item) - tour.edge(before, after);
+    let freed = tour.way_to(item) + tour.way_on(item) + tour.extra(item) - tour.edge_here(before, after);
     let reaching = tour.space.reaching(item);
     let mut best: Option<(u32, u32, u32)> = None;
     let mut most = EPSILON;
@@ -195,7 +195,7 @@ fn exchange(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Op
     let after_a = tour.next(a);
     let given = tour.way_on(a);
     for &b in near.of_exit(tour, a) {
-        let left = given - tour.edge(a, b);
+        let left = given - tour.edge_here(a, b);
         if left <= EPSILON {
             continue;
         }
@@ -205,7 +205,7 @@ fn exchange(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Op
         let (there, before_b) = (tour.position(b), tour.previous(b));
         let left = left + tour.way_to(b);
         for &c in near.of_entry(tour, after_a) {
-            let left = left - tour.edge(c, after_a);
+            let left = left - tour.edge_here(c, after_a);
             if left <= EPSILON {
                 continue;
             }
@@ -267,7 +267,7 @@ fn place_chain(
 ) -> Option<f64> {
     let (first, last) = (tour.item(from), tour.item(to));
     let (before, after) = (tour.item(from - 1), tour.item(to + 1));
-    let freed = tour.way_to(first) + tour.way_on(last) - tour.edge(before, after);
+    let freed = tour.way_to(first) + tour.way_on(last) - tour.edge_here(before, after);
     if freed <= EPSILON {
         return None;
     }
@@ -284,7 +284,7 @@ fn place_chain(
                 continue;
             }
             let link = if behind {
-                tour.space.travel.seconds(tour.exit(u), enter)
+                tour.space.travel.seconds_here(tour.exit(u), enter)
             } else {
                 tour.way(leave, w, tour.entry(w))
             };

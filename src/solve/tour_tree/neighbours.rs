@@ -84,7 +84,7 @@ impl Neighbours {
             }
             self.gates.ring(place, r, |run| {
                 for &(other, there) in run.iter().filter(|gate| gate.0 != item) {
-                    insert(&mut found, (space.travel.seconds(place, there), other));
+                    insert(&mut found, (space.travel.seconds_here(place, there), other));
                 }
             });
         }

@@ -212,6 +212,12 @@ impl<'p> Tour<'p> {
 
     /// Seconds from one item to another, if that came after it.
     pub(super) fn edge(&self, from: u32, to: u32) -> f64 {
+        self.edge_here(from, to)
+    }
+
+    /// The same, for where it is asked most.
+    #[inline(always)]
+    pub(super) fn edge_here(&self, from: u32, to: u32) -> f64 {
         self.way(self.exit(from), to, self.entry(to))
     }
 
@@ -249,6 +255,7 @@ impl<'p> Tour<'p> {
     }
 
     /// The gap between two items that follow each other, or would.
+    #[inline(always)]
     pub(super) fn gap(&self, from: u32, to: u32) -> Gap {
         let ends = to == self.space.home && !self.space.problem.closed;
         Gap { from: self.exit(from), to: (!ends).then(|| self.entry(to)) }
