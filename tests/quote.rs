@@ -128,7 +128,10 @@ fn parts_in_holes_are_parts_and_what_is_marked_is_none() {
     assert_eq!(quote.parts.iter().map(|p| p.net_area).collect::<Vec<_>>(), [30_000.0, 1_600.0]);
     assert_eq!(quote.weight, None);
     assert_eq!((quote.layers.len(), quote.layers[0].contours, quote.layers[0].open), (1, 4, 1));
-    assert!(quote.confidence.level > Level::High && !quote.confidence.reasons.is_empty());
+    assert_eq!(quote.confidence.level, Level::Medium);
+    let reasons =
+        ["1 contour that is cut is open: it encloses no part.", "1 finding of the kind open-contour."];
+    assert_eq!(quote.confidence.reasons, reasons);
 }
 
 #[test]

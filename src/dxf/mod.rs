@@ -28,6 +28,7 @@ mod measure;
 mod number;
 mod ocs;
 mod placement;
+mod plausible;
 mod record;
 mod report;
 mod sniff;

@@ -5,12 +5,15 @@
 //! plans the drawing again with the moves the report names must come to the same hash, or the report is another's.
 //! Prices are no part of it.
 
+mod confidence;
+mod document;
 mod narrow;
 mod parts;
 mod report;
 mod shape;
 
-pub use report::{Confidence, Defect, LayerUse, Level, Narrowest, PartGroup, Quote, Smallest, Times};
+pub use confidence::{Confidence, Defect, Level};
+pub use report::{LayerUse, Narrowest, PartGroup, Quote, Smallest, Times};
 
 use crate::output::json_text;
 use crate::output::picture::{Picture, Stroke};
@@ -46,7 +49,7 @@ pub fn quote(plan_json: &str, material: &Material) -> Result<Quote, String> {
         }
     }
     let picture = Picture::read(plan_json)?;
-    let head: report::Head =
+    let head: document::Head =
         serde_json::from_str(plan_json).map_err(|e| format!("This is not a whole plan document: {e}."))?;
     let shapes = shapes(&picture, head.contours.len());
     let mut quote = report::made(head, &shapes, material);

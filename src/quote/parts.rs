@@ -4,7 +4,8 @@
 //! change when a part is turned or mirrored: area, length, principal second moments of the outer contour; area and
 //! distance from the middle of each hole. Mirrored parts count as the same: a flat part can be turned over.
 
-use super::report::{Contour, PartGroup};
+use super::document::Contour;
+use super::report::PartGroup;
 use super::shape::{Moments, Shape};
 use crate::order::{real, sort_by};
 

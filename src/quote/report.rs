@@ -1,99 +1,16 @@
 //! The figures of a quote (`kerfway.quote/1`), and how they come from a plan document.
 
 use super::Material;
+use super::confidence::{Confidence, Defect, confidence, defects};
+use super::document::{Contour, Head, Input};
 use super::narrow::{self, Web};
 use super::parts::{self, Part};
 use super::shape::Shape;
-use crate::dxf::{Unit, UnitsSource};
-use crate::finding::Severity;
 use crate::sheet::Operation;
-use serde::de::IgnoredAny;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// The format this writes.
 const SCHEMA: &str = "kerfway.quote/1";
-
-/// What is read of a plan document besides its moves.
-#[derive(Deserialize)]
-pub(super) struct Head {
-    method: String,
-    parameters: Option<String>,
-    seed: u64,
-    budget: Budget,
-    input: Input,
-    machine: serde_json::Value,
-    options: serde_json::Value,
-    summary: Summary,
-    pub(super) contours: Vec<Contour>,
-    findings: Vec<Found>,
-}
-
-#[derive(Deserialize)]
-struct Budget {
-    done: u64,
-    workers: Option<u32>,
-}
-
-/// The drawing.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Input {
-    /// SHA-256 of its bytes.
-    pub sha256: String,
-    /// Its name.
-    pub name: String,
-    /// Units it is read in.
-    pub units: Unit,
-    /// Where they come from.
-    pub units_source: UnitsSource,
-}
-
-#[derive(Deserialize)]
-struct Summary {
-    pierces: u32,
-    pre_cuts: u32,
-    cut_length: f64,
-    air_length: f64,
-    cut_time: f64,
-    air_time: f64,
-    pierce_time: f64,
-    pre_cut_time: f64,
-    macro_time: f64,
-    total_time: f64,
-    bounds: [f64; 4],
-}
-
-/// A contour of the document.
-#[derive(Deserialize)]
-pub(super) struct Contour {
-    pub(super) closed: bool,
-    layer: String,
-    pub(super) operation: Operation,
-    pub(super) inside: Option<u32>,
-    pub(super) length: f64,
-    pub(super) area: f64,
-    /// There where the line cut is not the outline.
-    drawn: Option<IgnoredAny>,
-}
-
-impl Contour {
-    /// Whether it bounds a part or a hole; of one that is cut in pieces, those of others among them, one stands for it.
-    pub(super) fn bounds_area(&self) -> bool {
-        let drawn = self.drawn.is_some() && self.area > 0.0;
-        drawn || (self.closed && self.operation == Operation::Cut)
-    }
-
-    /// Whether it frees no part.
-    fn is_open(&self) -> bool {
-        !self.closed && self.drawn.is_none()
-    }
-}
-
-#[derive(Deserialize)]
-struct Found {
-    code: String,
-    severity: Severity,
-    count: u32,
-}
 
 /// The report. Lengths mm, areas mm2, times s.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -225,38 +142,6 @@ pub struct Narrowest {
     pub over_thickness: Option<f64>,
 }
 
-/// A kind of defect.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Defect {
-    /// As among the findings.
-    pub code: String,
-    /// How grave.
-    pub severity: Severity,
-    /// How many.
-    pub count: u32,
-}
-
-/// How far the figures can be relied on.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Confidence {
-    /// In one word.
-    pub level: Level,
-    /// Why it is not high.
-    pub reasons: Vec<String>,
-}
-
-/// In one word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Level {
-    /// Nothing known speaks against the figures.
-    High,
-    /// Something may change them a little: a person should look.
-    Medium,
-    /// They may be wrong altogether.
-    Low,
-}
-
 pub(super) fn made(head: Head, shapes: &[Shape], material: &Material) -> Quote {
     let Head { method, parameters, seed, budget, input, machine, options, summary, contours, findings } =
         head;
@@ -346,37 +231,4 @@ fn narrowest(parts: &[Part], shapes: &[Shape], material: &Material) -> Option<Na
         let over_thickness = material.thickness.map(|t| width / t);
         Narrowest { contours, width, at: at.into(), over_thickness }
     })
-}
-
-/// Findings that are more than information, by code.
-fn defects(findings: Vec<Found>) -> Vec<Defect> {
-    let mut defects: Vec<Defect> = Vec::new();
-    for Found { code, severity, count } in findings.into_iter().filter(|f| f.severity != Severity::Info) {
-        match defects.iter_mut().find(|d| d.code == code) {
-            Some(known) => known.count = known.count.saturating_add(count),
-            None => defects.push(Defect { code, severity, count }),
-        }
-    }
-    defects
-}
-
-fn confidence(input: &Input, defects: &[Defect], contours: &[Contour]) -> Confidence {
-    let mut level = Level::High;
-    let mut reasons = Vec::new();
-    let mut doubt = |at_least: Level, reason: String| {
-        level = level.max(at_least);
-        reasons.push(reason);
-    };
-    if input.units_source == UnitsSource::Guessed {
-        doubt(Level::Low, "The file does not say its units; they were guessed.".into());
-    }
-    let open = contours.iter().filter(|c| c.is_open() && c.operation == Operation::Cut).count();
-    if open > 0 {
-        doubt(Level::Medium, format!("{open} contours that are cut are open: they enclose no part."));
-    }
-    for Defect { code, severity, count } in defects {
-        let grave = if *severity == Severity::Error { Level::Low } else { Level::Medium };
-        doubt(grave, format!("{count} findings of the kind {code}."));
-    }
-    Confidence { level, reasons }
 }

@@ -2,7 +2,7 @@
 //!
 //! 1. At once: nearest next (`greedy`), the first feasible path.
 //! 2. Neighbour lists by gate (`neighbours.rs`), then local search over the whole tour (`improve.rs`).
-//! 3. Cycles of annealed kicks, each longer than the one before (`anneal.rs`): first free of the nesting, then
+//! 3. Cycles of annealed kicks, each longer than the one before (`anneal`): first free of the nesting, then
 //!    repaired (`repair.rs`) and within it.
 //!    What they end in is crossed (`crossing.rs`); few items take rather more at a kick (`few.rs`).
 //! 4. Entries slide to the exact minimum at the end of every cycle (`polish.rs`).
@@ -19,6 +19,7 @@ mod allowed;
 mod anneal;
 mod best;
 mod boxes;
+mod chain;
 mod children;
 mod crossing;
 mod entries;

@@ -1,5 +1,5 @@
 //! The search against brute force on small problems of every kind; gains and precedence are asserted on every kick
-//! by the debug assertions of `anneal.rs`.
+//! by the debug assertions of `anneal`.
 
 use super::*;
 use crate::geometry::{Arc, DVec2, Path, Segment};

@@ -9,7 +9,7 @@ use super::allowed::{in_order, may_shift};
 use super::moves::{Ground, Shift, Spot, freed, improve, is_left, leaving, perform, reenter};
 use super::{Children, Tree};
 
-/// Longest chain taken, and farthest along its route: most are short, see `anneal.rs`.
+/// Longest chain taken, and farthest along its route: most are short, see `exchange.rs`.
 const LONGEST: usize = 50;
 /// One kick in so many joins routes.
 const JOIN: usize = 8;
@@ -49,7 +49,7 @@ impl Children {
             let place = index(self.dice.below(space.places(first).len()));
             change += place_at(g, &mut self.tree, first, place).unwrap_or(0.0);
         }
-        // Places first, as in `anneal.rs`; the first of the chain last.
+        // Places first, as in `exchange.rs`; the first of the chain last.
         for &t in touched.iter().filter(|&&t| t != first).chain([&first]) {
             if self.tree.is_live(t) {
                 change -= reenter(g, &mut self.tree, &mut self.queue, t).unwrap_or(0.0);

@@ -3,7 +3,7 @@
 //! Where leaving is free of charge this is a rural postman problem (every contour is met once or more, and air moves meet
 //! every place an even number of times); with a charge each child route is a pre-cut (Dewil et al., 2014, "the partition
 //! tree"; METHODS.md, 2 and 3). Both are searched as they are: routes that hang from contours (`tree.rs`), stops and whole
-//! routes moving between them (`moves.rs`), kicks accepted by a falling temperature as over the root alone (`anneal.rs`).
+//! routes moving between them (`moves.rs`), kicks accepted by a falling temperature as over the root alone (`anneal`).
 //! Nothing is ever infeasible: an item is finished after all that hangs from it, which is all that precedence asks.
 //!
 //! There are two ends from which to come: the root route with everything in it, and a tree in which everything hangs from

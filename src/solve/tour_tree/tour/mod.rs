@@ -4,21 +4,13 @@
 //! sequence of reversals, which undo themselves: a kick that did not pay is taken back by its journal. An open
 //! contour in a reversed stretch is run the other way.
 
+mod change;
+
 use super::gap::Gap;
-use super::space::{Space, index};
+use super::space::Space;
 use super::travel::Place;
 use crate::problem::PATHS;
-
-/// One change, to be taken back.
-#[derive(Clone, Copy)]
-enum Change {
-    /// Positions reversed.
-    Reversed(usize, usize),
-    /// Item, and the place where it was entered before.
-    Entered(u32, u32),
-    /// Another order altogether; the one before is the last of [`Tour::orders`].
-    Reordered,
-}
+use change::Change;
 
 /// Order and entries, for keeping.
 #[derive(Clone)]
@@ -45,7 +37,7 @@ pub(super) struct Tour<'p> {
     journal: Vec<Change>,
     /// Orders before others, with their ways.
     orders: Vec<(Vec<u32>, Vec<f64>)>,
-    /// Heeds ranks, but not what lies inside what: see `anneal.rs`.
+    /// Heeds ranks, but not what lies inside what: see `anneal/cycles.rs`.
     pub(super) free: bool,
     /// Moves priced so far.
     pub(super) priced: u64,
@@ -259,84 +251,6 @@ impl<'p> Tour<'p> {
     pub(super) fn gap(&self, from: u32, to: u32) -> Gap {
         let ends = to == self.space.home && !self.space.problem.closed;
         Gap { from: self.exit(from), to: (!ends).then(|| self.entry(to)) }
-    }
-
-    /// Enters an item elsewhere.
-    pub(super) fn enter(&mut self, item: u32, at: u32) {
-        let before = self.at(item);
-        if before != at {
-            self.journal.push(Change::Entered(item, before));
-            self.moved(item, at);
-        }
-    }
-
-    /// Reverses the stretch between two positions.
-    pub(super) fn reverse(&mut self, from: usize, to: usize) {
-        if from < to || (from == to && self.space.two_ends(self.item(from))) {
-            self.journal.push(Change::Reversed(from, to));
-            self.turn(from, to);
-        }
-    }
-
-    fn turn(&mut self, from: usize, to: usize) {
-        // Others see the same on both sides as before, unless ways back cost something else.
-        for outer in [self.item(from - 1), self.item(from), self.item(to), self.item(to + 1)] {
-            self.best_entered[outer as usize] = false;
-        }
-        self.now.order[from..=to].reverse();
-        self.ways[from..to].reverse();
-        for (position, &item) in (index(from)..).zip(&self.now.order[from..=to]) {
-            let i = item as usize;
-            self.position[i] = position;
-            self.best_entered[i] &= self.space.travel.symmetric;
-            if self.space.two_ends(item) {
-                self.now.at[i] ^= 1;
-                std::mem::swap(&mut self.entry[i], &mut self.exit[i]);
-            }
-        }
-        self.price(from - 1);
-        self.price(to);
-        if !self.space.travel.symmetric {
-            (from..to).for_each(|p| self.price(p));
-        }
-    }
-
-    /// Exchanges the stretches `from..=middle` and `middle + 1..=to`, both keeping their direction.
-    pub(super) fn exchange(&mut self, from: usize, middle: usize, to: usize) {
-        let second = to - middle;
-        self.reverse(from, to);
-        self.reverse(from, from + second - 1);
-        self.reverse(from + second, to);
-    }
-
-    /// Puts the items into another order, home first, with the seconds from each to the one after it.
-    pub(super) fn reorder(&mut self, order: Vec<u32>, ways: Vec<f64>) {
-        self.journal.push(Change::Reordered);
-        let before = std::mem::replace(&mut self.now.order, order);
-        self.orders.push((before, std::mem::replace(&mut self.ways, ways)));
-        self.number();
-    }
-
-    /// Forgets how to go back.
-    pub(super) fn commit(&mut self) {
-        self.journal.clear();
-        self.orders.clear();
-    }
-
-    /// Back to where the journal began.
-    pub(super) fn undo(&mut self) {
-        while let Some(change) = self.journal.pop() {
-            match change {
-                Change::Reversed(from, to) => self.turn(from, to),
-                Change::Entered(item, at) => self.moved(item, at),
-                Change::Reordered => {
-                    if let Some((order, ways)) = self.orders.pop() {
-                        (self.now.order, self.ways) = (order, ways);
-                        self.number();
-                    }
-                }
-            }
-        }
     }
 
     /// Seconds that a stretch costs more when run the other way round: none, unless ways cost more than the ways back.

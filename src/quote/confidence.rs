@@ -1,0 +1,75 @@
+//! How far the figures of a quote can be relied on.
+
+use super::document::{Contour, Found, Input};
+use crate::dxf::UnitsSource;
+use crate::finding::Severity;
+use crate::sheet::Operation;
+use serde::Serialize;
+
+/// A kind of defect.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Defect {
+    /// As among the findings.
+    pub code: String,
+    /// How grave.
+    pub severity: Severity,
+    /// How many.
+    pub count: u32,
+}
+
+/// How far the figures can be relied on.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Confidence {
+    /// In one word.
+    pub level: Level,
+    /// Why it is not high.
+    pub reasons: Vec<String>,
+}
+
+/// In one word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Level {
+    /// Nothing known speaks against the figures.
+    High,
+    /// Something may change them a little: a person should look.
+    Medium,
+    /// They may be wrong altogether.
+    Low,
+}
+
+/// Findings that are more than information, by code.
+pub(super) fn defects(findings: Vec<Found>) -> Vec<Defect> {
+    let mut defects: Vec<Defect> = Vec::new();
+    for Found { code, severity, count } in findings.into_iter().filter(|f| f.severity != Severity::Info) {
+        match defects.iter_mut().find(|d| d.code == code) {
+            Some(known) => known.count = known.count.saturating_add(count),
+            None => defects.push(Defect { code, severity, count }),
+        }
+    }
+    defects
+}
+
+pub(super) fn confidence(input: &Input, defects: &[Defect], contours: &[Contour]) -> Confidence {
+    let mut level = Level::High;
+    let mut reasons = Vec::new();
+    let mut doubt = |at_least: Level, reason: String| {
+        level = level.max(at_least);
+        reasons.push(reason);
+    };
+    if input.units_source == UnitsSource::Guessed {
+        doubt(Level::Low, "The file does not say its units; they were guessed.".into());
+    }
+    let open = contours.iter().filter(|c| c.is_open() && c.operation == Operation::Cut).count();
+    match open {
+        0 => {}
+        1 => doubt(Level::Medium, "1 contour that is cut is open: it encloses no part.".into()),
+        _ => doubt(Level::Medium, format!("{open} contours that are cut are open: they enclose no part.")),
+    }
+    for Defect { code, severity, count } in defects {
+        let grave = if *severity == Severity::Error { Level::Low } else { Level::Medium };
+        let findings = if *count == 1 { "finding" } else { "findings" };
+        doubt(grave, format!("{count} {findings} of the kind {code}."));
+    }
+    Confidence { level, reasons }
+}

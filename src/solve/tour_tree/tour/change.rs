@@ -1,0 +1,95 @@
+//! Changes of a tour, and how they are taken back.
+
+use super::super::space::index;
+use super::Tour;
+
+/// One change, to be taken back.
+#[derive(Clone, Copy)]
+pub(super) enum Change {
+    /// Positions reversed.
+    Reversed(usize, usize),
+    /// Item, and the place where it was entered before.
+    Entered(u32, u32),
+    /// Another order altogether; the one before is the last of [`Tour::orders`].
+    Reordered,
+}
+
+impl Tour<'_> {
+    /// Enters an item elsewhere.
+    pub(in crate::solve::tour_tree) fn enter(&mut self, item: u32, at: u32) {
+        let before = self.at(item);
+        if before != at {
+            self.journal.push(Change::Entered(item, before));
+            self.moved(item, at);
+        }
+    }
+
+    /// Reverses the stretch between two positions.
+    pub(in crate::solve::tour_tree) fn reverse(&mut self, from: usize, to: usize) {
+        if from < to || (from == to && self.space.two_ends(self.item(from))) {
+            self.journal.push(Change::Reversed(from, to));
+            self.turn(from, to);
+        }
+    }
+
+    fn turn(&mut self, from: usize, to: usize) {
+        // Others see the same on both sides as before, unless ways back cost something else.
+        for outer in [self.item(from - 1), self.item(from), self.item(to), self.item(to + 1)] {
+            self.best_entered[outer as usize] = false;
+        }
+        self.now.order[from..=to].reverse();
+        self.ways[from..to].reverse();
+        for (position, &item) in (index(from)..).zip(&self.now.order[from..=to]) {
+            let i = item as usize;
+            self.position[i] = position;
+            self.best_entered[i] &= self.space.travel.symmetric;
+            if self.space.two_ends(item) {
+                self.now.at[i] ^= 1;
+                std::mem::swap(&mut self.entry[i], &mut self.exit[i]);
+            }
+        }
+        self.price(from - 1);
+        self.price(to);
+        if !self.space.travel.symmetric {
+            (from..to).for_each(|p| self.price(p));
+        }
+    }
+
+    /// Exchanges the stretches `from..=middle` and `middle + 1..=to`, both keeping their direction.
+    pub(in crate::solve::tour_tree) fn exchange(&mut self, from: usize, middle: usize, to: usize) {
+        let second = to - middle;
+        self.reverse(from, to);
+        self.reverse(from, from + second - 1);
+        self.reverse(from + second, to);
+    }
+
+    /// Puts the items into another order, home first, with the seconds from each to the one after it.
+    pub(in crate::solve::tour_tree) fn reorder(&mut self, order: Vec<u32>, ways: Vec<f64>) {
+        self.journal.push(Change::Reordered);
+        let before = std::mem::replace(&mut self.now.order, order);
+        self.orders.push((before, std::mem::replace(&mut self.ways, ways)));
+        self.number();
+    }
+
+    /// Forgets how to go back.
+    pub(in crate::solve::tour_tree) fn commit(&mut self) {
+        self.journal.clear();
+        self.orders.clear();
+    }
+
+    /// Back to where the journal began.
+    pub(in crate::solve::tour_tree) fn undo(&mut self) {
+        while let Some(change) = self.journal.pop() {
+            match change {
+                Change::Reversed(from, to) => self.turn(from, to),
+                Change::Entered(item, at) => self.moved(item, at),
+                Change::Reordered => {
+                    if let Some((order, ways)) = self.orders.pop() {
+                        (self.now.order, self.ways) = (order, ways);
+                        self.number();
+                    }
+                }
+            }
+        }
+    }
+}
