@@ -21,7 +21,7 @@ pub struct Source {
 }
 
 enum Kind {
-    Instance(Instance),
+    Instance(Box<Instance>),
     Points,
     Sheet(Box<Sheet>),
 }
@@ -47,7 +47,7 @@ impl Source {
             _ => {
                 let instance = problem::instance(&bytes).map_err(|e| format!("{file}: {e}"))?;
                 let (name, problem) = (stem(path), instance.problem.clone());
-                Ok(vec![Self { name, problem, known: None, kind: Kind::Instance(instance) }])
+                Ok(vec![Self { name, problem, known: None, kind: Kind::Instance(Box::new(instance)) }])
             }
         }
     }
