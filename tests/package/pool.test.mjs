@@ -100,12 +100,13 @@ describe('turns', () => {
 describe('a worker that dies', () => {
   it('loses nothing: its file is planned anew, to the same bytes', async (t) => {
     const { pool, workers } = fragile(t, 2);
-    const options = { ...SHORT, moves: 600_000 };
+    // News come four times a second at least: it has to be under way for longer.
+    const options = { ...SHORT, moves: 12_000_000 };
     const { outputs } = await pool.plan(bytes(KEYBOARD), options);
     const news = underWay();
     const again = pool.plan(bytes(KEYBOARD), { ...options, onProgress: news.onProgress });
     const beside = pool.plan(PLATE, SHORT);
-    await news.promise;
+    await Promise.race([news.promise, again.then(() => assert.fail('done before its worker could die'))]);
     await workers[0].terminate();
     assert.ok((await again).outputs.json === outputs.json, 'another plan after the death');
     assert.equal((await beside).summary.contours, 2);
