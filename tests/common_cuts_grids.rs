@@ -82,7 +82,8 @@ fn bound(m: usize, n: usize, machine: &Profile) -> f64 {
 
 fn planned(m: usize, n: usize, machine: &Profile) -> Plan {
     let mut job = job(&grid(m, n), CommonCuts::Best, machine.clone(), None);
-    job.run_mut().unwrap().step(10_000);
+    // Neighbours of 100 items are looked for first.
+    job.run_mut().unwrap().step(20_000);
     job.plan().unwrap()
 }
 
@@ -90,7 +91,7 @@ fn planned(m: usize, n: usize, machine: &Profile) -> Plan {
 fn grids_are_near_the_bound() {
     let machine = even();
     for (m, n, most) in
-        [(2, 2, 1.0), (3, 3, 1.5), (4, 4, 2.5), (5, 4, 2.6), (6, 6, 4.0), (8, 8, 5.2), (10, 10, 6.2)]
+        [(2, 2, 1.0), (3, 3, 1.5), (4, 4, 1.9), (5, 4, 2.1), (6, 6, 3.0), (8, 8, 4.1), (10, 10, 5.1)]
     {
         let plan = planned(m, n, &machine);
         let s = &plan.summary;
@@ -116,7 +117,7 @@ struct Proven {
 }
 
 #[test]
-fn small_grids_are_within_two_per_cent_of_what_is_proven() {
+fn grids_are_within_two_per_cent_of_what_is_proven() {
     let machine = even();
     let proven: Vec<Proven> = serde_json::from_str(include_str!("fixtures/grids.json")).unwrap();
     assert_eq!(proven.len(), 9);

@@ -20,8 +20,9 @@ impl<'s> PierceGroups<'s> {
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
         let none = vec![None; sheet.contours.len()];
         let mut all = Self { sheet, groups: Vec::new(), of: none.clone(), within: none };
-        let mut sub_paths = SubPaths::new(sheet, machine);
-        for group in sheet.cut_as_one(machine.makes_pre_cuts()) {
+        let groups = sheet.cut_as_one(machine.makes_pre_cuts());
+        let mut sub_paths = SubPaths::new(sheet, groups, machine);
+        for group in groups {
             let paths = sub_paths.of(group);
             if paths.is_empty() {
                 continue;

@@ -22,6 +22,8 @@ pub(super) struct Net<'s> {
     /// Geometry of each element.
     pub(super) paths: Vec<Path>,
     pub(super) air: AirTime,
+    /// Nothing else is cut: the head comes from home, and goes back there.
+    pub(super) is_all: bool,
     /// By step: the node at which it begins, and at which it ends.
     ends: Vec<[u32; 2]>,
     /// By element: the areas beside it.
@@ -40,7 +42,7 @@ pub(super) struct Net<'s> {
 }
 
 impl<'s> Net<'s> {
-    pub(super) fn new(group: &'s PierceGroup, machine: &'s Profile) -> Self {
+    pub(super) fn new(group: &'s PierceGroup, machine: &'s Profile, is_all: bool) -> Self {
         let paths = group.elements.iter().map(|e| group.path(e));
         let mut degree = vec![0; group.nodes.len()];
         let mut around = vec![Vec::new(); group.faces as usize];
@@ -58,8 +60,21 @@ impl<'s> Net<'s> {
         let places = if group.nodes.len() <= IN_ROWS { group.nodes.as_slice() } else { &[] };
         let ways = places.iter().flat_map(|&a| places.iter().map(move |&b| air.seconds(a, b))).collect();
         let (gains, most) = (Vec::new(), Vec::new());
-        let mut net =
-            Self { group, machine, paths, air, ends, beside, ways, gains, most, degree, around, sides };
+        let mut net = Self {
+            group,
+            machine,
+            paths,
+            air,
+            is_all,
+            ends,
+            beside,
+            ways,
+            gains,
+            most,
+            degree,
+            around,
+            sides,
+        };
         net.gains = net.steps().map(|step| net.gains_after(step)).collect();
         let most = |e: usize| {
             [2 * e, 2 * e + 1].iter().flat_map(|&s| &net.gains[s]).fold(0.0_f64, |m, g| m.max(g.1))
@@ -164,6 +179,12 @@ impl<'s> Net<'s> {
     pub(super) fn way(&self, from: u32, to: u32) -> f64 {
         let way = self.ways.get(from as usize * self.group.nodes.len() + to as usize);
         way.copied().unwrap_or_else(|| self.air.seconds(self.place(from), self.place(to)))
+    }
+
+    /// Seconds between home and an end of an order, where the group is all there is; elsewhere it is not known from where
+    /// the head comes.
+    pub(super) fn leg(&self, end: DVec2) -> f64 {
+        if self.is_all { self.air.seconds(self.machine.home(), end) } else { 0.0 }
     }
 
     /// Seconds that every start of the beam takes.

@@ -52,7 +52,6 @@ pub(super) struct Search<'n> {
     net: &'n Net<'n>,
     places: Places,
     is_small: bool,
-    width: usize,
     /// Seconds of a further trail, and how many more if it is pierced.
     trail: f64,
     pierced: f64,
@@ -69,21 +68,21 @@ impl<'n> Search<'n> {
             net,
             places: Places::new(net),
             is_small,
-            width: if is_small { WIDTH_OF_FEW } else { WIDTH },
             trail: net.start() + ready + if is_small { 0.0 } else { air },
             pierced: net.machine.pierce_time - ready,
         }
     }
 
-    /// Orders that end at a node, each from another node, the cheapest first.
-    pub(super) fn orders(&self, to: u32) -> Vec<Order> {
+    /// Orders that end at one of some nodes, each from another node, the cheapest first.
+    pub(super) fn orders(&self, to: &[u32]) -> Vec<Order> {
         let len = self.net.len();
+        let width = if self.is_small { WIDTH_OF_FEW * to.len() } else { WIDTH };
         let mut made = Made::new();
         // By how many elements have been put back.
         let mut next: Vec<Vec<Next>> = std::iter::repeat_with(Vec::new).take(len + 1).collect();
-        let mut states = vec![State::new(self.net, to)];
+        let mut states: Vec<State> = to.iter().map(|&n| State::new(self.net, n)).collect();
         for count in 0..=len {
-            for n in self.best(std::mem::take(&mut next[count])) {
+            for n in best(std::mem::take(&mut next[count]), width) {
                 let mut state = State::clone(&n.before);
                 let mut put = |state: &mut State, step, jumps| {
                     state.put_back(self.net, &self.places, step, jumps);
@@ -97,23 +96,14 @@ impl<'n> Search<'n> {
                 states.push(state);
             }
             if count < len {
-                states.drain(..).for_each(|s| self.look_further(s, count, &mut next));
+                states.drain(..).for_each(|s| self.look_further(s, width, &mut next[count..]));
             }
         }
         self.cheapest(&states, &made)
     }
 
-    /// The best ways on from a state, one of a kind.
-    fn best(&self, mut next: Vec<Next>) -> Vec<Next> {
-        sort_by(&mut next, |n| [real(n.score), n.before.at.made as u64, n.step.into()]);
-        let mut seen = FxHashSet::default();
-        next.retain(|n| seen.insert(n.key));
-        next.truncate(self.width);
-        next
-    }
-
     /// All ways on from a state, with the elements straight on and without.
-    fn look_further(&self, mut state: State, count: usize, next: &mut [Vec<Next>]) {
+    fn look_further(&self, mut state: State, width: usize, next: &mut [Vec<Next>]) {
         let before = Rc::new(state.clone());
         let (at, mut undo): (_, Vec<Undo>) = (state.at, Vec::new());
         self.places.steps(self.net, &before, |step, jumps| {
@@ -123,10 +113,10 @@ impl<'n> Search<'n> {
                 let on = self.goes_on(&state);
                 if !runs || on.is_none() {
                     let (score, key) = (self.score(&state), state.key());
-                    let ways = &mut next[count + undo.len()];
+                    let ways = &mut next[undo.len()];
                     ways.push(Next { score, before: Rc::clone(&before), step, jumps, runs, key });
-                    if ways.len() > ROOM * self.width {
-                        *ways = self.best(std::mem::take(ways));
+                    if ways.len() > ROOM * width {
+                        *ways = best(std::mem::take(ways), width);
                     }
                 }
                 let Some(step) = on else { break };
@@ -162,11 +152,22 @@ impl<'n> Search<'n> {
                 order.push(step);
                 at = before;
             }
-            if !found.iter().any(|f| self.net.ends(&f.1) == self.net.ends(&order)) {
-                found.push((self.net.cost(&order), order));
+            let ends = self.net.ends(&order);
+            if !found.iter().any(|f| self.net.ends(&f.1) == ends) {
+                let legs = ends.map(|n| self.net.leg(self.net.place(n)));
+                found.push((self.net.cost(&order) + legs[0] + legs[1], order));
             }
         }
         sort_by(&mut found, |f| [real(f.0), 0, 0]);
         found.into_iter().map(|f| f.1).collect()
     }
+}
+
+/// The best ways on, one of a kind.
+fn best(mut next: Vec<Next>, width: usize) -> Vec<Next> {
+    sort_by(&mut next, |n| [real(n.score), n.before.at.made as u64, n.step.into()]);
+    let mut seen = FxHashSet::default();
+    next.retain(|n| seen.insert(n.key));
+    next.truncate(width);
+    next
 }

@@ -64,7 +64,8 @@ impl State {
         }
         let mut counts = Counts::default();
         left.iter().for_each(|&l| counts.change(l, 1));
-        let at = At { here: to, after: None, counts, seconds: 0.0, set: 0, made: usize::MAX };
+        let at =
+            At { here: to, after: None, counts, seconds: net.leg(net.place(to)), set: 0, made: usize::MAX };
         Self { used: vec![false; net.len()], held: net.held(), stops: vec![false; left.len()], left, at }
     }
 
