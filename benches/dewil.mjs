@@ -40,6 +40,8 @@ const TABLES = {
     tree('C-LKH-FR', { stall: 0, first: 'all' }),
   ],
 };
+// Where two methods end within a tenth of a per cent of each other, one seed says little: the mean of so many.
+const SEEDS = 5;
 const FORMS = { 1: first, 2: second, 3: third };
 
 export async function bench(args) {
@@ -55,7 +57,7 @@ export async function bench(args) {
   run('cargo', ['build', '--release', '--manifest-path', join(ROOT, 'benches', 'solve', 'Cargo.toml'), '--bin', 'dewil']);
   for (const t of tables) {
     const begun = Date.now();
-    const runs = TABLES[t].map((r) => ({ seeds: Number(values.seeds ?? 1), ...r }));
+    const runs = TABLES[t].map((r) => ({ seeds: Number(values.seeds ?? SEEDS), ...r }));
     const argument = ([name]) => [join(ROOT, 'benches', 'dewil', 'sheets', `${name}.dxf`), JSON.stringify(MACHINE), JSON.stringify(runs)];
     const results = await parallel(native('dewil'), sheets.map(argument), availableParallelism());
     FORMS[t](sheets.map(([name, set, elements], k) => ({ name, set, elements, printed: PRINTED[name], rows: results[k] })));
