@@ -3,7 +3,7 @@
     python tests/oracle/generate.py [--random 24] [--seed 1] [--out FOLDER]
 
 needs `pip install ezdxf numpy`; run from anywhere. To look further, make many in a folder of their own and run
-`KERFWAY_ORACLE=FOLDER cargo test --test oracle_ezdxf`. Directed cases come from `cases.py`, random ones are drawn from a
+`KERFWAY_ORACLE=FOLDER cargo test --test it oracle_ezdxf`. Directed cases come from `cases.py`, random ones are drawn from a
 seeded generator here: every kind at random places, sizes and orientations, in blocks nested up to three deep, in
 random versions and units. Each drawing is written beside a `.json` with the reference:
 

@@ -43,7 +43,7 @@ FIXTURE = Path(__file__).resolve().parent.parent / "fixtures" / "grids.json"
 SIZES = [(2, 2), (3, 2), (3, 3), (4, 3), (4, 4), (5, 4), (5, 5), (6, 6), (7, 7)]
 # And of which it is shown that no path takes less than so many seconds.
 LARGE = [(10, 10, 19.465)]
-# The machine `thick` of `tests/support/plates.rs`. S: start of the beam, piercing, pre-cut; mm/s, mm/s^2 of each axis.
+# The machine `thick` of `tests/testkit/plates.rs`. S: start of the beam, piercing, pre-cut; mm/s, mm/s^2 of each axis.
 START, PIERCE, PRE_CUT, SPEED, ACCEL = 0.3, 1.0, 0.3, 10000 / 6, 9810.0
 # Parts of a second that the solver counts in.
 UNIT = 10_000

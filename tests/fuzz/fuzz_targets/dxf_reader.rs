@@ -3,7 +3,7 @@
 #![no_main]
 
 #[allow(dead_code, reason = "each target asks for its own part")]
-#[path = "../../support/promises.rs"]
+#[path = "../../testkit/promises.rs"]
 mod promises;
 
 libfuzzer_sys::fuzz_target!(|data: &[u8]| promises::of_the_reader(data));

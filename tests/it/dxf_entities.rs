@@ -1,0 +1,342 @@
+//! What each kind of entity becomes: places, lengths and findings, one test an item.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use crate::testkit::drawings::{close, entities, found, length, one, read, shapes};
+use kerfway::finding::Code;
+use kerfway::geometry::{DVec2, Segment};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+fn v(x: f64, y: f64) -> DVec2 {
+    DVec2::new(x, y)
+}
+
+#[test]
+fn line_keeps_its_ends_bit_for_bit() {
+    let path = one("0 LINE 8 0 10 0.1 20 0.2 11 10.3 21 -4.7");
+    assert_eq!(path.segments, [Segment::line(v(0.1, 0.2), v(10.3, -4.7))]);
+    assert!(!path.closed);
+}
+
+#[test]
+fn circle_and_arc_stay_exact() {
+    let circle = one("0 CIRCLE 8 0 10 5 20 6 40 2.5");
+    assert!(circle.closed);
+    close(circle.length(), TAU * 2.5);
+    let arc = one("0 ARC 8 0 10 0 20 0 40 10 50 270 51 90");
+    assert_eq!(arc.start(), Some(v(0.0, -10.0)));
+    assert_eq!(arc.end(), Some(v(0.0, 10.0)));
+    let Segment::Arc(a) = arc.segments[0] else { panic!("not an arc") };
+    close(a.sweep, PI);
+}
+
+#[test]
+fn arc_with_angles_a_turn_apart_is_a_circle_and_with_equal_ones_nothing() {
+    assert!(one("0 ARC 8 0 10 0 20 0 40 10 50 30 51 390").closed);
+    let drawing = entities("0 ARC 8 0 10 0 20 0 40 10 50 30 51 30 0 LINE 8 0 10 0 20 0 11 9 21 0");
+    assert_eq!(drawing.shapes.len(), 1);
+    assert_eq!(found(&drawing, Code::InvalidGeometry).count, 1);
+}
+
+#[test]
+fn light_polyline_bulges_also_on_the_closing_vertex() {
+    // Two half circles of radius 5.
+    let path = one("0 LWPOLYLINE 8 0 90 2 70 1 10 0 20 0 42 1 10 10 20 0 42 1");
+    assert!(path.closed);
+    close(path.length(), TAU * 5.0);
+    close(path.area(), PI * 25.0);
+    // Open: the bulge of the last vertex is not drawn.
+    let open = one("0 LWPOLYLINE 8 0 90 2 70 0 10 0 20 0 42 1 10 10 20 0 42 1");
+    close(open.length(), PI * 5.0);
+}
+
+#[test]
+fn light_polyline_without_subclass_markers_is_read() {
+    let bare = one("0 LWPOLYLINE 8 0 90 3 70 1 10 0 20 0 10 4 20 0 10 4 20 3");
+    let marked = one(
+        "0 LWPOLYLINE 5 1F 330 A 100 AcDbEntity 8 0 100 AcDbPolyline 90 3 70 1 43 0.0 10 0 20 0 10 4 20 0 10 4 20 3",
+    );
+    assert_eq!(bare, marked);
+    close(bare.length(), 12.0);
+}
+
+#[test]
+fn old_polyline_skips_the_frame_of_a_spline_fit() {
+    let path = one("0 POLYLINE 8 0 66 1 70 4 0 VERTEX 8 0 10 0 20 99 70 16 0 VERTEX 8 0 10 0 20 0 70 8 \
+         0 VERTEX 8 0 10 50 20 99 70 16 0 VERTEX 8 0 10 3 20 4 70 8 0 SEQEND");
+    close(path.length(), 5.0);
+}
+
+#[test]
+fn old_polyline_keeps_vertices_of_a_curve_fit() {
+    let path = one(
+        "0 POLYLINE 8 0 66 1 70 2 0 VERTEX 8 0 10 0 20 0 0 VERTEX 8 0 10 3 20 4 70 1 0 VERTEX 8 0 10 3 20 9 0 SEQEND",
+    );
+    close(path.length(), 10.0);
+}
+
+#[test]
+fn old_polyline_shares_its_handle_with_a_vertex_and_lacks_its_end() {
+    // Handles repeat in real files, and SEQEND may be missing: nothing is looked up by handle.
+    let drawing = entities(
+        "0 POLYLINE 5 2A 8 0 66 1 70 1 0 VERTEX 5 2A 8 0 10 0 20 0 0 VERTEX 5 2A 8 0 10 4 20 0 0 VERTEX 5 2A 8 0 10 4 20 3 \
+         0 LINE 5 2A 8 0 10 0 20 0 11 1 21 0",
+    );
+    let kinds: Vec<_> = drawing.shapes.iter().map(|s| (s.kind, s.path.length())).collect();
+    assert_eq!(kinds, [("POLYLINE", 12.0), ("LINE", 1.0)]);
+}
+
+#[test]
+fn spatial_polyline_is_seen_from_above_and_said() {
+    let drawing = entities(
+        "0 POLYLINE 8 0 66 1 70 8 0 VERTEX 8 0 10 0 20 0 30 0 70 32 0 VERTEX 8 0 10 3 20 4 30 12 70 32 0 SEQEND",
+    );
+    close(drawing.shapes[0].path.length(), 5.0);
+    assert_eq!(found(&drawing, Code::Projected).count, 1);
+}
+
+#[test]
+fn meshes_are_counted_with_their_place() {
+    let mesh = "0 POLYLINE 8 M 66 1 70 16 71 2 72 2 0 VERTEX 8 M 10 7 20 8 70 64 0 VERTEX 8 M 10 1 20 0 70 64 0 SEQEND";
+    let drawing = entities(&format!("{mesh} {mesh} 0 LINE 8 0 10 0 20 0 11 1 21 0"));
+    let finding = found(&drawing, Code::UnsupportedEntity);
+    assert_eq!((finding.count, finding.at, finding.layer.as_deref()), (2, Some(v(7.0, 8.0)), Some("M")));
+}
+
+#[test]
+fn ellipse_is_whole_or_a_piece() {
+    let whole = one("0 ELLIPSE 8 0 10 0 20 0 11 20 21 0 40 0.5 41 0 42 6.283185307179586");
+    assert!(whole.closed);
+    // Circumference of half axes 20 and 10: 4 a E(e), e^2 = 3/4.
+    assert!((whole.length() - 96.884_482_205_5).abs() < 0.01, "{}", whole.length());
+    let quarter = one("0 ELLIPSE 8 0 10 0 20 0 11 20 21 0 40 0.5 41 0 42 1.5707963267948966");
+    close(quarter.start().unwrap().distance(v(20.0, 0.0)), 0.0);
+    close(quarter.end().unwrap().distance(v(0.0, 10.0)), 0.0);
+}
+
+#[test]
+fn ellipse_below_turns_the_other_way() {
+    let quarter =
+        one("0 ELLIPSE 8 0 10 0 20 0 11 20 21 0 40 0.5 41 0 42 1.5707963267948966 210 0 220 0 230 -1");
+    close(quarter.end().unwrap().distance(v(0.0, -10.0)), 0.0);
+}
+
+#[test]
+fn rational_spline_is_its_circle() {
+    let w = 0.5f64.sqrt();
+    let path = one(&format!(
+        "0 SPLINE 8 0 70 4 71 2 72 6 73 3 74 0 40 0 40 0 40 0 40 1 40 1 40 1 41 1 41 {w} 41 1 \
+         10 10 20 0 30 0 10 10 20 10 30 0 10 0 20 10 30 0"
+    ));
+    assert!((path.length() - FRAC_PI_2 * 10.0).abs() < 0.01, "{}", path.length());
+    assert_eq!(path.end(), Some(v(0.0, 10.0)));
+}
+
+#[test]
+fn spline_of_fit_points_only_goes_through_them() {
+    let path = one("0 SPLINE 8 0 70 8 71 3 72 0 73 0 74 3 11 0 21 0 31 0 11 10 21 5 31 0 11 20 21 0 31 0");
+    let nearest =
+        path.segments.iter().map(|s| s.nearest(v(10.0, 5.0)).1.sqrt()).fold(f64::INFINITY, f64::min);
+    assert!(nearest < 0.005, "{nearest}");
+    assert_eq!((path.start(), path.end()), (Some(v(0.0, 0.0)), Some(v(20.0, 0.0))));
+}
+
+#[test]
+fn spline_of_degree_one_keeps_its_kinks() {
+    let path =
+        one("0 SPLINE 8 0 70 0 71 1 72 5 73 3 40 0 40 0 40 1 40 2 40 2 10 0 20 0 10 10 20 0 10 10 20 10");
+    close(path.length(), 20.0);
+    assert_eq!(path.segments.len(), 2);
+}
+
+#[test]
+fn closed_spline_whose_points_are_not_repeated_closes() {
+    // A square of control points, periodic: comes back to its start.
+    let path = one("0 SPLINE 8 0 70 11 71 3 72 0 73 4 10 0 20 0 10 10 20 0 10 10 20 10 10 0 20 10");
+    assert!(path.closed);
+    assert!(path.area() > 30.0 && path.area() < 100.0, "{}", path.area());
+}
+
+#[test]
+fn spline_with_knots_that_do_not_fit_is_a_finding() {
+    let drawing = entities(
+        "0 SPLINE 5 B7 8 0 70 8 71 3 40 0 40 1 10 0 20 0 10 1 20 0 10 2 20 0 10 3 20 0 0 LINE 8 0 10 0 20 0 11 1 21 0",
+    );
+    assert_eq!(drawing.shapes.len(), 1);
+    let finding = found(&drawing, Code::InvalidGeometry);
+    assert_eq!(finding.handle.as_deref(), Some("B7"));
+    assert!(finding.message.contains("knots"), "{}", finding.message);
+}
+
+#[test]
+fn helix_is_read_as_its_spline() {
+    let path = one(
+        "0 HELIX 8 0 100 AcDbSpline 70 8 71 1 72 4 73 2 40 0 40 0 40 1 40 1 10 0 20 0 30 0 10 6 20 8 30 0 \
+         100 AcDbHelix 90 29 10 500 20 500 30 0 11 700 21 0 31 0 40 99 41 3",
+    );
+    close(path.length(), 10.0);
+}
+
+#[test]
+fn solid_corners_stand_crosswise() {
+    let drawing = entities("0 SOLID 8 0 10 0 20 0 11 4 21 0 12 0 22 3 13 4 23 3");
+    let path = &drawing.shapes[0].path;
+    assert!(path.closed);
+    close(path.length(), 14.0);
+    close(path.area().abs(), 12.0);
+    assert_eq!(found(&drawing, Code::OutlineTaken).count, 1);
+}
+
+#[test]
+fn triangle_repeats_a_corner() {
+    let path = one("0 SOLID 8 0 10 0 20 0 11 4 21 0 12 4 22 3 13 4 23 3");
+    close(path.length(), 12.0);
+    assert_eq!(path.segments.len(), 3);
+}
+
+#[test]
+fn face_leaves_out_its_hidden_edges() {
+    // Bit 2: the edge from the second corner on.
+    let drawing = entities("0 3DFACE 8 0 10 0 20 0 11 4 21 0 12 4 22 3 13 0 23 3 70 2");
+    assert_eq!(drawing.shapes.len(), 1);
+    let path = &drawing.shapes[0].path;
+    assert!(!path.closed);
+    close(path.length(), 11.0);
+    let two = entities("0 3DFACE 8 0 10 0 20 0 11 4 21 0 12 4 22 3 13 0 23 3 70 5");
+    close(length(&two), 6.0);
+    assert_eq!(two.shapes.len(), 2);
+}
+
+#[test]
+fn hatch_boundaries_of_both_kinds() {
+    let polyline = "0 HATCH 8 0 10 0 20 0 30 0 210 0 220 0 230 1 2 SOLID 70 1 71 0 91 1 92 7 72 1 73 1 93 2 10 0 20 0 42 1 10 10 20 0 42 1 97 0 75 0 76 1 98 1 10 5 20 5";
+    close(length(&entities(polyline)), TAU * 5.0);
+    // A half disc: an arc clockwise and a line, then seed points that are no part of it.
+    let edges = "0 HATCH 8 0 10 0 20 0 30 0 2 SOLID 70 1 71 0 91 1 92 1 93 2 72 2 10 0 20 0 40 5 50 180 51 360 73 0 72 1 10 5 20 0 11 -5 21 0 97 0 75 0 76 1 98 1 10 77 20 77";
+    let drawing = entities(edges);
+    close(length(&drawing), PI * 5.0 + 10.0);
+    let arc = &drawing.shapes[0].path;
+    // Clockwise from 180 degrees mirrored at the x axis: over the upper half.
+    close(arc.segments[0].at(0.5).distance(v(0.0, 5.0)), 0.0);
+    assert_eq!(found(&drawing, Code::OutlineTaken).count, 1);
+}
+
+#[test]
+fn text_points_and_dimensions_are_counted_by_kind_and_layer() {
+    let drawing = entities(
+        "0 TEXT 5 A1 8 T 10 3 20 4 1 hello 0 TEXT 8 T 10 9 20 9 1 x 0 TEXT 8 U 10 1 20 1 1 y 0 POINT 8 T 10 1 20 2 \
+         0 DIMENSION 8 D 10 1 20 1 0 ACAD_PROXY_ENTITY 8 D 0 WEIRD_THING 8 D 0 LINE 8 0 10 0 20 0 11 1 21 0",
+    );
+    let list: Vec<_> = drawing.findings.iter().filter(|f| f.code == Code::UnsupportedEntity).collect();
+    assert_eq!(list.len(), 6, "{list:#?}");
+    let text = list.iter().find(|f| f.message.contains("TEXT") && f.layer.as_deref() == Some("T")).unwrap();
+    assert_eq!((text.count, text.at, text.handle.as_deref()), (2, Some(v(3.0, 4.0)), Some("A1")));
+    let kinds: Vec<_> = drawing.entities.iter().map(|e| (e.kind.as_str(), e.count, e.supported)).collect();
+    assert_eq!(kinds[0], ("TEXT", 3, false));
+    assert!(kinds.contains(&("LINE", 1, true)));
+}
+
+#[test]
+fn extended_data_embedded_objects_and_application_groups_are_no_geometry() {
+    let path = one(
+        "0 LINE 5 1A 102 {ACAD_REACTORS 330 1B 10 99 102 } 8 0 10 0 20 0 11 3 21 4 1001 ACAD 1010 500 1020 500 1070 5",
+    );
+    close(path.length(), 5.0);
+    let embedded = one("0 CIRCLE 8 0 10 0 20 0 40 1 101 Embedded_Object 70 1 10 55 20 66 40 99");
+    close(embedded.length(), TAU);
+}
+
+#[test]
+fn extrusion_below_mirrors_arcs_and_bulges() {
+    // In its own plane: centre (10, 0), from 0 to 90 degrees. Seen from above x is turned over.
+    let arc = one("0 ARC 8 0 10 10 20 0 40 5 50 0 51 90 210 0 220 0 230 -1");
+    close(arc.start().unwrap().distance(v(-15.0, 0.0)), 0.0);
+    close(arc.end().unwrap().distance(v(-10.0, 5.0)), 0.0);
+    let Segment::Arc(a) = arc.segments[0] else { panic!("not an arc") };
+    close(a.sweep, -FRAC_PI_2);
+    let bulge = one("0 LWPOLYLINE 8 0 90 2 70 0 10 0 20 0 42 1 10 10 20 0 210 0 220 0 230 -1");
+    close(bulge.segments[0].at(0.5).distance(v(-5.0, -5.0)), 0.0);
+}
+
+#[test]
+fn tilted_circle_is_an_ellipse_and_said() {
+    // Tilted by 60 degrees: half as high as wide.
+    let drawing = entities("0 CIRCLE 8 0 10 0 20 0 40 10 210 0 220 -0.8660254037844386 230 0.5");
+    let size = drawing.shapes[0].path.bounds().size();
+    assert!((size.x - 20.0).abs() < 0.01 && (size.y - 10.0).abs() < 0.01, "{size}");
+    assert_eq!(found(&drawing, Code::Projected).count, 1);
+}
+
+#[test]
+fn entities_without_geometry_in_their_values_are_findings() {
+    for broken in [
+        "0 CIRCLE 5 7 8 0 10 1 20 2 40 0",
+        "0 CIRCLE 5 7 8 0 10 1 20 2",
+        "0 LINE 5 7 8 0 10 1 20 2",
+        "0 LWPOLYLINE 5 7 8 0 90 1 70 0 10 1 20 2",
+        "0 SPLINE 5 7 8 0 70 8 71 3",
+        "0 ELLIPSE 5 7 8 0 10 1 20 2 11 0 21 0 40 1",
+        "0 HATCH 5 7 8 0 10 1 20 2 30 0 91 0 75 0",
+        "0 INSERT 5 7 8 0 10 1 20 2",
+        "0 3DFACE 5 7 8 0 10 1 20 2 11 1 21 2 12 1 22 2 13 1 23 2",
+        "0 POLYLINE 5 7 8 0 66 1 0 VERTEX 8 0 10 1 20 2 0 SEQEND",
+    ] {
+        let drawing = entities(&format!("{broken} 0 LINE 8 0 10 0 20 0 11 1 21 0"));
+        assert_eq!(drawing.shapes.len(), 1, "{broken}");
+        let finding = found(&drawing, Code::InvalidGeometry);
+        assert_eq!(finding.handle.as_deref(), Some("7"), "{broken}");
+    }
+}
+
+#[test]
+fn a_missing_y_is_taken_as_0_and_said() {
+    let drawing = entities("0 LINE 8 0 10 3 11 7 21 0");
+    assert_eq!(shapes(&drawing), [("LINE", 4.0)]);
+    assert!(found(&drawing, Code::InvalidGeometry).message.contains("no y"));
+}
+
+#[test]
+fn a_file_without_anything_to_cut_says_why() {
+    let text = crate::testkit::drawings::file("", "0 TEXT 8 0 10 0 20 0 1 x");
+    let sentence = read(&text).unwrap_err().to_string();
+    assert!(sentence.contains("1 without an outline"), "{sentence}");
+}
+
+#[test]
+fn wide_polylines_are_read_along_their_middle_and_counted() {
+    let points = "10 0 20 0 10 30 20 0 10 30 20 40";
+    let light = |width: &str| entities(&format!("0 LWPOLYLINE 8 CUT 90 3 70 0 {width} {points}"));
+    assert_eq!(shapes(&light("43 0")), [("LWPOLYLINE", 70.0)]);
+    assert!(light("43 0").findings.is_empty());
+    let heavy = |head: &str, vertex: &str| {
+        entities(&format!(
+            "0 POLYLINE 8 CUT 66 1 70 0 {head} 0 VERTEX 8 CUT 10 0 20 0 0 VERTEX 8 CUT 10 30 20 0 {vertex} 0 SEQEND"
+        ))
+    };
+    let varying = entities("0 LWPOLYLINE 8 CUT 90 2 70 0 10 0 20 0 40 0 41 1.5 10 70 20 0");
+    for (drawing, kind, length) in [
+        (light("43 2.5"), "LWPOLYLINE", 70.0),
+        (varying, "LWPOLYLINE", 70.0),
+        (heavy("40 1 41 1", ""), "POLYLINE", 30.0),
+        (heavy("", "41 0.5"), "POLYLINE", 30.0),
+    ] {
+        assert_eq!(shapes(&drawing), [(kind, length)]);
+        let finding = found(&drawing, Code::OutlineTaken);
+        assert_eq!((finding.count, finding.layer.as_deref()), (1, Some("CUT")));
+        assert!(finding.message.contains("drawn with a width"), "{finding:?}");
+    }
+    assert!(heavy("40 0 41 0", "40 0").findings.is_empty());
+}
+
+/// The sweep of an arc from 200 degrees to an angle of 1e42 did not fit its ends.
+#[test]
+fn angles_many_turns_away_still_fit_the_ends() {
+    for (start, end) in
+        [("200", "-4.878288012178574e42"), ("1e17", "90"), ("36000000030", "7e15"), ("720", "810")]
+    {
+        let path = one(&format!("0 ARC 8 0 10 0 20 0 40 9 50 {start} 51 {end}"));
+        let Segment::Arc(a) = path.segments[0] else { panic!("not an arc") };
+        let there = a.center + kerfway::geometry::math::rotate(a.start - a.center, a.sweep);
+        assert!(there.distance(a.end) < 1e-9, "{start} {end}: {there} is not {}", a.end);
+    }
+}

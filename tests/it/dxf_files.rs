@@ -1,0 +1,366 @@
+//! Files as they are: line ends, numbers, encodings, binary, units, missing parts, damage, other formats.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use crate::testkit::drawings::{close, file, found, length, lines, read, shapes};
+use kerfway::dxf::{Drawing, ReadError, ReadOptions, Unit, UnitsSource};
+use kerfway::finding::Code;
+
+const LINE: &str = "0 LINE 5 1A 8 CUT 10 0 20 0 11 30 21 40";
+const CIRCLE: &str = "0 CIRCLE 5 1B 8 CUT 10 0 20 0 40 10";
+
+fn bytes(bytes: &[u8]) -> Result<Drawing, ReadError> {
+    kerfway::dxf::read(bytes, &ReadOptions::default())
+}
+
+fn codes(drawing: &Drawing) -> Vec<Code> {
+    drawing.findings.iter().map(|f| f.code).collect()
+}
+
+#[test]
+fn every_line_end_reads_the_same() {
+    let text = file("", &format!("{LINE} {CIRCLE}"));
+    let plain = read(&text).unwrap();
+    assert_eq!(shapes(&plain), [("LINE", 50.0), ("CIRCLE", std::f64::consts::TAU * 10.0)]);
+    for end in ["\r\n", "\r", "\r\r\n", "\n\n", "\r\n\r\n", " \n"] {
+        let other = read(&text.replace('\n', end)).unwrap();
+        assert_eq!(other.shapes, plain.shapes, "{end:?}");
+        assert_eq!(codes(&other), codes(&plain), "{end:?}");
+    }
+    let marked = [b"\xEF\xBB\xBF", text.as_bytes(), b"\x1A"].concat();
+    assert_eq!(bytes(&marked).unwrap().shapes, plain.shapes);
+}
+
+#[test]
+fn blank_lines_and_comments_between_groups_are_passed_over() {
+    let text = file("", LINE)
+        .replace("10\n0\n", "\n999\nmade by hand\n\n10\n0\n")
+        .replace("8\nCUT\n", "8\nCUT\n\n\n");
+    let drawing = read(&text).unwrap();
+    assert_eq!(shapes(&drawing), [("LINE", 50.0)]);
+    assert!(drawing.findings.is_empty(), "{:?}", drawing.findings);
+}
+
+#[test]
+fn empty_text_is_a_value() {
+    let drawing = read(&file("", LINE).replace("8\nCUT\n", "1\n\n8\nCUT\n")).unwrap();
+    assert_eq!(shapes(&drawing), [("LINE", 50.0)]);
+    assert!(drawing.findings.is_empty());
+}
+
+#[test]
+fn numbers_as_programs_write_them() {
+    let drawing =
+        read(&file("", "0 LINE 8 0 10 0,0 20 +0 11 3.0D1 21 4.0E").replace("4.0E\n", "4.0E 01\n")).unwrap();
+    assert_eq!(shapes(&drawing), [("LINE", 50.0)]);
+}
+
+#[test]
+fn header_sections_and_end_may_be_missing() {
+    let bare = lines(LINE);
+    let drawing = read(&bare).unwrap();
+    assert_eq!(shapes(&drawing), [("LINE", 50.0)]);
+    assert_eq!(drawing.version, None);
+    assert_eq!(codes(&drawing), [Code::UnitsGuessed, Code::Truncated]);
+    let no_endsec = lines(&format!("0 SECTION 2 ENTITIES {LINE} 0 EOF"));
+    assert_eq!(shapes(&read(&no_endsec).unwrap()), [("LINE", 50.0)]);
+    let no_eof = lines(&format!("0 SECTION 2 ENTITIES {LINE} {CIRCLE} 0 ENDSEC"));
+    assert_eq!(read(&no_eof).unwrap().shapes.len(), 2);
+}
+
+#[test]
+fn other_sections_are_passed_over() {
+    let text = lines(&format!(
+        "0 SECTION 2 CLASSES 0 CLASS 1 X 0 ENDSEC 0 SECTION 2 ENTITIES {LINE} 0 ENDSEC \
+         0 SECTION 2 OBJECTS 0 DICTIONARY 5 C {CIRCLE} 0 ENDSEC 0 SECTION 2 THUMBNAILIMAGE 90 5 310 0011 0 ENDSEC 0 EOF"
+    ));
+    assert_eq!(shapes(&read(&text).unwrap()), [("LINE", 50.0)]);
+}
+
+#[test]
+fn names_are_decoded_by_code_page_or_as_utf8() {
+    let named = |version: &str, page: &str, name: &[u8]| {
+        let head = lines(&format!(
+            "0 SECTION 2 HEADER 9 $ACADVER 1 {version} 9 $DWGCODEPAGE 3 {page} 0 ENDSEC 0 SECTION 2 ENTITIES"
+        ));
+        let mut text = head.into_bytes();
+        text.extend(b"0\nLINE\n8\n");
+        text.extend(name);
+        text.extend(b"\n10\n0\n20\n0\n11\n300\n21\n0\n0\nENDSEC\n0\nEOF\n");
+        let drawing = bytes(&text).unwrap();
+        drawing.layers[drawing.shapes[0].layer as usize].name.clone()
+    };
+    assert_eq!(named("AC1015", "ANSI_1252", b"Fl\xE4che"), "Fläche");
+    assert_eq!(named("AC1009", "dos437", b"Fl\x84che"), "Fläche");
+    assert_eq!(named("AC1009", "DOS850", b"\x9Cber"), "£ber");
+    assert_eq!(named("AC1015", "ANSI_1251", b"\xD0\xE5\xE7"), "Рез");
+    assert_eq!(named("AC1015", "ANSI_932", b"\x83J\x83b\x83g"), "カット");
+    assert_eq!(named("AC1018", "ANSI_936", b"\xC7\xD0\xB8\xEE"), "切割");
+    assert_eq!(named("AC1021", "ANSI_1252", "Fläche".as_bytes()), "Fläche");
+    // Said to be Western, written in UTF-8.
+    assert_eq!(named("AC1009", "ANSI_1252", "Рез".as_bytes()), "Рез");
+    assert_eq!(named("AC1015", "ANSI_1252", b"\\U+30AB\\U+30C3"), "カッ");
+    assert_eq!(named("AC1015", "ANSI_1252", b"\\M+1834A"), "カ");
+    assert_eq!(named("AC1015", "ANSI_1252", b"a\\U+12"), "a\\U+12");
+}
+
+#[test]
+fn text_that_is_not_in_its_encoding_is_a_finding() {
+    let mut text =
+        lines("0 SECTION 2 HEADER 9 $ACADVER 1 AC1027 9 $INSUNITS 70 4 0 ENDSEC 0 SECTION 2 ENTITIES")
+            .into_bytes();
+    text.extend(b"0\nLINE\n8\nFl\xE4che\n10\n0\n20\n0\n11\n300\n21\n0\n0\nENDSEC\n0\nEOF\n");
+    let drawing = bytes(&text).unwrap();
+    assert_eq!(drawing.layers[drawing.shapes[0].layer as usize].name, "Fläche");
+    assert_eq!(codes(&drawing), [Code::Encoding]);
+}
+
+/// The groups of a file in binary, with codes of one or two bytes.
+fn binary(words: &str, wide: bool) -> Vec<u8> {
+    let mut out = b"AutoCAD Binary DXF\r\n\x1A\0".to_vec();
+    let words: Vec<&str> = words.split_whitespace().collect();
+    for pair in words.chunks(2) {
+        let code: u16 = pair[0].parse().unwrap();
+        match (wide, u8::try_from(code)) {
+            (false, Ok(short)) if short < 255 => out.push(short),
+            (false, _) => {
+                out.push(255);
+                out.extend(code.to_le_bytes());
+            }
+            (true, _) => out.extend(code.to_le_bytes()),
+        }
+        match code {
+            10..=59 | 210..=239 | 1010..=1059 => out.extend(pair[1].parse::<f64>().unwrap().to_le_bytes()),
+            60..=79 | 1070 => out.extend(pair[1].parse::<i16>().unwrap().to_le_bytes()),
+            90..=99 | 1071 => out.extend(pair[1].parse::<i32>().unwrap().to_le_bytes()),
+            _ => {
+                out.extend(pair[1].bytes());
+                out.push(0);
+            }
+        }
+    }
+    out
+}
+
+#[test]
+fn binary_with_short_and_long_group_codes() {
+    let words = format!(
+        "0 SECTION 2 HEADER 9 $INSUNITS 70 4 0 ENDSEC 0 SECTION 2 ENTITIES {LINE} 1001 ACAD 1071 70000 \
+         0 LWPOLYLINE 8 0 90 2 70 1 10 0 20 0 42 1 10 10 20 0 42 1 0 ENDSEC 0 EOF"
+    );
+    let text = read(&lines(&words)).unwrap();
+    for wide in [false, true] {
+        let drawing = bytes(&binary(&words, wide)).unwrap();
+        assert_eq!(drawing.shapes, text.shapes, "wide: {wide}");
+        assert!(drawing.findings.is_empty(), "{:?}", drawing.findings);
+    }
+}
+
+#[test]
+fn binary_finds_its_step_again_and_says_where() {
+    let mut file = binary(&format!("0 SECTION 2 ENTITIES {LINE} {CIRCLE} 0 ENDSEC 0 EOF"), true);
+    // The code of the x of the circle becomes one that does not exist.
+    let at = file.windows(7).position(|w| w == b"CIRCLE\0").unwrap();
+    let x = file.windows(2).skip(at).position(|w| w == [10, 0]).unwrap() + at;
+    file[x] = 200;
+    file.extend(b"");
+    let drawing = bytes(&file).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(shapes(&drawing), [("LINE", 50.0)]);
+    assert!(found(&drawing, Code::Resynchronised).message.contains(&format!("byte {x}")));
+    assert_eq!(found(&drawing, Code::DamagedEntity).handle.as_deref(), Some("1B"));
+}
+
+fn with_units(header: &str, size: f64) -> Drawing {
+    let text = format!(
+        "0 SECTION 2 HEADER {header} 0 ENDSEC 0 SECTION 2 ENTITIES 0 LINE 8 0 10 0 20 0 11 {size} 21 0 0 ENDSEC 0 EOF"
+    );
+    read(&lines(&text)).unwrap()
+}
+
+#[test]
+fn units_of_the_header_scale_to_mm() {
+    let mm = [
+        (1, 25.4),
+        (2, 304.8),
+        (4, 1.0),
+        (5, 10.0),
+        (6, 1000.0),
+        (8, 25.4e-6),
+        (9, 0.0254),
+        (10, 914.4),
+        (13, 0.001),
+        (14, 100.0),
+    ];
+    for (code, factor) in mm {
+        // 100 mm in each of them.
+        let drawing = with_units(&format!("9 $INSUNITS 70 {code}"), 100.0 / factor);
+        assert!((length(&drawing) - 100.0).abs() < 1e-9, "{code}: {}", length(&drawing));
+        assert_eq!((drawing.units.source, drawing.units.doubtful), (UnitsSource::Header, false), "{code}");
+    }
+}
+
+#[test]
+fn units_the_size_speaks_against_are_doubtful() {
+    let inches = with_units("9 $INSUNITS 70 1", 400.0);
+    assert_eq!((inches.units.unit, inches.units.doubtful), (Unit::In, true));
+    assert!(
+        inches.units.reason.contains("10.2 m") && inches.units.reason.contains("400 mm"),
+        "{}",
+        inches.units.reason
+    );
+    assert_eq!(found(&inches, Code::UnitsDoubtful).message, inches.units.reason);
+    let small = with_units("9 $INSUNITS 70 4", 12.0);
+    assert_eq!((small.units.unit, small.units.doubtful), (Unit::Mm, true));
+    // Settings that contradict count where the other unit would be possible as well.
+    assert!(with_units("9 $INSUNITS 70 4 9 $MEASUREMENT 70 0", 100.0).units.doubtful);
+    assert!(!with_units("9 $INSUNITS 70 4 9 $MEASUREMENT 70 0", 1000.0).units.doubtful);
+    assert!(!with_units("9 $INSUNITS 70 4 9 $MEASUREMENT 70 1", 100.0).units.doubtful);
+}
+
+#[test]
+fn units_that_are_missing_are_guessed_with_a_reason() {
+    let guess = |header: &str, size: f64| {
+        let units = with_units(header, size).units;
+        assert_eq!(units.source, UnitsSource::Guessed);
+        assert!(units.reason.starts_with("The file names"), "{}", units.reason);
+        (units.unit, units.doubtful)
+    };
+    assert_eq!(guess("9 $INSUNITS 70 0", 1000.0), (Unit::Mm, false));
+    assert_eq!(guess("9 $INSUNITS 70 0", 100.0), (Unit::Mm, true));
+    assert_eq!(guess("9 $MEASUREMENT 70 1", 100.0), (Unit::Mm, false));
+    assert_eq!(guess("9 $MEASUREMENT 70 0", 12.0), (Unit::In, false));
+    assert_eq!(guess("9 $LUNITS 70 4", 12.0), (Unit::In, false));
+    assert_eq!(guess("9 $ACADVER 1 AC1009", 12.0), (Unit::Mm, true));
+    assert_eq!(guess("9 $INSUNITS 70 20", 1000.0), (Unit::Mm, false));
+}
+
+#[test]
+fn units_given_by_the_person_win() {
+    let text = file("", LINE);
+    let options = ReadOptions { unit: Some(Unit::In), ..ReadOptions::default() };
+    let drawing = kerfway::dxf::read(text.as_bytes(), &options).unwrap();
+    close(length(&drawing), 50.0 * 25.4);
+    assert_eq!((drawing.units.source, drawing.units.doubtful), (UnitsSource::Given, false));
+}
+
+#[test]
+fn damage_is_marked_and_left_out_unless_asked_for() {
+    let text = file("", &format!("{LINE} {CIRCLE} 0 LINE 8 CUT 10 0 20 0 11 7 21 0"));
+    // Each of these harms the circle, and nothing but the circle.
+    for (from, to) in [
+        ("1B\n8\nCUT\n10\n0\n20\n", "1B\n8\nCUT\n10\n0\n"),
+        ("1B\n8\nCUT\n10\n", "1B\n8\nCUT\n10\n10\n"),
+        ("1B\n8\nCUT\n10\n0\n", "1B\n8\nCUT\n0\n10\n"),
+        ("40\n10\n", "40\n1O\n"),
+        ("40\n10\n", "40\nNaN\n"),
+        ("40\n10\n", "40\n10\nstray words here\n"),
+        ("40\n10\n", "40\n10\n<<<<<<< HEAD\n40\n11\n=======\n40\n12\n>>>>>>> theirs\n"),
+    ] {
+        let broken = text.replacen(from, to, 1);
+        assert_ne!(broken, text);
+        let drawing = read(&broken).unwrap();
+        assert_eq!(shapes(&drawing), [("LINE", 50.0), ("LINE", 7.0)], "{to:?}: {:#?}", drawing.findings);
+        let damaged = found(&drawing, Code::DamagedEntity);
+        assert_eq!(
+            (damaged.handle.as_deref(), damaged.layer.as_deref(), damaged.count),
+            (Some("1B"), Some("CUT"), 1)
+        );
+    }
+    let broken = text.replacen("40\n10\n", "40\n10\nstray words here\n", 1);
+    let keep = ReadOptions { keep_damaged: true, ..ReadOptions::default() };
+    let kept = kerfway::dxf::read(broken.as_bytes(), &keep).unwrap();
+    assert_eq!(kept.shapes.iter().map(|s| s.damaged).collect::<Vec<_>>(), [false, true, false]);
+}
+
+#[test]
+fn lost_step_names_the_line() {
+    let text = file("", &format!("{LINE} {CIRCLE}"));
+    // The group code of the circle's y is lost: its value stands where a group code should be.
+    let broken = text.replacen("20\n0\n40", "0\n40", 1);
+    // CIRCLE is line i + 1; after it 5, 1B, 8, CUT, 10, 0 and the lone value.
+    let line = broken.lines().position(|l| l == "CIRCLE").unwrap() + 8;
+    let drawing = read(&broken).unwrap();
+    assert_eq!(shapes(&drawing), [("LINE", 50.0)]);
+    let message = &found(&drawing, Code::Resynchronised).message;
+    assert!(message.contains(&format!("near line {line}:")), "{line}: {message}");
+}
+
+#[test]
+fn lost_start_of_an_entity_harms_no_sound_one_in_silence() {
+    let text = file("", &format!("{LINE} {CIRCLE} 0 LINE 8 CUT 10 0 20 0 11 7 21 0"));
+    // "0 CIRCLE" is lost altogether: the line runs on into the circle's groups.
+    let drawing = read(&text.replacen("0\nCIRCLE\n", "", 1)).unwrap();
+    assert_eq!(shapes(&drawing), [("LINE", 7.0)]);
+    assert_eq!(found(&drawing, Code::DamagedEntity).handle.as_deref(), Some("1A"));
+}
+
+#[test]
+fn merge_conflict_between_entities_harms_neither() {
+    let text = file("", &format!("{LINE} {CIRCLE}"));
+    let broken = text.replacen("0\nCIRCLE\n", "<<<<<<< HEAD\n0\nCIRCLE\n", 1);
+    let drawing = read(&broken).unwrap();
+    assert_eq!(drawing.shapes.len(), 2);
+    assert!(found(&drawing, Code::Resynchronised).message.contains("merge conflict"));
+}
+
+#[test]
+fn truncated_in_the_middle_keeps_what_came_before() {
+    let text = file("", &format!("{LINE} {CIRCLE}"));
+    let cut = text.find("40\n10\n").unwrap();
+    let drawing = read(&text[..cut]).unwrap();
+    assert_eq!(shapes(&drawing), [("LINE", 50.0)]);
+    assert_eq!(found(&drawing, Code::DamagedEntity).handle.as_deref(), Some("1B"));
+    assert_eq!(found(&drawing, Code::Truncated).count, 1);
+    let nothing = read(&text[..40]).unwrap_err();
+    assert!(
+        matches!(nothing, ReadError::Empty(_)) && nothing.to_string().contains("not copied whole"),
+        "{nothing}"
+    );
+}
+
+#[test]
+fn other_formats_are_named_with_what_to_do() {
+    for (start, name) in [
+        (&b"AC1032\0\0\0\0\0"[..], "DWG"),
+        (b"%PDF-1.7\n", "PDF"),
+        (b"\x89PNG\r\n\x1A\n", "PNG"),
+        (b"\xFF\xD8\xFF\xE0", "JPEG"),
+        (b"<?xml version=\"1.0\"?>\n<!-- x -->\n<svg xmlns=\"http://www.w3.org/2000/svg\"/>", "SVG"),
+        (b"<!DOCTYPE html><html>", "web page"),
+        (b"PK\x03\x04", "ZIP"),
+        (b"ISO-10303-21;\nHEADER;", "STEP"),
+        (b"; made by x\nG21\nG90\nM4 S0\nG0 X1 Y2\n", "G-code"),
+        (b"%!PS-Adobe-3.0", "PostScript"),
+        (b"\xFF\xFE0\0\n\0", "UTF-16"),
+        (b"solid part\nfacet normal", "STL"),
+        (b"", "empty"),
+        (b" \r\n\r\n", "empty"),
+        (b"Dear reader,\nthis is a letter.\nYours\n", "not a DXF"),
+        (b"0\n", "not a DXF"),
+        (b"\0\0\0\0\0\0\0\0", "not a DXF"),
+    ] {
+        match bytes(start) {
+            Err(ReadError::NotDxf(sentence)) => {
+                assert!(sentence.contains(name), "{sentence}");
+                assert!(sentence.ends_with('.'));
+            }
+            other => panic!("{name}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn a_misspelt_section_is_read_and_told() {
+    let text =
+        file("0 BLOCK 2 B 10 0 20 0 0 LINE 8 0 10 0 20 0 11 300 21 400 0 ENDBLK", "0 INSERT 2 B 10 0 20 0");
+    let sound = read(&text).unwrap();
+    assert_eq!(shapes(&sound), [("LINE", 500.0)]);
+    for (name, right) in [("HEADER", 1), ("BLOCKS", 2), ("ENTITIES", 3)] {
+        let wrong = text.replace(&format!("SECTION\n2\n{name}"), &format!("SUCTION\n2\n{name}"));
+        let drawing = read(&wrong).unwrap();
+        assert_eq!((shapes(&drawing), &drawing.units), (shapes(&sound), &sound.units), "section {right}");
+        let [finding] = &drawing.findings[..] else { panic!("{:?}", drawing.findings) };
+        assert_eq!(finding.code, Code::Resynchronised);
+        assert!(finding.message.starts_with("The word SUCTION stands where SECTION must"), "{finding:?}");
+    }
+}

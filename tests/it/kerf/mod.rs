@@ -1,0 +1,21 @@
+//! Kerf width: the beam follows outlines half a kerf aside, and what lies one kerf apart is cut once.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    dead_code,
+    unreachable_pub,
+    reason = "a test fails by panicking"
+)]
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::disallowed_methods,
+    reason = "sheets of a few contours; the product's arithmetic is not to judge itself"
+)]
+
+mod followed;
+mod kept;
+mod made;
+mod of_all_kinds;
+mod one_kerf_apart;
+mod outlines_alone;

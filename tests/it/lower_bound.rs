@@ -1,0 +1,287 @@
+//! The lower bound against exact optima of small problems of every kind, against densely sampled contours, and on a
+//! published instance.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use crate::testkit::sheets::{Dice, machine, nested_sheet, p};
+use kerfway::geometry::DVec2;
+use kerfway::machine::Profile;
+use kerfway::plan::LowerBound;
+use kerfway::problem::{self, Groups, Item, Node, NodeId, Problem, Table};
+use kerfway::solve;
+
+/// Bound after so much work in slices of `slice`.
+fn bound(problem: &Problem, upper: f64, work: u64, slice: u32) -> f64 {
+    let mut bound = LowerBound::new(problem);
+    let mut last = 0.0;
+    for _ in 0..work / u64::from(slice) {
+        let more = bound.improve(slice, upper);
+        assert!(bound.value() >= last, "it only rises");
+        last = bound.value();
+        if !more {
+            break;
+        }
+    }
+    last
+}
+
+/// A problem whose contours are entered at their nodes only.
+fn at_nodes(mut problem: Problem) -> Problem {
+    for item in &mut problem.items {
+        (item.track, item.run) = (None, None);
+    }
+    problem
+}
+
+fn machines(k: u64) -> Profile {
+    let names = ["length", "length-chebyshev", "co2-100w", "fibre-3kw-thin", "diode-hobby"];
+    machine(names[usize::try_from(k).unwrap() % names.len()])
+}
+
+/// Scattered items of a few nodes each, with open ones, ranks, and items before others.
+fn scattered(dice: &mut Dice, k: u64) -> Problem {
+    let mut machine = machines(k);
+    machine.return_home = k.is_multiple_of(2);
+    let (mut items, mut nodes) = (Vec::new(), Vec::<Node>::new());
+    let count = 1 + k % 8;
+    for item in 0..u32::try_from(count).unwrap() {
+        let first = NodeId::try_from(nodes.len()).unwrap();
+        let mut place = || p(dice.below(900) as f64, dice.below(600) as f64);
+        let (corner, open) = (place(), k % 3 == 1 && item % 2 == 0);
+        let near = |v: DVec2| corner + v * 0.2;
+        if open {
+            let (a, b) = (corner, near(place()));
+            let node = |entry, exit, reversed, twin| Node { item, entry, exit, along: 0.0, reversed, twin };
+            nodes.extend([node(a, b, false, first + 1), node(b, a, true, first)]);
+        } else {
+            for twin in first..first + 1 + item % 4 {
+                let entry = near(place());
+                nodes.push(Node { item, entry, exit: entry, along: 0.0, reversed: false, twin });
+            }
+        }
+        items.push(Item {
+            nodes: first..NodeId::try_from(nodes.len()).unwrap(),
+            before: (k % 5 == 2 && item + 1 < u32::try_from(count).unwrap() && item % 2 == 0)
+                .then_some(item + 1),
+            rank: if k % 7 == 3 { item % 2 } else { 0 },
+            fixed: 1.0,
+            ..Item::default()
+        });
+    }
+    let pairs = if k % 11 == 4 && count > 3 { vec![(0, 3), (2, 3)] } else { Vec::new() };
+    Problem {
+        items,
+        nodes,
+        home: p(0.0, 0.0),
+        closed: machine.return_home,
+        machine,
+        pairs,
+        groups: Groups::default(),
+        table: None,
+    }
+}
+
+/// Is never above the optimum, and on problems this small nearly there.
+#[test]
+fn scattered_items() {
+    let mut dice = Dice::new(5);
+    let (mut sum, mut sum_least) = (0.0, 0.0);
+    for k in 0..300 {
+        let problem = scattered(&mut dice, k);
+        let least = solve::exact(&problem).unwrap().cost;
+        let found = bound(&problem, least, 3_000_000, 10_000);
+        assert!(found <= least * (1.0 + 1e-12), "{k}: {found} above {least}");
+        (sum, sum_least) = (sum + found, sum_least + least);
+    }
+    assert!(sum >= 0.998 * sum_least, "{sum} of {sum_least} proven");
+}
+
+#[test]
+fn tables_both_ways() {
+    let mut dice = Dice::new(9);
+    let (mut sum, mut sum_least) = (0.0, 0.0);
+    for k in 0..100_u64 {
+        let mut problem = scattered(&mut dice, 6 + 8 * (k % 9));
+        problem.items.iter_mut().for_each(|i| (i.before, i.rank) = (None, 0));
+        problem.pairs = if k % 4 == 3 { vec![(1, 0), (2, 1)] } else { Vec::new() };
+        let n = problem.nodes.len();
+        let mut costs: Vec<f64> = (0..n * n).map(|_| dice.below(1000) as f64).collect();
+        if k.is_multiple_of(2) {
+            for a in 0..n {
+                for b in 0..a {
+                    costs[a * n + b] = costs[b * n + a];
+                }
+            }
+        }
+        problem.table = Table::new(n, costs);
+        let least = solve::exact(&problem).unwrap().cost;
+        let found = bound(&problem, least, 3_000_000, 10_000);
+        assert!(found <= least * (1.0 + 1e-12) + 1e-9, "{k}: {found} above {least}");
+        (sum, sum_least) = (sum + found, sum_least + least);
+    }
+    // A start of several nodes may be left from one and come back to at another.
+    assert!(sum >= 0.9 * sum_least, "{sum} of {sum_least} proven");
+}
+
+#[test]
+fn nested_sheets_at_nodes() {
+    for seed in 0..60 {
+        let mut machine = machines(seed);
+        machine.return_home = seed % 3 != 0;
+        let problem = at_nodes(problem::from_sheet(
+            &nested_sheet(1 + usize::try_from(seed).unwrap() % 6, seed),
+            &machine,
+        ));
+        if problem.items.len() > 9 {
+            continue;
+        }
+        let least = solve::exact(&problem).unwrap().cost;
+        let found = bound(&problem, least, 5_000_000, 50_000);
+        assert!(found <= least * (1.0 + 1e-12), "{seed}: {found} above {least}");
+        assert!(found >= 0.99 * least, "{seed}: {found} far below {least}");
+    }
+}
+
+/// Entries anywhere: never above the optimum over many nodes, and near what sliding entries reach.
+#[test]
+fn entries_anywhere() {
+    for seed in 0..40 {
+        let mut machine = machines(seed);
+        machine.return_home = seed % 3 != 0;
+        let mut problem =
+            problem::from_sheet(&nested_sheet(1 + usize::try_from(seed).unwrap() % 3, seed), &machine);
+        problem.items.iter_mut().for_each(|i| i.run = None);
+        let dense = sampled(&problem, 60);
+        let least = solve::exact(&at_nodes(dense)).unwrap().cost;
+        let found = bound(&problem, least, 30_000_000, 100_000);
+        assert!(found <= least * (1.0 + 1e-12), "{seed}: {found} above {least}");
+        assert!(found >= 0.97 * least, "{seed}: {found} far below {least}");
+    }
+}
+
+/// The same problem with so many nodes on every track.
+fn sampled(problem: &Problem, count: u32) -> Problem {
+    let mut out = problem.clone();
+    out.nodes.clear();
+    for (id, item) in (0..).zip(&mut out.items) {
+        let first = NodeId::try_from(out.nodes.len()).unwrap();
+        if let Some(track) = &item.track {
+            let length = track.length();
+            for twin in first..first + count {
+                let along = length * f64::from(twin - first) / f64::from(count);
+                let entry = track.at(along).unwrap();
+                out.nodes.push(Node { item: id, entry, exit: entry, along, reversed: false, twin });
+            }
+        } else {
+            let old = item.nodes.start;
+            let nodes = problem.nodes[item.nodes.start as usize..item.nodes.end as usize].iter();
+            out.nodes.extend(nodes.map(|n| Node { twin: n.twin - old + first, ..*n }));
+        }
+        item.nodes = first..NodeId::try_from(out.nodes.len()).unwrap();
+    }
+    out
+}
+
+/// With contours that may be left for nothing, no path found is below the bound, and the bound is not nothing.
+#[test]
+fn contours_left_and_resumed() {
+    for seed in 0..20 {
+        let mut machine = machines(seed);
+        machine.return_home = seed % 3 != 0;
+        machine.pre_cut_time = Some(0.0);
+        let problem = problem::from_sheet(&nested_sheet(3 + usize::try_from(seed).unwrap(), seed), &machine);
+        assert!(problem.items.iter().any(|i| i.leave.is_some()));
+        let mut search = solve::methods()[0].start(&problem, seed, None);
+        search.step(300_000);
+        let cost = search.best().cost;
+        let found = bound(&problem, cost, 20_000_000, 100_000);
+        assert!(found > 0.1 * cost && found <= cost, "{seed}: {found}, path {cost}");
+    }
+}
+
+/// Many contours: the cheap bound.
+#[test]
+fn sheets_of_many_contours() {
+    let machine = machine("length");
+    let problem = problem::from_sheet(&nested_sheet(300, 3), &machine);
+    assert!(problem.items.len() > 250);
+    let mut search = solve::methods()[0].start(&problem, 1, None);
+    search.step(1_000_000);
+    let cost = search.best().cost;
+    let found = bound(&problem, cost, 400_000_000, 1_000_000);
+    assert!(found > 0.3 * cost && found <= cost, "{found}, path {cost}");
+    // However it is sliced.
+    let slices = [1_000_000, 77_777].map(|slice| bound(&problem, cost, 400_000_000, slice));
+    assert_eq!(slices[0].to_bits(), slices[1].to_bits());
+}
+
+/// The feature points of P. Qu & F. Du's 43 contours (IEEE Access 11, 2023, table 4); `boundary`: those on the contours
+/// only, holes first.
+fn qu_and_du(name: &str, closed: bool, boundary: bool) -> Problem {
+    let data: serde_json::Value =
+        serde_json::from_slice(include_bytes!("../fixtures/qu-du-43/qu_du_43.json")).unwrap();
+    let contours = data["contours"].as_array().unwrap();
+    let mut machine = machine(name);
+    machine.return_home = closed;
+    let (mut items, mut nodes) = (Vec::new(), Vec::<Node>::new());
+    for (item, contour) in (0..).zip(contours) {
+        let first = NodeId::try_from(nodes.len()).unwrap();
+        let points = contour["points"].as_array().unwrap().iter();
+        for (twin, point) in (first..).zip(points.filter(|p| !boundary || p["on_boundary"] == true)) {
+            let entry = p(point["x"].as_f64().unwrap(), point["y"].as_f64().unwrap());
+            nodes.push(Node { item, entry, exit: entry, along: 0.0, reversed: false, twin });
+        }
+        let outer = contours.iter().position(|c| boundary && c["id"] == contour["parent"]);
+        items.push(Item {
+            nodes: first..NodeId::try_from(nodes.len()).unwrap(),
+            before: outer.map(|o| u32::try_from(o).unwrap()),
+            ..Item::default()
+        });
+    }
+    Problem {
+        items,
+        nodes,
+        home: DVec2::ZERO,
+        closed,
+        machine,
+        pairs: Vec::new(),
+        groups: Groups::default(),
+        table: None,
+    }
+}
+
+/// The optima (or best known values: the third and the last two) were found and proven by a mixed-integer programme.
+#[test]
+fn points_of_the_43_contours() {
+    let (euclid, chebyshev) = ("length", "length-chebyshev");
+    let cases = [
+        (euclid, false, false, 2545.445, 0.15),
+        (euclid, true, false, 2819.222, 0.015),
+        (euclid, false, true, 2550.624, 0.25),
+        (euclid, true, true, 2821.939, 0.1),
+        (chebyshev, false, false, 2205.600, 0.25),
+        (chebyshev, true, false, 2448.600, 0.1),
+        (chebyshev, false, true, 2214.500, 0.25),
+        (chebyshev, true, true, 2460.600, 0.25),
+    ];
+    for (name, closed, boundary, optimum, gap) in cases {
+        let problem = qu_and_du(name, closed, boundary);
+        // The table gives three decimals.
+        let upper = optimum + 0.0005;
+        let found = bound(&problem, upper, 600_000_000, 5_000_000);
+        assert!(found <= upper, "{name} {closed} {boundary}: {found} above {optimum}");
+        assert!(upper <= (1.0 + gap) * found, "{name} {closed} {boundary}: {found} of {optimum}");
+    }
+}
+
+/// 2,782.583 mm, and 2,496.054 without the way home, are the best known with entries anywhere.
+#[test]
+fn the_43_contours_entered_anywhere() {
+    let bytes = include_bytes!("../fixtures/qu-du-43/qu_du_43.dxf");
+    let drawing = kerfway::dxf::read(bytes, &kerfway::dxf::ReadOptions::default()).unwrap();
+    let sheet = kerfway::sheet::build(&drawing, &kerfway::sheet::SheetOptions::default());
+    for (return_home, known, work) in [(true, 2782.583, 6_000_000_000), (false, 2496.054, 12_000_000_000)] {
+        let problem = problem::from_sheet(&sheet, &Profile { return_home, ..machine("length") });
+        let found = bound(&problem, known, work, 5_000_000);
+        assert!(found <= known && known <= 1.03 * found, "{return_home}: {found}");
+    }
+}

@@ -1,0 +1,46 @@
+//! All native integration tests in one binary, a module for each subject; what they share is in `tests/testkit`.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[path = "../testkit/mod.rs"]
+mod testkit;
+
+mod common_cuts;
+mod common_cuts_exact;
+mod common_cuts_grids;
+mod dxf_blocks;
+mod dxf_entities;
+mod dxf_files;
+mod exclude;
+mod geometry_curves;
+mod geometry_meet;
+mod geometry_shapes;
+mod golden;
+mod inspect_dev;
+mod inspect_promises;
+mod instance_read;
+mod instance_solve;
+mod kerf;
+mod kerf_drawings;
+mod lower_bound;
+mod metamorphic_intake;
+mod mutation_dxf;
+mod mutation_hostile;
+mod oracle_ezdxf;
+mod order_options;
+mod output_dxf;
+mod output_gcode;
+mod output_json;
+mod output_png;
+mod output_svg;
+mod papers_hull;
+mod papers_qu_du;
+mod papers_tree;
+mod papers_yang;
+mod plan_check;
+mod plate_drawings;
+mod quote;
+mod sharp_corners;
+mod sheet;
+mod solve_exact;
+mod solve_partial;
+mod solve_search;

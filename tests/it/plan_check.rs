@@ -1,0 +1,382 @@
+//! The checker against planted faults: each kind is caught, and said to be what it is.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::type_complexity, reason = "helpers of tests")]
+
+use crate::testkit::sheets::{Builder, circle, line, machine, p, rectangle, slot};
+use kerfway::geometry::{Arc, DVec2, Path, Segment};
+use kerfway::machine::{Profile, presets};
+use kerfway::plan::{self, Move, Plan, Violation};
+use kerfway::problem;
+use kerfway::sheet::Sheet;
+use kerfway::solve::{self, Stop};
+
+/// A plate with two holes (one a slot) and a mark, an open cut, and a disc with a part in its hole.
+/// 0 plate, 1 hole, 2 slot, 3 mark, 4 open cut, 5 ring, 6 its hole, 7 part in the hole.
+fn sheet() -> Sheet {
+    let mut b = Builder::new();
+    let plate = b.cut(rectangle(p(10.0, 10.0), p(60.0, 40.0)), None);
+    b.cut(circle(p(25.0, 25.0), 4.0), Some(plate));
+    b.cut(slot(p(50.0, 30.0), 12.0, 3.0), Some(plate));
+    b.mark(line(p(20.0, 40.0), p(40.0, 42.0)), Some(plate));
+    b.cut(line(p(80.0, 5.0), p(95.0, 9.0)), None);
+    let ring = b.cut(circle(p(110.0, 40.0), 20.0), None);
+    let hole = b.cut(circle(p(110.0, 40.0), 15.0), Some(ring));
+    b.cut(rectangle(p(105.0, 36.0), p(10.0, 8.0)), Some(hole));
+    b.sheet
+}
+
+fn planned(sheet: &Sheet, machine: &Profile) -> Plan {
+    let problem = problem::from_sheet(sheet, machine);
+    plan::from_solution(sheet, &problem, &solve::greedy(&problem))
+}
+
+/// The violations after a change to the moves, the sums brought in line with the changed moves.
+fn after(change: impl FnOnce(&mut Vec<Move>)) -> Vec<Violation> {
+    let (sheet, machine) = (sheet(), machine("co2-100w"));
+    let mut plan = planned(&sheet, &machine);
+    change(&mut plan.moves);
+    let parts = plan.summary.parts;
+    plan.summary = plan::evaluate(&plan.moves, &machine);
+    plan.summary.parts = parts;
+    plan::check(&sheet, &machine, &plan).unwrap_err()
+}
+
+/// The index of the cut of a contour.
+fn cut_of(moves: &[Move], id: u32) -> usize {
+    moves.iter().position(|m| matches!(m, Move::Cut { contour, .. } if *contour == id)).unwrap()
+}
+
+fn path_of(moves: &mut [Move], id: u32) -> &mut Vec<Segment> {
+    let at = cut_of(moves, id);
+    match &mut moves[at] {
+        Move::Cut { path, .. } => path,
+        _ => unreachable!(),
+    }
+}
+
+/// Takes out the air move, the piercing and the cut of a contour.
+fn take_out(moves: &mut Vec<Move>, id: u32) -> Vec<Move> {
+    let at = cut_of(moves, id);
+    moves.drain(at - 2..=at).collect()
+}
+
+#[test]
+fn good_plans_pass_on_every_machine() {
+    for mut machine in presets() {
+        for return_home in [true, false] {
+            machine.return_home = return_home;
+            assert_eq!(plan::check(&sheet(), &machine, &planned(&sheet(), &machine)), Ok(()));
+        }
+    }
+}
+
+#[test]
+fn a_contour_left_out() {
+    assert_eq!(after(|m| drop(take_out(m, 1))), [Violation::Missing { contour: 1 }]);
+}
+
+#[test]
+fn a_contour_worked_twice() {
+    let found = after(|m| {
+        let again = m[cut_of(m, 5)].clone();
+        let at = cut_of(m, 5) + 1;
+        m.splice(at..at, [Move::Pierce, again]);
+    });
+    assert!(matches!(found[..], [Violation::Again { contour: 5, .. }]), "{found:?}");
+}
+
+#[test]
+fn a_contour_the_sheet_does_not_hold() {
+    let found = after(|m| {
+        let at = cut_of(m, 1);
+        if let Move::Cut { contour, .. } = &mut m[at] {
+            *contour = 77;
+        }
+    });
+    assert!(matches!(found[..], [Violation::Unknown { contour: 77, .. }, Violation::Missing { contour: 1 }]));
+}
+
+#[test]
+fn half_a_contour() {
+    let found = after(|m| {
+        path_of(m, 0).pop();
+        let at = cut_of(m, 0);
+        // The head goes on from where the cut now ends.
+        if !matches!(m.get(at + 1), Some(Move::Air { .. })) {
+            m.insert(at + 1, Move::Air { to: DVec2::ZERO });
+        }
+    });
+    // Its ends now differ, so it also counts as an open one.
+    assert!(matches!(
+        found[..],
+        [
+            Violation::Partly { contour: 0, worked, length, .. },
+            Violation::Sum { what: "the number of open contours", .. }
+        ] if worked < length
+    ));
+}
+
+#[test]
+fn a_contour_cut_another_way() {
+    // A corner cut off, the length told honestly.
+    let found = after(|m| {
+        let path = path_of(m, 0);
+        let (a, b) = (path[1].at(0.5), path[2].at(0.5));
+        path.splice(1..3, [path[1].piece(0.0, 0.5), Segment::line(a, b), path[2].piece(0.5, 1.0)]);
+    });
+    assert!(matches!(found[..], [Violation::Strays { contour: 0, .. }]), "{found:?}");
+    // One contour's path under another's name.
+    let found = after(|m| {
+        let (one, two) = (path_of(m, 1).clone(), path_of(m, 6).clone());
+        *path_of(m, 1) = two;
+        *path_of(m, 6) = one;
+    });
+    for id in [1, 6] {
+        assert!(found.iter().any(|v| matches!(v, Violation::Strays { contour, .. } if *contour == id)));
+    }
+}
+
+#[test]
+fn an_outer_contour_before_its_hole() {
+    let found = after(|m| {
+        let hole = take_out(m, 1);
+        let at = cut_of(m, 0) + 1;
+        m.splice(at..at, hole);
+    });
+    assert!(found.contains(&Violation::CutFree { outer: 0, inner: 1 }), "{found:?}");
+    // Over two levels: the part inside the hole after the hole and after the ring.
+    let found = after(|m| {
+        let inner = take_out(m, 7);
+        let at = cut_of(m, 5) + 1;
+        m.splice(at..at, inner);
+    });
+    assert!(found.contains(&Violation::CutFree { outer: 5, inner: 7 }), "{found:?}");
+    assert!(found.contains(&Violation::CutFree { outer: 6, inner: 7 }), "{found:?}");
+}
+
+#[test]
+fn a_mark_after_the_first_cut() {
+    let found = after(|m| {
+        let at = cut_of(m, 3);
+        let mark: Vec<Move> = m.drain(at - 1..=at).collect();
+        let at = cut_of(m, 1) + 1;
+        m.splice(at..at, mark);
+    });
+    assert!(found.contains(&Violation::Rank { earlier: 1, later: 3 }), "{found:?}");
+}
+
+#[test]
+fn layers_in_their_order() {
+    let machine = machine("co2-100w");
+    let mut sheet = sheet();
+    // Cuts by layer before marks: the mark's layer comes last, so the plate waits for it; the ring does not.
+    sheet.layers[1].rank = 1;
+    let plan = planned(&sheet, &machine);
+    assert_eq!(plan::check(&sheet, &machine, &plan), Ok(()));
+    let order: Vec<usize> = (0..8).map(|id| cut_of(&plan.moves, id)).collect();
+    assert!(order[1].max(order[2]).max(order[4]).max(order[5]) < order[3] && order[3] < order[0]);
+    sheet.layers.swap(0, 1);
+    assert!(plan::check(&sheet, &machine, &plan).is_err());
+}
+
+#[test]
+fn the_beam_on_where_it_should_not_be() {
+    // A jump with the beam on: the air move to a cut is dropped.
+    let found = after(|m| {
+        let at = cut_of(m, 4);
+        m.remove(at - 2);
+    });
+    assert!(matches!(found[0], Violation::NotJoined { gap, .. } if gap > 1.0), "{found:?}");
+    // A gap within a cut.
+    let found = after(|m| {
+        let path = path_of(m, 0);
+        path[1] = Segment::line(path[1].start() + DVec2::new(0.0, 1e-7), path[1].end());
+    });
+    assert!(matches!(found[0], Violation::NotJoined { gap, .. } if (gap - 1e-7).abs() < 1e-9), "{found:?}");
+    let beam = |found: &[Violation], words: &str| {
+        assert!(
+            found.iter().any(|v| matches!(v, Violation::Beam { what, .. } if *what == words)),
+            "{found:?}"
+        );
+    };
+    beam(&after(|m| drop(m.remove(cut_of(m, 2) - 1))), "cuts without piercing");
+    beam(&after(|m| m.insert(cut_of(m, 2), Move::Pierce)), "pierces twice");
+    beam(&after(|m| m.insert(cut_of(m, 3), Move::Pierce)), "pierces for a mark");
+    beam(&after(|m| path_of(m, 2).clear()), "cuts nothing");
+    let found = after(|m| {
+        let at = cut_of(m, 2);
+        m.swap(at - 1, at - 2);
+    });
+    beam(&found, "moves away from where it pierced");
+}
+
+#[test]
+fn not_home_not_finite() {
+    assert!(matches!(after(|m| drop(m.pop()))[..], [Violation::NotHome { left }] if left > 1.0));
+    let found = after(|m| m[0] = Move::Air { to: DVec2::NAN });
+    assert!(found.contains(&Violation::NotFinite { step: 0 }), "{found:?}");
+}
+
+#[test]
+fn sums_that_do_not_add_up() {
+    let (sheet, machine) = (sheet(), machine("co2-100w"));
+    let good = planned(&sheet, &machine);
+    let changes: [(&str, fn(&mut plan::Summary)); 12] = [
+        ("the number of contours", |s| s.contours += 1),
+        ("the number of open contours", |s| s.open_contours = 0),
+        ("the number of parts", |s| s.parts += 1),
+        ("the number of piercings", |s| s.pierces -= 1),
+        ("the length of air moves", |s| s.air_length *= 1.0001),
+        ("the length of cuts", |s| s.cut_length -= 0.001),
+        ("the time of air moves", |s| s.air_time *= 0.999),
+        ("the time of cuts", |s| s.cut_time += 0.001),
+        ("the time of piercing", |s| s.pierce_time = f64::NAN),
+        ("the total time", |s| s.total_time -= 0.001),
+        ("the greatest x", |s| s.bounds[2] += 0.01),
+        ("the lower bound", |s| {
+            s.lower_bound = s.total_time + 1.0;
+            s.gap = Some(-1.0 / s.lower_bound);
+        }),
+    ];
+    for (name, change) in changes {
+        let mut plan = good.clone();
+        change(&mut plan.summary);
+        let found = plan::check(&sheet, &machine, &plan).unwrap_err();
+        assert!(matches!(found[0], Violation::Sum { what, .. } if what == name), "{name}: {found:?}");
+    }
+}
+
+#[test]
+fn sound_plans_at_large_coordinates_pass_and_faults_are_found() {
+    let mut b = Builder::new();
+    let corner = p(6e5, -5.9e5);
+    let plate = b.cut(rectangle(corner, p(900.0, 700.0)), None);
+    // A lens of two arcs of radius 8e9 mm, a hair inside the plate's edge.
+    let (from, to) = (corner + p(0.1, 350.0), corner + p(899.9, 350.0));
+    let arc = |a, b| Segment::Arc(Arc::from_bulge(a, b, 5.7e-8).unwrap());
+    let lens = b.cut(Path::new(vec![arc(from, to), arc(to, from)], true), Some(plate));
+    b.cut(circle(corner + p(30.0, 30.0), 4.0), Some(plate));
+    let sheet = b.sheet;
+    for machine in presets() {
+        let good = planned(&sheet, &machine);
+        assert_eq!(plan::check(&sheet, &machine, &good), Ok(()), "{}", machine.name);
+        let mut bad = good.clone();
+        let hole = take_out(&mut bad.moves, 2);
+        let at = cut_of(&bad.moves, plate) + 1;
+        bad.moves.splice(at..at, hole);
+        bad.summary = plan::evaluate(&bad.moves, &machine);
+        bad.summary.parts = good.summary.parts;
+        let found = plan::check(&sheet, &machine, &bad).unwrap_err();
+        assert_eq!(found, [Violation::CutFree { outer: plate, inner: 2 }], "{}", machine.name);
+        let mut bad = good;
+        path_of(&mut bad.moves, lens).pop();
+        let found = plan::check(&sheet, &machine, &bad).unwrap_err();
+        assert!(found.iter().any(|v| matches!(v, Violation::Partly { contour, .. } if *contour == lens)));
+    }
+}
+
+/// A machine that leaves contours for a pre-cut of 0.3 s, and the sheet on it: the plate is left for its hole and its
+/// slot, and again for the ring, which is left for what lies in it, the hole in turn for the part.
+fn left(sheet: &Sheet) -> (Profile, Plan) {
+    let machine = Profile { pre_cut_time: Some(0.3), ..machine("co2-100w") };
+    let problem = problem::from_sheet(sheet, &machine);
+    let node = |item: usize| problem.items[item].nodes.start;
+    let whole = |item| Stop::at(&problem, node(item));
+    let stretch = |item, along, until| Stop { node: node(item), along, until };
+    let stops = vec![
+        whole(3),
+        stretch(0, 5.0, 40.0),
+        whole(1),
+        whole(2),
+        stretch(0, 40.0, 190.0),
+        stretch(5, 0.0, 30.0),
+        stretch(6, 90.0, 50.0),
+        whole(7),
+        stretch(6, 50.0, 90.0),
+        stretch(5, 30.0, 0.0),
+        whole(4),
+        stretch(0, 190.0, 5.0),
+    ];
+    let solution = solve::Solution::new(&problem, stops);
+    let plan = plan::from_solution(sheet, &problem, &solution);
+    // What the search counts, with the stops on the way, and what each contour takes anyhow are the whole job.
+    let fixed: f64 = problem.items.iter().map(|item| item.fixed).sum();
+    let (cost, total) = (solution.cost, plan.summary.total_time);
+    assert!((fixed + cost - total).abs() < 1e-9 * total, "{fixed} {cost} {total}");
+    (machine, plan)
+}
+
+#[test]
+fn contours_left_unfinished_pass_where_the_machine_allows_it() {
+    let sheet = sheet();
+    let (machine, plan) = left(&sheet);
+    assert_eq!(plan::check(&sheet, &machine, &plan), Ok(()));
+    let s = &plan.summary;
+    assert_eq!((s.contours, s.open_contours, s.pierces, s.pre_cuts), (8, 2, 7, 4));
+    assert!((s.pre_cut_time - 1.2).abs() < 1e-12);
+    // Free of charge there are no pre-cuts.
+    let free = Profile { pre_cut_time: Some(0.0), ..machine };
+    let mut moves = plan.moves.clone();
+    moves.retain(|m| !matches!(m, Move::PreCut { .. }));
+    let parts = s.parts;
+    let mut summary = plan::evaluate(&moves, &free);
+    summary.parts = parts;
+    assert_eq!(plan::check(&sheet, &free, &Plan { moves, summary }), Ok(()));
+}
+
+#[test]
+fn contours_left_where_that_is_forbidden() {
+    let sheet = sheet();
+    let (machine, plan) = left(&sheet);
+    let found = plan::check(&sheet, &Profile { pre_cut_time: None, ..machine }, &plan).unwrap_err();
+    for id in [0, 5, 6] {
+        let told =
+            found.iter().filter(|v| matches!(v, Violation::Left { contour, .. } if *contour == id)).count();
+        assert_eq!(told, if id == 0 { 2 } else { 1 });
+    }
+}
+
+#[test]
+fn faults_of_contours_left_unfinished() {
+    let sheet = sheet();
+    let (machine, good) = left(&sheet);
+    let after = |change: &dyn Fn(&mut Vec<Move>)| {
+        let mut plan = good.clone();
+        change(&mut plan.moves);
+        plan.summary = plan::evaluate(&plan.moves, &machine);
+        plan.summary.parts = good.summary.parts;
+        plan::check(&sheet, &machine, &plan).unwrap_err()
+    };
+    let beam = |found: &[Violation], words: &str| {
+        assert!(
+            found.iter().any(|v| matches!(v, Violation::Beam { what, .. } if *what == words)),
+            "{found:?}"
+        );
+    };
+    let cuts = |moves: &[Move], id: u32| -> Vec<usize> {
+        let of = |m: &Move| matches!(m, Move::Cut { contour, .. } if *contour == id);
+        (0..moves.len()).filter(|&k| of(&moves[k])).collect()
+    };
+    // Without its pre-cut a contour may not be resumed; with one it is not pierced again.
+    beam(&after(&|m| drop(m.remove(cuts(m, 6)[0] + 1))), "cuts without piercing");
+    beam(&after(&|m| m.insert(cuts(m, 6)[1], Move::Pierce)), "pierces where it goes on with a cut");
+    beam(
+        &after(&|m| m.insert(cuts(m, 7)[0] + 1, Move::PreCut { contour: 7, to: p(0.0, 0.0), ahead: vec![] })),
+        "makes a pre-cut where it leaves nothing unfinished",
+    );
+    // The last stretch of the plate is never cut.
+    let found = after(&|m| drop(m.remove(cuts(m, 0)[2])));
+    assert!(found.iter().any(|v| matches!(v, Violation::Partly { contour: 0, .. })), "{found:?}");
+    // Two stretches in the wrong order.
+    let found = after(&|m| {
+        let at = cuts(m, 0);
+        m.swap(at[1], at[2]);
+    });
+    assert!(found.iter().any(|v| matches!(v, Violation::Strays { contour: 0, .. })), "{found:?}");
+    // The ring goes on while its hole is unfinished: visits cross, and the part inside comes after the ring.
+    let found = after(&|m| {
+        let (hole, ring) = (cuts(m, 6)[1], cuts(m, 5)[1]);
+        m.swap(hole, ring);
+    });
+    assert!(found.iter().any(|v| matches!(v, Violation::Crossed { contour: 5, inner: 6, .. })), "{found:?}");
+    assert!(found.contains(&Violation::CutFree { outer: 5, inner: 6 }), "{found:?}");
+}

@@ -1,0 +1,183 @@
+//! The report of a quote: figures known by hand, its schema, its hash.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::float_cmp,
+    reason = "a test fails by panicking; what must be equal is"
+)]
+
+use crate::testkit::dxf_text::{Entity, Scene, Similarity};
+use glam::DVec2;
+use kerfway::job::{Job, LoadOptions, OutputKind, PlanOptions};
+use kerfway::quote::{Level, Material, Quote, quote};
+use serde_json::{Value, json};
+
+fn job(bytes: Vec<u8>, load: Value, plan: Value) -> Job {
+    let load: LoadOptions = serde_json::from_value(load).unwrap();
+    let plan: PlanOptions = serde_json::from_value(plan).unwrap();
+    let mut job = Job::load(bytes, "drawing.dxf", &load).unwrap();
+    job.start(&plan).unwrap();
+    job.run_mut().unwrap().step(500);
+    job
+}
+
+/// In millimetres.
+fn drawn(entities: &[Entity]) -> Vec<u8> {
+    let entities = entities.iter().map(|e| (e.clone(), "CUT".to_owned())).collect();
+    Scene { entities, units: 4 }.dxf().into_bytes()
+}
+
+fn of(job: &Job, material: &Material) -> Quote {
+    quote(&job.output(OutputKind::Json).unwrap(), material).unwrap()
+}
+
+fn steel(thickness: f64) -> Material {
+    Material { name: Some("Steel".into()), thickness: Some(thickness), density: Some(7.85) }
+}
+
+/// A plate of 100 x 50 with a hole of 10 at `hole` and a slot 4 mm wide, 2 mm from the left edge.
+fn plate(hole: DVec2, put: &Similarity) -> Vec<Entity> {
+    let at = |x, y| DVec2::new(x, y);
+    let round = |corners: &[(f64, f64, f64)]| {
+        Entity::Polyline(corners.iter().map(|&(x, y, bulge)| (at(x, y), bulge)).collect(), true)
+    };
+    let outer = round(&[(0.0, 0.0, 0.0), (100.0, 0.0, 0.0), (100.0, 50.0, 0.0), (0.0, 50.0, 0.0)]);
+    let slot = round(&[(2.0, 10.0, 0.0), (6.0, 10.0, 0.0), (6.0, 40.0, 0.0), (2.0, 40.0, 0.0)]);
+    let all = [outer, slot, Entity::Circle(hole, 5.0)];
+    all.iter().map(|e| e.transformed(put)).collect()
+}
+
+#[test]
+fn plates_are_measured_weighed_and_counted() {
+    let put = |mirror, turn, x| Similarity { mirror, turn, scale: 1.0, shift: DVec2::new(x, 0.0) };
+    let mut drawing = plate(DVec2::new(60.0, 30.0), &put(false, 0.0, 0.0));
+    drawing.extend(plate(DVec2::new(60.0, 30.0), &put(true, 1.0, 300.0)));
+    drawing.extend(plate(DVec2::new(50.0, 30.0), &put(false, 2.5, 600.0)));
+    let job = job(drawn(&drawing), json!({ "units": "mm" }), json!({ "moves": 500 }));
+    let quote = of(&job, &steel(4.0));
+
+    let net = 5000.0 - 120.0 - std::f64::consts::PI * 25.0;
+    assert_eq!(quote.part_count, 3);
+    let counts: Vec<u32> = quote.parts.iter().map(|g| g.count).collect();
+    assert_eq!(counts.iter().sum::<u32>(), 3);
+    assert_eq!(
+        counts.iter().max(),
+        Some(&2),
+        "turned and mirrored the same, with its hole elsewhere another"
+    );
+    assert!(quote.parts.iter().all(|g| g.holes == 2 && (g.net_area - net).abs() < 1e-6));
+    assert!((quote.net_area - 3.0 * net).abs() < 1e-6);
+    assert!((quote.weight.unwrap() - 3.0 * net * 4.0 / 1000.0 * 7.85).abs() < 1e-6);
+    let hole = quote.smallest_hole.unwrap();
+    assert!((hole.width - 4.0).abs() < 1e-6 && (hole.over_thickness.unwrap() - 1.0).abs() < 1e-6);
+    let web = quote.narrowest_web.unwrap();
+    assert!((web.width - 2.0).abs() < 1e-6 && (web.over_thickness.unwrap() - 0.5).abs() < 1e-6);
+    assert_eq!(quote.confidence.level, Level::High, "{:?}", quote.confidence.reasons);
+    assert_eq!(quote.pierces, 9);
+    let plan = job.plan().unwrap().summary;
+    assert_eq!((quote.times.total, quote.cut_length), (plan.total_time, plan.cut_length));
+}
+
+/// They were taken for open contours, which make no part: a row of plates was quoted as none or one.
+#[test]
+fn parts_that_share_sides_are_parts() {
+    let at = |k: u32| {
+        plate(
+            DVec2::new(60.0, 30.0),
+            &Similarity {
+                mirror: false,
+                turn: 0.0,
+                scale: 1.0,
+                shift: DVec2::new(100.0 * f64::from(k), 0.0),
+            },
+        )
+    };
+    let row: Vec<Entity> = (0..3).flat_map(at).collect();
+    let hole = std::f64::consts::PI * 25.0;
+    for machine in ["co2-100w", "fibre-6kw-plate"] {
+        let quote = of(&job(drawn(&row), json!({}), json!({ "machine": machine })), &steel(2.0));
+        assert_eq!((quote.part_count, quote.parts.len()), (3, 1), "{machine}");
+        assert!(
+            (quote.net_area - 3.0 * (5000.0 - 120.0 - hole)).abs() < 1e-6,
+            "{machine}: {}",
+            quote.net_area
+        );
+        assert_eq!(quote.parts[0].holes, 2, "{machine}");
+        assert_eq!(quote.layers[0].open, 0, "{machine}");
+        assert_eq!(quote.confidence.level, Level::High, "{machine}: {:?}", quote.confidence);
+    }
+}
+
+#[test]
+fn parts_in_holes_are_parts_and_what_is_marked_is_none() {
+    let square = |half: f64| {
+        let c = |x, y| (DVec2::new(x, y) * half, 0.0);
+        Entity::Polyline(vec![c(-1.0, -1.0), c(1.0, -1.0), c(1.0, 1.0), c(-1.0, 1.0)], true)
+    };
+    let open = Entity::Line(DVec2::new(300.0, 0.0), DVec2::new(310.0, 0.0));
+    let drawing = [square(100.0), square(50.0), square(20.0), open];
+    let job = job(drawn(&drawing), json!({}), json!({ "moves": 500 }));
+    let quote = of(&job, &Material::default());
+    assert_eq!(quote.part_count, 2);
+    assert_eq!(quote.net_area, 40_000.0 - 10_000.0 + 1_600.0);
+    assert_eq!(quote.parts.iter().map(|p| p.net_area).collect::<Vec<_>>(), [30_000.0, 1_600.0]);
+    assert_eq!(quote.weight, None);
+    assert_eq!((quote.layers.len(), quote.layers[0].contours, quote.layers[0].open), (1, 4, 1));
+    assert_eq!(quote.confidence.level, Level::Medium);
+    let reasons =
+        ["1 contour that is cut is open: it encloses no part.", "1 finding of the kind open-contour."];
+    assert_eq!(quote.confidence.reasons, reasons);
+}
+
+#[test]
+fn lengths_of_a_sheet_are_those_its_maker_tells() {
+    let bytes = std::fs::read(crate::testkit::fixtures().join("sheets/sheet_100.dxf")).unwrap();
+    let truth: Value = serde_json::from_slice(
+        &std::fs::read(crate::testkit::fixtures().join("sheets/sheet_100.truth.json")).unwrap(),
+    )
+    .unwrap();
+    let layers =
+        json!([{ "name": "SHEET", "operation": "ignore" }, { "name": "MARK", "operation": "ignore" }]);
+    let quote = of(&job(bytes, json!({ "layers": layers }), json!({ "moves": 500 })), &Material::default());
+    let told = truth["cut_length_mm"].as_f64().unwrap();
+    assert!((quote.cut_length / told - 1.0).abs() < 1e-3, "{} and {told}", quote.cut_length);
+    let by_layer: f64 = quote.layers.iter().map(|l| l.length).sum();
+    assert!((by_layer / quote.cut_length - 1.0).abs() < 1e-9);
+    let even =
+        truth["items"].as_array().unwrap().iter().filter(|i| i["depth"].as_u64().unwrap() % 2 == 0).count();
+    assert_eq!(quote.part_count, even);
+    assert_eq!(quote.parts.iter().map(|g| g.count as usize).sum::<usize>(), even);
+}
+
+#[test]
+fn the_hash_is_of_all_that_decides_the_report_and_of_nothing_else() {
+    let bytes = std::fs::read(crate::testkit::fixtures().join("dxf-dev/mozman_ezdxf__forms.dxf")).unwrap();
+    let made =
+        |load: Value, plan: Value, material: &Material| of(&job(bytes.clone(), load, plan), material).hash;
+    let plain = json!({ "moves": 500, "seed": 1 });
+    let hash = made(json!({}), plain.clone(), &steel(2.0));
+    assert_eq!(hash.len(), 64);
+    assert_eq!(hash, made(json!({}), plain.clone(), &steel(2.0)));
+    // Seconds are only told on: the moves done decide.
+    assert_eq!(hash, made(json!({}), json!({ "moves": 500, "seconds": 9.0, "seed": 1 }), &steel(2.0)));
+    assert_ne!(hash, made(json!({}), json!({ "moves": 500, "seed": 2 }), &steel(2.0)));
+    assert_ne!(hash, made(json!({ "joinTolerance": 0.1 }), plain.clone(), &steel(2.0)));
+    assert_ne!(hash, made(json!({}), plain, &steel(3.0)));
+}
+
+#[test]
+fn reports_follow_the_published_schema_and_faults_are_told() {
+    let schema: Value = serde_json::from_str(include_str!("../../www/sdk/quote.schema.json")).unwrap();
+    for name in ["mozman_ezdxf__forms.dxf", "peej_lumberjack-keyboard__lumberjack-polaris.dxf"] {
+        let bytes = std::fs::read(crate::testkit::fixtures().join("dxf-dev").join(name)).unwrap();
+        let job = job(bytes, json!({}), json!({ "moves": 500 }));
+        for material in [Material::default(), steel(3.0)] {
+            let report = serde_json::to_value(of(&job, &material)).unwrap();
+            assert_eq!(crate::testkit::schema::fault(&schema, &schema, &report, name), None);
+        }
+        let plan = job.output(OutputKind::Json).unwrap();
+        let bad = quote(&plan, &Material { thickness: Some(0.0), ..Material::default() });
+        assert_eq!(bad.unwrap_err(), "The thickness cannot be 0 mm. Give a number above 0.");
+    }
+    assert!(quote("{}", &Material::default()).unwrap_err().starts_with("This is not a plan"));
+}

@@ -1,0 +1,11 @@
+//! From shapes to contours to parts, on drawings made by hand, at random, and real ones.
+#![allow(clippy::unwrap_used, reason = "a helper that fails fails its test")]
+
+mod assemble;
+mod clean;
+mod cross;
+mod fixtures;
+mod layers;
+mod metamorphic;
+mod nest;
+mod sketch;

@@ -1,0 +1,54 @@
+//! Shared by the integration tests of the intake: where fixtures are, distances between curves, seeded numbers, and
+//! a small DXF writer that knows nothing of the reader.
+#![allow(dead_code, reason = "a test may need less than the kit has")]
+#![allow(
+    unreachable_pub,
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "part of test binaries, which fail by panicking"
+)]
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::disallowed_methods,
+    reason = "small sheets, and arithmetic that is independent of the crate it judges"
+)]
+
+pub mod by_hand;
+pub mod compare;
+pub mod crew;
+pub mod drawings;
+pub mod dxf_text;
+pub mod gcode;
+pub mod mutate;
+pub mod outlines;
+pub mod paths;
+pub mod plans;
+pub mod plates;
+pub mod promises;
+pub mod rng;
+pub mod schema;
+pub mod sheets;
+
+use std::path::{Path, PathBuf};
+
+/// `tests/fixtures`.
+pub fn fixtures() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures")
+}
+
+/// Files of a folder whose name ends in `.ext` in any case, sorted by name.
+pub fn files(folder: &Path, ext: &str) -> Vec<PathBuf> {
+    let mut out: Vec<PathBuf> = std::fs::read_dir(folder)
+        .unwrap_or_else(|e| panic!("{}: {e}", folder.display()))
+        .map(|f| f.unwrap().path())
+        .filter(|p| p.extension().is_some_and(|x| x.eq_ignore_ascii_case(ext)))
+        .collect();
+    out.sort();
+    out
+}
+
+/// The name of a file, for messages.
+pub fn name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
