@@ -5,6 +5,8 @@
  *     const { summary, outputs } = await plan(await file.arrayBuffer(), { name: file.name, seconds: 5, outputs: ['gcode'] });
  *
  * `createPlanner` is the level below: one worker that keeps a drawing, is asked again and again, and goes on with plans.
+ *
+ * @module kerfway
  */
 
 import { entry, type Entry } from './entry.js';

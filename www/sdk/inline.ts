@@ -3,6 +3,8 @@
  *
  *     import { wasm } from 'kerfway/inline';
  *     const planner = await createPlanner({ wasm: wasm() });
+ *
+ * @module kerfway/inline
  */
 
 import base64 from './inline-bytes.js';

@@ -28,7 +28,9 @@ export interface PlanHandle {
   readonly started: Promise<Started>;
   /** Resolves when the plan ends, however it does; rejects with one sentence when there can be none. */
   readonly done: Promise<PlanResult>;
+  /** Pauses the search; the best plan so far is kept. */
   pause(): void;
+  /** Continues a paused search. */
   resume(): void;
   /** Ends the plan at once; the best found is kept. */
   stop(): void;

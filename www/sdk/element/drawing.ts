@@ -67,6 +67,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     return (this.getAttribute('state') ?? 'empty') as ElementState;
   }
 
+  /** @internal The browser calls it. */
   connectedCallback(): void {
     this.picture.watch();
     if (!this.hasAttribute('state')) this.setAttribute('state', 'empty');
@@ -79,6 +80,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     );
   }
 
+  /** @internal The browser calls it. */
   disconnectedCallback(): void {
     this.picture.unwatch();
     this.job?.control.abort();

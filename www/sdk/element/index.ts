@@ -18,6 +18,8 @@
  * Besides: attributes `material`, `thickness` (mm), `density` (g/cm3), or the property `material`; the property `price`, a function
  * of the report that says the price in words; parts `report`, `term`, `figure`, `price`. Its `result` is the report (`Quote`), told anew
  * when the material changes. Without `seconds` or `moves` it plans 100,000 moves of seed 1, which a server can do again.
+ *
+ * @module kerfway/element
  */
 
 import { createPlanner } from '../index.js';

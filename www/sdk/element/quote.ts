@@ -23,6 +23,7 @@ const MATERIAL = ['material', 'thickness', 'density'] as const;
 
 /** `<kerfway-quote>`. */
 export class KerfwayQuote extends DrawingElement<Quote, never> {
+  /** @internal The browser reads it. */
   static readonly observedAttributes: readonly string[] = MATERIAL;
 
   /** What the host asks for the job, in words; shown above the figures. Called for every report. */
@@ -46,6 +47,7 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
     this.again();
   }
 
+  /** @internal The browser calls it. */
   attributeChangedCallback(): void {
     if (this.sheet === null) this.again();
   }

@@ -9,6 +9,8 @@
  *     const { outputs } = await frame.open(await file.arrayBuffer(), file.name);
  *
  * Only messages of that frame, from the origin of its address, are heard, and only that origin is told anything.
+ *
+ * @module kerfway/frame
  */
 
 import type { Planned } from '../functions.js';
@@ -20,8 +22,11 @@ export type { Kind, Pace } from './messages.js';
 
 /** What the frame tells, of drawings that the host opens and of those that a person drops. */
 export interface FrameListener {
+  /** The planner in the frame is ready: its machines and methods. */
   onReady?: (planner: { machines: readonly MachineProfile[]; methods: readonly MethodInfo[] }) => void;
+  /** A plan is under way: its figures so far. */
   onProgress?: (progress: Pace) => void;
+  /** A plan has ended. */
   onResult?: (result: Planned<'gcode'>) => void;
   /** One sentence for people; the frame shows it, too. */
   onError?: (message: string) => void;
