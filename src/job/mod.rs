@@ -10,6 +10,7 @@ mod guest;
 mod hosted;
 mod options;
 mod path;
+mod problem_of;
 mod report;
 mod run;
 mod shared;
@@ -22,6 +23,7 @@ mod written;
 pub use guest::Guest;
 pub use options::{Budget, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
 pub use path::BestPath;
+pub use problem_of::problem_of;
 pub use report::{Baselines, ContourInfo, Geometry, Loaded};
 pub use run::{Run, Slice, SliceEnd};
 #[cfg(feature = "lab")]

@@ -2,13 +2,13 @@
 
 use super::hosted::Hosted;
 use super::options::{Budget, PlanOptions};
-use super::{Baselines, JobError, Warm, shared, warm};
+use super::{Baselines, JobError, Warm, problem_of, shared, warm};
 use crate::finding::Finding;
 use crate::machine::Profile;
 #[cfg(feature = "lab")]
 use crate::plan::LowerBound;
 use crate::plan::{self, Plan};
-use crate::problem::{self, Item, Problem};
+use crate::problem::{Item, Problem};
 use crate::sheet::Sheet;
 use crate::solve::{self, Running, Search, Solution, Solver, Status, Telemetry};
 
@@ -84,7 +84,7 @@ impl Run {
     pub(super) fn start(sheet: &Sheet, machine: Profile, options: &PlanOptions) -> Result<Self, JobError> {
         let name = options.method.as_deref().unwrap_or(solve::methods()[0].info().name);
         let method = Method::named(name, options)?;
-        let problem = problem::from_sheet(sheet, &machine);
+        let problem = problem_of(sheet, &machine);
         let summary = |s: &Solution| plan::from_solution(sheet, &problem, s).summary;
         let findings = shared::findings(sheet, &problem);
         let greedy = solve::greedy(&problem);

@@ -4,6 +4,7 @@ use super::entries::entries;
 use super::groups::Groups;
 use super::model::{Item, ItemId, Node, NodeId, Problem};
 use super::pierce_groups::PierceGroups;
+use super::sub_path::SubPath;
 use crate::machine::{ClosedRun, Profile, work_time};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
@@ -21,8 +22,11 @@ use crate::sheet::{Contour, Operation, Sheet};
 ///   of the others have no nodes. Their nodes are ways through the group.
 /// * Contours left out: items without nodes.
 /// * Groups: the parts, when the sheet is worked part by part.
-pub fn from_sheet(sheet: &Sheet, machine: &Profile) -> Problem {
-    let joined = PierceGroups::new(sheet, machine);
+///
+/// `paths`: the paths through each pierce group, as a solver of [`group_problems`](super::group_problems) finds them. The
+/// contours of a group without a path are items of their own.
+pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> Problem {
+    let joined = PierceGroups::new(sheet, machine, paths);
     let mut ranks = ranks(sheet);
     joined.raise(&mut ranks);
     let mut items = Vec::with_capacity(sheet.contours.len());

@@ -1,14 +1,14 @@
 //! Pierce groups among the items: which contours are one item, and what comes before it.
 
 use super::model::{Item, ItemId, Node, NodeId};
-use super::sub_path::{SubPath, SubPaths};
+use super::sub_path::SubPath;
 use crate::machine::Profile;
 use crate::sheet::{Contour, PIERCE_GROUPS, PierceGroup, Sheet};
 
 /// The groups of a sheet that are cut as one.
 pub(super) struct PierceGroups<'s> {
     sheet: &'s Sheet,
-    groups: Vec<(&'s PierceGroup, Vec<SubPath>)>,
+    groups: Vec<(&'s PierceGroup, &'s [SubPath])>,
     /// By contour: the group it is in.
     of: Vec<Option<u32>>,
     /// By contour: the group that closes it in, the smallest of several.
@@ -16,14 +16,13 @@ pub(super) struct PierceGroups<'s> {
 }
 
 impl<'s> PierceGroups<'s> {
-    /// Those that a machine can cut as one, that is with pre-cuts, and through which there is a way.
-    pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
+    /// Those that a machine can cut as one, that is with pre-cuts, and through which there is a path. `paths`: those
+    /// through each group.
+    pub(super) fn new(sheet: &'s Sheet, machine: &Profile, paths: &'s [Vec<SubPath>]) -> Self {
         let none = vec![None; sheet.contours.len()];
         let mut all = Self { sheet, groups: Vec::new(), of: none.clone(), within: none };
         let groups = sheet.cut_as_one(machine.makes_pre_cuts());
-        let mut sub_paths = SubPaths::new(sheet, groups, machine);
-        for group in groups {
-            let paths = sub_paths.of(group);
+        for (group, paths) in groups.iter().zip(paths) {
             if paths.is_empty() {
                 continue;
             }
@@ -81,7 +80,7 @@ impl<'s> PierceGroups<'s> {
         let (group, paths) = &self.groups[self.of[contour as usize]? as usize];
         let first = NodeId::try_from(nodes.len()).ok()?;
         let stands = group.contours[0] == contour;
-        let paths = if stands { paths.clone() } else { Vec::new() };
+        let paths = if stands { paths.to_vec() } else { Vec::new() };
         let mut place = -1.0;
         for (path, id) in paths.iter().zip(first..) {
             let [entry, exit] = path.ends;

@@ -6,6 +6,7 @@ mod exact;
 mod greedy;
 #[cfg(feature = "papers")]
 pub mod papers;
+pub mod pierce_group;
 mod precedence;
 mod running;
 mod tour_tree;

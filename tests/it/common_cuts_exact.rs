@@ -17,9 +17,10 @@
 use crate::testkit::by_hand::{ByHand, CELL, air};
 use crate::testkit::plates::{job, rectangle, thick};
 use kerfway::geometry::DVec2;
+use kerfway::job::problem_of;
 use kerfway::machine::Profile;
 use kerfway::plan;
-use kerfway::problem::{self, Stroke, SubPath};
+use kerfway::problem::{Stroke, SubPath};
 use kerfway::sheet::CommonCuts;
 
 /// Rectangles by lattice: left, bottom, width, height.
@@ -112,7 +113,7 @@ fn agrees(name: &str, outlines: &[Vec<DVec2>], machine: &Profile) -> usize {
     assert!(by_hand.count() <= 9, "{name}: {} elements", by_hand.count());
 
     // Every way through the group that is offered is the least between its ends, and none is missing.
-    let problem = problem::from_sheet(&sheet, machine);
+    let problem = problem_of(&sheet, machine);
     let ways = &problem.items[group.contours[0] as usize].paths;
     for way in ways {
         let least = by_hand.between(way.ends[0], way.ends[1]);

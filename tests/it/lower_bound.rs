@@ -4,9 +4,10 @@
 
 use crate::testkit::sheets::{Dice, machine, nested_sheet, p};
 use kerfway::geometry::DVec2;
+use kerfway::job::problem_of;
 use kerfway::machine::Profile;
 use kerfway::plan::LowerBound;
-use kerfway::problem::{self, Groups, Item, Node, NodeId, Problem, Table};
+use kerfway::problem::{Groups, Item, Node, NodeId, Problem, Table};
 use kerfway::solve;
 
 /// Bound after so much work in slices of `slice`.
@@ -127,10 +128,8 @@ fn nested_sheets_at_nodes() {
     for seed in 0..60 {
         let mut machine = machines(seed);
         machine.return_home = seed % 3 != 0;
-        let problem = at_nodes(problem::from_sheet(
-            &nested_sheet(1 + usize::try_from(seed).unwrap() % 6, seed),
-            &machine,
-        ));
+        let problem =
+            at_nodes(problem_of(&nested_sheet(1 + usize::try_from(seed).unwrap() % 6, seed), &machine));
         if problem.items.len() > 9 {
             continue;
         }
@@ -147,8 +146,7 @@ fn entries_anywhere() {
     for seed in 0..40 {
         let mut machine = machines(seed);
         machine.return_home = seed % 3 != 0;
-        let mut problem =
-            problem::from_sheet(&nested_sheet(1 + usize::try_from(seed).unwrap() % 3, seed), &machine);
+        let mut problem = problem_of(&nested_sheet(1 + usize::try_from(seed).unwrap() % 3, seed), &machine);
         problem.items.iter_mut().for_each(|i| i.run = None);
         let dense = sampled(&problem, 60);
         let least = solve::exact(&at_nodes(dense)).unwrap().cost;
@@ -188,7 +186,7 @@ fn contours_left_and_resumed() {
         let mut machine = machines(seed);
         machine.return_home = seed % 3 != 0;
         machine.pre_cut_time = Some(0.0);
-        let problem = problem::from_sheet(&nested_sheet(3 + usize::try_from(seed).unwrap(), seed), &machine);
+        let problem = problem_of(&nested_sheet(3 + usize::try_from(seed).unwrap(), seed), &machine);
         assert!(problem.items.iter().any(|i| i.leave.is_some()));
         let mut search = solve::methods()[0].start(&problem, seed, None);
         search.step(300_000);
@@ -202,7 +200,7 @@ fn contours_left_and_resumed() {
 #[test]
 fn sheets_of_many_contours() {
     let machine = machine("length");
-    let problem = problem::from_sheet(&nested_sheet(300, 3), &machine);
+    let problem = problem_of(&nested_sheet(300, 3), &machine);
     assert!(problem.items.len() > 250);
     let mut search = solve::methods()[0].start(&problem, 1, None);
     search.step(1_000_000);
@@ -280,7 +278,7 @@ fn the_43_contours_entered_anywhere() {
     let drawing = kerfway::dxf::read(bytes, &kerfway::dxf::ReadOptions::default()).unwrap();
     let sheet = kerfway::sheet::build(&drawing, &kerfway::sheet::SheetOptions::default());
     for (return_home, known, work) in [(true, 2782.583, 6_000_000_000), (false, 2496.054, 12_000_000_000)] {
-        let problem = problem::from_sheet(&sheet, &Profile { return_home, ..machine("length") });
+        let problem = problem_of(&sheet, &Profile { return_home, ..machine("length") });
         let found = bound(&problem, known, work, 5_000_000);
         assert!(found <= known && known <= 1.03 * found, "{return_home}: {found}");
     }

@@ -4,8 +4,8 @@
 use crate::testkit::sheets::{
     Builder, assert_passes, circle, line, machine, nested_sheet, p, paper, rectangle,
 };
+use kerfway::job::problem_of;
 use kerfway::machine::Profile;
-use kerfway::problem;
 use kerfway::sheet::Sheet;
 use kerfway::solve::papers::{self, Insight};
 use kerfway::solve::{Solution, Status};
@@ -45,7 +45,7 @@ fn every_best_is_allowed_and_passes_the_checker() {
     {
         for closed in [true, false] {
             let machine = Profile { return_home: closed, ..machine(name) };
-            let problem = problem::from_sheet(sheet, &machine);
+            let problem = problem_of(sheet, &machine);
             for (method, parameters) in METHODS {
                 let mut search = paper(method, parameters, &problem, 1);
                 assert_passes(sheet, &machine, &problem, search.best());
@@ -72,7 +72,7 @@ fn every_best_is_allowed_and_passes_the_checker() {
 #[test]
 fn slices_and_seeds_repeat_to_the_bit() {
     let sheet = nested_sheet(12, 6);
-    let problem = problem::from_sheet(&sheet, &machine("length-partial"));
+    let problem = problem_of(&sheet, &machine("length-partial"));
     for (method, parameters) in METHODS {
         let run = |slice: u64, seed: u64, moves: u64| -> (Solution, Insight, u64) {
             let mut search = paper(method, parameters, &problem, seed);

@@ -4,7 +4,7 @@
 
 use crate::testkit::sheets::{assert_feasible, machine, nested_sheet};
 use kerfway::geometry::DVec2;
-use kerfway::job::{Job, LoadOptions};
+use kerfway::job::{Job, LoadOptions, problem_of};
 use kerfway::problem::{self, Groups, Item, Node, Problem, instance};
 use kerfway::solve::papers::{Legs, Measure, method};
 use kerfway::solve::{Solution, Status, Step};
@@ -32,7 +32,7 @@ fn run(problem: &Problem, name: &str, parameters: &str, seed: u64, slice: u64) -
 
 fn checked(sheet: &Sheet, machine_name: &str, solution: &Solution) {
     let machine = machine(machine_name);
-    let problem = problem::from_sheet(sheet, &machine);
+    let problem = problem_of(sheet, &machine);
     assert_feasible(&problem, solution);
     let plan = plan::from_solution(sheet, &problem, solution);
     assert_eq!(plan::check(sheet, &machine, &plan), Ok(()));
@@ -46,7 +46,7 @@ fn every_sheet_gets_a_checked_plan_and_slices_change_nothing() {
     let job = Job::load(file, "sheet", &LoadOptions::default()).unwrap();
     let sheets = [nested_sheet(1, 7), nested_sheet(2, 7), nested_sheet(60, 3), job.sheet().clone()];
     for (sheet, machine_name) in sheets.iter().zip(["co2-100w", "length", "length-partial", "co2-100w"]) {
-        let problem = problem::from_sheet(sheet, &machine(machine_name));
+        let problem = problem_of(sheet, &machine(machine_name));
         for (name, parameters) in NAMES.iter().flat_map(|&n| SMALL.map(|p| (n, p))) {
             let (whole, moves, _) = run(&problem, name, parameters, 5, 1 << 40);
             checked(sheet, machine_name, &whole);
@@ -60,7 +60,7 @@ fn every_sheet_gets_a_checked_plan_and_slices_change_nothing() {
 
 #[test]
 fn every_slice_is_as_long_as_asked() {
-    let problem = problem::from_sheet(&nested_sheet(12, 1), &machine("length"));
+    let problem = problem_of(&nested_sheet(12, 1), &machine("length"));
     for (name, parameters) in NAMES.iter().flat_map(|&n| SMALL.map(|p| (n, p))) {
         let (one, ..) = run(&problem, name, parameters, 3, 1);
         let (all, ..) = run(&problem, name, parameters, 3, 1 << 40);
@@ -70,7 +70,7 @@ fn every_slice_is_as_long_as_asked() {
 
 #[test]
 fn a_best_stands_from_the_start_and_gets_shorter_by_the_measure() {
-    let problem = problem::from_sheet(&nested_sheet(40, 9), &machine("co2-100w"));
+    let problem = problem_of(&nested_sheet(40, 9), &machine("co2-100w"));
     for name in NAMES {
         for (text, measure) in [("euclidean", Measure::Euclidean), ("chebyshev", Measure::Chebyshev)] {
             let parameters = format!(r#"{{"particles":5,"rounds":6,"measure":"{text}"}}"#);

@@ -4,8 +4,8 @@
 use crate::testkit::sheets::{
     Builder, assert_passes, circle, line, machine, nested_sheet, p, paper, rectangle,
 };
+use kerfway::job::problem_of;
 use kerfway::machine::Profile;
-use kerfway::problem;
 use kerfway::sheet::Sheet;
 use kerfway::solve::papers::{self, Insight};
 use kerfway::solve::{Solution, Status};
@@ -57,7 +57,7 @@ fn every_best_is_allowed_and_passes_the_checker() {
     for sheet in sheets() {
         for closed in [true, false] {
             for machine in [plate(closed), machine("length"), machine("length-partial")] {
-                let problem = problem::from_sheet(&sheet, &machine);
+                let problem = problem_of(&sheet, &machine);
                 for (method, parameters) in METHODS {
                     let mut search = paper(method, parameters, &problem, 1);
                     assert_passes(&sheet, &machine, &problem, search.best());
@@ -77,7 +77,7 @@ fn every_best_is_allowed_and_passes_the_checker() {
 #[test]
 fn slices_repeat_to_the_bit() {
     let sheet = close_sheet(3, 2);
-    let problem = problem::from_sheet(&sheet, &plate(true));
+    let problem = problem_of(&sheet, &plate(true));
     for (method, parameters) in METHODS {
         let run = |slice: u64| -> (Solution, Insight, u64) {
             let mut search = paper(method, parameters, &problem, 1);
@@ -105,7 +105,7 @@ fn the_tree_improves_on_its_construction_and_on_a_tour_where_parts_are_close() {
             x += width + 4.0;
         }
     }
-    let problem = problem::from_sheet(&b.sheet, &plate(true));
+    let problem = problem_of(&b.sheet, &plate(true));
     let cost = |method: &str, parameters: &str| {
         let mut search = paper(method, parameters, &problem, 1);
         while search.step(100_000).status == Status::Running {}

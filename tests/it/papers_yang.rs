@@ -3,6 +3,7 @@
 
 use crate::testkit::sheets::{machine, p};
 use kerfway::dxf;
+use kerfway::job::problem_of;
 use kerfway::machine::Profile;
 use kerfway::problem::{self, Problem};
 use kerfway::sheet;
@@ -19,7 +20,7 @@ fn instance() -> (Problem, f64) {
     let drawing = dxf::read(&fixture("yang-27.dxf"), &dxf::ReadOptions::default()).unwrap();
     let sheet = sheet::build(&drawing, &sheet::SheetOptions::default());
     let machine = Profile { return_home: false, ..machine("length-chebyshev") };
-    let mut problem = problem::from_sheet(&sheet, &machine);
+    let mut problem = problem_of(&sheet, &machine);
     let data: Value = serde_json::from_slice(&fixture("yang-27.json")).unwrap();
     let contours = data["contours"].as_array().unwrap();
     assert_eq!(problem.items.len(), contours.len());

@@ -3,9 +3,9 @@
 
 use crate::testkit::sheets::{Builder, circle, line, machine, p, rectangle, slot};
 use kerfway::geometry::{Arc, DVec2, Path, Segment};
+use kerfway::job::problem_of;
 use kerfway::machine::{Profile, presets};
 use kerfway::plan::{self, Move, Plan, Violation};
-use kerfway::problem;
 use kerfway::sheet::Sheet;
 use kerfway::solve::{self, Stop};
 
@@ -25,7 +25,7 @@ fn sheet() -> Sheet {
 }
 
 fn planned(sheet: &Sheet, machine: &Profile) -> Plan {
-    let problem = problem::from_sheet(sheet, machine);
+    let problem = problem_of(sheet, machine);
     plan::from_solution(sheet, &problem, &solve::greedy(&problem))
 }
 
@@ -278,7 +278,7 @@ fn sound_plans_at_large_coordinates_pass_and_faults_are_found() {
 /// slot, and again for the ring, which is left for what lies in it, the hole in turn for the part.
 fn left(sheet: &Sheet) -> (Profile, Plan) {
     let machine = Profile { pre_cut_time: Some(0.3), ..machine("co2-100w") };
-    let problem = problem::from_sheet(sheet, &machine);
+    let problem = problem_of(sheet, &machine);
     let node = |item: usize| problem.items[item].nodes.start;
     let whole = |item| Stop::at(&problem, node(item));
     let stretch = |item, along, until| Stop { node: node(item), along, until };

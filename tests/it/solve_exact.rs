@@ -3,8 +3,9 @@
 
 use crate::testkit::sheets::{Builder, Dice, assert_feasible, machine, nested_sheet, p, rectangle, slot};
 use kerfway::geometry::{Arc, DVec2, Path, Segment, math};
+use kerfway::job::problem_of;
 use kerfway::machine::presets;
-use kerfway::problem::{self, NodeId, Problem};
+use kerfway::problem::{NodeId, Problem};
 use kerfway::sheet::Sheet;
 use kerfway::solve::{self, Stop};
 use kerfway::{dxf, plan, sheet};
@@ -17,7 +18,7 @@ fn small_problems_are_solved_exactly() {
             ["length", "length-chebyshev", "co2-100w", "fibre-3kw-thin"][usize::try_from(seed).unwrap() % 4];
         let mut machine = machine(name);
         machine.return_home = seed % 3 != 0;
-        let problem = problem::from_sheet(&sheet, &machine);
+        let problem = problem_of(&sheet, &machine);
         if problem.items.len() > 8 {
             continue;
         }
@@ -49,7 +50,7 @@ fn contours_are_entered_where_the_whole_job_is_fastest() {
             b.cut(slot(p(150.0, dice.between(-50.0, 90.0)), size.x, 0.3 + 0.02 * size.y), None);
             let mut machine = profile.clone();
             machine.home = [dice.between(-30.0, 120.0), dice.between(-60.0, 20.0)];
-            let problem = problem::from_sheet(&b.sheet, &machine);
+            let problem = problem_of(&b.sheet, &machine);
             let mut search = solve::methods()[0].start(&problem, seed, None);
             search.step(30_000);
             let found = search.best();
@@ -117,7 +118,7 @@ fn moved_turned_mirrored_scaled_shuffled_sheets_cost_the_same() {
         let mut order: Vec<u32> = (0..).take(sheet.contours.len()).collect();
         Dice::new(seed).shuffle(&mut order);
         let machine = machine("length");
-        let problem = problem::from_sheet(&sheet, &machine);
+        let problem = problem_of(&sheet, &machine);
         let search = |problem: &Problem| {
             let mut search = solve::methods()[0].start(problem, 1, None);
             search.step(1_000_000);
@@ -127,7 +128,7 @@ fn moved_turned_mirrored_scaled_shuffled_sheets_cost_the_same() {
         for (name, factor, place, mirrored) in carry {
             let mut machine = machine.clone();
             machine.home = place(machine.home()).to_array();
-            let other = problem::from_sheet(&carried(&sheet, place, mirrored, &order), &machine);
+            let other = problem_of(&carried(&sheet, place, mirrored, &order), &machine);
             if problem.items.len() <= 8 {
                 let (a, b) =
                     (solve::exact(&problem).unwrap().cost, solve::exact(&other).unwrap().cost / factor);
@@ -151,7 +152,7 @@ fn the_43_contours_of_qu_and_du() {
     assert_eq!(sheet.contours.len(), 43);
     assert_eq!(sheet.contours.iter().filter(|c| c.inside.is_some()).count(), 6);
     let machine = machine("length");
-    let problem = problem::from_sheet(&sheet, &machine);
+    let problem = problem_of(&sheet, &machine);
     for seed in 0..3 {
         let mut search = solve::method("tour-tree").unwrap().start(&problem, seed, None);
         search.step(5_000_000);
@@ -165,7 +166,7 @@ fn the_43_contours_of_qu_and_du() {
 /// Nodes are numbered as the items say.
 #[test]
 fn items_hold_their_nodes() {
-    let problem = problem::from_sheet(&nested_sheet(60, 9), &machine("length"));
+    let problem = problem_of(&nested_sheet(60, 9), &machine("length"));
     let mut next: NodeId = 0;
     for (id, item) in (0..).zip(&problem.items) {
         assert_eq!(item.nodes.start, next);

@@ -4,9 +4,10 @@
 use crate::testkit::sheets::{Builder, assert_feasible, machine, nested_sheet, polygon};
 use kerfway::dxf;
 use kerfway::geometry::DVec2;
+use kerfway::job::problem_of;
 use kerfway::machine::Profile;
 use kerfway::plan;
-use kerfway::problem::{self, Node, Problem};
+use kerfway::problem::{Node, Problem};
 use kerfway::sheet::{self, Sheet};
 use kerfway::solve;
 use serde_json::Value;
@@ -32,7 +33,7 @@ fn hull(name: &str) -> Vec<(Sheet, f64)> {
 
 /// The problem with entries at corners only, as in the paper.
 fn at_corners(sheet: &Sheet, machine: &Profile) -> Problem {
-    let mut problem = problem::from_sheet(sheet, machine);
+    let mut problem = problem_of(sheet, machine);
     problem.nodes.clear();
     for ((item, contour), id) in problem.items.iter_mut().zip(&sheet.contours).zip(0..) {
         let first = u32::try_from(problem.nodes.len()).unwrap();
@@ -76,7 +77,7 @@ fn the_exact_optimum_of_partial_cutting_is_reached_on_every_sheet() {
 fn leaving_anywhere_along_contours_is_no_worse_than_at_corners() {
     let machine = machine("length-partial");
     for (sheet, optimum) in hull("hull-5-20").into_iter().chain(hull("hull-10-45")) {
-        let problem = problem::from_sheet(&sheet, &machine);
+        let problem = problem_of(&sheet, &machine);
         let found = reached(&problem, 1, optimum, 8_000_000);
         assert!(found <= optimum + 1e-6, "{found}, at corners {optimum}");
     }
@@ -89,7 +90,7 @@ fn where_leaving_costs_too_much_nothing_is_left_and_little_is_lost() {
         let sheet = nested_sheet(120, seed);
         let search = |pre_cut_time| {
             let machine = Profile { pre_cut_time, ..machine("length") };
-            let problem = problem::from_sheet(&sheet, &machine);
+            let problem = problem_of(&sheet, &machine);
             let mut search = solve::methods()[0].start(&problem, seed, None);
             search.step(4_000_000);
             assert_feasible(&problem, search.best());
@@ -119,7 +120,7 @@ fn every_improvement_passes_the_checker_on_real_and_nested_sheets() {
     for (sheet, name) in sheets.iter().flat_map(|s| ["fibre-3kw-thin", "co2-100w", "length"].map(|m| (s, m)))
     {
         let machine = Profile { pre_cut_time: Some(0.02), ..machine(name) };
-        let problem = problem::from_sheet(sheet, &machine);
+        let problem = problem_of(sheet, &machine);
         let mut search = solve::methods()[0].start(&problem, 3, None);
         for _ in 0..150 {
             if !search.step(5_000).improved {
@@ -137,7 +138,7 @@ fn every_improvement_passes_the_checker_on_real_and_nested_sheets() {
 #[test]
 fn a_path_with_contours_left_unfinished_is_where_a_search_goes_on() {
     let sheet = nested_sheet(60, 5);
-    let problem = problem::from_sheet(&sheet, &machine("length-partial"));
+    let problem = problem_of(&sheet, &machine("length-partial"));
     let method = solve::methods()[0];
     let mut first = method.start(&problem, 1, None);
     first.step(1_000_000);

@@ -2,7 +2,8 @@
 //! targets of what they invent, and by the tests of every file that once broke one of them.
 
 use kerfway::dxf::{Limits, ReadOptions, Unit, read};
-use kerfway::{machine, plan, problem, sheet, solve};
+use kerfway::job::problem_of;
+use kerfway::{machine, plan, sheet, solve};
 
 /// Smaller than in life, so that an input is done in milliseconds; the code on the way is the same.
 const LIMITS: Limits = Limits { bytes: 1 << 20, elements: 20_000, depth: 16, coordinate: 1e6 };
@@ -60,7 +61,7 @@ pub fn of_the_intake(data: &[u8]) {
         return;
     }
     for profile in machine::presets().iter().take(2) {
-        let problem = problem::from_sheet(&sheet, profile);
+        let problem = problem_of(&sheet, profile);
         let plan = plan::from_solution(&sheet, &problem, &solve::greedy(&problem));
         if let Err(violations) = plan::check(&sheet, profile, &plan) {
             panic!("{}: {violations:?}", profile.name);

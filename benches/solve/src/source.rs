@@ -1,7 +1,7 @@
 //! What is solved: instances of the TSPLIB family, the variants of Qu & Du's 43 contours, sheets.
 
 use kerfway::geometry::DVec2;
-use kerfway::job::{Job, LoadOptions};
+use kerfway::job::{Job, LoadOptions, problem_of};
 use kerfway::machine::{self, Profile};
 use kerfway::problem::{self, Groups, Instance, Item, Node, Problem};
 use kerfway::solve::Solution;
@@ -92,7 +92,7 @@ fn sheet(path: &Path, bytes: Vec<u8>) -> Result<Source, String> {
     let options: LoadOptions = serde_json::from_str(ignored).map_err(|e| e.to_string())?;
     let job = Job::load(bytes, "sheet", &options).map_err(|e| e.to_string())?;
     let sheet = Box::new(job.sheet().clone());
-    let problem = problem::from_sheet(&sheet, &preset("length")?);
+    let problem = problem_of(&sheet, &preset("length")?);
     let name = stem(path);
     let best = [
         ("sheet_100", 2737.496),

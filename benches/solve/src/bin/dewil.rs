@@ -8,10 +8,10 @@
 //! short, and what counts is how many moves it gets done in that time in the median. With `seconds`, so many at least.
 
 use cpu_time::ThreadTime;
-use kerfway::job::{Job, LoadOptions};
+use kerfway::job::{Job, LoadOptions, problem_of};
 use kerfway::machine::Profile;
 use kerfway::plan::{self, LowerBound};
-use kerfway::problem::{self, Problem};
+use kerfway::problem::Problem;
 use kerfway::sheet::Sheet;
 use kerfway::solve::{self, Search, Status, papers};
 use serde_json::{Value, json};
@@ -39,7 +39,7 @@ fn bench() -> Result<(), String> {
     let runs: Vec<Value> = serde_json::from_str(runs).map_err(|e| e.to_string())?;
     let job = Job::load(bytes, file, &LoadOptions::default()).map_err(|e| e.to_string())?;
     let clock = ThreadTime::now();
-    let problem = problem::from_sheet(job.sheet(), &machine);
+    let problem = problem_of(job.sheet(), &machine);
     println!("{}", json!({ "name": "problem", "seconds": clock.elapsed().as_secs_f64() }));
     let case = Case { sheet: job.sheet(), machine: &machine, problem: &problem };
     // Seconds of the best path by the search's measure, and what every path costs besides.

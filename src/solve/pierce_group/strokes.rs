@@ -3,50 +3,10 @@
 //! Elements that follow each other without an air move are one run of the beam. Pre-cuts are made where the beam stops
 //! anyway, as long as nothing that ends there is finished; where it does not stop in time, a run is interrupted.
 
-use super::SubPath;
 use super::net::{Net, Step};
 use crate::geometry::{DVec2, Segment};
 use crate::machine::work_time;
-
-/// One thing the head does in a group.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Stroke {
-    /// Air move, mm.
-    Air(DVec2),
-    /// Piercing.
-    Pierce,
-    /// A bit cut ahead from where the head is.
-    PreCut {
-        /// Into which contour.
-        contour: u32,
-        /// What is cut; empty where pre-cuts have no length.
-        ahead: Vec<Segment>,
-    },
-    /// Along elements.
-    Cut {
-        /// Which, in order.
-        spans: Vec<Span>,
-        /// All of them, in the direction of travel.
-        path: Vec<Segment>,
-    },
-}
-
-/// A stretch of a contour in the direction of travel.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Span {
-    /// Its contour.
-    pub contour: u32,
-    /// Arc length from the contour's stored start to where it is entered, mm.
-    pub along: f64,
-    /// The same to where it is left.
-    pub until: f64,
-    /// Against the contour's stored direction.
-    pub reversed: bool,
-    /// mm.
-    pub length: f64,
-    /// Elements of the path.
-    pub elements: usize,
-}
+use crate::problem::{Span, Stroke, SubPath};
 
 /// The path of an order.
 pub(super) fn sub_path(net: &Net, order: &[Step]) -> SubPath {
@@ -93,9 +53,13 @@ pub(super) fn sub_path(net: &Net, order: &[Step]) -> SubPath {
 
 /// What is cut ahead of a step from where it begins, or back from where it ends.
 fn pre_cut(net: &Net, step: Step, begins: bool) -> Stroke {
-    let (element, path) = (&net.group.elements[step as usize / 2], &net.paths[step as usize / 2]);
+    let element = &net.group.elements[step as usize / 2];
     let forwards = begins == step.is_multiple_of(2);
-    let ahead = if forwards { net.machine.cut_ahead(path) } else { net.machine.cut_ahead(&path.reversed()) };
+    let ahead = if forwards {
+        net.machine.cut_ahead(&element.path)
+    } else {
+        net.machine.cut_ahead(&element.path.reversed())
+    };
     Stroke::PreCut { contour: element.contour, ahead }
 }
 
@@ -108,7 +72,7 @@ fn close(open: &mut (Vec<Span>, Vec<Segment>), strokes: &mut Vec<Stroke>) {
 
 fn span(net: &Net, step: Step) -> (Span, Vec<Segment>) {
     let (element, path) = (&net.group.elements[step as usize / 2], net.travelled(step));
-    let (reversed, contour, length) = (step % 2 == 1, element.contour, net.paths[step as usize / 2].length());
+    let (reversed, contour, length) = (step % 2 == 1, element.contour, element.path.length());
     let (along, until) = if reversed { (element.to, element.from) } else { (element.from, element.to) };
     (Span { contour, along, until, reversed, length, elements: path.len() }, path)
 }

@@ -1,9 +1,9 @@
-//! Pierce groups as items: which paths there are through a group of contours that share cuts.
+//! The solver of pierce groups: finds the paths through a group of contours that share cuts.
 //!
-//! An item is entered at one place and left at another; for a group that is a node of its net each, and for each such
-//! pair there is one path through all its elements ([`SubPath`]): pierced once, then element by element, with air moves
-//! and pre-cuts in between (Dewil et al., section 4.7). A path back for every path out, so that a route may be turned
-//! round; few pairs for large groups, spread around them.
+//! An item is entered at one place and left at another. For a group both are nodes of its net, and for each such pair
+//! there is one path through all its elements ([`SubPath`]): it pierces once, then cuts element by element, with air
+//! moves and pre-cuts in between (Dewil et al., section 4.7). Every path out comes with a path back, so that a route may
+//! be turned round. Large groups get few pairs, spread around them.
 //!
 //! * [`net`]: elements, which orders of them are possible. [`follow`]: what an order costs.
 //! * [`insertion`]: the element insertion heuristic of the paper. [`exact`]: every order, for small groups.
@@ -19,11 +19,9 @@ mod net;
 mod strokes;
 
 use crate::geometry::DVec2;
-use crate::machine::Profile;
 use crate::order::{real, sort_by};
-use crate::sheet::{CommonCuts, PierceGroup, Sheet};
+use crate::problem::{GroupMethod, GroupProblems, Stroke, SubPath};
 use net::{Net, Order};
-pub use strokes::{Span, Stroke};
 
 /// Pairs of ends that a larger group is offered with at most: with their ways back, as many nodes as neighbour lists look at.
 const PAIRS: usize = 8;
@@ -33,73 +31,41 @@ const WAYS: usize = 2;
 /// Ways offered where the group is all there is: other ends would do for a head that comes from elsewhere.
 const CHEAPEST: usize = 3;
 
-/// A way through all of a group.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SubPath {
-    /// Where the head arrives and leaves, mm.
-    pub ends: [DVec2; 2],
-    /// What the head does in between.
-    pub strokes: Vec<Stroke>,
-    /// All its seconds.
-    pub seconds: f64,
-}
-
-impl SubPath {
-    /// The same between other ends, with air moves from one and to the other.
-    fn between(mut self, net: &Net, [entry, exit]: [DVec2; 2]) -> Self {
-        let [first, last] = self.ends;
-        self.seconds += net.air.seconds(entry, first) + net.air.seconds(last, exit);
-        if entry != first {
-            self.strokes.insert(0, Stroke::Air(first));
+/// The paths through each group, in pairs of out and back; none for a group through which no path was found.
+pub fn paths(problems: &GroupProblems) -> Vec<Vec<SubPath>> {
+    // Nets solved so far, with orders for them: parts are often nested in the same way again and again.
+    let mut known: Vec<(Net, Vec<Order>)> = Vec::new();
+    let through = |group| {
+        let net = Net::new(group, problems.machine, problems.is_all);
+        if problems.method == GroupMethod::Insertion {
+            let by_insertion = inserted(&net);
+            if !by_insertion.is_empty() {
+                return by_insertion;
+            }
         }
-        if last != exit {
-            self.strokes.push(Stroke::Air(exit));
-        }
-        self.ends = [entry, exit];
-        self
-    }
-
-    /// The stretches of contours it runs along, in order.
-    pub fn spans(&self) -> impl Iterator<Item = &Span> {
-        self.strokes
-            .iter()
-            .flat_map(|s| if let Stroke::Cut { spans, .. } = s { spans.as_slice() } else { &[] })
-    }
-}
-
-/// The paths through the groups of a sheet.
-pub(super) struct SubPaths<'s> {
-    by_insertion: bool,
-    machine: &'s Profile,
-    /// One group is all there is.
-    is_all: bool,
-    /// The shapes met so far, with orders for them: parts are often nested in the same way again and again.
-    known: Vec<(Net<'s>, Vec<Order>)>,
-}
-
-impl<'s> SubPaths<'s> {
-    pub(super) fn new(sheet: &Sheet, groups: &[PierceGroup], machine: &'s Profile) -> Self {
-        let by_insertion = sheet.common_cuts == CommonCuts::Insertion;
-        let worked = sheet.contours.iter().filter(|c| c.is_worked()).count();
-        let is_all = matches!(groups, [only] if only.contours.len() == worked);
-        Self { by_insertion, machine, is_all, known: Vec::new() }
-    }
-
-    /// The paths through a group, in pairs of out and back.
-    pub(super) fn of(&mut self, group: &'s PierceGroup) -> Vec<SubPath> {
-        let net = Net::new(group, self.machine, self.is_all);
-        let by_insertion = if self.by_insertion { inserted(&net) } else { Vec::new() };
-        if !by_insertion.is_empty() {
-            return by_insertion;
-        }
-        if let Some((_, orders)) = self.known.iter().find(|known| known.0.is_like(&net)) {
+        if let Some((_, orders)) = known.iter().find(|known| known.0.is_like(&net)) {
             return best(&net, orders);
         }
         let orders = orders(&net);
         let paths = best(&net, &orders);
-        self.known.push((net, orders));
+        known.push((net, orders));
         paths
+    };
+    problems.groups.iter().map(through).collect()
+}
+
+/// A path continued to other ends, with an air move from the new entry and one to the new exit.
+fn between(net: &Net, mut path: SubPath, [entry, exit]: [DVec2; 2]) -> SubPath {
+    let [first, last] = path.ends;
+    path.seconds += net.air.seconds(entry, first) + net.air.seconds(last, exit);
+    if entry != first {
+        path.strokes.insert(0, Stroke::Air(first));
     }
+    if last != exit {
+        path.strokes.push(Stroke::Air(exit));
+    }
+    path.ends = [entry, exit];
+    path
 }
 
 /// Orders between all ends of a small group, and between some of a larger one: where it is all there is, those that cost
@@ -136,7 +102,7 @@ fn best(net: &Net, orders: &[Order]) -> Vec<SubPath> {
         }
         // An area in the middle can be begun in, but not ended in.
         let back = all.iter().reduce(|a, b| if as_long(b, ends) < as_long(a, ends) { b } else { a });
-        found.extend(back.map(|back| [way.clone(), back.clone().between(net, ends)]));
+        found.extend(back.map(|back| [way.clone(), between(net, back.clone(), ends)]));
     }
     sort_by(&mut found, |f| [real(f[0].seconds + f[1].seconds), 0, 0]);
     if net.len() > exact::MOST {

@@ -1,8 +1,8 @@
 //! The elements of a group, which orders of them are possible, and about what an order costs.
 
-use crate::geometry::{DVec2, Path, Segment};
+use crate::geometry::{DVec2, Segment};
 use crate::machine::{AirTime, Profile, work_time};
-use crate::sheet::PierceGroup;
+use crate::problem::GroupProblem;
 
 /// An element and the way it is cut: twice its index, one more against its direction.
 pub(super) type Step = u32;
@@ -17,10 +17,8 @@ pub(super) const ROUNDING: f64 = 1e-6;
 
 /// A group with its geometry and the machine.
 pub(super) struct Net<'s> {
-    pub(super) group: &'s PierceGroup,
+    pub(super) group: &'s GroupProblem,
     pub(super) machine: &'s Profile,
-    /// Geometry of each element.
-    pub(super) paths: Vec<Path>,
     pub(super) air: AirTime,
     /// Nothing else is cut: the head comes from home, and goes back there.
     pub(super) is_all: bool,
@@ -42,8 +40,7 @@ pub(super) struct Net<'s> {
 }
 
 impl<'s> Net<'s> {
-    pub(super) fn new(group: &'s PierceGroup, machine: &'s Profile, is_all: bool) -> Self {
-        let paths = group.elements.iter().map(|e| group.path(e));
+    pub(super) fn new(group: &'s GroupProblem, machine: &'s Profile, is_all: bool) -> Self {
         let mut degree = vec![0; group.nodes.len()];
         let mut around = vec![Vec::new(); group.faces as usize];
         let mut sides = vec![0; group.faces as usize];
@@ -54,27 +51,14 @@ impl<'s> Net<'s> {
                 around[f as usize].extend(e.ends);
             }
         }
-        let (paths, air) = (paths.collect(), AirTime::new(machine));
+        let air = AirTime::new(machine);
         let ends = group.elements.iter().flat_map(|e| [e.ends, [e.ends[1], e.ends[0]]]).collect();
         let beside = group.elements.iter().map(|e| e.faces).collect();
         let places = if group.nodes.len() <= IN_ROWS { group.nodes.as_slice() } else { &[] };
         let ways = places.iter().flat_map(|&a| places.iter().map(move |&b| air.seconds(a, b))).collect();
         let (gains, most) = (Vec::new(), Vec::new());
-        let mut net = Self {
-            group,
-            machine,
-            paths,
-            air,
-            is_all,
-            ends,
-            beside,
-            ways,
-            gains,
-            most,
-            degree,
-            around,
-            sides,
-        };
+        let mut net =
+            Self { group, machine, air, is_all, ends, beside, ways, gains, most, degree, around, sides };
         net.gains = net.steps().map(|step| net.gains_after(step)).collect();
         let most = |e: usize| {
             [2 * e, 2 * e + 1].iter().flat_map(|&s| &net.gains[s]).fold(0.0_f64, |m, g| m.max(g.1))
@@ -109,7 +93,7 @@ impl<'s> Net<'s> {
 
     /// Geometry of a step in the direction of travel.
     pub(super) fn travelled(&self, step: Step) -> Vec<Segment> {
-        let path = &self.paths[step as usize / 2];
+        let path = &self.group.elements[step as usize / 2].path;
         if step.is_multiple_of(2) { path.segments.clone() } else { path.reversed().segments }
     }
 
