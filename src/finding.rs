@@ -3,6 +3,8 @@
 //! Nothing is dropped in silence. Whatever a stage leaves out, changes, guesses or doubts becomes a finding with a
 //! code for programs, a sentence for people, and the layer, handle and place it concerns.
 
+mod words;
+
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -19,7 +21,10 @@ pub enum Severity {
 }
 
 /// What a finding is about. Written in kebab case in JSON (`unsupported-entity`).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+///
+/// A new code also needs words in `finding/words.rs`, its name in `FindingCode` of `www/sdk/protocol.ts`, and a title in
+/// `www/app/core/words/en.ts`. The compilers ask for the first and the last; `tests/package/words.test.mjs` compares the two lists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Code {
@@ -195,37 +200,13 @@ impl Findings {
     /// The list, with a closing `More` for each code that overflowed.
     pub fn into_list(mut self) -> Vec<Finding> {
         for (code, rest) in self.seen.rests() {
-            let message = format!("{rest} more of the kind {}, not listed one by one.", name(code));
+            let message = format!("Not listed one by one: {}.", code.in_words(rest));
             self.list.push(Finding::new(Code::More, Severity::Info, message).times(rest));
         }
         self.list
     }
 }
 
-/// The code as JSON has it.
-fn name(code: Code) -> String {
-    let mut name = String::new();
-    for c in format!("{code:?}").chars() {
-        if c.is_ascii_uppercase() && !name.is_empty() {
-            name.push('-');
-        }
-        name.push(c.to_ascii_lowercase());
-    }
-    name
-}
-
 fn place<S: serde::Serializer>(p: &Option<DVec2>, s: S) -> Result<S::Ok, S::Error> {
     p.map(|p| [p.x, p.y]).serialize(s)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_those_of_json() {
-        for code in [Code::More, Code::GapClosed, Code::UnsupportedEntity] {
-            assert_eq!(serde_json::to_value(code).unwrap(), name(code));
-        }
-    }
 }

@@ -2,18 +2,18 @@
 
 use super::document::{Contour, Found, Input};
 use crate::dxf::UnitsSource;
-use crate::finding::Severity;
+use crate::finding::{Code, Severity};
 use crate::sheet::Operation;
 use serde::Serialize;
 
 /// A kind of defect.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Defect {
-    /// As among the findings.
-    pub code: String,
-    /// How grave.
+    /// The code of its findings.
+    pub code: Code,
+    /// The severity of its findings.
     pub severity: Severity,
-    /// How many.
+    /// How many there are.
     pub count: u32,
 }
 
@@ -67,9 +67,12 @@ pub(super) fn confidence(input: &Input, defects: &[Defect], contours: &[Contour]
         _ => doubt(Level::Medium, format!("{open} contours that are cut are open: they enclose no part.")),
     }
     for Defect { code, severity, count } in defects {
-        let grave = if *severity == Severity::Error { Level::Low } else { Level::Medium };
-        let findings = if *count == 1 { "finding" } else { "findings" };
-        doubt(grave, format!("{count} {findings} of the kind {code}."));
+        // The sentence above already names the open contours that are cut.
+        if *code == Code::OpenContour && open > 0 {
+            continue;
+        }
+        let at_least = if *severity == Severity::Error { Level::Low } else { Level::Medium };
+        doubt(at_least, format!("{}.", code.in_words(*count)));
     }
     Confidence { level, reasons }
 }

@@ -1,7 +1,7 @@
 //! What a quote reads of a plan document.
 
 use crate::dxf::{Unit, UnitsSource};
-use crate::finding::Severity;
+use crate::finding::{Code, Severity};
 use crate::sheet::Operation;
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
@@ -83,7 +83,7 @@ impl Contour {
 
 #[derive(Deserialize)]
 pub(super) struct Found {
-    pub(super) code: String,
+    pub(super) code: Code,
     pub(super) severity: Severity,
     pub(super) count: u32,
 }

@@ -9,7 +9,7 @@
 use crate::testkit::dxf_text::{Entity, Scene, Similarity};
 use glam::DVec2;
 use kerfway::job::{Job, LoadOptions, OutputKind, PlanOptions};
-use kerfway::quote::{Level, Material, Quote, quote};
+use kerfway::quote::{Confidence, Level, Material, Quote, quote};
 use serde_json::{Value, json};
 
 fn job(bytes: Vec<u8>, load: Value, plan: Value) -> Job {
@@ -124,9 +124,22 @@ fn parts_in_holes_are_parts_and_what_is_marked_is_none() {
     assert_eq!(quote.weight, None);
     assert_eq!((quote.layers.len(), quote.layers[0].contours, quote.layers[0].open), (1, 4, 1));
     assert_eq!(quote.confidence.level, Level::Medium);
-    let reasons =
-        ["1 contour that is cut is open: it encloses no part.", "1 finding of the kind open-contour."];
-    assert_eq!(quote.confidence.reasons, reasons);
+    assert_eq!(quote.confidence.reasons, ["1 contour that is cut is open: it encloses no part."]);
+}
+
+#[test]
+fn reasons_of_confidence_are_words_and_not_codes() {
+    let bytes =
+        std::fs::read(crate::testkit::fixtures().join("../../www/app/public/samples/gaps-and-copies.dxf"));
+    let job = job(bytes.unwrap(), json!({}), json!({ "moves": 500 }));
+    let Confidence { level, reasons } = of(&job, &Material::default()).confidence;
+    assert_eq!(level, Level::Medium);
+    let expected = [
+        "1 contour that is cut is open: it encloses no part.",
+        "1 text or other object without an outline was skipped.",
+        "2 places were found where two contours cross.",
+    ];
+    assert_eq!(reasons, expected);
 }
 
 #[test]

@@ -52,10 +52,17 @@ export interface LoadOptions {
 /** What is done with cuts that contours share. */
 export type CommonCuts = 'best' | 'insertion' | 'off';
 
+/** What a finding is about. Later versions may add codes. */
+export type FindingCode =
+  | 'unsupported-entity' | 'damaged-entity' | 'resynchronised' | 'truncated' | 'bad-number' | 'invalid-geometry' | 'missing-block' | 'cyclic-block'
+  | 'hidden-entity' | 'units-guessed' | 'units-doubtful' | 'encoding' | 'projected' | 'outline-taken'
+  | 'gap-closed' | 'gap-left' | 'branch' | 'duplicate-removed' | 'overlap-removed' | 'common-cut' | 'zero-length' | 'self-crossing' | 'crossing'
+  | 'open-contour' | 'several-layers' | 'sheet-outline' | 'layer-suggestion' | 'layer-ignored' | 'contour-excluded' | 'layer-unknown'
+  | 'kerf-not-applied' | 'not-all-checked' | 'more';
+
 /** Something a person should know about the drawing, with its place. */
 export interface Finding {
-  /** Kebab-case code, e.g. `gap-closed`. */
-  code: string;
+  code: FindingCode;
   severity: Severity;
   message: string;
   layer: string | null;

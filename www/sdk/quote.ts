@@ -1,6 +1,6 @@
 /** The report of a quote (`kerfway.quote/1`): see `quote.schema.json`. Lengths mm, areas mm2, times s, weights g. */
 
-import type { MachineProfile, Severity, Unit } from './protocol.js';
+import type { FindingCode, MachineProfile, Severity, Unit } from './protocol.js';
 
 /** What the sheet is made of. */
 export interface Material {
@@ -50,6 +50,6 @@ export interface Quote {
   smallest_hole: { contour: number; width: number; over_thickness: number | null } | null;
   /** Where two cuts of one part come nearest to each other. */
   narrowest_web: { contours: [number, number]; width: number; at: [number, number]; over_thickness: number | null } | null;
-  defects: { code: string; severity: Severity; count: number }[];
+  defects: { code: FindingCode; severity: Severity; count: number }[];
   confidence: { level: 'high' | 'medium' | 'low'; reasons: string[] };
 }

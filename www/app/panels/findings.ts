@@ -57,7 +57,7 @@ export class FindingList {
     if (findings.length === 1) return this.item(first);
     const sum = findings.reduce((n, f) => n + f.count, 0);
     return h('details', { class: 'finding-group' },
-      h('summary', {}, mark(first.severity), h('span', {}, words.findingTitles[first.code] ?? first.code), h('span', { class: 'soft number' }, count(sum))),
+      h('summary', {}, mark(first.severity), h('span', {}, words.findingTitles[first.code]), h('span', { class: 'soft number' }, count(sum))),
       ...findings.slice(0, LISTED).map((f) => this.item(f)),
       findings.length > LISTED && h('p', { class: 'soft' }, words.findings.more(count(findings.length - LISTED))));
   }

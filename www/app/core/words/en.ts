@@ -4,13 +4,13 @@
  * What stands on the page before any script runs is in `index.html`; what the planner says of a drawing (findings, reasons, errors) comes from the planner in English.
  */
 
-import type { DoneReason, Operation, Unit, UnitsTaken } from 'kerfway';
+import type { DoneReason, FindingCode, Operation, Unit, UnitsTaken } from 'kerfway';
 
 /** "1 contour", "3 contours"; the number comes written. */
 const counted = (n: number, written: string, one: string, many = `${one}s`) => `${written} ${n === 1 ? one : many}`;
 
-/** What findings of a kind have in common, by their code. */
-const findingTitles: Record<string, string> = {
+/** A title for the findings of each code. */
+const findingTitles: Record<FindingCode, string> = {
   'unsupported-entity': 'Entities without an outline to cut',
   'damaged-entity': 'Damaged entities',
   resynchronised: 'Breaks in the file',
@@ -41,6 +41,8 @@ const findingTitles: Record<string, string> = {
   'layer-suggestion': 'Layers that are probably not cut',
   'layer-ignored': 'Layers left out',
   'contour-excluded': 'Contours left out',
+  'layer-unknown': 'Layers that are not in the drawing',
+  'not-all-checked': 'Checks cut short',
   more: 'More, not listed one by one',
 };
 
