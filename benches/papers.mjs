@@ -1,17 +1,18 @@
 // The tables of the papers whose methods Kerfway has, run again:
 //
 //     npm run bench -- papers [--table NAME]... [--seeds K] [--rounds R] [--only INSTANCE]
+//                             [--data FOLDER]
 //
 // Beside each printed value stand the method as published, the method with local search, the default solver and the
-// proven optimum or the best value known. Instances come from ../shared/data; every value is that of a tour checked by
-// code that shares nothing with the methods. A run ends at the method's own budget, or at the best value known.
+// proven optimum or the best value known. Instances come from benches/data, and from `--data FOLDER` where they may
+// not be copied (benches/data/README.md). Every value is that of a tour checked by code that shares nothing with the methods. A run ends at the method's own budget, or at the best value known.
 
-import { existsSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { setup } from '../scripts/setup.mjs';
 import { Stop } from '../scripts/tools.mjs';
+import { Instances } from './common/data.mjs';
 import { tables as hull } from './papers/hull.mjs';
-import { build, DATA } from './papers/runs.mjs';
+import { build } from './papers/runs.mjs';
 import { tables as quDu } from './papers/qu-du.mjs';
 import { tables as stop } from './papers/stop.mjs';
 import { tables as yang } from './papers/yang.mjs';
@@ -26,18 +27,20 @@ export async function bench(args) {
       seeds: { type: 'string' },
       rounds: { type: 'string' },
       only: { type: 'string' },
+      data: { type: 'string' },
     },
   });
   const names = values.table ?? Object.keys(TABLES);
   const unknown = names.find((name) => !(name in TABLES));
   if (unknown !== undefined) throw new Stop(`There is no table ${unknown}: ${Object.keys(TABLES).join(', ')}.`);
-  if (!existsSync(DATA)) throw new Stop(`The instances are not here: ${DATA}.`);
+  const instances = new Instances(values.data);
   setup();
   build();
   const rounds = values.rounds === undefined ? undefined : Number(values.rounds);
   for (const name of names) {
     const begun = Date.now();
-    await TABLES[name]({ seeds: Number(values.seeds ?? 30), rounds, only: values.only });
+    await TABLES[name]({ seeds: Number(values.seeds ?? 30), rounds, only: values.only, instances });
+    instances.report();
     console.log(`${name}: ${((Date.now() - begun) / 1000).toFixed(0)} s`);
   }
 }

@@ -2,28 +2,29 @@
 // under Node:
 //
 //     npm run bench -- solve [sheets|pool|qu-du|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME] [--cpu]
+//                            [--data FOLDER]
 //
 // `--cpu` counts seconds of the processor instead of the clock's, for a machine that others use too (Linux).
-// Instances come from ../shared/data. Runs go one after the other, each in a process of its own, and end early when the
-// best value known is reached. Every run ends with a tour checked by code that shares nothing with the search. Other
-// solvers run on the same instances in the same run where Python has them (`KERFWAY_PYTHON`, else python3; what they
-// need stands in ../shared/tools/README.md).
+// Instances come from benches/data, and from `--data FOLDER` where they may not be copied (benches/data/README.md). Runs go one
+// after the other, each in a process of its own, and end early when the best value known is reached. Every run ends with a tour
+// checked by code that shares nothing with the search. Other solvers run on the same instances in the same run where Python has
+// them (`KERFWAY_PYTHON`, else python3; benches/solve/baselines.py says what they need).
 
-import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
-import { availableParallelism, tmpdir } from 'node:os';
-import { basename, dirname, join } from 'node:path';
+import { readFileSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import { basename, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { setup } from '../scripts/setup.mjs';
 import { ask, DIST, ENV, ROOT, run, Stop } from '../scripts/tools.mjs';
 import { build as buildAll, LEAN } from '../scripts/build.mjs';
+import { Instances, NOT_RUN } from './common/data.mjs';
 import { mb, mean, median, ms, rows, table } from './common/table.mjs';
 
 const HERE = join(ROOT, 'benches', 'solve');
 const NATIVE = join(HERE, 'target', 'release', 'kerfway-bench-solve');
 const BOUND = join(HERE, 'target', 'release', 'bound');
-const DATA = join(ROOT, '..', 'shared', 'data');
-const BASELINES = join(ROOT, '..', 'shared', 'tools', 'gtsp_baselines.py');
+const BASELINES = join(HERE, 'baselines.py');
 const PYTHON = process.env.KERFWAY_PYTHON ?? 'python3';
 
 /** Seconds at which values are told. */
@@ -35,8 +36,8 @@ const SETS = {
   sheets,
   pool,
   'qu-du': quDu,
-  gtsplib: (options) => library('gtsplib', /\.gtsp$/, options, true),
-  pcgtsp: (options) => library('pcgtsp', /\.pcglns$/, options, false),
+  gtsplib: (options) => library('gtsplib', '.gtsp', options, true),
+  pcgtsp: (options) => library('pcgtsp', '.pcglns', options, false),
   scaling,
 };
 
@@ -44,17 +45,24 @@ export async function bench(args) {
   const { values, positionals } = parseArgs({
     args,
     allowPositionals: true,
-    options: { seconds: { type: 'string' }, seeds: { type: 'string' }, only: { type: 'string' }, cpu: { type: 'boolean' } },
+    options: {
+      seconds: { type: 'string' },
+      seeds: { type: 'string' },
+      only: { type: 'string' },
+      cpu: { type: 'boolean' },
+      data: { type: 'string' },
+    },
   });
   const unknown = positionals.find((name) => !(name in SETS));
   if (unknown !== undefined) throw new Stop(`There is no set ${unknown}: ${Object.keys(SETS).join(', ')}.`);
-  if (!existsSync(DATA)) throw new Stop(`The instances are not here: ${DATA}.`);
+  const instances = new Instances(values.data);
   setup();
   build();
   const chosen = positionals.length > 0 ? positionals : Object.keys(SETS);
   for (const name of chosen) {
     const { seconds = 10, seeds = 5, only, cpu } = values;
-    await SETS[name]({ seconds: Number(seconds), seeds: Number(seeds), only, cpu });
+    await SETS[name]({ seconds: Number(seconds), seeds: Number(seeds), only, cpu, instances });
+    instances.report();
   }
 }
 
@@ -97,15 +105,14 @@ function proven(file, seconds) {
 /** How far a value is from what is proven at most. */
 const off = (value, bound) => (bound > 0 ? `${((100 * Math.max(0, value - bound)) / bound).toFixed(2)} %` : 'none');
 const percent = (value, known) => (known === null ? '' : `${((100 * (value - known)) / known).toFixed(3)} %`);
-const files = (set, ext, only) =>
-  readdirSync(join(DATA, set)).filter((f) => ext.test(f) && (only === undefined || f.includes(only))).sort(bySize).map((f) => join(DATA, set, f));
-const bySize = (a, b) => (parseInt(a) || 0) - (parseInt(b) || 0) || (a < b ? -1 : 1);
+/** The sheets whose names hold `only`: number of contours and file. */
+const sheetFiles = ({ instances, only = '' }) =>
+  SHEETS.filter((n) => `sheet_${n}.dxf`.includes(only)).map((n) => [n, instances.file(`sheets/sheet_${n}.dxf`)]);
+const bySize = (a, b) => (parseInt(basename(a)) || 0) - (parseInt(basename(b)) || 0) || (a < b ? -1 : 1);
 
-async function sheets({ seconds, seeds, only, cpu }) {
+async function sheets({ seconds, seeds, only, cpu, instances }) {
   const lines = [];
-  for (const n of SHEETS) {
-    const file = join(DATA, 'sheets', `sheet_${n}.dxf`);
-    if (only !== undefined && !file.includes(only)) continue;
+  for (const [n, file] of sheetFiles({ instances, only })) {
     const { known } = natively(file, { seconds: 0, seeds: 1 }, '--on')[0];
     const ours = Array.from({ length: seeds }, (_, k) => inWasm(file, { index: 0, known: null }, k + 1, { seconds, cpu }));
     const of = (key) => median(ours.map((r) => at(r, key)));
@@ -122,14 +129,12 @@ async function sheets({ seconds, seeds, only, cpu }) {
 }
 
 /** The package's own pool on the sheets: as many workers as there are cores. */
-async function pool({ seconds, only }) {
+async function pool({ seconds, only, instances }) {
   buildAll();
   const { plan } = await import(pathToFileURL(join(DIST, 'sdk', 'node.js')).href);
   const workers = availableParallelism();
   const lines = [];
-  for (const n of SHEETS) {
-    const file = join(DATA, 'sheets', `sheet_${n}.dxf`);
-    if (only !== undefined && !file.includes(only)) continue;
+  for (const [n, file] of sheetFiles({ instances, only })) {
     const { known } = natively(file, { seconds: 0, seeds: 1 }, '--on')[0];
     const options = { machine: 'length', layers: ['SHEET', 'MARK'].map((name) => ({ name, operation: 'ignore' })), workers, seed: 1, seconds };
     const { summary } = await plan(readFileSync(file), options);
@@ -139,8 +144,8 @@ async function pool({ seconds, only }) {
   table(`Sheets by the pool of the package under Node, ${workers} workers, ${seconds} s, seed 1: air length in mm`, ['', 'length', 'best known before', 'to it'], lines);
 }
 
-async function quDu({ seconds, seeds, only, cpu }) {
-  const file = join(DATA, 'qu-du-43', 'qu_du_43.json');
+async function quDu({ seconds, seeds, only, cpu, instances }) {
+  const file = instances.file('qu-du-43/qu_du_43.json');
   const bounds = proven(file, seconds);
   const wanted = natively(file, { seconds, seeds, cpu }).filter((source) => only === undefined || source.name.includes(only));
   const lines = wanted.map((source) => {
@@ -150,25 +155,27 @@ async function quDu({ seconds, seeds, only, cpu }) {
     const best = Math.min(...wasm.map((r) => r.value));
     return [source.name, source.known.toFixed(3), best.toFixed(3), reached(source.runs), found(source.runs), reached(wasm), found(wasm), off(best, bounds.get(source.name))];
   });
-  table('Qu & Du, 43 contours, fixed points: optima of data/README.md', ['', 'optimum', 'best', 'natively', 'median', 'wasm', 'median', 'above the bound'], lines);
+  table('Qu & Du, 43 contours, fixed points: optima of benches/data/README.md', ['', 'optimum', 'best', 'natively', 'median', 'wasm', 'median', 'above the bound'], lines);
 }
 
-function library(set, ext, options, baselines) {
-  const { seconds, seeds, only } = options;
+function library(set, extension, options, baselines) {
+  const { seconds, seeds, only, instances } = options;
   const gaps = [];
   const behind = [];
   const solvers = baselines ? SOLVERS.filter((s) => ask(PYTHON, '-c', `import ${s}`) !== null) : [];
   if (baselines && solvers.length < SOLVERS.length) {
     console.log(`bench: not measured, as ${PYTHON} has them not: ${SOLVERS.filter((s) => !solvers.includes(s)).join(', ')}`);
   }
-  const lines = files(set, ext, only).map((file) => {
+  instances.file(`${set}/best_known.json`);
+  const lines = instances.list(set, extension, only).sort(bySize).map((path) => {
+    const file = instances.find(path);
+    if (file === null) return [basename(path, extension), NOT_RUN, ...Array(6 + solvers.length).fill('')];
     const [source] = natively(file, options);
     const wasm = inWasm(file, source, 1, options);
     const values = source.runs.map((r) => r.value);
     gaps.push(...values.map((v) => (100 * (v - source.known)) / source.known));
-    const readable = solvers.length > 0 ? forOthers(file) : file;
     const others = solvers.map((solver) => {
-      const row = baseline(readable, solver, seconds);
+      const row = baseline(file, solver, seconds);
       if (typeof row?.length !== 'number') return 'none';
       // The worst seed, natively, when the other solver was done: one of them takes the time it needs.
       const then = Math.max(...source.runs.map((r) => at(r, row.seconds)));
@@ -176,16 +183,16 @@ function library(set, ext, options, baselines) {
       return `${percent(row.length, source.known)} in ${row.seconds} s, ours then ${percent(then, source.known)}`;
     });
     const line = [
-      basename(file).replace(ext, ''), String(source.known), `${source.runs.filter((r) => r.reached).length}/${values.length}`,
+      basename(file, extension), String(source.known), `${source.runs.filter((r) => r.reached).length}/${values.length}`,
       percent(Math.min(...values), source.known), percent(mean(values), source.known),
       `${median(source.runs.map((r) => r.found)).toFixed(2)} s`, percent(wasm.value, source.known), off(Math.min(...values), proven(file, seconds).get(source.name)), ...others,
     ];
-    if (readable !== file) rmSync(dirname(readable), { recursive: true });
     console.log(line.join('  '));
     return line;
   });
   const columns = ['', 'best known', 'reached', 'best', 'mean', 'median found', 'wasm, seed 1', 'above the bound', ...solvers];
   table(`${set}: gap to the best known after ${seconds} s, ${seeds} seeds`, columns, lines);
+  if (gaps.length === 0) return;
   const reached = gaps.filter((g) => g <= 1e-6).length;
   console.log(`reached ${reached} of ${gaps.length} runs, mean gap ${mean(gaps).toFixed(4)} %`);
   if (solvers.length > 0) console.log(`a seed behind another solver in the same time: ${behind.join(', ') || 'none'}`);
@@ -202,28 +209,10 @@ function baseline(file, solver, seconds) {
   }
 }
 
-/** The file, or a copy, in a folder of its own, with the whole matrix of one that holds half of it: the baselines read no other. */
-function forOthers(file) {
-  const [head, numbers, tail] = readFileSync(file, 'utf8').split(/EDGE_WEIGHT_SECTION\s*|(?=GTSP_SET_SECTION)/);
-  const half = /(UPPER|LOWER)_DIAG_ROW/.exec(head)?.[1];
-  if (half === undefined) return file;
-  const n = Number(/DIMENSION\s*:\s*(\d+)/.exec(head)[1]);
-  const costs = numbers.trim().split(/\s+/);
-  // Before row i stand i rows of n, n - 1, .. or of 1, 2, .. numbers.
-  const upper = (i, j) => costs[(i * (2 * n - i + 1)) / 2 + j - i];
-  const lower = (i, j) => costs[(j * (j + 1)) / 2 + i];
-  const cost = half === 'UPPER' ? upper : lower;
-  const line = (i) => Array.from({ length: n }, (_, j) => cost(Math.min(i, j), Math.max(i, j))).join(' ');
-  const copy = join(mkdtempSync(join(tmpdir(), 'kerfway-')), basename(file));
-  const matrix = Array.from({ length: n }, (_, i) => line(i)).join('\n');
-  writeFileSync(copy, `${head.replace(/\w+_DIAG_ROW/, 'FULL_MATRIX')}EDGE_WEIGHT_SECTION\n${matrix}\n${tail}`);
-  return copy;
-}
-
 /** Moves in wasm against natively, by turns, and what a move costs as sheets grow. */
-async function scaling({ seeds, only, cpu }) {
+async function scaling({ seeds, only, cpu, instances }) {
   const MOVES = 8_000_000;
-  const lines = SHEETS.map((n) => join(DATA, 'sheets', `sheet_${n}.dxf`)).filter((f) => only === undefined || f.includes(only)).map((file) => {
+  const lines = sheetFiles({ instances, only }).map(([, file]) => {
     const work = (r) => r.seconds - r.trace[0][0];
     const fixed = [file, '--moves', String(MOVES), '--seeds', '1', '--on', '--json', ...(cpu ? ['--cpu'] : [])];
     const runs = Array.from({ length: seeds }, (_, k) => [

@@ -1,12 +1,10 @@
 // Tables 3, 5 (with 6) and 7 (with 8) of P. Qu, F. Du, IEEE Access 11 (2023), doi 10.1109/ACCESS.2023.3236006.
 
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { NOT_RUN } from '../common/data.mjs';
 import { mean, table } from '../common/table.mjs';
-import { above, average, best, DATA, percent, runs } from './runs.mjs';
+import { above, average, best, percent, runs } from './runs.mjs';
 
-const HERE = join(DATA, 'qu-du-43');
-const CONTOURS = join(HERE, 'qu_du_43.json');
 /** Straight lines, no way back, the paper's feature points: centres of circles among them. */
 const VARIANT = 'qu-du euclid open paper';
 const OPTIMUM = 2545.445;
@@ -19,9 +17,9 @@ const ROUNDS = 600;
 /** Seconds the default solver gets; it needs a fraction of them. */
 const SECONDS = 2;
 
-const read = (name) => JSON.parse(readFileSync(join(HERE, name), 'utf8'));
+const read = (instances, name) => JSON.parse(readFileSync(instances.file(`qu-du-43/${name}`), 'utf8'));
 
-export const tables = { 'qu-du-3': instances, 'qu-du-5': (o) => contours('fixed', o), 'qu-du-7': (o) => contours('random', o) };
+export const tables = { 'qu-du-3': tsplib, 'qu-du-5': (o) => contours('fixed', o), 'qu-du-7': (o) => contours('random', o) };
 
 /** As published, then with local search: the parameters that differ from the paper's. */
 const kinds = (rounds = LOCAL_ROUNDS) => [
@@ -29,13 +27,14 @@ const kinds = (rounds = LOCAL_ROUNDS) => [
   [`with local search, ${rounds} iterations of 50 particles`, { local_search: true, rounds }],
 ];
 
-function instances({ seeds, rounds, only }) {
-  const all = read('tsplib_table.json').instances.filter((i) => i.name !== 'fv36' && (only === undefined || i.name === only));
+function tsplib({ seeds, rounds, only, instances }) {
+  const all = read(instances, 'tsplib_table.json').instances.filter((i) => i.name !== 'fv36' && (only === undefined || i.name === only));
   for (const [kind, parameters] of kinds(rounds)) {
     const sums = Object.keys(METHODS).map(() => ({ printed: [], mean: [], best: [] }));
     const own = [];
     const lines = all.map(({ name, optimal, results }) => {
-      const file = join(HERE, 'tsplib', `${name}.tsp`);
+      const file = instances.find(`qu-du-43/tsplib/${name}.tsp`);
+      if (file === null) return [name, String(optimal), NOT_RUN, ...Array(3 * Object.keys(METHODS).length).fill('')];
       const cells = Object.entries(METHODS).flatMap(([title, method], m) => {
         const list = runs(method, file, { parameters, seeds });
         const values = [results[title].result, average(list), best(list)].map((v) => above(v, optimal));
@@ -57,19 +56,20 @@ function instances({ seeds, rounds, only }) {
   console.log('Printed deviations are shares of the result; here all are shares of the optimum.');
 }
 
-function contours(start, { seeds, rounds }) {
+function contours(start, { seeds, rounds, instances }) {
+  const file = instances.file('qu-du-43/qu_du_43.json');
   // S11, the first node, is also the best free start.
   const first = start === 'fixed' ? 0 : null;
-  const published = read('sequences.json').sequences.filter((s) => s.start === start);
+  const published = read(instances, 'sequences.json').sequences.filter((s) => s.start === start);
   const lines = Object.entries(METHODS).map(([title, method]) => {
     const { eval: again, claimed_empty_length_mm: claimed, complete } = published.find((s) => s.algorithm === title);
     const cells = kinds(rounds).flatMap(([, parameters]) => {
-      const list = runs(method, CONTOURS, { only: VARIANT, parameters: { ...parameters, first }, seeds });
+      const list = runs(method, file, { only: VARIANT, parameters: { ...parameters, first }, seeds });
       return [average(list).toFixed(3), best(list).toFixed(3), mean(list.map((r) => r.found)).toFixed(0)];
     });
     return [title, claimed.toFixed(2), `${again.total_open.toFixed(2)}${complete ? '' : ' *'}`, ...cells];
   });
-  const own = runs('tour-tree', CONTOURS, { only: VARIANT, seeds, seconds: SECONDS });
+  const own = runs('tour-tree', file, { only: VARIANT, seeds, seconds: SECONDS });
   const blank = ['', '', ''];
   lines.push(['tour-tree', '', '', ...blank, average(own).toFixed(3), best(own).toFixed(3), '']);
   lines.push(['optimum', '', '', ...blank, OPTIMUM.toFixed(3), OPTIMUM.toFixed(3), '']);

@@ -9,8 +9,6 @@ const HERE = join(ROOT, 'benches', 'solve');
 export const native = (name) => join(HERE, 'target', 'release', name);
 const NATIVE = native('papers');
 
-export const DATA = join(ROOT, '..', 'shared', 'data');
-
 export function build() {
   console.log('bench: the methods of papers, natively');
   run('cargo', ['build', '--release', '--manifest-path', join(HERE, 'Cargo.toml'), ...['papers', 'hull', 'yang'].flatMap((bin) => ['--bin', bin])]);

@@ -5,7 +5,6 @@ import { join } from 'node:path';
 import { build } from '../../scripts/build.mjs';
 import { DIST } from '../../scripts/tools.mjs';
 import { ms, table } from '../common/table.mjs';
-import { DATA } from './runs.mjs';
 
 /** As in www/sdk/search.ts. */
 const SLICE_MS = 20;
@@ -14,7 +13,7 @@ const WATCHED = 12_000;
 
 export const tables = { stop };
 
-async function stop({ only }) {
+async function stop({ only, instances }) {
   build();
   const sdk = join(DIST, 'sdk');
   const [{ stepHosted }, planner, papers] = await Promise.all(
@@ -23,7 +22,7 @@ async function stop({ only }) {
   planner.initSync({ module: readFileSync(join(sdk, 'pkg', 'kerfway_bg.wasm')) });
   papers.initSync({ module: readFileSync(join(sdk, 'pkg', 'kerfway_papers_bg.wasm')) });
   for (const sheet of only === undefined ? ['sheet_500', 'sheet_10000'] : [only]) {
-    const job = new planner.Job(new Uint8Array(readFileSync(join(DATA, 'sheets', `${sheet}.dxf`))), `${sheet}.dxf`, {});
+    const job = new planner.Job(new Uint8Array(readFileSync(instances.file(`sheets/${sheet}.dxf`))), `${sheet}.dxf`, {});
     const lines = papers.paperMethods().map(({ name }) => {
       const { times, round } = slices(job, name, papers.Guest, stepHosted);
       const at = (share) => ms(times[Math.min(Math.floor(times.length * share), times.length - 1)]);

@@ -108,7 +108,7 @@ fn preset(name: &str) -> Result<Profile, String> {
     machine::preset(name).ok_or_else(|| format!("There is no machine {name}."))
 }
 
-/// Lengths of the 43 contours of Qu & Du (data/README.md, table of optima), by machine, whether the tour is closed,
+/// Lengths of the 43 contours of Qu & Du (`benches/data/README.md`, table of optima), by machine, whether the tour is closed,
 /// and whether cuts start on the boundary only and holes come first.
 const QU_DU: [(&str, bool, bool, f64); 8] = [
     ("length", false, false, 2545.445),
