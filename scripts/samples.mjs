@@ -3,27 +3,23 @@
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { r2000 } from './r2000.mjs';
 import { ROOT } from './tools.mjs';
 
-const line = (x0, y0, x1, y1, layer = 'CUT') => [[0, 'LINE'], [8, layer], [10, x0], [20, y0], [11, x1], [21, y1]];
-const circle = (x, y, r, layer = 'CUT') => [[0, 'CIRCLE'], [8, layer], [10, x], [20, y], [40, r]];
-const path = (points, layer = 'CUT', closed = true) => [
-  [0, 'LWPOLYLINE'], [8, layer], [90, points.length], [70, closed ? 1 : 0],
-  ...points.flatMap(([x, y, bulge = 0]) => [[10, x], [20, y], [42, bulge]]),
-];
+const entity = (kind, layer, ...values) => [{ kind, layer, values }];
+const line = (x0, y0, x1, y1, layer = 'CUT') => entity('LINE', layer, [10, x0], [20, y0], [11, x1], [21, y1]);
+const circle = (x, y, r, layer = 'CUT') => entity('CIRCLE', layer, [10, x], [20, y], [40, r]);
+const path = (points, layer = 'CUT', closed = true) =>
+  entity('LWPOLYLINE', layer, [90, points.length], [70, closed ? 1 : 0], ...points.flatMap(([x, y, bulge = 0]) => [[10, x], [20, y], [42, bulge]]));
 const box = (x, y, w, h, layer) => path([[x, y], [x + w, y], [x + w, y + h], [x, y + h]], layer);
 /** A plate with round corners; the bulge of a quarter turn is tan(pi / 8). */
 const plate = (x, y, w, h, r, layer) => {
   const b = Math.SQRT2 - 1;
   return path([[x + r, y], [x + w - r, y, b], [x + w, y + r], [x + w, y + h - r, b], [x + w - r, y + h], [x + r, y + h, b], [x, y + h - r], [x, y + r, b]], layer);
 };
-const text = (x, y, height, words, layer) => [[0, 'TEXT'], [8, layer], [10, x], [20, y], [40, height], [1, words]];
+const text = (x, y, height, words, layer) => entity('TEXT', layer, [10, x], [20, y], [40, height], [1, words]);
 
-function drawing(units, ...entities) {
-  const header = units === null ? [] : [[9, '$INSUNITS'], [70, units]];
-  const groups = [[0, 'SECTION'], [2, 'HEADER'], [9, '$ACADVER'], [1, 'AC1015'], ...header, [0, 'ENDSEC'], [0, 'SECTION'], [2, 'ENTITIES'], ...entities.flat(), [0, 'ENDSEC'], [0, 'EOF']];
-  return groups.map(([code, value]) => `${code}\n${value}\n`).join('');
-}
+const drawing = (units, ...entities) => r2000(units, entities.flat());
 
 const MM = 4;
 const rows = (n, make) => Array.from({ length: n }, (_, k) => make(k));

@@ -1,0 +1,57 @@
+// The drawings we write (samples of the page, outputs of plans) are valid R2000 or later DXF. What ezdxf says of them was recorded by
+// tests/oracle/audit.py.
+
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, it } from 'node:test';
+import { plan } from 'kerfway';
+import { SAMPLES } from '../../scripts/samples.mjs';
+import { faults } from './dxf-structure.mjs';
+import { circle, dxf, fixture, ROOT } from './support.mjs';
+
+const FOLDER = join(ROOT, 'www', 'app', 'public', 'samples');
+const files = readdirSync(FOLDER).filter((file) => file.endsWith('.dxf'));
+/** Drawings of other people, served unchanged. This one is in R12, which has no markers. */
+const NOT_OURS = ['lumberjack-polaris.dxf'];
+const audit = JSON.parse(readFileSync(fixture('dxf-audit.json'), 'utf8'));
+
+describe('the structure of a DXF', () => {
+  it('has faults that are found: no sections, no markers, a handle twice, an owner or a layer that is missing', () => {
+    assert.match(faults(new TextDecoder().decode(dxf(circle(0, 0, 1)))).join(), /no section/);
+    const good = SAMPLES['layers.dxf'];
+    assert.deepEqual(faults(good), []);
+    const broken = (from, to) => faults(good.replace(from, to)).join('; ');
+    assert.match(broken('100\nAcDbPolyline\n', ''), /LWPOLYLINE 105 has the markers \[AcDbEntity\]/);
+    assert.match(broken('\n5\n106\n', '\n5\n105\n'), /handle 105 is there twice/);
+    assert.match(broken('\n5\n105\n330\n17\n', '\n5\n105\n330\nFFF\n'), /owner FFF/);
+    assert.match(broken('\n8\nSHEET\n', '\n8\nELSEWHERE\n'), /layer that is not in the table/);
+    assert.match(broken('\n2\nByBlock\n', '\n2\nOther\n'), /table LTYPE has no ByBlock/);
+  });
+
+  it('of every sample that is ours is valid', () => {
+    const ours = files.filter((file) => !NOT_OURS.includes(file));
+    assert.ok(ours.length >= 7);
+    for (const file of ours) assert.deepEqual(faults(readFileSync(join(FOLDER, file), 'utf8')), [], file);
+  });
+
+  it('of what is written of a plan is valid', async () => {
+    for (const file of ['gaps-and-copies.dxf', 'layers.dxf', 'parts-in-parts.dxf']) {
+      const { outputs } = await plan(readFileSync(join(FOLDER, file)), { moves: 1000, seed: 1, outputs: ['dxf'] });
+      assert.deepEqual(faults(outputs.dxf), [], file);
+    }
+  });
+});
+
+describe('the audit by ezdxf', () => {
+  it('was of these samples, and found nothing in them nor in what is written of plans', () => {
+    const sha256 = (file) => createHash('sha256').update(readFileSync(join(FOLDER, file))).digest('hex');
+    assert.deepEqual(audit.samples, Object.fromEntries(files.sort().map((file) => [file, { sha256: sha256(file), findings: [] }])), 'python tests/oracle/audit.py');
+    assert.deepEqual(Object.values(audit.plans).flat(), []);
+  });
+
+  it('was of the samples that scripts/samples.mjs makes', () => {
+    for (const [file, content] of Object.entries(SAMPLES)) assert.equal(readFileSync(join(FOLDER, file), 'utf8'), content, `${file}: node scripts/samples.mjs`);
+  });
+});
