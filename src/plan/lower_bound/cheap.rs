@@ -12,14 +12,13 @@ use crate::problem::Problem;
 
 /// Steps between two looks at all pairs.
 const STEPS: usize = 120;
-/// Looks at all pairs, each but the last followed by steps with the pairs it found missing: the first sees that all
-/// items hang together, after the fourth little more is to be gained.
+/// Looks at all pairs: the first sees that all items hang together, after the fourth little more is gained.
 const LOOKS: usize = 4;
-/// First step of a charge as a share of the average leg.
+/// First step of a charge, as a share of the average leg.
 const STRIDE: f64 = 0.1;
-/// What is left of it after each: a fiftieth after all of a look's, which no longer matters.
+/// Factor by which a step shrinks: to a fiftieth over the steps of a look, which no longer matters.
 const SHRINK: f64 = 0.968;
-/// What the last direction counts in the next (Volgenant & Jonker, 1982).
+/// Share of the last direction that is kept in the next (Volgenant & Jonker, 1982).
 const KEEP: f64 = 0.7;
 
 #[derive(Debug)]

@@ -68,7 +68,7 @@ use crate::problem::Problem;
 use cheap::Cheap;
 use rounds::Strong;
 
-/// So many items get the strong bound: beyond, one look at all walks takes about a second.
+/// Most items that get the strong bound: beyond, one look at all walks takes about a second.
 const STRONG: usize = 220;
 
 /// A lower bound under way: of [`crate::solve::Solution::cost`], in seconds. Better with every slice of work, valid

@@ -8,9 +8,9 @@ use super::prices::Prices;
 use crate::geometry::{BoxIndex, DVec2};
 use crate::order::{real, sort_by};
 
-/// So many items have a table for every pair: half a million numbers.
+/// Most items for which every pair has a table: half a million numbers.
 const COMPLETE: usize = 64;
-/// Nearest items that each is paired with.
+/// Nearest items that each item is paired with: missing pairs are added later, more cost memory now.
 const NEAREST: usize = 10;
 
 /// Two items with the seconds between their knots.

@@ -9,7 +9,7 @@ use super::walks::Ground;
 use crate::order::sort_by;
 use std::ops::Range;
 
-/// States times items at most: sorting so many legs takes some tenths of a second.
+/// Most states times items: sorting a million legs takes some tenths of a second.
 const MOST_LEGS: usize = 1_000_000;
 
 /// An item and what is remembered of its company, a bit each.

@@ -4,7 +4,7 @@ use super::space::GATES;
 use super::travel::Place;
 use crate::geometry::{Aabb, DVec2};
 
-/// Arcs of a ring, of some gates each. With 8, which leave out more at twice the price, as much is found.
+/// Arcs of a ring, each with a box: more exclude more candidates at a higher price.
 pub(super) const ARCS: usize = 4;
 
 /// The box of some places: middle and half size.

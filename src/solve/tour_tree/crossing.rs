@@ -3,18 +3,18 @@
 //! A cycle of kicks ends in a tour with a flaw here and a flaw there, the next cycle in one with flaws elsewhere.
 //! Where both tours visit the same items in a stretch, in whatever order, one may take over the other's way through
 //! it, and what comes of it is as good as both in every such stretch. Precedence is kept: what is in the stretch has
-//! the other's order, and what is outside stays before or behind. Groups are not heeded. In equal
-//! seconds of the processor 2,000 contours end 0.5 to 0.7 % lower with it after 8 s (medians of 5), 10,000 0.1 % after 20 s
-//! (of 3), and what 500 come to after 10 s they come to within 5. After the partition crossover of Whitley, Hains & Howe (GECCO 2009), with common intervals in place of components.
+//! the other's order, and what is outside stays before or behind. Groups are not respected.
+//! What it gains is in `docs/internals/tuning.md`. After the partition crossover of Whitley, Hains & Howe (GECCO 2009), with
+//! common intervals in place of components.
 
 use super::improve::Queue;
 use super::tour::{Kept, Tour};
 
-/// Tours kept to cross with: the last of this many cycles.
+/// Tours kept, one for each of the last cycles: more give more to choose from and take longer.
 const MOST: usize = 8;
-/// Longest stretch looked at, so that one look at 10,000 contours is short.
+/// Longest stretch that is compared: one look at 10,000 contours stays short.
 const LONGEST: usize = 1000;
-/// A stretch gains at least so many seconds: sums along a tour are off by rounding.
+/// Least gain of a stretch, s: sums along a tour are off by rounding.
 const CLEAR: f64 = 1e-7;
 
 /// What the last cycles ended in.

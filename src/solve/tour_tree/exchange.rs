@@ -9,11 +9,10 @@ use super::reenter::reenter;
 use super::space::index;
 use super::tour::Tour;
 
-/// Longest stretch a kick moves. Lengths are drawn evenly on a log scale: most kicks are small and cheap, and whole
-/// parts still change places (500 contours: 10 ends 1.2 % above 300).
+/// Longest stretch that a kick moves, drawn evenly on a log scale: mostly small and cheap, and whole parts still change places.
 const LONGEST: usize = 300;
 
-/// One kick in so many also draws an entry: without it, entries that only pay together are never found.
+/// One kick in this many also draws an entry: without it, entries that pay only together are never found.
 const DRAW_ENTRY: usize = 4;
 
 /// Exchanges two neighbouring stretches; gives the seconds that costs, if precedence allows it.

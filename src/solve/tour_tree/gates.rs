@@ -4,7 +4,7 @@ use super::travel::Place;
 use crate::geometry::Aabb;
 use crate::problem::Cells;
 
-/// Gates to a cell, on average: 2 and 8 take as long, 16 longer (10,000 contours).
+/// Gates in a cell on average: more makes each look longer, fewer makes more cells to look at.
 const PER_CELL: f64 = 4.0;
 
 /// A gate: its item and where it is.

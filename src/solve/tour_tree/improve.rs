@@ -7,10 +7,7 @@
 //! soon as the first new way is no shorter than the one given up (the gain criterion of Lin and Kernighan, 1973).
 //! A move is priced in constant time; whether precedence allows it is looked up only when it gains.
 //!
-//! Chains of reversals after Lin and Kernighan (five deep, the 5, 3, 1, 1, 1 best steps followed, up to 1,000 items turned;
-//! and 3, 1, 1 with 100) were built and taken out again: turning stretches of an array to look beyond them takes longer than
-//! it gives. In equal seconds of the processor 10,000 contours ended 0.4 % higher with the deep ones (medians of 3), 2,000 by
-//! the short ones 0.03 % lower (of 6), which is less than half of what seeds differ by, and 5, 2, 1 0.7 % higher.
+//! Chains of reversals after Lin and Kernighan were tried and take longer than they gain: `docs/internals/tuning.md`.
 
 use super::chain::move_chain;
 use super::neighbours::Neighbours;

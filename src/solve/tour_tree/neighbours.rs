@@ -11,10 +11,9 @@ use super::tour::Tour;
 use super::travel::Place;
 use crate::order::{real, sort_by};
 
-/// Items listed for a gate: 8 hold the wanted edge in all but a few in a thousand cases (planar tours mostly use the
-/// nearest 5), and a pass over them stays in one cache line pair.
+/// Items listed for a gate: nearly always enough, and a pass over them stays in one pair of cache lines.
 const PER_GATE: usize = 8;
-/// Items listed for an item.
+/// Items listed for an item, over all its gates.
 const PER_ITEM: usize = 10;
 
 /// Neighbour lists, as far as they are built. All in one array: lists of their own were further apart in memory, and a look at

@@ -12,11 +12,11 @@ use crate::geometry::{DVec2, Path, Segment};
 use crate::problem::Item;
 use crate::solve::{Solution, Stop};
 
-/// Rounds over all stops at most: the third gains under a thousandth of the first.
+/// Most rounds over all stops: the third gains less than a thousandth of the first.
 pub(super) const ROUNDS: usize = 4;
 /// A round that gains a smaller share than this is the last.
 pub(super) const ENOUGH: f64 = 1e-7;
-/// Steps of the golden section: 0.618^26 of two spacings of 0.8 mm is 6 nm.
+/// Steps of the golden section: they narrow two spacings of 0.8 mm to 6 nm.
 const SECTIONS: usize = 26;
 /// 1 / golden ratio.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;

@@ -12,10 +12,9 @@ use super::neighbours::Neighbours;
 use super::space::Space;
 use super::tour::Tour;
 
-/// One place in so many is overlooked: 1 % as Christiaens & Vanden Berghe have it.
+/// One place in this many is overlooked, as in Christiaens & Vanden Berghe.
 const BLINK: usize = 100;
-/// Items taken out at most. Numbers are drawn evenly on a log scale, so most are small; 10 never found the optimum of
-/// four sheet-cutting instances of 20 contours, 24 did at once, for every seed.
+/// Most items taken out at once, drawn evenly on a log scale: fewer never leave some local optima.
 const MOST: usize = 40;
 
 /// Takes out up to [`MOST`] items and puts them back; gives the seconds that costs. Touched items are queued. `None`

@@ -9,10 +9,9 @@ use super::space::{GATES, index};
 use crate::geometry::{DVec2, Path, Segment};
 use crate::problem::Item;
 
-/// Places at most this far apart, mm: half of it, seen across a gap of 5 mm, is 0.3 % of the gap.
+/// Largest distance of places on a ring, mm: half of it, seen across a gap of 5 mm, is 0.3 % of the gap.
 const SPACING: f64 = 0.8;
-/// Places of one ring at most: a contour of 1.6 m at 0.8 mm needs no more; longer ones get wider spacing. With 4,096 the search
-/// is slower where large parts lie close together, and finds nothing shorter in a second.
+/// Most places of one ring: more is slower where large parts lie close together, and finds nothing shorter.
 const MOST: usize = 2048;
 
 /// Places in order around a closed contour.

@@ -4,8 +4,7 @@
 //! the bits of its x: one type, one price function with a branch that always goes the same way, and no second copy
 //! of the search (measured on sheets of 100 and 500 contours: as many moves a second as without the branch).
 //!
-//! A few points to choose from get a table of their own: half as many moves a second again on Qu & Du's 43 contours, in
-//! wasm and natively, as the ways to all points of an item stand side by side.
+//! A few points to choose from get a table of their own, in which the costs to all points of an item are side by side.
 //!
 //! Beside the table stand the least costs from every node to every item and back, which tell at once that an item
 //! is too far: for sets of many nodes that saves most of the work.
@@ -16,7 +15,7 @@ use crate::machine::AirTime;
 use crate::problem::{NodeId, Problem, TABLES, Table};
 use std::borrow::Cow;
 
-/// Nodes of a problem in the plane at most for a table of its own: it then takes 1.3 MB, which lies near a processor.
+/// Most nodes in the plane for a table of travel of their own: it takes 1.3 MB, which stays near the processor.
 const MOST_NODES: usize = 400;
 
 /// Where the head is: a point, or a node of a table.

@@ -12,20 +12,19 @@ use super::walks::{Ground, Pass, Visit};
 use crate::problem::Problem;
 use sharpen::nearest_company;
 
-/// Looks at the charges in a round at least, and at most.
+/// Fewest and most looks at the charges in a round.
 const LOOKS: [usize; 2] = [8, 60];
-/// A round goes on while this many looks gain this part of what is missing: charges that have settled need not be exact
-/// for what they work on to be sharpened.
+/// A round ends when this many looks gain less than this share of what is missing: charges need not be exact to be sharpened.
 const WORTH: (usize, f64) = (4, 0.1);
 /// Walks kept for a round to learn from: the last ones, when charges have settled.
 const KEPT: usize = 12;
 /// Looks without a better value after which steps get shorter.
 const PATIENCE: usize = 8;
-/// By how much.
+/// Factor by which steps get shorter then.
 const SHORTER: f64 = 0.6;
-/// What the last direction counts in the next.
+/// Share of the last direction that is kept in the next: it damps steps to and fro.
 const KEEP: f64 = 0.5;
-/// Numbers in the rows of a pass and states at most: some 100 MB.
+/// Most numbers in the rows of a pass, and most states: about 100 MB.
 const MOST_NUMBERS: usize = 12_000_000;
 
 /// What is to be done next.

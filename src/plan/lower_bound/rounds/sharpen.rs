@@ -7,11 +7,11 @@ use super::Strong;
 use crate::geometry::DVec2;
 use crate::order::{real, sort_by};
 
-/// Nearest items in the company of each item to begin with: with none the first rounds only find that out.
+/// Nearest items in the company of each item at first: with none, the first rounds only find that out.
 const COMPANY: usize = 4;
-/// The most there may be: the states of an item may double with each.
+/// Largest company of an item: its states may double with each member.
 const MOST_COMPANY: usize = 16;
-/// Circles and faults of order over more stops than this are left alone: all that lies on them would have to remember.
+/// Most stops of a circle or fault of order that is mended: everything on it has to remember.
 const LONGEST: usize = 12;
 
 impl Strong {

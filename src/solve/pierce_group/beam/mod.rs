@@ -22,12 +22,11 @@ use rustc_hash::FxHashSet;
 use state::{State, Undo};
 use std::rc::Rc;
 
-/// Orders kept: of grids of 10 by 10 and of 20 by 20 the best is as fast with 64; with 8 that of 10 by 10 is 2.5 % slower.
+/// Orders kept: fewer make slower paths, more make none faster.
 const WIDTH: usize = 16;
-/// Groups of up to so many elements are put back element by element, with so many orders kept and no air moves foreseen: as
-/// many piercings and pre-cuts, but other ends. On sheets 14, 16 and 16b of Dewil et al. that makes paths 0.4 to 1.2 % faster,
-/// on sheet 15 0.3 % slower.
+/// Most elements of a group that is put back element by element: beyond, runs are put back and air moves are foreseen.
 const FEW: usize = 24;
+/// Orders kept for such a group.
 const WIDTH_OF_FEW: usize = 64;
 /// Candidates are thinned out when there are so many times as many as are kept.
 const ROOM: usize = 8;

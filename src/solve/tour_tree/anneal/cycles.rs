@@ -1,12 +1,11 @@
 //! What a cycle is made of, and what it ends in.
 //!
-//! A cycle has two parts. The first heeds no nesting, because the large structure of a good tour is found only
+//! A cycle has two parts. The first ignores nesting, because the large structure of a good tour is found only
 //! where outer contours do not pin it; its result is repaired (`repair.rs`), and the second part goes on with every
 //! precedence kept. Each cycle starts from the best path so far and is half as long again as the one before, so that
-//! the search is good at any moment and needs no budget in advance (twice as long ends 0.3 and 0.5 % higher on 10,000
-//! contours after 120 and 150 million moves, a third as long again 0.1 and 0.3 %; on 500 and 2,000 after 60 million all are
-//! within 0.1 %). Without nesting there is one part. Problems with few places have cycles that double every second
-//! time, or hardly grow (`few.rs`).
+//! the search is good at any moment and needs no budget in advance. Without nesting there is one part. Problems with few
+//! places have cycles that double every second time, or hardly grow (`few.rs`). What was measured for each constant is in
+//! `docs/internals/tuning.md`.
 
 use super::super::crossing::cross;
 use super::super::few::{Small, Turn};
@@ -14,20 +13,15 @@ use super::super::improve::{EPSILON, improve};
 use super::super::repair::repaired;
 use super::{Annealing, Stage};
 
-/// Kicks in the first cycle, for every item: enough to see an improvement within a tenth of a second. 4 ends 0.1 % lower on
-/// 500 contours after 2 s, but is 1.3 % above after 0.3 s.
+/// Kicks per item in the first cycle: more ends lower, but shows the first improvement later.
 const FIRST_CYCLE: u64 = 2;
-/// Share of a cycle, in percent, that heeds no nesting.
+/// Percentage of a cycle that ignores nesting: enough to find the large structure of the tour, which nesting would pin.
 const FREE_SHARE: u64 = 60;
-/// Temperature at the start of the first cycle, in mean ways between neighbours: on sheets of 500 and 2,000 contours
-/// 0.1 stays in the first valley met, 1.0 forgets what it found.
+/// Temperature at the start of the first cycle, in mean legs between neighbours: less stays in the first local optimum, more forgets it.
 const HEAT: f64 = 0.3;
-/// Share of it in later cycles where nesting is heeded: these refine the best path. 1.0 ends 0.3 % higher on 2,000 contours, 0.1 as
-/// high (20 s, 8 seeds).
+/// Temperature of later cycles that keep precedence, relative to the first: they refine the best path, and more spoils it.
 const REHEAT: f64 = 0.3;
-/// Share of it in later cycles where nesting is not heeded: hot enough for another way round the sheet, as which one is best shows
-/// only at the end, and what it spoils elsewhere is got back by crossing. Against 0.3, paths end 0.2 % shorter in the mean on 500
-/// (5 s, 12 seeds; the best 0.8 %), 2,000 (20 s, 8 seeds) and 10,000 contours (25 s, 4 seeds); 5.0 comes to as much.
+/// The same while nesting is ignored: hot enough for another route around the sheet; recombination restores the details.
 const REHEAT_FREE: f64 = 2.5;
 
 impl Annealing<'_> {

@@ -7,7 +7,7 @@ use super::super::gap::Gap;
 use super::super::neighbours::Neighbours;
 use super::super::space::{GATES, Space, index};
 
-/// Turns taken by each end: the second changes little.
+/// Turns taken by each end: the second already changes little.
 const TURNS: usize = 2;
 
 /// A cheapest way.

@@ -9,13 +9,13 @@ use super::allowed::{in_order, may_shift};
 use super::moves::{Ground, Shift, Spot, freed, improve, is_left, leaving, perform, reenter};
 use super::{Children, Tree};
 
-/// Longest chain taken, and farthest along its route: most are short, see `exchange.rs`.
+/// Longest chain taken, and farthest it goes along its route: most are short, as in `exchange.rs`.
 const LONGEST: usize = 50;
-/// One kick in so many joins routes.
+/// One kick in this many joins routes.
 const JOIN: usize = 8;
-/// Routes joined on the way up from a stop.
+/// Most routes joined on the way up from a stop.
 const DEEPEST: usize = 4;
-/// One kick in so many also draws a place for a stop.
+/// One kick in this many also draws a place for a stop.
 const DRAW_PLACE: usize = 4;
 
 impl Children {

@@ -2,14 +2,13 @@
 //!
 //! Where leaving is free of charge this is a rural postman problem (every contour is met once or more, and air moves meet
 //! every place an even number of times); with a charge each child route is a pre-cut (Dewil et al., 2014, "the partition
-//! tree"; METHODS.md, 2 and 3). Both are searched as they are: routes that hang from contours (`tree.rs`), stops and whole
+//! tree"). Both are searched as they are: routes that hang from contours (`tree.rs`), stops and whole
 //! routes moving between them (`moves.rs`), kicks accepted by a falling temperature as over the root alone (`anneal`).
 //! Nothing is ever infeasible: an item is finished after all that hangs from it, which is all that precedence asks.
 //!
 //! There are two ends from which to come: the root route with everything in it, and a tree in which everything hangs from
 //! what is nearest to it (`hang.rs`). Which is nearer to the best is a matter of the charge; both are improved locally, and
-//! the better goes on. (sheet_100, length only, 10 million moves, three seeds: free of charge 1,908 to 1,910 mm, from the
-//! root alone 1,922 to 2,066; at a charge of 5 mm 2,274 to 2,282, from the root alone 2,313 to 2,364 in twice the work.)
+//! the better goes on. What both gain over the root alone is in `docs/internals/tuning.md`.
 //!
 //! Root and routes take turns from the moment at which the root route is locally best; how much either works is a matter
 //! of which is ahead. A cycle starts from the better of the best routes so far and the best root route, locally improved,
@@ -42,24 +41,18 @@ use hang::hang;
 use moves::{Ground, improve};
 use tree::Tree;
 
-/// Temperature at the start of a cycle, in mean ways between neighbours; as over the root alone.
+/// Temperature at the start of a cycle, in mean legs between neighbours, as over the root alone.
 const HEAT: f64 = 0.3;
-/// The same in every other long cycle: routes that are the best of their valley are left only when hot. Of 200 runs on
-/// hull-10-45 sheets 9 ended in one valley or another at 0.3, 2 at both by turns.
+/// The same in every other long cycle: routes that are locally the best are left only when hot.
 const HOT: f64 = 2.5;
-/// A cycle of so many moves an item is long: shorter ones would forget what they start from and find nothing better.
+/// Moves per item from which a cycle is long: shorter ones would forget their start and find nothing better.
 const LONG: u64 = 10_000;
 
-/// What the routes take, in what the root route does, and how much they then work for each piece of the root's work: no
-/// use, some use, much use. One for one, the root comes late to what it finds on sheets of small parts far apart, 0.1 to
-/// 0.2 % above after 2 million moves; and the routes on those of large parts close together, 1.7 % above after 200,000.
+/// Below this share of the root's best cost, the work of the routes for each piece of the root's work: the one that is ahead gets more.
 const SHARES: [(f64, f64); 3] = [(0.98, 3.0), (0.999, 1.0), (f64::INFINITY, 1.0 / 3.0)];
-/// How much they work until the root's first cycle has ended. One for one, that takes twice as long, and on sheet 38 of Dewil
-/// et al. (`npm run bench -- dewil`) F-R ends before; beginning after it comes too late on sheet 34. Ahead of F-R on these
-/// two, and on set 2 but sheet 35 in the mean, 12 seeds: one for one -0.5, 3.2, 6.0 %; after it 1.1, 1.2, 5.8 %; a third
-/// 0.7, 2.9, 6.1 %.
+/// The same until the root's first cycle has ended: more delays the root, none begins too late.
 const SHARE_AT_FIRST: f64 = 1.0 / 3.0;
-/// A turn takes so much more than a share, so that turns are not too short.
+/// A turn takes this many times a share, so that turns are not too short.
 const TURN: f64 = 1.25;
 
 /// What comes next.

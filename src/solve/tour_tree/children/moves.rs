@@ -17,7 +17,7 @@ use super::tree::Tree;
 use super::turn::turn;
 use crate::problem::Item;
 
-/// Longest chain moved, but for whole routes; kicks move longer ones.
+/// Longest chain moved, except for whole routes; kicks move longer ones.
 const CHAIN: usize = 3;
 
 /// What stays the same during the search.
