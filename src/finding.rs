@@ -92,6 +92,8 @@ pub enum Code {
     LayerUnknown,
     /// Contours that keep their drawn line on a machine with a kerf width.
     KerfNotApplied,
+    /// The drawing lies farther from the origin than the controller's numbers can tell places apart.
+    FarFromOrigin,
     /// A check was cut short because of the size of the drawing, with what was left unchecked.
     NotAllChecked,
     /// More findings of one code than are listed one by one.

@@ -34,6 +34,7 @@ pub use written::OutputKind;
 use crate::dxf::{self, Drawing, ReadError, ReadOptions};
 use crate::finding::Finding;
 use crate::machine::ProfileError;
+use crate::output::OutputError;
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
 use sha2::{Digest, Sha256};
 
@@ -56,6 +57,9 @@ pub enum JobError {
     /// The machine is.
     #[error(transparent)]
     Machine(#[from] ProfileError),
+    /// The plan cannot be written in the format asked for.
+    #[error(transparent)]
+    Output(#[from] OutputError),
     /// A plan did not pass the independent checker: a fault of this program.
     #[error(
         "The plan does not pass its own check, nothing was written: {0}. Please report this with the drawing."

@@ -53,7 +53,7 @@ impl Job {
         let plan = self.plan()?;
         let run = self.run()?;
         Ok(match kind {
-            OutputKind::Gcode => output::gcode(&plan, self.worked(), &run.machine, &self.name),
+            OutputKind::Gcode => output::gcode(&plan, self.worked(), &run.machine, &self.name)?,
             OutputKind::Svg => output::svg(&plan, self.worked(), &run.machine),
             OutputKind::Dxf => output::dxf(&plan, self.worked()),
             OutputKind::Json => output::json(&Document {

@@ -2,6 +2,7 @@
 
 mod closed_run;
 mod corner;
+mod float32;
 mod lookahead;
 mod motion;
 mod presets;
@@ -10,6 +11,7 @@ mod profile;
 pub use closed_run::ClosedRun;
 pub(crate) use corner::MARGIN;
 pub use corner::SharpCorner;
+pub(crate) use float32::{FarOut, far_out, spacing_at};
 pub use lookahead::{cut_time, work_time};
 pub use motion::{AirTime, air_time};
 pub use presets::{preset, presets};

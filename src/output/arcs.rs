@@ -3,7 +3,8 @@
 //! A full circle is ambiguous wherever an arc is given by its ends, and an arc given by ends and radius (SVG) is ill
 //! conditioned near half a turn. Every format states the largest sweep it writes well.
 
-use crate::geometry::{Arc, Segment, math};
+use crate::geometry::{Arc, DVec2, Segment, math};
+use std::f64::consts::FRAC_PI_2;
 
 /// Slack when the number of pieces is counted, in pieces: half a turn over half a turn is one piece, whatever the
 /// last bit says.
@@ -23,6 +24,13 @@ pub(super) fn split(arc: &Arc, largest: f64) -> impl Iterator<Item = Arc> + use<
     })
 }
 
+/// The ends of equal chords that stay within `deviation` mm of the arc, in order, the arc's end last.
+pub(super) fn flattened(arc: &Arc, deviation: f64) -> impl Iterator<Item = DVec2> + use<> {
+    // r (1 - cos(sweep / 2)) is at most r sweep^2 / 8; more than a quarter of a turn says little of a circle.
+    let sweep = (8.0 * deviation / arc.radius()).sqrt().min(FRAC_PI_2);
+    split(arc, sweep).map(|piece| piece.end)
+}
+
 /// Largest distance between an arc of at most half a turn and its chord, mm: r (1 - cos(sweep / 2)), written so that
 /// small sweeps keep their digits.
 pub(super) fn sagitta(arc: &Arc) -> f64 {
@@ -33,8 +41,7 @@ pub(super) fn sagitta(arc: &Arc) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::DVec2;
-    use std::f64::consts::{FRAC_PI_2, PI, TAU};
+    use std::f64::consts::{PI, TAU};
 
     #[test]
     fn pieces_join_bit_for_bit_and_keep_the_ends() {

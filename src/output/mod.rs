@@ -17,6 +17,6 @@ mod svg;
 mod walk;
 
 pub use dxf::dxf;
-pub use gcode::gcode;
+pub use gcode::{OutputError, gcode};
 pub use json::{Budget, Document, Input, json, json_text};
 pub use svg::svg;

@@ -3,6 +3,7 @@
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Severity};
 use crate::geometry::DVec2;
+use crate::machine::FarOut;
 
 /// A finding about the shape of that index.
 pub(super) fn shape(
@@ -20,6 +21,17 @@ pub(super) fn shape(
         f.layer = layer_name(drawing, s.layer);
     }
     f
+}
+
+/// The drawing is too far from the origin to be cut.
+pub(super) fn far_from_origin(far: &FarOut) -> Finding {
+    let message = format!(
+        "The drawing reaches {:.1} m from the origin. The controller's numbers are {:.3} mm apart there, too coarse to \
+         cut: move the drawing to the origin, or correct its unit.",
+        far.at.length() / 1000.0,
+        far.spacing,
+    );
+    Finding::new(Code::FarFromOrigin, Severity::Error, message).at(far.at)
 }
 
 /// The name of a layer.

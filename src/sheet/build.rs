@@ -11,6 +11,7 @@ use super::{cross, exclude, layers, nest, outline, parts};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::Aabb;
+use crate::machine::far_out;
 use crate::order::sort_by;
 
 /// Crossings less deep than this, mm, are rounding of drawings in which lines end on each other.
@@ -63,6 +64,9 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
             }
             _ => ignored.push(Ignored { path: c.path.clone(), layer: c.layer }),
         }
+    }
+    if let Some(far) = far_out(&bounds) {
+        findings.push(about::far_from_origin(&far));
     }
     Sheet {
         parts: parts::parts(&contours),

@@ -28,6 +28,7 @@ mod mutation_hostile;
 mod oracle_ezdxf;
 mod order_options;
 mod output_dxf;
+mod output_far;
 mod output_gcode;
 mod output_json;
 mod output_png;

@@ -24,7 +24,7 @@ use std::f64::consts::{PI, TAU};
 const DEVIATION: f64 = 0.002;
 
 fn program(sheet: &Sheet, plan: &Plan, profile: &Profile) -> Program {
-    let text = output::gcode(plan, sheet, profile, "test.dxf");
+    let text = output::gcode(plan, sheet, profile, "test.dxf").unwrap();
     crate::testkit::gcode::run(&text).unwrap_or_else(|e| panic!("{e}"))
 }
 
@@ -95,13 +95,18 @@ fn a_small_plan_comes_back_as_planned() {
 #[test]
 fn a_small_plan_reads_as_expected() {
     let (sheet, plan) = crate::testkit::plans::small();
-    let text = output::gcode(&plan, &sheet, &crate::testkit::plans::machine(), "plate (v2)! \u{df}?.dxf");
+    let text =
+        output::gcode(&plan, &sheet, &crate::testkit::plans::machine(), "plate (v2)! \u{df}?.dxf").unwrap();
     let version = env!("CARGO_PKG_VERSION");
     let expected = format!(
         "; Kerfway {version}, plate v2_ __.dxf
-; machine test: Test 100 W
-; 3 contours, 2 pierces, cut 195.7 mm, air 70.7 mm, about 12.5 s
-; mm, x 10 to 50, y 10 to 40
+; machine test
+; Test 100 W
+; 3 contours, 2 pierces
+; cut 195.7 mm, air 70.7 mm
+; time: about 12.5 s
+; unit: mm
+; x 10 to 50, y 10 to 40
 ; GRBL 1.1, laser mode on, setting 32 at 1
 M5 S0
 G21 G90 G91.1 G17 G94
@@ -133,6 +138,37 @@ M2
 "
     );
     assert_eq!(text, expected);
+}
+
+#[test]
+fn no_fact_of_the_header_is_cut_off() {
+    let (sheet, mut plan) = crate::testkit::plans::small();
+    let s = &mut plan.summary;
+    (s.contours, s.pierces) = (u32::MAX, u32::MAX);
+    (s.cut_length, s.air_length, s.total_time) = (123_456_789_012.3, 98_765_432_109.8, 1_234_567_890.1);
+    s.bounds = [-131_071.9, -131_071.9, 131_071.9, 131_071.9];
+    let profile = Profile {
+        name: "workshop-".repeat(20),
+        title: "The laser beside the window ".repeat(9),
+        ..crate::testkit::plans::machine()
+    };
+    let name = format!("{} order 4711 of December.dxf", "very long name ".repeat(30));
+    let text = output::gcode(&plan, &sheet, &profile, &name).unwrap();
+    let version = env!("CARGO_PKG_VERSION");
+    for line in [
+        "; 4294967295 contours, 4294967295 pierces",
+        "; cut 123456789012.3 mm, air 98765432109.8 mm",
+        "; time: about 1234567890.1 s",
+        "; unit: mm",
+        "; x -131071.9 to 131071.9, y -131071.9 to 131071.9",
+    ] {
+        assert!(text.lines().any(|l| l == line), "{line} is missing in {text}");
+    }
+    let first = text.lines().next().unwrap();
+    assert!(first.starts_with(&format!("; Kerfway {version}, very long name")), "{first}");
+    assert!(first.ends_with("4711 of December.dxf") && first.contains("..."), "{first}");
+    // The interpreter refuses lines that are too long.
+    crate::testkit::gcode::run(&text).unwrap();
 }
 
 #[test]
@@ -242,7 +278,7 @@ fn without_return_the_head_stays_dark_where_it_ended() {
     let program = program(&sheet, &plan, &profile);
     let last = program.motions().last().unwrap();
     assert_eq!((last.rapid, last.path.to), (false, DVec2::new(5.0, 2.0)));
-    let text = output::gcode(&plan, &sheet, &profile, "x");
+    let text = output::gcode(&plan, &sheet, &profile, "x").unwrap();
     assert!(text.ends_with("M5 S0\nM2\n"), "{text}");
 }
 

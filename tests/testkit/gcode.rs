@@ -2,8 +2,9 @@
 //!
 //! Written from GRBL's documentation, sharing no code with the writer. It is strict: what GRBL refuses is an error here
 //! (two words of one modal group, an arc whose radii differ, motion without feed, too long a line), and so is any word
-//! it does not know. Geometry is kept in `f64`; GRBL's own checks are done in `f32`, as it computes.
+//! it does not know. Geometry is kept in `f64`; GRBL's own checks of arcs are done in `f32` (`grbl_arc.rs`).
 
+use super::grbl_arc::{self, READINGS, Vec32};
 use crate::testkit::paths::Element;
 use glam::DVec2;
 use std::f64::consts::TAU;
@@ -74,6 +75,8 @@ struct Controller {
     inches: bool,
     relative: bool,
     at: DVec2,
+    /// The same place in GRBL's numbers, by each way to read them.
+    at32: [Vec32; 2],
 }
 
 /// One line's words.
@@ -89,6 +92,8 @@ struct Block {
     arc_mode: bool,
     end: bool,
     values: [Option<f64>; 7],
+    /// The text of each value, which GRBL reads as a 32-bit float.
+    texts: [String; 7],
 }
 
 /// Letters with values, in the order of [`Block::values`].
@@ -105,6 +110,7 @@ pub(crate) fn run(text: &str) -> Result<Program, String> {
         inches: false,
         relative: false,
         at: DVec2::ZERO,
+        at32: [[0.0; 2]; 2],
     };
     for (i, line) in text.lines().enumerate() {
         controller.line(line, &mut program).map_err(|e| format!("line {}: {e}: {line}", i + 1))?;
@@ -156,6 +162,7 @@ impl Controller {
         self.relative = block.relative.unwrap_or(self.relative);
         if x.is_some() || y.is_some() {
             let motion = self.motion(DVec2::new(x.unwrap_or(f64::NAN), y.unwrap_or(f64::NAN)), i, j)?;
+            self.at32 = self.arrive32(block, motion.path.arc.map(|(_, sweep)| sweep))?;
             self.at = motion.path.to;
             program.events.push(Event::Motion(motion));
         } else if i.is_some() || j.is_some() || p.is_some() {
@@ -183,7 +190,7 @@ impl Controller {
                     return Err("arc without centre".into());
                 }
                 let offset = DVec2::new(i.unwrap_or(0.0), j.unwrap_or(0.0)) * unit;
-                (arc(self.at, to, offset, g == 3)?, commanded, self.feed)
+                (arc(self.at, to, offset, g == 3), commanded, self.feed)
             }
         };
         if self.motion < 2 && (i.is_some() || j.is_some()) {
@@ -191,16 +198,29 @@ impl Controller {
         }
         Ok(Motion { rapid: self.motion == 0, path, beam, commanded, feed })
     }
+
+    /// Where a motion ends in GRBL's numbers, by each way to read them; an error for an arc (of this sweep, rad) that
+    /// GRBL would refuse, or run as another one.
+    fn arrive32(&self, block: &Block, sweep: Option<f64>) -> Result<[Vec32; 2], String> {
+        let unit = if self.inches { 25.4 } else { 1.0 };
+        let mut ends = self.at32;
+        for ((read, from), end) in READINGS.iter().zip(self.at32).zip(&mut ends) {
+            let value = |i: usize| block.values[i].map(|_| read(&block.texts[i]) * unit);
+            for axis in 0..2 {
+                let base = if self.relative { from[axis] } else { 0.0 };
+                end[axis] = value(axis).map_or(from[axis], |v| base + v);
+            }
+            if let Some(sweep) = sweep {
+                let offset = [value(2).unwrap_or(0.0), value(3).unwrap_or(0.0)];
+                grbl_arc::check(from, *end, offset, sweep)?;
+            }
+        }
+        Ok(ends)
+    }
 }
 
-/// An arc as GRBL takes it: radii compared, and anything under 5e-7 rad a full circle.
-fn arc(from: DVec2, to: DVec2, offset: DVec2, ccw: bool) -> Result<Element, String> {
-    let (offset32, chord32) = (offset.as_vec2(), to.as_vec2() - from.as_vec2());
-    let radius = offset32.length();
-    let difference = ((chord32 - offset32).length() - radius).abs();
-    if difference > 0.005 && (difference > 0.5 || difference > 0.001 * radius) {
-        return Err(format!("radii {difference} mm apart"));
-    }
+/// An arc, exactly as it is written; anything under 5e-7 rad is a full circle.
+fn arc(from: DVec2, to: DVec2, offset: DVec2, ccw: bool) -> Element {
     let center = from + offset;
     let (a, b) = (-offset, to - center);
     let turn = f64::atan2(a.perp_dot(b), a.dot(b));
@@ -209,7 +229,7 @@ fn arc(from: DVec2, to: DVec2, offset: DVec2, ccw: bool) -> Result<Element, Stri
         false if turn >= -5e-7 => turn - TAU,
         _ => turn,
     };
-    Ok(Element { from, to, arc: Some((center, sweep)) })
+    Element { from, to, arc: Some((center, sweep)) }
 }
 
 fn parse(words: &str) -> Result<Block, String> {
@@ -233,7 +253,10 @@ fn parse(words: &str) -> Result<Block, String> {
             ("M", "4") => block.spindle.replace(Spindle::Dynamic).is_some(),
             ("M", "5") => block.spindle.replace(Spindle::Off).is_some(),
             (letter, _) => match VALUES.find(letter) {
-                Some(at) => block.values[at].replace(value).is_some(),
+                Some(at) => {
+                    number.clone_into(&mut block.texts[at]);
+                    block.values[at].replace(value).is_some()
+                }
                 None => return Err(format!("unknown word {word}")),
             },
         };

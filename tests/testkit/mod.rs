@@ -20,6 +20,7 @@ pub mod crew;
 pub mod drawings;
 pub mod dxf_text;
 pub mod gcode;
+pub mod grbl_arc;
 pub mod mutate;
 pub mod outlines;
 pub mod paths;

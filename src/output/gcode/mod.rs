@@ -21,26 +21,52 @@
 //!
 //! Source: GRBL 1.1, gcode.c (steps 4 and 7 of the block), spindle_control.c, protocol.c, wiki "Grbl v1.1 Laser Mode".
 
+mod grbl_arc;
 mod pen;
 
 use super::number::fixed;
 use super::walk::{cuts, layer_name};
-use crate::geometry::Segment;
-use crate::machine::{Dialect, Process, Profile};
+use crate::geometry::{Aabb, DVec2, Segment};
+use crate::machine::{Dialect, Process, Profile, far_out};
 use crate::plan::{Move, Plan};
 use crate::sheet::Sheet;
 use pen::Pen;
 use std::mem;
 
-/// Longest comment, in characters: with the semicolon well short of GRBL's 80.
+/// Longest comment, in characters: with the semicolon and a space well short of the 80 that GRBL holds.
 const COMMENT: usize = 66;
 
+/// Why a plan cannot be written as a program: one sentence for people.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum OutputError {
+    /// The controller's numbers are too coarse there.
+    #[error(
+        "The program would reach x {x:.0}, y {y:.0} mm, where the controller's 32-bit numbers are {spacing:.3} mm apart: \
+         move the drawing and the machine's home near the origin, or correct the drawing's unit."
+    )]
+    FarFromOrigin {
+        /// Where, mm.
+        x: f64,
+        /// Where, mm.
+        y: f64,
+        /// Distance between neighbouring numbers there, mm.
+        spacing: f64,
+    },
+}
+
 /// The program of a plan for a machine; `name` of the job for its head comment. mm, absolute, in the work coordinates
-/// that are active on the machine. The head may stand anywhere: it goes to the plan's home first.
-pub fn gcode(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
-    match profile.dialect {
-        Dialect::GrblM4 => grbl(plan, sheet, profile, name),
+/// that are active on the machine. The head may stand anywhere: it goes to the plan's home first. An error where the
+/// controller's 32-bit numbers are too coarse for the job.
+pub fn gcode(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> Result<String, OutputError> {
+    let [x0, y0, x1, y1] = plan.summary.bounds;
+    let bounds = Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) };
+    if let Some(far) = far_out(&bounds.with(profile.home())) {
+        return Err(OutputError::FarFromOrigin { x: far.at.x, y: far.at.y, spacing: far.spacing });
     }
+    Ok(match profile.dialect {
+        Dialect::GrblM4 => grbl(plan, sheet, profile, name),
+    })
 }
 
 fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
@@ -71,7 +97,8 @@ fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
                     order += 1;
                     let layer = layer_name(sheet, *contour);
                     let verb = if *mark { "mark" } else { "cut" };
-                    comment(&mut pen, &format!("{order} of {all}: {verb} contour {contour}, layer {layer}"));
+                    let words = format!("{order} of {all}: {verb} contour {contour}, layer ");
+                    comment_naming(&mut pen, &words, layer);
                 }
                 work_contour(&mut pen, profile, profile.process(*mark), path, mem::take(&mut pierce));
             }
@@ -100,21 +127,16 @@ fn work_contour(pen: &mut Pen, profile: &Profile, process: &Process, path: &[Seg
 fn head(pen: &mut Pen, plan: &Plan, profile: &Profile, name: &str) {
     let sums = &plan.summary;
     let version = env!("CARGO_PKG_VERSION");
-    comment(pen, &format!("Kerfway {version}, {name}"));
-    comment(pen, &format!("machine {}: {}", profile.name, profile.title));
-    comment(
-        pen,
-        &format!(
-            "{} contours, {} pierces, cut {} mm, air {} mm, about {} s",
-            sums.contours,
-            sums.pierces,
-            fixed(sums.cut_length, 1),
-            fixed(sums.air_length, 1),
-            fixed(sums.total_time, 1)
-        ),
-    );
-    let [x0, y0, x1, y1] = sums.bounds.map(|v| fixed(v, 1).to_string());
-    comment(pen, &format!("mm, x {x0} to {x1}, y {y0} to {y1}"));
+    comment_naming(pen, &format!("Kerfway {version}, "), name);
+    comment_naming(pen, "machine ", &profile.name);
+    comment_naming(pen, "", &profile.title);
+    comment(pen, &format!("{} contours, {} pierces", sums.contours, sums.pierces));
+    let [cut, air] = [sums.cut_length, sums.air_length].map(|v| fixed(v, 1));
+    comment(pen, &format!("cut {cut} mm, air {air} mm"));
+    comment(pen, &format!("time: about {} s", fixed(sums.total_time, 1)));
+    comment(pen, "unit: mm");
+    let [x0, y0, x1, y1] = sums.bounds.map(|v| fixed(v, 1));
+    comment(pen, &format!("x {x0} to {x1}, y {y0} to {y1}"));
     comment(pen, "GRBL 1.1, laser mode on, setting 32 at 1");
     pen.off();
     pen.command("G21 G90 G91.1 G17 G94");
@@ -122,14 +144,34 @@ fn head(pen: &mut Pen, plan: &Plan, profile: &Profile, name: &str) {
     pen.find_start();
 }
 
-/// A comment line of plain characters that no controller acts upon; parentheses, which some take for the comments they
-/// are in other dialects, are left out.
+/// A comment line, in plain characters.
 fn comment(pen: &mut Pen, text: &str) {
+    debug_assert!(text.len() <= COMMENT, "a comment that its line cannot hold: {text}");
+    let text = plain(text);
+    pen.command(&format!("; {}", text.trim_end()));
+}
+
+/// A comment line that ends in a name somebody else chose: where the line would be too long, the name is shortened in its
+/// middle, so that the words before it and the ending of a file's name remain.
+fn comment_naming(pen: &mut Pen, words: &str, name: &str) {
+    const GAP: &str = "...";
+    let (name, room) = (plain(name), COMMENT.saturating_sub(words.len()));
+    if name.len() <= room {
+        return comment(pen, &format!("{words}{name}"));
+    }
+    let kept = room.saturating_sub(GAP.len());
+    // Plain characters are of one byte each.
+    let (start, end) = (&name[..kept - kept / 2], &name[name.len() - kept / 2..]);
+    comment(pen, &format!("{words}{start}{GAP}{end}"));
+}
+
+/// Text in characters that no controller acts upon; parentheses, which some take for the comments they are in other
+/// dialects, are left out.
+fn plain(text: &str) -> String {
     let plain = |c: char| match c {
         ' ' | '.' | ',' | ':' | '_' | '+' | '-' | '=' | '/' => c,
         c if c.is_ascii_alphanumeric() => c,
         _ => '_',
     };
-    let line: String = text.chars().filter(|c| !matches!(c, '(' | ')')).map(plain).take(COMMENT).collect();
-    pen.command(&format!("; {}", line.trim_end()));
+    text.chars().filter(|c| !matches!(c, '(' | ')')).map(plain).collect()
 }

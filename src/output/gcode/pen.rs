@@ -1,18 +1,18 @@
-//! The head as the controller sees it: where it stands after rounding, which feed and power are in force, and the
-//! lines that take it further.
+//! The head as the controller sees it: its place after rounding, the feed and power in force, and the lines that take
+//! it further.
 //!
-//! Coordinates are rounded to 0.001 mm from their absolute values, so errors never add up. An arc goes out in pieces of
+//! Coordinates are rounded to 0.001 mm from their absolute values, so errors never add up. An arc is written in pieces of
 //! at most half a turn, as G2 or G3 with I and J: a full circle is two halves, as controllers differ on arcs that end
 //! where they start. I and J are computed from the rounded ends: the centre is moved onto the perpendicular bisector
-//! of the rounded chord, so both radii agree but for the rounding of I and J itself, 0.0001 mm, where GRBL refuses
-//! beyond 0.005 mm and 0.1 % of the radius. What cannot be told from its chord after rounding is a line, and what
-//! rounds to one point is left out; so no short arc can come out as a full circle, which is what GRBL makes of an arc
-//! under 5e-7 rad.
+//! of the rounded chord, so both radii agree but for the rounding of I and J itself, 0.0001 mm. An arc that cannot be
+//! told from its chord after rounding is a line, and an element that rounds to one point is left out. An arc that the
+//! controller might refuse or distort in its 32-bit numbers is written as chords (`grbl_arc.rs`).
 //!
-//! Every motion lies within 0.002 mm of the element it stands for.
+//! Every motion, as it is written, lies within 0.002 mm of the element it stands for.
 
 use super::super::arcs;
 use super::super::number::fixed;
+use super::grbl_arc;
 use crate::geometry::{Arc, DVec2, Segment};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -27,6 +27,9 @@ const SLOWEST: f64 = 1.0 / GRID;
 const CENTER_DECIMALS: usize = 4;
 /// An arc flatter than half the grid is a line: rounding its ends moves it as far.
 const FLAT: f64 = 0.5 / GRID;
+/// Largest distance between an arc and the chords written for it, mm: with the rounding of their ends, 0.0007 mm, less
+/// than the 0.002 mm that GRBL itself allows the chords it makes of an arc.
+const CHORD_DEVIATION: f64 = 0.001;
 
 /// Writes the program and knows what is in force.
 pub(super) struct Pen {
@@ -148,6 +151,9 @@ impl Pen {
         let middle = (self.at + to) * 0.5;
         let across = (to - self.at).perp().normalize_or_zero();
         let offset = middle + across * (arc.center - middle).dot(across) - self.at;
+        if !grbl_arc::is_safe(self.at, to, offset) {
+            return arcs::flattened(arc, CHORD_DEVIATION).for_each(|end| self.straight(rounded(end)));
+        }
         let word = if arc.ccw() { "G3" } else { "G2" };
         let (i, j) = (fixed(offset.x, CENTER_DECIMALS), fixed(offset.y, CENTER_DECIMALS));
         self.motion(format!("{word}{} I{i} J{j}", Words(to)), to);
