@@ -88,6 +88,7 @@ impl Code {
                 "contour is cut along its drawn line, without kerf compensation",
                 "contours are cut along their drawn lines, without kerf compensation",
             ),
+            Self::FarFromOrigin => Whole("The drawing lies too far from the origin to be cut"),
             Self::NotAllChecked => Counted(
                 "check was cut short because of the size of the drawing",
                 "checks were cut short because of the size of the drawing",

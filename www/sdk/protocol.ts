@@ -58,7 +58,7 @@ export type FindingCode =
   | 'hidden-entity' | 'units-guessed' | 'units-doubtful' | 'encoding' | 'projected' | 'outline-taken'
   | 'gap-closed' | 'gap-left' | 'branch' | 'duplicate-removed' | 'overlap-removed' | 'common-cut' | 'zero-length' | 'self-crossing' | 'crossing'
   | 'open-contour' | 'several-layers' | 'sheet-outline' | 'layer-suggestion' | 'layer-ignored' | 'contour-excluded' | 'layer-unknown'
-  | 'kerf-not-applied' | 'not-all-checked' | 'more';
+  | 'kerf-not-applied' | 'far-from-origin' | 'not-all-checked' | 'more';
 
 /** Something a person should know about the drawing, with its place. */
 export interface Finding {

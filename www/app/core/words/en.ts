@@ -39,10 +39,10 @@ const findingTitles: Record<FindingCode, string> = {
   'several-layers': 'Contours on several layers',
   'sheet-outline': 'Border of the sheet',
   'layer-suggestion': 'Layers that are probably not cut',
-  'far-from-origin': 'Too far from the origin',
   'layer-ignored': 'Layers left out',
   'contour-excluded': 'Contours left out',
   'layer-unknown': 'Layers that are not in the drawing',
+  'far-from-origin': 'Too far from the origin',
   'not-all-checked': 'Checks cut short',
   more: 'More, not listed one by one',
 };
