@@ -192,6 +192,38 @@ pub struct ReadOptions {
     pub keep_damaged: bool,
     /// Bounds.
     pub limits: Limits,
+    /// Reads names in code pages of several bytes a character.
+    pub decoder: TextDecoder,
+}
+
+/// Decodes bytes in an encoding named by its label in the WHATWG Encoding Standard, with U+FFFD where they mean nothing.
+///
+/// The default has all tables natively. In wasm it has none and reads UTF-8: the bindings hand over the platform's decoder.
+#[derive(Clone, Copy, Debug)]
+pub struct TextDecoder(pub fn(label: &str, bytes: &[u8]) -> String);
+
+impl Default for TextDecoder {
+    fn default() -> Self {
+        Self(decode)
+    }
+}
+
+/// Decoders read the same text, so options that differ in nothing else are the same.
+impl PartialEq for TextDecoder {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn decode(label: &str, bytes: &[u8]) -> String {
+    let encoding = encoding_rs::Encoding::for_label(label.as_bytes()).unwrap_or(encoding_rs::UTF_8);
+    encoding.decode_without_bom_handling(bytes).0.into_owned()
+}
+
+#[cfg(target_arch = "wasm32")]
+fn decode(_: &str, bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
 }
 
 impl Default for ReadOptions {
@@ -201,6 +233,7 @@ impl Default for ReadOptions {
             tolerance: 0.005,
             keep_damaged: false,
             limits: Limits { bytes: 256 << 20, elements: 2_000_000, depth: 16, coordinate: 1e6 },
+            decoder: TextDecoder::default(),
         }
     }
 }

@@ -1,5 +1,7 @@
-//! Code pages of several bytes a character. Their tables weigh 200 kB: in wasm the platform's own decoder is asked,
-//! which every browser and Node have for the web's sake.
+//! Code pages of several bytes a character. Their tables weigh 200 kB, so in wasm the caller hands over the platform's own
+//! decoder ([`TextDecoder`]), which every browser and Node have.
+
+use super::drawing::TextDecoder;
 
 /// A code page by its label in the WHATWG Encoding Standard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,20 +31,9 @@ impl EastAsian {
     }
 
     /// The text of `bytes`, and whether some of them meant nothing.
-    pub(super) fn decode(self, bytes: &[u8]) -> (String, bool) {
-        let text = decode(self.label(), bytes);
+    pub(super) fn decode(self, decoder: TextDecoder, bytes: &[u8]) -> (String, bool) {
+        let text = (decoder.0)(self.label(), bytes);
         let wrong = text.chars().any(|c| c == char::REPLACEMENT_CHARACTER);
         (text, wrong)
     }
-}
-
-#[cfg(not(target_arch = "wasm32"))]
-fn decode(label: &str, bytes: &[u8]) -> String {
-    let encoding = encoding_rs::Encoding::for_label(label.as_bytes()).unwrap_or(encoding_rs::UTF_8);
-    encoding.decode_without_bom_handling(bytes).0.into_owned()
-}
-
-#[cfg(target_arch = "wasm32")]
-fn decode(label: &str, bytes: &[u8]) -> String {
-    crate::wasm::decode(label, bytes)
 }

@@ -6,6 +6,7 @@
 //! in a one-byte code page is next to impossible by chance.
 
 use super::code_pages::{self as pages, SingleByte};
+use super::drawing::TextDecoder;
 use super::east_asian::EastAsian;
 use super::header::Header;
 use std::borrow::Cow;
@@ -28,12 +29,12 @@ impl Encoding {
     }
 
     /// The text of `bytes`, and whether some of them meant nothing.
-    fn decode(self, bytes: &[u8]) -> (String, bool) {
+    fn decode(self, decoder: TextDecoder, bytes: &[u8]) -> (String, bool) {
         match self {
             // A file that says UTF-8 and is not was written in the code page of the writer's computer.
             Self::Utf8 => (pages::WINDOWS_1252.decode(bytes).0, true),
             Self::SingleByte(page) => page.decode(bytes),
-            Self::EastAsian(page) => page.decode(bytes),
+            Self::EastAsian(page) => page.decode(decoder, bytes),
         }
     }
 }
@@ -42,12 +43,13 @@ impl Encoding {
 #[derive(Debug)]
 pub(super) struct Decoder {
     encoding: Encoding,
+    decoder: TextDecoder,
     replaced: u32,
 }
 
 impl Decoder {
     /// The decoder that goes with a header.
-    pub(super) fn new(header: &Header<'_>) -> Self {
+    pub(super) fn new(header: &Header<'_>, decoder: TextDecoder) -> Self {
         // Versions are AC and four digits: byte order is the order of releases.
         let utf8 = header.version.is_some_and(|v| v.starts_with(b"AC") && v >= b"AC1021".as_slice());
         let declared = header.code_page.and_then(code_page);
@@ -57,6 +59,7 @@ impl Decoder {
             } else {
                 declared.unwrap_or(Encoding::SingleByte(&pages::WINDOWS_1252))
             },
+            decoder,
             replaced: 0,
         }
     }
@@ -74,7 +77,7 @@ impl Decoder {
     /// The text of `bytes`.
     pub(super) fn text<'b>(&mut self, bytes: &'b [u8]) -> Cow<'b, str> {
         let text = self.decode(bytes);
-        if text.contains('\\') { Cow::Owned(unescape(&text)) } else { text }
+        if text.contains('\\') { Cow::Owned(unescape(&text, self.decoder)) } else { text }
     }
 
     fn decode<'b>(&mut self, bytes: &'b [u8]) -> Cow<'b, str> {
@@ -83,7 +86,7 @@ impl Decoder {
         if may_be_utf8 && let Ok(text) = std::str::from_utf8(bytes) {
             return Cow::Borrowed(text);
         }
-        let (text, wrong) = self.encoding.decode(bytes);
+        let (text, wrong) = self.encoding.decode(self.decoder, bytes);
         self.replaced = self.replaced.saturating_add(u32::from(wrong));
         Cow::Owned(text)
     }
@@ -129,13 +132,13 @@ fn code_page(name: &[u8]) -> Option<Encoding> {
 }
 
 /// Replaces `\U+XXXX` and `\M+nXXXX`; what is malformed stays as it is.
-fn unescape(text: &str) -> String {
+fn unescape(text: &str, decoder: TextDecoder) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(start) = rest.find('\\') {
         let (before, escape) = rest.split_at(start);
         out.push_str(before);
-        let (c, length) = match (unicode_escape(escape), multibyte_escape(escape)) {
+        let (c, length) = match (unicode_escape(escape), multibyte_escape(escape, decoder)) {
             (Some(c), _) => (c, 7),
             (_, Some(c)) => (c, 8),
             _ => ('\\', 1),
@@ -151,7 +154,7 @@ fn unicode_escape(text: &str) -> Option<char> {
     char::from_u32(hex4(text.strip_prefix("\\U+")?)?)
 }
 
-fn multibyte_escape(text: &str) -> Option<char> {
+fn multibyte_escape(text: &str, decoder: TextDecoder) -> Option<char> {
     let digits = text.strip_prefix("\\M+")?;
     let encoding = match digits.bytes().next()? {
         b'1' => EastAsian::ShiftJis,
@@ -162,7 +165,7 @@ fn multibyte_escape(text: &str) -> Option<char> {
     };
     let code = u16::try_from(hex4(digits.get(1..)?)?).ok()?;
     let bytes = code.to_be_bytes();
-    let (text, wrong) = encoding.decode(&bytes);
+    let (text, wrong) = encoding.decode(decoder, &bytes);
     if wrong { None } else { text.chars().next() }
 }
 

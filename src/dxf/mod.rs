@@ -38,7 +38,8 @@ mod trace;
 mod units;
 
 pub use drawing::{
-    Drawing, EntityKindCount, Layer, Limits, ReadError, ReadOptions, Shape, Unit, Units, UnitsSource,
+    Drawing, EntityKindCount, Layer, Limits, ReadError, ReadOptions, Shape, TextDecoder, Unit, Units,
+    UnitsSource,
 };
 
 use crate::finding::{Code, Finding, Severity};
@@ -62,7 +63,7 @@ pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadError> {
     if let Some(sentence) = sniff::other_format(bytes) {
         return Err(ReadError::NotDxf(sentence.to_owned()));
     }
-    let mut file = File::read(bytes);
+    let mut file = file::read(bytes);
     if !file.recognised {
         return Err(ReadError::NotDxf(
             "This is not a DXF file, or one damaged beyond reading. Save the drawing as DXF and drop it again.".to_owned(),
@@ -72,7 +73,7 @@ pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadError> {
     let (units, units_finding) = units::decide(&file.header, options.unit, size.max_element());
     let mut notes = std::mem::take(&mut file.notes);
     let shapes = expand::shapes(&file, units.unit.millimetres(), options, &mut notes)?;
-    let mut decoder = Decoder::new(&file.header);
+    let mut decoder = Decoder::new(&file.header, options.decoder);
     let layers = layers(&file, &mut decoder);
     let mut findings: Vec<Finding> = units_finding.into_iter().collect();
     findings.extend(notes.into_findings(&mut decoder, &layers));

@@ -1,11 +1,9 @@
 //! Affine maps of the plane: what an INSERT, an extrusion direction or a change of units does to a shape.
 //!
 //! Lines stay lines under every map. Arcs stay arcs only under a similarity (turn, mirror, equal scale, move);
-//! under any other map they become pieces of an ellipse, see [`Ellipse`].
+//! under any other map they become pieces of an ellipse, see [`Ellipse`](super::Ellipse).
 
-use super::ellipse::Ellipse;
 use super::math;
-use super::path::Path;
 use super::segment::{Arc, Segment};
 use glam::DVec2;
 
@@ -80,7 +78,7 @@ impl Affine {
     }
 
     /// The image of a line, or of an arc under a similarity; `None` for an arc that becomes a piece of an
-    /// ellipse ([`Ellipse::of_arc`]). A mirror turns the arc's direction.
+    /// ellipse ([`Ellipse::of_arc`](super::Ellipse::of_arc)). A mirror turns the arc's direction.
     pub fn segment(&self, s: &Segment) -> Option<Segment> {
         match *s {
             Segment::Line(l) => Some(Segment::line(self.point(l.start), self.point(l.end))),
@@ -92,37 +90,5 @@ impl Affine {
             })),
             Segment::Arc(_) => None,
         }
-    }
-
-    /// The image of a path, joined as it was; arcs that become pieces of an ellipse are fitted within `tolerance` mm.
-    /// Arcs that shrink to a point disappear.
-    pub fn path(&self, path: &Path, tolerance: f64) -> Path {
-        let similar = self.is_similarity();
-        let mut out = Vec::with_capacity(path.segments.len());
-        for s in &path.segments {
-            match s {
-                Segment::Arc(a) if !similar => {
-                    let from = out.len();
-                    out.extend(Ellipse::of_arc(a, self).to_segments(tolerance));
-                    pin_ends(&mut out[from..], self.point(a.start), self.point(a.end));
-                }
-                _ => out.extend(self.segment(s)),
-            }
-        }
-        Path::new(out, path.closed)
-    }
-}
-
-/// Sets the ends of a chain that misses them by rounding.
-fn pin_ends(chain: &mut [Segment], start: DVec2, end: DVec2) {
-    match chain.first_mut() {
-        Some(Segment::Line(l)) => l.start = start,
-        Some(Segment::Arc(a)) => a.start = start,
-        None => {}
-    }
-    match chain.last_mut() {
-        Some(Segment::Line(l)) => l.end = end,
-        Some(Segment::Arc(a)) => a.end = end,
-        None => {}
     }
 }

@@ -1,8 +1,10 @@
 //! Segments joined end to end as a fit makes them; neighbours on one line or circle become one.
 
-use super::fit::EXACT;
 use super::segment::{Arc, Segment};
 use std::f64::consts::TAU;
+
+/// Share of the tolerance within which a stretch *is* a line or an arc, and two neighbours lie on one.
+pub(super) const EXACT: f64 = 0.002;
 
 /// A growing chain.
 pub(super) struct Chain {

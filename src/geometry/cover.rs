@@ -8,10 +8,12 @@
 
 use super::biarc::{Biarc, bend};
 use super::chain::Chain;
-use super::fit::MEASURED;
 use super::sample::Sample;
 use super::segment::Segment;
 
+/// Share of the tolerance a fit may use as measured at the samples. The rest covers the samples' own resolution (a
+/// twentieth) and what lies between them.
+pub(super) const MEASURED: f64 = 0.85;
 /// Largest sum of sines of the turns inside one biarc: about half a circle, so that its arcs stay below that.
 const TURN: f64 = 3.0;
 

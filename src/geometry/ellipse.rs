@@ -3,7 +3,7 @@
 use super::affine::Affine;
 use super::fit;
 use super::math;
-use super::sample::Curve;
+use super::sampler::Curve;
 use super::segment::{Arc, Segment};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, TAU};

@@ -1,6 +1,6 @@
 //! From a parametric curve to lines and arcs within a tolerance.
 //!
-//! 1. The curve is sampled and split where its direction jumps ([`sample`](super::sample)).
+//! 1. The curve is sampled and split where its direction jumps ([`sampler`](super::sampler)).
 //! 2. A run between two kinks that is one line, one arc or one circle within the tolerance becomes just that
 //!    ([`single`](super::single)).
 //! 3. Otherwise the stretches of a run that *are* a line or an arc, far below the tolerance, are taken as such: a
@@ -11,17 +11,13 @@
 //! Chains join bit for bit; within a run the direction is continuous; the ends are those of the curve.
 
 use super::biarc::{Biarc, Bow};
-use super::chain::Chain;
-use super::cover::{cover, reach};
-use super::sample::{self, Curve, Sample};
+use super::chain::{Chain, EXACT};
+use super::cover::{MEASURED, cover, reach};
+use super::sample::Sample;
+use super::sampler::{self, Curve};
 use super::segment::Segment;
 use super::single::single;
 
-/// Share of the tolerance a fit may use as measured at the samples. The rest covers the samples' own resolution (a
-/// twentieth) and what lies between them.
-pub(super) const MEASURED: f64 = 0.85;
-/// Share of the tolerance within which a stretch *is* a line or an arc, and two neighbours lie on one.
-pub(super) const EXACT: f64 = 0.002;
 /// A stretch that is exact is taken as one piece when it reaches at least this share of what the full tolerance
 /// reaches with one arc. On a curve of steadily changing curvature the shares are as the cube roots of the
 /// tolerances, 0.13 here: such a stretch is no drawn line or arc.
@@ -38,7 +34,7 @@ pub(super) fn fit(curve: &dyn Curve, tolerance: f64) -> Vec<Segment> {
     let tolerance = if tolerance.is_finite() { tolerance.max(FINEST) } else { FINEST };
     let mut chain = Chain::new(tolerance);
     if curve.extent().is_finite() {
-        for run in sample::runs(curve, tolerance) {
+        for run in sampler::runs(curve, tolerance) {
             chain.start_run();
             match single(&run, tolerance * MEASURED) {
                 Some(segment) => chain.push(segment),

@@ -9,7 +9,7 @@
 use super::affine::Affine;
 use super::fit;
 use super::knots::{CurveError, ascending, complete};
-use super::sample::Curve;
+use super::sampler::Curve;
 use super::segment::Segment;
 use glam::DVec2;
 

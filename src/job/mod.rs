@@ -5,6 +5,7 @@
 //! the caller, who has a clock and a person to listen to, says how many each time. Slices of any size give the same
 //! bytes.
 
+mod error;
 #[cfg(feature = "papers")]
 mod guest;
 mod hosted;
@@ -19,6 +20,7 @@ mod solving;
 mod warm;
 mod written;
 
+pub use error::JobError;
 #[cfg(feature = "papers")]
 pub use guest::Guest;
 pub use options::{Budget, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
@@ -31,41 +33,10 @@ pub use solving::Solving;
 pub use warm::Warm;
 pub use written::OutputKind;
 
-use crate::dxf::{self, Drawing, ReadError, ReadOptions};
+use crate::dxf::{self, Drawing, ReadOptions};
 use crate::finding::Finding;
-use crate::machine::ProfileError;
-use crate::output::OutputError;
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
 use sha2::{Digest, Sha256};
-
-/// Why a job cannot go on: one sentence for people.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum JobError {
-    /// The file is unusable.
-    #[error(transparent)]
-    Read(#[from] ReadError),
-    /// An option is.
-    #[error("{0}")]
-    Options(String),
-    /// Nothing on the sheet is to be cut or marked.
-    #[error("There is nothing to cut: {0}")]
-    NothingToCut(&'static str),
-    /// Asked for a plan before there was one.
-    #[error("There is no plan yet. Start one first.")]
-    NoPlan,
-    /// The machine is.
-    #[error(transparent)]
-    Machine(#[from] ProfileError),
-    /// The plan cannot be written in the format asked for.
-    #[error(transparent)]
-    Output(#[from] OutputError),
-    /// A plan did not pass the independent checker: a fault of this program.
-    #[error(
-        "The plan does not pass its own check, nothing was written: {0}. Please report this with the drawing."
-    )]
-    Unsound(String),
-}
 
 /// One drawing through the whole flow.
 pub struct Job {

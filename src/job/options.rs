@@ -3,7 +3,7 @@
 //! The structs mirror `www/sdk/protocol.ts` (camel case there); what is left out takes the default.
 
 use super::{JobError, Warm};
-use crate::dxf::{ReadOptions, Unit};
+use crate::dxf::{ReadOptions, TextDecoder, Unit};
 use crate::machine::{self, Profile};
 use crate::sheet::{CommonCuts, Operation, SheetOptions};
 use serde::de::value::MapAccessDeserializer;
@@ -48,6 +48,9 @@ pub struct LoadOptions {
     pub last: Vec<u32>,
     /// Contours left out, by id.
     pub exclude: Vec<u32>,
+    /// Reads names in code pages of several bytes a character. No option of the caller: the bindings set it.
+    #[serde(skip)]
+    pub decoder: TextDecoder,
 }
 
 impl Default for LoadOptions {
@@ -66,6 +69,7 @@ impl Default for LoadOptions {
             first: sheet.first,
             last: sheet.last,
             exclude: sheet.exclude,
+            decoder: read.decoder,
         }
     }
 }
@@ -84,6 +88,7 @@ impl LoadOptions {
             unit: self.units,
             tolerance: self.tolerance,
             keep_damaged: self.keep_damaged,
+            decoder: self.decoder,
             ..ReadOptions::default()
         })
     }

@@ -88,8 +88,10 @@ impl Run {
         let summary = |s: &Solution| plan::from_solution(sheet, &problem, s).summary;
         let findings = shared::findings(sheet, &problem);
         let greedy = solve::greedy(&problem);
-        let baselines =
-            Baselines { drawing: summary(&solve::drawing_order(sheet, &problem)), greedy: summary(&greedy) };
+        let baselines = Baselines {
+            drawing: summary(&solve::in_order(&problem, sheet.drawing_order())),
+            greedy: summary(&greedy),
+        };
         let (workers, stream) = (options.workers()?, options.stream());
         let warm = options.warm.as_ref().map(|w| warm::solution(w, &problem)).transpose()?;
         #[cfg(feature = "lab")]

@@ -7,16 +7,6 @@
 
 use super::profile::Profile;
 use crate::geometry::{DVec2, Segment, math};
-use serde::{Deserialize, Serialize};
-
-/// When a corner needs a macro, and what it takes.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SharpCorner {
-    /// Corners are sharp whose elements meet at less than this angle, rad: pi is straight on.
-    pub angle: f64,
-    /// Seconds that the corner cools.
-    pub time: f64,
-}
 
 /// Corners are sharp below the limit by more than this, rad: the right angles of a turned drawing are right angles still.
 pub(crate) const MARGIN: f64 = 1e-6;

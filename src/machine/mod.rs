@@ -7,12 +7,13 @@ mod lookahead;
 mod motion;
 mod presets;
 mod profile;
+mod sharp_corner;
 
 pub use closed_run::ClosedRun;
 pub(crate) use corner::MARGIN;
-pub use corner::SharpCorner;
 pub(crate) use float32::{FarOut, far_out, spacing_at};
 pub use lookahead::{cut_time, work_time};
 pub use motion::{AirTime, air_time};
 pub use presets::{preset, presets};
 pub use profile::{Axes, Dialect, Process, Profile, ProfileError, Travel};
+pub use sharp_corner::SharpCorner;

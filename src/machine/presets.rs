@@ -5,8 +5,8 @@
 //! 0.010 mm by default) and `$30` (full power, 1000) in the GRBL wiki; data sheets and cutting tables that makers
 //! of such machines publish. Each figure has its own reason beside it.
 
-use super::corner::SharpCorner;
 use super::profile::{Axes, Dialect, Process, Profile, Travel, VERSION};
+use super::sharp_corner::SharpCorner;
 use std::f64::consts::PI;
 
 /// Every preset, the default first.

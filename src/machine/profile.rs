@@ -1,6 +1,6 @@
 //! The machine profile: versioned data in mm, s and rad.
 
-use super::corner::SharpCorner;
+use super::sharp_corner::SharpCorner;
 use crate::geometry::{Path, Segment};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};

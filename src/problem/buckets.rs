@@ -1,7 +1,7 @@
 //! Nodes by place, in square cells: searched outwards ring by ring, filled and emptied as a construction goes.
 
 use super::cells::Cells;
-use super::model::NodeId;
+use super::ids::NodeId;
 use crate::geometry::{Aabb, DVec2};
 
 /// Nodes to a cell, on average: a ring of 8 cells then holds the nearest few contours.

@@ -2,7 +2,8 @@
 
 use super::entries::entries;
 use super::groups::Groups;
-use super::model::{Item, ItemId, Node, NodeId, Problem};
+use super::ids::{ItemId, NodeId};
+use super::model::{Item, Node, Problem};
 use super::pierce_groups::PierceGroups;
 use super::sub_path::SubPath;
 use crate::machine::{ClosedRun, Profile, work_time};

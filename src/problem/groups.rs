@@ -6,7 +6,7 @@
 //! the stretch is made of whole things that lie side by side in one group (or in none): the group holds both its ends,
 //! and neither the seam before it nor the one behind it lies deeper than that group, inside one of those things.
 
-use super::model::ItemId;
+use super::ids::ItemId;
 
 /// Which item belongs to which group; empty when nothing has to stay together.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -8,16 +8,12 @@
 //! start a way back that costs nothing.)
 
 use super::groups::Groups;
+use super::ids::{ItemId, NodeId};
 use super::sub_path::SubPath;
 use super::table::Table;
 use crate::geometry::Path;
 use crate::machine::{ClosedRun, Profile};
 use glam::DVec2;
-
-/// Index of an item; for sheets, the contour's id.
-pub type ItemId = u32;
-/// Index of a node.
-pub type NodeId = u32;
 
 /// Whether this build knows tables of costs.
 pub(crate) const TABLES: bool = cfg!(feature = "lab");

@@ -4,7 +4,8 @@
 //! Only what they look at: runs along contours stay behind, and what the head does in a pierce group. They only add to what a plan takes, and the papers know none.
 
 use super::groups::Groups;
-use super::model::{Item, Node, NodeId, Problem};
+use super::ids::NodeId;
+use super::model::{Item, Node, Problem};
 use super::sub_path::SubPath;
 use crate::geometry::{Arc, DVec2, Path, Segment};
 use crate::machine::{self, Travel};

@@ -1,6 +1,7 @@
 //! Pierce groups among the items: which contours are one item, and what comes before it.
 
-use super::model::{Item, ItemId, Node, NodeId};
+use super::ids::{ItemId, NodeId};
+use super::model::{Item, Node};
 use super::sub_path::SubPath;
 use crate::machine::Profile;
 use crate::sheet::{Contour, PIERCE_GROUPS, PierceGroup, Sheet};

@@ -1,6 +1,6 @@
 //! Costs of travel from node to node, as benchmark instances give them.
 
-use super::model::NodeId;
+use super::ids::NodeId;
 
 /// A cost for every ordered pair of nodes.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,6 +3,7 @@
 use super::groups::PierceGroup;
 use crate::finding::Finding;
 use crate::geometry::{Aabb, Path};
+use crate::order::sort_by;
 use serde::{Deserialize, Serialize};
 
 /// What is done with a layer.
@@ -218,6 +219,13 @@ impl Sheet {
     /// there.
     pub fn pierce_groups(&self) -> &[PierceGroup] {
         if PIERCE_GROUPS { &self.groups } else { &[] }
+    }
+
+    /// The contours by id, in the order in which the file draws them.
+    pub fn drawing_order(&self) -> Vec<u32> {
+        let mut order: Vec<u32> = (0..).take(self.contours.len()).collect();
+        sort_by(&mut order, |&c| [self.contours[c as usize].first_shape.into(), 0, 0]);
+        order
     }
 
     /// Those that are cut as one: all of them by a machine that makes pre-cuts, none by others, which cut every contour by

@@ -3,7 +3,7 @@
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
-use super::tour_tree::EPSILON;
+use super::epsilon::EPSILON;
 use crate::geometry::math;
 
 /// A source of random numbers.

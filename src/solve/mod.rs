@@ -2,6 +2,7 @@
 
 mod as_drawn;
 mod dice;
+mod epsilon;
 mod exact;
 mod greedy;
 #[cfg(feature = "papers")]
@@ -12,7 +13,7 @@ mod running;
 mod tour_tree;
 mod traits;
 
-pub use as_drawn::drawing_order;
+pub use as_drawn::in_order;
 pub use exact::{TooLarge, exact};
 pub use greedy::greedy;
 pub(crate) use running::Running;

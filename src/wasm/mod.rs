@@ -15,6 +15,7 @@ mod planner;
 mod png;
 #[cfg(feature = "quote")]
 mod quote;
+#[cfg(feature = "planner")]
 mod text;
 #[cfg(feature = "planner")]
 mod values;
@@ -29,4 +30,3 @@ pub use planner::*;
 pub use png::*;
 #[cfg(feature = "quote")]
 pub use quote::*;
-pub(crate) use text::decode;

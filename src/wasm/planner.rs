@@ -1,8 +1,10 @@
 //! The planner for JavaScript: one drawing through the whole flow. See [`crate::job`].
 
 use super::plain::{object, plain};
+use super::text::decode;
 use super::values::{geometry, handed, options, path};
-use crate::job::{self, BestPath, Budget};
+use crate::dxf::TextDecoder;
+use crate::job::{self, BestPath, Budget, LoadOptions};
 use crate::{machine, solve};
 use js_sys::Uint32Array;
 use wasm_bindgen::prelude::*;
@@ -51,6 +53,12 @@ fn lines(_: &job::Job) -> Result<[JsValue; 2], JsError> {
     Ok([JsValue::NULL, JsValue::NULL])
 }
 
+/// How to read and arrange, with the platform's text decoder.
+fn load_options_of(value: JsValue) -> Result<LoadOptions, JsError> {
+    let given: LoadOptions = options(value)?;
+    Ok(LoadOptions { decoder: TextDecoder(decode), ..given })
+}
+
 /// One drawing through the whole flow.
 #[wasm_bindgen]
 pub struct Job(job::Job);
@@ -64,7 +72,7 @@ impl Job {
         name: &str,
         #[wasm_bindgen(unchecked_param_type = "LoadOptions")] load_options: JsValue,
     ) -> Result<Job, JsError> {
-        Ok(Job(job::Job::load(bytes, name, &options(load_options)?)?))
+        Ok(Job(job::Job::load(bytes, name, &load_options_of(load_options)?)?))
     }
 
     /// The same file with other options.
@@ -72,7 +80,7 @@ impl Job {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "LoadOptions")] load_options: JsValue,
     ) -> Result<(), JsError> {
-        Ok(self.0.reload(&options(load_options)?)?)
+        Ok(self.0.reload(&load_options_of(load_options)?)?)
     }
 
     /// What the drawing holds.

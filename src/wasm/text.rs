@@ -15,7 +15,7 @@ extern "C" {
 
 /// The text of `bytes` in an encoding of the web, U+FFFD where they mean nothing. Platforms that lack the encoding
 /// take the bytes for UTF-8.
-pub(crate) fn decode(label: &str, bytes: &[u8]) -> String {
+pub(super) fn decode(label: &str, bytes: &[u8]) -> String {
     match TextDecoder::new(label) {
         Ok(decoder) => decoder.decode(bytes),
         Err(_) => String::from_utf8_lossy(bytes).into_owned(),

@@ -21,6 +21,7 @@ mod instance_read;
 mod instance_solve;
 mod kerf;
 mod kerf_drawings;
+mod layering;
 mod lower_bound;
 mod metamorphic_intake;
 mod mutation_dxf;

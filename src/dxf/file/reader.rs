@@ -1,6 +1,6 @@
 //! Records of a file, one after the other: which section they stand in, and what they become.
 
-use super::File;
+use super::contents::File;
 use crate::dxf::breaks::BreakKind;
 use crate::dxf::entities::{self, Gathering, Soundness};
 use crate::dxf::entity::{BY_LAYER, Entity, Form, Hidden};

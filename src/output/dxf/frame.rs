@@ -7,9 +7,8 @@
 //! Source: Autodesk, DXF Reference (R2000); ezdxf, "DXF File Structure", section "Minimal DXF Content".
 
 use super::super::number::fixed;
-use super::DECIMALS;
 use super::layers::Layers;
-use super::tags::Tags;
+use super::tags::{DECIMALS, Tags};
 use crate::geometry::DVec2;
 
 /// Handle of the block record of model space, the owner of every entity.

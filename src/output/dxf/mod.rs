@@ -24,10 +24,8 @@ use crate::plan::Plan;
 use crate::sheet::Sheet;
 use layers::Layers;
 use std::f64::consts::PI;
-use tags::Tags;
+use tags::{DECIMALS, Tags};
 
-/// Decimals of a coordinate, mm: a nanometre, far below any joining tolerance.
-const DECIMALS: usize = 6;
 /// Decimals of a bulge: on a chord of 1 km the last one moves the arc by half a nanometre.
 const BULGE_DECIMALS: usize = 12;
 

@@ -2,6 +2,8 @@
 
 use std::fmt::{Display, Write as _};
 
+/// Decimals of a coordinate, mm: a nanometre, far below any joining tolerance.
+pub(super) const DECIMALS: usize = 6;
 /// First handle given to layers and entities: above the fixed ones of the frame.
 const FIRST_HANDLE: usize = 0x100;
 

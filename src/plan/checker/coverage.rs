@@ -4,7 +4,7 @@
 //! it lies the walk is tried in both directions, cut element by cut element, compared at five points each. A walk
 //! never turns back, so when its length is the contour's, each place has been passed once.
 
-use super::{SAME, rounding};
+use super::tolerance::{SAME, rounding};
 use crate::geometry::{DVec2, Path, Segment};
 
 /// How a cut fails to be its contour.
@@ -259,4 +259,14 @@ mod tests {
         assert!(follows(&circle, &turned(0.0, 3.0)).is_err());
         assert!(follows(&circle, &turned(1.0, 3.0)).is_err());
     }
+}
+
+/// Whether a run begins with what was cut ahead.
+pub(super) fn leads(run: &Path, ahead: &Path) -> bool {
+    let length = ahead.length();
+    let slack = SAME + run.segments.iter().map(rounding).sum::<f64>();
+    [0.0, 0.5, 1.0].into_iter().filter(|_| length > 0.0).all(|t| {
+        let places = run.at(t * length).zip(ahead.at(t * length));
+        length <= run.length() + slack && places.is_some_and(|(a, b)| a.distance(b) <= slack)
+    })
 }

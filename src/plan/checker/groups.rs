@@ -4,9 +4,9 @@
 //! hangs on the sheet as long as a row of elements not yet cut leads from it to the area around the group. (Those who
 //! plan look at the order backwards instead.)
 
+use super::coverage::leads;
+use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
-use super::visits::leads;
-use super::{SAME, rounding};
 use crate::geometry::{DVec2, Path, Segment, turns};
 use crate::machine::Profile;
 use crate::sheet::{PIERCE_GROUPS, PierceGroup, Sheet};

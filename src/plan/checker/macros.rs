@@ -3,8 +3,8 @@
 //! The runs of the beam before and after a pause are one cut to everybody else who looks at the plan: they are put
 //! together here. The angle in a corner is found by arc tangent (those who plan compare cosines).
 
-use super::JOIN;
 use super::groups::Groups;
+use super::tolerance::JOIN;
 use super::violation::Violation;
 use crate::geometry::{Segment, math};
 use crate::machine::{MARGIN, Profile};

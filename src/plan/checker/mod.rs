@@ -13,6 +13,7 @@ mod macros;
 mod nesting;
 mod order;
 mod sums;
+mod tolerance;
 mod violation;
 mod visits;
 
@@ -23,15 +24,8 @@ use crate::geometry::Segment;
 use crate::machine::Profile;
 use crate::sheet::{Operation, Sheet};
 use groups::Groups;
+use tolerance::{JOIN, SAME};
 use visits::Visits;
-
-/// Moves are joined within this, mm: far below any machine's step, far above the last bits of a coordinate.
-const JOIN: f64 = 1e-9;
-/// Places on a contour agree within this and [`rounding`], mm: far below what a laser resolves.
-const SAME: f64 = 1e-6;
-/// Roundings a place may have gone through: the plan turns a point (two products and a sum for each coordinate) and
-/// takes an angle times a radius for a length, the checker does both again; three dozen in all, here with room.
-const ROUNDINGS: f64 = 64.0;
 
 /// Checks that every contour is worked exactly once and wholly, in one go or as the machine allows, inner ones finished
 /// before outer ones, by rank, with moves joined end to end from home (and back, if the machine goes back), piercing and
@@ -52,14 +46,6 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     #[cfg(feature = "plate")]
     kerf::check(sheet, machine, plan, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
-}
-
-/// How far rounding may carry a place on an element, mm: each rounding by up to the machine epsilon of the largest
-/// number met, which is a coordinate or, on a nearly straight arc, the radius. 9 nm at 600 m.
-fn rounding(element: &Segment) -> f64 {
-    let ends = element.start().abs().max(element.end().abs()).max_element();
-    let radius = if let Segment::Arc(a) = element { a.radius() } else { 0.0 };
-    ROUNDINGS * f64::EPSILON * (ends + radius)
 }
 
 /// Pre-cuts reach ahead from where the head is, no farther than the machine cuts ahead, and nowhere if it does not.

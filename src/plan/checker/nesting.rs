@@ -1,6 +1,6 @@
 //! What lies inside what, found again from the geometry: by winding numbers, exact for arcs.
 
-use super::{SAME, rounding};
+use super::tolerance::{SAME, rounding};
 use crate::geometry::{Aabb, DVec2, Path, Segment, math};
 use crate::sheet::{Contour, Operation, Sheet};
 use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};

@@ -3,8 +3,8 @@
 //! The trapezoid of an air move stands here a second time on purpose, in the plain form of the textbooks: speed,
 //! acceleration, distance. A slip in `machine/motion.rs` would otherwise pass unseen.
 
+use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
-use super::{SAME, rounding};
 use crate::geometry::{Aabb, DVec2, Path};
 use crate::machine::{Profile, Travel, cut_time};
 use crate::order::sort_by;

@@ -3,10 +3,10 @@
 //! The cuts of a contour, in order, are followed as one: each must go on from where the one before it ended, and
 //! together they must be the contour, once. What is worked between two cuts of a contour is worked wholly between them.
 
-use super::coverage::{Fault, follows};
+use super::coverage::{Fault, follows, leads};
 use super::groups::Groups;
+use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
-use super::{SAME, rounding};
 use crate::geometry::{Path, Segment};
 use crate::machine::Profile;
 use crate::sheet::{Operation, Sheet};
@@ -136,14 +136,4 @@ impl<'s> Visits<'s> {
             }
         }
     }
-}
-
-/// Whether a run begins with what was cut ahead.
-pub(super) fn leads(run: &Path, ahead: &Path) -> bool {
-    let length = ahead.length();
-    let slack = SAME + run.segments.iter().map(rounding).sum::<f64>();
-    [0.0, 0.5, 1.0].into_iter().filter(|_| length > 0.0).all(|t| {
-        let places = run.at(t * length).zip(ahead.at(t * length));
-        length <= run.length() + slack && places.is_some_and(|(a, b)| a.distance(b) <= slack)
-    })
 }

@@ -5,7 +5,8 @@
 //! to one that must come before one it remembers. With empty lists a walk may go back and forth, with complete ones it
 //! is a tour; lists grow where walks go round in circles.
 
-use super::walks::Ground;
+use super::order::Order;
+use super::pairs::Pairs;
 use crate::order::sort_by;
 use std::ops::Range;
 
@@ -47,9 +48,14 @@ pub(super) struct Space {
 
 impl Space {
     /// All states a walk can come to, for walks along the order or against it; `None` when there are too many.
-    pub(super) fn new(ground: &Ground, backwards: bool) -> Option<Self> {
-        let Ground { company, order, pairs, first, .. } = ground;
-        let first = *first;
+    /// `company`: which items each remembers; contours are the items from `first` on; `directed`: prices differ by
+    /// direction.
+    pub(super) fn new(
+        (company, first): (&[Vec<usize>], usize),
+        order: &Order,
+        pairs: &Pairs,
+        [directed, backwards]: [bool; 2],
+    ) -> Option<Self> {
         let count = company.len();
         let mut space = Self { of: vec![Vec::new(); count], ..Self::default() };
         for item in first..count {
@@ -87,7 +93,7 @@ impl Space {
                     known.fill(None);
                     for &(e, side) in &pairs.of[space.states[to].item] {
                         // Of two tables, one each way, that for legs to this item; backwards: from it.
-                        if !ground.prices.directed() || (side == 1) != backwards {
+                        if !directed || (side == 1) != backwards {
                             known[pairs.list[e].items[1 - side]] = Some((e, 1 - side));
                         }
                     }

@@ -51,6 +51,12 @@ impl Ground {
         self.items.len() - self.first
     }
 
+    /// The states of walks along the order or against it, as the company now is; `None` when there are too many.
+    pub(super) fn space(&self, backwards: bool) -> Option<Space> {
+        let directed = self.prices.directed();
+        Space::new((&self.company, self.first), &self.order, &self.pairs, [directed, backwards])
+    }
+
     /// Stops that the passes from either end have to make.
     pub(super) fn stops(&self) -> [usize; 2] {
         let forth = self.count().div_ceil(2);

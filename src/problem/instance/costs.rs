@@ -1,7 +1,7 @@
 //! The costs between the nodes of an instance: explicit weights in any of the formats, or distances of coordinates
 //! rounded as TSPLIB has it, so that lengths are those of the literature.
 
-use super::InstanceError;
+use super::error::InstanceError;
 use super::file::File;
 use crate::geometry::math;
 

@@ -3,7 +3,7 @@
 //! A line that starts with a letter is a keyword with or without a value; numbers belong to the keyword above them,
 //! however they are broken into lines. Unknown keywords are skipped with their numbers.
 
-use super::InstanceError;
+use super::error::InstanceError;
 use crate::problem::Table;
 
 /// The parts of a file.

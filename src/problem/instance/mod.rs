@@ -16,37 +16,20 @@
 
 mod check;
 mod costs;
+mod error;
 mod file;
 mod sets;
 
 pub use check::{Fault, check};
+pub use error::InstanceError;
 
 use super::groups::Groups;
-use super::model::{Item, Node, NodeId, Problem};
+use super::ids::NodeId;
+use super::model::{Item, Node, Problem};
 use super::table::Table;
 use crate::machine;
 use file::File;
 use glam::DVec2;
-
-/// Why a file is no usable instance: one sentence, with the line where there is one.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{}{what}", line.map_or(String::new(), |l| format!("Line {l}: ")))]
-pub struct InstanceError {
-    /// Line in the file, from 1.
-    pub line: Option<usize>,
-    /// What is wrong.
-    pub what: String,
-}
-
-impl InstanceError {
-    fn at(line: usize, what: String) -> Self {
-        Self { line: Some(line), what }
-    }
-
-    fn whole(what: String) -> Self {
-        Self { line: None, what }
-    }
-}
 
 /// An instance and the numbers its file gives its nodes.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! The sets of an instance, which set comes before which, and where the cycle starts; all counted from 0.
 
-use super::InstanceError;
+use super::error::InstanceError;
 use super::file::{File, Part};
 
 /// Sets and their order.

@@ -1,6 +1,6 @@
 //! Gaps: free ends joined up to the tolerance by ascending distance, and what is said about those left.
 
-use super::Ends;
+use super::ends::Ends;
 use super::node::Branch;
 use crate::dxf::Drawing;
 use crate::finding::{Code, Findings, Severity};

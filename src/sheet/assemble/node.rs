@@ -1,6 +1,6 @@
 //! Ends that meet in one point, and branches.
 
-use super::{Ends, NONE};
+use super::ends::{Ends, NONE};
 use crate::geometry::{DVec2, math};
 use crate::order;
 use crate::sheet::cluster::cluster;

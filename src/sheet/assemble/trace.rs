@@ -1,6 +1,7 @@
 //! Joined chains walked into paths whose elements meet bit for bit.
 
-use super::{Ends, NONE, close};
+use super::close;
+use super::ends::{Ends, NONE};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{DVec2, Path};

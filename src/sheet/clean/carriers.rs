@@ -6,8 +6,8 @@
 //! elements of one carrier are nowhere farther apart than the tolerance, and so odd that coordinates with few
 //! decimals do not sit on their edges. What falls on two sides of an edge all the same is left to [`super::near`].
 
-use super::Kept;
 use super::cover::{Cover, Key, rest};
+use super::kept::Kept;
 use crate::geometry::{Aabb, Arc, Line, Segment, math};
 use crate::order;
 use crate::sheet::element::{Element, ROUNDING};

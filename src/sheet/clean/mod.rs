@@ -18,6 +18,7 @@
 
 mod carriers;
 mod cover;
+mod kept;
 mod near;
 mod report;
 
@@ -27,25 +28,13 @@ use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{DVec2, Path, Segment};
 use crate::order;
+use kept::Kept;
 use std::ops::Range;
 
 /// Elements that follow each other bit for bit in one shape.
 struct Run {
     elements: Range<usize>,
     closed: bool,
-}
-
-/// What cleaning leaves of an element.
-#[derive(Clone, Debug, PartialEq)]
-enum Kept {
-    /// All of it.
-    Whole,
-    /// These parts, as fractions of its length, in order.
-    Pieces(Vec<(f64, f64)>),
-    /// Nothing: one other element has the same ends and the same course.
-    Copy,
-    /// Nothing: longer or several other elements cover it.
-    Covered,
 }
 
 /// Cleans the given shapes of a drawing. `tolerance` (mm) is the distance up to which elements are copies of each

@@ -6,8 +6,8 @@
 //! each other, too, but drift apart, and are left alone. So is a shape that runs near itself: a sliver that tapers
 //! to a point is a sliver.
 
-use super::Kept;
 use super::cover::rest;
+use super::kept::Kept;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Segment, intersect};
 use crate::order;
 use crate::sheet::element::Element;

@@ -1,6 +1,6 @@
 //! What cleaning took out, in words: one finding a shape.
 
-use super::Kept;
+use super::kept::Kept;
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::sheet::about::{self, count, plural};

@@ -5,7 +5,7 @@
 //! area run counter-clockwise; the net hangs together, so exactly one runs clockwise, and that is the area around it.
 
 use super::contacts::Set;
-use super::{GroupElement, PierceGroup};
+use super::group::{GroupElement, PierceGroup};
 use crate::geometry::{DVec2, Path};
 use crate::order::{real, sort_by};
 

@@ -26,6 +26,7 @@ use crate::dxf::{Drawing, Shape};
 use crate::finding::{Finding, Findings};
 use crate::geometry::{Aabb, Path};
 use room::Room;
+use told::Why;
 
 /// What cannot be told from a kerf at all, as a part of its width, where the copy tolerance is more than that.
 const SLACK: f64 = 0.25;
@@ -97,19 +98,6 @@ fn moved(
         findings.push(finding);
     }
     lines
-}
-
-/// Why a contour keeps its drawn line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Why {
-    /// It shares a side with another one as drawn.
-    SharesSides,
-    /// It crosses itself: nobody knows what is waste.
-    CrossesItself,
-    /// Waste of this width, mm, lies between it and another one, here.
-    Near(f64, crate::geometry::DVec2),
-    /// It, or part of it, is narrower than the kerf; about here.
-    Narrow(crate::geometry::DVec2),
 }
 
 fn line(id: u32, contour: &Contour, room: &Room, width: f64) -> Result<Path, Why> {

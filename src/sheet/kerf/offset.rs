@@ -12,7 +12,7 @@
 
 use super::super::cluster::cluster;
 use super::super::element::{ROUNDING, with_end, with_start};
-use super::raw::{self, LONGEST_CORNER, Raw};
+use super::raw::{self, LONGEST_CORNER, MEETS, Raw};
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, intersect};
 use crate::order::{real, sort_by};
 
@@ -20,8 +20,6 @@ use crate::order::{real, sort_by};
 /// of lines from one point needs thousands, and keeps its drawn line.
 const LOOKED_AT: usize = 400;
 const LOOKED_AT_AT_LEAST: usize = 400_000;
-/// Stretches meet within this, mm: a hundred times the rounding of a place on the largest sheet.
-pub(super) const MEETS: f64 = 1e-7;
 /// Ends in one cluster are no farther apart, mm.
 const SAME_PLACE: f64 = 8.0 * MEETS;
 /// Crumbs in a row that are taken out; real drawings have one or two.

@@ -6,10 +6,11 @@
 //! which four of them meet. Where an outline turns right, the moved elements cross each other.
 
 use super::super::element::{ROUNDING, with_start};
-use super::offset::MEETS;
 use super::room::apart;
 use crate::geometry::{Arc, BoxIndex, DVec2, Path, Segment, math};
 
+/// Stretches meet within this, mm: a hundred times the rounding of a place on the largest sheet.
+pub(super) const MEETS: f64 = 1e-7;
 /// Corners reach as far as this from the drawn corner at most, in halves of the kerf; sharper ones are rounded. It is what
 /// SVG and PDF writers take for their joins, and lets triangles of 30 degrees (3.86) lie point to point.
 pub(super) const LONGEST_CORNER: f64 = 4.0;

@@ -2,10 +2,22 @@
 
 use super::super::about::{self, count, plural};
 use super::super::model::Contour;
-use super::Why;
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Severity};
 use crate::geometry::DVec2;
+
+/// Why a contour keeps its drawn line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Why {
+    /// It shares a side with another one as drawn.
+    SharesSides,
+    /// It crosses itself: nobody knows what is waste.
+    CrossesItself,
+    /// Waste of this width, mm, lies between it and another one, here.
+    Near(f64, DVec2),
+    /// It, or part of it, is narrower than the kerf; about here.
+    Narrow(DVec2),
+}
 
 /// A contour that keeps its drawn line.
 pub(super) fn kept(drawing: &Drawing, contour: &Contour, why: Why, width: f64) -> Finding {

@@ -1,7 +1,7 @@
 //! Orders of larger groups: exchanges, by simulated annealing.
 
 use super::follow::State;
-use super::mixed;
+use super::mixed::mixed;
 use super::net::{Net, Order, Step};
 
 /// Elements in all orders that are looked at to anneal one, and how many orders that may be: a few milliseconds.

@@ -15,6 +15,7 @@ mod beam;
 mod exact;
 mod follow;
 mod insertion;
+mod mixed;
 mod net;
 mod strokes;
 
@@ -148,12 +149,4 @@ fn spread(net: &Net) -> Vec<u32> {
         taken.push(left.swap_remove(farthest));
     }
     taken
-}
-
-/// A number with no likeness to those near it: splitmix64.
-fn mixed(k: u64) -> u64 {
-    let mut z = k.wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    z = (z ^ z >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ z >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-    z ^ z >> 31
 }

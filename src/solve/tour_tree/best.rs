@@ -1,8 +1,9 @@
 //! The best path so far. Where the search over the root found it, it is a tour, made a solution only when somebody looks:
 //! on 10,000 contours that takes as long as a slice of work, and slices follow one another faster than anybody looks.
 
+use super::kept::Kept;
 use super::polish::unpolished;
-use super::tour::{Kept, Tour};
+use super::tour::Tour;
 use crate::solve::Solution;
 use std::cell::OnceCell;
 

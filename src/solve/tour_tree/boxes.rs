@@ -1,6 +1,6 @@
 //! Boxes around places: what lies in one is no nearer than the box.
 
-use super::space::GATES;
+use super::ring::GATES;
 use super::travel::Place;
 use crate::geometry::{Aabb, DVec2};
 

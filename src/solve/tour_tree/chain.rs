@@ -1,8 +1,9 @@
 //! Short chains moved elsewhere, also turned round.
 
-use super::improve::{EPSILON, Queue};
 use super::neighbours::Neighbours;
+use super::queue::Queue;
 use super::tour::Tour;
+use crate::solve::epsilon::EPSILON;
 
 /// Longest chain moved by itself; longer ones are moved by exchanging stretches.
 const CHAIN: usize = 3;

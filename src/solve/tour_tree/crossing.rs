@@ -7,8 +7,9 @@
 //! What it gains is in `docs/internals/tuning.md`. After the partition crossover of Whitley, Hains & Howe (GECCO 2009), with
 //! common intervals in place of components.
 
-use super::improve::Queue;
-use super::tour::{Kept, Tour};
+use super::kept::Kept;
+use super::queue::Queue;
+use super::tour::Tour;
 
 /// Tours kept, one for each of the last cycles: more give more to choose from and take longer.
 const MOST: usize = 8;

@@ -6,10 +6,10 @@
 //! slide (`polish.rs`).
 //! Source: the cluster optimisation of Fischetti, Salazar & Toth, Operations Research 45 (1997).
 
-use super::improve::EPSILON;
-use super::space::index;
+use super::index::index;
 use super::tour::Tour;
 use super::travel::Place;
+use crate::solve::epsilon::EPSILON;
 
 /// Room for the layers, kept from one call to the next.
 #[derive(Default)]

@@ -4,9 +4,9 @@
 //! drawn with it.
 
 use super::super::dice::Dice;
-use super::improve::Queue;
+use super::index::index;
+use super::queue::Queue;
 use super::reenter::reenter;
-use super::space::index;
 use super::tour::Tour;
 
 /// Longest stretch that a kick moves, drawn evenly on a log scale: mostly small and cheap, and whole parts still change places.

@@ -1,19 +1,13 @@
 //! Items between others: what it takes at least to reach one, and where it is entered best in a gap of the tour.
 
 use super::boxes::ARCS;
+use super::ring::GATES;
 use super::ring_in::RingIn;
-use super::space::{GATES, Space};
+use super::space::Space;
+use super::travel::Gap;
 use super::travel::{Place, node_at};
 use crate::geometry::DVec2;
 use crate::problem::TABLES;
-
-/// Where a stop lies between its neighbours: where the head comes from, and where it goes (`None`: nowhere, the last
-/// stop of a path without return).
-#[derive(Clone, Copy)]
-pub(super) struct Gap {
-    pub(super) from: Place,
-    pub(super) to: Option<Place>,
-}
 
 /// How far one item is from places: what a table says lies at hand.
 pub(super) struct Reaching<'s> {

@@ -11,40 +11,10 @@
 
 use super::chain::move_chain;
 use super::neighbours::Neighbours;
+use super::queue::Queue;
 use super::reenter::reenter;
 use super::tour::Tour;
-use std::collections::VecDeque;
-
-/// Gains below this many seconds are rounding.
-pub(in crate::solve) const EPSILON: f64 = 1e-9;
-
-/// Items whose surroundings changed, each once.
-pub(super) struct Queue {
-    items: VecDeque<u32>,
-    waiting: Vec<bool>,
-}
-
-impl Queue {
-    pub(super) fn new(items: usize) -> Self {
-        Self { items: VecDeque::new(), waiting: vec![false; items] }
-    }
-
-    pub(super) fn push(&mut self, item: u32) {
-        if !std::mem::replace(&mut self.waiting[item as usize], true) {
-            self.items.push_back(item);
-        }
-    }
-
-    pub(super) fn push_all(&mut self, items: &[u32]) {
-        items.iter().for_each(|&i| self.push(i));
-    }
-
-    pub(super) fn pop(&mut self) -> Option<u32> {
-        let item = self.items.pop_front()?;
-        self.waiting[item as usize] = false;
-        Some(item)
-    }
-}
+use crate::solve::epsilon::EPSILON;
 
 /// Improves the tour around one item until no move of its gains; gives the seconds gained.
 pub(super) fn improve(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) -> f64 {

@@ -28,8 +28,11 @@ mod few;
 mod gap;
 mod gates;
 mod improve;
+mod index;
+mod kept;
 mod neighbours;
 mod polish;
+mod queue;
 mod rebuild;
 mod reenter;
 mod repair;
@@ -50,8 +53,6 @@ use best::Best;
 use children::Children;
 use space::Space;
 use tour::Tour;
-
-pub(super) use improve::EPSILON;
 
 /// The method.
 pub(super) struct TourTree;

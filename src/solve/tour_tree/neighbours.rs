@@ -6,7 +6,8 @@
 //! Built item by item, so that a worker can take its turns in between.
 
 use super::gates::{Gate, Gates};
-use super::space::{Space, index};
+use super::index::index;
+use super::space::Space;
 use super::tour::Tour;
 use super::travel::Place;
 use crate::order::{real, sort_by};

@@ -5,9 +5,10 @@
 //! so a golden section search on each element near the place finds it; corners are tried by themselves. The run along
 //! the contour is charged by its exact price at each place tried.
 
-use super::gap::Gap;
+use super::kept::Kept;
 use super::space::Space;
-use super::tour::{Kept, Tour};
+use super::tour::Tour;
+use super::travel::Gap;
 use crate::geometry::{DVec2, Path, Segment};
 use crate::problem::Item;
 use crate::solve::{Solution, Stop};

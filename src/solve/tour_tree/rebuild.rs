@@ -7,8 +7,8 @@
 //! Operations Research 87 (2017).
 
 use super::super::dice::Dice;
-use super::improve::Queue;
 use super::neighbours::Neighbours;
+use super::queue::Queue;
 use super::space::Space;
 use super::tour::Tour;
 

@@ -1,7 +1,8 @@
 //! A better entry for an item where it stands; and where it slides, its neighbours with it.
 
-use super::improve::{EPSILON, Queue};
+use super::queue::Queue;
 use super::tour::Tour;
+use crate::solve::epsilon::EPSILON;
 
 /// A better entry where the item stands.
 pub(super) fn reenter(tour: &mut Tour, queue: &mut Queue, item: u32) -> Option<f64> {

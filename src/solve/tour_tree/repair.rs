@@ -3,8 +3,8 @@
 //! An unconstrained tour that is repaired and then improved ends far lower than a search that stays feasible from the start:
 //! `docs/internals/tuning.md`, `FREE_SHARE`.
 
+use super::kept::Kept;
 use super::space::Space;
-use super::tour::Kept;
 
 /// The tour `free`, and the tour run backwards, with every outer item delayed until all inside it is done.
 pub(super) fn repaired(space: &Space, free: &Kept) -> [Kept; 2] {

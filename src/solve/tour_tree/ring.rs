@@ -5,10 +5,12 @@
 //! fraction of a millimetre beside the corner, on a machine that takes no more than that to reach its speed, saves
 //! nothing any more.
 
-use super::space::{GATES, index};
+use super::index::index;
 use crate::geometry::{DVec2, Path, Segment};
 use crate::problem::Item;
 
+/// Coarse places of a ring: as many as tell its sides apart; neighbour lists are kept for each.
+pub(super) const GATES: usize = 16;
 /// Largest distance of places on a ring, mm: half of it, seen across a gap of 5 mm, is 0.3 % of the gap.
 const SPACING: f64 = 0.8;
 /// Most places of one ring: more is slower where large parts lie close together, and finds nothing shorter.

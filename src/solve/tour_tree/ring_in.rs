@@ -1,8 +1,9 @@
 //! A ring between two stops.
 
 use super::boxes::Boxed;
-use super::gap::Gap;
-use super::space::{GATES, index};
+use super::index::index;
+use super::ring::GATES;
+use super::travel::Gap;
 use super::travel::{Place, Travel};
 use crate::geometry::DVec2;
 

@@ -10,16 +10,15 @@
 //! last item, with all its nodes.
 
 use super::boxes::{ARCS, Boxed, arcs};
+use super::index::index;
+use super::kept::Kept;
+use super::ring::GATES;
 use super::ring::{Ring, nearest};
-use super::tour::Kept;
 use super::travel::{Place, Travel, node_place};
 use crate::geometry::Aabb;
 use crate::problem::{Item, Node, NodeId, Problem};
 use crate::solve::precedence::Precedence;
 use crate::solve::{Solution, Stop};
-
-/// Coarse places of a ring: as many as tell its sides apart; neighbour lists are kept for each.
-pub(super) const GATES: usize = 16;
 
 /// The unchanging side of a search.
 pub(super) struct Space<'p> {
@@ -289,10 +288,4 @@ impl<'p> Space<'p> {
     pub(super) fn stepped(&self, item: u32, from: u32, steps: i32) -> u32 {
         from.wrapping_add_signed(steps) & (index(self.places(item).len()) - 1)
     }
-}
-
-/// Counts fit 32 bits: the reader's limits leave fewer than 2^32 places.
-#[expect(clippy::cast_possible_truncation, reason = "see above")]
-pub(super) fn index(n: usize) -> u32 {
-    n as u32
 }

@@ -218,7 +218,7 @@ fn few() -> impl Iterator<Item = Problem> {
 fn what_is_rebuilt_costs_what_is_told_and_keeps_precedence() {
     for (problem, seed) in few().zip(0..) {
         let (mut tour, near) = tour(&problem);
-        let (mut queue, mut dice) = (improve::Queue::new(8), super::super::dice::Dice::new(seed));
+        let (mut queue, mut dice) = (queue::Queue::new(8), super::super::dice::Dice::new(seed));
         for _ in 0..200 {
             let before = tour.cost();
             match rebuild::rebuild(&mut tour, &near, &mut queue, &mut dice) {
@@ -235,7 +235,7 @@ fn what_is_rebuilt_costs_what_is_told_and_keeps_precedence() {
 fn entries_chosen_together_are_the_best_of_all() {
     for (problem, seed) in few().zip(0..) {
         let (mut tour, near) = tour(&problem);
-        let (mut queue, mut dice) = (improve::Queue::new(8), super::super::dice::Dice::new(seed));
+        let (mut queue, mut dice) = (queue::Queue::new(8), super::super::dice::Dice::new(seed));
         for _ in 0..5 {
             if rebuild::rebuild(&mut tour, &near, &mut queue, &mut dice).is_none() {
                 tour.undo();
@@ -247,7 +247,7 @@ fn entries_chosen_together_are_the_best_of_all() {
                 let mut left = which;
                 let mut other = kept.clone();
                 for (at, &count) in other.at.iter_mut().zip(&counts) {
-                    *at = space::index(left % count);
+                    *at = index::index(left % count);
                     left /= count;
                 }
                 tour.put(other);
@@ -270,7 +270,7 @@ fn a_crossed_tour_leaves_no_better_stretch_to_the_other() {
     let mut crossed = 0;
     for (problem, seed) in few().zip(0..) {
         let (mut tour, near) = tour(&problem);
-        let (mut queue, mut dice) = (improve::Queue::new(8), super::super::dice::Dice::new(seed));
+        let (mut queue, mut dice) = (queue::Queue::new(8), super::super::dice::Dice::new(seed));
         for _ in 0..20 {
             let other = tour.now().clone();
             for _ in 0..3 {
@@ -282,7 +282,7 @@ fn a_crossed_tour_leaves_no_better_stretch_to_the_other() {
             let before = tour.cost();
             let passes = std::iter::from_fn(|| Some(crossing::cross(&mut tour, &mut queue, &other)));
             let gain: f64 = passes.take_while(|&gain| gain > 0.0).sum();
-            crossed += usize::from(gain > EPSILON);
+            crossed += usize::from(gain > crate::solve::epsilon::EPSILON);
             assert!(tour.cost_is(before - gain), "{seed}");
             assert!(tour.is_feasible(), "{seed}");
             // Every stretch of the same items, put in the other's order with its entries.

@@ -9,7 +9,7 @@
 //! Beside the table stand the least costs from every node to every item and back, which tell at once that an item
 //! is too far: for sets of many nodes that saves most of the work.
 
-use super::space::index;
+use super::index::index;
 use crate::geometry::DVec2;
 use crate::machine::AirTime;
 use crate::problem::{NodeId, Problem, TABLES, Table};
@@ -20,6 +20,14 @@ const MOST_NODES: usize = 400;
 
 /// Where the head is: a point, or a node of a table.
 pub(super) type Place = DVec2;
+
+/// Where a stop lies between its neighbours: where the head comes from, and where it goes (`None`: nowhere, the last
+/// stop of a path without return).
+#[derive(Clone, Copy)]
+pub(super) struct Gap {
+    pub(super) from: Place,
+    pub(super) to: Option<Place>,
+}
 
 /// Prices of ways.
 pub(super) struct Travel<'p> {

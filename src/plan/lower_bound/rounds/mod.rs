@@ -1,6 +1,7 @@
 //! The strong bound: walks, charges that drive them to visit every item once, and rounds that sharpen both what walks
 //! remember and how finely contours are divided.
 
+mod company;
 mod sharpen;
 
 use super::net::{homes, items};
@@ -10,7 +11,7 @@ use super::prices::Prices;
 use super::space::Space;
 use super::walks::{Ground, Pass, Visit};
 use crate::problem::Problem;
-use sharpen::nearest_company;
+use company::nearest_company;
 
 /// Fewest and most looks at the charges in a round.
 const LOOKS: [usize; 2] = [8, 60];
@@ -160,7 +161,7 @@ impl Strong {
         }
         let symmetric = ground.first == 1 && ground.order.is_free() && !ground.prices.directed();
         let sides = if symmetric { 0..1 } else { 0..2 };
-        let spaces: Option<Vec<Space>> = sides.map(|side| Space::new(ground, side == 1)).collect();
+        let spaces: Option<Vec<Space>> = sides.map(|side| ground.space(side == 1)).collect();
         if let Some(mut spaces) = spaces {
             spaces.iter_mut().for_each(|s| s.lay_out(|i| ground.items[i].knots));
             ground.spaces = spaces;

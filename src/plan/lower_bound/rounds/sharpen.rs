@@ -1,14 +1,11 @@
 //! What a round learns for the next: what walks have to remember, and which pieces of contours are halved.
 
 use super::super::net::Item;
-use super::super::pairs::Pairs;
 use super::super::walks::{Ground, Visit};
 use super::Strong;
 use crate::geometry::DVec2;
-use crate::order::{real, sort_by};
+use crate::order::sort_by;
 
-/// Nearest items in the company of each item at first: with none, the first rounds only find that out.
-const COMPANY: usize = 4;
 /// Largest company of an item: its states may double with each member.
 const MOST_COMPANY: usize = 16;
 /// Most stops of a circle or fault of order that is mended: everything on it has to remember.
@@ -103,19 +100,4 @@ fn lost(ground: &Ground, item: usize, knot: usize, to: Visit) -> f64 {
 fn place(item: &Item, knot: usize) -> DVec2 {
     let piece = item.pieces.iter().find(|p| p.knots[0] == knot);
     piece.map_or(DVec2::ZERO, |p| p.ends[0])
-}
-
-/// The nearest few items of each.
-pub(super) fn nearest_company(items: &[Item], first: usize, pairs: &Pairs) -> Vec<Vec<usize>> {
-    let mut company = vec![Vec::new(); items.len()];
-    for (i, list) in company.iter_mut().enumerate().skip(first) {
-        let mut near: Vec<(usize, f64)> = pairs.of[i]
-            .iter()
-            .map(|&(e, side)| (pairs.list[e].items[1 - side], pairs.list[e].least))
-            .filter(|n| n.0 >= first)
-            .collect();
-        sort_by(&mut near, |n| [real(n.1), n.0 as u64, 0]);
-        list.extend(near.iter().take(COMPANY).map(|n| n.0));
-    }
-    company
 }

@@ -16,6 +16,7 @@ mod chromosome;
 mod crossover;
 mod decode;
 mod filling;
+mod flock;
 mod genetic;
 mod holes;
 mod model;

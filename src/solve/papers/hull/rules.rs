@@ -2,7 +2,7 @@
 //!
 //! The papers behind them are named, not repeated, in section 5.2; these are their plain forms.
 
-use super::swarm::Flock;
+use super::flock::Flock;
 use crate::geometry::math;
 use crate::order::{real, sort_by};
 use crate::solve::dice::Dice;

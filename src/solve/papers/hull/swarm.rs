@@ -6,6 +6,7 @@
 
 use super::chromosome::{genes, keys};
 use super::decode::Decoder;
+use super::flock::Flock;
 use super::model::Gene;
 use super::rules::Rule;
 use crate::solve::dice::Dice;
@@ -15,16 +16,6 @@ use crate::solve::papers::lead::{Lead, Pieces};
 /// Keys in memory at most, 128 MB. A rule holds three of each member's at most: on 10,000 contours of 8 nodes, a flock of
 /// 200 is cut to 69.
 const MOST_KEYS: usize = 1 << 25;
-
-/// Members by their keys.
-pub(super) struct Flock {
-    pub(super) keys: Vec<Vec<f32>>,
-    /// TL of each.
-    pub(super) lengths: Vec<f64>,
-    /// The keys of the shortest so far, and its length.
-    pub(super) best: Vec<f32>,
-    pub(super) shortest: f64,
-}
 
 /// A flock under a rule.
 pub(super) struct Swarm<'p, R> {

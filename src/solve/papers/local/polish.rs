@@ -7,7 +7,7 @@
 use super::super::legs::Legs;
 use super::near::Near;
 use crate::problem::{ItemId, NodeId, Problem};
-use crate::solve::tour_tree::EPSILON;
+use crate::solve::epsilon::EPSILON;
 use std::collections::VecDeque;
 
 /// Longest chain of items moved by Or-opt (Or 1976).

@@ -6,7 +6,7 @@ use super::super::legs::Legs;
 use super::super::local::{Choose, Ground, Polish};
 use super::super::repair::Repair;
 use crate::problem::{NodeId, Problem};
-use crate::solve::tour_tree::EPSILON;
+use crate::solve::epsilon::EPSILON;
 
 /// Moves that decoding an item, or repairing and measuring one, are counted for: by the clock, a leg each.
 const READ: u64 = 4;

@@ -4,7 +4,7 @@ use super::forest::Forest;
 use super::ground::Ground;
 use super::walk::keeps_precedence;
 use crate::problem::NodeId;
-use crate::solve::tour_tree::EPSILON;
+use crate::solve::epsilon::EPSILON;
 use glam::DVec2;
 
 /// The cheapest nodes for layers passed in order between two places, and what they cost.

@@ -15,10 +15,10 @@ use super::stage::{After, Stage};
 use super::told::partitions;
 use super::walk::{keeps_precedence, solution, walk};
 use crate::problem::{ItemId, NodeId, Problem};
+use crate::solve::epsilon::EPSILON;
 use crate::solve::greedy;
 use crate::solve::papers::insight::{Curve, Insight};
 use crate::solve::papers::lead::{Lead, Pieces};
-use crate::solve::tour_tree::EPSILON;
 use rustc_hash::FxHashSet;
 
 pub(super) struct Frame<'p> {

@@ -9,7 +9,8 @@ use super::entries::cheapest;
 use super::forest::Forest;
 use super::ground::Ground;
 use crate::problem::{Groups, Item, ItemId, Node, NodeId, Problem};
-use crate::solve::tour_tree::{EPSILON, TourTree};
+use crate::solve::epsilon::EPSILON;
+use crate::solve::tour_tree::TourTree;
 use crate::solve::{Running, Solution, Solver, Status, Stop};
 
 /// Contours that are tried in every order.

@@ -44,6 +44,8 @@ mod forest;
 mod frame;
 mod ground;
 mod gtsp;
+mod methods;
+mod moves;
 mod params;
 mod partitions;
 mod pfr;
@@ -58,5 +60,6 @@ mod tests;
 mod told;
 mod walk;
 
-pub use params::{GtspLk, InitialPartitions, InitialTours, PartitionTree, Pfr};
+pub use methods::{GtspLk, Pfr};
+pub use params::{InitialPartitions, InitialTours, PartitionTree};
 pub use repartition::RepartitionMoves;

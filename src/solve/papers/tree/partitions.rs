@@ -4,9 +4,9 @@
 use super::entries::cheapest;
 use super::forest::Forest;
 use super::ground::Ground;
-use super::repartition::{Found, Move};
+use super::moves::{Found, Move};
 use crate::problem::{ItemId, NodeId};
-use crate::solve::tour_tree::EPSILON;
+use crate::solve::epsilon::EPSILON;
 
 /// Near nodes of each node of a merged partition at which it is tried to hang.
 const NEAR: usize = 4;

@@ -4,9 +4,9 @@
 
 use super::forest::{Forest, ROOT};
 use super::ground::Ground;
-use super::repartition::{Found, Move};
+use super::moves::{Found, Move};
 use crate::problem::{ItemId, NodeId};
-use crate::solve::tour_tree::EPSILON;
+use crate::solve::epsilon::EPSILON;
 use std::ops::Range;
 
 /// Contours of a sub-sequence at most: longer ones gain next to nothing on large sheets, and the work grows with them.

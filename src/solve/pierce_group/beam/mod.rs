@@ -12,6 +12,7 @@
 //!
 //! * [`state`]: what has been put back, and what that costs. [`places`]: what may be put back next.
 
+mod next;
 mod places;
 mod state;
 

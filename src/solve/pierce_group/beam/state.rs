@@ -1,6 +1,6 @@
 //! What has been put back, and what that costs.
 
-use super::super::mixed;
+use super::super::mixed::mixed;
 use super::super::net::{Net, Step};
 use super::places::Places;
 

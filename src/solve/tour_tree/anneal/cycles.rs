@@ -9,9 +9,10 @@
 
 use super::super::crossing::cross;
 use super::super::few::{Small, Turn};
-use super::super::improve::{EPSILON, improve};
+use super::super::improve::improve;
 use super::super::repair::repaired;
 use super::{Annealing, Stage};
+use crate::solve::epsilon::EPSILON;
 
 /// Kicks per item in the first cycle: more ends lower, but shows the first improvement later.
 const FIRST_CYCLE: u64 = 2;

@@ -2,9 +2,10 @@
 
 use super::super::exchange::exchange;
 use super::super::few::ENTER_ANEW;
-use super::super::improve::{EPSILON, improve};
+use super::super::improve::improve;
 use super::super::rebuild::rebuild;
 use super::Annealing;
+use crate::solve::epsilon::EPSILON;
 
 impl Annealing<'_> {
     pub(super) fn kick(&mut self) {

@@ -13,10 +13,13 @@ mod kick;
 use super::crossing::Elites;
 use super::entries::Layers;
 use super::few::is_few;
-use super::improve::{EPSILON, Queue, improve};
+use super::improve::improve;
+use super::kept::Kept;
 use super::neighbours::Neighbours;
-use super::tour::{Kept, Tour};
+use super::queue::Queue;
+use super::tour::Tour;
 use crate::solve::dice::Dice;
+use crate::solve::epsilon::EPSILON;
 
 /// The best of a part of a cycle; `unsaved` while the tour itself is the best.
 struct Top {

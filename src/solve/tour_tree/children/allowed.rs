@@ -1,7 +1,9 @@
 //! Whether ranks, precedence and nesting allow a move.
 
 use super::flip::flip;
-use super::moves::{Ground, Shift, Spot};
+use super::shift::Ground;
+use super::shift::Shift;
+use super::shift::Spot;
 use super::tree::Tree;
 
 /// Whether nothing that hangs from an item waits for something that hangs from it and is finished later.

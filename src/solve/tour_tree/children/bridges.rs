@@ -3,9 +3,11 @@
 //! From the cheapest pair of coarse places each end goes by turns to the best place for the other: exact for items of few
 //! places, within a place's spacing nearly always for rings. Built item by item, so that a worker can take its turns.
 
-use super::super::gap::Gap;
+use super::super::index::index;
 use super::super::neighbours::Neighbours;
-use super::super::space::{GATES, Space, index};
+use super::super::ring::GATES;
+use super::super::space::Space;
+use super::super::travel::Gap;
 
 /// Turns taken by each end: the second already changes little.
 const TURNS: usize = 2;

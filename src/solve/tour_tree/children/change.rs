@@ -1,7 +1,8 @@
 //! Changes to routes, each with what takes it back: touches moved along their items, chains moved from route to route,
 //! stretches turned round, routes opened and closed. All keep the order of finishing in line with the routes.
 
-use super::super::space::{Space, index};
+use super::super::index::index;
+use super::super::space::Space;
 use super::tree::{Change, NONE, Tree};
 use crate::problem::PATHS;
 

@@ -2,8 +2,12 @@
 
 use super::allowed::may_shift;
 use super::bridges::Bridge;
-use super::moves::{Ground, Shift, Spot, is_left, leaving, perform};
+use super::moves::{is_left, perform};
+use super::shift::Ground;
+use super::shift::Shift;
+use super::shift::Spot;
 use super::tree::Tree;
+use super::tree::leaving;
 use crate::order::{real, sort_by};
 
 /// Puts a stop on a route of its own, at the nearest item that it may hang from. Done to all, that is the other end of

@@ -2,11 +2,16 @@
 //! it, and the decision whether that stays.
 
 use super::super::super::dice::Dice;
-use super::super::gap::Gap;
+use super::super::index::index;
 use super::super::neighbours::Neighbours;
-use super::super::space::{Space, index};
+use super::super::space::Space;
+use super::super::travel::Gap;
 use super::allowed::{in_order, may_shift};
-use super::moves::{Ground, Shift, Spot, freed, improve, is_left, leaving, perform, reenter};
+use super::moves::{freed, improve, is_left, perform, reenter};
+use super::shift::Ground;
+use super::shift::Shift;
+use super::shift::Spot;
+use super::tree::leaving;
 use super::{Children, Tree};
 
 /// Longest chain taken, and farthest it goes along its route: most are short, as in `exchange.rs`.

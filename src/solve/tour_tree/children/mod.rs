@@ -23,6 +23,7 @@ mod hang;
 mod kick;
 mod moves;
 mod polish;
+mod shift;
 #[cfg(test)]
 mod tests;
 mod tree;
@@ -31,14 +32,16 @@ mod visits;
 
 use super::super::dice::Dice;
 use super::anneal::Annealing;
-use super::improve::{EPSILON, Queue};
+use super::kept::Kept;
 use super::polish::unpolished;
+use super::queue::Queue;
 use super::space::Space;
-use super::tour::Kept;
 use crate::solve::Solution;
+use crate::solve::epsilon::EPSILON;
 use bridges::Bridges;
 use hang::hang;
-use moves::{Ground, improve};
+use moves::improve;
+use shift::Ground;
 use tree::Tree;
 
 /// Temperature at the start of a cycle, in mean legs between neighbours, as over the root alone.

@@ -6,51 +6,18 @@
 //! touch (2-opt). A route whose last stop goes elsewhere is gone, with its charge. Every move is priced in constant time;
 //! whether ranks, precedence and nesting allow it is looked up only when it gains.
 
-use super::super::gap::Gap;
-use super::super::improve::{EPSILON, Queue};
-use super::super::neighbours::Neighbours;
+use super::super::queue::Queue;
 use super::super::space::Space;
+use super::super::travel::Gap;
 use super::allowed::{in_order, may_shift};
-use super::bridges::Bridges;
 use super::flip::flip;
-use super::tree::Tree;
+use super::shift::{Ground, Shift, Spot};
+use super::tree::{Tree, leaving};
 use super::turn::turn;
-use crate::problem::Item;
+use crate::solve::epsilon::EPSILON;
 
 /// Longest chain moved, except for whole routes; kicks move longer ones.
 const CHAIN: usize = 3;
-
-/// What stays the same during the search.
-#[derive(Clone, Copy)]
-pub(super) struct Ground<'g, 'p> {
-    pub(super) space: &'g Space<'p>,
-    pub(super) near: &'g Neighbours,
-    pub(super) bridges: &'g Bridges,
-}
-
-/// Where a chain is put.
-#[derive(Clone, Copy)]
-pub(super) enum Spot {
-    /// Behind a touch.
-    Behind(u32),
-    /// On a route of its own, from a place of an item.
-    Child(u32, u32),
-}
-
-/// A chain put elsewhere.
-#[derive(Clone, Copy)]
-pub(super) struct Shift {
-    pub(super) first: u32,
-    pub(super) last: u32,
-    /// The other way round.
-    pub(super) turned: bool,
-    pub(super) spot: Spot,
-    /// The place at which the one that is entered, then the only one of its chain, is entered.
-    pub(super) at: Option<u32>,
-    /// The stop that is entered: `first`, or one of a route that hangs from it and changes parts with it, see
-    /// `flip.rs`.
-    pub(super) enter: u32,
-}
 
 /// Improves the routes around one touch until no move of its gains; gives the seconds gained.
 pub(super) fn improve(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32) -> f64 {
@@ -244,11 +211,6 @@ pub(super) fn freed(space: &Space, tree: &Tree, first: u32, last: u32) -> f64 {
 /// Whether an item may be left unfinished.
 pub(super) fn is_left(space: &Space, item: u32) -> bool {
     space.problem.items.get(item as usize).is_some_and(|i| i.leave.is_some())
-}
-
-/// What leaving an item and resuming it costs, but for the place.
-pub(super) fn leaving(space: &Space, item: u32) -> f64 {
-    space.problem.items.get(item as usize).map_or(0.0, Item::resume)
 }
 
 /// Puts a chain elsewhere, and tells which touches that concerns.

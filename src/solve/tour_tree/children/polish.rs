@@ -1,8 +1,9 @@
 //! From places on rings to exact ones: stops and anchors slide along their tracks as stops of the root do.
 
-use super::super::gap::Gap;
+use super::super::index::index;
 use super::super::polish::{ENOUGH, ROUNDS, Slide};
-use super::super::space::{Space, index};
+use super::super::space::Space;
+use super::super::travel::Gap;
 use super::tree::Tree;
 use crate::solve::Solution;
 

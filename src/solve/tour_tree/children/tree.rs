@@ -6,11 +6,12 @@
 //! number of their item; anchors follow home. Here is what the routes are; `change.rs` changes them, `visits.rs` makes them
 //! from solutions and solutions from them.
 
-use super::super::gap::Gap;
-use super::super::space::{Space, index};
+use super::super::index::index;
+use super::super::space::Space;
+use super::super::travel::Gap;
 use super::super::travel::Place;
 use super::closing::Closing;
-use super::moves::leaving;
+use crate::problem::Item;
 
 /// No route: an anchor that is not in use.
 pub(super) const NONE: u32 = u32::MAX;
@@ -173,4 +174,9 @@ impl Tree {
     pub(super) fn changes(&self) -> usize {
         self.journal.len()
     }
+}
+
+/// What leaving an item and resuming it costs, but for the place.
+pub(super) fn leaving(space: &Space, item: u32) -> f64 {
+    space.problem.items.get(item as usize).map_or(0.0, Item::resume)
 }

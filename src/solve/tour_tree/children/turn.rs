@@ -1,9 +1,10 @@
 //! 2-opt within a route.
 
-use super::super::improve::{EPSILON, Queue};
+use super::super::queue::Queue;
 use super::allowed::may_turn;
-use super::moves::Ground;
+use super::shift::Ground;
 use super::tree::Tree;
+use crate::solve::epsilon::EPSILON;
 
 /// 2-opt: the stretch between a touch and a near one of its route reversed, so that one leaves for the other's exit, or
 /// is entered from the other's entry.

@@ -1,6 +1,7 @@
 //! From a solution to routes and back.
 
-use super::super::space::{Space, index};
+use super::super::index::index;
+use super::super::space::Space;
 use super::closing::Closing;
 use super::tree::{NONE, Tree};
 use crate::solve::{Solution, Stop};

@@ -1,18 +1,8 @@
 //! Changes of a tour, and how they are taken back.
 
-use super::super::space::index;
+use super::super::index::index;
 use super::Tour;
-
-/// One change, to be taken back.
-#[derive(Clone, Copy)]
-pub(super) enum Change {
-    /// Positions reversed.
-    Reversed(usize, usize),
-    /// Item, and the place where it was entered before.
-    Entered(u32, u32),
-    /// Another order altogether; the one before is the last of [`Tour::orders`].
-    Reordered,
-}
+use super::journal::Change;
 
 impl Tour<'_> {
     /// Enters an item elsewhere.

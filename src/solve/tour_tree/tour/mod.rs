@@ -5,21 +5,14 @@
 //! contour in a reversed stretch is run the other way.
 
 mod change;
+mod journal;
 
-use super::gap::Gap;
+use super::kept::Kept;
 use super::space::Space;
+use super::travel::Gap;
 use super::travel::Place;
 use crate::problem::PATHS;
-use change::Change;
-
-/// Order and entries, for keeping.
-#[derive(Clone)]
-pub(super) struct Kept {
-    /// Item by position, home first.
-    pub(super) order: Vec<u32>,
-    /// Place of entry by item.
-    pub(super) at: Vec<u32>,
-}
+use journal::Change;
 
 /// An order of items with entries.
 pub(super) struct Tour<'p> {

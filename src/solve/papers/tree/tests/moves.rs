@@ -2,7 +2,8 @@
 
 use super::super::forest::{Forest, ROOT};
 use super::super::ground::Ground;
-use super::super::repartition::{Found, Move, RepartitionMoves, improve};
+use super::super::moves::{Found, Move};
+use super::super::repartition::{RepartitionMoves, improve};
 use super::super::walk::{keeps_precedence, solution};
 use super::super::{
     connect::Connections, edmonds::arborescence, partitions, repair::repair, resolve::resolve, sequences,

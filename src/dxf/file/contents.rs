@@ -1,0 +1,99 @@
+//! What a file holds, in the units of the drawing.
+
+use crate::dxf::entities::{self, Soundness};
+use crate::dxf::entity::{Entity, Form};
+use crate::dxf::header::Header;
+use crate::dxf::layers::Layers;
+use crate::dxf::record::Record;
+use crate::dxf::report::{Note, Notes};
+use crate::finding::{Code, Severity};
+use glam::DVec3;
+use rustc_hash::FxHashMap;
+
+/// A block definition.
+#[derive(Debug)]
+pub(in crate::dxf) struct Block<'a> {
+    /// Name as written.
+    pub(in crate::dxf) name: &'a [u8],
+    /// The point of it that an insert puts in place.
+    pub(in crate::dxf) base: DVec3,
+    /// A break in the file touches its start: its base point may be wrong.
+    pub(in crate::dxf) damaged: bool,
+    /// Refers to another file; holds nothing itself.
+    pub(in crate::dxf) external: bool,
+    /// What it holds.
+    pub(in crate::dxf) entities: Vec<Entity<'a>>,
+}
+
+/// Everything read from a file, in the units of the drawing.
+#[derive(Debug, Default)]
+pub(in crate::dxf) struct File<'a> {
+    /// Header variables.
+    pub(in crate::dxf) header: Header<'a>,
+    /// Layers.
+    pub(in crate::dxf) layers: Layers<'a>,
+    /// Blocks in order of the file.
+    pub(in crate::dxf) blocks: Vec<Block<'a>>,
+    /// Entities outside blocks.
+    pub(in crate::dxf) model: Vec<Entity<'a>>,
+    /// Names of kinds without an outline, see [`Form::Other`].
+    pub(in crate::dxf) other_names: Vec<&'a [u8]>,
+    /// What was noticed while reading.
+    pub(in crate::dxf) notes: Notes<'a>,
+    /// A SECTION, a TABLE or a known entity was met: it is a DXF.
+    pub(in crate::dxf) recognised: bool,
+    blocks_by_name: FxHashMap<Vec<u8>, usize>,
+    other_index: FxHashMap<&'a [u8], u32>,
+}
+
+impl<'a> File<'a> {
+    /// Tells every insert where its block is.
+    pub(super) fn find_blocks(&mut self) {
+        let by_name = &self.blocks_by_name;
+        for entity in self.model.iter_mut().chain(self.blocks.iter_mut().flat_map(|b| &mut b.entities)) {
+            if let Form::Insert(insert) = &mut entity.form {
+                insert.block = by_name.get(&insert.name.to_ascii_uppercase()).copied();
+            }
+        }
+    }
+
+    /// The name behind [`Form::Other`].
+    pub(in crate::dxf) fn other_name(&self, index: u32) -> &'a [u8] {
+        self.other_names.get(index as usize).copied().unwrap_or_default()
+    }
+
+    pub(super) fn other(&mut self, name: &'a [u8]) -> u32 {
+        let next = u32::try_from(self.other_names.len()).unwrap_or(u32::MAX);
+        let index = *self.other_index.entry(name).or_insert(next);
+        if index == next {
+            self.other_names.push(name);
+        }
+        index
+    }
+
+    pub(super) fn open_block(&mut self, record: &Record<'a>) -> usize {
+        const EXTERNAL: i64 = 4;
+        let name = record.text(2).or(record.text(3)).unwrap_or_default();
+        let index = self.blocks.len();
+        self.blocks.push(Block {
+            name,
+            base: record.point(10).unwrap_or(DVec3::ZERO),
+            damaged: record.damaged || entities::judge(record) == Soundness::Broken,
+            external: record.flag(EXTERNAL),
+            entities: Vec::new(),
+        });
+        let first = *self.blocks_by_name.entry(name.to_ascii_uppercase()).or_insert(index);
+        if first != index {
+            self.notes.push(Note {
+                handle: record.handle,
+                name,
+                ..Note::new(
+                    Code::InvalidGeometry,
+                    Severity::Warning,
+                    "The block \"{}\" is defined twice; the first definition is used.",
+                )
+            });
+        }
+        index
+    }
+}

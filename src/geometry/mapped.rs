@@ -1,0 +1,41 @@
+//! The image of a path under an affine map.
+
+use super::affine::Affine;
+use super::ellipse::Ellipse;
+use super::path::Path;
+use super::segment::Segment;
+use glam::DVec2;
+
+impl Affine {
+    /// The image of a path, joined as it was; arcs that become pieces of an ellipse are fitted within `tolerance` mm.
+    /// Arcs that shrink to a point disappear.
+    pub fn path(&self, path: &Path, tolerance: f64) -> Path {
+        let similar = self.is_similarity();
+        let mut out = Vec::with_capacity(path.segments.len());
+        for s in &path.segments {
+            match s {
+                Segment::Arc(a) if !similar => {
+                    let from = out.len();
+                    out.extend(Ellipse::of_arc(a, self).to_segments(tolerance));
+                    pin_ends(&mut out[from..], self.point(a.start), self.point(a.end));
+                }
+                _ => out.extend(self.segment(s)),
+            }
+        }
+        Path::new(out, path.closed)
+    }
+}
+
+/// Sets the ends of a chain that misses them by rounding.
+fn pin_ends(chain: &mut [Segment], start: DVec2, end: DVec2) {
+    match chain.first_mut() {
+        Some(Segment::Line(l)) => l.start = start,
+        Some(Segment::Arc(a)) => a.start = start,
+        None => {}
+    }
+    match chain.last_mut() {
+        Some(Segment::Line(l)) => l.end = end,
+        Some(Segment::Arc(a)) => a.end = end,
+        None => {}
+    }
+}

@@ -1,0 +1,23 @@
+//! The company that walks begin with: which items each remembers before any round has taught more.
+
+use super::super::net::Item;
+use super::super::pairs::Pairs;
+use crate::order::{real, sort_by};
+
+/// Nearest items in the company of each item at first: with none, the first rounds only find that out.
+const COMPANY: usize = 4;
+
+/// The nearest few items of each.
+pub(super) fn nearest_company(items: &[Item], first: usize, pairs: &Pairs) -> Vec<Vec<usize>> {
+    let mut company = vec![Vec::new(); items.len()];
+    for (i, list) in company.iter_mut().enumerate().skip(first) {
+        let mut near: Vec<(usize, f64)> = pairs.of[i]
+            .iter()
+            .map(|&(e, side)| (pairs.list[e].items[1 - side], pairs.list[e].least))
+            .filter(|n| n.0 >= first)
+            .collect();
+        sort_by(&mut near, |n| [real(n.1), n.0 as u64, 0]);
+        list.extend(near.iter().take(COMPANY).map(|n| n.0));
+    }
+    company
+}

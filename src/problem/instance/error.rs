@@ -1,0 +1,21 @@
+//! What is wrong with an instance file.
+
+/// Why a file is no usable instance: one sentence, with the line where there is one.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{}{what}", line.map_or(String::new(), |l| format!("Line {l}: ")))]
+pub struct InstanceError {
+    /// Line in the file, from 1.
+    pub line: Option<usize>,
+    /// What is wrong.
+    pub what: String,
+}
+
+impl InstanceError {
+    pub(super) fn at(line: usize, what: String) -> Self {
+        Self { line: Some(line), what }
+    }
+
+    pub(super) fn whole(what: String) -> Self {
+        Self { line: None, what }
+    }
+}

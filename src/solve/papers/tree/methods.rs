@@ -1,0 +1,88 @@
+//! The three methods of the paper as solvers.
+
+use super::frame::Frame;
+use super::ground::Ground;
+use super::params::PartitionTree;
+use super::single::Single;
+use crate::problem::Problem;
+use crate::solve::papers::lead::Running;
+use crate::solve::{Search, Solution, Solver, SolverInfo};
+use serde::{Deserialize, Serialize};
+
+const SOURCE: &str = "Dewil, Vansteenwegen, Cattrysse, Laguna, Vossen: An improvement heuristic framework for the laser \
+                      cutting tool path problem. International Journal of Production Research (2014)";
+
+impl Solver for PartitionTree {
+    fn info(&self) -> SolverInfo {
+        SolverInfo {
+            name: "partition-tree",
+            title: "Partition tree",
+            about: "Contours in partitions that hang from each other: a tour within each, an arborescence between them, \
+                    and contours left unfinished for others.",
+            source: Some(SOURCE),
+        }
+    }
+
+    fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
+        if Ground::is_one_tree(problem) {
+            Box::new(Running(Frame::new(problem, *self, seed)))
+        } else {
+            Box::new(Running(Single::new(problem, seed, self.gtsp_moves)))
+        }
+    }
+}
+
+/// The construction heuristic alone.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Pfr {}
+
+impl Solver for Pfr {
+    fn info(&self) -> SolverInfo {
+        SolverInfo {
+            name: "pfr",
+            title: "PFr",
+            about: "Builds a path by nearest insertion, outermost contours first, and leaves contours unfinished where \
+                    that is cheaper.",
+            source: Some(SOURCE),
+        }
+    }
+
+    fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
+        if Ground::is_one_tree(problem) {
+            Box::new(Running(Frame::construction(problem)))
+        } else {
+            Box::new(Running(Single::new(problem, seed, 0)))
+        }
+    }
+}
+
+/// All contours in one partition, each cut in one go: what CAM programs make.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct GtspLk {
+    /// Moves of the search, a contour.
+    pub gtsp_moves: u64,
+}
+
+impl Default for GtspLk {
+    fn default() -> Self {
+        Self { gtsp_moves: PartitionTree::default().gtsp_moves }
+    }
+}
+
+impl Solver for GtspLk {
+    fn info(&self) -> SolverInfo {
+        SolverInfo {
+            name: "gtsp-lk",
+            title: "GTSP tour",
+            about: "A tour over all contours, each cut in one go, found without precedence and then repaired: what CAM \
+                    programs make at best.",
+            source: Some(SOURCE),
+        }
+    }
+
+    fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
+        Box::new(Running(Single::new(problem, seed, self.gtsp_moves)))
+    }
+}

@@ -1,0 +1,43 @@
+//! What may be put back next.
+
+use super::super::net::{Net, Step};
+use super::places::Places;
+use super::state::State;
+
+/// Nodes looked at as the end of the trail before: so many of those with one element left, and of others, the nearest;
+/// rather where an odd number of elements is left.
+const JUMPS: usize = 3;
+
+impl Places {
+    /// Steps that may be put back where a state is, or (`true`) after a jump.
+    pub(super) fn steps(&self, net: &Net, state: &State, mut visit: impl FnMut(Step, bool)) {
+        let open =
+            |node: u32| self.arriving[node as usize].iter().copied().filter(|&s| state.may_take(net, s));
+        let here = state.at.here;
+        open(here).for_each(|s| visit(s, false));
+        if state.at.after.is_none() {
+            return;
+        }
+        // With one element left, with an odd number, with an even one.
+        let mut ends: [Vec<u32>; 3] = Default::default();
+        let look = |ends: &mut [Vec<u32>; 3], node: u32| {
+            let kind = match state.left(node) {
+                0 => return false,
+                1 => 0,
+                left => 2 - usize::from(left % 2),
+            };
+            if ends[kind].len() < JUMPS && open(node).next().is_some() {
+                ends[kind].push(node);
+            }
+            ends[0].len() + ends[1].len() == 2 * JUMPS
+        };
+        let enough = self.near[here as usize].iter().any(|&n| look(&mut ends, n));
+        if !enough && ends.iter().all(Vec::is_empty) {
+            net.nodes().filter(|&n| n != here).any(|n| look(&mut ends, n));
+        }
+        let [last, odd, even] = &ends;
+        for &node in last.iter().chain(odd.iter().chain(even).take(JUMPS)) {
+            open(node).for_each(|s| visit(s, true));
+        }
+    }
+}

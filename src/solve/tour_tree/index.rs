@@ -1,0 +1,7 @@
+//! Counts as indices.
+
+/// Counts fit 32 bits: the reader's limits leave fewer than 2^32 places.
+#[expect(clippy::cast_possible_truncation, reason = "see above")]
+pub(super) fn index(n: usize) -> u32 {
+    n as u32
+}
