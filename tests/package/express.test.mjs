@@ -6,7 +6,7 @@ import { once } from 'node:events';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { quote } from 'kerfway';
-import { bytes, circle, dxf, KEYBOARD, ROOT, square } from './support.mjs';
+import { bytes, circle, dxf, KEYBOARD, line, ROOT, square } from './support.mjs';
 
 let server, url;
 /** In the server's process: knows the workers, and has them die when told. */
@@ -20,10 +20,21 @@ const PRELOAD = `data:text/javascript,${encodeURIComponent(`
     Promise.all([...workers].map((worker) => worker.terminate())).then(() => console.log('the workers died'));
   });
 `)}`;
-before(async () => {
-  server = spawn(process.execPath, ['--import', PRELOAD, join(ROOT, 'examples', 'express', 'server.mjs')], { env: { ...process.env, PORT: '0' }, stdio: ['ignore', 'pipe', 'inherit'] });
+/** The first worker, which names the machines, lives; those of the pool die as soon as they start. */
+const DYING = `data:text/javascript,${encodeURIComponent(`
+  let started = 0;
+  process.on('worker', (worker) => started++ > 0 && worker.terminate());
+`)}`;
+
+async function start(t, preload, stderr = 'ignore') {
+  const server = spawn(process.execPath, ['--import', preload, join(ROOT, 'examples', 'express', 'server.mjs')], { env: { ...process.env, PORT: '0' }, stdio: ['ignore', 'pipe', stderr] });
+  t?.after(() => server.kill());
   const [told] = await once(server.stdout, 'data');
-  url = /http:\S+\/quotes/.exec(String(told))[0];
+  return { server, url: /http:\S+\/quotes/.exec(String(told))[0] };
+}
+
+before(async () => {
+  ({ server, url } = await start(null, PRELOAD, 'inherit'));
 });
 after(() => server.kill());
 
@@ -82,8 +93,61 @@ describe('the upload server', () => {
     assert.ok(told.weight > 0);
   });
 
-  it('names the machine it does not know, and the limit that is passed', async () => {
-    assert.match((await (await send(bytes(KEYBOARD), '?machine=jelly')).json()).problem, /no machine named jelly/);
+  it('refuses a form instead of quoting its envelope as a drawing', async () => {
+    const form = new FormData();
+    form.set('drawing', new Blob([dxf(square(0, 0, 30))]), 'plate.dxf');
+    const multipart = await fetch(url, { method: 'POST', body: form });
+    assert.equal(multipart.status, 415);
+    assert.match((await multipart.json()).problem, /is a form.*Send the bytes of the DXF file alone/);
+    // A form under another name is a form.
+    const envelope = await new Response(form).arrayBuffer();
+    assert.equal((await send(envelope)).status, 415);
+  });
+
+  it('takes the bytes of a drawing whatever type is named', async () => {
+    for (const type of ['application/octet-stream', 'application/x-www-form-urlencoded', 'text/plain', 'application/dxf', 'application/json']) {
+      const answer = await fetch(url, { method: 'POST', body: dxf(square(0, 0, 30)), headers: { 'content-type': type } });
+      assert.equal(answer.status, 200, type);
+      assert.deepEqual((await answer.json()).bounds, [0, 0, 30, 30], type);
+    }
+  });
+
+  it('names the field of the address that is wrong', async () => {
+    const wrong = {
+      'thickness=3mm': /field thickness must be a number above 0 in mm/,
+      'thickness=': /field thickness/,
+      'thickness=-1': /field thickness/,
+      'thickness=Infinity': /field thickness/,
+      'thickness=1&thickness=2': /field thickness/,
+      'density=heavy': /field density/,
+      'machine=jelly': /field machine: there is no machine named jelly. Choose one of: co2-100w/,
+      'machine[a]=1': /no field|no machine/,
+      'name=a&name=b': /field name/,
+      'thicknes=3': /no field "thicknes"/,
+    };
+    for (const [query, message] of Object.entries(wrong)) {
+      const answer = await send(dxf(square(0, 0, 30)), `?${query}`);
+      assert.equal(answer.status, 400, query);
+      assert.match((await answer.json()).problem, message, query);
+    }
+  });
+
+  it('says 422 of a drawing without anything to cut', async () => {
+    for (const drawing of [dxf(), dxf(line(5, 5, 5, 5))]) {
+      const answer = await send(drawing);
+      assert.equal(answer.status, 422);
+      assert.match((await answer.json()).problem, /nothing to cut/);
+    }
+  });
+
+  it('says 500 of a fault of its own, and nothing of its inside', async (t) => {
+    const { server: faulty, url: at } = await start(t, DYING);
+    const answer = await fetch(at, { method: 'POST', body: dxf(square(0, 0, 30)) });
+    assert.deepEqual([answer.status, await answer.json()], [500, { problem: 'The quote could not be made because of a fault of the server. Try again later.' }]);
+    assert.equal(faulty.exitCode, null);
+  });
+
+  it('names the limit that is passed', async () => {
     const large = await send(new Uint8Array(21 * 2 ** 20));
     assert.deepEqual([large.status, await large.json()], [413, { problem: 'The drawing is larger than 20mb.' }]);
   });
