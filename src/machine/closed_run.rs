@@ -64,7 +64,7 @@ impl ClosedRun {
         let mut runs = Vec::with_capacity(path.len());
         let (mut pieces, mut length) = (Vec::with_capacity(path.len()), 0.0);
         for element in path {
-            let run = Run::new(element, process.speed, accel);
+            let run = Run::new(profile, process.speed, accel, element);
             let start = length;
             length += run.length;
             if run.length > 0.0 {

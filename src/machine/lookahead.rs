@@ -1,10 +1,9 @@
 //! Seconds along a contour: from rest at the entry to rest at the exit, no faster than the process, the bends and
 //! the corners allow.
 //!
-//! Speed limits: the process speed everywhere; on an arc of radius r the speed v with v^2 = a r, where the pull
-//! towards the centre is all the acceleration there is; at a corner between two elements GRBL's junction speed.
-//! Between these the speed changes by at most the acceleration a. The fastest run is found in two passes over the
-//! squares of the speeds at the junctions, which change by at most 2 a L along an element of length L: forward,
+//! Speed limits: the process speed everywhere; on an arc what `arc.rs` says; at a corner between two elements GRBL's
+//! junction speed. Between these the speed changes by at most the acceleration a. The fastest run is found in two passes
+//! over the squares of the speeds at the junctions, which change by at most 2 a L along an element of length L: forward,
 //! what can be reached, backward, what can be braked. Then each element is a trapezoid in closed form.
 //!
 //! Junction speed: S. K. Jeon, "Improving Grbl: Cornering Algorithm" (2011), and `planner.c` of GRBL 1.1: a circle
@@ -12,6 +11,7 @@
 //! v^2 = a R, with R = delta sin(t/2) / (1 - sin(t/2)), t the angle between the elements as seen from the corner
 //! (pi: straight on, 0: back the same way).
 
+use super::arc::arc_speed2;
 use super::profile::{Process, Profile};
 use crate::geometry::{DVec2, Segment};
 
@@ -22,7 +22,7 @@ pub fn cut_time(profile: &Profile, process: &Process, path: &[Segment]) -> f64 {
         return path.iter().map(Segment::length).sum::<f64>() / process.speed;
     };
     let runs: Vec<Run> =
-        path.iter().map(|s| Run::new(s, process.speed, accel)).filter(|r| r.length > 0.0).collect();
+        path.iter().map(|s| Run::new(profile, process.speed, accel, s)).filter(|r| r.length > 0.0).collect();
 
     // Squares of the speeds at the junctions; both ends at rest.
     let mut speed2 = vec![0.0; runs.len() + 1];
@@ -59,10 +59,10 @@ pub(super) struct Run {
 }
 
 impl Run {
-    pub(super) fn new(element: &Segment, speed: f64, accel: f64) -> Self {
+    pub(super) fn new(profile: &Profile, speed: f64, accel: f64, element: &Segment) -> Self {
         let top2 = match element {
             Segment::Line(_) => speed * speed,
-            Segment::Arc(a) => (speed * speed).min(accel * a.radius()),
+            Segment::Arc(a) => arc_speed2(profile.junction_deviation, accel, speed * speed, a.radius()),
         };
         Self { length: element.length(), top2, enters: element.tangent(0.0), leaves: element.tangent(1.0) }
     }
@@ -88,7 +88,7 @@ pub(super) fn corner_speed2(profile: &Profile, accel: f64, a: &Run, b: &Run) -> 
     junction_speed2(profile.junction_deviation, accel, a.leaves, b.enters).min(a.top2).min(b.top2)
 }
 
-/// Square of the speed at the corner between two directions; infinite where they agree or corners do not count.
+/// Square of the speed at the corner between two directions; infinite where they agree or corners have no limit.
 fn junction_speed2(deviation: Option<f64>, accel: f64, leaves: DVec2, enters: DVec2) -> f64 {
     let Some(deviation) = deviation else { return f64::INFINITY };
     // The angle between the elements is measured at the corner: straight on is pi.

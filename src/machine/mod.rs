@@ -1,5 +1,6 @@
 //! The machine: what it can do ([`Profile`]), and the seconds that follow from it ([`air_time`], [`cut_time`]).
 
+mod arc;
 mod closed_run;
 mod corner;
 mod float32;

@@ -69,8 +69,9 @@ pub struct Profile {
     pub cut: Process,
     /// Marking.
     pub mark: Process,
-    /// Allowed deviation at corners for the look-ahead, mm (GRBL's junction deviation); `None`: full speed through
-    /// every corner.
+    /// Allowed deviation at corners for the look-ahead, mm (GRBL's junction deviation, `$11`); it limits the speed on
+    /// arcs too, which such a controller runs as chords. `None`: full speed through every corner, and on arcs what the
+    /// acceleration allows towards the centre.
     pub junction_deviation: Option<f64>,
     /// Seconds to pierce.
     pub pierce_time: f64,

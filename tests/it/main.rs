@@ -23,6 +23,7 @@ mod kerf;
 mod kerf_drawings;
 mod layering;
 mod lower_bound;
+mod machine_time;
 mod metamorphic_intake;
 mod mutation_dxf;
 mod mutation_hostile;

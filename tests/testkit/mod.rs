@@ -21,6 +21,7 @@ pub mod drawings;
 pub mod dxf_text;
 pub mod gcode;
 pub mod grbl_arc;
+pub mod grbl_planner;
 pub mod mutate;
 pub mod outlines;
 pub mod paths;

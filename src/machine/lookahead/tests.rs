@@ -38,10 +38,8 @@ fn simulate(profile: &Profile, process: &Process, path: &[Segment], per_mm: f64)
     let mut steps = Vec::new();
     for (i, s) in path.iter().enumerate() {
         let pieces = (s.length() * per_mm).ceil().max(1.0);
-        let top = match s {
-            Segment::Line(_) => process.speed,
-            Segment::Arc(a) => process.speed.min((accel * a.radius()).sqrt()),
-        };
+        // The speed along an arc has a simulation of its own: `tests/it/machine_time.rs`.
+        let top = Run::new(profile, process.speed, accel, s).top2.sqrt();
         let corner = if i == 0 {
             0.0
         } else {

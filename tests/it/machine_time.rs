@@ -1,0 +1,118 @@
+//! The seconds of cuts against a simulation of GRBL's planner that runs the same programs chord by chord.
+
+use crate::testkit::grbl_planner::{self, Settings};
+use crate::testkit::paths::Element;
+use crate::testkit::{files, fixtures, name};
+use glam::DVec2;
+use kerfway::geometry::{Arc, Segment};
+use kerfway::job::{Job, LoadOptions, MachineChoice, OutputKind, PlanOptions};
+use kerfway::machine::{Process, Profile, cut_time, preset};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// Speed, acceleration, junction deviation, and how far the seconds of an arc may be off, as a fraction: GRBL makes fewer
+/// chords than the arc tolerance asks for, by up to one, which counts on arcs of a few chords on machines that are slow in
+/// corners.
+const MACHINES: [(f64, f64, f64, f64); 5] = [
+    (35.0, 2000.0, 0.01, 0.015),
+    (200.0, 2000.0, 0.01, 0.015),
+    (400.0, 5000.0, 0.02, 0.015),
+    (50.0, 300.0, 0.005, 0.045),
+    (30.0, 500.0, 0.001, 0.065),
+];
+
+fn element(segment: &Segment) -> Element {
+    let arc = match segment {
+        Segment::Line(_) => None,
+        Segment::Arc(a) => Some((a.center, a.sweep)),
+    };
+    Element { from: segment.start(), to: segment.end(), arc }
+}
+
+/// Seconds of a path: ours, and those of the simulation, which is given arcs of at most half a turn as a program has them.
+fn both(path: &[Segment], (speed, accel, deviation): (f64, f64, f64)) -> (f64, f64) {
+    let process = Process { speed, accel: Some(accel), power: 1.0 };
+    let profile = Profile { junction_deviation: Some(deviation), ..preset("co2-100w").unwrap() };
+    let halved = path.iter().flat_map(|s| match s {
+        Segment::Arc(a) if a.sweep.abs() > PI => vec![s.piece(0.0, 0.5), s.piece(0.5, 1.0)],
+        _ => vec![*s],
+    });
+    let elements: Vec<(Element, f64)> = halved.map(|s| (element(&s), speed)).collect();
+    let settings = Settings { accel, junction_deviation: deviation };
+    (cut_time(&profile, &process, path), grbl_planner::seconds(settings, &elements))
+}
+
+#[test]
+fn arcs_take_as_long_as_their_chords_do() {
+    for (speed, accel, deviation, limit) in MACHINES {
+        for radius in [0.05, 0.1, 0.3, 1.0, 2.5, 7.0, 20.0, 60.0, 400.0, 3000.0, 20_000.0] {
+            for sweep in [0.1, FRAC_PI_2, PI, TAU] {
+                let arc = Segment::Arc(Arc::from_angles(DVec2::new(3.0, 4.0), radius, 0.3, sweep));
+                let (ours, grbl) = both(&[arc], (speed, accel, deviation));
+                assert!(
+                    (ours / grbl - 1.0).abs() <= limit,
+                    "{ours} s, GRBL {grbl} s: radius {radius}, sweep {sweep}, {speed} mm/s, {accel} mm/s2, {deviation} mm"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn paths_of_lines_and_arcs_take_as_long_as_their_chords_do() {
+    for (speed, accel, deviation, limit) in MACHINES {
+        for radius in [0.2, 1.0, 4.0, 25.0] {
+            // A slot with a corner at one end: tangent joins, and joins at an angle.
+            let p = |x: f64, y: f64| DVec2::new(x, y);
+            let turn = Segment::Arc(Arc::from_angles(p(30.0, radius), radius, -FRAC_PI_2, PI));
+            let bow = Segment::Arc(Arc::from_angles(p(0.0, radius), radius, FRAC_PI_2 + 0.4, PI - 0.8));
+            let path = [
+                Segment::line(p(0.0, 0.0), turn.start()),
+                turn,
+                Segment::line(turn.end(), bow.start()),
+                bow,
+                Segment::line(bow.end(), p(0.0, 0.0)),
+            ];
+            let (ours, grbl) = both(&path, (speed, accel, deviation));
+            let off = (ours / grbl - 1.0).abs();
+            assert!(off <= limit, "{ours} s, GRBL {grbl} s: radius {radius}, {speed} mm/s, {deviation} mm");
+        }
+    }
+}
+
+/// Every drawing that can be planned, on a machine: name, seconds in all, of its cuts, and of the cuts in the simulation.
+fn drawings(machine: &str) -> Vec<(String, f64, f64, f64)> {
+    let profile = preset(machine).unwrap();
+    let settings = Settings {
+        accel: profile.cut.accel.unwrap(),
+        junction_deviation: profile.junction_deviation.unwrap(),
+    };
+    let planned = |file: std::path::PathBuf| {
+        let name = name(&file);
+        let mut job = Job::load(std::fs::read(&file).unwrap(), &name, &LoadOptions::default()).ok()?;
+        let machine = MachineChoice::Preset(machine.to_owned());
+        job.start(&PlanOptions { machine, moves: Some(2000), ..PlanOptions::default() }).ok()?;
+        job.run_mut().unwrap().step(2000);
+        let summary = job.plan().unwrap().summary;
+        let program = crate::testkit::gcode::run(&job.output(OutputKind::Gcode).unwrap()).unwrap();
+        let grbl = grbl_planner::work_seconds(settings, &program);
+        Some((name, summary.total_time, summary.cut_time, grbl))
+    };
+    let folder = std::env::var_os("KERFWAY_DRAWINGS").map_or(fixtures().join("dxf-dev"), Into::into);
+    files(&folder, "dxf").into_iter().filter_map(planned).collect()
+}
+
+/// The rounding of a program to 0.001 mm and the whole number of chords are in the simulation only.
+/// `KERFWAY_DRAWINGS=FOLDER cargo test --features png --test it machine_time -- --nocapture` prints the table.
+#[test]
+fn real_drawings_take_as_long_as_in_a_simulation_of_the_planner() {
+    for machine in ["co2-100w", "diode-hobby", "fibre-3kw-thin"] {
+        for (name, total, cut, grbl) in drawings(machine) {
+            let (simulated, off) = (total - cut + grbl, (cut - grbl) / total);
+            println!(
+                "{machine:<14} {name:<55.55} {total:>9.2} s, GRBL {simulated:>9.2} s, {:+.2} %",
+                100.0 * off
+            );
+            assert!(off.abs() <= 0.003, "{name} on {machine}: {total} s, GRBL {simulated} s");
+        }
+    }
+}
