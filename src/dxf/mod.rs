@@ -56,7 +56,8 @@ pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadError> {
     if bytes.len() > options.limits.bytes {
         return Err(ReadError::Limit(format!(
             "The file has {} MB; up to {} MB can be read. Delete what is not to be cut, or split the drawing.",
-            bytes.len() >> 20,
+            // Rounded up: what is past the limit must not read like the limit.
+            bytes.len().div_ceil(1 << 20),
             options.limits.bytes >> 20
         )));
     }

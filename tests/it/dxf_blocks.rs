@@ -177,6 +177,24 @@ fn limits_of_bytes_elements_and_coordinates_are_sentences() {
 }
 
 #[test]
+fn the_package_refuses_files_by_the_limit_of_the_reader() {
+    let package = include_str!("../../www/sdk/size.ts");
+    let limits = ReadOptions::default().limits;
+    let number = format!("MAX_BYTES = {} * 2 ** 20;", limits.bytes >> 20);
+    assert!(package.contains(&number), "www/sdk/size.ts must say {number}");
+    assert_eq!(limits.bytes % (1 << 20), 0, "the limit is a whole number of MB");
+
+    let few = ReadOptions { limits: Limits { bytes: 1, ..limits }, ..ReadOptions::default() };
+    let sentence = kerfway::dxf::read(b"two", &few).unwrap_err().to_string();
+    assert_eq!(
+        sentence,
+        "The file has 1 MB; up to 0 MB can be read. Delete what is not to be cut, or split the drawing."
+    );
+    let (_, advice) = sentence.split_once("up to 0").unwrap();
+    assert!(package.contains(advice), "www/sdk/size.ts must give the same advice");
+}
+
+#[test]
 fn paper_invisible_frozen_and_off_are_findings_and_no_shapes() {
     let text = lines(
         "0 SECTION 2 TABLES 0 TABLE 2 LAYER 0 LAYER 2 ICE 70 1 62 7 0 LAYER 2 DARK 70 0 62 -3 0 ENDTAB 0 ENDSEC \

@@ -64,16 +64,17 @@ describe('several drawings', () => {
     }
   });
 
-  it('nothing is written over a drawing, nor over what another drawing just wrote', async (t) => {
+  it('nothing is written over a drawing, nor over what is written for another', async (t) => {
     const at = drawings(t, ['a.dxf', 'b.dxf', 'deep/a.dxf']);
     const before = readFileSync(join(at, 'a.dxf'));
     const own = await kerfway('plan', join(at, 'a.dxf'), join(at, 'b.dxf'), ...QUICK, '--dxf', `${at}/`);
-    assert.equal(own.code, 1);
-    assert.match(own.stderr, /a\.dxf is a drawing itself and is not written over\. Name another folder\.\n/);
+    assert.equal(own.code, 2);
+    assert.match(own.stderr, /--dxf \S+a\.dxf for \S+a\.dxf is the same file as \S+a\.dxf, which is read\. Name another file or folder\.\n/);
     assert.deepEqual(readFileSync(join(at, 'a.dxf')), before);
     const twice = await kerfway('plan', join(at, '**/a.dxf'), ...QUICK, '--svg', `${at}/out/`);
-    assert.equal(twice.code, 1);
-    assert.match(twice.stderr, /^kerfway: \S+deep\/a\.dxf: \S+a\.svg was written for \S+\/a\.dxf already\./);
+    assert.equal(twice.code, 2);
+    assert.match(twice.stderr, /^kerfway: --svg \S+a\.svg for \S+deep\/a\.dxf is the same file as --svg \S+a\.svg for \S+\/a\.dxf\./);
+    assert.deepEqual(readdirSync(at).sort(), ['a.dxf', 'b.dxf', 'deep']);
   });
 
   it('patterns name what lies there, sorted, each once, and hidden files only when asked', (t) => {
@@ -99,8 +100,7 @@ describe('--watch', () => {
     child.stderr.on('data', (d) => (told.err += d));
     const contours = (name) => {
       const path = join(at, 'out', name);
-      // Between two looks of the test it may be half written.
-      try { return existsSync(path) ? JSON.parse(readFileSync(path, 'utf8')).contours.length : 0; } catch { return 0; }
+      return existsSync(path) ? JSON.parse(readFileSync(path, 'utf8')).contours.length : 0;
     };
     const until = async (what) => {
       for (let k = 0; k < 400 && !what(); k++) await wait(50);

@@ -202,7 +202,7 @@ describe('kerfway', () => {
     for (const [args, sentence] of [
       [['plan', join(at, 'none.dxf')], /none\.dxf cannot be read: there is no such file\./],
       [['inspect', join(at, 'sub')], /sub cannot be read: that is a folder, not a file\./],
-      [[...PLAN, '--svg', join(at, 'gone', 'x.svg')], /x\.svg cannot be written: there is no such file\./],
+      [[...PLAN, '--svg', join(at, 'gone', 'x.svg')], /x\.svg cannot be written: there is no such folder\. No file was changed\. Name another place\./],
       [[...PLAN, '--machine', fixture(KEYBOARD)], /is not JSON: a machine profile/],
     ]) {
       const { code, stderr } = await kerfway(...args);

@@ -36,6 +36,7 @@ import { Scene } from './stage/scene.js';
 import { Viewport } from './stage/viewport.js';
 import type { Finding, LoadOptions, MachineProfile, OutputKind } from 'kerfway';
 import { words } from './core/words/index.js';
+import { tooLarge } from 'kerfway';
 
 /** CSS pixels around the pointer in which a contour is picked; a finger is wider. */
 const REACH = { pointer: 8, touch: 20 };
@@ -79,6 +80,12 @@ export async function startPage(): Promise<void> {
   };
   const openFile = async (file: File, load: LoadOptions | null, begun: () => void) => {
     hideHint();
+    const refused = tooLarge(file.size);
+    if (refused !== null) {
+      begun();
+      session.refuse(file.name, refused);
+      return;
+    }
     try {
       const bytes = await file.arrayBuffer();
       begun();

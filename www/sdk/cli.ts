@@ -5,10 +5,11 @@ import { COMMANDS, commandsInWords, type Command } from './cli/commands.js';
 import { completion } from './cli/completion.js';
 import { manual, overview, version } from './cli/help.js';
 import { inspect } from './cli/inspect.js';
-import { Unusable, WrongUse } from './cli/io.js';
+import { print, readerLeft, Unusable, WrongUse } from './cli/io.js';
 import { methods } from './cli/methods.js';
 import { plan } from './cli/plan.js';
 import { quote } from './cli/quote.js';
+import { complain } from './cli/safe-text.js';
 import { solve } from './cli/solve.js';
 
 const RUNS = new Map(Object.entries({ plan, inspect, quote, methods, solve, completion }));
@@ -17,12 +18,12 @@ async function main([command, ...rest]: string[]): Promise<void> {
   if (command === undefined) throw new WrongUse(`Say what to do: kerfway ${commandsInWords()}.`);
   if (command === '--help' || command === '-h' || command === 'help') {
     const [about] = rest;
-    process.stdout.write(about === undefined ? overview() : manual(about, known(about)));
+    await print(about === undefined ? overview() : manual(about, known(about)));
   } else if (command === '--version' || command === '-v') {
-    process.stdout.write(`${await version()}\n`);
+    await print(`${await version()}\n`);
   } else {
     const about = known(command);
-    if (rest.includes('--help') || rest.includes('-h')) process.stdout.write(manual(command, about));
+    if (rest.includes('--help') || rest.includes('-h')) await print(manual(command, about));
     else await RUNS.get(command)?.(rest);
   }
 }
@@ -33,10 +34,9 @@ function known(name: string): Command {
   return command;
 }
 
-// Whoever reads our output may stop reading (`| head`): that is no failure.
+// Other errors reach whoever writes.
 process.stdout.on('error', (error: NodeJS.ErrnoException) => {
-  if (error.code !== 'EPIPE') throw error;
-  process.exit(0);
+  if (error.code === 'EPIPE') readerLeft();
 });
 
 try {
@@ -44,10 +44,11 @@ try {
 } catch (error) {
   const message = error instanceof Error ? error.message : String(error);
   if (error instanceof WrongUse) {
-    process.stderr.write(`kerfway: ${message}\nRun kerfway --help for the options.\n`);
+    complain(message);
+    process.stderr.write('Run kerfway --help for the options.\n');
     process.exitCode = 2;
   } else if (error instanceof Unusable) {
-    process.stderr.write(`kerfway: ${message}\n`);
+    complain(message);
     process.exitCode = 1;
   } else {
     throw error;

@@ -9,6 +9,7 @@ import { Crew, type Drawing } from './crew.js';
 import { Line, PATIENCE, type StartWorker } from './line.js';
 import { RunningPlan, type PlanHandle, type PlanMessage } from './plan-handle.js';
 import type { Material, Quote } from './quote.js';
+import { checkSize } from './size.js';
 import type {
   Budget,
   FromWorker,
@@ -94,6 +95,7 @@ export class Planner {
 
   /** Reads a DXF file. A plan under way ends. Rejects with one sentence when the file is unusable. */
   async load(bytes: ArrayBuffer | Uint8Array, name: string, options: LoadOptions = {}): Promise<Loaded> {
+    checkSize(bytes.byteLength);
     const drawing = { bytes: ownCopy(bytes), name, options };
     await this.ready;
     const { loaded } = await this.ask<'load'>((id) => ({ type: 'load', id, ...drawing }));

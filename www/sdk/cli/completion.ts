@@ -6,7 +6,7 @@
 import { createPlanner } from '../node.js';
 import { oneWord, oneOf, parsed } from './arguments.js';
 import { COMMANDS, optionsOf, SHELLS, type Choices, type Command, type Option } from './commands.js';
-import { put } from './io.js';
+import { print } from './io.js';
 
 /** An option of a command with what completes its value. */
 interface Completed extends Option {
@@ -40,7 +40,7 @@ export async function completion(args: string[]): Promise<void> {
     options: Object.entries(optionsOf(name)).map(([option, about]) => ({ name: option, values: listed(about.choices), ...about })),
     values: listed(command.choices),
   }));
-  await put('-', SCRIPTS[shell](commands));
+  await print(SCRIPTS[shell](commands));
 }
 
 const SCRIPTS: Record<(typeof SHELLS)[number], (commands: readonly Completing[]) => string> = { bash, zsh, fish };

@@ -1,17 +1,25 @@
 /**
- * Where outputs go: one file for one drawing; a folder, or lines of JSON on standard output, for several. Nothing is written
- * over a drawing that was named, nor over what another one just wrote.
+ * Where outputs go: one file for one drawing; a folder, or lines of JSON on standard output, for several. No output may be a file that
+ * is read, or one that another output is written to: that is found before anything is planned.
  */
 
-import { mkdirSync, statSync } from 'node:fs';
-import { basename, extname, join, resolve } from 'node:path';
+import { mkdirSync } from 'node:fs';
+import { basename, extname, join } from 'node:path';
 import { text, type Words } from './arguments.js';
-import { put, Unusable, WrongUse } from './io.js';
+import { writeAll } from './atomic.js';
+import { Unusable, WrongUse } from './io.js';
+import { identityOf, identityOfInput, lookAt, STANDARD_OUTPUT } from './target.js';
 
 /** An output that is asked for. */
 export interface Output<Kind extends string = string> {
   kind: Kind;
   out: string;
+}
+
+/** What is written for one of them. */
+export interface Written {
+  output: Output;
+  data: string | Uint8Array;
 }
 
 /** Those of these kinds that the words ask for. */
@@ -25,12 +33,12 @@ export function outputsOf<Kind extends string>({ values }: Words, kinds: readonl
 const ENDINGS: Record<string, string> = { gcode: '.nc', json: '.json', svg: '.svg', dxf: '.dxf', png: '.png' };
 
 export class Destinations {
-  /** Which drawing wrote which file. */
-  private readonly written = new Map<string, string>();
-  private files: readonly string[] = [];
-
-  constructor(private readonly outputs: readonly Output[]) {
-    const [first, second] = outputs.filter((o) => o.out === '-');
+  /** `inputs`: files that are read besides drawings. */
+  constructor(
+    private readonly outputs: readonly Output[],
+    private readonly inputs: readonly string[] = [],
+  ) {
+    const [first, second] = outputs.filter((o) => o.out === STANDARD_OUTPUT);
     if (first !== undefined && second !== undefined) {
       throw new WrongUse(`--${first.kind} and --${second.kind} cannot both go to standard output.`);
     }
@@ -38,43 +46,64 @@ export class Destinations {
 
   /** True when standard output is for a program: what people read goes to the other one. */
   get piped(): boolean {
-    return this.outputs.some((o) => o.out === '-');
+    return this.outputs.some((o) => o.out === STANDARD_OUTPUT);
   }
 
   /** Refuses what cannot hold the outputs of all these drawings, before any is planned. */
   begin(files: readonly string[]): void {
-    this.files = files.map((file) => resolve(file));
-    if (files.length < 2) return;
-    for (const { kind, out } of this.outputs) {
-      if (out === '-' && kind !== 'json') throw new WrongUse(`--${kind} - is for one drawing, and there are ${files.length}: name a folder, ending in /.`);
-      if (out !== '-' && !isFolder(out)) throw new WrongUse(`--${kind} ${out} is one file, and there are ${files.length} drawings: name a folder, ending in /.`);
+    if (files.length > 1) {
+      for (const { kind, out } of this.outputs) {
+        if (out === STANDARD_OUTPUT && kind !== 'json') throw new WrongUse(`--${kind} - is for one drawing, and there are ${files.length}: name a folder, ending in /.`);
+        if (out !== STANDARD_OUTPUT && !isFolder(out)) throw new WrongUse(`--${kind} ${out} is one file, and there are ${files.length} drawings: name a folder, ending in /.`);
+      }
+    }
+    this.refuseClashes(files);
+  }
+
+  /** Writes what was made of one drawing: all of it, or nothing. */
+  async write(file: string, written: readonly Written[]): Promise<void> {
+    // Links may have been changed while it was planned.
+    this.refuseClashes([file]);
+    for (const { output: { out } } of written) if (out !== STANDARD_OUTPUT && isFolder(out)) makeFolder(out);
+    await writeAll(written.map(({ output, data }) => ({ out: placeOf(output, file), data })));
+  }
+
+  /** Files that are there from an earlier plan of this drawing. */
+  existing(file: string): string[] {
+    const places = this.outputs.filter(({ out }) => out !== STANDARD_OUTPUT).map((output) => placeOf(output, file));
+    return places.filter((place) => lookAt(place)?.isFile() === true);
+  }
+
+  private refuseClashes(files: readonly string[]): void {
+    const taken = new Map<string | null, string>();
+    for (const input of [...files, ...this.inputs]) taken.set(identityOfInput(input), `${input}, which is read`);
+    // JSON of all drawings goes to one standard output.
+    const standard = this.outputs.find(({ out }) => out === STANDARD_OUTPUT);
+    const places = this.outputs.filter((output) => output !== standard).flatMap((output) => files.map((file) => ({ output, file })));
+    for (const { output, file } of standard === undefined ? places : [{ output: standard, file: '' }, ...places]) {
+      const place = placeOf(output, file);
+      const identity = identityOf(place);
+      const other = identity === null ? undefined : taken.get(identity);
+      const whose = files.length > 1 && output !== standard ? ` for ${file}` : '';
+      if (other !== undefined) throw new WrongUse(`--${output.kind} ${place}${whose} is the same file as ${other}. Name another file or folder.`);
+      taken.set(identity, `--${output.kind} ${place}${whose}`);
     }
   }
+}
 
-  async write({ kind, out }: Output, file: string, data: string | Uint8Array): Promise<void> {
-    const target = out === '-' ? out : isFolder(out) ? this.within(out, file, ENDINGS[kind] ?? '') : out;
-    if (target !== '-') this.claim(target, file);
-    await put(target, data);
-  }
+/** The file that an output of a drawing goes to. */
+function placeOf({ kind, out }: Output, file: string): string {
+  return out !== STANDARD_OUTPUT && isFolder(out) ? join(out, basename(file, extname(file)) + (ENDINGS[kind] ?? '')) : out;
+}
 
-  private within(folder: string, file: string, ending: string): string {
-    try {
-      mkdirSync(folder, { recursive: true });
-    } catch {
-      throw new Unusable(`${folder} cannot be made: there is no place for that folder.`);
-    }
-    return join(folder, basename(file, extname(file)) + ending);
-  }
-
-  private claim(target: string, file: string): void {
-    const path = resolve(target);
-    if (this.files.includes(path)) throw new Unusable(`${file}: ${target} is a drawing itself and is not written over. Name another folder.`);
-    const before = this.written.get(path);
-    if (before !== undefined && before !== file) throw new Unusable(`${file}: ${target} was written for ${before} already. Give one of the two another name.`);
-    this.written.set(path, file);
+function makeFolder(folder: string): void {
+  try {
+    mkdirSync(folder, { recursive: true });
+  } catch {
+    throw new Unusable(`${folder} cannot be made: there is no place for that folder. Name another folder.`);
   }
 }
 
 function isFolder(out: string): boolean {
-  return /[/\\]$/.test(out) || statSync(out, { throwIfNoEntry: false })?.isDirectory() === true;
+  return /[/\\]$/.test(out) || lookAt(out)?.isDirectory() === true;
 }

@@ -20,7 +20,8 @@ export async function inspect(args: string[]): Promise<void> {
   try {
     await eachFile(given, { outputs, columns: COLUMNS }, async (file, place, to) => {
       const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), options));
-      for (const output of outputs) await to.write(output, file, `${JSON.stringify(report(loaded))}\n`);
+      const data = `${JSON.stringify(report(loaded))}\n`;
+      await to.write(file, outputs.map((output) => ({ output, data })));
       // Whoever reads the report of one drawing by a program needs no second one.
       if (!piped || place.of > 1) await to.tell(place, () => told(loaded), () => row(file, loaded));
     });
@@ -66,12 +67,12 @@ function lengthOf({ contours }: Pick<Loaded, 'contours'>, operation: string): nu
   return contours.filter((c) => c.operation === operation).reduce((sum, c) => sum + c.length, 0);
 }
 
-function told(loaded: Loaded): string {
+function told(loaded: Loaded): string[] {
   const { units, parts, layers, entities, findings } = loaded;
   const contours = worked(loaded);
   const open = contours.filter((c) => !c.closed).length;
   const marks = lengthOf(loaded, 'mark');
-  const lines = [
+  return [
     `${loaded.name}${loaded.version === null ? '' : `, ${loaded.version}`}, ${size(loaded.bounds)}`,
     `Units      ${units.unit} (${units.source}): ${units.reason}`,
     `Contours   ${contours.length}: ${contours.length - open} closed, ${open} open`,
@@ -83,7 +84,6 @@ function told(loaded: Loaded): string {
     findings.length === 0 ? 'Findings   none' : 'Findings',
     ...findings.map(finding),
   ];
-  return `${lines.join('\n')}\n`;
 }
 
 function suggested(operation: string | null): string {

@@ -1,7 +1,7 @@
 /** `kerfway methods`: what there is to plan with. */
 
 import { createPlanner } from '../node.js';
-import { WrongUse } from './io.js';
+import { print, WrongUse } from './io.js';
 
 export async function methods(args: string[]): Promise<void> {
   if (args.length > 0) throw new WrongUse(`methods takes no more words, not ${args[0]}.`);
@@ -10,13 +10,15 @@ export async function methods(args: string[]): Promise<void> {
   planner.close();
   const all = [...planner.methods, ...papers];
   const width = Math.max(...all.map((m) => m.name.length));
+  const lines: string[] = [];
   for (const { name, title, about, source } of all) {
     const cited = source === null ? '' : ` ${source}`;
-    process.stdout.write(`${name.padEnd(width)}  ${title}. ${about}${cited}\n`);
+    lines.push(`${name.padEnd(width)}  ${title}. ${about}${cited}`);
   }
-  process.stdout.write('\nParameters of the methods from papers, for --set:\n');
+  lines.push('', 'Parameters of the methods from papers, for --set:');
   for (const { name, parameters } of papers) {
     const given = Object.entries(parameters).map(([key, value]) => `${key}=${String(value)}`);
-    if (given.length > 0) process.stdout.write(`${name.padEnd(width)}  ${given.join(' ')}\n`);
+    if (given.length > 0) lines.push(`${name.padEnd(width)}  ${given.join(' ')}`);
   }
+  await print(lines.join('\n'));
 }

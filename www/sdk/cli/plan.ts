@@ -4,7 +4,7 @@ import { basename } from 'node:path';
 import type { PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, OutputKind, PlanOptions } from '../protocol.js';
 import { parsed } from './arguments.js';
-import { outputsOf } from './destinations.js';
+import { outputsOf, type Written } from './destinations.js';
 import { usable } from './io.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
@@ -16,7 +16,9 @@ export async function plan(args: string[]): Promise<void> {
   const given = parsed('plan', args);
   const outputs = outputsOf(given, OUTPUTS);
   await planFiles(given, { outputs, columns: COLUMNS }, async ({ file, place, planner, loaded, result, options }, to) => {
-    for (const output of outputs) await to.write(output, file, await usable(file, planner.output(output.kind)));
+    const written: Written[] = [];
+    for (const output of outputs) written.push({ output, data: await usable(file, planner.output(output.kind)) });
+    await to.write(file, written);
     await to.tell(place, () => told(file, loaded, result, options), () => row(file, loaded, result));
   });
 }
@@ -45,7 +47,7 @@ function row(file: string, loaded: Loaded, { progress: { summary: s }, baselines
 /** A path this near to what is proven is optimal: what is left is rounding. */
 const PROVEN = 1e-9;
 
-function told(file: string, loaded: Loaded, result: PlanResult, { machine, workers = 1 }: PlanOptions): string {
+function told(file: string, loaded: Loaded, result: PlanResult, { machine, workers = 1 }: PlanOptions): string[] {
   const { summary: s, moves, seconds } = result.progress;
   const { drawing, greedy } = result.baselines;
   const findings = worthTelling(loaded);
@@ -63,7 +65,7 @@ function told(file: string, loaded: Loaded, result: PlanResult, { machine, worke
     lines.push(`Optimum    ${s.gap <= PROVEN ? 'this is it: proven' : `at least ${duration(s.lower_bound)}: this is at most ${percent(s.gap)} above`}`);
   }
   if (findings > 0) lines.push(`Findings   ${findings}: kerfway inspect ${file} tells them`);
-  return `${lines.join('\n')}\n`;
+  return lines;
 }
 
 function worthTelling({ findings }: Loaded): number {

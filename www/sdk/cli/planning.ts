@@ -29,7 +29,8 @@ export async function planFiles(given: Words, asked: Asked, write: (planned: Pla
   const planner = await createPlanner();
   try {
     const options: PlanOptions = { ...budget, ...(await choices(given, planner)) };
-    await eachFile(given, asked, async (file, place, to) => {
+    const profile = profileFile(given, planner);
+    await eachFile(given, { ...asked, inputs: profile === null ? [] : [profile] }, async (file, place, to) => {
       const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), load));
       const result = await usable(file, searched(planner, options, file, place));
       await write({ file, place, planner, loaded, result, options }, to);
@@ -52,6 +53,12 @@ async function choices({ values }: Words, planner: Planner): Promise<PlanOptions
   const machine = await machineOf(text(values, 'machine') ?? DEFAULT_MACHINE, planner);
   options.machine = values['no-return'] === true ? { ...machine, return_home: false } : machine;
   return options;
+}
+
+/** The file of the machine's profile; `null` when it is a preset. */
+function profileFile({ values }: Words, { machines }: Planner): string | null {
+  const word = text(values, 'machine');
+  return word === undefined || machines.some((m) => m.name === word) ? null : word;
 }
 
 /** A preset by its name; anything that looks like a file is one. */

@@ -3,6 +3,7 @@
 import { DEFAULT_SECONDS } from '../options.js';
 import type { PlanOptions, Progress } from '../protocol.js';
 import type { Place } from './batch.js';
+import { visible } from './safe-text.js';
 import { duration, percent } from './words.js';
 
 const BAR = 16;
@@ -14,7 +15,7 @@ export function progressLine({ seconds, moves, rate, summary }: Progress, budget
   const filled = Math.round(BAR * done);
   const pace = rate >= 1e6 ? `${(rate / 1e6).toFixed(1)} M` : `${Math.round(rate / 1000)} k`;
   return [
-    of > 1 ? `${index + 1}/${of} ${file}` : '',
+    of > 1 ? `${index + 1}/${of} ${visible(file)}` : '',
     `[${'#'.repeat(filled)}${'.'.repeat(BAR - filled)}]`,
     `job ${duration(summary.total_time)}`,
     summary.gap === null ? '' : `gap ${percent(summary.gap)}`,

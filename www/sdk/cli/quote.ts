@@ -6,6 +6,7 @@ import { outputsOf } from './destinations.js';
 import { usable } from './io.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
+import { STANDARD_OUTPUT } from './target.js';
 import { area, duration, grams, meters, millimetres, plural } from './words.js';
 
 export async function quote(args: string[]): Promise<void> {
@@ -14,11 +15,11 @@ export async function quote(args: string[]): Promise<void> {
   const outputs = outputsOf(given, ['json']);
   await planFiles(given, { outputs, columns: COLUMNS }, async ({ file, place, planner }, to) => {
     const quoted = await usable(file, planner.quote(material));
-    for (const output of outputs) {
+    await to.write(file, outputs.map((output) => {
       // One document a line where several follow each other.
-      const indent = place.of > 1 && output.out === '-' ? 0 : 2;
-      await to.write(output, file, `${JSON.stringify(quoted, null, indent)}\n`);
-    }
+      const indent = place.of > 1 && output.out === STANDARD_OUTPUT ? 0 : 2;
+      return { output, data: `${JSON.stringify(quoted, null, indent)}\n` };
+    }));
     await to.tell(place, () => told(quoted), () => row(file, quoted));
   });
 }
@@ -54,7 +55,7 @@ function materialOf({ values }: Words): Material {
   return material;
 }
 
-function told(q: Quote): string {
+function told(q: Quote): string[] {
   const { times: t, bounds: [x0, y0, x1, y1] } = q;
   const against = (ratio: number | null) => (ratio === null ? '' : ` (${ratio.toFixed(2)} of the thickness)`);
   const weight = q.weight === null ? '' : `, ${grams(q.weight)}`;
@@ -67,6 +68,6 @@ function told(q: Quote): string {
   ];
   if (q.smallest_hole !== null) lines.push(`Narrowest  hole ${millimetres(q.smallest_hole.width)}${against(q.smallest_hole.over_thickness)}`);
   if (q.narrowest_web !== null) lines.push(`           web ${millimetres(q.narrowest_web.width)}${against(q.narrowest_web.over_thickness)}`);
-  lines.push(`Confidence ${q.confidence.level}${q.confidence.reasons.map((r) => `\n           ${r}`).join('')}`, `Hash       ${q.hash}`);
-  return `${lines.join('\n')}\n`;
+  lines.push(`Confidence ${q.confidence.level}`, ...q.confidence.reasons.map((r) => `           ${r}`), `Hash       ${q.hash}`);
+  return lines;
 }

@@ -1,7 +1,8 @@
 /** What people read of a command: all about one file, or a table with a row for each of several as it is done. */
 
 import type { Place } from './batch.js';
-import { put } from './io.js';
+import { print } from './io.js';
+import { visible } from './safe-text.js';
 
 /** Columns after that of the file. */
 export interface Column {
@@ -22,23 +23,26 @@ export class Report {
   ) {}
 
   begin(files: readonly string[]): void {
-    this.columns = [{ title: 'File', width: Math.max(4, ...files.map((f) => f.length)) }, ...this.others];
+    this.columns = [{ title: 'File', width: Math.max(4, ...files.map((f) => visible(f).length)) }, ...this.others];
   }
 
-  async tell({ of }: Place, words: () => string, cells: () => readonly string[]): Promise<void> {
-    if (of === 1) return this.say(words());
-    if (!this.headed) await this.say(this.row(this.columns.map((c) => c.title)));
+  async tell({ of }: Place, lines: () => readonly string[], cells: () => readonly string[]): Promise<void> {
+    if (of === 1) return say(lines(), this.piped);
+    if (!this.headed) await say([this.row(this.columns.map((c) => c.title))], this.piped);
     this.headed = true;
-    await this.say(this.row(cells()));
+    await say([this.row(cells())], this.piped);
   }
 
   private row(cells: readonly string[]): string {
-    const padded = this.columns.map(({ width, right }, k) => (right ? (cells[k] ?? '').padStart(width) : (cells[k] ?? '').padEnd(width)));
-    return `${padded.join('  ').trimEnd()}\n`;
+    const shown = cells.map(visible);
+    const padded = this.columns.map(({ width, right }, k) => (right ? (shown[k] ?? '').padStart(width) : (shown[k] ?? '').padEnd(width)));
+    return padded.join('  ').trimEnd();
   }
+}
 
-  private async say(text: string): Promise<void> {
-    if (this.piped) process.stderr.write(text);
-    else await put('-', text);
-  }
+/** Prints lines for people; on standard error where standard output is for a program. */
+export async function say(lines: readonly string[], piped: boolean): Promise<void> {
+  const text = lines.map((line) => `${visible(line)}\n`).join('');
+  if (piped) process.stderr.write(text);
+  else await print(text);
 }

@@ -2,9 +2,11 @@
 
 import { readFile } from 'node:fs/promises';
 import { basename } from 'node:path';
-import { oneWord, parsed, seconds, text, whole } from './arguments.js';
+import { oneWord, parsed, seconds, whole } from './arguments.js';
 import { DEFAULT_SECONDS } from '../options.js';
-import { bytesOf, put, Unusable } from './io.js';
+import { Destinations, outputsOf } from './destinations.js';
+import { bytesOf, Unusable } from './io.js';
+import { say } from './report.js';
 
 /** Moves between two looks at the clock: a few milliseconds. */
 const SLICE = 20_000;
@@ -27,13 +29,16 @@ export async function solve(args: string[]): Promise<void> {
   const moves = whole(values, 'moves');
   const limit = seconds(values);
   const seed = whole(values, 'seed') ?? Math.floor(Math.random() * 2 ** 32);
+  const outputs = outputsOf(given, ['json']);
+  const destinations = new Destinations(outputs);
+  destinations.begin([file]);
   const found = await searched(file, seed, moves ?? Infinity, limit ?? (moves === undefined ? DEFAULT_SECONDS : Infinity));
-  const out = text(values, 'json');
-  if (out !== undefined) await put(out, `${JSON.stringify(found)}\n`);
-  const told = `${basename(file)}: length ${found.length}, ${found.tour.length} stops; ${proven(found)}\n` +
-    `Search     seed ${seed}, ${found.moves} moves in ${found.seconds.toFixed(1)} s\n`;
-  if (out === '-') process.stderr.write(told);
-  else await put('-', told);
+  const data = `${JSON.stringify(found)}\n`;
+  await destinations.write(file, outputs.map((output) => ({ output, data })));
+  await say([
+    `${basename(file)}: length ${found.length}, ${found.tour.length} stops; ${proven(found)}`,
+    `Search     seed ${seed}, ${found.moves} moves in ${found.seconds.toFixed(1)} s`,
+  ], destinations.piped);
 }
 
 function proven({ length, lower_bound: bound }: Solved): string {

@@ -9,6 +9,7 @@ import { abortable } from '../lend.js';
 import type { PlanJobOptions, PlanningOptions, Source } from '../options.js';
 import type { Planner } from '../planner.js';
 import type { Loaded, MachineProfile, MethodInfo, OutputKind, Progress } from '../protocol.js';
+import { checkSize } from '../size.js';
 import { worked } from '../worked.js';
 import { attributed } from './options.js';
 import { Picture } from './picture.js';
@@ -210,7 +211,11 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     const file = files?.[0];
     if (file === undefined) return;
     // What comes of it is shown, and told by events.
-    this.open(async () => file.arrayBuffer(), file.name).catch(() => {});
+    const read = async () => {
+      checkSize(file.size);
+      return file.arrayBuffer();
+    };
+    this.open(read, file.name).catch(() => {});
     this.input.value = '';
   }
 

@@ -1,0 +1,32 @@
+/**
+ * The largest file that is read. Whoever reads a file asks here first, so that a file that is too large costs no memory.
+ * The number is that of `Limits` in `src/dxf/drawing.rs`; a Rust test compares the two.
+ */
+
+/** Bytes of the largest file that can be read. */
+export const MAX_BYTES = 256 * 2 ** 20;
+
+/** Why a file of this size is refused, in one sentence for people; `null` when it can be read. */
+export function tooLarge(bytes: number): string | null {
+  return bytes <= MAX_BYTES ? null : refusal(`${megabytes(bytes)} MB`);
+}
+
+/** Why a stream is refused that has not ended after that many bytes. */
+export function endless(): string {
+  return refusal(`more than ${megabytes(MAX_BYTES)} MB`);
+}
+
+/** Throws that sentence. */
+export function checkSize(bytes: number): void {
+  const sentence = tooLarge(bytes);
+  if (sentence !== null) throw new Error(sentence);
+}
+
+function refusal(size: string): string {
+  return `The file has ${size}; up to ${megabytes(MAX_BYTES)} MB can be read. Delete what is not to be cut, or split the drawing.`;
+}
+
+// Rounded up: what is past the limit must not read like the limit.
+function megabytes(bytes: number): number {
+  return Math.ceil(bytes / 2 ** 20);
+}
