@@ -4,7 +4,7 @@ import { readFile } from 'node:fs/promises';
 import { COMMANDS, type Command, type Options } from './commands.js';
 
 const WIDTH = 100;
-const EXIT = 'Exit code: 0 done, 1 an input is unusable, 2 wrong usage.';
+const EXIT = 'Exit code: 0 done, 1 an input is unusable or an output cannot be written, 2 wrong usage.';
 
 /** `kerfway --help`. */
 export function overview(): string {
