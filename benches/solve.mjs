@@ -164,7 +164,7 @@ function library(set, extension, options, baselines) {
   const behind = [];
   const solvers = baselines ? SOLVERS.filter((s) => ask(PYTHON, '-c', `import ${s}`) !== null) : [];
   if (baselines && solvers.length < SOLVERS.length) {
-    console.log(`bench: not measured, as ${PYTHON} has them not: ${SOLVERS.filter((s) => !solvers.includes(s)).join(', ')}`);
+    console.log(`bench: other solvers left out, because ${PYTHON} has no module of theirs: ${SOLVERS.filter((s) => !solvers.includes(s)).join(', ')}`);
   }
   instances.file(`${set}/best_known.json`);
   const lines = instances.list(set, extension, only).sort(bySize).map((path) => {
