@@ -7,6 +7,7 @@ use super::groups::{self, PierceGroup};
 use super::model::{
     CommonCuts, Contour, Ignored, LayerUse, Operation, PIERCE_GROUPS, Pin, Sheet, SheetOptions,
 };
+use super::source::Source;
 use super::{cross, exclude, layers, nest, outline, parts};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
@@ -25,18 +26,19 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     let mut ignored = layers::ignored(drawing, &layers, &mut findings);
     let join = length_or(options.join_tolerance, 0.0);
     let copy = length_or(options.copy_tolerance, 0.0).min(join);
+    let source = Source::Drawing(drawing);
     let mut contours = Vec::new();
     // Cuts and marks are cleaned and joined apart: a line that is both marked and cut stays both.
     for operation in [Operation::Cut, Operation::Mark] {
-        let shapes = layers::shapes_of(drawing, &layers, operation);
-        let chains = clean(drawing, &shapes, copy, join, &mut findings);
-        for a in assemble(drawing, &chains, join, &mut findings) {
+        let lines = layers::lines_of(drawing, &layers, operation);
+        let chains = clean(source, &lines, copy, join, &mut findings);
+        for a in assemble(source, &chains, join, &mut findings) {
             contours.push(contour(drawing, a, operation, &mut findings));
         }
     }
     sort_by(&mut contours, |c| [c.first_shape.into(), 0, 0]);
     exclude::leave_out(&mut contours, &options.exclude, copy, &mut findings);
-    let mut crossing = cross::find(drawing, &mut contours, copy.max(SEEN), &mut findings);
+    let mut crossing = cross::find(source, &mut contours, copy.max(SEEN), &mut findings);
     if !nest::nest(&mut contours, &crossing, join) {
         let message =
             "So many contours lock into each other that what lies inside what was found in part only.";

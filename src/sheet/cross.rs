@@ -6,9 +6,9 @@
 //! and part again, do not. Crossings of cuts are told; engraved lines cross whatever they like, but the nesting wants
 //! to know which cuts they cross.
 
-use super::about::{self, count, plural};
+use super::about::{count, plural};
 use super::model::{Contour, Operation};
-use crate::dxf::Drawing;
+use super::source::Source;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, intersect};
 use crate::order::sort_by;
@@ -38,7 +38,7 @@ struct Place {
 /// Finds and tells crossings, and marks contours that cross themselves; the pairs of different contours that cross,
 /// at least one of them a cut, come back. `tolerance` in mm: what is nearer touches.
 pub(super) fn find(
-    drawing: &Drawing,
+    source: Source,
     contours: &mut [Contour],
     tolerance: f64,
     findings: &mut Findings,
@@ -61,7 +61,7 @@ pub(super) fn find(
     sort_by(&mut found.pairs, |((a, b), _)| [(*a).into(), (*b).into(), 0]);
     for &((a, b), ref at) in &found.pairs {
         if is_cut(&contours[a as usize]) && is_cut(&contours[b as usize]) {
-            findings.push(tell(drawing, contours, (a, b), at));
+            findings.push(tell(source, contours, (a, b), at));
         }
         if a == b {
             contours[a as usize].self_crossing = true;
@@ -219,7 +219,7 @@ fn beyond(path: &Path, element: usize, f: f64, distance: f64, forward: bool) -> 
     None
 }
 
-fn tell(drawing: &Drawing, contours: &[Contour], (a, b): (u32, u32), at: &[DVec2]) -> Finding {
+fn tell(source: Source, contours: &[Contour], (a, b): (u32, u32), at: &[DVec2]) -> Finding {
     let first = contours[a as usize].first_shape;
     let places = plural(at.len(), "place", "places");
     let (code, message) = if a == b {
@@ -227,10 +227,10 @@ fn tell(drawing: &Drawing, contours: &[Contour], (a, b): (u32, u32), at: &[DVec2
         (Code::SelfCrossing, text)
     } else {
         let other = contours[b as usize].first_shape;
-        let handle = drawing.shapes.get(other as usize).and_then(|s| s.handle.as_deref());
+        let handle = source.handle(other);
         let other = handle.map_or_else(String::new, |h| format!(" (handle {h})"));
         let text = format!("Two contours cross in {places}, the other one{other}: both are cut as drawn.");
         (Code::Crossing, text)
     };
-    about::shape(drawing, first, code, Severity::Warning, message, at.first().copied()).times(count(at.len()))
+    source.finding(first, code, Severity::Warning, message, at.first().copied()).times(count(at.len()))
 }

@@ -5,6 +5,7 @@
 
 use super::about::{count, plural};
 use super::model::{Ignored, LayerUse, Operation, SheetOptions};
+use super::source::Line;
 use super::words;
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
@@ -85,9 +86,13 @@ pub(super) fn ignored(drawing: &Drawing, layers: &[LayerUse], findings: &mut Fin
 }
 
 /// The shapes of one operation, in drawing order. A shape of a layer that is not in the list is cut.
-pub(super) fn shapes_of(drawing: &Drawing, layers: &[LayerUse], operation: Operation) -> Vec<u32> {
+pub(super) fn lines_of<'d>(drawing: &'d Drawing, layers: &[LayerUse], operation: Operation) -> Vec<Line<'d>> {
     let of = |layer: u32| layers.get(layer as usize).map_or(Operation::Cut, |l| l.operation);
-    (0_u32..).zip(&drawing.shapes).filter(|(_, s)| of(s.layer) == operation).map(|(i, _)| i).collect()
+    (0_u32..)
+        .zip(&drawing.shapes)
+        .filter(|(_, s)| of(s.layer) == operation)
+        .map(|(index, s)| Line { index, layer: s.layer, path: &s.path })
+        .collect()
 }
 
 fn key(name: &str) -> String {

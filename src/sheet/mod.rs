@@ -33,6 +33,7 @@ mod model;
 mod nest;
 mod outline;
 mod parts;
+mod source;
 mod words;
 
 pub use build::build;

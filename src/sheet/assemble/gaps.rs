@@ -2,12 +2,11 @@
 
 use super::ends::Ends;
 use super::node::Branch;
-use crate::dxf::Drawing;
 use crate::finding::{Code, Findings, Severity};
 use crate::geometry::DVec2;
-use crate::sheet::about;
 use crate::sheet::cluster::cell;
 use crate::sheet::element::ROUNDING;
+use crate::sheet::source::Source;
 use rustc_hash::FxHashMap;
 
 /// Each step of distance is this many times the last one. After a step no two free ends are nearer than it, so a
@@ -76,7 +75,7 @@ impl Cells {
 
 /// Branches, and near misses among the ends left free.
 pub(super) fn report(
-    drawing: &Drawing,
+    source: Source,
     ends: &Ends,
     branches: &[Branch],
     tolerance: f64,
@@ -88,15 +87,15 @@ pub(super) fn report(
             b.ends
         );
         let shape = ends.shape[b.end as usize];
-        findings.push(about::shape(drawing, shape, Code::Branch, Severity::Warning, message, Some(b.at)));
+        findings.push(source.finding(shape, Code::Branch, Severity::Warning, message, Some(b.at)));
     }
     let free = ends.all_free();
-    left_at_joints(drawing, ends, &free, tolerance, findings);
-    near_misses(drawing, ends, &free, tolerance, findings);
+    left_at_joints(source, ends, &free, tolerance, findings);
+    near_misses(source, ends, &free, tolerance, findings);
 }
 
 /// Free ends within the tolerance of ends that found a better match: branches, too, over a gap.
-fn left_at_joints(drawing: &Drawing, ends: &Ends, free: &[u32], tolerance: f64, findings: &mut Findings) {
+fn left_at_joints(source: Source, ends: &Ends, free: &[u32], tolerance: f64, findings: &mut Findings) {
     let open: Vec<u32> = (0_u32..).zip(&ends.mate).filter(|(e, m)| e != *m).map(|(e, _)| e).collect();
     let cells = Cells::new(ends, &open, tolerance.max(ROUNDING));
     for &e in free.iter().filter(|&&e| !ends.at_branch[e as usize]) {
@@ -105,13 +104,13 @@ fn left_at_joints(drawing: &Drawing, ends: &Ends, free: &[u32], tolerance: f64, 
         if met.is_some() {
             let message = "An end meets two others that fit each other better: it stays open.".to_owned();
             let shape = ends.shape[e as usize];
-            findings.push(about::shape(drawing, shape, Code::Branch, Severity::Warning, message, Some(p)));
+            findings.push(source.finding(shape, Code::Branch, Severity::Warning, message, Some(p)));
         }
     }
 }
 
 /// Free ends that are near each other, but not near enough.
-fn near_misses(drawing: &Drawing, ends: &Ends, free: &[u32], tolerance: f64, findings: &mut Findings) {
+fn near_misses(source: Source, ends: &Ends, free: &[u32], tolerance: f64, findings: &mut Findings) {
     let reach = (NEAR_MISS * tolerance.max(ROUNDING)).min(NEAR_MISS_AT_MOST.max(2.0 * tolerance));
     let cells = Cells::new(ends, free, reach);
     let nearest = |e: u32| {
@@ -131,6 +130,6 @@ fn near_misses(drawing: &Drawing, ends: &Ends, free: &[u32], tolerance: f64, fin
         );
         let at = (ends.point[e as usize] + ends.point[o as usize]) * 0.5;
         let shape = ends.shape[e as usize];
-        findings.push(about::shape(drawing, shape, Code::GapLeft, Severity::Warning, message, Some(at)));
+        findings.push(source.finding(shape, Code::GapLeft, Severity::Warning, message, Some(at)));
     }
 }

@@ -19,7 +19,7 @@ mod node;
 mod trace;
 
 use super::element::Chains;
-use crate::dxf::Drawing;
+use super::source::Source;
 use crate::finding::Findings;
 
 use ends::Ends;
@@ -28,7 +28,7 @@ pub(super) use trace::Assembled;
 
 /// Joins the chains. `tolerance` in mm.
 pub(super) fn assemble(
-    drawing: &Drawing,
+    source: Source,
     chains: &Chains,
     tolerance: f64,
     findings: &mut Findings,
@@ -36,6 +36,6 @@ pub(super) fn assemble(
     let mut ends = Ends::new(chains, tolerance);
     let branches = node::join(&mut ends);
     gaps::join(&mut ends, tolerance);
-    gaps::report(drawing, &ends, &branches, tolerance, findings);
-    trace::contours(drawing, chains, &ends, tolerance, findings)
+    gaps::report(source, &ends, &branches, tolerance, findings);
+    trace::contours(source, chains, &ends, tolerance, findings)
 }

@@ -2,12 +2,12 @@
 
 use super::close;
 use super::ends::{Ends, NONE};
-use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{DVec2, Path};
 use crate::order::sort_by;
-use crate::sheet::about::{self, count, plural};
+use crate::sheet::about::{count, plural};
 use crate::sheet::element::{Chain, Chains, ROUNDING};
+use crate::sheet::source::Source;
 
 /// A contour before nesting.
 pub(crate) struct Assembled {
@@ -26,7 +26,7 @@ pub(crate) struct Assembled {
 /// Walks all contours, in drawing order, and tells the gaps closed. What was left over where lines lay along each other,
 /// joins nothing and is no longer than the distance at which ends meet, is dropped: a burnt spot beside a cut.
 pub(super) fn contours(
-    drawing: &Drawing,
+    source: Source,
     chains: &Chains,
     ends: &Ends,
     tolerance: f64,
@@ -64,7 +64,7 @@ pub(super) fn contours(
             scraps.extend(walk.contour.path.start());
             continue;
         }
-        walk.tell_gaps(drawing, findings);
+        walk.tell_gaps(source, findings);
         if let Some(of) = chains.chains[first as usize].rest_of {
             walk.contour.is_rest = true;
             rests.push((of, out.len()));
@@ -178,7 +178,7 @@ impl Walk {
         segments.extend(bridge);
     }
 
-    fn tell_gaps(&self, drawing: &Drawing, findings: &mut Findings) {
+    fn tell_gaps(&self, source: Source, findings: &mut Findings) {
         let closed: Vec<_> = self.gaps.iter().filter(|(gap, _)| *gap > ROUNDING).collect();
         let Some((gap, at)) = closed.iter().max_by(|a, b| a.0.total_cmp(&b.0)) else { return };
         let message = if closed.len() == 1 {
@@ -190,7 +190,7 @@ impl Walk {
             )
         };
         let shape = self.contour.first_shape;
-        let finding = about::shape(drawing, shape, Code::GapClosed, Severity::Info, message, Some(*at));
+        let finding = source.finding(shape, Code::GapClosed, Severity::Info, message, Some(*at));
         findings.push(finding.times(count(closed.len())));
     }
 }

@@ -24,7 +24,7 @@ mod report;
 
 use super::cluster::cluster;
 use super::element::{Chain, Chains, Element, ROUNDING, with_start};
-use crate::dxf::Drawing;
+use super::source::{Line, Source};
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{DVec2, Path, Segment};
 use crate::order;
@@ -37,16 +37,16 @@ struct Run {
     closed: bool,
 }
 
-/// Cleans the given shapes of a drawing. `tolerance` (mm) is the distance up to which elements are copies of each
+/// Cleans the given paths of a source. `tolerance` (mm) is the distance up to which elements are copies of each
 /// other, `join` (mm) the one up to which ends meet.
 pub(super) fn clean(
-    drawing: &Drawing,
-    shapes: &[u32],
+    source: Source,
+    lines: &[Line],
     tolerance: f64,
     join: f64,
     findings: &mut Findings,
 ) -> Chains {
-    let (elements, runs) = explode(drawing, shapes, findings);
+    let (elements, runs) = explode(source, lines, findings);
     let mut kept = vec![Kept::Whole; elements.len()];
     let rank = ranks(&elements, &runs, join);
     carriers::unite(&elements, &rank, tolerance, &mut kept);
@@ -57,25 +57,24 @@ pub(super) fn clean(
             "So many lines lie close together that near copies among them were looked for in part only.",
         ));
     }
-    report::removed(drawing, &elements, &kept, findings);
+    report::removed(source, &elements, &kept, findings);
     rebuild(&elements, &runs, &kept, tolerance)
 }
 
-/// Shapes into elements and runs, without elements shorter than rounding.
-fn explode(drawing: &Drawing, shapes: &[u32], findings: &mut Findings) -> (Vec<Element>, Vec<Run>) {
+/// Paths into elements and runs, without elements shorter than rounding.
+fn explode(source: Source, lines: &[Line], findings: &mut Findings) -> (Vec<Element>, Vec<Run>) {
     let mut elements: Vec<Element> = Vec::new();
     let mut runs: Vec<Run> = Vec::new();
-    for &index in shapes {
-        let Some(shape) = drawing.shapes.get(index as usize) else { continue };
+    for &Line { index, layer, path } in lines {
         let first_run = runs.len();
         let mut dropped = 0;
-        for &segment in &shape.path.segments {
+        for &segment in &path.segments {
             let length = segment.length();
             if length.is_nan() || length <= ROUNDING {
                 dropped += 1;
                 continue;
             }
-            let mut element = Element { segment, shape: index, layer: shape.layer };
+            let mut element = Element { segment, shape: index, layer };
             match elements.last() {
                 Some(last)
                     if runs.len() > first_run
@@ -93,13 +92,13 @@ fn explode(drawing: &Drawing, shapes: &[u32], findings: &mut Findings) -> (Vec<E
             }
         }
         if let [run] = &mut runs[first_run..] {
-            close(run, &mut elements, shape.path.closed);
+            close(run, &mut elements, path.closed);
         }
         for run in &mut runs[first_run..] {
             run.closed |= run.elements.len() == 1 && is_circle(&elements[run.elements.start].segment);
         }
         if dropped > 0 {
-            findings.push(report::zero_length(drawing, index, dropped));
+            findings.push(report::zero_length(source, index, path, dropped));
         }
     }
     (elements, runs)

@@ -1,44 +1,43 @@
 //! What cleaning took out, in words: one finding a shape.
 
 use super::kept::Kept;
-use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
-use crate::sheet::about::{self, count, plural};
+use crate::geometry::Path;
+use crate::sheet::about::{count, plural};
 use crate::sheet::element::Element;
+use crate::sheet::source::Source;
 
 /// A shape with elements that have no length.
-pub(super) fn zero_length(drawing: &Drawing, index: u32, dropped: usize) -> Finding {
-    let shape = drawing.shapes.get(index as usize);
-    let kind = shape.map_or("shape", |s| s.kind);
-    let message = if shape.is_some_and(|s| s.path.segments.len() == dropped) {
+pub(super) fn zero_length(source: Source, index: u32, path: &Path, dropped: usize) -> Finding {
+    let kind = source.kind(index);
+    let message = if path.segments.len() == dropped {
         format!("This {kind} has no length: there is nothing to cut, it is left out.")
     } else {
         format!("{} without length left out of this {kind}.", plural(dropped, "piece", "pieces"))
     };
-    let at = shape.and_then(|s| s.path.start());
-    about::shape(drawing, index, Code::ZeroLength, Severity::Info, message, at).times(count(dropped))
+    source.finding(index, Code::ZeroLength, Severity::Info, message, path.start()).times(count(dropped))
 }
 
 /// Every shape that lost something to another one.
-pub(super) fn removed(drawing: &Drawing, elements: &[Element], kept: &[Kept], findings: &mut Findings) {
+pub(super) fn removed(source: Source, elements: &[Element], kept: &[Kept], findings: &mut Findings) {
     let mut from = 0;
     for group in elements.chunk_by(|a, b| a.shape == b.shape) {
         let kept = &kept[from..from + group.len()];
         from += group.len();
-        if let Some(f) = lost(drawing, group, kept) {
+        if let Some(f) = lost(source, group, kept) {
             findings.push(f);
         }
     }
 }
 
-fn lost(drawing: &Drawing, elements: &[Element], kept: &[Kept]) -> Option<Finding> {
+fn lost(source: Source, elements: &[Element], kept: &[Kept]) -> Option<Finding> {
     let first = kept.iter().position(|k| *k != Kept::Whole)?;
     let (element, loss) = (elements.get(first)?, kept.get(first)?);
     let copies = kept.iter().filter(|k| **k == Kept::Copy).count();
     let gone = copies + kept.iter().filter(|k| **k == Kept::Covered).count();
     let touched = kept.iter().filter(|k| **k != Kept::Whole).count();
     let length: f64 = elements.iter().zip(kept).map(|(e, k)| e.segment.length() * (1.0 - share(k))).sum();
-    let kind = drawing.shapes.get(element.shape as usize)?.kind;
+    let kind = source.kind(element.shape);
     let (code, message) = if copies == elements.len() {
         (Code::DuplicateRemoved, format!("This {kind} lies on top of another one: it is cut once."))
     } else if copies == touched {
@@ -51,7 +50,7 @@ fn lost(drawing: &Drawing, elements: &[Element], kept: &[Kept]) -> Option<Findin
         (Code::OverlapRemoved, text)
     };
     let at = element.segment.at(first_loss(loss));
-    Some(about::shape(drawing, element.shape, code, Severity::Info, message, Some(at)).times(count(touched)))
+    Some(source.finding(element.shape, code, Severity::Info, message, Some(at)).times(count(touched)))
 }
 
 /// How much of an element is kept, 0 to 1.

@@ -22,7 +22,8 @@ use super::build::{find_groups, length_or};
 use super::clean::clean;
 use super::cross;
 use super::model::{Contour, Operation, Sheet, SheetOptions};
-use crate::dxf::{Drawing, Shape};
+use super::source::{Line, Source};
+use crate::dxf::Drawing;
 use crate::finding::{Finding, Findings};
 use crate::geometry::{Aabb, Path};
 use room::Room;
@@ -50,9 +51,8 @@ pub(crate) fn compensated(
             contour.drawn = Some(std::mem::take(&mut contour.path));
         }
     }
-    let moved = with_lines(drawing, lines);
-    cut_once(&mut out, &moved, [copy, join], &mut findings);
-    let crossing = cross::find(&moved, &mut out.contours, copy, &mut Findings::default());
+    cut_once(&mut out, &lines, [copy, join], &mut findings);
+    let crossing = cross::find(Source::MovedContours, &mut out.contours, copy, &mut Findings::default());
     out.groups = find_groups(&out.contours, &out.layers, &crossing, options, join);
     out.bounds = Aabb::EMPTY;
     out.layers.iter_mut().for_each(|l| l.contours = 0);
@@ -113,49 +113,31 @@ fn line(id: u32, contour: &Contour, room: &Room, width: f64) -> Result<Path, Why
     offset::offset(&contour.path, 0.5 * width, |s| room.is_free(id, s)).map_err(Why::Narrow)
 }
 
-/// The moved contours as a drawing: shapes without elements stand for what keeps its line.
-fn with_lines(drawing: &Drawing, lines: Vec<Option<Path>>) -> Drawing {
-    let shape = |path: Option<Path>| Shape {
-        path: path.unwrap_or_default(),
-        layer: 0,
-        color: 0,
-        handle: None,
-        kind: "contour",
-        damaged: false,
-    };
-    Drawing {
-        version: None,
-        units: drawing.units.clone(),
-        layers: drawing.layers.clone(),
-        shapes: lines.into_iter().map(shape).collect(),
-        entities: Vec::new(),
-        findings: Vec::new(),
-    }
-}
-
 /// Gives the moved contours their lines, each stretch that several share to one of them.
-fn cut_once(sheet: &mut Sheet, moved: &Drawing, [copy, join]: [f64; 2], findings: &mut Findings) {
-    let shapes: Vec<u32> =
-        (0..).zip(&moved.shapes).filter(|(_, s)| !s.path.segments.is_empty()).map(|(id, _)| id).collect();
+fn cut_once(sheet: &mut Sheet, moved: &[Option<Path>], [copy, join]: [f64; 2], findings: &mut Findings) {
+    let moved: Vec<Line> = (0..)
+        .zip(moved)
+        .filter_map(|(index, path)| Some(Line { index, layer: 0, path: path.as_ref()? }))
+        .filter(|line| !line.path.segments.is_empty())
+        .collect();
     // What is cut once is told of the whole sheet, below; and of groups, by who plans them.
     let mut quiet = Findings::default();
-    let chains = clean(moved, &shapes, copy, join, &mut quiet);
+    let chains = clean(Source::MovedContours, &moved, copy, join, &mut quiet);
     let mut lines: Vec<Vec<(Path, Option<Path>)>> = vec![Vec::new(); sheet.contours.len()];
-    for a in super::assemble::assemble(moved, &chains, join, &mut quiet) {
+    for a in super::assemble::assemble(Source::MovedContours, &chains, join, &mut quiet) {
         // Whatever bounds the area stands for the contour.
         let of = &mut lines[a.first_shape as usize];
         let place = if a.path.closed || a.outline.is_some() { 0 } else { of.len() };
         of.insert(place, (a.path, a.outline));
     }
-    let before: f64 = shapes.iter().map(|&id| moved.shapes[id as usize].path.length()).sum();
+    let before: f64 = moved.iter().map(|line| line.path.length()).sum();
     let mut after = 0.0;
     let mut at = None;
-    for id in shapes {
+    for Line { index: id, path: line, .. } in moved {
         let own = std::mem::take(&mut lines[id as usize]);
         let alone = own.len() == 1;
         let mut own = own.into_iter();
         let contour = &mut sheet.contours[id as usize];
-        let line = &moved.shapes[id as usize].path;
         match own.next() {
             // Nothing of it is shared: as it was moved, whatever cleaning thinks of its smallest elements.
             Some((path, _)) if alone && path.closed => set(contour, line.clone(), None),
