@@ -11,6 +11,7 @@
 pub mod geometry;
 
 pub mod dxf;
+pub mod fields;
 pub mod finding;
 pub mod job;
 pub mod machine;

@@ -12,8 +12,10 @@ mod hosted;
 mod options;
 mod path;
 mod problem_of;
+mod ranges;
 mod report;
 mod run;
+mod shapes;
 mod shared;
 #[cfg(feature = "lab")]
 mod solving;
@@ -154,6 +156,7 @@ impl Job {
         if !self.sheet.contours.iter().any(Contour::is_worked) {
             return Err(JobError::NothingToCut(self.why_empty()));
         }
+        options.check()?;
         let machine = options.machine.profile()?;
         self.drop_run();
         let mut findings = self.make_up_for(machine.kerf_width)?;

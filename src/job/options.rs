@@ -1,9 +1,12 @@
 //! What a caller may ask for: how a drawing is read and arranged, and how it is planned.
 //!
-//! The structs mirror `www/sdk/protocol.ts` (camel case there); what is left out takes the default.
+//! The structs mirror `www/sdk/protocol.ts` (camel case there); what is left out takes the default. What their fields may
+//! hold is in `shapes.rs` and `ranges.rs`.
 
+use super::ranges::{JOIN_TOLERANCE, SECONDS, TOLERANCE, WORKERS};
 use super::{JobError, Warm};
 use crate::dxf::{ReadOptions, TextDecoder, Unit};
+use crate::fields::{Range, nearest, out_of_range};
 use crate::machine::{self, Profile};
 use crate::sheet::{CommonCuts, Operation, SheetOptions};
 use serde::de::value::MapAccessDeserializer;
@@ -13,6 +16,7 @@ use std::fmt;
 
 /// What is done with one layer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct LayerChoice {
     /// Its name.
     pub name: String,
@@ -22,7 +26,7 @@ pub struct LayerChoice {
 
 /// How a drawing is read and arranged.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", default)]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct LoadOptions {
     /// Units given by the person; otherwise header or guess.
     pub units: Option<Unit>,
@@ -74,16 +78,10 @@ impl Default for LoadOptions {
     }
 }
 
-/// Tolerance of curves, mm: below a nanometre `f64` has nothing left for sheets of metres, above a millimetre a
-/// curve is no longer the curve that was drawn.
-const TOLERANCE: std::ops::RangeInclusive<f64> = 1e-6..=1.0;
-/// Distance over which ends are joined, mm: more than this would join what was drawn apart.
-const JOIN_TOLERANCE: std::ops::RangeInclusive<f64> = 0.0..=5.0;
-
 impl LoadOptions {
     /// For the reader.
     pub fn read_options(&self) -> Result<ReadOptions, JobError> {
-        within("tolerance", self.tolerance, TOLERANCE)?;
+        within("tolerance", self.tolerance, &TOLERANCE)?;
         Ok(ReadOptions {
             unit: self.units,
             tolerance: self.tolerance,
@@ -95,7 +93,7 @@ impl LoadOptions {
 
     /// For the sheet.
     pub fn sheet_options(&self) -> Result<SheetOptions, JobError> {
-        within("join tolerance", self.join_tolerance, JOIN_TOLERANCE)?;
+        within("joinTolerance", self.join_tolerance, &JOIN_TOLERANCE)?;
         Ok(SheetOptions {
             join_tolerance: self.join_tolerance,
             layers: self.layers.iter().map(|l| (l.name.clone(), l.operation)).collect(),
@@ -111,12 +109,11 @@ impl LoadOptions {
     }
 }
 
-fn within(what: &str, mm: f64, range: std::ops::RangeInclusive<f64>) -> Result<(), JobError> {
-    if range.contains(&mm) {
+fn within(name: &str, n: f64, range: &Range) -> Result<(), JobError> {
+    if range.holds(n) {
         return Ok(());
     }
-    let (low, high) = range.into_inner();
-    Err(JobError::Options(format!("The {what} is {mm} mm. Give one from {low} to {high} mm.")))
+    Err(JobError::Options(out_of_range("The option", name, n, range)))
 }
 
 /// A preset by name, or a whole profile.
@@ -169,17 +166,23 @@ impl MachineChoice {
             }
             Self::Preset(name) => machine::preset(name).ok_or_else(|| {
                 let names: Vec<_> = machine::presets().into_iter().map(|p| p.name).collect();
-                JobError::Options(format!(
-                    "There is no machine named {name}. Choose one of: {}.",
-                    names.join(", ")
-                ))
+                JobError::Options(no_such("machine", name, &names))
             }),
         }
     }
 }
 
+/// The sentence for a name that is not among those there are.
+pub(super) fn no_such(what: &str, name: &str, names: &[String]) -> String {
+    let near = nearest(name, names.iter().map(String::as_str));
+    let hint = near.map(|near| format!(" Did you mean {near}?")).unwrap_or_default();
+    let short: String = name.chars().take(60).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
+    format!("There is no {what} named {short}.{hint} Choose one of: {}.", names.join(", "))
+}
+
 /// When to stop. The core counts moves itself; seconds are the caller's, who has a clock, and only told on.
 #[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Budget {
     /// Seconds of work.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -191,7 +194,7 @@ pub struct Budget {
 
 /// How a loaded drawing is planned.
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct PlanOptions {
     /// The machine.
     pub machine: MachineChoice,
@@ -214,21 +217,16 @@ pub struct PlanOptions {
     pub member: u32,
 }
 
-/// Searches side by side at most: more workers than any machine of today has cores gain nothing.
-const WORKERS: std::ops::RangeInclusive<u32> = 1..=64;
-
 impl PlanOptions {
+    /// Whether the numbers are in their ranges: callers in Rust fill the struct themselves.
+    pub(super) fn check(&self) -> Result<(), JobError> {
+        self.seconds.map_or(Ok(()), |s| within("seconds", s, &SECONDS))
+    }
+
     /// Searches side by side.
     pub fn workers(&self) -> Result<u32, JobError> {
         let workers = self.workers.unwrap_or(1);
-        if WORKERS.contains(&workers) {
-            return Ok(workers);
-        }
-        Err(JobError::Options(format!(
-            "The number of workers is {workers}. Give one from {} to {}.",
-            WORKERS.start(),
-            WORKERS.end()
-        )))
+        within("workers", workers.into(), &WORKERS).map(|()| workers)
     }
 
     /// What decides the random choices of this member: far apart for neighbouring seeds and members.

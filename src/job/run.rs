@@ -241,7 +241,8 @@ impl Method {
         if options.parameters.is_some() {
             Ok(Self::Hosted)
         } else {
-            Err(JobError::Options(format!("There is no method named {name}.")))
+            let names: Vec<_> = solve::methods().iter().map(|m| m.info().name.to_owned()).collect();
+            Err(JobError::Options(super::options::no_such("method", name, &names)))
         }
     }
 

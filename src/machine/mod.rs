@@ -9,6 +9,7 @@ mod motion;
 mod presets;
 mod profile;
 mod sharp_corner;
+mod valid;
 
 pub use closed_run::ClosedRun;
 pub(crate) use corner::MARGIN;
@@ -16,5 +17,6 @@ pub(crate) use float32::{FarOut, far_out, spacing_at};
 pub use lookahead::{cut_time, work_time};
 pub use motion::{AirTime, air_time};
 pub use presets::{preset, presets};
-pub use profile::{Axes, Dialect, Process, Profile, ProfileError, Travel};
+pub use profile::{Axes, Dialect, Process, Profile, Travel};
 pub use sharp_corner::SharpCorner;
+pub use valid::ProfileError;

@@ -5,8 +5,9 @@
 //! 0.010 mm by default) and `$30` (full power, 1000) in the GRBL wiki; data sheets and cutting tables that makers
 //! of such machines publish. Each figure has its own reason beside it.
 
-use super::profile::{Axes, Dialect, Process, Profile, Travel, VERSION};
+use super::profile::{Axes, Dialect, Process, Profile, Travel};
 use super::sharp_corner::SharpCorner;
+use super::valid::VERSION;
 use std::f64::consts::PI;
 
 /// Every preset, the default first.
@@ -225,21 +226,18 @@ mod tests {
             p.validate().unwrap_err().to_string()
         };
         assert_eq!(
-            says(|p| p.rapid.speed[1] = 0.0),
-            "the machine profile \"co2-100w\" says rapid.speed[1] = 0; it must be a number above 0"
-        );
-        assert_eq!(
-            says(|p| p.cut.accel = Some(f64::NAN)),
-            "the machine profile \"co2-100w\" says cut.accel = NaN; it must be a number above 0"
-        );
-        assert_eq!(
             says(|p| p.mark.power = 1.5),
-            "the machine profile \"co2-100w\" says mark.power = 1.5; it must be a number from 0 to 1"
+            "The machine's field \"mark.power\" is 1.5. Give a number from 0 to 1: it is a fraction of full power."
         );
-        assert!(says(|p| p.home[0] = f64::INFINITY).contains("home[0]"));
-        assert!(says(|p| p.pierce_time = -0.1).contains("pierce_time = -0.1"));
-        assert!(says(|p| p.pre_cut_time = Some(-1.0)).contains("pre_cut_time = -1"));
-        assert!(says(|p| p.version = 2).contains("is of version 2"));
+        assert!(
+            says(|p| p.rapid.speed[1] = 0.0).starts_with("The machine's field \"rapid.speed[1]\" is 0. Give")
+        );
+        assert!(says(|p| p.cut.accel = Some(f64::NAN)).contains("\"cut.accel\" is NaN. Give"));
+        assert!(says(|p| p.home[0] = f64::INFINITY).contains("\"home[0]\" is Infinity. Give"));
+        assert!(says(|p| p.pierce_time = -0.1).contains("\"pierce_time\" is -0.1. Give"));
+        assert!(says(|p| p.pre_cut_time = Some(-1.0)).contains("\"pre_cut_time\" is -1. Give"));
+        assert!(says(|p| p.max_s = 1e300).contains("\"max_s\" is 1e300. Give"));
+        assert!(says(|p| p.version = 2).contains("\"version\" is 2. Give 1: this Kerfway reads"));
     }
 
     #[test]

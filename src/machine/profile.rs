@@ -4,7 +4,6 @@ use super::sharp_corner::SharpCorner;
 use crate::geometry::{Path, Segment};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::PI;
 
 /// How the axes move on an air move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -22,6 +21,7 @@ pub enum Travel {
 
 /// Limits of one axis pair.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Axes {
     /// Top speed of x and y, mm/s.
     pub speed: [f64; 2],
@@ -31,6 +31,7 @@ pub struct Axes {
 
 /// What the beam does in the material: one for cutting, one for marking.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Process {
     /// Speed along the contour, mm/s.
     pub speed: f64,
@@ -50,6 +51,7 @@ pub enum Dialect {
 
 /// A machine with a material on it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Profile {
     /// Format of this data: 1.
     pub version: u32,
@@ -125,93 +127,5 @@ impl Profile {
     /// Home as a point.
     pub fn home(&self) -> DVec2 {
         DVec2::from_array(self.home)
-    }
-}
-
-/// The only version of the data there is; later ones will be brought up to date on reading.
-pub(super) const VERSION: u32 = 1;
-
-/// Why a profile cannot be used: one sentence for people.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum ProfileError {
-    /// Written for another Kerfway.
-    #[error("the machine profile \"{name}\" is of version {found}; this Kerfway reads version {VERSION}")]
-    Version {
-        /// Name of the profile.
-        name: String,
-        /// Its version.
-        found: u32,
-    },
-    /// A value out of its range.
-    #[error("the machine profile \"{name}\" says {field} = {value}; it must be {rule}")]
-    Value {
-        /// Name of the profile.
-        name: String,
-        /// Which value, as written in the data.
-        field: &'static str,
-        /// What it says.
-        value: f64,
-        /// What would be right.
-        rule: &'static str,
-    },
-}
-
-/// A range of values, with the words for it.
-struct Rule {
-    words: &'static str,
-    holds: fn(f64) -> bool,
-}
-
-const POSITIVE: Rule = Rule { words: "a number above 0", holds: |v| v.is_finite() && v > 0.0 };
-const NOT_NEGATIVE: Rule = Rule { words: "0 or a number above it", holds: |v| v.is_finite() && v >= 0.0 };
-const FRACTION: Rule = Rule { words: "a number from 0 to 1", holds: |v| (0.0..=1.0).contains(&v) };
-const ANGLE: Rule = Rule { words: "an angle from 0 to pi, in rad", holds: |v| (0.0..=PI).contains(&v) };
-/// Half of the least is the distance within which lines are copies of each other; water jets cut 1 mm, plasma up to 10.
-const KERF: Rule = Rule {
-    words: "0, or from 0.02 to 10, in mm",
-    holds: |v| v.total_cmp(&0.0).is_eq() || (0.02..=10.0).contains(&v),
-};
-/// Larger than any cutting table; keeps sums of squares far from overflow.
-const PLACE: Rule = Rule { words: "a place within 1 km of the origin, in mm", holds: |v| v.abs() <= 1e6 };
-
-impl Profile {
-    /// Whether every value can be planned with; the first that cannot is named.
-    pub fn validate(&self) -> Result<(), ProfileError> {
-        if self.version != VERSION {
-            return Err(ProfileError::Version { name: self.name.clone(), found: self.version });
-        }
-        let accel = |a: Option<f64>| a.unwrap_or(1.0);
-        let rapid = self.rapid.accel.unwrap_or([1.0; 2]);
-        let values = [
-            ("home[0]", self.home[0], PLACE),
-            ("home[1]", self.home[1], PLACE),
-            ("rapid.speed[0]", self.rapid.speed[0], POSITIVE),
-            ("rapid.speed[1]", self.rapid.speed[1], POSITIVE),
-            ("rapid.accel[0]", rapid[0], POSITIVE),
-            ("rapid.accel[1]", rapid[1], POSITIVE),
-            ("cut.speed", self.cut.speed, POSITIVE),
-            ("cut.accel", accel(self.cut.accel), POSITIVE),
-            ("cut.power", self.cut.power, FRACTION),
-            ("mark.speed", self.mark.speed, POSITIVE),
-            ("mark.accel", accel(self.mark.accel), POSITIVE),
-            ("mark.power", self.mark.power, FRACTION),
-            ("junction_deviation", self.junction_deviation.unwrap_or(0.0), NOT_NEGATIVE),
-            ("pierce_time", self.pierce_time, NOT_NEGATIVE),
-            ("pre_cut_time", self.pre_cut_time.unwrap_or(0.0), NOT_NEGATIVE),
-            ("pre_cut_length", self.pre_cut_length, NOT_NEGATIVE),
-            ("sharp_corner.angle", self.sharp_corner.map_or(0.0, |c| c.angle), ANGLE),
-            ("sharp_corner.time", self.macro_time(), NOT_NEGATIVE),
-            ("kerf_width", self.kerf_width, KERF),
-            ("beam_on_delay", self.beam_on_delay, NOT_NEGATIVE),
-            ("beam_off_delay", self.beam_off_delay, NOT_NEGATIVE),
-            ("max_s", self.max_s, POSITIVE),
-        ];
-        match values.into_iter().find(|(_, value, rule)| !(rule.holds)(*value)) {
-            None => Ok(()),
-            Some((field, value, rule)) => {
-                Err(ProfileError::Value { name: self.name.clone(), field, value, rule: rule.words })
-            }
-        }
     }
 }

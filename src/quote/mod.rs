@@ -15,6 +15,7 @@ mod shape;
 pub use confidence::{Confidence, Defect, Level};
 pub use report::{LayerUse, Narrowest, PartGroup, Quote, Smallest, Times};
 
+use crate::fields::{self, Field, Kind, Range, Shaped, out_of_range};
 use crate::output::json_text;
 use crate::output::picture::{Picture, Stroke};
 use serde::{Deserialize, Serialize};
@@ -33,19 +34,32 @@ pub struct Material {
     pub density: Option<f64>,
 }
 
+const THICKNESS: Range =
+    Range::new(1e-3, 1000.0, "mm", "foils start at a few micrometres, and no beam cuts a metre");
+const DENSITY: Range = Range::new(1e-3, 25.0, "g/cm3", "foam has some hundredths, and no metal more than 23");
+
+impl Shaped for Material {
+    const SHAPE: fields::Shape = fields::Shape {
+        owner: "The material",
+        item: "field",
+        value: "The material's field",
+        fields: &[
+            Field::nullable("name", Kind::Text),
+            Field::nullable("thickness", Kind::Number(THICKNESS)),
+            Field::nullable("density", Kind::Number(DENSITY)),
+        ],
+    };
+}
+
 /// The report of a plan document.
 ///
 /// # Errors
 /// One sentence: not a plan document, or a thickness or density that cannot be.
 pub fn quote(plan_json: &str, material: &Material) -> Result<Quote, String> {
-    for (what, unit, value) in
-        [("thickness", "mm", material.thickness), ("density", "g/cm3", material.density)]
-    {
-        if value.is_some_and(|v| !(v.is_finite() && v > 0.0)) {
-            return Err(format!(
-                "The {what} cannot be {} {unit}. Give a number above 0.",
-                value.unwrap_or(0.0)
-            ));
+    let numbers = [("thickness", material.thickness, THICKNESS), ("density", material.density, DENSITY)];
+    for (name, value, range) in numbers {
+        if let Some(n) = value.filter(|n| !range.holds(*n)) {
+            return Err(out_of_range(Material::SHAPE.value, name, n, &range));
         }
     }
     let picture = Picture::read(plan_json)?;

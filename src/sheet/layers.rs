@@ -8,6 +8,7 @@ use super::model::{Ignored, LayerUse, Operation, SheetOptions};
 use super::source::Line;
 use super::words;
 use crate::dxf::Drawing;
+use crate::fields::nearest;
 use crate::finding::{Code, Finding, Findings, Severity};
 
 /// The layers of a drawing with their operations; same indices. Contours are counted later.
@@ -21,9 +22,7 @@ pub(super) fn layers(drawing: &Drawing, options: &SheetOptions, findings: &mut F
     }
     for (given, (name, _)) in given.iter().zip(&options.layers) {
         if !drawing.layers.iter().any(|l| key(&l.name) == given.0) {
-            let message =
-                format!("There is no layer {name} in this drawing: what was asked for it does nothing.");
-            findings.push(Finding::new(Code::LayerUnknown, Severity::Warning, message).on_layer(name));
+            findings.push(unknown(name, drawing));
         }
     }
     let place = |name: &str| given.iter().rposition(|(n, _)| *n == key(name));
@@ -50,6 +49,16 @@ pub(super) fn layers(drawing: &Drawing, options: &SheetOptions, findings: &mut F
         out.push(LayerUse { name, color, operation, suggestion, rank, contours: 0 });
     }
     out
+}
+
+/// A layer that was named in the options and is not in the drawing.
+fn unknown(name: &str, drawing: &Drawing) -> Finding {
+    let hint = match nearest(name, drawing.layers.iter().map(|l| l.name.as_str())) {
+        Some(near) => format!("Did you mean \"{near}\"?"),
+        None => "Check its name.".to_owned(),
+    };
+    let message = format!("The drawing has no layer \"{name}\", so the choice for it does nothing. {hint}");
+    Finding::new(Code::LayerUnknown, Severity::Warning, message).on_layer(name)
 }
 
 fn suggested(name: &str, suggestion: Operation, shapes: usize) -> Finding {

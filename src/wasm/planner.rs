@@ -2,7 +2,7 @@
 
 use super::plain::{object, plain};
 use super::text::decode;
-use super::values::{geometry, handed, options, path};
+use super::values::{bytes, geometry, handed, options, path, text};
 use crate::dxf::TextDecoder;
 use crate::job::{self, BestPath, Budget, LoadOptions};
 use crate::{machine, solve};
@@ -54,7 +54,7 @@ fn lines(_: &job::Job) -> Result<[JsValue; 2], JsError> {
 }
 
 /// How to read and arrange, with the platform's text decoder.
-fn load_options_of(value: JsValue) -> Result<LoadOptions, JsError> {
+fn load_options_of(value: &JsValue) -> Result<LoadOptions, JsError> {
     let given: LoadOptions = options(value)?;
     Ok(LoadOptions { decoder: TextDecoder(decode), ..given })
 }
@@ -68,11 +68,12 @@ impl Job {
     /// Reads a DXF file and arranges its contours.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        bytes: Vec<u8>,
-        name: &str,
+        #[wasm_bindgen(unchecked_param_type = "Uint8Array")] file: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "string")] name: JsValue,
         #[wasm_bindgen(unchecked_param_type = "LoadOptions")] load_options: JsValue,
     ) -> Result<Job, JsError> {
-        Ok(Job(job::Job::load(bytes, name, &load_options_of(load_options)?)?))
+        let (file, name) = (bytes(&file)?, text("file's name", &name)?);
+        Ok(Job(job::Job::load(file, &name, &load_options_of(&load_options)?)?))
     }
 
     /// The same file with other options.
@@ -80,7 +81,7 @@ impl Job {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "LoadOptions")] load_options: JsValue,
     ) -> Result<(), JsError> {
-        Ok(self.0.reload(&load_options_of(load_options)?)?)
+        Ok(self.0.reload(&load_options_of(&load_options)?)?)
     }
 
     /// What the drawing holds.
@@ -113,7 +114,7 @@ impl Job {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
     ) -> Result<JsValue, JsError> {
-        self.0.start(&options(plan_options)?)?;
+        self.0.start(&options(&plan_options)?)?;
         let [beam, common] = lines(&self.0)?;
         let run = self.0.run()?;
         object(&[
@@ -142,7 +143,7 @@ impl Job {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Budget")] more: JsValue,
     ) -> Result<(), JsError> {
-        self.0.run_mut()?.extend(options::<Budget>(more)?);
+        self.0.run_mut()?.extend(options::<Budget>(&more)?);
         Ok(())
     }
 
@@ -184,7 +185,10 @@ impl Job {
     }
 
     /// The best plan so far, checked and written out.
-    pub fn output(&self, kind: &str) -> Result<String, JsError> {
-        Ok(self.0.output(kind.parse()?)?)
+    pub fn output(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "string")] kind: JsValue,
+    ) -> Result<String, JsError> {
+        Ok(self.0.output(text("kind of output", &kind)?.parse()?)?)
     }
 }

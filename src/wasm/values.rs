@@ -1,18 +1,66 @@
-//! Values that cross: plain objects through serde, arrays of numbers as typed arrays of their own memory, which the
-//! receiver may transfer.
+//! Values that cross: options as checked values, arrays of numbers as typed arrays of their own memory, which the receiver
+//! may transfer.
 
 use super::plain::object;
+use crate::fields::{self, Shaped, Value};
 use crate::job::{BestPath, Geometry, Warm};
-use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
-use serde::de::DeserializeOwned;
+use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
 /// Options from a plain object; nothing given is an empty object.
-pub(super) fn options<T: DeserializeOwned>(value: JsValue) -> Result<T, JsError> {
-    let value = if value.is_undefined() || value.is_null() { Object::new().into() } else { value };
-    serde_wasm_bindgen::from_value(value)
-        .map_err(|e| JsError::new(&format!("The options are not usable: {e}.")))
+pub(super) fn options<T: Shaped>(given: &JsValue) -> Result<T, JsError> {
+    let nothing = given.is_undefined() || given.is_null();
+    let given = if nothing { Value::Object(Vec::new()) } else { value(given, DEEPEST) };
+    fields::read(given).map_err(|e| JsError::new(&e))
+}
+
+/// A text, by the name of the argument. Bindings that take `&str` read past their memory when they are given something else.
+pub(super) fn text(name: &str, given: &JsValue) -> Result<String, JsError> {
+    let refused = || JsError::new(&format!("The {name} is {}. Give a text.", value(given, 1)));
+    given.as_string().ok_or_else(refused)
+}
+
+/// A file's bytes.
+pub(super) fn bytes(given: &JsValue) -> Result<Vec<u8>, JsError> {
+    let refused = || JsError::new(&format!("The file is {}. Give its bytes (Uint8Array).", value(given, 1)));
+    given.dyn_ref::<Uint8Array>().map(Uint8Array::to_vec).ok_or_else(refused)
+}
+
+/// Objects within each other that are looked at: options have five. What refers to itself ends here.
+const DEEPEST: u32 = 8;
+
+/// Any value, `deepest` levels of it. Fields that are undefined are not given.
+fn value(given: &JsValue, deepest: u32) -> Value {
+    if given.is_undefined() || given.is_null() {
+        return Value::Null;
+    }
+    if let Some(flag) = given.as_bool() {
+        return Value::Flag(flag);
+    }
+    if let Some(number) = given.as_f64() {
+        return Value::Number(number);
+    }
+    if let Some(text) = given.as_string() {
+        return Value::Text(text);
+    }
+    if !given.is_object() || given.is_function() {
+        return Value::Other("neither a number nor a text");
+    }
+    let Some(deepest) = deepest.checked_sub(1) else { return Value::Other("too deep a structure") };
+    let list = |array: &Array| Value::List(array.iter().map(|v| value(&v, deepest)).collect());
+    if let Some(array) = given.dyn_ref::<Array>() {
+        return list(array);
+    }
+    if js_sys::ArrayBuffer::is_view(given) {
+        return list(&Array::from(given));
+    }
+    let Some(object) = given.dyn_ref::<Object>() else { return Value::Other("no plain object") };
+    let entries = Object::entries(object).into_iter().filter_map(|entry| {
+        let [name, given] = [0, 1].map(|k| Reflect::get_u32(&entry, k).unwrap_or_default());
+        if given.is_undefined() { None } else { Some((name.as_string()?, value(&given, deepest))) }
+    });
+    Value::Object(entries.collect())
 }
 
 /// Chains of elements.

@@ -47,7 +47,7 @@ test('a parameter that cannot be is told in a sentence, the drawing stays', asyn
   await open(page, 'Plan');
   await open(page, 'Parameters');
   await page.getByLabel('Population').fill('-1');
-  await page.waitForFunction(() => document.querySelector('.dock-head').textContent.startsWith('The parameters are not usable'));
+  await page.waitForFunction(() => document.querySelector('.dock-head').textContent.startsWith('The parameter '));
   assert.equal(await page.locator('.file-name').textContent(), 'sheet_500.dxf');
   await page.getByLabel('Population').fill('20');
   await phase(page, 'planning');

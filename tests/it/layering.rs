@@ -6,8 +6,8 @@ use sources::{Arrow, Files, arrows};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// What geometry and findings may be used by: everything from the readers on.
-const GROUND: &[&str] = &["order", "geometry", "finding"];
+/// What everything from the readers on may use.
+const GROUND: &[&str] = &["order", "geometry", "finding", "fields"];
 
 /// Folders and files of `src`, from the ground up, each with those it may use besides itself and [`GROUND`]. The longest
 /// name that fits a file is the one that counts.
@@ -15,6 +15,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("order", &[]),
     ("geometry", &[]),
     ("finding", &[]),
+    ("fields", &[]),
     ("dxf", &[]),
     ("svg", &[]),
     ("machine", &[]),
@@ -33,7 +34,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
 ];
 
 /// The ground itself, from the bottom up: each may use those before it.
-const FIRST: &[&str] = &["order", "geometry", "finding"];
+const FIRST: &[&str] = &["order", "geometry", "finding", "fields"];
 
 /// Folders in which circles between files are left, to be opened: the plan model is on its way.
 const CIRCLES_LEFT: &[&str] = &["output/json", "quote"];

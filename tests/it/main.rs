@@ -4,6 +4,7 @@
 #[path = "../testkit/mod.rs"]
 mod testkit;
 
+mod boundary;
 mod common_cuts;
 mod common_cuts_exact;
 mod common_cuts_grids;

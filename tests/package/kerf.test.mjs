@@ -98,6 +98,6 @@ describe('the width of the kerf', () => {
     near(JSON.parse((await run('wide.json')).stdout).summary.cut_length, 7 * 40.4 + (8 - KERF) * Math.PI);
     const refused = await run('wrong.json');
     assert.equal(refused.code, 1);
-    assert.match(refused.stderr, /kerf_width = 0.01; it must be 0, or from 0.02 to 10, in mm/);
+    assert.match(refused.stderr, /"kerf_width" is 0\.01\. Give a number from 0\.02 to 10 mm, or 0/);
   });
 });

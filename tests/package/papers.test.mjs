@@ -59,8 +59,8 @@ describe('methods from papers', () => {
     await planner.plan({ method: 'rlsga', parameters: { population: 12 }, moves: 2000, seed: 1 }).done;
     assert.equal(JSON.parse(await planner.output('json')).parameters, '{"population":12}');
     const refused = (options) => planner.plan({ moves: 10, seed: 1, ...options }).done.then(() => 'planned', (e) => e.message);
-    assert.match(await refused({ method: 'rlsga', parameters: { populace: 12 } }), /^The parameters are not usable: unknown field `populace`/);
-    assert.match(await refused({ method: 'nobody' }), /^There is no method named nobody/);
+    assert.match(await refused({ method: 'rlsga', parameters: { populace: 12 } }), /^The method has no parameter "populace"/);
+    assert.match(await refused({ method: 'nobody' }), /^There is no method named "nobody"/);
     assert.match(await refused({ method: 'rlsga', workers: 2 }), /work alone/);
     assert.match(await refused({ parameters: { population: 12 } }), /^Only methods from papers have parameters/);
   });

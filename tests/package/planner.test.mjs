@@ -70,7 +70,7 @@ describe('load', () => {
 
   it('refuses options out of range and says the range', async () => {
     await assert.rejects(planner.load(PLATE, 'plate.dxf', { tolerance: -1 }), /tolerance is -1 mm.*0\.000001 to 1 mm/);
-    await assert.rejects(planner.load(PLATE, 'plate.dxf', { units: 'parsec' }), /options are not usable/);
+    await assert.rejects(planner.load(PLATE, 'plate.dxf', { units: 'parsec' }), /The option "units" is "parsec"\. Choose one of: mm, /);
   });
 
   it('knows when there is nothing to cut', async () => {

@@ -4,7 +4,8 @@
  */
 
 import { News } from './news.js';
-import { checkNames, planning, reading } from './options.js';
+import { quietAtClose } from './closed.js';
+import { checkOptions, planning, reading } from './options.js';
 import type { InspectOptions, PlanJobOptions, PlanningOptions, QuoteOptions, RenderOptions, Source } from './options.js';
 import type { Started } from './plan-handle.js';
 import type { Planner } from './planner.js';
@@ -76,9 +77,11 @@ const NAME = 'drawing.dxf';
 
 export function functionsOn(lend: Lend): Functions {
   return {
-    async inspect(source, options = {}) {
-      checkNames(options, 'inspect');
-      return lend(async (planner) => planner.load(await bytesOf(source), options.name ?? NAME, reading(options)), options.signal);
+    inspect(source, options = {}) {
+      return quietAtClose(async () => {
+        checkOptions(options, 'inspect');
+        return lend(async (planner) => planner.load(await bytesOf(source), options.name ?? NAME, reading(options)), options.signal);
+      });
     },
 
     plan(source, options = {}) {
@@ -90,12 +93,12 @@ export function functionsOn(lend: Lend): Functions {
       };
       const news = new News(halt);
       const tell = (progress: Progress) => {
-        options.onProgress?.(progress);
         news.tell(progress);
+        return options.onProgress?.(progress);
       };
       const work = async (planner: Planner) => {
         const loaded = await planner.load(await bytesOf(source), options.name ?? NAME, reading(options));
-        options.onLoaded?.(loaded);
+        await options.onLoaded?.(loaded);
         const handle = planner.plan(planning(options), tell);
         stop = () => handle.stop();
         if (stopped) stop();
@@ -107,7 +110,7 @@ export function functionsOn(lend: Lend): Functions {
       };
       const run = async () => {
         try {
-          checkNames(options, 'plan');
+          checkOptions(options, 'plan');
           const planned = await lend(work, options.signal);
           news.end();
           return planned;
@@ -116,30 +119,35 @@ export function functionsOn(lend: Lend): Functions {
           throw error;
         }
       };
-      const done = run();
+      const done = quietAtClose(run);
       return Object.assign(done, { stop: halt, [Symbol.asyncIterator]: () => read(done, news) });
     },
 
-    async quote(source, options = {}) {
-      checkNames(options, 'quote');
+    quote(source, options = {}) {
       const work = async (planner: Planner) => {
         await planner.load(await bytesOf(source), options.name ?? NAME, reading(options));
         await planner.plan(planning(options), options.onProgress).done;
         return planner.quote(options.material);
       };
-      return lend(work, options.signal);
+      return quietAtClose(async () => {
+        checkOptions(options, 'quote');
+        return lend(work, options.signal);
+      });
     },
 
-    async render(source, planned, kind, { width, signal } = {}) {
-      const { options, loaded, seed, method, path } = planned;
+    render(source, planned, kind, given = {}) {
       const work = async (planner: Planner) => {
+        const { options, loaded, seed, method, path } = planned;
         const again = await planner.load(await bytesOf(source), loaded.name, reading(options));
         if (again.sha256 !== loaded.sha256) throw new Error('This is not the drawing that was planned: its bytes differ.');
         const { workers: _, seconds: __, ...rest } = planning(options);
         await planner.plan({ ...rest, seed, method, warm: path, moves: 0 }).done;
-        return planner.output(kind, width) as Promise<Outputs<typeof kind>[typeof kind]>;
+        return planner.output(kind, given.width) as Promise<Outputs<typeof kind>[typeof kind]>;
       };
-      return lend(work, signal);
+      return quietAtClose(async () => {
+        checkOptions(given, 'render');
+        return lend(work, given.signal);
+      });
     },
   };
 }

@@ -3,6 +3,8 @@
  * object, and told apart here by name.
  */
 
+import { check, checkOne, optional, type Field, type Range, type Shape } from './check.js';
+import { SHAPES } from './fields.js';
 import type { Material } from './quote.js';
 import type { Loaded, LoadOptions, OutputKind, PlanOptions, Progress } from './protocol.js';
 
@@ -55,41 +57,70 @@ export interface RenderOptions {
   signal?: AbortSignal;
 }
 
-const READING: Record<keyof LoadOptions, true> = {
-  units: true, tolerance: true, keepDamaged: true, joinTolerance: true, layers: true, orderByLayer: true,
-  ignoreOutline: true, partByPart: true, commonCuts: true, first: true, last: true, exclude: true,
-};
+const { reading: READING, planning: PLANNING, material: MATERIAL } = SHAPES;
 
-const PLANNING: Record<keyof PlanOptions, true> = {
-  machine: true, method: true, parameters: true, seed: true, warm: true, workers: true, seconds: true, moves: true,
-};
+const shapeOf = (owner: string, ...fields: Field[]): Shape => ({ owner, item: 'option', value: 'The option', fields });
 
-const JOB: Record<keyof JobOptions, true> = { name: true, signal: true };
+/** The place of a worker among others is not for callers. */
+const PLANNING_OPTIONS = PLANNING.fields.filter(({ name }) => name !== 'member');
+const JOB = [optional('name', 'text'), optional('signal', 'signal')];
+/** What a plan can be written as. */
+export const OUTPUTS: readonly OutputKind[] = ['gcode', 'svg', 'dxf', 'json', 'png'];
+/** Pixels across a picture. */
+const WIDTH: Range = { least: 64, most: 8192, or_zero: false, unit: 'pixels', why: 'smaller ones show nothing, larger ones take a gigabyte' };
 
-/** The names each function knows. */
+/** What each function may be told. */
 const KNOWN = {
-  inspect: { ...READING, ...JOB } satisfies Record<keyof InspectOptions, true>,
-  plan: { ...READING, ...PLANNING, ...JOB, onLoaded: true, onProgress: true, outputs: true } satisfies Record<keyof PlanJobOptions, true>,
-  quote: { ...READING, ...PLANNING, ...JOB, material: true, onProgress: true } satisfies Record<keyof QuoteOptions, true>,
-};
+  load: READING,
+  reload: READING,
+  continue: shapeOf('A budget', ...PLANNING.fields.filter(({ name }) => name === 'seconds' || name === 'moves')),
+  inspect: shapeOf('inspect', ...READING.fields, ...JOB),
+  plan: shapeOf('plan', ...READING.fields, ...PLANNING_OPTIONS, ...JOB,
+    optional('onLoaded', 'callback'), optional('onProgress', 'callback'), optional('outputs', { list: { choice: OUTPUTS } })),
+  quote: shapeOf('quote', ...READING.fields, ...PLANNING_OPTIONS, ...JOB,
+    optional('material', { object: MATERIAL.fields }), optional('onProgress', 'callback')),
+  render: shapeOf('render', optional('width', { whole: WIDTH }), optional('signal', 'signal')),
+  planning: shapeOf('Planning', ...PLANNING_OPTIONS),
+  readingAndPlanning: shapeOf('Planning', ...READING.fields, ...PLANNING_OPTIONS),
+  material: MATERIAL,
+} satisfies Record<string, Shape>;
 
 /** The options of reading among those of a job. */
 export function reading(options: LoadOptions): LoadOptions {
-  return picked(options, READING);
+  return picked(options, READING.fields);
 }
 
 /** The options of planning among those of a job. */
 export function planning(options: PlanOptions): PlanOptions {
-  return picked(options, PLANNING);
+  return picked(options, PLANNING_OPTIONS);
 }
 
-/** Refuses names that are no option, in one sentence: a misspelt one would be left out without a word. */
-export function checkNames(options: object, kind: keyof typeof KNOWN): void {
-  const known = KNOWN[kind];
-  const strange = Object.keys(options).find((name) => !Object.hasOwn(known, name));
-  if (strange !== undefined) throw new TypeError(`${kind} has no option ${strange}: there are ${Object.keys(known).join(', ')}.`);
+/** Throws one sentence unless these are options that the function knows, each of its kind and in its range. */
+export function checkOptions(options: object, kind: keyof typeof KNOWN): void {
+  check(KNOWN[kind], options);
 }
 
-function picked<T extends object>(options: T, names: Record<keyof T, true>): T {
-  return Object.fromEntries(Object.entries(options).filter(([name]) => Object.hasOwn(names, name))) as T;
+/** Throws one sentence unless this is a machine profile, or the name of a machine. */
+export function checkMachine(machine: unknown): void {
+  check(KNOWN.planning, { machine });
+}
+
+/** Throws one sentence unless this is what a plan can be written as, so wide. */
+export function checkOutput(kind: unknown, width: unknown): void {
+  checkOne('The option', 'kind', { choice: OUTPUTS }, kind);
+  checkOptions({ width }, 'render');
+}
+
+/** Throws one sentence unless these are the bytes of a file and its name. */
+export function checkFile(bytes: unknown, name: unknown): void {
+  // By their tag: a buffer may come from another frame or context.
+  const is = Object.prototype.toString.call(bytes);
+  if (is !== '[object ArrayBuffer]' && is !== '[object SharedArrayBuffer]' && !ArrayBuffer.isView(bytes)) {
+    throw new TypeError('The drawing is not given as bytes. Give an ArrayBuffer or a Uint8Array.');
+  }
+  checkOne('The option', 'name', 'text', name);
+}
+
+function picked<T extends object>(options: T, fields: readonly Field[]): T {
+  return Object.fromEntries(Object.entries(options).filter(([name]) => fields.some((f) => f.name === name))) as T;
 }

@@ -1,6 +1,7 @@
 /** A plan under way, as its caller holds it, and what is known of it. */
 
 import { bounded } from './bound.js';
+import { ClosedError } from './closed.js';
 import type { Baselines, Beam, BestPath, DoneReason, Finding, FromWorker, Geometry, PlanOptions, Progress } from './protocol.js';
 
 /** What a plan started with. */
@@ -55,17 +56,17 @@ export class RunningPlan {
   constructor(
     readonly id: number,
     readonly options: PlanOptions,
-    private readonly onProgress: (progress: Progress) => void,
-    post: (message: { type: 'pause' | 'resume' | 'stop' }) => void,
+    private readonly onProgress: (progress: Progress) => unknown,
+    private readonly post: (message: { type: 'pause' | 'resume' | 'stop' }) => void,
   ) {
     // Whoever waits for the end alone hears of a failure there.
     this.started.promise.catch(() => {});
     this.handle = {
       started: this.started.promise,
       done: this.done.promise,
-      pause: () => this.steer(post, 'pause'),
-      resume: () => this.steer(post, 'resume'),
-      stop: () => this.steer(post, 'stop'),
+      pause: () => this.steer('pause'),
+      resume: () => this.steer('resume'),
+      stop: () => this.steer('stop'),
     };
   }
 
@@ -76,39 +77,55 @@ export class RunningPlan {
   }
 
   hear(message: PlanMessage): void {
+    if (this.ended) return;
     switch (message.type) {
       case 'started':
         this.begin({ seed: message.seed, method: message.method, baselines: message.baselines, findings: message.findings, beam: message.beam, common: message.common });
         return;
       case 'progress':
         this.keep(message.progress);
-        this.onProgress(message.progress);
+        this.report(message.progress);
         return;
       case 'bound':
         if (this.last === null) return;
         this.last = { ...this.last, summary: bounded(this.last.summary, message.lowerBound) };
-        this.onProgress({ ...this.last, path: null });
+        this.report({ ...this.last, path: null });
         return;
       case 'done':
         this.keep(message.progress);
         this.end(message.reason);
         return;
       case 'failed':
-        this.fail(message.message);
+        this.fail(new Error(message.message));
         return;
     }
   }
 
   /** The worker is gone: what was told is what there is. */
-  interrupt(message: string): void {
-    if (this.path === null) this.fail(message);
+  interrupt(reason: Error): void {
+    if (this.path === null) this.fail(reason);
     else this.end('replaced');
   }
 
-  fail(message: string): void {
+  fail(reason: unknown): void {
     this.ended = true;
-    this.started.reject(new Error(message));
-    this.done.reject(new Error(message));
+    this.started.reject(reason);
+    if (reason instanceof ClosedError) this.done.promise.catch(() => {});
+    this.done.reject(reason);
+  }
+
+  // A callback that throws, or rejects when it is asynchronous, fails its own plan; the worker need not go on with it.
+  private report(progress: Progress): void {
+    const fail = (error: unknown) => {
+      this.steer('stop');
+      if (!this.ended) this.fail(error);
+    };
+    try {
+      const reported = this.onProgress(progress);
+      if (reported instanceof Promise) reported.catch(fail);
+    } catch (error) {
+      fail(error);
+    }
   }
 
   private begin(started: Started): void {
@@ -127,17 +144,17 @@ export class RunningPlan {
     this.done.resolve({ ...this.begun, reason, progress: { ...this.last, path: this.path } });
   }
 
-  private steer(post: (message: { type: 'pause' | 'resume' | 'stop' }) => void, type: 'pause' | 'resume' | 'stop') {
+  private steer(type: 'pause' | 'resume' | 'stop'): void {
     if (this.ended) return;
     this.paused = type === 'pause';
-    post({ type });
+    this.post({ type });
   }
 }
 
 interface Deferred<T> {
   promise: Promise<T>;
   resolve: (value: T) => void;
-  reject: (error: Error) => void;
+  reject: (reason: unknown) => void;
 }
 
 function deferred<T>(): Deferred<T> {

@@ -5,8 +5,10 @@
  */
 
 import { FINAL, type Answers } from './answers.js';
+import { ClosedError, quietAtClose } from './closed.js';
 import { Crew, type Drawing } from './crew.js';
 import { Line, PATIENCE, type StartWorker } from './line.js';
+import { checkFile, checkOptions, checkOutput } from './options.js';
 import { RunningPlan, type PlanHandle, type PlanMessage } from './plan-handle.js';
 import type { Material, Quote } from './quote.js';
 import { checkSize } from './size.js';
@@ -43,6 +45,9 @@ export interface Parts {
 
 const CLOSED = 'The planner was closed.';
 
+/** Times that a worker is started before it counts as one that cannot be. */
+const STARTS = 2;
+
 interface Request {
   resolve: (answer: never) => void;
   reject: (error: Error) => void;
@@ -68,9 +73,8 @@ export class Planner {
   private current: RunningPlan | null = null;
   /** Messages wait for this: a worker that is there, with the drawing in it. */
   private ready: Promise<void> = Promise.resolve();
+  /** Waits for the worker that is starting. */
   private greeting: { resolve: () => void; reject: (error: Error) => void } | null = null;
-  /** Whether the present worker has ever spoken. */
-  private greeted = false;
   private restoring = false;
   private closed = false;
 
@@ -93,71 +97,95 @@ export class Planner {
     return planner;
   }
 
-  /** Reads a DXF file. A plan under way ends. Rejects with one sentence when the file is unusable. */
-  async load(bytes: ArrayBuffer | Uint8Array, name: string, options: LoadOptions = {}): Promise<Loaded> {
-    checkSize(bytes.byteLength);
-    const drawing = { bytes: ownCopy(bytes), name, options };
-    await this.ready;
-    const { loaded } = await this.ask<'load'>((id) => ({ type: 'load', id, ...drawing }));
-    this.drawing = drawing;
-    this.current = null;
-    return loaded;
+  /** Reads a DXF file. A plan under way ends. Rejects with one sentence when the file or an option is unusable. */
+  load(bytes: ArrayBuffer | Uint8Array, name: string, options: LoadOptions = {}): Promise<Loaded> {
+    return quietAtClose(async () => {
+      checkFile(bytes, name);
+      checkSize(bytes.byteLength);
+      checkOptions(options, 'load');
+      const drawing = { bytes: ownCopy(bytes), name, options };
+      await this.ready;
+      const { loaded } = await this.ask<'load'>((id) => ({ type: 'load', id, ...drawing }));
+      this.drawing = drawing;
+      this.current = null;
+      return loaded;
+    });
   }
 
   /** Reads the same file with other options. A plan under way ends. */
-  async reload(options: LoadOptions): Promise<Loaded> {
-    await this.ready;
-    const { loaded } = await this.ask<'load'>((id) => ({ type: 'reload', id, options }));
-    if (this.drawing !== null) this.drawing = { ...this.drawing, options };
-    this.current = null;
-    return loaded;
+  reload(options: LoadOptions): Promise<Loaded> {
+    return quietAtClose(async () => {
+      checkOptions(options, 'reload');
+      await this.ready;
+      const { loaded } = await this.ask<'load'>((id) => ({ type: 'reload', id, options }));
+      if (this.drawing !== null) this.drawing = { ...this.drawing, options };
+      this.current = null;
+      return loaded;
+    });
   }
 
   /** The methods of published papers, with their parameters: loaded when first asked for. */
-  async paperMethods(): Promise<PaperMethod[]> {
-    await this.ready;
-    return (await this.ask<'papers'>((id) => ({ type: 'papers', id }))).methods;
+  paperMethods(): Promise<PaperMethod[]> {
+    return quietAtClose(async () => {
+      await this.ready;
+      return (await this.ask<'papers'>((id) => ({ type: 'papers', id }))).methods;
+    });
   }
 
-  /** Plans the loaded drawing. One plan runs at a time; one under way ends. */
-  plan(options: PlanOptions = {}, onProgress: (progress: Progress) => void = () => {}): PlanHandle {
+  /**
+   * Plans the loaded drawing. One plan runs at a time; one under way ends. A callback that throws ends its plan, which rejects
+   * with what was thrown.
+   */
+  plan(options: PlanOptions = {}, onProgress: (progress: Progress) => unknown = () => {}): PlanHandle {
     const plan = this.newPlan(options, onProgress);
-    return this.begin(plan, { type: 'plan', id: plan.id, options });
+    return this.begin(plan, { type: 'plan', id: plan.id, options }, () => checkOptions(options, 'planning'));
   }
 
   /** Goes on with the last plan, for another budget. */
-  continue(budget: Budget, onProgress: (progress: Progress) => void = () => {}): PlanHandle {
+  continue(budget: Budget, onProgress: (progress: Progress) => unknown = () => {}): PlanHandle {
     const plan = this.newPlan({ ...this.current?.options, ...budget }, onProgress);
-    if (this.current !== null) plan.follow(this.current);
-    this.crew.again(plan.id, budget);
-    return this.begin(plan, { type: 'continue', id: plan.id, budget });
+    return this.begin(plan, { type: 'continue', id: plan.id, budget }, () => {
+      checkOptions(budget, 'continue');
+      if (this.current !== null) plan.follow(this.current);
+      this.crew.again(plan.id, budget);
+    });
   }
 
   /** The best plan so far, checked and written out; `width` is that of the picture, in pixels. */
-  async output(kind: 'png', width?: number): Promise<Uint8Array>;
-  async output(kind: Exclude<OutputKind, 'png'>): Promise<string>;
-  async output(kind: OutputKind, width?: number): Promise<string | Uint8Array>;
-  async output(kind: OutputKind, width?: number): Promise<string | Uint8Array> {
-    await this.ready;
-    const size = width === undefined ? {} : { width };
-    return (await this.ask<'output'>((id) => ({ type: 'output', id, kind, ...size }))).data;
+  output(kind: 'png', width?: number): Promise<Uint8Array>;
+  output(kind: Exclude<OutputKind, 'png'>): Promise<string>;
+  output(kind: OutputKind, width?: number): Promise<string | Uint8Array>;
+  output(kind: OutputKind, width?: number): Promise<string | Uint8Array> {
+    return quietAtClose(async () => {
+      checkOutput(kind, width);
+      await this.ready;
+      const size = width === undefined ? {} : { width };
+      return (await this.ask<'output'>((id) => ({ type: 'output', id, kind, ...size }))).data;
+    });
   }
 
   /** The report of a quote of the best plan so far, checked like an output. */
-  async quote(material: Material = {}): Promise<Quote> {
-    await this.ready;
-    return (await this.ask<'quote'>((id) => ({ type: 'quote', id, material }))).quote;
+  quote(material: Material = {}): Promise<Quote> {
+    return quietAtClose(async () => {
+      checkOptions(material, 'material');
+      await this.ready;
+      return (await this.ask<'quote'>((id) => ({ type: 'quote', id, material }))).quote;
+    });
   }
 
-  /** Ends the worker; whatever was under way is told so. */
+  /** Ends the worker; whatever was under way is rejected. */
   close(): void {
     this.closed = true;
     this.crew.close();
     this.line.close();
-    this.abandon(CLOSED);
+    const reason = new ClosedError(CLOSED);
+    // Whoever waits for a worker that is still starting waits no longer.
+    this.ready.catch(() => {});
+    this.greeting?.reject(reason);
+    this.abandon(reason);
   }
 
-  private newPlan(options: PlanOptions, onProgress: (progress: Progress) => void): RunningPlan {
+  private newPlan(options: PlanOptions, onProgress: (progress: Progress) => unknown): RunningPlan {
     const id = ++this.lastId;
     return new RunningPlan(id, options, onProgress, (message) => {
       this.whenReady(message);
@@ -165,9 +193,13 @@ export class Planner {
     });
   }
 
-  private begin(plan: RunningPlan, message: ToWorker): PlanHandle {
-    if (this.closed) {
-      plan.fail(CLOSED);
+  // A plan that `prepare` refuses fails, and leaves the one under way alone.
+  private begin(plan: RunningPlan, message: ToWorker, prepare: () => void): PlanHandle {
+    try {
+      if (this.closed) throw new ClosedError(CLOSED);
+      prepare();
+    } catch (error) {
+      plan.fail(error);
       return plan.handle;
     }
     this.current = plan;
@@ -181,35 +213,53 @@ export class Planner {
       this.line.post(message);
       this.attend();
     };
-    this.ready.then(post, (error: Error) => this.abandon(error.message));
+    this.ready.then(post).catch((error: Error) => this.abandon(error));
   }
 
   private ask<K extends keyof Answers>(message: (id: number) => ToWorker): Promise<Answers[K]> {
     return new Promise((resolve, reject) => {
-      if (this.closed) return reject(new Error(CLOSED));
+      if (this.closed) return reject(new ClosedError(CLOSED));
       const id = ++this.lastId;
-      this.requests.set(id, { resolve, reject });
       this.line.post(message(id));
+      this.requests.set(id, { resolve, reject });
       this.attend();
     });
   }
 
-  private openLine(): Promise<void> {
+  // A worker that dies before it has greeted is tried again: memory that is short for a moment, or a machine that goes to
+  // sleep, ends one that is starting.
+  private async openLine(): Promise<void> {
+    for (let left = STARTS; ; ) {
+      left -= 1;
+      try {
+        return await this.startWorker();
+      } catch (error) {
+        if (this.closed) throw new ClosedError(CLOSED);
+        if (left === 0) throw new Error(`The planner could not be started. ${(error as Error).message} It was tried ${STARTS} times.`);
+      }
+    }
+  }
+
+  private startWorker(): Promise<void> {
     return new Promise((resolve, reject) => {
-      this.greeted = false;
       this.greeting = { resolve, reject };
       const { start, module, patience } = this.parts;
-      this.line = new Line(start, module, (m) => this.hear(m), (why) => void this.replace(why), patience);
+      this.line = new Line(start, module, (m) => this.hear(m), (why) => this.lost(why), patience);
       this.line.expect('working');
     });
+  }
+
+  private lost(why: string): void {
+    if (this.greeting === null) void this.replace(why);
+    else this.greeting.reject(new Error(why));
   }
 
   private hear(message: FromWorker): void {
     if (message.type === 'ready') {
       this.methods = message.methods;
       this.machines = message.machines;
-      this.greeted = true;
       this.greeting?.resolve();
+      this.greeting = null;
     } else if ('id' in message) {
       this.deliver(message);
     }
@@ -256,17 +306,21 @@ export class Planner {
     const kept = this.restoring ? null : this.drawing;
     this.replaced = why;
     const message = `${why} It was started again${kept === null ? '.' : ' and the drawing loaded again.'}`;
-    this.abandon(message);
-    if (!this.greeted) {
-      this.greeting?.reject(new Error(`The planner could not be started. ${why}`));
-      return;
-    }
+    this.abandon(new Error(message));
     const plan = kept === null ? null : this.current;
     [this.drawing, this.current] = [null, null];
     this.ready = this.openLine().then(() => (kept === null ? undefined : this.restore(kept, plan)));
     // Whoever asks for something later hears that it could not be started.
     const there = await this.ready.then(() => true, () => false);
-    if (there) this.parts.onReplaced?.(message);
+    if (there) this.tellReplaced(message);
+  }
+
+  // It is told aside from any call, so what it throws has nowhere to go.
+  private tellReplaced(message: string): void {
+    try {
+      const told: unknown = this.parts.onReplaced?.(message);
+      if (told instanceof Promise) told.catch(() => {});
+    } catch {}
   }
 
   private async restore(drawing: Drawing, plan: RunningPlan | null): Promise<void> {
@@ -283,10 +337,10 @@ export class Planner {
     }
   }
 
-  private abandon(message: string): void {
+  private abandon(reason: Error): void {
     this.crew.end();
-    for (const request of this.requests.values()) request.reject(new Error(message));
-    for (const plan of this.plans.values()) plan.interrupt(message);
+    for (const request of this.requests.values()) request.reject(reason);
+    for (const plan of this.plans.values()) plan.interrupt(reason);
     this.requests.clear();
     this.plans.clear();
   }

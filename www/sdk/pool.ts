@@ -4,6 +4,7 @@
  * same plan. Planners serve one file after the other, so what is held is no more than the pool's size in drawings.
  */
 
+import { ClosedError } from './closed.js';
 import { functionsOn, type Functions, type Lend } from './functions.js';
 import { abortable } from './lend.js';
 import type { Planner } from './planner.js';
@@ -92,10 +93,10 @@ class Benches {
     try {
       const result = await this.tried(work, signal);
       // What a planner had when it was closed is not the whole of what was asked.
-      if (this.closed) throw new Error(CLOSED);
+      if (this.closed) throw new ClosedError(CLOSED);
       return result;
     } catch (error) {
-      throw this.closed ? new Error(CLOSED) : error;
+      throw this.closed ? new ClosedError(CLOSED) : error;
     } finally {
       this.working -= 1;
       this.turns.shift()?.come();
@@ -106,13 +107,13 @@ class Benches {
   close(): void {
     this.closed = true;
     for (const planner of this.all) planner.close();
-    for (const turn of this.turns.splice(0)) turn.refuse(new Error(CLOSED));
+    for (const turn of this.turns.splice(0)) turn.refuse(new ClosedError(CLOSED));
     this.tellChange();
   }
 
   private async turn(signal: AbortSignal | undefined): Promise<void> {
     signal?.throwIfAborted();
-    if (this.closed) throw new Error(CLOSED);
+    if (this.closed) throw new ClosedError(CLOSED);
     if (this.working >= this.size) {
       const turn: Turn = { come: () => {}, refuse: () => {} };
       const come = new Promise<void>((resolve, reject) => {

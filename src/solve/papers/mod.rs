@@ -18,6 +18,7 @@ mod lead;
 mod left;
 mod legs;
 mod local;
+mod parameters;
 mod repair;
 mod swarm;
 mod tree;
@@ -31,6 +32,7 @@ pub use swarm::{AcoPso, KPso, Lpspso, Pso};
 pub use tree::{GtspLk, InitialPartitions, InitialTours, PartitionTree, Pfr, RepartitionMoves};
 
 use super::{Solver, SolverInfo};
+use crate::fields::{Value, nearest};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -77,7 +79,10 @@ pub fn cards() -> Vec<Card> {
 pub fn method(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
     let Some((_, make)) = METHODS.iter().find(|(card, _)| card().info.name == name) else {
         let names: Vec<_> = cards().into_iter().map(|c| c.info.name).collect();
-        return Err(format!("There is no method named {name}. From papers: {}.", names.join(", ")));
+        let near = nearest(name, names.iter().copied());
+        let hint = near.map(|near| format!(" Did you mean {near}?")).unwrap_or_default();
+        let name = Value::Text(name.to_owned());
+        return Err(format!("There is no method named {name}.{hint} From papers: {}.", names.join(", ")));
     };
     make(if parameters.trim().is_empty() { "{}" } else { parameters })
 }
@@ -92,9 +97,8 @@ fn card<M: Solver + Default + Serialize>() -> Card {
     Card { info: method.info(), parameters: serde_json::to_value(&method).unwrap_or_default() }
 }
 
-fn make<M: Solver + DeserializeOwned + 'static>(parameters: &str) -> Result<Box<dyn Solver>, String> {
-    match serde_json::from_str::<M>(parameters) {
-        Ok(method) => Ok(Box::new(method)),
-        Err(e) => Err(format!("The parameters are not usable: {e}.")),
-    }
+fn make<M: Solver + Default + Serialize + DeserializeOwned + 'static>(
+    parameters: &str,
+) -> Result<Box<dyn Solver>, String> {
+    Ok(Box::new(parameters::read::<M>(parameters)?))
 }

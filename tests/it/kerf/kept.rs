@@ -102,7 +102,7 @@ fn a_kerf_out_of_range_is_refused() {
         assert_eq!(machine(kerf_width).validate().is_ok(), fits, "{kerf_width}");
     }
     let said = machine(11.0).validate().unwrap_err().to_string();
-    assert!(said.contains("kerf_width = 11; it must be 0, or from 0.02 to 10, in mm"), "{said}");
+    assert!(said.contains("\"kerf_width\" is 11. Give a number from 0.02 to 10 mm, or 0: "), "{said}");
 }
 
 /// What looks like the sheet is cut as a part as long as nobody leaves it out; that parts are then holes is told.

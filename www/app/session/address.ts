@@ -41,7 +41,7 @@ export function read(hash: string): Shared {
   };
   const load: LoadOptions = {};
   const units = UNITS.find((u) => u === words.get('units'));
-  const join = number('join', 10);
+  const join = number('join', 5);
   if (units !== undefined) load.units = units;
   if (join !== null && join > 0) load.joinTolerance = join;
   if (words.get('by-layer') === '1') load.orderByLayer = true;

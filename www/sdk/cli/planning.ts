@@ -1,6 +1,7 @@
 /** What `plan` and `quote` share: drawings planned one after the other by one planner. */
 
 import { basename } from 'node:path';
+import { checkMachine, checkOptions } from '../options.js';
 import { createPlanner, type Planner, type PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, PlanOptions } from '../protocol.js';
 import { loadOptions, oneOf, parameters, seconds, text, whole, type Words } from './arguments.js';
@@ -26,12 +27,17 @@ export async function planFiles(given: Words, asked: Asked, write: (planned: Pla
   const load = loadOptions(values);
   const [moves, workers, seed] = ['moves', 'workers', 'seed'].map((name) => whole(values, name));
   const budget = { seconds: seconds(values), moves, workers, seed };
+  used(() => checkOptions(budget, 'planning'), WrongUse, '');
   const planner = await createPlanner();
   try {
     const options: PlanOptions = { ...budget, ...(await choices(given, planner)) };
     const profile = profileFile(given, planner);
     await eachFile(given, { ...asked, inputs: profile === null ? [] : [profile] }, async (file, place, to) => {
       const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), load));
+      // A misspelt layer changes what is cut, so it is told at once and not only by `inspect`.
+      for (const { message } of loaded.findings.filter((f) => f.code === 'layer-unknown')) {
+        process.stderr.write(`kerfway: ${basename(file)}: ${message}\n`);
+      }
       const result = await usable(file, searched(planner, options, file, place));
       await write({ file, place, planner, loaded, result, options }, to);
     });
@@ -66,13 +72,27 @@ async function machineOf(word: string, { machines }: Planner): Promise<MachinePr
   const preset = machines.find((m) => m.name === word);
   if (preset !== undefined) return preset;
   if (!/[./\\]/.test(word)) return Promise.reject(unknownMachine(word, machines));
-  const bytes = await bytesOf(word);
+  const content = json(word, await bytesOf(word)) as MachineProfile | { schema: string; profile: MachineProfile } | null;
+  // What the page exports says its schema around the profile.
+  const profile = content !== null && typeof content === 'object' && 'profile' in content ? content.profile : content;
+  used(() => checkMachine(profile), Unusable, `${word}: `);
+  return profile as MachineProfile;
+}
+
+function json(word: string, bytes: Uint8Array): unknown {
   try {
-    const content = JSON.parse(new TextDecoder().decode(bytes)) as MachineProfile | { schema: string; profile: MachineProfile };
-    // What the page exports says its schema around the profile.
-    return 'profile' in content ? content.profile : content;
+    return JSON.parse(new TextDecoder().decode(bytes));
   } catch {
     throw new Unusable(`${word} is not JSON: a machine profile is an object like those of the presets.`);
+  }
+}
+
+/** Does what may refuse something in a sentence, as a failure of this kind. */
+function used(what: () => void, Failure: typeof Unusable | typeof WrongUse, where: string): void {
+  try {
+    what();
+  } catch (error) {
+    throw new Failure(`${where}${(error as Error).message}`);
   }
 }
 

@@ -6,7 +6,12 @@ import type { Unit } from '../protocol.js';
 /** Options that are numbers in attributes. */
 const NUMBERS = ['seconds', 'moves', 'seed', 'workers'] as const;
 
-/** What the element's attributes say. Text that is no number is none: the planner says what it needs. */
+/** The number that an attribute says. Text that is none becomes NaN, which the planner refuses by its name. */
+export function numberIn(text: string): number {
+  return text.trim() === '' ? NaN : Number(text);
+}
+
+/** What the element's attributes say. */
 export function attributed(element: Element): PlanningOptions {
   const options: PlanningOptions = {};
   const [machine, method, units] = ['machine', 'method', 'units'].map((name) => element.getAttribute(name));
@@ -15,7 +20,7 @@ export function attributed(element: Element): PlanningOptions {
   if (units) options.units = units as Unit;
   for (const name of NUMBERS) {
     const text = element.getAttribute(name);
-    if (text !== null) options[name] = Number(text);
+    if (text !== null) options[name] = numberIn(text);
   }
   return options;
 }

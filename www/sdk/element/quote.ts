@@ -9,6 +9,7 @@ import type { Material, Quote } from '../quote.js';
 import { DrawingElement, type DrawingEvents } from './drawing.js';
 import { facts } from './facts.js';
 import { furnishQuote } from './looks.js';
+import { numberIn } from './options.js';
 
 /** Events of `<kerfway-quote>`; the result is the report. */
 export type QuoteEvents = DrawingEvents<Quote>;
@@ -106,12 +107,11 @@ function piece(tag: string, part: string, text: string): HTMLElement {
   return made;
 }
 
-/** Text that is no number is none: the planner says what it needs. */
 function attributedMaterial(element: Element): Material {
   const [name, thickness, density] = MATERIAL.map((attribute) => element.getAttribute(attribute) || null);
   return {
     ...(name ? { name } : {}),
-    ...(thickness ? { thickness: Number(thickness) } : {}),
-    ...(density ? { density: Number(density) } : {}),
+    ...(thickness ? { thickness: numberIn(thickness) } : {}),
+    ...(density ? { density: numberIn(density) } : {}),
   };
 }

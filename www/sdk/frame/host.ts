@@ -14,7 +14,7 @@
  */
 
 import type { Planned } from '../functions.js';
-import type { PlanningOptions } from '../options.js';
+import { checkOptions, type PlanningOptions } from '../options.js';
 import type { MachineProfile, MethodInfo } from '../protocol.js';
 import { MARK, type FromFrame, type Kind, type Marked, type Pace, type ToFrame } from './messages.js';
 
@@ -34,7 +34,7 @@ export interface FrameListener {
 
 /** A host's hold of its frame. */
 export interface FrameConnection {
-  /** How drawings are read and planned from now on, those a person drops, too. */
+  /** How drawings are read and planned from now on, those a person drops, too. Throws one sentence when an option is unusable. */
   setOptions(options: PlanningOptions): void;
   /** Plans a drawing in the frame. Rejects with one sentence when it is unusable or another is opened. */
   open(bytes: ArrayBuffer, name: string): Promise<Planned<'gcode'>>;
@@ -106,7 +106,10 @@ export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener 
   iframe.addEventListener('load', greet);
   greet();
   return {
-    setOptions: (options) => say({ type: 'options', options }),
+    setOptions: (options) => {
+      checkOptions(options, 'readingAndPlanning');
+      say({ type: 'options', options });
+    },
     open: (bytes, name) => ask((id) => ({ type: 'open', id, bytes, name })),
     stop: () => say({ type: 'stop' }),
     render: (kind, { width } = {}) => ask((id) => ({ type: 'render', id, kind, width: width ?? null })),

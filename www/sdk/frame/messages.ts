@@ -39,6 +39,8 @@ export type FromFrame =
 /** A message as it is posted. */
 export type Marked<M> = M & { kerfway: typeof MARK };
 
+/** Pixels across the widest picture. */
+const WIDEST = 8192;
 /** The characters a file's name may have. */
 const LONGEST_NAME = 255;
 
@@ -68,7 +70,7 @@ function isRecord(value: unknown): value is Record<string, unknown> {
 const isId = (value: unknown): value is number => Number.isSafeInteger(value);
 const isName = (value: unknown): value is string => typeof value === 'string' && value.length > 0 && value.length <= LONGEST_NAME;
 const isKind = (value: unknown): value is Kind => KINDS.some((kind) => kind === value);
-const isWidth = (value: unknown): value is number => typeof value === 'number' && Number.isInteger(value) && value > 0;
+const isWidth = (value: unknown): value is number => typeof value === 'number' && Number.isInteger(value) && value > 0 && value <= WIDEST;
 
 /** The origin a host states: exactly one, of the web. */
 export function originOf(text: string | null): string | null {

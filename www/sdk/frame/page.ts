@@ -6,7 +6,7 @@
 
 import type { KerfwayPlanner, PlannerEvents } from '../element/index.js';
 import '../element/index.js';
-import { planning, reading, type PlanningOptions } from '../options.js';
+import { checkOptions, type PlanningOptions } from '../options.js';
 import { MARK, messageToFrame, originOf, type FromFrame, type ToFrame } from './messages.js';
 
 const planner = document.querySelector('kerfway-planner') as KerfwayPlanner;
@@ -35,13 +35,22 @@ function bridge(origin: string): void {
       (error: Error) => tell({ type: 'refused', id, message: error.message }),
     );
   };
+  // Options that cannot be used are refused here: a person who drops a file later could not know why it fails.
+  const choose = (options: PlanningOptions) => {
+    try {
+      checkOptions(options, 'readingAndPlanning');
+      planner.options = options;
+    } catch (error) {
+      tell({ type: 'error', message: (error as Error).message });
+    }
+  };
   const obey = (message: ToFrame) => {
     switch (message.type) {
       case 'hello':
         if (ready !== null) tell(ready);
         return;
       case 'options':
-        planner.options = chosen(message.options);
+        choose(message.options);
         return;
       case 'open':
         answer(message.id, planner.open(message.bytes, message.name));
@@ -60,9 +69,4 @@ function bridge(origin: string): void {
     const message = messageToFrame(event.data);
     if (message !== null) obey(message);
   });
-}
-
-/** Only what decides a plan; the planner judges the values. */
-function chosen(options: PlanningOptions): PlanningOptions {
-  return { ...reading(options), ...planning(options) };
 }

@@ -1,0 +1,60 @@
+//! The known name that somebody probably meant.
+
+/// The name among `known` that is nearest to `name`, when it is near enough to be a slip: at most a third of its
+/// characters differ, or two. Case, hyphens and underscores count for nothing.
+pub fn nearest<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
+    let name = key(name);
+    let near = |other: &&str| {
+        let other = key(other);
+        (other.len().abs_diff(name.len()) <= 8).then(|| distance(&name, &other))
+    };
+    let most = (name.len() / 3).max(2).min(name.len().saturating_sub(1));
+    let all = known.into_iter().filter_map(|other| near(&other).map(|d| (d, other)));
+    // The first of equals, so that the answer does not depend on anything but the order of the table.
+    let best = all.reduce(|best, other| if other.0 < best.0 { other } else { best });
+    best.filter(|(d, _)| *d <= most).map(|(_, other)| other)
+}
+
+/// Longest name looked at, in characters: far above any field's name, and a bound on the work for hostile ones.
+const LONGEST: usize = 64;
+
+fn key(name: &str) -> Vec<char> {
+    let letters = name.chars().filter(|c| !matches!(c, '_' | '-' | ' '));
+    letters.take(LONGEST).map(|c| c.to_ascii_lowercase()).collect()
+}
+
+/// Characters to insert, remove, replace or exchange with their neighbour (optimal string alignment).
+fn distance(a: &[char], b: &[char]) -> usize {
+    let mut before: Vec<usize> = Vec::new();
+    let mut last: Vec<usize> = (0..=b.len()).collect();
+    for (i, &x) in a.iter().enumerate() {
+        let mut row = vec![i + 1];
+        for (j, &y) in b.iter().enumerate() {
+            let mut best = (last[j] + usize::from(x != y)).min(last[j + 1] + 1).min(row[j] + 1);
+            if i > 0 && j > 0 && x == b[j - 1] && a[i - 1] == y {
+                best = best.min(before[j - 1] + 1);
+            }
+            row.push(best);
+        }
+        before = std::mem::replace(&mut last, row);
+    }
+    last[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_are_recognised_and_other_words_are_not() {
+        let known = ["kerf_width", "cut", "pierce_time", "joinTolerance"];
+        let of = |name| nearest(name, known);
+        assert_eq!(of("kerf_witdh"), Some("kerf_width"));
+        assert_eq!(of("kerfWidth"), Some("kerf_width"));
+        assert_eq!(of("join_tolerence"), Some("joinTolerance"));
+        assert_eq!(of("cutt"), Some("cut"));
+        assert_eq!(of("nonsense"), None);
+        assert_eq!(of(""), None);
+        assert_eq!(of(&"x".repeat(1_000_000)), None);
+    }
+}

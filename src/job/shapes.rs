@@ -1,0 +1,77 @@
+//! The fields of the options, as callers write them. The struct of each is in `options.rs`, the ranges of numbers are in
+//! `ranges.rs`.
+
+use super::options::{Budget, LoadOptions, PlanOptions};
+use super::ranges::{ALONG, COUNT, ID, JOIN_TOLERANCE, MEMBER, REVERSED, SECONDS, TOLERANCE, WORKERS};
+use crate::fields::{Field, Kind, Shape, Shaped};
+use crate::machine::Profile;
+
+const IDS: Kind = Kind::List(&Kind::Whole(ID));
+const LENGTHS: Kind = Kind::List(&Kind::Number(ALONG));
+const BUDGET: [Field; 2] =
+    [Field::optional("seconds", Kind::Number(SECONDS)), Field::optional("moves", Kind::Whole(COUNT))];
+
+impl Shaped for LoadOptions {
+    const SHAPE: Shape = Shape {
+        owner: "Reading",
+        item: "option",
+        value: "The option",
+        fields: &[
+            Field::optional(
+                "units",
+                Kind::Choice(&["mm", "cm", "dm", "m", "um", "in", "ft", "yd", "mil", "microinch"]),
+            ),
+            Field::optional("tolerance", Kind::Number(TOLERANCE)),
+            Field::optional("keepDamaged", Kind::Flag),
+            Field::optional("joinTolerance", Kind::Number(JOIN_TOLERANCE)),
+            Field::optional("layers", Kind::List(&Kind::Object(LAYER))),
+            Field::optional("orderByLayer", Kind::Flag),
+            Field::optional("ignoreOutline", Kind::Flag),
+            Field::optional("partByPart", Kind::Flag),
+            Field::optional("commonCuts", Kind::Choice(&["best", "insertion", "off"])),
+            Field::optional("first", IDS),
+            Field::optional("last", IDS),
+            Field::optional("exclude", IDS),
+        ],
+    };
+}
+
+const LAYER: &[Field] = &[
+    Field::required("name", Kind::Text),
+    Field::required("operation", Kind::Choice(&["cut", "mark", "ignore"])),
+];
+
+impl Shaped for PlanOptions {
+    const SHAPE: Shape = Shape {
+        owner: "Planning",
+        item: "option",
+        value: "The option",
+        fields: &[
+            Field::optional("machine", Kind::NameOr(&Profile::SHAPE)),
+            Field::optional("method", Kind::Text),
+            Field::optional("parameters", Kind::Parameters),
+            Field::optional("seed", Kind::Whole(COUNT)),
+            Field::optional("warm", Kind::Object(WARM)),
+            Field::optional("workers", Kind::Whole(WORKERS)),
+            Field::optional("member", Kind::Whole(MEMBER)),
+            Field::optional("seconds", Kind::Number(SECONDS)),
+            Field::optional("moves", Kind::Whole(COUNT)),
+        ],
+    };
+}
+
+/// A path to start from. Those that a plan gave have more fields, which a search does not need.
+const WARM: &[Field] = &[
+    Field::required("contours", IDS),
+    Field::required("along", LENGTHS),
+    Field::optional("until", LENGTHS),
+    Field::required("reversed", Kind::List(&Kind::Whole(REVERSED))),
+    Field::optional("points", LENGTHS),
+    Field::optional("times", LENGTHS),
+    Field::optional("preCuts", LENGTHS),
+    Field::optional("pauses", LENGTHS),
+];
+
+impl Shaped for Budget {
+    const SHAPE: Shape = Shape { owner: "A budget", item: "option", value: "The option", fields: &BUDGET };
+}

@@ -1,0 +1,129 @@
+//! The fields of a machine profile and the range of every number in it.
+//!
+//! The limits are wide: they refuse slips (a comma lost, metres for millimetres) and numbers that a controller cannot read,
+//! not unusual machines.
+
+use super::profile::Profile;
+use crate::fields::{Field, Kind, Range, Shape, Shaped, out_of_range};
+use std::f64::consts::PI;
+
+/// The only version of the data there is; later ones will be brought up to date on reading.
+pub(super) const VERSION: u32 = 1;
+
+/// Why a profile cannot be used: one sentence for people.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ProfileError {
+    /// A value out of its range.
+    #[error("{}", out_of_range(SHAPE.value, .field, *.value, .range))]
+    Value {
+        /// Which value, as written in the data.
+        field: &'static str,
+        /// What it says.
+        value: f64,
+        /// What it may be.
+        range: Range,
+    },
+}
+
+const VERSIONS: Range = Range::new(1.0, 1.0, "", "this Kerfway reads machine profiles of version 1");
+const PLACE: Range = Range::new(-1e6, 1e6, "mm", "no table reaches further than 1 km");
+const SPEED: Range = Range::new(
+    1e-3,
+    1e5,
+    "mm/s",
+    "no head is faster than 100 m/s, and none cuts a millimetre in over 15 minutes",
+);
+const ACCEL: Range = Range::new(0.1, 1e7, "mm/s2", "no drive accelerates with more than 1,000 g");
+const POWER: Range = Range::new(0.0, 1.0, "", "it is a fraction of full power");
+const DEVIATION: Range = Range::new(0.0, 10.0, "mm", "a corner rounded by more is not the corner drawn");
+const WAIT: Range =
+    Range::new(0.0, 600.0, "s", "thick plate is pierced in seconds, so ten minutes are a slip");
+const PRE_CUT: Range = Range::new(0.0, 1000.0, "mm", "a pre-cut is a short start of a cut");
+const ANGLE: Range = Range::new(0.0, PI, "rad", "corners have at most half a turn");
+/// Half of the least is the distance within which lines are copies of each other; water jets cut 1 mm, plasma up to 10.
+const KERF: Range =
+    Range::new(0.02, 10.0, "mm", "no beam is thinner, and no jet or plasma cuts wider").or_zero();
+const DELAY: Range = Range::new(0.0, 60.0, "s", "a beam settles within a second or so");
+const FULL: Range = Range::new(1.0, 1e6, "", "controllers take numbers of a few digits for full power");
+
+const SHAPE: Shape = Shape {
+    owner: "The machine",
+    item: "field",
+    value: "The machine's field",
+    fields: &[
+        Field::required("version", Kind::Whole(VERSIONS)),
+        Field::required("name", Kind::Text),
+        Field::required("title", Kind::Text),
+        Field::required("home", Kind::Pair(&Kind::Number(PLACE))),
+        Field::required("return_home", Kind::Flag),
+        Field::required("travel", Kind::Choice(&["straight", "vector", "per-axis"])),
+        Field::required("rapid", Kind::Object(RAPID)),
+        Field::required("cut", Kind::Object(PROCESS)),
+        Field::required("mark", Kind::Object(PROCESS)),
+        Field::nullable("junction_deviation", Kind::Number(DEVIATION)),
+        Field::required("pierce_time", Kind::Number(WAIT)),
+        Field::nullable("pre_cut_time", Kind::Number(WAIT)),
+        Field::optional("pre_cut_length", Kind::Number(PRE_CUT)),
+        Field::nullable("sharp_corner", Kind::Object(CORNER)),
+        Field::optional("kerf_width", Kind::Number(KERF)),
+        Field::required("beam_on_delay", Kind::Number(DELAY)),
+        Field::required("beam_off_delay", Kind::Number(DELAY)),
+        Field::required("dialect", Kind::Choice(&["grbl-m4"])),
+        Field::required("max_s", Kind::Number(FULL)),
+    ],
+};
+
+const RAPID: &[Field] = &[
+    Field::required("speed", Kind::Pair(&Kind::Number(SPEED))),
+    Field::nullable("accel", Kind::Pair(&Kind::Number(ACCEL))),
+];
+
+const PROCESS: &[Field] = &[
+    Field::required("speed", Kind::Number(SPEED)),
+    Field::nullable("accel", Kind::Number(ACCEL)),
+    Field::required("power", Kind::Number(POWER)),
+];
+
+const CORNER: &[Field] =
+    &[Field::required("angle", Kind::Number(ANGLE)), Field::required("time", Kind::Number(WAIT))];
+
+impl Shaped for Profile {
+    const SHAPE: Shape = SHAPE;
+}
+
+impl Profile {
+    /// Whether every value can be planned with; the first that cannot is named.
+    pub fn validate(&self) -> Result<(), ProfileError> {
+        let values = [
+            ("version", Some(self.version.into()), VERSIONS),
+            ("home[0]", Some(self.home[0]), PLACE),
+            ("home[1]", Some(self.home[1]), PLACE),
+            ("rapid.speed[0]", Some(self.rapid.speed[0]), SPEED),
+            ("rapid.speed[1]", Some(self.rapid.speed[1]), SPEED),
+            ("rapid.accel[0]", self.rapid.accel.map(|a| a[0]), ACCEL),
+            ("rapid.accel[1]", self.rapid.accel.map(|a| a[1]), ACCEL),
+            ("cut.speed", Some(self.cut.speed), SPEED),
+            ("cut.accel", self.cut.accel, ACCEL),
+            ("cut.power", Some(self.cut.power), POWER),
+            ("mark.speed", Some(self.mark.speed), SPEED),
+            ("mark.accel", self.mark.accel, ACCEL),
+            ("mark.power", Some(self.mark.power), POWER),
+            ("junction_deviation", self.junction_deviation, DEVIATION),
+            ("pierce_time", Some(self.pierce_time), WAIT),
+            ("pre_cut_time", self.pre_cut_time, WAIT),
+            ("pre_cut_length", Some(self.pre_cut_length), PRE_CUT),
+            ("sharp_corner.angle", self.sharp_corner.map(|c| c.angle), ANGLE),
+            ("sharp_corner.time", self.sharp_corner.map(|c| c.time), WAIT),
+            ("kerf_width", Some(self.kerf_width), KERF),
+            ("beam_on_delay", Some(self.beam_on_delay), DELAY),
+            ("beam_off_delay", Some(self.beam_off_delay), DELAY),
+            ("max_s", Some(self.max_s), FULL),
+        ];
+        let given = values.into_iter().filter_map(|(field, value, range)| Some((field, value?, range)));
+        match given.into_iter().find(|(_, value, range)| !range.holds(*value)) {
+            None => Ok(()),
+            Some((field, value, range)) => Err(ProfileError::Value { field, value, range }),
+        }
+    }
+}

@@ -1,0 +1,359 @@
+// What callers hand over: every value is taken or refused with one sentence, before a worker sees it; a callback that throws
+// fails its own plan; a close ends no process; a worker that dies while starting is started once more.
+
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { describe, it } from 'node:test';
+import { setTimeout as wait } from 'node:timers/promises';
+import { Worker } from 'node:worker_threads';
+import { createPlanner, createPool, inspect, plan, quote } from 'kerfway';
+import { SHAPES } from '../../dist/sdk/fields.js';
+import * as core from '../../dist/sdk/pkg/kerfway.js';
+import { Planner } from '../../dist/sdk/planner.js';
+import { poolOf } from '../../dist/sdk/pool.js';
+import { bytes, circle, dxf, folder, KEYBOARD, kerfway, square } from './support.mjs';
+
+const SDK = new URL('../../dist/sdk/', import.meta.url);
+const module = new WebAssembly.Module(await readFile(new URL('pkg/kerfway_bg.wasm', SDK)));
+const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
+const SHORT = { units: 'mm', seed: 1, moves: 500 };
+const LONG = { seconds: 60, seed: 4 };
+const probe = await createPlanner();
+const [PRESET] = probe.machines;
+probe.close();
+const machine = (change) => {
+  const made = structuredClone(PRESET);
+  change(made);
+  return made;
+};
+const refusal = (work) => work.then(() => assert.fail('taken'), (error) => error.message);
+
+describe('numbers', () => {
+  for (const seconds of [NaN, null, Infinity, -1, '5', {}]) {
+    it(`seconds of ${JSON.stringify(seconds)} (${seconds}) are refused at once`, async (t) => {
+      const pool = createPool({ size: 1 });
+      t.after(() => pool.close());
+      for (const on of [{ plan, quote }, pool]) {
+        for (const f of ['plan', 'quote']) assert.match(await refusal(on[f](PLATE, { seconds })), /^The option "seconds" is .*Give a number from 0 to 604800 s: /);
+      }
+      assert.equal((await pool.plan(PLATE, SHORT)).summary.contours, 2);
+    });
+  }
+
+  it('of a material that are none are refused', async () => {
+    for (const thickness of [NaN, -1, Infinity, '3mm']) {
+      assert.match(await refusal(quote(PLATE, { ...SHORT, material: { thickness } })), /^The option "material\.thickness" is .*Give a number from 0\.001 to 1000 mm/);
+    }
+  });
+
+  it('of parameters that would take all memory are refused, and the worker lives', async (t) => {
+    const planner = await createPlanner();
+    t.after(() => planner.close());
+    await planner.load(PLATE, 'plate.dxf');
+    const says = await refusal(planner.plan({ ...{ seed: 1, moves: 500 }, method: 'lpspso', parameters: { particles: 1_000_000_000 } }).done);
+    assert.match(says, /^The parameter "particles" is 1000000000\. Give a number from 1 to 1000: /);
+    assert.match(await refusal(planner.plan({ method: 'lpspso', parameters: { particles: NaN } }).done), /^The option "parameters\.particles" is NaN\. Give a finite number/);
+    assert.equal(planner.replaced, null);
+  });
+});
+
+describe('names', () => {
+  it('of machine fields, options and parameters that are misspelt are refused with the nearest', async () => {
+    const says = (options) => refusal(plan(PLATE, { ...SHORT, ...options }));
+    assert.equal(await says({ machine: machine((m) => (m.kerf_witdh = 0.2)) }), 'The machine has no field "kerf_witdh". Did you mean "kerf_width"?');
+    assert.equal(await says({ machine: machine((m) => (m.cut.sped = 1)) }), 'The machine has no field "cut.sped". Did you mean "cut.speed"?');
+    assert.equal(await says({ secnds: 1 }), 'plan has no option "secnds". Did you mean "seconds"?');
+    assert.equal(await says({ member: 1 }), 'plan has no option "member". There are: ' + 'units, tolerance, keepDamaged, joinTolerance, layers, orderByLayer, ignoreOutline, partByPart, commonCuts, first, last, exclude, machine, method, parameters, seed, warm, workers, seconds, moves, name, signal, onLoaded, onProgress, outputs.');
+    assert.equal(await says({ method: 'rlsga', parameters: { popluation: 9 } }), 'The method has no parameter "popluation". Did you mean "population"?');
+    assert.match(await says({ machine: 'co2-10w' }), /^There is no machine named co2-10w\. Did you mean co2-100w\?/);
+    assert.equal(await refusal(quote(PLATE, { material: { thicknes: 1 } })), 'quote has no option "material.thicknes". Did you mean "material.thickness"?');
+  });
+
+  it('of files that are no text are refused', async () => {
+    for (const name of [5, {}, true, null]) assert.match(await refusal(inspect(PLATE, { name })), /^The option "name" is .*Give a text\.$/);
+    for (const source of [5, 'text', null, [1, 2]]) assert.match(await refusal(inspect(source)), /not given as bytes/);
+  });
+
+  it('of layers that the drawing has not are a finding with the nearest', async () => {
+    const { findings } = await inspect(dxf(square(0, 0, 100, 'CUT')), { layers: [{ name: 'CTU', operation: 'mark' }] });
+    const finding = findings.find((f) => f.code === 'layer-unknown');
+    assert.deepEqual([finding.severity, finding.layer], ['warning', 'CTU']);
+    assert.match(finding.message, /^The drawing has no layer "CTU"/);
+  });
+});
+
+// The bindings without the package around them.
+describe('the wasm file alone', () => {
+  core.initSync({ module });
+  const made = (...args) => {
+    try {
+      new core.Job(...args).free();
+      return 'taken';
+    } catch (error) {
+      return error.message;
+    }
+  };
+  it('refuses what is no text, no bytes and no options', () => {
+    for (const name of [5, {}, true, null, undefined, Symbol.iterator, () => {}]) assert.match(made(PLATE, name, {}), /^The file's name is .*Give a text\.$/);
+    for (const file of [5, {}, 'x', null, undefined]) assert.match(made(file, 'x.dxf', {}), /Give its bytes/);
+    for (const options of [5, 'x', [], true, () => {}]) assert.match(made(PLATE, 'x.dxf', options), /^Reading is /);
+    assert.equal(made(PLATE, 'x.dxf', { tolerence: 1 }), 'Reading has no option "tolerence". Did you mean "tolerance"?');
+    const endless = {};
+    endless.layers = [endless];
+    assert.match(made(PLATE, 'x.dxf', endless), /^Reading /);
+    assert.equal(made(PLATE, 'x.dxf', { units: undefined }), 'taken');
+  });
+
+  it('refuses numbers that are none', () => {
+    const job = new core.Job(PLATE, 'x.dxf', {});
+    for (const seconds of [NaN, Infinity, -1, null]) assert.throws(() => job.start({ seconds }), /^Error: The option "seconds" is /);
+    for (const seed of [0.5, -1, 1e300, NaN]) assert.throws(() => job.start({ seed }), /^Error: The option "seed" is .*Give a whole number/);
+    assert.throws(() => job.output(5), /Give a text/);
+    job.free();
+  });
+});
+
+/** Resolves when a search has news. */
+function underWay() {
+  let resolve;
+  const promise = new Promise((r) => (resolve = r));
+  return { onProgress: (p) => p.moves > 0 && resolve(), promise };
+}
+
+describe('a callback that throws', () => {
+  const thrown = new Error('The shop is closed.');
+  const throwing = () => {
+    throw thrown;
+  };
+  const rejecting = async () => throwing();
+
+  for (const [how, callback] of [['throws', throwing], ['rejects', rejecting]]) {
+    it(`rejects its own plan and no other (${how})`, async (t) => {
+      const pool = createPool({ size: 2 });
+      t.after(() => pool.close());
+      const beside = pool.plan(PLATE, SHORT);
+      for (const name of ['onProgress', 'onLoaded']) {
+        await assert.rejects(plan(bytes(KEYBOARD), { ...LONG, [name]: callback }), thrown);
+        await assert.rejects(pool.plan(bytes(KEYBOARD), { ...LONG, [name]: callback }), thrown);
+      }
+      await assert.rejects(pool.quote(bytes(KEYBOARD), { ...LONG, onProgress: callback }), thrown);
+      assert.equal((await beside).summary.contours, 2);
+      assert.equal((await pool.plan(PLATE, SHORT)).summary.contours, 2);
+    });
+  }
+
+  it('is not called again, and its worker stops: the planner is free at once', async (t) => {
+    const told = [];
+    const worker = watched(told);
+    const planner = await Planner.open({ module, start: worker.start });
+    t.after(() => planner.close());
+    await planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    let calls = 0;
+    const running = planner.plan(LONG, () => {
+      calls += 1;
+      throw thrown;
+    });
+    await assert.rejects(running.done, thrown);
+    await until(() => told.includes('done'));
+    const before = told.length;
+    await wait(600);
+    assert.deepEqual([calls, told.length], [1, before]);
+    assert.equal((await planner.plan({ seed: 1, moves: 500 }).done).reason, 'budget');
+  });
+});
+
+function watched(told) {
+  const workers = [];
+  const start = (heard, died) => {
+    const worker = new Worker(new URL('node-worker.js', SDK));
+    workers.push(worker);
+    worker.on('message', (message) => {
+      told.push(message.type);
+      heard(message);
+    });
+    worker.on('exit', () => died('The planner ended unexpectedly.'));
+    return { post: (m) => worker.postMessage(m), close: () => void worker.terminate() };
+  };
+  return { start, workers };
+}
+
+async function until(holds) {
+  for (let k = 0; k < 500 && !holds(); k += 1) await wait(20);
+  assert.ok(holds());
+}
+
+// A rejection that nobody handles ends a Node process: here it fails the test.
+describe('a close while nobody waits ends no process', () => {
+  it('of a pool', async () => {
+    const pool = createPool({ size: 1 });
+    const news = underWay();
+    void pool.plan(bytes(KEYBOARD), { ...LONG, onProgress: news.onProgress });
+    void pool.quote(PLATE, LONG);
+    void pool.inspect(PLATE);
+    await news.promise;
+    pool.close();
+    await wait(100);
+  });
+
+  it('of a planner', async () => {
+    const planner = await createPlanner();
+    await planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    planner.plan(LONG);
+    void planner.output('gcode');
+    void planner.load(PLATE, 'plate.dxf');
+    planner.close();
+    planner.plan(LONG);
+    await wait(100);
+  });
+});
+
+describe('a worker that dies while it starts', () => {
+  const kill = (worker, ms) => (ms === 0 ? void worker.terminate() : setTimeout(() => void worker.terminate(), ms));
+
+  for (const ms of [0, 20, 50, 100, 200]) {
+    it(`after ${ms} ms is started once more, and the file is planned`, async (t) => {
+      const { start, workers } = watched([]);
+      const dying = (heard, died) => {
+        const line = start(heard, died);
+        if (workers.length === 1) kill(workers[0], ms);
+        return line;
+      };
+      const pool = poolOf(() => Planner.open({ module, start: dying }), 1);
+      t.after(() => pool.close());
+      assert.equal((await pool.plan(PLATE, SHORT)).summary.contours, 2);
+      await until(() => workers.length > 1 || ms > 100);
+    });
+  }
+
+  it('twice is told in one sentence, and the pool goes on', async (t) => {
+    const { start, workers } = watched([]);
+    const dying = (heard, died) => {
+      const line = start(heard, died);
+      if (workers.length <= 2) kill(workers.at(-1), 0);
+      return line;
+    };
+    const pool = poolOf(() => Planner.open({ module, start: dying }), 1);
+    t.after(() => pool.close());
+    assert.equal(await refusal(pool.plan(PLATE, SHORT)), 'The planner could not be started. The planner ended unexpectedly. It was tried 2 times.');
+    assert.equal((await pool.plan(PLATE, SHORT)).summary.contours, 2);
+  });
+});
+
+describe('the command line', () => {
+  it('tells of a layer that the drawing has not, and of a machine with a misspelt field', async (t) => {
+    const at = folder(t);
+    writeFileSync(join(at, 'plate.dxf'), dxf(square(0, 0, 100, 'CUT')));
+    const { code, stderr } = await kerfway('plan', join(at, 'plate.dxf'), '--layer', 'CTU=mark', '--moves', '100');
+    assert.equal(code, 0, stderr);
+    assert.match(stderr, /plate\.dxf: The drawing has no layer "CTU", so the choice for it does nothing\. Did you mean "CUT"\?/);
+    writeFileSync(join(at, 'own.json'), JSON.stringify(machine((m) => (m.kerf_witdh = 0.2))));
+    const refused = await kerfway('plan', join(at, 'plate.dxf'), '--machine', join(at, 'own.json'), '--moves', '100');
+    assert.equal(refused.code, 1);
+    assert.match(refused.stderr, /own\.json: The machine has no field "kerf_witdh"\. Did you mean "kerf_width"\?/);
+  });
+
+  it('refuses numbers and machines in a sentence', async () => {
+    for (const [words, code, says] of [
+      [['--seconds', 'NaN'], 2, /--seconds NaN/],
+      [['--seconds', '1e300'], 2, /The option "seconds" is 1e\+300/],
+      [['--workers', '65'], 2, /The option "workers" is 65\. Give a whole number from 1 to 64/],
+    ]) {
+      const { code: exit, stderr } = await kerfway('plan', KEYBOARD, ...words);
+      assert.deepEqual([exit, says.test(stderr)], [code, true], stderr);
+    }
+  });
+});
+
+/** SplitMix64 would need big numbers; this is mulberry32, enough to draw cases. */
+function random(seed) {
+  let a = seed;
+  return (n) => {
+    a = (a + 0x6d2b79f5) | 0;
+    let x = Math.imul(a ^ (a >>> 15), 1 | a);
+    x = (x + Math.imul(x ^ (x >>> 7), 61 | x)) ^ x;
+    return ((x ^ (x >>> 14)) >>> 0) % n;
+  };
+}
+
+/** Any value, often near what a field takes. */
+function junk(draw, deep = 3) {
+  const one = (list) => list[draw(list.length)];
+  switch (draw(deep === 0 ? 5 : 7)) {
+    case 0: return one([null, undefined, true, false]);
+    case 1: return one([NaN, Infinity, -Infinity, -1, -0, 0, 0.5, 1e300, 2 ** 53, 1e-300]);
+    case 2: return one(['', 'mm', 'cut', 'co2-100w', '__proto__', 'x'.repeat(10_000), '\u001b[2J']);
+    case 3: return one([5n, Symbol('s'), () => 1, new Date(0), new Map([[1, 2]]), /x/, new Float64Array([NaN, 1]), new Uint8Array(3), new DataView(new ArrayBuffer(2))]);
+    case 4: return one([1, 2, 3, 10]);
+    case 5: return Array.from({ length: draw(4) }, () => junk(draw, deep - 1));
+    default: return Object.fromEntries(Array.from({ length: draw(4) }, (_, k) => [one(['speed', 'name', 'contours', `k${k}`]), junk(draw, deep - 1)]));
+  }
+}
+
+/** A value that a field takes, at times spoilt. */
+function near(draw, kind) {
+  if (draw(14) === 0) return junk(draw);
+  const one = (list) => list[draw(list.length)];
+  if (kind === 'flag') return draw(2) === 0;
+  if (kind === 'text') return one(['a.dxf', 'co2-100w', 'lpspso', 'greedy']);
+  if (kind === 'parameters') return one([{}, { particles: 3 }, { particles: 1e9 }, { populace: 1 }]);
+  if (kind.choice) return one(kind.choice);
+  const range = kind.number ?? kind.whole;
+  if (range) return one([range.least, range.most, range.least + 1]);
+  if (kind.pair) return [near(draw, kind.pair), near(draw, kind.pair)];
+  if (kind.list) return Array.from({ length: draw(3) }, () => near(draw, kind.list));
+  if (kind.object) return object(draw, kind.object);
+  return draw(2) === 0 ? 'co2-100w' : object(draw, kind.nameOr.fields);
+}
+
+function object(draw, fields) {
+  const made = {};
+  for (const f of fields) {
+    if (!(f.required && draw(60) > 0) && draw(4) > 0) continue;
+    made[draw(60) === 0 ? `${f.name}s` : f.name] = near(draw, f.kind);
+  }
+  return made;
+}
+
+describe('any options at all', () => {
+  const CASES = 3_000;
+  const DEADLINE = 20_000;
+  const names = ['inspect', 'plan', 'quote'];
+
+  it(`end in time, with a result or a sentence (${CASES} cases)`, { timeout: 300_000 }, async (t) => {
+    const draw = random(22);
+    const pool = createPool({ size: 2 });
+    t.after(() => pool.close());
+    const counts = { taken: 0, refused: 0 };
+    const { reading, planning, material } = SHAPES;
+    const one = async (k) => {
+      const name = names[k % 3];
+      const own = name === 'inspect' ? [] : planning.fields.filter((f) => f.name !== 'workers' && f.name !== 'member');
+      const options = draw(10) === 0 ? junk(draw) ?? {} : object(draw, [...reading.fields, ...own]);
+      if (typeof options === 'object' && options !== null && !Array.isArray(options) && name !== 'inspect') {
+        // A budget that is right may be long: it is short here, or wrong.
+        if (draw(4) > 0) [options.moves, options.seconds] = [200, undefined];
+        else options.seconds = [0.01, NaN, null, Infinity, -1, '1'][draw(6)];
+        if (name === 'quote' && draw(2) === 0) options.material = object(draw, material.fields);
+      }
+      // Most go through the pool: a worker for each call takes ten times as long.
+      const on = k % 50 === 0 ? { inspect, plan, quote } : pool;
+      const deadline = wait(DEADLINE, 'late', { ref: false });
+      const result = await Promise.race([deadline, on[name](PLATE, options).then(() => 'taken', (error) => error)]);
+      assert.notEqual(result, 'late', `${name} does not end`);
+      if (result === 'taken') return void (counts.taken += 1);
+      counts.refused += 1;
+      assert.ok(result instanceof Error, String(result));
+      const says = result.message;
+      assert.match(says, /[.?]$/, says);
+      assert.ok(!/[\n\u001b]|undefined is|of undefined|memory access|unreachable|broke down|Cannot/.test(says), says);
+    };
+    let next = 0;
+    await Promise.all(Array.from({ length: 8 }, async () => {
+      while (next < CASES) await one(next++);
+    }));
+    assert.ok(counts.taken > CASES / 20 && counts.refused > CASES / 4, JSON.stringify(counts));
+    assert.equal((await pool.plan(PLATE, SHORT)).summary.contours, 2);
+  });
+});

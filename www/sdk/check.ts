@@ -1,0 +1,197 @@
+/**
+ * Values of callers against the tables of their fields (`fields.ts`), before a worker sees them. A misspelt name, a wrong
+ * type or a number out of its range is refused with one sentence that names the field. The core checks again by the same
+ * tables: see `src/fields`.
+ */
+
+/** The numbers a field may hold, with the reason for the limits. */
+export interface Range {
+  least: number;
+  most: number;
+  /** Zero is allowed besides. */
+  or_zero: boolean;
+  unit: string;
+  why: string;
+}
+
+/** What a value may be. Callbacks and signals are there in JavaScript only. */
+export type Kind =
+  | 'flag'
+  | 'text'
+  | 'parameters'
+  | 'callback'
+  | 'signal'
+  | { choice: readonly string[] }
+  | { number: Range }
+  | { whole: Range }
+  | { pair: Kind }
+  | { list: Kind }
+  | { object: readonly Field[] }
+  | { nameOr: Shape };
+
+export interface Field {
+  name: string;
+  kind: Kind;
+  required: boolean;
+  nullable: boolean;
+}
+
+/** The fields of an object, with the words for its sentences. */
+export interface Shape {
+  owner: string;
+  item: string;
+  value: string;
+  fields: readonly Field[];
+}
+
+/** A field that may be left out. */
+export const optional = (name: string, kind: Kind): Field => ({ name, kind, required: false, nullable: false });
+
+/** Throws one sentence unless `value` is an object with the right fields. A field that is undefined is not given. */
+export function check(shape: Shape, value: unknown): void {
+  checkObject(shape, '', shape.fields, value);
+}
+
+/** Throws one sentence unless `value` is of this kind; `what` begins it: `The option`. */
+export function checkOne(what: string, name: string, kind: Kind, value: unknown): void {
+  checkValue({ owner: what, item: '', value: what, fields: [] }, name, { kind, nullable: false }, value);
+}
+
+function checkObject(shape: Shape, prefix: string, fields: readonly Field[], value: unknown): void {
+  if (!isRecord(value)) {
+    const sentence = `${shape.owner} is ${shown(value)}. Give an object with named ${shape.item}s.`;
+    throw prefix === '' ? new TypeError(sentence) : refused(shape, prefix.slice(0, -1), value, 'Give an object.');
+  }
+  for (const [name, given] of Object.entries(value)) {
+    if (given === undefined) continue;
+    const field = fields.find((f) => f.name === name);
+    if (field === undefined) throw unknown(shape, prefix, name, fields);
+    if (!(field.nullable && given === null)) checkValue(shape, `${prefix}${name}`, field, given);
+  }
+  const missing = fields.find((f) => f.required && value[f.name] === undefined);
+  if (missing !== undefined) throw new TypeError(`${shape.owner} lacks the ${shape.item} "${prefix}${missing.name}".`);
+}
+
+function checkValue(shape: Shape, path: string, { kind, nullable }: Pick<Field, 'kind' | 'nullable'>, value: unknown): void {
+  const fail = (rule: string) => refused(shape, path, value, rule);
+  const orNull = nullable ? ', or null' : '';
+  const each = (of: Kind, list: ArrayLike<unknown>) => {
+    for (let k = 0; k < list.length; k += 1) checkValue(shape, `${path}[${k}]`, { kind: of, nullable: false }, list[k]);
+  };
+  if (kind === 'flag') {
+    if (typeof value !== 'boolean') throw fail(`Give true or false${orNull}.`);
+  } else if (kind === 'text') {
+    if (typeof value !== 'string') throw fail(`Give a text${orNull}.`);
+  } else if (kind === 'parameters') {
+    checkParameters(shape, path, value);
+  } else if (kind === 'callback') {
+    if (typeof value !== 'function') throw fail('Give a function.');
+  } else if (kind === 'signal') {
+    // By its members: a signal may come from another frame or context.
+    if (!isRecord(value) || typeof value['aborted'] !== 'boolean' || typeof value['addEventListener'] !== 'function') throw fail('Give the signal of an AbortController.');
+  } else if ('choice' in kind) {
+    if (!kind.choice.includes(value as string)) throw fail(`Choose one of: ${kind.choice.join(', ')}.`);
+  } else if ('number' in kind) {
+    if (!holds(kind.number, value)) throw fail(numberRule(kind.number, 'a number', orNull));
+  } else if ('whole' in kind) {
+    if (!holds(kind.whole, value) || !Number.isSafeInteger(value)) throw fail(numberRule(kind.whole, 'a whole number', orNull));
+  } else if ('pair' in kind) {
+    if (!isList(value) || value.length !== 2) throw fail(`Give a list of two${orNull}.`);
+    each(kind.pair, value);
+  } else if ('list' in kind) {
+    if (!isList(value)) throw fail(`Give a list${orNull}.`);
+    each(kind.list, value);
+  } else if ('object' in kind) {
+    checkObject(shape, `${path}.`, kind.object, value);
+  } else if (isRecord(value)) {
+    check(kind.nameOr, value);
+  } else if (typeof value !== 'string') {
+    throw fail('Give a name or an object.');
+  }
+}
+
+/** Numbers, texts and flags by name: which there are, the method knows. */
+function checkParameters(shape: Shape, path: string, value: unknown): void {
+  if (!isRecord(value)) throw refused(shape, path, value, 'Give an object with the parameters that differ from their defaults.');
+  for (const [name, given] of Object.entries(value)) {
+    const plain = given === null || ['boolean', 'string', 'undefined'].includes(typeof given) || Number.isFinite(given);
+    if (!plain) throw refused(shape, `${path}.${clean(name)}`, given, 'Give a finite number, a text, true or false.');
+  }
+}
+
+function holds({ least, most, or_zero }: Range, value: unknown): boolean {
+  return typeof value === 'number' && ((value >= least && value <= most) || (or_zero && value === 0));
+}
+
+function numberRule({ least, most, or_zero, unit, why }: Range, what: string, orNull: string): string {
+  const range = least < most ? `${what} from ${least} to ${most}` : String(least);
+  return `Give ${range}${unit === '' ? '' : ` ${unit}`}${or_zero ? ', or 0' : ''}${orNull}: ${why}.`;
+}
+
+function refused(shape: Shape, path: string, value: unknown, rule: string): Error {
+  const sentence = `${shape.value} "${path}" is ${shown(value)}. ${rule}`;
+  return typeof value === 'number' ? new RangeError(sentence) : new TypeError(sentence);
+}
+
+function unknown(shape: Shape, prefix: string, name: string, fields: readonly Field[]): Error {
+  const near = nearest(name, fields.map((f) => f.name));
+  const hint = near === null ? `There are: ${fields.map((f) => f.name).join(', ')}.` : `Did you mean "${prefix}${near}"?`;
+  return new TypeError(`${shape.owner} has no ${shape.item} "${prefix}${clean(name)}". ${hint}`);
+}
+
+/** Characters of a text shown in a sentence: enough to recognise it. */
+const SHOWN = 40;
+
+/** A caller's text for a sentence: short, and without characters that a terminal obeys. */
+function clean(text: string): string {
+  const short = text.length > SHOWN ? `${text.slice(0, SHOWN)}…` : text;
+  return short.replace(/[\u0000-\u001f\u007f-\u009f]/g, '\ufffd');
+}
+
+function shown(value: unknown): string {
+  if (typeof value === 'string') return `"${clean(value)}"`;
+  if (value === null || ['number', 'boolean', 'undefined'].includes(typeof value)) return String(value);
+  if (typeof value === 'bigint') return `${clean(String(value))}n`;
+  if (isList(value)) return 'a list';
+  return typeof value === 'object' ? 'an object' : `a ${typeof value}`;
+}
+
+function isRecord(value: unknown): value is Record<string, unknown> {
+  return typeof value === 'object' && value !== null && !isList(value);
+}
+
+function isList(value: unknown): value is ArrayLike<unknown> {
+  return Array.isArray(value) || (ArrayBuffer.isView(value) && 'length' in value);
+}
+
+/** Longest name that is compared: a bound on the work for hostile ones. */
+const LONGEST = 64;
+
+/** The name among `known` that somebody probably meant: see `src/fields/nearest.rs`. */
+export function nearest(name: string, known: readonly string[]): string | null {
+  const key = (text: string) => text.replace(/[_ -]/g, '').slice(0, LONGEST).toLowerCase();
+  const wanted = key(name);
+  const most = Math.min(Math.max(Math.floor(wanted.length / 3), 2), wanted.length - 1);
+  let best: { near: string | null; apart: number } = { near: null, apart: most + 1 };
+  for (const near of known) {
+    const apart = distance(wanted, key(near));
+    if (apart < best.apart) best = { near, apart };
+  }
+  return best.near;
+}
+
+/** Characters to insert, remove, replace or exchange with their neighbour (optimal string alignment). */
+function distance(a: string, b: string): number {
+  let before: number[] = [];
+  let last = Array.from({ length: b.length + 1 }, (_, k) => k);
+  const at = (row: number[], k: number) => row[k] ?? Infinity;
+  for (let i = 0; i < a.length; i += 1) {
+    const row = [i + 1];
+    for (let j = 0; j < b.length; j += 1) {
+      const swapped = i > 0 && j > 0 && a[i] === b[j - 1] && a[i - 1] === b[j];
+      row.push(Math.min(at(last, j) + (a[i] === b[j] ? 0 : 1), at(last, j + 1) + 1, at(row, j) + 1, swapped ? at(before, j - 1) + 1 : Infinity));
+    }
+    [before, last] = [last, row];
+  }
+  return at(last, b.length);
+}

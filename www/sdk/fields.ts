@@ -1,0 +1,816 @@
+/** The fields of options, machines and materials: written by the test `the_tables_of_typescript_are_those_of_rust`. */
+
+import type { Shape } from './check.js';
+
+export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material', Shape>> = {
+  "material": {
+    "fields": [
+      {
+        "kind": "text",
+        "name": "name",
+        "nullable": true,
+        "required": false
+      },
+      {
+        "kind": {
+          "number": {
+            "least": 0.001,
+            "most": 1000.0,
+            "or_zero": false,
+            "unit": "mm",
+            "why": "foils start at a few micrometres, and no beam cuts a metre"
+          }
+        },
+        "name": "thickness",
+        "nullable": true,
+        "required": false
+      },
+      {
+        "kind": {
+          "number": {
+            "least": 0.001,
+            "most": 25.0,
+            "or_zero": false,
+            "unit": "g/cm3",
+            "why": "foam has some hundredths, and no metal more than 23"
+          }
+        },
+        "name": "density",
+        "nullable": true,
+        "required": false
+      }
+    ],
+    "item": "field",
+    "owner": "The material",
+    "value": "The material's field"
+  },
+  "planning": {
+    "fields": [
+      {
+        "kind": {
+          "nameOr": {
+            "fields": [
+              {
+                "kind": {
+                  "whole": {
+                    "least": 1.0,
+                    "most": 1.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "this Kerfway reads machine profiles of version 1"
+                  }
+                },
+                "name": "version",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": "text",
+                "name": "name",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": "text",
+                "name": "title",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "pair": {
+                    "number": {
+                      "least": -1000000.0,
+                      "most": 1000000.0,
+                      "or_zero": false,
+                      "unit": "mm",
+                      "why": "no table reaches further than 1 km"
+                    }
+                  }
+                },
+                "name": "home",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": "flag",
+                "name": "return_home",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "choice": [
+                    "straight",
+                    "vector",
+                    "per-axis"
+                  ]
+                },
+                "name": "travel",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "object": [
+                    {
+                      "kind": {
+                        "pair": {
+                          "number": {
+                            "least": 0.001,
+                            "most": 100000.0,
+                            "or_zero": false,
+                            "unit": "mm/s",
+                            "why": "no head is faster than 100 m/s, and none cuts a millimetre in over 15 minutes"
+                          }
+                        }
+                      },
+                      "name": "speed",
+                      "nullable": false,
+                      "required": true
+                    },
+                    {
+                      "kind": {
+                        "pair": {
+                          "number": {
+                            "least": 0.1,
+                            "most": 10000000.0,
+                            "or_zero": false,
+                            "unit": "mm/s2",
+                            "why": "no drive accelerates with more than 1,000 g"
+                          }
+                        }
+                      },
+                      "name": "accel",
+                      "nullable": true,
+                      "required": false
+                    }
+                  ]
+                },
+                "name": "rapid",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "object": [
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 0.001,
+                          "most": 100000.0,
+                          "or_zero": false,
+                          "unit": "mm/s",
+                          "why": "no head is faster than 100 m/s, and none cuts a millimetre in over 15 minutes"
+                        }
+                      },
+                      "name": "speed",
+                      "nullable": false,
+                      "required": true
+                    },
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 0.1,
+                          "most": 10000000.0,
+                          "or_zero": false,
+                          "unit": "mm/s2",
+                          "why": "no drive accelerates with more than 1,000 g"
+                        }
+                      },
+                      "name": "accel",
+                      "nullable": true,
+                      "required": false
+                    },
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 0.0,
+                          "most": 1.0,
+                          "or_zero": false,
+                          "unit": "",
+                          "why": "it is a fraction of full power"
+                        }
+                      },
+                      "name": "power",
+                      "nullable": false,
+                      "required": true
+                    }
+                  ]
+                },
+                "name": "cut",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "object": [
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 0.001,
+                          "most": 100000.0,
+                          "or_zero": false,
+                          "unit": "mm/s",
+                          "why": "no head is faster than 100 m/s, and none cuts a millimetre in over 15 minutes"
+                        }
+                      },
+                      "name": "speed",
+                      "nullable": false,
+                      "required": true
+                    },
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 0.1,
+                          "most": 10000000.0,
+                          "or_zero": false,
+                          "unit": "mm/s2",
+                          "why": "no drive accelerates with more than 1,000 g"
+                        }
+                      },
+                      "name": "accel",
+                      "nullable": true,
+                      "required": false
+                    },
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 0.0,
+                          "most": 1.0,
+                          "or_zero": false,
+                          "unit": "",
+                          "why": "it is a fraction of full power"
+                        }
+                      },
+                      "name": "power",
+                      "nullable": false,
+                      "required": true
+                    }
+                  ]
+                },
+                "name": "mark",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "number": {
+                    "least": 0.0,
+                    "most": 10.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "a corner rounded by more is not the corner drawn"
+                  }
+                },
+                "name": "junction_deviation",
+                "nullable": true,
+                "required": false
+              },
+              {
+                "kind": {
+                  "number": {
+                    "least": 0.0,
+                    "most": 600.0,
+                    "or_zero": false,
+                    "unit": "s",
+                    "why": "thick plate is pierced in seconds, so ten minutes are a slip"
+                  }
+                },
+                "name": "pierce_time",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "number": {
+                    "least": 0.0,
+                    "most": 600.0,
+                    "or_zero": false,
+                    "unit": "s",
+                    "why": "thick plate is pierced in seconds, so ten minutes are a slip"
+                  }
+                },
+                "name": "pre_cut_time",
+                "nullable": true,
+                "required": false
+              },
+              {
+                "kind": {
+                  "number": {
+                    "least": 0.0,
+                    "most": 1000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "a pre-cut is a short start of a cut"
+                  }
+                },
+                "name": "pre_cut_length",
+                "nullable": false,
+                "required": false
+              },
+              {
+                "kind": {
+                  "object": [
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 0.0,
+                          "most": 3.141592653589793,
+                          "or_zero": false,
+                          "unit": "rad",
+                          "why": "corners have at most half a turn"
+                        }
+                      },
+                      "name": "angle",
+                      "nullable": false,
+                      "required": true
+                    },
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 0.0,
+                          "most": 600.0,
+                          "or_zero": false,
+                          "unit": "s",
+                          "why": "thick plate is pierced in seconds, so ten minutes are a slip"
+                        }
+                      },
+                      "name": "time",
+                      "nullable": false,
+                      "required": true
+                    }
+                  ]
+                },
+                "name": "sharp_corner",
+                "nullable": true,
+                "required": false
+              },
+              {
+                "kind": {
+                  "number": {
+                    "least": 0.02,
+                    "most": 10.0,
+                    "or_zero": true,
+                    "unit": "mm",
+                    "why": "no beam is thinner, and no jet or plasma cuts wider"
+                  }
+                },
+                "name": "kerf_width",
+                "nullable": false,
+                "required": false
+              },
+              {
+                "kind": {
+                  "number": {
+                    "least": 0.0,
+                    "most": 60.0,
+                    "or_zero": false,
+                    "unit": "s",
+                    "why": "a beam settles within a second or so"
+                  }
+                },
+                "name": "beam_on_delay",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "number": {
+                    "least": 0.0,
+                    "most": 60.0,
+                    "or_zero": false,
+                    "unit": "s",
+                    "why": "a beam settles within a second or so"
+                  }
+                },
+                "name": "beam_off_delay",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "choice": [
+                    "grbl-m4"
+                  ]
+                },
+                "name": "dialect",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "number": {
+                    "least": 1.0,
+                    "most": 1000000.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "controllers take numbers of a few digits for full power"
+                  }
+                },
+                "name": "max_s",
+                "nullable": false,
+                "required": true
+              }
+            ],
+            "item": "field",
+            "owner": "The machine",
+            "value": "The machine's field"
+          }
+        },
+        "name": "machine",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": "text",
+        "name": "method",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": "parameters",
+        "name": "parameters",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "whole": {
+            "least": 0.0,
+            "most": 9007199254740991.0,
+            "or_zero": false,
+            "unit": "",
+            "why": "JavaScript counts no further"
+          }
+        },
+        "name": "seed",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "object": [
+            {
+              "kind": {
+                "list": {
+                  "whole": {
+                    "least": 0.0,
+                    "most": 4294967295.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "contours are counted from 0"
+                  }
+                }
+              },
+              "name": "contours",
+              "nullable": false,
+              "required": true
+            },
+            {
+              "kind": {
+                "list": {
+                  "number": {
+                    "least": -1000000000.0,
+                    "most": 1000000000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "no contour is longer than 1,000 km"
+                  }
+                }
+              },
+              "name": "along",
+              "nullable": false,
+              "required": true
+            },
+            {
+              "kind": {
+                "list": {
+                  "number": {
+                    "least": -1000000000.0,
+                    "most": 1000000000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "no contour is longer than 1,000 km"
+                  }
+                }
+              },
+              "name": "until",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "whole": {
+                    "least": 0.0,
+                    "most": 1.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "1 says that the stop runs against the stored direction"
+                  }
+                }
+              },
+              "name": "reversed",
+              "nullable": false,
+              "required": true
+            },
+            {
+              "kind": {
+                "list": {
+                  "number": {
+                    "least": -1000000000.0,
+                    "most": 1000000000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "no contour is longer than 1,000 km"
+                  }
+                }
+              },
+              "name": "points",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "number": {
+                    "least": -1000000000.0,
+                    "most": 1000000000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "no contour is longer than 1,000 km"
+                  }
+                }
+              },
+              "name": "times",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "number": {
+                    "least": -1000000000.0,
+                    "most": 1000000000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "no contour is longer than 1,000 km"
+                  }
+                }
+              },
+              "name": "preCuts",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "number": {
+                    "least": -1000000000.0,
+                    "most": 1000000000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "no contour is longer than 1,000 km"
+                  }
+                }
+              },
+              "name": "pauses",
+              "nullable": false,
+              "required": false
+            }
+          ]
+        },
+        "name": "warm",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "whole": {
+            "least": 1.0,
+            "most": 64.0,
+            "or_zero": false,
+            "unit": "",
+            "why": "more searches than processors find nothing sooner"
+          }
+        },
+        "name": "workers",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "whole": {
+            "least": 0.0,
+            "most": 63.0,
+            "or_zero": false,
+            "unit": "",
+            "why": "there are at most 64 searches side by side"
+          }
+        },
+        "name": "member",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "number": {
+            "least": 0.0,
+            "most": 604800.0,
+            "or_zero": false,
+            "unit": "s",
+            "why": "a search is over long before a week has passed"
+          }
+        },
+        "name": "seconds",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "whole": {
+            "least": 0.0,
+            "most": 9007199254740991.0,
+            "or_zero": false,
+            "unit": "",
+            "why": "JavaScript counts no further"
+          }
+        },
+        "name": "moves",
+        "nullable": false,
+        "required": false
+      }
+    ],
+    "item": "option",
+    "owner": "Planning",
+    "value": "The option"
+  },
+  "reading": {
+    "fields": [
+      {
+        "kind": {
+          "choice": [
+            "mm",
+            "cm",
+            "dm",
+            "m",
+            "um",
+            "in",
+            "ft",
+            "yd",
+            "mil",
+            "microinch"
+          ]
+        },
+        "name": "units",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "number": {
+            "least": 1e-6,
+            "most": 1.0,
+            "or_zero": false,
+            "unit": "mm",
+            "why": "below, numbers have no digits left for it, and above, a curve is no longer the curve that was drawn"
+          }
+        },
+        "name": "tolerance",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": "flag",
+        "name": "keepDamaged",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "number": {
+            "least": 0.0,
+            "most": 5.0,
+            "or_zero": false,
+            "unit": "mm",
+            "why": "a larger one would join what was drawn apart"
+          }
+        },
+        "name": "joinTolerance",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "list": {
+            "object": [
+              {
+                "kind": "text",
+                "name": "name",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "choice": [
+                    "cut",
+                    "mark",
+                    "ignore"
+                  ]
+                },
+                "name": "operation",
+                "nullable": false,
+                "required": true
+              }
+            ]
+          }
+        },
+        "name": "layers",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": "flag",
+        "name": "orderByLayer",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": "flag",
+        "name": "ignoreOutline",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": "flag",
+        "name": "partByPart",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "choice": [
+            "best",
+            "insertion",
+            "off"
+          ]
+        },
+        "name": "commonCuts",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "list": {
+            "whole": {
+              "least": 0.0,
+              "most": 4294967295.0,
+              "or_zero": false,
+              "unit": "",
+              "why": "contours are counted from 0"
+            }
+          }
+        },
+        "name": "first",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "list": {
+            "whole": {
+              "least": 0.0,
+              "most": 4294967295.0,
+              "or_zero": false,
+              "unit": "",
+              "why": "contours are counted from 0"
+            }
+          }
+        },
+        "name": "last",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "list": {
+            "whole": {
+              "least": 0.0,
+              "most": 4294967295.0,
+              "or_zero": false,
+              "unit": "",
+              "why": "contours are counted from 0"
+            }
+          }
+        },
+        "name": "exclude",
+        "nullable": false,
+        "required": false
+      }
+    ],
+    "item": "option",
+    "owner": "Reading",
+    "value": "The option"
+  }
+};
