@@ -114,7 +114,7 @@ describe('several workers', () => {
 
   it('are from 1 to 64', async (t) => {
     const { planner } = await crewed(t);
-    await assert.rejects(planner.plan({ workers: 0, moves: 1 }).done, /The number of workers is 0\. Give one from 1 to 64/);
+    await assert.rejects(planner.plan({ workers: 0, moves: 1 }).done, /The option "workers" is 0\. Give a whole number from 1 to 64/);
     await assert.rejects(planner.plan({ workers: 65, moves: 1 }).done, /from 1 to 64/);
   });
 });

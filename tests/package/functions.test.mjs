@@ -25,7 +25,7 @@ describe('inspect', () => {
   it('refuses what is no DXF, and names that are no option', async () => {
     await assert.rejects(inspect(new Uint8Array(0)), /empty/);
     await assert.rejects(inspect(PLATE, { tolerence: 1 }), /inspect has no option "tolerence"\. Did you mean "tolerance"\?/);
-    await assert.rejects(inspect(PLATE, { seconds: 1 }), /no option seconds/);
+    await assert.rejects(inspect(PLATE, { seconds: 1 }), /no option "seconds"/);
   });
 });
 

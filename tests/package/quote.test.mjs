@@ -41,7 +41,7 @@ describe('quote', () => {
   });
 
   it('refuses a material that cannot be in a sentence', async () => {
-    await assert.rejects(quoted(bytes(KEYBOARD), { thickness: -1 }), /^RangeError: The material's field "thickness" is -1\. Give a number from 0\.001 to 1000 mm: /);
+    await assert.rejects(quoted(bytes(KEYBOARD), { thickness: -1 }), /^RangeError: The material's field "thickness" is -1\. Give a number from 0\.001 to 1000 mm, or null: /);
     await assert.rejects(quoted(bytes(KEYBOARD), { colour: 'red' }), /^TypeError: The material has no field "colour"\. There are: name, thickness, density\./);
   });
 

@@ -328,8 +328,9 @@ export class Planner {
     try {
       await this.ask<'load'>((id) => ({ type: 'load', id, ...drawing }));
       this.drawing = drawing;
-      if (plan === null || plan.path === null) return;
-      const options = { ...plan.options, ...plan.begun, warm: plan.path, seconds: undefined, moves: 0 };
+      if (plan === null || plan.path === null || plan.begun === null) return;
+      const { seed, method } = plan.begun;
+      const options = { ...plan.options, seed, method, warm: plan.path, seconds: undefined, moves: 0 };
       await this.ask<'restore'>((id) => ({ type: 'plan', id, options }));
       this.current = plan;
     } finally {
