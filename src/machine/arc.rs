@@ -15,7 +15,7 @@
 //!
 //! Source: GRBL 1.1, wiki "Grbl v1.1 Configuration" (`$11`, `$12`), `mc_arc` of motion_control.c.
 
-use super::lookahead::seconds;
+use super::ramp::seconds;
 use crate::geometry::math;
 
 /// How far chords may deviate from an arc, mm: `$12` of GRBL as it is shipped.

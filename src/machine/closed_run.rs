@@ -15,8 +15,9 @@
 //! seconds of a place are what it costs above that; never less than 0. With a sharp corner, a stop costs less than nothing:
 //! it saves the wait.
 
-use super::lookahead::{Run, corner_speed2, seconds};
+use super::lookahead::{Run, corner_speed2};
 use super::profile::Profile;
+use super::ramp::seconds;
 use crate::geometry::Segment;
 
 /// Places nearer than this to an element's end are that end, mm: as in `geometry/path.rs`.

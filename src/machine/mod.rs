@@ -8,6 +8,7 @@ mod lookahead;
 mod motion;
 mod presets;
 mod profile;
+mod ramp;
 mod sharp_corner;
 mod valid;
 
