@@ -19,7 +19,6 @@ mod order;
 pub mod output;
 pub mod plan;
 pub mod problem;
-#[cfg(feature = "quote")]
 pub mod quote;
 pub mod sheet;
 pub mod solve;

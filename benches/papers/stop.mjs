@@ -1,4 +1,4 @@
-// How long a stop waits: the longest slice of each method in wasm, cut as a worker cuts them (www/sdk/guest.ts).
+// How long a stop waits: the longest slice of each method in wasm, cut as a worker cuts them (www/sdk/slice.ts).
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -16,15 +16,12 @@ export const tables = { stop };
 async function stop({ only, instances }) {
   build();
   const sdk = join(DIST, 'sdk');
-  const [{ stepHosted }, planner, papers] = await Promise.all(
-    ['guest.js', 'pkg/kerfway.js', 'pkg/kerfway_papers.js'].map((file) => import(join(sdk, file))),
-  );
-  planner.initSync({ module: readFileSync(join(sdk, 'pkg', 'kerfway_bg.wasm')) });
-  papers.initSync({ module: readFileSync(join(sdk, 'pkg', 'kerfway_papers_bg.wasm')) });
+  const [{ stepFor }, research] = await Promise.all(['slice.js', 'pkg/kerfway_research.js'].map((file) => import(join(sdk, file))));
+  research.initSync({ module: readFileSync(join(sdk, 'pkg', 'kerfway_research_bg.wasm')) });
   for (const sheet of only === undefined ? ['sheet_500', 'sheet_10000'] : [only]) {
-    const job = new planner.Job(new Uint8Array(readFileSync(instances.file(`sheets/${sheet}.dxf`))), `${sheet}.dxf`, {});
-    const lines = papers.paperMethods().map(({ name }) => {
-      const { times, round } = slices(job, name, papers.Guest, stepHosted);
+    const job = new research.Job(new Uint8Array(readFileSync(instances.file(`sheets/${sheet}.dxf`))), `${sheet}.dxf`, {});
+    const lines = research.paperMethods().map(({ name }) => {
+      const { times, round } = slices(job, name, stepFor);
       const at = (share) => ms(times[Math.min(Math.floor(times.length * share), times.length - 1)]);
       return [name, String(times.length), at(0.5), at(0.99), at(1), String(round)];
     });
@@ -33,21 +30,19 @@ async function stop({ only, instances }) {
   }
 }
 
-function slices(job, method, Guest, stepHosted) {
+function slices(job, method, stepFor) {
   job.start({ method, parameters: '{}', seed: 1, moves: Number.MAX_SAFE_INTEGER, machine: 'co2-100w' });
-  const guest = new Guest(job.packed(), method, '{}', 1);
   const times = [];
   const end = performance.now() + WATCHED;
   for (let work = 256; performance.now() < end; ) {
     const start = performance.now();
-    const slice = stepHosted(job, guest, Math.round(work), SLICE_MS);
+    const slice = stepFor(job, Math.round(work), SLICE_MS);
     const took = performance.now() - start;
     times.push(took);
     if (slice.end === 'exhausted') break;
     const fitting = ((slice.done / Math.max(took, 0.05)) * SLICE_MS) / work;
     work = Math.min(Math.max(work * Math.min(Math.max(fitting, 0.25), 4), 1), 1e9);
   }
-  const { round } = guest.insight();
-  guest.free();
+  const { round } = job.insight();
   return { times: times.sort((a, b) => a - b), round };
 }

@@ -6,9 +6,6 @@
 //! bytes.
 
 mod error;
-#[cfg(feature = "papers")]
-mod guest;
-mod hosted;
 mod options;
 mod path;
 mod problem_of;
@@ -17,20 +14,18 @@ mod report;
 mod run;
 mod shapes;
 mod shared;
-#[cfg(feature = "lab")]
+#[cfg(feature = "research")]
 mod solving;
 mod warm;
 mod written;
 
 pub use error::JobError;
-#[cfg(feature = "papers")]
-pub use guest::Guest;
 pub use options::{Budget, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
 pub use path::BestPath;
 pub use problem_of::problem_of;
 pub use report::{Baselines, ContourInfo, Geometry, Loaded};
 pub use run::{Run, Slice, SliceEnd};
-#[cfg(feature = "lab")]
+#[cfg(feature = "research")]
 pub use solving::Solving;
 pub use warm::Warm;
 pub use written::OutputKind;
@@ -50,7 +45,6 @@ pub struct Job {
     drawing: Drawing,
     sheet: Sheet,
     /// The sheet with the lines of the beam, where the machine of the run has a kerf width.
-    #[cfg(feature = "plate")]
     worked: Option<Sheet>,
     run: Option<Run>,
 }
@@ -71,7 +65,6 @@ impl Job {
             sheet_options,
             drawing,
             sheet,
-            #[cfg(feature = "plate")]
             worked: None,
             run: None,
         })
@@ -93,6 +86,11 @@ impl Job {
         self.sheet_options = sheet_options;
         self.drop_run();
         Ok(())
+    }
+
+    /// The bytes of the file.
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes
     }
 
     /// What the drawing holds.
@@ -120,31 +118,19 @@ impl Job {
         &self.sheet
     }
 
-    #[cfg(feature = "plate")]
-    fn moved(&self) -> Option<&Sheet> {
-        self.worked.as_ref()
-    }
-
-    #[cfg(not(feature = "plate"))]
-    fn moved(&self) -> Option<&Sheet> {
-        None
-    }
-
     /// The contours as the plan has them: those arranged, or the lines of the beam beside them where the machine has a kerf
     /// width.
     pub fn worked(&self) -> &Sheet {
-        self.moved().unwrap_or(&self.sheet)
+        self.worked.as_ref().unwrap_or(&self.sheet)
     }
 
     /// The lines of the beam, where they are not those drawn: contours by id, and their geometry.
-    #[cfg(feature = "plate")]
     pub fn beside(&self) -> Option<(Vec<ContourInfo<'_>>, Geometry)> {
-        let sheet = self.moved()?;
+        let sheet = self.worked.as_ref()?;
         Some((report::contours(sheet), Geometry::of(sheet.contours.iter().map(|c| &c.path))))
     }
 
     /// What the plan cuts once for two parts: stretches of contours of pierce groups.
-    #[cfg(feature = "plate")]
     pub fn common_cuts(&self) -> Geometry {
         let groups = self.worked().pierce_groups();
         let paths: Vec<_> = groups.iter().flat_map(|g| g.between_parts().map(|e| g.path(e))).collect();
@@ -159,7 +145,7 @@ impl Job {
         options.check()?;
         let machine = options.machine.profile()?;
         self.drop_run();
-        let mut findings = self.make_up_for(machine.kerf_width)?;
+        let mut findings = self.make_up_for(machine.kerf_width);
         let mut run = Run::start(self.worked(), machine, options)?;
         findings.append(&mut run.findings);
         run.findings = findings;
@@ -168,30 +154,17 @@ impl Job {
 
     fn drop_run(&mut self) {
         self.run = None;
-        #[cfg(feature = "plate")]
-        {
-            self.worked = None;
-        }
+        self.worked = None;
     }
 
-    /// Moves the lines half a kerf aside; what is worth knowing of that.
-    #[cfg(feature = "plate")]
-    fn make_up_for(&mut self, kerf: f64) -> Result<Vec<Finding>, JobError> {
+    /// Offsets the lines by half the kerf; returns the findings of doing so.
+    fn make_up_for(&mut self, kerf: f64) -> Vec<Finding> {
         if kerf <= 0.0 {
-            return Ok(Vec::new());
+            return Vec::new();
         }
         let (sheet, found) = sheet::compensated(&self.drawing, &self.sheet, &self.sheet_options, kerf);
         self.worked = Some(sheet);
-        Ok(found)
-    }
-
-    #[cfg(not(feature = "plate"))]
-    fn make_up_for(&mut self, kerf: f64) -> Result<Vec<Finding>, JobError> {
-        if kerf <= 0.0 {
-            return Ok(Vec::new());
-        }
-        let why = "The single-file build makes up for no kerf. Set kerf_width to 0, or use the package with its files.";
-        Err(JobError::Options(why.to_owned()))
+        found
     }
 
     /// The plan under way or done.

@@ -1,16 +1,13 @@
 //! A plan under way: the problem, the search that works on it, its budget and what it has found.
 
-use super::hosted::Hosted;
 use super::options::{Budget, PlanOptions};
 use super::{Baselines, JobError, Warm, problem_of, shared, warm};
 use crate::finding::Finding;
 use crate::machine::Profile;
-#[cfg(feature = "lab")]
-use crate::plan::LowerBound;
-use crate::plan::{self, Plan};
+use crate::plan::{self, LowerBound, Plan};
 use crate::problem::{Item, Problem};
 use crate::sheet::Sheet;
-use crate::solve::{self, Running, Search, Solution, Solver, Status, Telemetry};
+use crate::solve::{self, Insight, Running, Search, Solution, Solver, Status, Telemetry};
 
 /// Moves before the lower bound is begun: the first paths come first. A second of search on large sheets; on small ones
 /// the best path is found by then and only the proof is left.
@@ -34,7 +31,7 @@ pub enum SliceEnd {
 }
 
 /// What came of a slice of work.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Slice {
     /// Moves done in it.
     pub done: u64,
@@ -42,8 +39,8 @@ pub struct Slice {
     pub improved: bool,
     /// Why it ended.
     pub end: SliceEnd,
-    /// Work on the bound that is due, for whoever proves it: see [`Run::set_proven`].
-    pub prove: u32,
+    /// Seconds that no plan takes less than, as in [`Run::bound`].
+    pub bound: f64,
 }
 
 /// A plan under way or done.
@@ -68,13 +65,9 @@ pub struct Run {
     /// candidates.
     pub moves: u64,
     running: Running,
-    /// Of what the search minimises; one search of several is enough to work on it. In the planner's wasm it is worked
-    /// on from outside, by a wasm file of its own.
-    #[cfg(feature = "lab")]
+    /// Works on a lower bound of what the search minimises; `None` until it is first due.
     prover: Option<LowerBound>,
-    /// Proven of what the search minimises; `None` before anything is, and where another search sees to it.
-    proven: Option<f64>,
-    /// Sees to it.
+    /// Whether this search works on the bound: one search of several is enough.
     proves: bool,
     /// Moves at which work on it goes on.
     bound_at: u64,
@@ -94,9 +87,7 @@ impl Run {
         };
         let (workers, stream) = (options.workers()?, options.stream());
         let warm = options.warm.as_ref().map(|w| warm::solution(w, &problem)).transpose()?;
-        #[cfg(feature = "lab")]
-        let prover = (options.member == 0).then(|| LowerBound::new(&problem));
-        let running = Running::try_new(problem, |p| method.start(p, stream, warm, greedy))?;
+        let running = Running::new(problem, |p| method.start(p, stream, warm, greedy));
         Ok(Self {
             machine,
             method: name.to_owned(),
@@ -108,9 +99,7 @@ impl Run {
             findings,
             moves: 0,
             running,
-            #[cfg(feature = "lab")]
-            prover,
-            proven: None,
+            prover: None,
             proves: options.member == 0,
             bound_at: BOUND_FROM,
         })
@@ -120,60 +109,36 @@ impl Run {
     pub fn step(&mut self, work: u64) -> Slice {
         let left = self.budget.moves.map_or(u64::MAX, |all| all.saturating_sub(self.moves));
         if left == 0 {
-            return Slice { done: 0, improved: false, end: SliceEnd::Budget, prove: 0 };
+            return Slice { done: 0, improved: false, end: SliceEnd::Budget, bound: self.bound() };
         }
-        let work = self.grant(work);
-        let mut prove = 0;
+        // Never past the moves at which the bound is due, so that slices of any size prove the same.
+        let work = work.min(left).min(self.bound_at.saturating_sub(self.moves).max(1));
         let step = self.running.with_dependent_mut(|_, search| search.step(work));
         self.moves = self.moves.saturating_add(step.done);
         if self.moves >= self.bound_at {
             self.bound_at += BOUND_EVERY;
-            prove = self.prove();
+            self.prove();
         }
         let end = match step.status {
             Status::Exhausted => SliceEnd::Exhausted,
             Status::Running if step.done >= left => SliceEnd::Budget,
             Status::Running => SliceEnd::Running,
         };
-        Slice { done: step.done, improved: step.improved, end, prove }
+        Slice { done: step.done, improved: step.improved, end, bound: self.bound() }
     }
 
-    /// As much of `work` as one step may do: within the budget, and up to where the bound is due.
-    pub fn grant(&self, work: u64) -> u64 {
-        let left = self.budget.moves.map_or(u64::MAX, |all| all.saturating_sub(self.moves));
-        work.min(left).min(self.bound_at.saturating_sub(self.moves).max(1))
-    }
-
-    /// Works on the bound; gives the work that is left to others.
-    #[cfg(feature = "lab")]
-    fn prove(&mut self) -> u32 {
-        let (cost, work) = (self.telemetry().best, self.bound_work());
-        if let Some(prover) = &mut self.prover {
-            prover.improve(work, cost);
-            self.proven = Some(prover.value());
+    /// Works on the bound, harder while the search finds nothing better.
+    fn prove(&mut self) {
+        if !self.proves {
+            return;
         }
-        0
+        let Telemetry { best, best_at, .. } = self.telemetry();
+        let work = BOUND_WORK[usize::from(best_at < self.moves / 2)];
+        let problem = self.running.borrow_owner();
+        self.prover.get_or_insert_with(|| LowerBound::new(problem)).improve(work, best);
     }
 
-    #[cfg(not(feature = "lab"))]
-    fn prove(&mut self) -> u32 {
-        if self.proves { self.bound_work() } else { 0 }
-    }
-
-    /// More of it while the search finds nothing better.
-    fn bound_work(&self) -> u32 {
-        let quiet = self.telemetry().best_at < self.moves / 2;
-        BOUND_WORK[usize::from(quiet)]
-    }
-
-    /// Takes a bound over, proven elsewhere of what the search minimises.
-    pub fn set_proven(&mut self, cost: f64) {
-        if self.proves && cost >= self.proven.unwrap_or(0.0) {
-            self.proven = Some(cost);
-        }
-    }
-
-    /// Takes over a path found by another search, if it is better (from a hosted method, always): true when it did.
+    /// Takes over a path found by another search, if it is better: true when it did.
     pub fn offer(&mut self, path: &Warm) -> Result<bool, JobError> {
         let found = warm::solution(path, self.problem())?;
         self.running.with_dependent_mut(|_, search| search.offer(&found));
@@ -189,6 +154,11 @@ impl Run {
     /// Numbers of the search.
     pub fn telemetry(&self) -> Telemetry {
         self.running.borrow_dependent().telemetry()
+    }
+
+    /// What makes a published method special, as it stands now; `None` for other methods.
+    pub fn insight(&self) -> Option<Insight> {
+        self.running.borrow_dependent().insight()
     }
 
     /// The problem the search works on.
@@ -214,36 +184,33 @@ impl Run {
     pub fn bound(&self) -> f64 {
         let saved = |i: &Item| i.run.as_ref().map_or(0.0, |run| run.sharp() as f64) * (-i.resume()).max(0.0);
         let least = |i: &Item| i.fixed - if i.leave.is_some() { saved(i) } else { 0.0 };
-        self.proven.map_or(0.0, |cost| self.problem().items.iter().map(least).sum::<f64>() + cost)
+        let all = |prover: &LowerBound| self.problem().items.iter().map(least).sum::<f64>() + prover.value();
+        self.prover.as_ref().map_or(0.0, all)
     }
 }
 
 /// How a run searches.
 enum Method {
     Own(&'static dyn Solver),
-    #[cfg(feature = "papers")]
+    #[cfg(feature = "research")]
     Paper(Box<dyn Solver>),
-    #[cfg(not(feature = "papers"))]
-    Hosted,
 }
 
 impl Method {
+    #[cfg(feature = "research")]
     fn named(name: &str, options: &PlanOptions) -> Result<Self, JobError> {
         if let Some(own) = solve::method(name) {
             return Ok(Self::Own(own));
         }
-        #[cfg(feature = "papers")]
-        {
-            let method = solve::papers::method(name, options.parameters.as_deref().unwrap_or_default());
-            method.map(Self::Paper).map_err(JobError::Options)
-        }
-        #[cfg(not(feature = "papers"))]
-        if options.parameters.is_some() {
-            Ok(Self::Hosted)
-        } else {
-            let names: Vec<_> = solve::methods().iter().map(|m| m.info().name.to_owned()).collect();
-            Err(JobError::Options(super::options::no_such("method", name, &names)))
-        }
+        let method = solve::papers::method(name, options.parameters.as_deref().unwrap_or_default());
+        method.map(Self::Paper).map_err(JobError::Options)
+    }
+
+    #[cfg(not(feature = "research"))]
+    fn named(name: &str, _: &PlanOptions) -> Result<Self, JobError> {
+        let names: Vec<_> = solve::methods().iter().map(|m| m.info().name.to_owned()).collect();
+        let unknown = || JobError::Options(super::options::no_such("method", name, &names));
+        solve::method(name).map(Self::Own).ok_or_else(unknown)
     }
 
     fn start<'p>(
@@ -252,13 +219,11 @@ impl Method {
         seed: u64,
         warm: Option<Solution>,
         greedy: Solution,
-    ) -> Result<Box<dyn Search + 'p>, JobError> {
+    ) -> Box<dyn Search + 'p> {
         match self {
-            Self::Own(own) => Ok(own.start(p, seed, Some(&warm.unwrap_or(greedy)))),
-            #[cfg(feature = "papers")]
-            Self::Paper(paper) => Ok(Box::new(Hosted::new(p, paper.start(p, seed, None), warm)?)),
-            #[cfg(not(feature = "papers"))]
-            Self::Hosted => Ok(Box::new(Hosted::new(p, warm.unwrap_or(greedy)))),
+            Self::Own(own) => own.start(p, seed, Some(&warm.unwrap_or(greedy))),
+            #[cfg(feature = "research")]
+            Self::Paper(paper) => solve::papers::start(paper.as_ref(), p, seed, warm),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A path that comes from outside, to start a search from: what a worker had found before it was replaced.
 
 use super::JobError;
-use crate::problem::{Item, PATHS, Problem, Span};
+use crate::problem::{Item, Problem, Span};
 use crate::solve::{Solution, Stop};
 use serde::{Deserialize, Serialize};
 
@@ -23,22 +23,6 @@ pub struct Warm {
 /// were written down with six digits, and is far below the distance of two entries.
 const SAME_PLACE: f64 = 1e-6;
 
-#[cfg(feature = "papers")]
-impl Warm {
-    /// Of a solution.
-    pub(super) fn of(problem: &Problem, solution: &Solution) -> Self {
-        let mut warm = Self::default();
-        for stop in &solution.stops {
-            let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
-            warm.contours.push(node.item);
-            warm.along.push(stop.along);
-            warm.until.push(stop.until);
-            warm.reversed.push(node.reversed.into());
-        }
-        warm
-    }
-}
-
 /// The stops a path names, when it visits every contour of the problem once, in an allowed order.
 pub(super) fn solution(warm: &Warm, problem: &Problem) -> Result<Solution, JobError> {
     let places =
@@ -59,7 +43,7 @@ pub(super) fn solution(warm: &Warm, problem: &Problem) -> Result<Solution, JobEr
     let mut rest = all.as_slice();
     let stops = std::iter::from_fn(|| {
         let (visit, after) = rest.split_first()?;
-        let through = if PATHS { through(problem, &groups, rest) } else { None };
+        let through = through(problem, &groups, rest);
         rest = through.map_or(after, |(_, visits)| rest.get(visits..).unwrap_or_default());
         Some(through.map_or_else(|| stop(problem, visit), |(stop, _)| Some(stop)))
     });

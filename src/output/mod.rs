@@ -9,7 +9,6 @@ mod dxf;
 mod gcode;
 mod json;
 mod number;
-#[cfg(any(feature = "png", feature = "quote"))]
 pub(crate) mod picture;
 #[cfg(feature = "png")]
 pub mod png;

@@ -3,13 +3,11 @@
 mod checker;
 mod evaluate;
 mod from_solution;
-#[cfg(feature = "lab")]
 mod lower_bound;
 mod model;
 
 pub use checker::{Violation, check};
 pub use evaluate::evaluate;
 pub use from_solution::from_solution;
-#[cfg(feature = "lab")]
 pub use lower_bound::LowerBound;
 pub use model::{Move, Plan, Summary};

@@ -15,11 +15,6 @@ use crate::geometry::Path;
 use crate::machine::{ClosedRun, Profile};
 use glam::DVec2;
 
-/// Whether this build knows tables of costs.
-pub(crate) const TABLES: bool = cfg!(feature = "lab");
-
-/// Whether this build knows items that are pierce groups: the main wasm file does not, so that what asks for them falls away.
-pub(crate) const PATHS: bool = cfg!(any(feature = "plate", feature = "papers", feature = "lab"));
 
 /// A place where an item may be entered.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,9 +64,9 @@ impl Item {
         }
     }
 
-    /// The ways through a pierce group; see [`PATHS`].
+    /// The ways through a pierce group; none for any other item.
     pub fn ways(&self) -> &[SubPath] {
-        if PATHS { &self.paths } else { &[] }
+        &self.paths
     }
 
     /// The way through a pierce group that a place stands for.
@@ -125,10 +120,9 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// The table of costs, if travel is given by one. Only benchmark instances have one, so the planner's wasm file is
-    /// built without (see [`TABLES`]): what asks for one falls away there.
+    /// The table of costs, if travel is given by one, as in benchmark instances.
     pub fn table(&self) -> Option<&Table> {
-        self.table.as_ref().filter(|_| TABLES)
+        self.table.as_ref()
     }
 
     /// The item at which the cycle of a problem with a table starts: the last one.

@@ -4,7 +4,7 @@ use super::ids::{ItemId, NodeId};
 use super::model::{Item, Node};
 use super::sub_path::SubPath;
 use crate::machine::Profile;
-use crate::sheet::{Contour, PIERCE_GROUPS, PierceGroup, Sheet};
+use crate::sheet::{Contour, PierceGroup, Sheet};
 
 /// The groups of a sheet that are cut as one.
 pub(super) struct PierceGroups<'s> {
@@ -52,9 +52,6 @@ impl<'s> PierceGroups<'s> {
     /// The contour that a contour, or all of its group, must come before.
     pub(super) fn before(&self, contour: u32) -> Option<ItemId> {
         let up = |c: &u32| self.sheet.contours.get(*c as usize).and_then(|c| c.inside).filter(|o| o != c);
-        if !PIERCE_GROUPS {
-            return up(&contour);
-        }
         // Others may cut all of what lies around it.
         let is_worked = |o: &u32| self.sheet.contours.get(*o as usize).is_some_and(Contour::is_worked);
         let inside = |c: u32| std::iter::successors(up(&c), up).take(self.of.len()).find(is_worked);
@@ -75,9 +72,6 @@ impl<'s> PierceGroups<'s> {
 
     /// The item of a contour of a group: of the first one, all ways through the group; of others, nothing to be visited.
     pub(super) fn item(&self, contour: u32, rank: u32, nodes: &mut Vec<Node>) -> Option<Item> {
-        if !PIERCE_GROUPS {
-            return None;
-        }
         let (group, paths) = &self.groups[self.of[contour as usize]? as usize];
         let first = NodeId::try_from(nodes.len()).ok()?;
         let stands = group.contours[0] == contour;
@@ -103,7 +97,7 @@ impl<'s> PierceGroups<'s> {
     /// Brings all contours of a group to one rank, not below that of anything they close in; and what lies around to that
     /// at least.
     pub(super) fn raise(&self, ranks: &mut [u32]) {
-        for (group, _) in self.groups.iter().filter(|_| PIERCE_GROUPS) {
+        for (group, _) in &self.groups {
             let all = group.contours.iter().chain(&group.inside);
             let most = all.map(|&c| ranks[c as usize]).max().unwrap_or(0);
             group.contours.iter().for_each(|&c| ranks[c as usize] = most);

@@ -5,7 +5,7 @@ use super::assemble::{Assembled, assemble};
 use super::clean::clean;
 use super::groups::{self, PierceGroup};
 use super::model::{
-    CommonCuts, Contour, Ignored, LayerUse, Operation, PIERCE_GROUPS, Pin, Sheet, SheetOptions,
+    CommonCuts, Contour, Ignored, LayerUse, Operation, Pin, Sheet, SheetOptions,
 };
 use super::source::Source;
 use super::{cross, exclude, layers, nest, outline, parts};
@@ -92,7 +92,7 @@ pub(super) fn find_groups(
     options: &SheetOptions,
     join: f64,
 ) -> Vec<PierceGroup> {
-    if !PIERCE_GROUPS || options.common_cuts == CommonCuts::Off || options.part_by_part {
+    if options.common_cuts == CommonCuts::Off || options.part_by_part {
         return Vec::new();
     }
     let rank = |c: &Contour| (c.pin, layers.get(c.layer as usize).map_or(0, |l| l.rank));
@@ -184,7 +184,6 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         pin: Pin::None,
         first_shape: a.first_shape,
         outline: a.outline,
-        #[cfg(feature = "plate")]
         drawn: None,
         path: a.path,
     }

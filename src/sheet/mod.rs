@@ -26,7 +26,6 @@ mod cross;
 mod element;
 mod exclude;
 mod groups;
-#[cfg(feature = "plate")]
 mod kerf;
 mod layers;
 mod model;
@@ -38,7 +37,5 @@ mod words;
 
 pub use build::build;
 pub use groups::{GroupElement, PierceGroup};
-#[cfg(feature = "plate")]
 pub(crate) use kerf::compensated;
-pub(crate) use model::PIERCE_GROUPS;
 pub use model::{CommonCuts, Contour, Ignored, LayerUse, Operation, Part, Pin, Sheet, SheetOptions};

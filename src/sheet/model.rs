@@ -18,9 +18,6 @@ pub enum Operation {
     Ignore,
 }
 
-/// Whether this build knows pierce groups, and makes up for the kerf.
-pub(crate) const PIERCE_GROUPS: bool = cfg!(feature = "plate");
-
 /// What is done with cuts that contours share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -98,7 +95,6 @@ pub struct Contour {
     /// bounds a part or a hole as a closed contour does.
     pub outline: Option<Path>,
     /// The outline of what is made, as drawn, where `path` lies half a kerf beside it; see [`Sheet`].
-    #[cfg(feature = "plate")]
     pub drawn: Option<Path>,
     /// Index into [`Sheet::layers`]: the layer most of its length is on.
     pub layer: u32,
@@ -135,11 +131,8 @@ impl Contour {
 
     /// The outline of what is made, where the line that is cut is not that: half a kerf beside it, or the rest of it.
     pub fn made(&self) -> Option<&Path> {
-        #[cfg(feature = "plate")]
-        if self.drawn.is_some() {
-            return self.drawn.as_ref();
-        }
-        self.outline.as_ref().filter(|_| self.operation == Operation::Cut)
+        let rest_of = self.outline.as_ref().filter(|_| self.operation == Operation::Cut);
+        self.drawn.as_ref().or(rest_of)
     }
 
     /// Whether it bounds a part or a hole: a cut around an area.
@@ -215,10 +208,9 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// Contours that share cuts. Few sheets have any, so the main wasm file is built without: what asks for them falls away
-    /// there.
+    /// Contours that share cuts.
     pub fn pierce_groups(&self) -> &[PierceGroup] {
-        if PIERCE_GROUPS { &self.groups } else { &[] }
+        &self.groups
     }
 
     /// The contours by id, in the order in which the file draws them.

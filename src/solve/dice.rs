@@ -27,8 +27,7 @@ impl Dice {
     }
 
     /// A number of the standard normal distribution (Box and Muller).
-    #[cfg(feature = "papers")]
-    #[cfg(feature = "papers")]
+    #[cfg(feature = "research")]
     pub(super) fn normal(&mut self) -> f64 {
         let length = (-2.0 * math::ln(1.0 - self.even())).sqrt();
         length * math::cos(std::f64::consts::TAU * self.even())

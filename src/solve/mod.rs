@@ -5,7 +5,8 @@ mod dice;
 mod epsilon;
 mod exact;
 mod greedy;
-#[cfg(feature = "papers")]
+mod insight;
+#[cfg(feature = "research")]
 pub mod papers;
 pub mod pierce_group;
 mod precedence;
@@ -16,6 +17,7 @@ mod traits;
 pub use as_drawn::in_order;
 pub use exact::{TooLarge, exact};
 pub use greedy::greedy;
+pub use insight::{Curve, Grid, Insight, Parent, Partitions};
 pub(crate) use running::Running;
 pub use traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
 

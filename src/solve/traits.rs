@@ -3,6 +3,7 @@
 //! The core neither reads a clock nor decides when to stop: the caller hands out work in moves and looks at what
 //! came of it. A search cut into slices of any size gives the same bytes as one long run.
 
+use super::Insight;
 use crate::geometry::DVec2;
 use crate::machine::AirTime;
 use crate::problem::{NodeId, Problem};
@@ -130,10 +131,9 @@ pub trait Search {
     fn best(&self) -> &Solution;
     /// Numbers.
     fn telemetry(&self) -> Telemetry;
-    /// What makes a published method special, as it stands now.
-    #[cfg(feature = "papers")]
-    fn insight(&self) -> super::papers::Insight {
-        super::papers::Insight::default()
+    /// What makes a published method special, as it stands now; other methods have nothing to show.
+    fn insight(&self) -> Option<Insight> {
+        None
     }
     /// A solution found elsewhere; taken when better.
     fn offer(&mut self, _other: &Solution) {}

@@ -2,7 +2,6 @@
 
 use crate::output::json_text;
 use js_sys::JSON;
-#[cfg(any(feature = "papers", feature = "planner"))]
 use js_sys::{Object, Reflect};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -14,7 +13,6 @@ pub(super) fn plain(value: &impl Serialize) -> Result<JsValue, JsError> {
 }
 
 /// An object with these fields.
-#[cfg(any(feature = "papers", feature = "planner"))]
 pub(super) fn object(fields: &[(&str, JsValue)]) -> Result<JsValue, JsError> {
     let object = Object::new();
     for (name, value) in fields {

@@ -11,21 +11,9 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = "import type {
-  Baselines, Beam, BestPath, Budget, Finding, Geometry, Loaded, LoadOptions, MachineProfile, MethodInfo, Slice, StartOptions, Summary,
+  Baselines, Beam, BestPath, Budget, Finding, Geometry, Insight, Loaded, LoadOptions, MachineProfile, MethodInfo, Slice, StartOptions, Summary,
   WarmPath,
 } from '../protocol.js';";
-
-#[wasm_bindgen]
-extern "C" {
-    #[wasm_bindgen(js_namespace = console, js_name = error)]
-    fn console_error(message: &str);
-}
-
-/// Tells the console where a panic was before the instance dies of it: one line for a report.
-#[wasm_bindgen(start)]
-pub fn start() {
-    std::panic::set_hook(Box::new(|panic| console_error(&format!("kerfway: {panic}"))));
-}
 
 /// The methods there are, the default first.
 #[wasm_bindgen(unchecked_return_type = "MethodInfo[]")]
@@ -39,18 +27,19 @@ pub fn machines() -> Result<JsValue, JsError> {
     plain(&machine::presets())
 }
 
+/// A seed for those who give none, from the platform's source of randomness. It is reported with the result, so that
+/// the plan can be made again.
+#[wasm_bindgen(js_name = randomSeed)]
+pub fn random_seed() -> Result<u32, JsError> {
+    getrandom::u32().map_err(|e| JsError::new(&format!("This platform gives no random numbers: {e}. Give a seed.")))
+}
+
 /// The lines of the beam where they are not those drawn, and what is cut once for two parts.
-#[cfg(feature = "plate")]
 fn lines(job: &job::Job) -> Result<[JsValue; 2], JsError> {
     let beam = job
         .beside()
         .map(|(contours, lines)| object(&[("contours", plain(&contours)?), ("geometry", geometry(&lines)?)]));
     Ok([beam.transpose()?.unwrap_or(JsValue::NULL), geometry(&job.common_cuts())?])
-}
-
-#[cfg(not(feature = "plate"))]
-fn lines(_: &job::Job) -> Result<[JsValue; 2], JsError> {
-    Ok([JsValue::NULL, JsValue::NULL])
 }
 
 /// How to read and arrange, with the platform's text decoder.
@@ -82,6 +71,11 @@ impl Job {
         #[wasm_bindgen(unchecked_param_type = "LoadOptions")] load_options: JsValue,
     ) -> Result<(), JsError> {
         Ok(self.0.reload(&load_options_of(&load_options)?)?)
+    }
+
+    /// The bytes of the file.
+    pub fn bytes(&self) -> Vec<u8> {
+        self.0.bytes().to_vec()
     }
 
     /// What the drawing holds.
@@ -133,11 +127,6 @@ impl Job {
         plain(&self.0.run_mut()?.step(work.into()))
     }
 
-    /// As much of `work` as one step may do.
-    pub fn grant(&self, work: u32) -> Result<u32, JsError> {
-        Ok(u32::try_from(self.0.run()?.grant(work.into())).unwrap_or(work))
-    }
-
     /// Grants another budget on top of what is done.
     pub fn extend(
         &mut self,
@@ -155,21 +144,10 @@ impl Job {
         Ok(self.0.run_mut()?.offer(&handed(&path)?)?)
     }
 
-    /// The problem that is planned, for `Prover`.
-    pub fn packed(&self) -> Result<Vec<f64>, JsError> {
-        Ok(self.0.run()?.problem().packed())
-    }
-
-    /// What the search has come down to, in seconds.
-    pub fn cost(&self) -> Result<f64, JsError> {
-        Ok(self.0.run()?.best().cost)
-    }
-
-    /// Takes over what is proven of it; gives the bound of the whole job.
-    pub fn prove(&mut self, cost: f64) -> Result<f64, JsError> {
-        let run = self.0.run_mut()?;
-        run.set_proven(cost);
-        Ok(run.bound())
+    /// What makes a published method special, as it stands now; `null` for other methods.
+    #[wasm_bindgen(unchecked_return_type = "Insight | null")]
+    pub fn insight(&self) -> Result<JsValue, JsError> {
+        self.0.run()?.insight().map_or(Ok(JsValue::NULL), |insight| plain(&insight))
     }
 
     /// Moves done so far.

@@ -1,4 +1,4 @@
-//! The report of a quote for JavaScript, in a wasm file of its own.
+//! The report of a quote for JavaScript.
 
 use super::plain::plain;
 use crate::fields;

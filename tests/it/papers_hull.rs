@@ -7,7 +7,7 @@ use crate::testkit::sheets::{
 use kerfway::job::problem_of;
 use kerfway::machine::Profile;
 use kerfway::sheet::Sheet;
-use kerfway::solve::papers::{self, Insight};
+use kerfway::solve::{Insight, papers};
 use kerfway::solve::{Solution, Status};
 
 /// Every method of these papers, made small.
@@ -80,7 +80,7 @@ fn slices_and_seeds_repeat_to_the_bit() {
                 search.step(slice);
             });
             let telemetry = search.telemetry();
-            (search.best().clone(), search.insight(), telemetry.best_at)
+            (search.best().clone(), search.insight().unwrap(), telemetry.best_at)
         };
         let whole = run(20_000, 1, 20_000);
         for slice in [1, 7, 400] {

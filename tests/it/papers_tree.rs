@@ -7,7 +7,7 @@ use crate::testkit::sheets::{
 use kerfway::job::problem_of;
 use kerfway::machine::Profile;
 use kerfway::sheet::Sheet;
-use kerfway::solve::papers::{self, Insight};
+use kerfway::solve::{Insight, papers};
 use kerfway::solve::{Solution, Status};
 
 /// Every method of the paper, with each of its forms.
@@ -82,7 +82,7 @@ fn slices_repeat_to_the_bit() {
         let run = |slice: u64| -> (Solution, Insight, u64) {
             let mut search = paper(method, parameters, &problem, 1);
             while search.step(slice).status == Status::Running {}
-            (search.best().clone(), search.insight(), search.telemetry().best_at)
+            (search.best().clone(), search.insight().unwrap(), search.telemetry().best_at)
         };
         let whole = run(u64::MAX);
         for slice in [7, 400, 20_000] {
@@ -109,7 +109,7 @@ fn the_tree_improves_on_its_construction_and_on_a_tour_where_parts_are_close() {
     let cost = |method: &str, parameters: &str| {
         let mut search = paper(method, parameters, &problem, 1);
         while search.step(100_000).status == Status::Running {}
-        let values = search.insight().curves.into_iter().map(|c| (c.name, c.value)).collect::<Vec<_>>();
+        let values = search.insight().unwrap().curves.into_iter().map(|c| (c.name, c.value)).collect::<Vec<_>>();
         (search.best().cost, values)
     };
     let (tree, values) = cost("partition-tree", "{}");

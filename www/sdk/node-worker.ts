@@ -14,11 +14,8 @@ async function ready<M extends { initSync(wasm: { module: BufferSource }): unkno
 
 const host: Host = {
   post: (message, transfer = []) => parentPort?.postMessage(message, transfer),
-  lab: () => ready('kerfway_lab', import('./pkg/kerfway_lab.js')),
-  papers: () => ready('kerfway_papers', import('./pkg/kerfway_papers.js')),
-  plate: () => ready('kerfway_plate', import('./pkg/kerfway_plate.js')),
-  quote: () => ready('kerfway_quote', import('./pkg/kerfway_quote.js')),
-  png: async () => (await ready('kerfway_png', import('./pkg/kerfway_png.js'))).renderPng,
+  research: () => ready('kerfway_research', import('./pkg/kerfway_research.js')),
+  png: () => ready('kerfway_png', import('./pkg/kerfway_png.js')),
 };
 
 const session = new Session(host);

@@ -303,13 +303,6 @@ export interface Insight {
   partitions: { of: number[]; parents: { contour: number; at: [number, number] }[] } | null;
 }
 
-/** What came of a slice of work of a method from a paper. */
-export interface GuestStep {
-  done: number;
-  improved: boolean;
-  exhausted: boolean;
-}
-
 /** How the job would run without a search. */
 export interface Baselines {
   /** As drawn: drawing order, first point of each contour. */
@@ -325,8 +318,8 @@ export interface Slice {
   /** The best changed in it. */
   improved: boolean;
   end: 'running' | 'budget' | 'exhausted';
-  /** Work on the lower bound that is due. */
-  prove: number;
+  /** Seconds that no plan takes less than; 0 before anything is proven. */
+  bound: number;
 }
 
 /** What a plan can be written as. */

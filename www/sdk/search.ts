@@ -4,11 +4,9 @@
  */
 
 import { bounded } from './bound.js';
-import { stepHosted } from './guest.js';
-import type { Prover } from './pkg/kerfway_lab.js';
 import type { Job } from './pkg/kerfway.js';
-import type { Guest } from './pkg/kerfway_papers.js';
 import type { Budget, DoneReason, Progress, Slice, Summary, WarmPath } from './protocol.js';
+import { stepFor } from './slice.js';
 
 /** What a search tells. */
 export interface Listener {
@@ -16,8 +14,6 @@ export interface Listener {
   done(message: { id: number; reason: DoneReason; progress: Progress }): void;
   meeting(message: { id: number; progress: Progress }): void;
   bound(message: { id: number; lowerBound: number }): void;
-  /** What works on the bound of the job's problem. */
-  prover(job: Job): Promise<Prover>;
   failed(id: number, error: unknown): void;
 }
 
@@ -56,12 +52,6 @@ export class Search {
   private untold = true;
   private summary: Summary | null = null;
   private bound = 0;
-  /** Works on the bound; `null`: it could not be loaded. */
-  private prover: Prover | null | undefined;
-  /** The method, when it is a paper's. */
-  private guest: Guest | null = null;
-  /** One of them is being loaded; the search waits. */
-  private loading = false;
   private tellAfter = 0;
   private pulseAt = 0;
 
@@ -69,10 +59,6 @@ export class Search {
     private readonly job: Job,
     private readonly listener: Listener,
     workers = 1,
-    /** The method of a paper for the job's problem. */
-    private readonly invite: (() => Promise<Guest>) | null = null,
-    /** It goes on from a path of its own. */
-    private readonly warm = false,
   ) {
     if (workers > 1) this.meetAt = MEETINGS.first;
   }
@@ -82,29 +68,8 @@ export class Search {
     this.id = id;
     this.until = this.worked + (budget.seconds ?? Infinity) * 1000;
     this.state = 'running';
-    if (this.invite !== null && this.guest === null) return this.host(this.invite);
     this.tell();
     this.schedule();
-  }
-
-  private host(invite: () => Promise<Guest>): void {
-    this.loading = true;
-    const begin = (guest: Guest) => {
-      this.loading = false;
-      this.guest = guest;
-      if (this.state === 'ended') return;
-      this.attempt(() => {
-        if (!this.warm) this.job.offer(guest.best());
-        this.tell();
-        this.schedule();
-      });
-    };
-    invite().then(begin, (error: unknown) => {
-      this.loading = false;
-      if (this.state === 'ended') return;
-      this.state = 'ended';
-      this.listener.failed(this.id, error);
-    });
   }
 
   /** Goes on after the end, for another budget. */
@@ -149,22 +114,22 @@ export class Search {
 
   private readonly slice = (): void => {
     this.scheduled = false;
-    if (this.state !== 'running' || this.waitingSince !== null || this.loading) return;
+    if (this.state !== 'running' || this.waitingSince !== null) return;
     this.attempt(() => {
       const start = performance.now();
       const toMeeting = this.meetAt - this.job.moves();
-      const work = Math.min(Math.round(this.work), toMeeting);
-      const slice = this.guest === null ? this.job.step(work) : stepHosted(this.job, this.guest, work, SLICE_MS);
-      const { done, improved, end, prove } = slice;
+      const { done, improved, end, bound } = stepFor(this.job, Math.min(Math.round(this.work), toMeeting), SLICE_MS);
       this.account(done, improved, performance.now() - start);
-      const next = () => this.proceed(end, done === toMeeting);
-      if (prove === 0) next();
-      else this.withProver((prover) => {
-        this.prove(prover, prove);
-        next();
-      });
+      this.raise(bound);
+      this.proceed(end, done === toMeeting);
     });
   };
+
+  private raise(bound: number): void {
+    if (bound <= this.bound) return;
+    this.bound = bound;
+    this.listener.bound({ id: this.id, lowerBound: bound });
+  }
 
   private attempt(work: () => void): void {
     try {
@@ -184,28 +149,6 @@ export class Search {
     const now = performance.now();
     if ((this.untold && now >= this.tellAfter) || now >= this.pulseAt) this.tell();
     this.schedule();
-  }
-
-  // The first time it is loaded. Then it is there at once, so that a budget in moves gives the same bound every time.
-  private withProver(work: (prover: Prover | null) => void): void {
-    if (this.prover !== undefined) return work(this.prover);
-    this.loading = true;
-    const use = (prover: Prover | null) => {
-      this.loading = false;
-      this.prover = prover;
-      this.attempt(() => work(prover));
-    };
-    this.listener.prover(this.job).then(use, () => use(null));
-  }
-
-  private prove(prover: Prover | null, work: number): void {
-    if (prover === null) return;
-    const start = performance.now();
-    const bound = this.job.prove(prover.improve(work, this.job.cost()));
-    this.worked += performance.now() - start;
-    if (bound <= this.bound) return;
-    this.bound = bound;
-    this.listener.bound({ id: this.id, lowerBound: bound });
   }
 
   private wait(): void {
@@ -248,9 +191,10 @@ export class Search {
       this.summary = summary;
       this.untold = false;
     }
-    const insight = this.guest === null ? {} : { insight: this.guest.insight() };
+    const insight = this.job.insight();
     const seconds = this.worked / 1000;
-    return { moves: this.job.moves(), seconds, rate: this.rate, summary: bounded(summary, this.bound), path, ...insight };
+    const all = { moves: this.job.moves(), seconds, rate: this.rate, summary: bounded(summary, this.bound), path };
+    return insight === null ? all : { ...all, insight };
   }
 }
 

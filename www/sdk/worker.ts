@@ -20,11 +20,8 @@ async function ready<M extends { default(): Promise<unknown> }>(loading: Promise
 
 const host: Host = {
   post: (message, transfer = []) => scope.postMessage(message, transfer),
-  lab: () => ready(import('./pkg/kerfway_lab.js')),
-  papers: () => ready(import('./pkg/kerfway_papers.js')),
-  plate: () => ready(import('./pkg/kerfway_plate.js')),
-  quote: () => ready(import('./pkg/kerfway_quote.js')),
-  png: async () => (await ready(import('./pkg/kerfway_png.js'))).renderPng,
+  research: () => ready(import('./pkg/kerfway_research.js')),
+  png: () => ready(import('./pkg/kerfway_png.js')),
 };
 
 const session = new Session(host);

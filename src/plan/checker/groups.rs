@@ -9,7 +9,7 @@ use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
 use crate::geometry::{DVec2, Path, Segment, turns};
 use crate::machine::Profile;
-use crate::sheet::{PIERCE_GROUPS, PierceGroup, Sheet};
+use crate::sheet::{PierceGroup, Sheet};
 
 /// One group at work.
 struct Work<'s> {
@@ -54,7 +54,7 @@ impl<'s> Groups<'s> {
 
     /// Whether a contour is cut with its group.
     pub(super) fn holds(&self, contour: u32) -> bool {
-        PIERCE_GROUPS && self.of.get(contour as usize).is_some_and(Option::is_some)
+        self.of.get(contour as usize).is_some_and(Option::is_some)
     }
 
     /// Whether two contours are of one group.
@@ -130,7 +130,7 @@ impl<'s> Groups<'s> {
     /// After the last move: everything cut; what lies in an area, before that was cut free. `ends`: the move at which a
     /// contour was last cut.
     pub(super) fn finish(&self, ends: impl Fn(u32) -> Option<usize>, found: &mut Vec<Violation>) {
-        for work in self.work.iter().filter(|_| PIERCE_GROUPS) {
+        for work in &self.work {
             for (e, path) in
                 work.group.elements.iter().zip(&work.paths).zip(&work.cut).filter(|c| !*c.1).map(|c| c.0)
             {

@@ -7,7 +7,6 @@
 
 mod coverage;
 mod groups;
-#[cfg(feature = "plate")]
 mod kerf;
 mod macros;
 mod nesting;
@@ -43,7 +42,6 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     groups.finish(|c| visits.ends(c), &mut found);
     order::check(sheet, &visits, &groups, &mut found);
     sums::check(sheet, machine, plan, &mut found);
-    #[cfg(feature = "plate")]
     kerf::check(sheet, machine, plan, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
 }

@@ -99,7 +99,6 @@ pub enum Violation {
         at: DVec2,
     },
     /// The beam takes something of a part, leaves something on it, or runs on the wrong side of its outline.
-    #[cfg(feature = "plate")]
     #[error("move {step} does not keep half a kerf from the drawn outline of contour {contour} at {at}")]
     Kerf {
         /// Which move.

@@ -2,7 +2,7 @@
 
 use super::minorant::Minorant;
 use super::net::Piece;
-use crate::problem::{NodeId, Problem, TABLES, Table};
+use crate::problem::{NodeId, Problem, Table};
 
 /// Prices legs.
 #[derive(Clone, Debug)]
@@ -39,7 +39,7 @@ impl Prices {
 
     /// Whether costs are given: boxes then say nothing.
     pub(super) fn given(&self) -> bool {
-        TABLES && self.table.is_some()
+        self.table.is_some()
     }
 
     /// Whether a leg may cost more one way than the other.
@@ -50,7 +50,7 @@ impl Prices {
     /// Seconds between the ends of pieces of two items at least: see [`Minorant::corners`].
     pub(super) fn corners(&self, items: [usize; 2], p: &Piece, q: &Piece) -> [[f64; 2]; 2] {
         match &self.table {
-            Some(given) if TABLES => {
+            Some(given) => {
                 let node = |item: usize, knot: usize| {
                     given.nodes[item] + NodeId::try_from(knot).unwrap_or(NodeId::MAX)
                 };

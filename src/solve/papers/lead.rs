@@ -2,7 +2,7 @@
 //! the last one is paid for: so it comes to the same however its work is sliced, and a piece larger than a slice is
 //! paid for by the slices after it. What it has done, what it owes and what it has found are kept in one place.
 
-use super::insight::Insight;
+use crate::solve::Insight;
 use crate::problem::{NodeId, Problem};
 use crate::solve::{Search, Solution, Status, Step, Stop, Telemetry};
 
@@ -97,8 +97,8 @@ impl<M: Pieces> Search for Running<M> {
         Telemetry { moves: lead.spent - lead.owed, best_at: lead.at, best: lead.solution.cost }
     }
 
-    fn insight(&self) -> Insight {
-        self.0.insight()
+    fn insight(&self) -> Option<Insight> {
+        Some(self.0.insight())
     }
 }
 

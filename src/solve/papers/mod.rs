@@ -7,12 +7,10 @@
 //! What a method compares is the paper's measure (`legs.rs`), not the seconds of the whole job, and its best solution is
 //! its own, also where a nearest-neighbour tour is better: a comparison would be worth nothing otherwise.
 //!
-//! They live in a wasm file of their own, loaded when one is chosen. There they see a problem as
-//! [`Problem::packed`](crate::problem::Problem::packed) hands it over.
+//! They are built with the feature `research` only: the browser fetches that wasm file when one of them is chosen.
 
 mod dual;
 mod hull;
-mod insight;
 mod keys;
 mod lead;
 mod left;
@@ -20,14 +18,15 @@ mod legs;
 mod local;
 mod parameters;
 mod repair;
+mod resumed;
 mod swarm;
 mod tree;
 
 pub use dual::DualCodingGa;
 pub use hull::{HullPso, Ofa, Rlsga, Sga, Woa};
-pub use insight::{Curve, Grid, Insight, Parent, Partitions};
 pub use legs::{Legs, Measure};
 pub use repair::Repair;
+pub(crate) use resumed::start;
 pub use swarm::{AcoPso, KPso, Lpspso, Pso};
 pub use tree::{GtspLk, InitialPartitions, InitialTours, PartitionTree, Pfr, RepartitionMoves};
 

@@ -7,7 +7,6 @@ use super::space::Space;
 use super::travel::Gap;
 use super::travel::{Place, node_at};
 use crate::geometry::DVec2;
-use crate::problem::TABLES;
 
 /// How far one item is from places: what a table says lies at hand.
 pub(super) struct Reaching<'s> {
@@ -21,7 +20,7 @@ impl Reaching<'_> {
     #[inline(always)]
     pub(super) fn at_least(&self, p: Place, back: bool) -> f64 {
         match self.rows[usize::from(back)] {
-            Some(row) if TABLES => row[node_at(p) as usize],
+            Some(row) => row[node_at(p) as usize],
             _ => self.space.at_least(p, self.item, back),
         }
     }

@@ -12,7 +12,7 @@
 use super::index::index;
 use crate::geometry::DVec2;
 use crate::machine::AirTime;
-use crate::problem::{NodeId, Problem, TABLES, Table};
+use crate::problem::{NodeId, Problem, Table};
 use std::borrow::Cow;
 
 /// Most nodes in the plane for a table of travel of their own: it takes 1.3 MB, which stays near the processor.
@@ -86,7 +86,7 @@ impl<'p> Travel<'p> {
     #[inline(always)]
     pub(super) fn seconds_here(&self, from: Place, to: Place) -> f64 {
         match &self.table {
-            Some(table) if TABLES => table.cost(node_at(from), node_at(to)),
+            Some(table) => table.cost(node_at(from), node_at(to)),
             _ => self.air.seconds_here(from, to),
         }
     }
@@ -98,7 +98,7 @@ impl<'p> Travel<'p> {
 
     /// The least costs from every node to (`back`: to every node from) any place of an item, where a table has them at hand.
     pub(super) fn leasts(&self, item: u32, back: bool) -> Option<&[f64]> {
-        let nodes = self.table.as_ref().filter(|_| TABLES)?.nodes();
+        let nodes = self.table.as_ref()?.nodes();
         let first = item as usize * nodes;
         self.least[usize::from(back && !self.symmetric)].get(first..first + nodes)
     }
@@ -118,7 +118,7 @@ impl<'p> Travel<'p> {
     pub(super) fn fan(&self, from: Place, places: &[Place], mut each: impl FnMut(usize, f64)) {
         match (&self.table, places) {
             // Nodes of an item follow one another.
-            (Some(table), [first, ..]) if TABLES => {
+            (Some(table), [first, ..]) => {
                 let row = table.row(node_at(from), node_at(*first), places.len());
                 row.iter().enumerate().for_each(|(k, &cost)| each(k, cost));
             }
@@ -130,21 +130,20 @@ impl<'p> Travel<'p> {
     /// same: two rows that lie at hand, while a column does not.
     pub(super) fn both_ways(&self, from: Place, to: Place, places: &[Place]) -> Option<[&[f64]; 2]> {
         let (table, first) =
-            (self.table.as_ref().filter(|_| TABLES && self.symmetric)?, node_at(*places.first()?));
+            (self.table.as_ref().filter(|_| self.symmetric)?, node_at(*places.first()?));
         Some([from, to].map(|p| table.row(node_at(p), first, places.len())))
     }
 
     /// Whether costs come from a table.
     pub(super) fn by_table(&self) -> bool {
-        TABLES && self.table.is_some()
+        self.table.is_some()
     }
 }
 
 /// The seconds between all nodes, and home after them, of a problem with a choice of points to enter items at, none of
 /// which is left unfinished. No sheet is one: closed contours have tracks, open ones two ends, and points no choice.
 fn of_points(problem: &Problem, air: &AirTime) -> Option<Table> {
-    let points = TABLES
-        && (problem.items.len() + 1..=MOST_NODES).contains(&problem.nodes.len())
+    let points = (problem.items.len() + 1..=MOST_NODES).contains(&problem.nodes.len())
         && problem.items.iter().all(|item| item.track.is_none() && item.leave.is_none() && !item.is_uneven())
         && (0..).zip(&problem.nodes).all(|(id, node)| node.twin == id);
     if !points {

@@ -1,6 +1,7 @@
-// Keeps the page for when there is no network: all its files, put by on the first visit. The build fills in which they
-// are and a version made of their contents. A newer version is put by while the old one is open and takes its place at
-// the next visit, so that a page never mixes files of two builds. Nothing but the page's own files passes through here.
+// Keeps the page for when there is no network. The files of a first visit are stored at once; what is loaded on demand (the
+// PNG renderer, the methods of papers, further samples) is stored when it is first used. The build fills in which files
+// these are and a version made of their contents. A newer version is stored while the old one is open and takes its place
+// at the next visit, so that a page never mixes files of two builds. Nothing but the page's own files passes through here.
 
 const VERSION = 'kerfway-__VERSION__';
 const FILES = __FILES__;
@@ -24,7 +25,10 @@ self.addEventListener('fetch', (event) => {
   const answer = async () => {
     const cache = await caches.open(VERSION);
     const kept = await cache.match(request.mode === 'navigate' ? './' : request, { ignoreSearch: true });
-    return kept ?? fetch(request);
+    if (kept !== undefined) return kept;
+    const fetched = await fetch(request);
+    if (fetched.ok) await cache.put(request, fetched.clone());
+    return fetched;
   };
   event.respondWith(answer());
 });

@@ -49,13 +49,13 @@ function proven({ length, lower_bound: bound }: Solved): string {
 
 async function searched(file: string, seed: number, moves: number, limit: number): Promise<Solved> {
   const bytes = await bytesOf(file);
-  const lab = await import('../pkg/kerfway_lab.js');
-  lab.initSync({ module: await readFile(new URL('../pkg/kerfway_lab_bg.wasm', import.meta.url)) });
+  const research = await import('../pkg/kerfway_research.js');
+  research.initSync({ module: await readFile(new URL('../pkg/kerfway_research_bg.wasm', import.meta.url)) });
   const start = performance.now();
   const passed = () => (performance.now() - start) / 1000;
   let solving;
   try {
-    solving = new lab.Solving(bytes, seed);
+    solving = new research.Solving(bytes, seed);
   } catch (error) {
     throw new Unusable(`${file}: ${(error as Error).message}`);
   }

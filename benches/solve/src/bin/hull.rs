@@ -50,7 +50,7 @@ fn bench() -> Result<(), String> {
                 }
             }
             // The paper's value is that of the code; the plan is read from it.
-            let length = search.insight().curves.first().map(|c| c.value);
+            let length = search.insight().and_then(|i| i.curves.first().map(|c| c.value));
             let cost = search.best().cost;
             println!(
                 "{}",

@@ -100,14 +100,14 @@ fn run(source: &Source, name: &str, seed: u64, options: &Options) -> Result<serd
         let step = search.step(SLICE);
         if step.improved {
             length = checked(search.as_ref());
-            found = search.insight().round;
+            found = search.insight().map_or(0, |i| i.round);
         }
         let known = length.as_ref().is_ok_and(|length| source.known.is_some_and(|k| *length <= k + 1e-6));
         let seconds = clock.elapsed().as_secs_f64();
         if step.status == Status::Exhausted || seconds >= options.seconds || known {
             return Ok(serde_json::json!({
                 "instance": source.name, "items": source.problem.items.len(), "known": source.known, "method": name,
-                "seed": seed, "length": length.as_ref().ok(), "fault": length.as_ref().err(), "found": found, "rounds": search.insight().round,
+                "seed": seed, "length": length.as_ref().ok(), "fault": length.as_ref().err(), "found": found, "rounds": search.insight().map_or(0, |i| i.round),
                 "seconds": seconds, "moves": search.telemetry().moves,
             }));
         }

@@ -12,7 +12,7 @@ use super::decode::Decoder;
 use super::filling::Filling;
 use crate::order::{real, sort_by};
 use crate::solve::dice::Dice;
-use crate::solve::papers::insight::{Curve, Grid, Insight};
+use crate::solve::{Curve, Grid, Insight};
 use crate::solve::papers::lead::{Lead, Pieces};
 
 /// Genes in memory at most, parents and children: 128 MB. On 10,000 contours of 8 nodes, 200 chromosomes are within it.

@@ -5,7 +5,7 @@
 //! moved by (19) and (20) with inertia (16), learning factors (17) and a chaotic number (18) that change from iteration
 //! to iteration, or sent on Levy flights (21)-(24) when the threshold (25)-(27) says so (`rules.rs`).
 
-use super::super::insight::Curve;
+use crate::solve::Curve;
 use super::super::legs::Measure;
 use super::flock::{Flock, Pull};
 use super::prospect::{Outcomes, Prospect};

@@ -1,7 +1,7 @@
 //! A swarm method under way: the rows of pieces that all of them share. What differs is a [`Guide`]'s: where the swarm is
 //! sown, and how it moves.
 
-use super::super::insight::{Curve, Insight};
+use crate::solve::{Curve, Insight};
 use super::super::keys::Keys;
 use super::super::lead::{Lead, Pieces, Running, solution};
 use super::super::left::Left;

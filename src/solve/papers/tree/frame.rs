@@ -17,7 +17,7 @@ use super::walk::{keeps_precedence, solution, walk};
 use crate::problem::{ItemId, NodeId, Problem};
 use crate::solve::epsilon::EPSILON;
 use crate::solve::greedy;
-use crate::solve::papers::insight::{Curve, Insight};
+use crate::solve::{Curve, Insight};
 use crate::solve::papers::lead::{Lead, Pieces};
 use rustc_hash::FxHashSet;
 

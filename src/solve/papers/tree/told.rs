@@ -1,7 +1,7 @@
 //! The partitions of a path, for whoever draws them.
 
 use crate::problem::Problem;
-use crate::solve::papers::insight::{Parent, Partitions};
+use crate::solve::{Parent, Partitions};
 use crate::solve::{Solution, Stop};
 
 /// Every place at which a contour is left makes a partition of what is cut until it is resumed.

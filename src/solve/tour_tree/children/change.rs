@@ -4,7 +4,6 @@
 use super::super::index::index;
 use super::super::space::Space;
 use super::tree::{Change, NONE, Tree};
-use crate::problem::PATHS;
 
 impl Tree {
     /// Moves a touch along its item.
@@ -140,7 +139,7 @@ impl Tree {
     pub(super) fn turning(&self, space: &Space, first: u32, last: u32) -> f64 {
         let mut sum = 0.0;
         let mut stop = first;
-        while PATHS && !space.lopsided.is_empty() {
+        while !space.lopsided.is_empty() {
             if space.two_ends(stop) {
                 sum += space.extra(stop, self.at(stop) ^ 1) - space.extra(stop, self.at(stop));
             }

@@ -11,7 +11,6 @@ use super::kept::Kept;
 use super::space::Space;
 use super::travel::Gap;
 use super::travel::Place;
-use crate::problem::PATHS;
 use journal::Change;
 
 /// An order of items with entries.
@@ -258,9 +257,6 @@ impl<'p> Tour<'p> {
 
     /// The same of pierce groups in the stretch alone: ways out and back through them differ.
     fn turning_over(&self, from: usize, to: usize) -> f64 {
-        if !PATHS {
-            return 0.0;
-        }
         let within = |&&i: &&u32| (from..=to).contains(&self.position(i));
         let over = |&i: &u32| self.space.extra(i, self.at(i) ^ 1) - self.extra(i);
         self.space.lopsided.iter().filter(within).map(over).sum()

@@ -1,9 +1,18 @@
-//! Benchmark instances and lower bounds for JavaScript, in a wasm file of its own: it is loaded when they are wanted.
+//! Published methods and benchmark instances for JavaScript: what the research build has beyond the planner.
 
+use super::plain::plain;
 use crate::job;
-use crate::plan::LowerBound;
-use crate::problem::Problem;
+use crate::solve::papers;
 use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = "import type { PaperMethod } from '../protocol.js';";
+
+/// The methods of published papers, with their parameters.
+#[wasm_bindgen(js_name = paperMethods, unchecked_return_type = "PaperMethod[]")]
+pub fn paper_methods() -> Result<JsValue, JsError> {
+    plain(&papers::cards())
+}
 
 /// The default method on an instance of the TSPLIB family.
 #[wasm_bindgen]
@@ -32,7 +41,7 @@ impl Solving {
         self.0.step(work.into())
     }
 
-    /// What no tour is shorter than, if that is known.
+    /// The length that no tour is shorter than, if it is known.
     #[wasm_bindgen(js_name = lowerBound)]
     pub fn lower_bound(&self) -> Option<f64> {
         self.0.lower_bound()
@@ -48,28 +57,8 @@ impl Solving {
         self.0.tour()
     }
 
-    /// Its length, added up anew, once the tour has passed its check.
+    /// The length of the best tour, added up again once the tour has passed its check.
     pub fn length(&self) -> Result<f64, JsError> {
         Ok(self.0.length()?)
-    }
-}
-
-/// The lower bound of a problem that a planner handed over.
-#[wasm_bindgen]
-pub struct Prover(LowerBound);
-
-#[wasm_bindgen]
-impl Prover {
-    /// From the numbers of `Job.packed`.
-    #[wasm_bindgen(constructor)]
-    pub fn new(numbers: &[f64]) -> Result<Prover, JsError> {
-        let problem = Problem::unpacked(numbers).ok_or(JsError::new("These numbers are no problem."))?;
-        Ok(Prover(LowerBound::new(&problem)))
-    }
-
-    /// Works on it; `upper` is the cost of a known solution. Gives what is proven, in seconds.
-    pub fn improve(&mut self, work: u32, upper: f64) -> f64 {
-        self.0.improve(work, upper);
-        self.0.value()
     }
 }
