@@ -52,7 +52,7 @@ export async function bench(args) {
   if (wrong !== undefined) throw new Stop(`There is no table ${wrong}: ${Object.keys(TABLES).join(', ')}.`);
   const sheets = SHEETS.filter(([name]) => values.only === undefined || values.only.includes(name));
   if (sheets.length === 0) throw new Stop(`No such sheet: ${values.only}.`);
-  setup();
+  await setup();
   console.log('bench: the partition-tree, natively');
   run('cargo', ['build', '--release', '--manifest-path', join(ROOT, 'benches', 'solve', 'Cargo.toml'), '--bin', 'dewil']);
   for (const t of tables) {

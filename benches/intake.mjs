@@ -22,8 +22,8 @@ const SEED = 1;
 const TARGETS = { read: 500, memory: 250, assemble: 1000, hostile: 1000 };
 
 export async function bench() {
-  setup();
-  build();
+  await setup();
+  await build();
   // Not --locked: the lock file of this crate follows the dependencies of ours.
   console.log('bench: the readers side by side');
   run('wasm-pack', [

@@ -25,8 +25,8 @@ const PATIENCE = 120_000;
 const TARGETS = { interactive: 1000, task: 50 };
 
 export async function bench() {
-  setup({ browser: true });
-  build();
+  await setup({ tests: true });
+  await build();
   const server = await serve(join(DIST, 'app'));
   const browser = await chromium.launch({ executablePath: findBrowser(), args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--no-first-run'] });
   try {

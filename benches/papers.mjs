@@ -34,7 +34,7 @@ export async function bench(args) {
   const unknown = names.find((name) => !(name in TABLES));
   if (unknown !== undefined) throw new Stop(`There is no table ${unknown}: ${Object.keys(TABLES).join(', ')}.`);
   const instances = new Instances(values.data);
-  setup();
+  await setup();
   build();
   const rounds = values.rounds === undefined ? undefined : Number(values.rounds);
   for (const name of names) {

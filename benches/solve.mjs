@@ -56,7 +56,7 @@ export async function bench(args) {
   const unknown = positionals.find((name) => !(name in SETS));
   if (unknown !== undefined) throw new Stop(`There is no set ${unknown}: ${Object.keys(SETS).join(', ')}.`);
   const instances = new Instances(values.data);
-  setup();
+  await setup({ tests: true });
   build();
   const chosen = positionals.length > 0 ? positionals : Object.keys(SETS);
   for (const name of chosen) {
@@ -130,7 +130,7 @@ async function sheets({ seconds, seeds, only, cpu, instances }) {
 
 /** The package's own pool on the sheets: as many workers as there are cores. */
 async function pool({ seconds, only, instances }) {
-  buildAll();
+  await buildAll();
   const { plan } = await import(pathToFileURL(join(DIST, 'sdk', 'node.js')).href);
   const workers = availableParallelism();
   const lines = [];

@@ -5,22 +5,24 @@ import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { ask, firstOf, LOCAL_TOOLS, main, ROOT, run, Stop } from './tools.mjs';
+import { quietly, together } from './together.mjs';
+import { ask, ENV, firstOf, LOCAL_TOOLS, main, ROOT, run, Stop } from './tools.mjs';
 
 const WASM_TARGET = 'wasm32-unknown-unknown';
 const WASM_PACK = '0.15.1';
 
 const say = (line) => console.log(`set-up: ${line}`);
 
-/** Everything a build needs; with `browser`, also what the browser tests and the test of the queue need. */
-export function setup({ browser = false } = {}) {
+/** Brings in everything a build needs; with `tests`, also what `npm test` needs. */
+export async function setup({ tests = false } = {}) {
+  await together(missing({ tests }));
+}
+
+/** The tasks that bring in what is missing; what takes no time is done at once. */
+export function missing({ tests = false } = {}) {
   rust();
-  wasmPack();
-  wasmBindgen();
-  npmPackages();
-  if (!browser) return;
-  chromium();
-  redis();
+  const tasks = [...npmPackages(), ...wasmBindgen()];
+  return tests ? [...tasks, ...wasmPack(), ...fromApt()] : tasks;
 }
 
 function rust() {
@@ -45,10 +47,13 @@ function rust() {
   }
 }
 
-function wasmPack() {
-  if (ask('wasm-pack', '--version') !== null) return;
-  say(`installing wasm-pack ${WASM_PACK} with cargo (2 to 5 minutes)`);
-  run('cargo', ['install', 'wasm-pack', '--locked', '--version', WASM_PACK]);
+// Tools for building run for a second: they are compiled for a short build, not for a fast tool.
+const QUICK_TO_COMPILE = { CARGO_PROFILE_RELEASE_OPT_LEVEL: '1', CARGO_PROFILE_RELEASE_LTO: 'off', CARGO_PROFILE_RELEASE_CODEGEN_UNITS: '16' };
+
+function cargoInstall(name, version, usually, ...where) {
+  const args = ['install', name, '--locked', '--version', version, ...where];
+  const work = () => quietly('cargo', args, { env: { ...ENV, ...QUICK_TO_COMPILE } });
+  return [{ name: `set-up: compiling ${name} ${version}`, usually, work }];
 }
 
 // wasm-bindgen writes the JavaScript beside the wasm and must be exactly the version the crate was built with. When
@@ -57,19 +62,25 @@ function wasmBindgen() {
   const wanted = /name = "wasm-bindgen"\nversion = "(.*)"/.exec(read('Cargo.lock'))[1];
   const found = ask('wasm-bindgen', '--version');
   const runner = ask('wasm-bindgen-test-runner', '--version');
-  if (found?.endsWith(` ${wanted}`) && runner !== null) return;
-  say(`installing wasm-bindgen-cli ${wanted} with cargo (3 to 8 minutes)`);
-  const where = found === null ? [] : ['--root', LOCAL_TOOLS];
-  run('cargo', ['install', 'wasm-bindgen-cli', '--locked', '--version', wanted, ...where]);
+  if (found?.endsWith(` ${wanted}`) && runner !== null) return [];
+  return cargoInstall('wasm-bindgen-cli', wanted, '2 to 4 minutes', ...(found === null ? [] : ['--root', LOCAL_TOOLS]));
+}
+
+/** Runs the wasm tests under Node. */
+function wasmPack() {
+  if (ask('wasm-pack', '--version') !== null) return [];
+  return cargoInstall('wasm-pack', WASM_PACK, '2 to 4 minutes');
 }
 
 function npmPackages() {
   const stamp = join(ROOT, 'node_modules', '.kerfway-lock');
   const lock = createHash('sha256').update(read('package-lock.json')).digest('hex');
-  if (existsSync(stamp) && readFileSync(stamp, 'utf8') === lock) return;
-  say('installing the npm packages of package-lock.json');
-  run('npm', ['ci', '--no-audit', '--no-fund', '--loglevel=error']);
-  writeFileSync(stamp, lock);
+  if (existsSync(stamp) && readFileSync(stamp, 'utf8') === lock) return [];
+  const work = async () => {
+    await quietly('npm', ['ci', '--no-audit', '--no-fund', '--loglevel=error']);
+    writeFileSync(stamp, lock);
+  };
+  return [{ name: 'set-up: installing the npm packages of package-lock.json', usually: 'half a minute', work }];
 }
 
 const BROWSERS = [
@@ -87,28 +98,23 @@ export function findBrowser() {
   return process.env.CHROME_PATH ?? firstOf(BROWSERS);
 }
 
-function chromium() {
-  if (findBrowser() !== undefined) return;
-  const root = process.getuid?.() === 0;
-  if (root && ask('apt-get', '--version') !== null) {
-    say('installing Chromium with apt-get, for the browser tests');
-    run('apt-get', ['update', '-q']);
-    run('apt-get', ['install', '-y', '-q', '--no-install-recommends', 'chromium']);
-    if (findBrowser() !== undefined) return;
+/** Chromium for the browser tests, and a Redis for the test of the queue example, which is skipped where there is none. */
+function fromApt() {
+  const chromium = findBrowser() === undefined;
+  const redis = process.env.REDIS_URL === undefined && firstOf(['valkey-server', 'redis-server']) === undefined;
+  const apt = process.getuid?.() === 0 && ask('apt-get', '--version') !== null;
+  if (chromium && !apt) {
+    throw new Stop('The browser tests need Chromium or Chrome. Run: sudo apt-get install chromium (or set CHROME_PATH).');
   }
-  throw new Stop(
-    'The browser tests need Chromium or Chrome. Run: sudo apt-get install chromium (or set CHROME_PATH).',
-  );
-}
-
-/** The queue example needs one; where there is none, its test says so and is left out. */
-function redis() {
-  if (process.env.REDIS_URL !== undefined || firstOf(['valkey-server', 'redis-server']) !== undefined) return;
-  if (process.getuid?.() !== 0 || ask('apt-get', '--version') === null) return;
-  say('installing redis-server with apt-get, for the test of the queue');
-  if (ask('apt-get', 'update', '-q') === null || ask('apt-get', 'install', '-y', '-q', '--no-install-recommends', 'redis-server') === null) {
-    say('redis-server cannot be installed: the test of the queue will be left out');
-  }
+  const wanted = [...(chromium ? ['chromium'] : []), ...(redis && apt ? ['redis-server'] : [])];
+  if (wanted.length === 0) return [];
+  const install = (name) => quietly('apt-get', ['install', '-y', '-q', '--no-install-recommends', name]);
+  const work = async () => {
+    await quietly('apt-get', ['update', '-q']);
+    if (chromium) await install('chromium');
+    if (redis) await install('redis-server').catch(() => say('redis-server cannot be installed: the test of the queue will be skipped'));
+  };
+  return [{ name: `set-up: installing ${wanted.join(' and ')} with apt-get, for the tests`, usually: 'a minute', work }];
 }
 
 function read(name) {
@@ -121,8 +127,8 @@ function older(found, wanted) {
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
-  main(() => {
-    setup({ browser: process.argv.includes('--browser') });
-    say('all there');
+  main(async () => {
+    await setup({ tests: process.argv.includes('--tests') });
+    say('everything is there');
   });
 }

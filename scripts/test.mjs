@@ -25,7 +25,7 @@ const AFTER_BUILD = [
 ];
 
 main(async () => {
-  setup({ browser: true });
+  await setup({ tests: true });
   const results = [];
   for (const step of CHECKS) results.push(await check(step));
   results.push(await attempt('build', build));

@@ -14,7 +14,7 @@ const WATCHED = 12_000;
 export const tables = { stop };
 
 async function stop({ only, instances }) {
-  build();
+  await build();
   const sdk = join(DIST, 'sdk');
   const [{ stepFor }, research] = await Promise.all(['slice.js', 'pkg/kerfway_research.js'].map((file) => import(join(sdk, file))));
   research.initSync({ module: readFileSync(join(sdk, 'pkg', 'kerfway_research_bg.wasm')) });

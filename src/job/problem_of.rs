@@ -2,15 +2,11 @@
 
 use crate::machine::Profile;
 use crate::problem::{self, Problem};
-use crate::sheet::{PIERCE_GROUPS, Sheet};
+use crate::sheet::Sheet;
 use crate::solve::pierce_group;
 
 /// The problem of cutting a sheet on a machine, with the paths through its pierce groups.
 pub fn problem_of(sheet: &Sheet, machine: &Profile) -> Problem {
-    let paths = if PIERCE_GROUPS {
-        pierce_group::paths(&problem::group_problems(sheet, machine))
-    } else {
-        Vec::new()
-    };
+    let paths = pierce_group::paths(&problem::group_problems(sheet, machine));
     problem::from_sheet(sheet, machine, &paths)
 }

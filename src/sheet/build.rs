@@ -4,9 +4,7 @@ use super::about::{self, layer_name, plural};
 use super::assemble::{Assembled, assemble};
 use super::clean::clean;
 use super::groups::{self, PierceGroup};
-use super::model::{
-    CommonCuts, Contour, Ignored, LayerUse, Operation, Pin, Sheet, SheetOptions,
-};
+use super::model::{CommonCuts, Contour, Ignored, LayerUse, Operation, Pin, Sheet, SheetOptions};
 use super::source::Source;
 use super::{cross, exclude, layers, nest, outline, parts};
 use crate::dxf::Drawing;

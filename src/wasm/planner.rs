@@ -31,7 +31,8 @@ pub fn machines() -> Result<JsValue, JsError> {
 /// the plan can be made again.
 #[wasm_bindgen(js_name = randomSeed)]
 pub fn random_seed() -> Result<u32, JsError> {
-    getrandom::u32().map_err(|e| JsError::new(&format!("This platform gives no random numbers: {e}. Give a seed.")))
+    getrandom::u32()
+        .map_err(|e| JsError::new(&format!("This platform gives no random numbers: {e}. Give a seed.")))
 }
 
 /// The lines of the beam where they are not those drawn, and what is cut once for two parts.

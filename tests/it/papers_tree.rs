@@ -109,7 +109,8 @@ fn the_tree_improves_on_its_construction_and_on_a_tour_where_parts_are_close() {
     let cost = |method: &str, parameters: &str| {
         let mut search = paper(method, parameters, &problem, 1);
         while search.step(100_000).status == Status::Running {}
-        let values = search.insight().unwrap().curves.into_iter().map(|c| (c.name, c.value)).collect::<Vec<_>>();
+        let values =
+            search.insight().unwrap().curves.into_iter().map(|c| (c.name, c.value)).collect::<Vec<_>>();
         (search.best().cost, values)
     };
     let (tree, values) = cost("partition-tree", "{}");

@@ -2,8 +2,8 @@
 //! the last one is paid for: so it comes to the same however its work is sliced, and a piece larger than a slice is
 //! paid for by the slices after it. What it has done, what it owes and what it has found are kept in one place.
 
-use crate::solve::Insight;
 use crate::problem::{NodeId, Problem};
+use crate::solve::Insight;
 use crate::solve::{Search, Solution, Status, Step, Stop, Telemetry};
 
 /// The best so far by the measure of a method, and the moves done.

@@ -129,8 +129,7 @@ impl<'p> Travel<'p> {
     /// Costs from `from`, and back to `to`, of each of an item's places, where a table says them and ways back cost the
     /// same: two rows that lie at hand, while a column does not.
     pub(super) fn both_ways(&self, from: Place, to: Place, places: &[Place]) -> Option<[&[f64]; 2]> {
-        let (table, first) =
-            (self.table.as_ref().filter(|_| self.symmetric)?, node_at(*places.first()?));
+        let (table, first) = (self.table.as_ref().filter(|_| self.symmetric)?, node_at(*places.first()?));
         Some([from, to].map(|p| table.row(node_at(p), first, places.len())))
     }
 

@@ -4,9 +4,9 @@ use super::code::{Code, cross, mutate};
 use super::fitness::fitness;
 use crate::problem::{ItemId, NodeId, Problem};
 use crate::solve::dice::Dice;
-use crate::solve::{Curve, Insight};
 use crate::solve::papers::lead::{Lead, Pieces, Running, solution};
 use crate::solve::papers::{Legs, Measure, Repair};
+use crate::solve::{Curve, Insight};
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 

@@ -12,8 +12,8 @@ use super::decode::Decoder;
 use super::filling::Filling;
 use crate::order::{real, sort_by};
 use crate::solve::dice::Dice;
-use crate::solve::{Curve, Grid, Insight};
 use crate::solve::papers::lead::{Lead, Pieces};
+use crate::solve::{Curve, Grid, Insight};
 
 /// Genes in memory at most, parents and children: 128 MB. On 10,000 contours of 8 nodes, 200 chromosomes are within it.
 const MOST_GENES: usize = 1 << 25;

@@ -10,8 +10,8 @@ use super::flock::Flock;
 use super::model::Gene;
 use super::rules::Rule;
 use crate::solve::dice::Dice;
-use crate::solve::{Curve, Insight};
 use crate::solve::papers::lead::{Lead, Pieces};
+use crate::solve::{Curve, Insight};
 
 /// Keys in memory at most, 128 MB. A rule holds three of each member's at most: on 10,000 contours of 8 nodes, a flock of
 /// 200 is cut to 69.

@@ -5,7 +5,6 @@
 //! moved by (19) and (20) with inertia (16), learning factors (17) and a chaotic number (18) that change from iteration
 //! to iteration, or sent on Levy flights (21)-(24) when the threshold (25)-(27) says so (`rules.rs`).
 
-use crate::solve::Curve;
 use super::super::legs::Measure;
 use super::flock::{Flock, Pull};
 use super::prospect::{Outcomes, Prospect};
@@ -13,6 +12,7 @@ use super::proximity::Proximity;
 use super::rules::{Levy, add_distances, inertia, kappa, learning, singer, tau};
 use super::run::{Guide, Run, Settings};
 use crate::problem::{NodeId, Problem};
+use crate::solve::Curve;
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;

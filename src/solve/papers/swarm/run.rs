@@ -1,7 +1,6 @@
 //! A swarm method under way: the rows of pieces that all of them share. What differs is a [`Guide`]'s: where the swarm is
 //! sown, and how it moves.
 
-use crate::solve::{Curve, Insight};
 use super::super::keys::Keys;
 use super::super::lead::{Lead, Pieces, Running, solution};
 use super::super::left::Left;
@@ -11,6 +10,7 @@ use super::worth::{Valued, Worth};
 use crate::problem::{NodeId, Problem};
 use crate::solve::Search;
 use crate::solve::dice::Dice;
+use crate::solve::{Curve, Insight};
 use std::ops::Range;
 
 /// Keys moved in one piece: with two normal numbers for each, half a millisecond.

@@ -17,8 +17,8 @@ use super::walk::{keeps_precedence, solution, walk};
 use crate::problem::{ItemId, NodeId, Problem};
 use crate::solve::epsilon::EPSILON;
 use crate::solve::greedy;
-use crate::solve::{Curve, Insight};
 use crate::solve::papers::lead::{Lead, Pieces};
+use crate::solve::{Curve, Insight};
 use rustc_hash::FxHashSet;
 
 pub(super) struct Frame<'p> {

@@ -8,10 +8,10 @@ use super::forest::{Forest, ROOT};
 use super::ground::Ground;
 use super::{entries, walk};
 use crate::problem::{Groups, Item, NodeId, Problem};
-use crate::solve::{Curve, Insight};
 use crate::solve::papers::lead::{Lead, Pieces, solution};
 use crate::solve::papers::repair::Repair;
 use crate::solve::tour_tree::TourTree;
+use crate::solve::{Curve, Insight};
 use crate::solve::{Search, Solution, Solver, greedy};
 
 type Searching<'p> = Box<dyn Search + 'p>;
