@@ -15,7 +15,6 @@ use crate::geometry::Path;
 use crate::machine::{ClosedRun, Profile};
 use glam::DVec2;
 
-
 /// A place where an item may be entered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
