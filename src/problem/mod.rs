@@ -1,8 +1,6 @@
 //! What a solver sees: items, the nodes where each may be entered, the cost of travel, and what must come before
 //! what. Solvers know nothing else.
 
-mod buckets;
-mod cells;
 mod entries;
 mod from_sheet;
 mod group_problem;
@@ -14,8 +12,6 @@ mod pierce_groups;
 mod sub_path;
 mod table;
 
-pub use buckets::Buckets;
-pub use cells::Cells;
 pub use from_sheet::from_sheet;
 pub use group_problem::{Element, GroupMethod, GroupProblem, GroupProblems, group_problems};
 pub use groups::Groups;

@@ -6,10 +6,10 @@
 
 use super::precedence::Precedence;
 use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
-use crate::geometry::Aabb;
+use crate::geometry::{Aabb, Buckets};
 use crate::machine::AirTime;
 use crate::order::sort_by;
-use crate::problem::{Buckets, ItemId, NodeId, Problem};
+use crate::problem::{ItemId, NodeId, Problem};
 
 /// Always to the nearest entry that may come next; ties go to the lower node. Feasible.
 pub fn greedy(problem: &Problem) -> Solution {

@@ -1,6 +1,6 @@
 //! Splines and ellipses become lines and arcs: measured against a dense evaluation of the curve itself.
 
-use kerfway::geometry::{Affine, Arc, CurveError, DVec2, Ellipse, Grid, Nurbs, Segment, math};
+use kerfway::geometry::{Aabb, Affine, Arc, BoxIndex, CurveError, DVec2, Ellipse, Nurbs, Segment, math};
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use std::f64::consts::{PI, TAU};
@@ -52,15 +52,18 @@ fn two_sided(curve: &dyn Fn(f64) -> DVec2, segments: &[Segment]) -> f64 {
     let points = polyline(curve);
     let to_fit = |p: &DVec2| segments.iter().map(|s| s.nearest(*p).1).fold(f64::INFINITY, f64::min).sqrt();
     let there = points.iter().map(to_fit).fold(0.0, f64::max);
-    let grid = Grid::even(&points);
+    let chords: Vec<Segment> = points.windows(2).map(|w| Segment::line(w[0], w[1])).collect();
+    let index = BoxIndex::new(chords.iter().map(Segment::bounds));
     let to_curve = |p: DVec2| {
-        // The chords at every point within a chord of the nearest.
-        let nearest = grid.nearest(p, 1).first().map_or(0.0, |i| points[*i].distance(p));
-        grid.within(p, nearest + 2.0 * CHORD)
-            .into_iter()
-            .flat_map(|i| points[i.saturating_sub(1)..(i + 2).min(points.len())].windows(2))
-            .map(|w| Segment::line(w[0], w[1]).nearest(p).1.sqrt())
-            .fold(f64::INFINITY, f64::min)
+        let mut reach = CHORD;
+        loop {
+            let near = index.query(Aabb::of(p).grown(reach)).into_iter();
+            let least = near.map(|i| chords[i].nearest(p).1.sqrt()).fold(f64::INFINITY, f64::min);
+            if least <= reach || reach > 1e9 {
+                return least;
+            }
+            reach *= 2.0;
+        }
     };
     let places = segments.iter().flat_map(|s| (0..=12).map(move |k| s.at(f64::from(k) / 12.0)));
     let back = places.map(to_curve).fold(0.0, f64::max);

@@ -1,7 +1,7 @@
 //! Intersections, inside tests, grid and box index, against brute force.
 
 use kerfway::geometry::{
-    Aabb, Arc, BoxIndex, DVec2, Grid, Path, Segment, interior_point, intersect, math, winding,
+    Aabb, Arc, BoxIndex, DVec2, Path, Segment, interior_point, intersect, math, winding,
 };
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -276,48 +276,6 @@ fn an_interior_point_is_inside() {
     assert_eq!(interior_point(&Path::new(vec![], true)), None);
     let flat = Path::new(vec![line((0.0, 0.0), (1.0, 0.0)), line((1.0, 0.0), (0.0, 0.0))], true);
     assert_eq!(interior_point(&flat), None);
-}
-
-#[test]
-fn grid_finds_what_brute_force_finds() {
-    let mut r = rng(8);
-    for round in 0..60 {
-        let n = [0, 1, 2, 50, 400][round % 5];
-        let mut points: Vec<DVec2> = (0..n).map(|_| point(&mut r, 50.0)).collect();
-        if round % 3 == 1 {
-            points.iter_mut().for_each(|p| p.y = 7.0);
-        }
-        if round % 3 == 2 && n > 10 {
-            points[3] = points[4];
-            points[5] = v(1e6, 1e6);
-            points[6] = v(f64::NAN, 0.0);
-        }
-        let grid =
-            if round % 2 == 0 { Grid::even(&points) } else { Grid::new(&points, r.random_range(1e-9..30.0)) };
-        for _ in 0..20 {
-            let p =
-                if n > 0 && r.random_bool(0.3) { points[r.random_range(0..n)] } else { point(&mut r, 80.0) };
-            if !p.is_finite() {
-                assert!(grid.nearest(p, 3).is_empty() && grid.within(p, 3.0).is_empty());
-                continue;
-            }
-            let mut all: Vec<(f64, usize)> = points
-                .iter()
-                .enumerate()
-                .filter(|(_, q)| q.is_finite())
-                .map(|(i, q)| (q.distance_squared(p), i))
-                .collect();
-            let radius: f64 = r.random_range(0.0..20.0);
-            let within: Vec<usize> = all.iter().filter(|a| a.0 <= radius * radius).map(|a| a.1).collect();
-            assert_eq!(grid.within(p, radius), within);
-            all.sort_by(|a, b| a.partial_cmp(b).unwrap());
-            let k = r.random_range(0..12);
-            let nearest: Vec<usize> = all.iter().take(k).map(|a| a.1).collect();
-            assert_eq!(grid.nearest(p, k), nearest, "round {round} {p}");
-            let odd: Vec<usize> = all.iter().map(|a| a.1).filter(|i| i % 2 == 1).take(k).collect();
-            assert_eq!(grid.nearest_where(p, k, |i| i % 2 == 1), odd);
-        }
-    }
 }
 
 #[test]

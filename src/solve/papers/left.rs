@@ -1,8 +1,8 @@
 //! What is not yet visited, and the nearest of it: nodes in a grid, or in a list where a table gives the costs.
 
 use super::legs::Legs;
-use crate::geometry::Aabb;
-use crate::problem::{Buckets, ItemId, NodeId, Problem};
+use crate::geometry::{Aabb, Buckets};
+use crate::problem::{ItemId, NodeId, Problem};
 
 /// Nodes of items not yet visited.
 #[derive(Clone)]

@@ -1,8 +1,7 @@
 //! The gates of all items by place, in square cells that stand in rows: what lies around a place is a few runs of one list.
 
 use super::travel::Place;
-use crate::geometry::Aabb;
-use crate::problem::Cells;
+use crate::geometry::{Aabb, Cells};
 
 /// Gates in a cell on average: more makes each look longer, fewer makes more cells to look at.
 const PER_CELL: f64 = 4.0;

@@ -1,8 +1,8 @@
 //! What the method sees of a problem: seconds between nodes, charges, near nodes, what lies in what.
 
-use crate::geometry::Aabb;
+use crate::geometry::{Aabb, Buckets};
 use crate::machine::AirTime;
-use crate::problem::{Buckets, ItemId, NodeId, Problem};
+use crate::problem::{ItemId, NodeId, Problem};
 use glam::DVec2;
 
 /// Near nodes of a node: with two to an item these are the nearest five contours or more, which hold all but a few

@@ -1,37 +1,37 @@
-//! Nodes by place, in square cells: searched outwards ring by ring, filled and emptied as a construction goes.
+//! Points by place, in square cells: searched outwards ring by ring, filled and emptied as a construction goes.
 
+use super::aabb::Aabb;
 use super::cells::Cells;
-use super::ids::NodeId;
-use crate::geometry::{Aabb, DVec2};
+use glam::DVec2;
 
-/// Nodes to a cell, on average: a ring of 8 cells then holds the nearest few contours.
-const NODES_PER_CELL: f64 = 8.0;
+/// Points to a cell, on average: a ring of 8 cells then holds the nearest few contours.
+const POINTS_PER_CELL: f64 = 8.0;
 
-/// A grid of nodes.
+/// A grid of points, each with a number.
 #[derive(Clone, Debug)]
 pub struct Buckets {
     grid: Cells,
-    cells: Vec<Vec<NodeId>>,
+    cells: Vec<Vec<u32>>,
 }
 
 impl Buckets {
-    /// An empty grid for about `count` nodes in `bounds`.
+    /// An empty grid for about `count` points in `bounds`.
     pub fn new(bounds: Aabb, count: usize) -> Self {
-        let grid = Cells::new(bounds, count as f64 / NODES_PER_CELL);
+        let grid = Cells::new(bounds, count as f64 / POINTS_PER_CELL);
         Self { cells: vec![Vec::new(); grid.columns * grid.rows], grid }
     }
 
-    /// Puts a node in at its place.
-    pub fn insert(&mut self, node: NodeId, place: DVec2) {
+    /// Puts a point in at its place.
+    pub fn insert(&mut self, id: u32, place: DVec2) {
         let cell = self.grid.cell(place);
-        self.cells[cell.1 * self.grid.columns + cell.0].push(node);
+        self.cells[cell.1 * self.grid.columns + cell.0].push(id);
     }
 
-    /// Takes a node out; `place` is where it was put in.
-    pub fn remove(&mut self, node: NodeId, place: DVec2) {
+    /// Takes a point out; `place` is where it was put in.
+    pub fn remove(&mut self, id: u32, place: DVec2) {
         let cell = self.grid.cell(place);
         let list = &mut self.cells[cell.1 * self.grid.columns + cell.0];
-        if let Some(i) = list.iter().position(|&n| n == node) {
+        if let Some(i) = list.iter().position(|&n| n == id) {
             list.swap_remove(i);
         }
     }
@@ -46,8 +46,8 @@ impl Buckets {
         self.grid.distance_of_ring(r)
     }
 
-    /// The nodes in ring `r` around the cell of `place` (0: the cell itself).
-    pub fn ring(&self, place: DVec2, r: usize) -> impl Iterator<Item = NodeId> {
+    /// The points in ring `r` around the cell of `place` (0: the cell itself).
+    pub fn ring(&self, place: DVec2, r: usize) -> impl Iterator<Item = u32> {
         let (x, y) = self.grid.cell(place);
         let (left, right) = (x.checked_sub(r), Some(x + r).filter(|&c| c < self.grid.columns));
         let columns = x.saturating_sub(r)..(x + r + 1).min(self.grid.columns);

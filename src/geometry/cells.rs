@@ -1,6 +1,7 @@
 //! Square cells over a sheet: which one a place lies in, and how far rings of cells around it reach.
 
-use crate::geometry::{Aabb, DVec2};
+use super::aabb::Aabb;
+use glam::DVec2;
 
 /// Cells along an axis at most, so that a long thin sheet needs no more memory than what lies on it.
 const MOST: f64 = 2048.0;
