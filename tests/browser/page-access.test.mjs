@@ -41,7 +41,7 @@ test('everything can be done by keyboard', async (t) => {
   // The table gave the focus back to its button, which Space would press.
   await page.evaluate(() => document.activeElement.blur());
   await key(' ');
-  const slider = page.getByRole('slider', { name: 'Moment of the job' });
+  const slider = page.getByRole('slider', { name: 'Time in the job' });
   await page.waitForFunction(() => Number(document.querySelector('#playback input').value) > 0 && Number(document.querySelector('#playback input').value) < 9000);
   await key(' ');
   assert.match(await slider.getAttribute('aria-valuetext'), /contour \d+ of 500/);
@@ -57,7 +57,7 @@ test('everything can be done by keyboard', async (t) => {
     }));
   }
   const reached = [...seen].join('\n');
-  for (const name of ['Open a DXF', 'Samples', 'Cutting order', 'theme', 'Keys and help', 'Zoom in', 'Fit the sheet', 'sheet with its cutting path', 'Moment of the job', 'Keep improving', 'G-code']) {
+  for (const name of ['Open a DXF', 'Samples', 'Cutting order', 'theme', 'Keys and help', 'Zoom in', 'Fit the sheet', 'sheet with its cutting path', 'Time in the job', 'Keep improving', 'G-code']) {
     assert.ok(reached.includes(name), `${name} is reached by Tab:\n${reached}`);
   }
   for (const line of seen) assert.doesNotMatch(line, / none$/, 'the focus is visible');

@@ -15,7 +15,7 @@ const open = (page, title) =>
 const method = (page) => page.getByLabel('Method');
 const seconds = (page) => page.evaluate(() => document.querySelector('.dock-head').textContent);
 
-test('a method of a paper is chosen, tells of itself, takes parameters and is undone', async (t) => {
+test('a method from a paper is chosen, shows its figures, takes parameters and is undone', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=300' });
   await phase(page, 'planning');
   await open(page, 'Plan');
@@ -41,7 +41,7 @@ test('a method of a paper is chosen, tells of itself, takes parameters and is un
   assert.match(await seconds(page), /^Stopped/);
 });
 
-test('a parameter that cannot be is told in a sentence, the drawing stays', async (t) => {
+test('an invalid parameter is explained in a sentence, and the drawing stays', async (t) => {
   const { page } = await openPage(t, { hash: 'method=rlsga&seconds=300' });
   await page.waitForFunction(() => document.querySelector('[aria-label=Method]')?.value === 'rlsga');
   await open(page, 'Plan');
@@ -53,7 +53,7 @@ test('a parameter that cannot be is told in a sentence, the drawing stays', asyn
   await phase(page, 'planning');
 });
 
-test('a contour is pinned, the start chosen on the sheet, and the address shares what can be shared', async (t) => {
+test('a contour is pinned, the start is chosen on the sheet, and the address holds the settings', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning');
   await page.locator('body').press('ArrowRight');
@@ -61,7 +61,7 @@ test('a contour is pinned, the start chosen on the sheet, and the address shares
   await page.waitForFunction(() => document.querySelector('.card.contour [aria-pressed=true]')?.textContent === 'Cut last' || document.querySelector('.card.contour').hidden);
   await phase(page, 'planning', 'done');
   await open(page, 'Machine');
-  await open(page, 'Numbers');
+  await open(page, 'Advanced settings');
   await page.getByRole('button', { name: 'Choose the start on the sheet' }).click();
   const box = await page.locator('#canvas').boundingBox();
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
@@ -72,18 +72,18 @@ test('a contour is pinned, the start chosen on the sheet, and the address shares
   assert.ok(!(await page.evaluate(() => location.href)).includes('sheet_500'), 'never the drawing');
 });
 
-test('a machine is kept under a name, exported, forgotten and imported', async (t) => {
+test('a machine is saved under a name, exported, deleted and imported', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning');
   await open(page, 'Machine');
   await open(page, 'Your machines');
   await page.getByLabel('Name of your machine').fill('Shop laser');
-  await page.getByRole('button', { name: 'Keep' }).click();
+  await page.getByRole('button', { name: 'Save', exact: true }).click();
   await page.waitForFunction(() => document.querySelector('[aria-label=Preset]').value === 'my-shop-laser');
   const { name, bytes } = await download(page, () => page.getByRole('button', { name: 'Export' }).click());
   assert.equal(name, 'my-shop-laser.machine.json');
   assert.equal(JSON.parse(bytes).schema, 'kerfway.machine/1');
-  await page.getByRole('button', { name: 'Forget' }).click();
+  await page.getByRole('button', { name: 'Delete' }).click();
   await page.waitForFunction(() => ![...document.querySelectorAll('[aria-label=Preset] option')].some((o) => o.value === 'my-shop-laser'));
   const give = async (content, label) => {
     const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.getByRole('button', { name: 'Import' }).click()]);
@@ -92,7 +92,7 @@ test('a machine is kept under a name, exported, forgotten and imported', async (
   await give(bytes, name);
   await page.waitForFunction(() => document.querySelector('[aria-label=Preset]').value === 'my-shop-laser');
   await give(readFileSync(new URL('../../package.json', import.meta.url)), 'package.json');
-  await page.getByText('This file is no machine profile').waitFor();
+  await page.getByText('This file is not a machine profile').waitFor();
 });
 
 test('on a phone nothing in the top bar lies over something else', async (t) => {
@@ -117,7 +117,7 @@ test('after a first visit the page works without a network, methods of papers an
   assert.deepEqual([...bytes.subarray(1, 4)], [...Buffer.from('PNG')]);
 });
 
-test('a quote is made of the finished plan and can be taken away', async (t) => {
+test('a finished plan gives a quote that can be downloaded', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning');
   await open(page, 'Quote');

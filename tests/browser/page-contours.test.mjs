@@ -1,4 +1,4 @@
-// Single contours and what joins them: left out and taken back; tolerances looked at before they are applied.
+// Single contours: skipping them and taking that back. Tolerances: a preview before they are applied.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -10,7 +10,7 @@ const until = (page, words) => page.waitForFunction((w) => [...document.querySel
 const gist = (page, begin) => page.waitForFunction((b) => document.querySelector('.section .gist').textContent.startsWith(b), begin);
 const gcode = async (page) => (await download(page, () => page.locator('.dock').getByRole('button', { name: 'G-code' }).click())).bytes.toString();
 
-test('a contour is left out by card, key and Alt with a click, shown where it was, and taken back', async (t) => {
+test('a contour is skipped by card, key and Alt with a click, stays visible, and is cut again', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=1' });
   await phase(page, 'planning', 'done');
   await drop(page, 'rings.dxf', sample('parts-in-parts.dxf'));
@@ -20,28 +20,28 @@ test('a contour is left out by card, key and Alt with a click, shown where it wa
 
   await page.keyboard.press('End');
   const card = page.getByRole('region', { name: 'Selected contour' });
-  await card.getByRole('button', { name: 'Leave out' }).click();
+  await card.getByRole('button', { name: 'Skip' }).click();
   await gist(page, '27 contours');
-  await until(page, 'Left out: 1 contour');
+  await until(page, 'Skipped: 1 contour');
   // What is looked at stays, and says what it is.
-  assert.match(await card.textContent(), /^Contour \d+.*left out, not cut/);
-  assert.equal(await card.getByRole('button', { name: 'Leave out' }).getAttribute('aria-pressed'), 'true');
+  assert.match(await card.textContent(), /^Contour \d+.*skipped, not cut/);
+  assert.equal(await card.getByRole('button', { name: 'Skip' }).getAttribute('aria-pressed'), 'true');
   await phase(page, 'done');
   assert.equal(beamRuns(await gcode(page)).length, 27);
   assert.match(await page.locator('.findings').textContent(), /1 contour left out by choice/);
 
   await page.keyboard.press('Home');
   await page.keyboard.press('x');
-  await until(page, 'Left out: 2 contours');
+  await until(page, 'Skipped: 2 contours');
   await page.keyboard.press('Control+z');
-  await until(page, 'Left out: 1 contour');
+  await until(page, 'Skipped: 1 contour');
   await page.keyboard.press('Control+Shift+z');
-  await until(page, 'Left out: 2 contours');
+  await until(page, 'Skipped: 2 contours');
   // From the list to the contour, and back into the cut.
   await page.locator('.pinned button').first().click();
   await card.getByRole('button', { name: 'Cut first' }).click();
-  await until(page, 'Cut first: 1 contour,Left out: 1 contour');
-  await page.getByRole('button', { name: 'Cut again what was left out' }).click();
+  await until(page, 'Cut first: 1 contour,Skipped: 1 contour');
+  await page.getByRole('button', { name: 'Cut skipped contours again' }).click();
   await until(page, 'Cut first: 1 contour');
   await gist(page, '28 contours');
 
@@ -55,7 +55,7 @@ test('a contour is left out by card, key and Alt with a click, shown where it wa
   await page.keyboard.down('Alt');
   await page.mouse.click(...at);
   await page.keyboard.up('Alt');
-  await until(page, 'Cut first: 1 contour,Left out: 1 contour');
+  await until(page, 'Cut first: 1 contour,Skipped: 1 contour');
   // It is still there to be pointed at, and to be taken back.
   await page.keyboard.down('Alt');
   await page.mouse.click(...at);
@@ -63,7 +63,7 @@ test('a contour is left out by card, key and Alt with a click, shown where it wa
   await until(page, 'Cut first: 1 contour');
 });
 
-test('what was left out of a file is left out when it is opened again', async (t) => {
+test('contours skipped in a file are still skipped when it is opened again', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=1' });
   await phase(page, 'planning', 'done');
   await dropAll(page, [['one.dxf', grid(12)], ['two.dxf', grid(20)]]);
@@ -71,7 +71,7 @@ test('what was left out of a file is left out when it is opened again', async (t
   await open(page);
   await page.keyboard.press('End');
   await page.keyboard.press('x');
-  await until(page, 'Left out: 1 contour');
+  await until(page, 'Skipped: 1 contour');
   await phase(page, 'done');
   const go = async (name) => {
     await page.locator('.queue').click();
@@ -81,10 +81,10 @@ test('what was left out of a file is left out when it is opened again', async (t
   await go('one.dxf');
   assert.equal(await listed(page), '');
   await go('two.dxf');
-  await until(page, 'Left out: 1 contour');
+  await until(page, 'Skipped: 1 contour');
 });
 
-test('what another tolerance would join or part is shown on the sheet before it is applied', async (t) => {
+test('the sheet shows what another tolerance would join or part before it is applied', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=300' });
   await phase(page, 'planning', 'done');
   await drop(page, 'careless.dxf', sample('gaps-and-copies.dxf'));
@@ -97,7 +97,7 @@ test('what another tolerance would join or part is shown on the sheet before it 
   await page.keyboard.press('a');
   await page.waitForTimeout(500);
   const plain = await page.locator('#canvas').screenshot();
-  const join = page.getByRole('slider', { name: 'Join ends nearer than' });
+  const join = page.getByRole('slider', { name: 'Join ends closer than' });
   const turn = (value) => join.evaluate((slider, v) => {
     slider.value = v;
     slider.dispatchEvent(new Event('input', { bubbles: true }));
@@ -110,9 +110,9 @@ test('what another tolerance would join or part is shown on the sheet before it 
   assert.equal(await page.evaluate(() => document.body.dataset.phase), 'planning');
   assert.equal(await page.locator('.section .gist').first().textContent(), before, 'nothing is applied yet');
   assert.notDeepEqual(await page.locator('#canvas').screenshot(), plain, 'marks on the sheet');
-  await page.getByRole('button', { name: 'Keep as it is' }).click();
+  await page.getByRole('button', { name: 'Cancel' }).click();
   assert.equal(await told.textContent(), '');
-  assert.equal(await page.getByLabel('Join ends nearer than').first().inputValue(), '0.05');
+  assert.equal(await page.getByLabel('Join ends closer than').first().inputValue(), '0.05');
 
   const number = page.locator('.tolerance-field input[type=number]').first();
   await number.fill('0.01');
@@ -123,7 +123,7 @@ test('what another tolerance would join or part is shown on the sheet before it 
   await says('4 gaps would close');
   assert.match(await told.textContent(), /9 contours instead of 12/);
   await number.fill('9');
-  await says('From 0.001 to 5 mm');
+  await says('from 0.001 to 5 mm');
   assert.equal(await page.getByRole('button', { name: 'Apply' }).isDisabled(), true);
   await number.press('Escape');
   assert.equal(await number.inputValue(), '0.01');

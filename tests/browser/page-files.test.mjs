@@ -10,7 +10,7 @@ const queue = (page) => page.locator('button.queue');
 const told = (page, words) => page.waitForFunction((w) => document.querySelector('button.queue').textContent.startsWith(w), words);
 const items = (page) => page.locator('.menu-item:visible').evaluateAll((all) => all.map((item) => [...item.children].map((c) => c.textContent)));
 
-test('files dropped together are planned one after the other; any can be taken, the programs of all be had', async (t) => {
+test('files dropped together are planned one after the other; each can be opened, and all programs downloaded', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=1' });
   await phase(page, 'planning', 'done');
   const drawings = [['one.dxf', grid(20)], ['broken.dxf', Buffer.from('AC1032\0\0')], ['asks.dxf', sample('no-units.dxf')], ['two.dxf', grid(30)], ['three.dxf', grid(40)]];
@@ -21,13 +21,13 @@ test('files dropped together are planned one after the other; any can be taken, 
   const listed = Object.fromEntries(await items(page));
   for (const name of ['one.dxf', 'two.dxf', 'three.dxf']) assert.match(listed[name], /^Planned: [\d.]+ (s|min)/, name);
   assert.match(listed['broken.dxf'], /DWG/);
-  assert.equal(listed['asks.dxf'], 'Has a question for you');
+  assert.equal(listed['asks.dxf'], 'Needs an answer from you');
   await shot(page, 'page-queue');
   assert.deepEqual(await serious(page), []);
 
   const saved = [];
   page.on('download', (d) => saved.push(d));
-  await page.getByRole('button', { name: 'G-code of all' }).click();
+  await page.getByRole('button', { name: 'G-code of all files' }).click();
   while (saved.length < 3) await page.waitForTimeout(20);
   assert.deepEqual(saved.map((d) => d.suggestedFilename()).sort(), ['one.nc', 'three.nc', 'two.nc']);
   const programs = await Promise.all(saved.map(async (d) => [d.suggestedFilename(), readFileSync(await d.path(), 'utf8')]));
@@ -76,14 +76,14 @@ test('the samples are those of scripts/samples.mjs, and each shows what it says'
     return page.locator('.section').first().textContent();
   };
   const careless = await take('Gaps, copies, crossings', 'gaps-and-copies.dxf');
-  for (const words of ['4 gaps in this contour were closed', 'Copies removed', 'lies on top of other lines', 'Two contours cross', 'does not close', 'TEXT left out']) assert.ok(careless.includes(words), words);
+  for (const words of ['4 gaps in this contour were closed', 'Removed duplicates', 'lies on top of other lines', 'Two contours cross', 'does not close', 'TEXT left out']) assert.ok(careless.includes(words), words);
   assert.match(await take('Layers', 'layers.dxf'), /ENGRAVE.*DIMENSIONS/);
-  await take('Units in doubt', 'no-units.dxf', 'question');
+  await take('Uncertain units', 'no-units.dxf', 'question');
   await page.locator('.card.question button').first().click();
   assert.match(await take('Parts in parts', 'parts-in-parts.dxf'), /15 parts/);
 });
 
-test('a click with Shift or a key pins a contour; the list loosens it, undo brings it back', async (t) => {
+test('a click with Shift or a key pins a contour; the list unpins it, undo pins it again', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=1' });
   await phase(page, 'planning', 'done');
   await drop(page, 'rings.dxf', sample('parts-in-parts.dxf'));
@@ -99,7 +99,7 @@ test('a click with Shift or a key pins a contour; the list loosens it, undo brin
   await page.keyboard.press('End');
   await page.keyboard.press('0');
   await until('Cut first: 1 contour,Cut last: 1 contour');
-  await page.getByRole('button', { name: 'Loosen what is cut first' }).click();
+  await page.getByRole('button', { name: 'Unpin contours that are cut first' }).click();
   await until('Cut last: 1 contour');
   await page.keyboard.press('Escape');
   await page.locator('body').press('Control+z');

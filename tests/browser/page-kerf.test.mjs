@@ -9,7 +9,7 @@ const SHEET = readFileSync(new URL('../fixtures/plate/one-kerf-apart.dxf', impor
 const HASH = 'machine=fibre-6kw-plate&seconds=1&seed=1';
 
 async function planned(page) {
-  const { bytes } = await download(page, () => page.locator('.downloads').getByRole('button', { name: 'Plan', exact: true }).click());
+  const { bytes } = await download(page, () => page.locator('.downloads').getByRole('button', { name: 'Plan (JSON)', exact: true }).click());
   return JSON.parse(bytes);
 }
 

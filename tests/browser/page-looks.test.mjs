@@ -78,7 +78,7 @@ for (const [name, size] of Object.entries(SIZES)) {
       await sheet();
       await page.waitForTimeout(400);
       await keep('preview-sheet');
-      await panel('Machine', 'Numbers', 'Your machines');
+      await panel('Machine', 'Advanced settings', 'Your machines');
       await keep('machine');
       await panel('Plan');
       const method = page.locator('select').filter({ hasText: 'RLSGA' });

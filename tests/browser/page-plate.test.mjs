@@ -9,7 +9,7 @@ const SHEET = readFileSync(new URL('../fixtures/plate/shared-sides.dxf', import.
 
 /** The finished plan, as the page hands it out. */
 async function planned(page) {
-  const { bytes } = await download(page, () => page.locator('.downloads').getByRole('button', { name: 'Plan', exact: true }).click());
+  const { bytes } = await download(page, () => page.locator('.downloads').getByRole('button', { name: 'Plan (JSON)', exact: true }).click());
   return JSON.parse(bytes);
 }
 
@@ -25,7 +25,7 @@ test('shared sides are cut once, or with the switch off each contour by itself, 
   await shot(page, 'plate-shared');
 
   await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
-  const box = page.getByLabel('Cut shared sides as one');
+  const box = page.getByLabel('Cut shared sides once');
   assert.ok(await box.isChecked());
   await box.uncheck();
   await page.waitForFunction(() => location.hash.includes('common-cuts=off'));

@@ -31,8 +31,8 @@ test('a dropped drawing is planned, improves, stops at once and gives G-code tha
   await phase(page, 'planning');
   await drop(page, 'mine.dxf', sample('sheet_500.dxf'));
   await planned(page, 'mine.dxf', 'planning');
-  // The layer of the sheet's border is seen for what it is, and left out with one click.
-  await page.getByRole('button', { name: 'Leave it out' }).click();
+  // The layer of the sheet's border is recognised, and ignored with one click.
+  await page.getByRole('button', { name: 'Ignore it' }).click();
   await page.waitForFunction(() => document.querySelector('.section .gist').textContent.startsWith('500 contours'));
   await page.evaluate(() => window.reports.clear());
   await page.waitForFunction(() => window.reports.size >= 3);
@@ -60,7 +60,7 @@ test('the other downloads are what they say', async (t) => {
   await page.keyboard.press('s');
   await phase(page, 'done');
   const get = (label) => download(page, () => page.locator('.downloads').getByRole('button', { name: label, exact: true }).click());
-  const plan = await get('Plan');
+  const plan = await get('Plan (JSON)');
   assert.equal(plan.name, 'sheet_500.plan.json');
   const document = JSON.parse(plan.bytes.toString());
   assert.equal(document.schema, 'kerfway.plan/1');
@@ -98,13 +98,13 @@ test('pause holds the search, resume goes on, keep improving adds to it', async 
   assert.ok(Number.parseFloat(await best(page)) <= Number.parseFloat(before));
 });
 
-test('a layer that is ignored is planned without, and its contours are left out of the G-code', async (t) => {
+test('an ignored layer is neither planned nor in the G-code', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning');
   await drop(page, 'grid.dxf', grid(30));
   await planned(page, 'grid.dxf');
   await page.locator('.section summary').first().click();
-  const choice = page.getByLabel('What is done with layer HOLES');
+  const choice = page.getByLabel('Operation for layer HOLES');
   if (!(await choice.isVisible())) await page.locator('.section summary').first().click();
   await choice.selectOption('ignore');
   await page.waitForFunction(() => document.querySelector('.section .gist').textContent.startsWith('10 contours'));
@@ -130,7 +130,7 @@ test('units can be overridden with one click, and the size follows', async (t) =
   assert.ok(Math.abs(inches[0] / millimetres[0] - 25.4) < 0.05, `${inches} against ${millimetres}`);
 });
 
-test('a drawing whose units are in doubt is asked about before it is planned', async (t) => {
+test('the page asks about uncertain units before it plans', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning');
   // 8 contours within 0.1 by 0.1 units, no units in the header: nothing speaks for any unit.

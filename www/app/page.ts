@@ -144,7 +144,7 @@ export async function startPage(): Promise<void> {
     const already = fateOf(state.load, contour) === fate;
     const [name = ''] = describe(session, playback, contour);
     session.decide(contour, already ? null : fate);
-    announcer.say(already ? words.page.loosened(name) : words.page.decided[fate](name));
+    announcer.say(already ? words.page.unpinned(name) : words.page.decided[fate](name));
   };
   // The stop stepped to: a contour that is left unfinished has several.
   let stepped = 0;

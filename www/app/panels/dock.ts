@@ -25,7 +25,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
   const pause = button(words.dock.pause, { icon: 'pause', onclick: () => session.pause() });
   const resume = button(words.dock.resume, { icon: 'play', onclick: () => session.resume() });
   const more = button(words.dock.more, { icon: 'next', onclick: () => session.keepImproving() });
-  const gcode = button('G-code', { icon: 'download', class: 'primary', onclick: actions.gcode });
+  const gcode = button(words.result.kinds.gcode, { icon: 'download', class: 'primary', onclick: actions.gcode });
   const open = button(words.dock.choose, { icon: 'open', class: 'primary', onclick: actions.open });
   const sheet = button(words.dock.sheet, { icon: 'up', iconOnly: true, class: 'quiet sheet-toggle', 'aria-expanded': false, 'aria-controls': 'sections', onclick: actions.sheet });
   const root = h('div', { class: 'dock' }, bar, h('div', { class: 'dock-state' }, h('div', {}, headline, detail), sheet), h('div', { class: 'dock-actions' }, stop, pause, resume, more, gcode, open));

@@ -7,7 +7,7 @@ import { type Fate, FATES } from '../session/choices.js';
 import type { Preview } from '../session/preview.js';
 import type { Session } from '../session/session.js';
 import { worked } from '../session/worked.js';
-import { FindingList } from './findings.js';
+import { FindingList, problemCounts } from './findings.js';
 import { layerList } from './layers.js';
 import { check, section } from './section.js';
 import { tolerances } from './tolerances.js';
@@ -44,9 +44,9 @@ export function drawingPanel(session: Session, preview: Preview, onFinding: (fin
       showFindings();
       return;
     }
-    const grave = loaded.findings.filter((f) => f.severity !== 'info').length;
+    const problems = problemCounts(loaded.findings);
     const contours = worked(loaded);
-    setGist([words.drawing.contours(contours.length, count(contours.length)), grave ? words.drawing.toLookAt(count(grave)) : ''].filter(Boolean).join(', '), grave > 0);
+    setGist([words.drawing.contours(contours.length, count(contours.length)), ...problems].join(', '), problems.length > 0);
     const open = contours.filter((c) => !c.closed).length;
     setText(counts, [words.drawing.parts(loaded.parts.length, count(loaded.parts.length)), open ? words.drawing.openContours(open, count(open)) : '', loaded.version ? versionName(loaded.version) : '']
       .filter(Boolean).join(' · '));
@@ -76,7 +76,7 @@ export function drawingPanel(session: Session, preview: Preview, onFinding: (fin
 function listed(session: Session, fate: Fate, onContour: (contour: number) => void): HTMLElement[] {
   const contours = session.state.load[fate] ?? [];
   if (contours.length === 0) return [];
-  const loosen = button(words.drawing.loosen[fate], { class: 'quiet small', 'aria-label': words.drawing.loosenWhat[fate], onclick: () => session.loosen(fate) });
+  const loosen = button(words.drawing.unpin[fate], { class: 'quiet small', 'aria-label': words.drawing.unpinAll[fate], onclick: () => session.loosen(fate) });
   const shown = contours.slice(0, LISTED).map((c) => button(count(c + 1), { class: 'small number', 'aria-label': words.drawing.show(count(c + 1)), onclick: () => onContour(c) }));
   const more = contours.length > LISTED && h('span', { class: 'soft' }, words.drawing.others(count(contours.length - LISTED)));
   return [h('div', { class: 'pins' }, h('span', {}, words.drawing.decided[fate](words.drawing.contours(contours.length, count(contours.length)))), h('span', { class: 'pinned' }, ...shown, more), loosen)];

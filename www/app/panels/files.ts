@@ -35,9 +35,9 @@ export function fileList(queue: Queue): Node[] {
 
 function about({ state, seconds: job, sentence }: Item): string {
   switch (state) {
-    case 'waits': return words.files.waits;
-    case 'working': return words.files.working;
-    case 'asks': return words.files.asks;
+    case 'waits': return words.files.waiting;
+    case 'working': return words.files.planning;
+    case 'asks': return words.files.question;
     case 'failed': return sentence ?? words.files.failed;
     case 'done': return job === null ? words.files.planned : words.files.plannedIn(seconds(job));
   }

@@ -1,6 +1,6 @@
 /**
- * Findings by kind, the gravest first; those with a place can be shown on the sheet. Amber triangles for what to look
- * at, red octagons for what cannot be cut as drawn.
+ * The findings by kind, the most severe first. A finding that has a place can be shown on the sheet. Warnings are amber triangles, errors
+ * (things that cannot be cut as drawn) are red octagons.
  */
 
 import { h, icon, setText } from '../core/dom.js';
@@ -8,7 +8,7 @@ import { count } from '../core/format.js';
 import type { Finding, Severity } from 'kerfway';
 import { words } from '../core/words/index.js';
 
-/** Findings of a kind listed before "and more": a list people still read. */
+/** How many findings of one kind are listed before "and more": people do not read longer lists. */
 const LISTED = 60;
 
 const GRAVITY: Record<Severity, number> = { error: 0, warning: 1, info: 2 };
@@ -26,9 +26,10 @@ export class FindingList {
 
   show(findings: readonly Finding[]): void {
     this.buttons.clear();
-    const grave = findings.filter((f) => f.severity !== 'info');
-    setText(this.head, headline(grave.length, findings.length - grave.length));
-    this.root.classList.toggle('grave', grave.length > 0);
+    const problems = problemCounts(findings);
+    const notes = findings.filter((f) => f.severity === 'info').length;
+    setText(this.head, headline(problems, notes));
+    this.root.classList.toggle('grave', problems.length > 0);
     this.root.classList.toggle('errors', findings.some((f) => f.severity === 'error'));
     this.root.hidden = findings.length === 0;
     const kinds = new Map<string, Finding[]>();
@@ -42,7 +43,7 @@ export class FindingList {
     this.list.replaceChildren(...ordered.map((key) => this.group(kinds.get(key)!)));
   }
 
-  /** Opens the list at one finding. */
+  /** Opens the list and moves the focus to one finding. */
   reveal(finding: Finding): void {
     this.root.open = true;
     const item = this.buttons.get(finding);
@@ -73,9 +74,16 @@ export class FindingList {
   }
 }
 
-function headline(grave: number, notes: number): string {
-  const parts = [grave > 0 && words.drawing.toLookAt(count(grave)), notes > 0 && words.drawing.notes(notes, count(notes))].filter(Boolean);
-  return grave > 0 ? parts.join(', ') : words.drawing.nothingToDo(parts.join(''));
+/** The numbers of errors and warnings in words; empty when there are neither. */
+export function problemCounts(findings: readonly Finding[]): string[] {
+  const number = (severity: Severity) => findings.filter((f) => f.severity === severity).length;
+  const [errors, warnings] = [number('error'), number('warning')];
+  return [errors > 0 ? words.findings.errors(errors, count(errors)) : '', warnings > 0 ? words.findings.warnings(warnings, count(warnings)) : ''].filter((text) => text !== '');
+}
+
+function headline(problems: readonly string[], notes: number): string {
+  const noted = notes > 0 ? [words.findings.notes(notes, count(notes))] : [];
+  return problems.length > 0 ? [...problems, ...noted].join(', ') : words.findings.nothingToDo(noted.join());
 }
 
 function mark(severity: Severity): HTMLElement {

@@ -25,7 +25,7 @@ export function layerList(session: Session, loaded: Loaded): HTMLElement {
 function row(session: Session, layer: LayerUse, moves: [up: boolean, down: boolean] | null): HTMLElement {
   const swatch = h('span', { class: 'swatch', 'aria-hidden': 'true' });
   swatch.style.setProperty('--swatch', COLORS[layer.color] || 'currentColor');
-  const choice = h('select', { 'aria-label': words.layers.done(layer.name), class: `operation ${layer.operation}` },
+  const choice = h('select', { 'aria-label': words.layers.operation(layer.name), class: `operation ${layer.operation}` },
     ...OPERATIONS.map((o) => h('option', { value: o, selected: o === layer.operation }, words.operations[o])));
   choice.addEventListener('change', () => {
     const chosen = OPERATIONS[choice.selectedIndex];

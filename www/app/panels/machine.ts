@@ -83,7 +83,7 @@ export function machinePanel(session: Session, tell: (sentence: string) => void,
   choice.root.classList.add('wide');
   const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)));
   const home = check(words.machine.home, (on) => edit((m) => (m.return_home = on)));
-  const leaving = check(words.machine.leaving, (on) => edit((m) => (m.pre_cut_time = on ? PRE_CUT : null)));
+  const leaving = check(words.machine.partialCuts, (on) => edit((m) => (m.pre_cut_time = on ? PRE_CUT : null)));
   const pausing = check(words.machine.pausing, (on) => edit((m) => (m.sharp_corner = on ? PAUSE : null)));
   const inputs = QUANTITIES.map((q) => numberInput(q, edit));
   const back = button(words.machine.back, { class: 'small', onclick: () => {
@@ -91,7 +91,7 @@ export function machinePanel(session: Session, tell: (sentence: string) => void,
     if (original) session.setMachine(structuredClone(original));
   } });
   const own = ownMachines(session, tell);
-  const numbers = h('details', { class: 'more' }, h('summary', {}, words.machine.numbers),
+  const numbers = h('details', { class: 'more' }, h('summary', {}, words.machine.advanced),
     h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!, q.unit), hintOf(q)]), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
   body.append(h('div', { class: 'stack' }, choice.root, leaving.root, pausing.root, numbers, own.root));
@@ -101,7 +101,7 @@ export function machinePanel(session: Session, tell: (sentence: string) => void,
     if (!machine) return;
     const original = preset();
     const changed = original !== undefined && JSON.stringify(original) !== JSON.stringify(machine);
-    setGist(machine.title + (changed ? ', changed' : ''));
+    setGist(changed ? words.machine.changed(machine.title) : machine.title);
     choice.fill(session.machines.map((m) => ({ value: m.name, label: m.title })), machine.name);
     travel.fill(TRAVELS, machine.travel);
     home.input.checked = machine.return_home;

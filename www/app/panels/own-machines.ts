@@ -11,10 +11,10 @@ import { words } from '../core/words/index.js';
 export function ownMachines(session: Session, tell: (sentence: string) => void): { root: HTMLElement; show(machine: MachineProfile): void } {
   const name = h('input', { type: 'text', 'aria-label': words.machine.name, placeholder: words.machine.name, maxlength: 60 });
   const take = (profile: MachineProfile) => {
-    if (!keep(profile)) tell(words.machine.keepsNothing);
+    if (!keep(profile)) tell(words.machine.notSaved);
     session.setMachine(structuredClone(profile));
   };
-  const form = h('form', { class: 'row' }, name, h('button', { type: 'submit', class: 'small' }, words.machine.keep));
+  const form = h('form', { class: 'row' }, name, h('button', { type: 'submit', class: 'small' }, words.machine.save));
   form.addEventListener('submit', (event) => {
     event.preventDefault();
     const { machine } = session.state;
@@ -22,7 +22,7 @@ export function ownMachines(session: Session, tell: (sentence: string) => void):
     if (machine && title) take(named(machine, title));
     name.value = '';
   });
-  const drop = button(words.machine.forget, { class: 'small', onclick: () => {
+  const drop = button(words.machine.remove, { class: 'small', onclick: () => {
     const { machine } = session.state;
     const [first] = session.machines;
     if (machine) forget(machine.name);

@@ -47,7 +47,7 @@ function control(name: string, initial: unknown, set: (value: unknown) => void):
     const { root, fill } = select<string>(set);
     return { root: field(label, root), show: (value) => fill(choices.map((c) => ({ value: c, label: c })), String(value)) };
   }
-  const input = h('input', { type: 'number', step: 'any', inputmode: 'decimal', placeholder: initial === null ? 'none' : '' });
+  const input = h('input', { type: 'number', step: 'any', inputmode: 'decimal', placeholder: initial === null ? words.plan.noValue : '' });
   input.addEventListener('input', () => {
     if (!Number.isNaN(input.valueAsNumber)) set(input.valueAsNumber);
     else if (initial === null && input.value === '') set(null);

@@ -53,7 +53,7 @@ function damaged(session: Session, loaded: Loaded): HTMLElement[] {
     h('h2', { id: 'question' }, words.question.damaged(number, count(number))),
     h('p', {}, words.question.about),
     h('div', { class: 'choices' },
-      button(words.question.leave, { class: 'primary', onclick: () => session.answer('damaged') }),
+      button(words.question.skip, { class: 'primary', onclick: () => session.answer('damaged') }),
       button(words.question.keep, { onclick: () => session.answer('damaged', { keepDamaged: true }) })),
   ];
 }

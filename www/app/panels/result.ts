@@ -26,7 +26,7 @@ export function resultPanel(session: Session, theme: Theme, download: (kind: Out
   const rows = ROWS.map(({ label, line }) => new Row(label, line));
   const table = h('table', { class: 'compare' },
     h('caption', { class: 'hidden' }, words.result.compare),
-    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, words.result.order), ...[[words.result.job, ''], [words.result.air, 'air'], [words.result.way, '']].map(([t, key]) => h('th', { scope: 'col', class: `number ${key}` }, t!)))),
+    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, words.result.order), ...[[words.result.job, ''], [words.result.air, 'air'], [words.result.travel, '']].map(([t, key]) => h('th', { scope: 'col', class: `number ${key}` }, t!)))),
     ...rows.map((r) => r.root));
   const parts = h('dl', { class: 'parts' });
   const files = h('div', { class: 'downloads', role: 'group', 'aria-label': words.result.download },

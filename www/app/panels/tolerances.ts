@@ -35,7 +35,7 @@ export function tolerances(session: Session, preview: Preview): HTMLElement {
   const told = h('p', { class: 'outlook', role: 'status' });
   const apply = button(words.drawing.apply, { class: 'small primary' });
   apply.type = 'submit';
-  const back = button(words.drawing.keep, { class: 'small', onclick: () => preview.clear() });
+  const back = button(words.drawing.cancel, { class: 'small', onclick: () => preview.clear() });
   const choice = h('div', { class: 'row', hidden: true }, apply, back);
   const chosen = (key: Key) => session.state.load[key] ?? TOLERANCES[key].usual;
   const keys = Object.keys(TOLERANCES) as Key[];
@@ -49,7 +49,7 @@ export function tolerances(session: Session, preview: Preview): HTMLElement {
     if (wrong) setText(told, words.drawing.within(TOLERANCES[key].least, TOLERANCES[key].most));
     else if (same) preview.clear();
     else {
-      setText(told, words.drawing.looking);
+      setText(told, words.drawing.checking);
       preview.ask({ ...undecided(session.state.load), joinTolerance: chosen('joinTolerance'), ...draft });
     }
   }));
@@ -116,11 +116,11 @@ function tolerance({ label, least, most }: Tolerance, onTurn: (mm: number | null
 }
 
 function inWords({ joins, opens, goes, contours, open, elements }: Outlook): string {
-  const { outlook } = words.drawing;
+  const { preview } = words.drawing;
   const change = (of: readonly [number, number], say: (now: string, then: string) => string) => (of[0] === of[1] ? '' : say(count(of[0]), count(of[1])));
   const parts = [
-    joins > 0 ? outlook.joins(joins, count(joins)) : '', opens > 0 ? outlook.opens(opens, count(opens)) : '', goes > 0 ? outlook.goes(goes, count(goes)) : '',
-    change(contours, outlook.contours), change(open, outlook.open), joins + opens + goes === 0 ? change(elements, outlook.elements) : '',
+    joins > 0 ? preview.joins(joins, count(joins)) : '', opens > 0 ? preview.opens(opens, count(opens)) : '', goes > 0 ? preview.removals(goes, count(goes)) : '',
+    change(contours, preview.contours), change(open, preview.open), joins + opens + goes === 0 ? change(elements, preview.elements) : '',
   ].filter((part) => part !== '');
-  return parts.length === 0 ? outlook.nothing : outlook.sentence(parts);
+  return parts.length === 0 ? preview.nothing : preview.sentence(parts);
 }
