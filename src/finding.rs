@@ -68,6 +68,8 @@ pub enum Code {
     DuplicateRemoved,
     /// Collinear or co-circular overlap removed.
     OverlapRemoved,
+    /// A closed contour in which the beam fits nowhere: narrower than the kerf of the machine, or than any common beam.
+    FeatureTooSmall,
     /// Contours share cuts.
     CommonCut,
     /// Elements without length dropped.

@@ -55,6 +55,9 @@ impl Code {
             }
             Self::DuplicateRemoved => Counted("duplicate line was removed", "duplicate lines were removed"),
             Self::OverlapRemoved => Counted("overlap was removed", "overlaps were removed"),
+            Self::FeatureTooSmall => {
+                Counted("contour is too small for the beam", "contours are too small for the beam")
+            }
             Self::CommonCut => Counted("group of contours shares cuts", "groups of contours share cuts"),
             Self::ZeroLength => {
                 Counted("element without length was removed", "elements without length were removed")

@@ -6,7 +6,7 @@ use super::clean::clean;
 use super::groups::{self, PierceGroup};
 use super::model::{CommonCuts, Contour, Ignored, LayerUse, Operation, Pin, Sheet, SheetOptions};
 use super::source::Source;
-use super::{cross, exclude, layers, nest, outline, parts};
+use super::{cross, exclude, layers, nest, outline, parts, small};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::Aabb;
@@ -52,6 +52,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
             border = None;
         }
     }
+    small::find(drawing, &contours, small::Limit::FinestBeam, &mut findings);
     parts::orient(&mut contours);
     pin(&mut contours, options);
     let groups = find_groups(&contours, &layers, &crossing, options, join);

@@ -8,6 +8,7 @@
 //!        -> cross: contours that cross themselves or each other
 //!        -> nest: containment tree of any depth; the sheet's own border recognised
 //!        -> groups: contours that share cuts, and what they close in
+//!        -> small: contours too narrow for any beam
 //!        -> parts: outer contours counter-clockwise, holes clockwise, parts in holes
 //! contours, machine with a kerf width
 //!        -> kerf: the lines of the beam, half a kerf beside the outlines; groups anew
@@ -32,6 +33,7 @@ mod model;
 mod nest;
 mod outline;
 mod parts;
+mod small;
 mod source;
 mod words;
 

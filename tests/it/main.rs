@@ -12,6 +12,7 @@ mod dxf_blocks;
 mod dxf_entities;
 mod dxf_files;
 mod exclude;
+mod features_too_small;
 mod geometry_curves;
 mod geometry_meet;
 mod geometry_shapes;

@@ -56,7 +56,7 @@ export type CommonCuts = 'best' | 'insertion' | 'off';
 export type FindingCode =
   | 'unsupported-entity' | 'damaged-entity' | 'resynchronised' | 'truncated' | 'bad-number' | 'invalid-geometry' | 'missing-block' | 'cyclic-block'
   | 'hidden-entity' | 'units-guessed' | 'units-doubtful' | 'encoding' | 'projected' | 'outline-taken'
-  | 'gap-closed' | 'gap-left' | 'branch' | 'duplicate-removed' | 'overlap-removed' | 'common-cut' | 'zero-length' | 'self-crossing' | 'crossing'
+  | 'gap-closed' | 'gap-left' | 'branch' | 'duplicate-removed' | 'overlap-removed' | 'feature-too-small' | 'common-cut' | 'zero-length' | 'self-crossing' | 'crossing'
   | 'open-contour' | 'several-layers' | 'sheet-outline' | 'layer-suggestion' | 'layer-ignored' | 'contour-excluded' | 'layer-unknown'
   | 'kerf-not-applied' | 'far-from-origin' | 'not-all-checked' | 'more';
 

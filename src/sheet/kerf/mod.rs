@@ -22,9 +22,10 @@ use super::build::{find_groups, length_or};
 use super::clean::clean;
 use super::cross;
 use super::model::{Contour, Operation, Sheet, SheetOptions};
+use super::small;
 use super::source::{Line, Source};
 use crate::dxf::Drawing;
-use crate::finding::{Finding, Findings};
+use crate::finding::{Code, Finding, Findings};
 use crate::geometry::{Aabb, Path};
 use room::Room;
 use told::Why;
@@ -46,6 +47,9 @@ pub(crate) fn compensated(
     let room = Room::new(&sheet.contours, width, copy.min(SLACK * width));
     let lines = moved(drawing, sheet, &room, width, &mut findings);
     let mut out = sheet.clone();
+    // Measured again, against this kerf.
+    out.findings.retain(|f| f.code != Code::FeatureTooSmall);
+    small::find(drawing, &sheet.contours, small::Limit::Kerf(width), &mut findings);
     for (contour, line) in out.contours.iter_mut().zip(&lines) {
         if line.is_some() {
             contour.drawn = Some(std::mem::take(&mut contour.path));

@@ -32,8 +32,10 @@ export function drawingPanel(session: Session, preview: Preview, onFinding: (fin
 
   // Those of the drawing, and what a plan finds.
   const showFindings = () => {
-    const { loaded, found } = session.state;
-    findings.show([...(loaded?.findings ?? []), ...found]);
+    const { loaded, found, beam } = session.state;
+    // A plan for a machine with a kerf width measures features again, against that width.
+    const ofDrawing = (loaded?.findings ?? []).filter((f) => beam === null || f.code !== 'feature-too-small');
+    findings.show([...ofDrawing, ...found]);
   };
   const show = () => {
     const { loaded, load } = session.state;

@@ -33,6 +33,7 @@ const findingTitles: Record<FindingCode, string> = {
   branch: 'Places where more than two ends meet',
   'duplicate-removed': 'Removed duplicates',
   'overlap-removed': 'Removed overlapping lines',
+  'feature-too-small': 'Contours too small for the beam',
   'common-cut': 'Contours with shared cuts',
   'kerf-not-applied': 'Contours without kerf compensation',
   'zero-length': 'Elements of zero length',

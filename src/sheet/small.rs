@@ -1,0 +1,216 @@
+//! Contours too narrow for a beam: slots and holes in which no circle as wide as the beam fits anywhere.
+//!
+//! The width of a contour is the diameter of the largest circle inside it, so a narrow neck of a large contour does not count.
+//! Two steps, as nearly all contours are far wider than a beam:
+//!
+//! 1. **A bound from area and perimeter.** The inradius r of a simple closed curve satisfies A + pi r^2 <= P r (Bonnesen;
+//!    R. Osserman, "Bonnesen-style isoperimetric inequalities", Amer. Math. Monthly 86, 1979, theorem 1), so it is at least
+//!    (P - sqrt(P^2 - 4 pi A)) / 2 pi. Circles and straight slots with round ends reach this bound.
+//! 2. **Tangent circles.** Contours below the bound are sampled: from each place on the line the largest circle that touches
+//!    the line there from within is shrunk until it crosses no element.
+
+use super::about;
+use super::model::{Contour, Operation};
+use crate::dxf::Drawing;
+use crate::finding::{Code, Finding, Findings, Severity};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path};
+use std::f64::consts::PI;
+
+/// Width below which a contour is reported while no machine is known, mm: about the kerf of the finest common cutting lasers.
+pub(super) const FINEST_BEAM: f64 = 0.1;
+/// Widths are compared up to this, mm, so that a slot drawn exactly as wide as the beam is not reported for rounding.
+const SLACK: f64 = 1e-6;
+/// Places looked at along each element. A circle that touches the middle of a long side is found by any of them; between
+/// the places of a triangle's side the width changes by less than a tenth.
+const SAMPLES: u32 = 8;
+/// Steps in which a circle shrinks to its size; most need two.
+const SHRINKS: u32 = 24;
+/// Elements compared for each element of narrow contours on average, and at least in all. A slot of four lines needs
+/// about 80 for each; an outline crumpled into less than a beam would need thousands.
+const COMPARED: usize = 400;
+const COMPARED_AT_LEAST: usize = 2_000_000;
+
+/// Reports the closed cut contours that are narrower than `limit`.
+pub(super) fn find(drawing: &Drawing, contours: &[Contour], limit: Limit, findings: &mut Findings) {
+    let narrow: Vec<(&Contour, &Path)> = contours
+        .iter()
+        .filter_map(|c| Some((c, c.boundary()?)))
+        .filter(|(c, p)| may_be_narrow(c, p, limit.width()))
+        .collect();
+    let elements: usize = narrow.iter().map(|(_, path)| path.segments.len()).sum();
+    let mut budget = elements.saturating_mul(COMPARED).max(COMPARED_AT_LEAST);
+    for (contour, path) in narrow {
+        if let Some((width, at)) = width_below(path, limit.width(), &mut budget) {
+            let message = limit.message(width);
+            let code = Code::FeatureTooSmall;
+            findings.push(about::shape(
+                drawing,
+                contour.first_shape,
+                code,
+                Severity::Warning,
+                message,
+                Some(at),
+            ));
+        }
+        if budget == 0 {
+            let message =
+                "So many short lines lie in narrow contours that not all were measured against the beam.";
+            findings.push(Finding::new(Code::NotAllChecked, Severity::Warning, message));
+            return;
+        }
+    }
+}
+
+/// What widths are measured against, mm.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Limit {
+    /// No machine is known, or it states no kerf width.
+    FinestBeam,
+    /// The kerf width of the machine.
+    Kerf(f64),
+}
+
+impl Limit {
+    fn width(self) -> f64 {
+        match self {
+            Self::FinestBeam => FINEST_BEAM,
+            Self::Kerf(width) => width,
+        }
+    }
+
+    fn message(self, width: f64) -> String {
+        let limit = match self {
+            Self::FinestBeam => {
+                format!("less than {FINEST_BEAM} mm: it is too small for any common laser beam")
+            }
+            Self::Kerf(kerf) => format!("less than the kerf of {kerf} mm: it is too small for this beam"),
+        };
+        format!(
+            "This contour is {width:.3} mm wide at its widest place, {limit}. Widen it, or remove it from the cut."
+        )
+    }
+}
+
+/// Whether the bound from area and perimeter leaves it open that a contour is narrower than `limit`.
+fn may_be_narrow(contour: &Contour, path: &Path, limit: f64) -> bool {
+    let perimeter = if contour.path.closed { contour.length } else { path.length() };
+    let rest = (perimeter * perimeter - 4.0 * PI * contour.area).max(0.0);
+    let least = (perimeter - rest.sqrt()) / PI;
+    contour.operation == Operation::Cut && !contour.self_crossing && least < limit - SLACK
+}
+
+/// Width of a closed path and the middle of its widest place, where that is less than `limit`. Counts `budget` down.
+fn width_below(path: &Path, limit: f64, budget: &mut usize) -> Option<(f64, DVec2)> {
+    let side = path.area().signum();
+    let index = BoxIndex::new(path.segments.iter().map(|s| s.bounds()));
+    let cap = 0.5 * limit;
+    let bounds = path.bounds();
+    // No circle inside is larger: a straight slot along an axis is measured by its first sample.
+    let most = 0.5 * (bounds.max - bounds.min).min_element();
+    let mut widest: Option<(f64, DVec2)> = None;
+    for segment in &path.segments {
+        for k in 0..SAMPLES {
+            let f = (f64::from(k) + 0.5) / f64::from(SAMPLES);
+            let (from, inward) = (segment.at(f), segment.tangent(f).perp() * side);
+            let radius = tangent_circle(path, &index, (from, inward), cap, budget);
+            if radius >= cap - 0.5 * SLACK || *budget == 0 {
+                return None;
+            }
+            if widest.is_none_or(|(width, _)| 2.0 * radius > width) {
+                widest = Some((2.0 * radius, from + inward * radius));
+            }
+            if radius >= most - 0.5 * SLACK {
+                return widest;
+            }
+        }
+    }
+    widest
+}
+
+/// Radius of the largest circle, up to `cap`, that touches the path at a place from the side of `inward` and crosses no
+/// element.
+fn tangent_circle(
+    path: &Path,
+    index: &BoxIndex,
+    (from, inward): (DVec2, DVec2),
+    cap: f64,
+    budget: &mut usize,
+) -> f64 {
+    let mut radius = cap;
+    for _ in 0..SHRINKS {
+        let center = from + inward * radius;
+        let mut nearest = (radius - 0.5 * SLACK).max(0.0).powi(2);
+        let mut touched = None;
+        index.visit(Aabb::of(center).grown(radius), |k| {
+            *budget = budget.saturating_sub(1);
+            if let Some(segment) = path.segments.get(k) {
+                let (f, d2) = segment.nearest(center);
+                if d2 < nearest {
+                    (nearest, touched) = (d2, Some(segment.at(f)));
+                }
+            }
+            *budget > 0
+        });
+        // The circle through this point that touches the path at the same place.
+        let Some(away) = touched.map(|p| p - from) else { break };
+        let along = away.dot(inward);
+        if along <= 0.0 {
+            break;
+        }
+        radius = radius.min(0.5 * away.length_squared() / along);
+    }
+    radius
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Arc, Segment};
+
+    fn polygon(corners: &[(f64, f64)]) -> Path {
+        let at = |k: usize| DVec2::from(corners[k % corners.len()]);
+        Path::new((0..corners.len()).map(|k| Segment::line(at(k), at(k + 1))).collect(), true)
+    }
+
+    fn width(path: &Path, limit: f64) -> Option<f64> {
+        width_below(path, limit, &mut 1_000_000).map(|(width, _)| width)
+    }
+
+    #[test]
+    fn widths_are_those_of_the_largest_circle_inside() {
+        let slot = polygon(&[(0.0, 0.0), (5.0, 0.0), (5.0, 0.05), (0.0, 0.05)]);
+        for path in [&slot, &slot.reversed()] {
+            assert!((width(path, 0.1).unwrap() - 0.05).abs() < 1e-6);
+            assert_eq!(width(path, 0.05), None);
+        }
+        let hole = Path::new(vec![Segment::Arc(Arc::circle(DVec2::new(300.0, 70.0), 0.05))], true);
+        assert!((width(&hole, 0.3).unwrap() - 0.1).abs() < 1e-6);
+        assert_eq!(width(&hole, 0.1), None);
+        // A right triangle of sides 0.3, 0.4 and 0.5 holds a circle of radius 0.1.
+        let triangle = width(&polygon(&[(0.0, 0.0), (0.4, 0.0), (0.0, 0.3)]), 0.3).unwrap();
+        assert!(triangle <= 0.2 + 1e-9 && triangle > 0.18, "{triangle}");
+    }
+
+    #[test]
+    fn a_bent_slot_is_narrow_and_a_neck_of_a_large_contour_is_not() {
+        let bent = polygon(&[(0.0, 0.0), (5.0, 0.0), (5.0, 5.0), (4.95, 5.0), (4.95, 0.05), (0.0, 0.05)]);
+        // In the corner a circle reaches a little into both legs: its diameter is 2 (2 - sqrt 2) times the width at most.
+        let bent = width(&bent, 0.2).unwrap();
+        assert!((0.05..=0.05859).contains(&bent), "{bent}");
+        let dumbbell = polygon(&[
+            (0.0, 0.0),
+            (5.0, 0.0),
+            (5.0, 2.48),
+            (9.0, 2.48),
+            (9.0, 0.0),
+            (14.0, 0.0),
+            (14.0, 5.0),
+            (9.0, 5.0),
+            (9.0, 2.52),
+            (5.0, 2.52),
+            (5.0, 5.0),
+            (0.0, 5.0),
+        ]);
+        assert_eq!(width(&dumbbell, 0.3), None);
+    }
+}
