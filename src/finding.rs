@@ -1,9 +1,9 @@
-//! Findings: everything about a drawing that a person should know, with its place.
+//! Findings: everything about a drawing that a person should know, with the place it concerns.
 //!
-//! Nothing is dropped in silence. Whatever a stage leaves out, changes, guesses or doubts becomes a finding with a
-//! code for programs, a sentence for people, and the layer, handle and place it concerns.
+//! No stage drops anything silently. Whatever it skips, changes, guesses or doubts becomes a finding with a code for
+//! programs, a sentence for people, and the layer, the entity's handle and the place it concerns.
 
-mod words;
+mod phrases;
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -12,9 +12,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Severity {
-    /// Worth knowing; nothing to do.
+    /// For information; nothing needs to be done.
     Info,
-    /// Something was left out, changed or guessed: look at it.
+    /// Something was skipped, changed or guessed; the person should check it.
     Warning,
     /// Something cannot be cut as drawn.
     Error,
@@ -22,8 +22,9 @@ pub enum Severity {
 
 /// What a finding is about. Written in kebab case in JSON (`unsupported-entity`).
 ///
-/// A new code also needs words in `finding/words.rs`, its name in `FindingCode` of `www/sdk/protocol.ts`, and a title in
-/// `www/app/core/words/en.ts`. The compilers ask for the first and the last; `tests/package/words.test.mjs` compares the two lists.
+/// A new code also needs a phrase in `finding/phrases.rs`, its name in `FindingCode` of `www/sdk/protocol.ts`, and a
+/// title in `www/app/core/words/en.ts`. The compilers report a missing phrase or title; `tests/package/words.test.mjs`
+/// compares the two lists of codes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -31,15 +32,15 @@ pub enum Code {
     // Reading
     /// An entity kind that holds no outline to cut (text, dimension, image, ...), counted by kind and layer.
     UnsupportedEntity,
-    /// An entity that was read through a break in the file: left out unless asked for.
+    /// An entity that was read across a break in the file. It is skipped unless the options keep damaged entities.
     DamagedEntity,
-    /// The reader lost step and found it again.
+    /// Group codes and values were out of step; the reader found a place to resume.
     Resynchronised,
-    /// The file ends before it should.
+    /// The file ends before its end mark.
     Truncated,
-    /// A number that is none, or not finite.
+    /// A value that should be a number is not one, or is not finite.
     BadNumber,
-    /// An entity whose values make no geometry (radius 0, too few points, bad knots, ...).
+    /// An entity whose values describe no geometry (radius 0, too few points, bad knots, ...).
     InvalidGeometry,
     /// A block that is inserted but not defined.
     MissingBlock,
@@ -47,32 +48,32 @@ pub enum Code {
     CyclicBlock,
     /// Entities in paper space, invisible, or on frozen or off layers: not cut.
     HiddenEntity,
-    /// Units are missing from the file and were guessed, with the reason.
+    /// The file names no units; they were guessed, and the message gives the reason.
     UnitsGuessed,
-    /// Units are given but the size speaks against them.
+    /// The file names units, but the size of the drawing makes them unlikely.
     UnitsDoubtful,
     /// Characters could not be decoded.
     Encoding,
     /// A three-dimensional entity was projected on the sheet.
     Projected,
-    /// Filled areas and wide lines: their outline or their middle line is taken.
+    /// A filled area or a wide line was replaced by its outline or its centre line.
     OutlineTaken,
     // Contours
     /// Ends joined over a gap.
     GapClosed,
-    /// Ends close to each other, but farther than the tolerance: left open.
+    /// Ends that lie close to each other, but farther apart than the tolerance, so they were left open.
     GapLeft,
     /// More than two ends meet.
     Branch,
-    /// Exact or near copies removed, also reversed ones.
+    /// Exact or near copies were removed, including reversed ones.
     DuplicateRemoved,
-    /// Collinear or co-circular overlap removed.
+    /// Collinear or co-circular overlaps were removed.
     OverlapRemoved,
     /// A closed contour in which the beam fits nowhere: narrower than the kerf of the machine, or than any common beam.
     FeatureTooSmall,
     /// Contours share cuts.
     CommonCut,
-    /// Elements without length dropped.
+    /// Elements without length were dropped.
     ZeroLength,
     /// A contour crosses itself.
     SelfCrossing,
@@ -80,96 +81,100 @@ pub enum Code {
     Crossing,
     /// A contour does not close: kept as an open path.
     OpenContour,
-    /// One contour over several layers.
+    /// One contour runs over several layers.
     SeveralLayers,
-    /// A lone border around everything: probably the sheet, not a cut.
+    /// A single border around everything, which is probably the sheet and not a cut.
     SheetOutline,
-    /// A layer that by its name is probably not to be cut.
+    /// A layer whose name suggests that it is not meant to be cut.
     LayerSuggestion,
-    /// A layer that is not cut, with what it holds.
+    /// A layer that is not cut, with the number of shapes it holds.
     LayerIgnored,
-    /// Contours left out one by one.
+    /// Contours that the person excluded one by one.
     ContourExcluded,
     /// An operation was asked for a layer that the drawing does not have.
     LayerUnknown,
-    /// Contours that keep their drawn line on a machine with a kerf width.
+    /// Contours that are cut along their drawn line although the machine has a kerf width.
     KerfNotApplied,
-    /// The drawing lies farther from the origin than the controller's numbers can tell places apart.
+    /// The drawing lies so far from the origin that the controller's single-precision numbers cannot resolve its
+    /// details.
     FarFromOrigin,
-    /// A check was cut short because of the size of the drawing, with what was left unchecked.
+    /// A check was stopped early because of the size of the drawing; the message says what remains unchecked.
     NotAllChecked,
-    /// More findings of one code than are listed one by one.
+    /// More findings of one code than are listed individually.
     More,
 }
 
-/// One finding. Places in mm.
+/// One finding.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
-    /// For programs.
+    /// Code for programs.
     pub code: Code,
-    /// How much it matters.
+    /// Severity.
     pub severity: Severity,
-    /// For people: what, where, what to do. Plain words, no exception names.
+    /// Sentence for people that says what, where and what to do, without technical error names.
     pub message: String,
-    /// Layer it concerns.
+    /// Name of the layer it concerns.
     pub layer: Option<String>,
-    /// Handle of the entity in the file, as written there. Never a key: handles repeat in real files.
+    /// Handle of the entity, as written in the file. It is not a key, because handles repeat in real files.
     pub handle: Option<String>,
-    /// Where on the sheet, mm.
+    /// Place on the sheet, mm.
     #[serde(serialize_with = "place")]
     pub at: Option<DVec2>,
-    /// How many it stands for.
+    /// Number of entities or places the finding covers.
     pub count: u32,
 }
 
 impl Finding {
-    /// A finding of one, without layer, handle or place.
+    /// A finding that covers one place, without layer, handle or position.
     pub fn new(code: Code, severity: Severity, message: impl Into<String>) -> Self {
         Self { code, severity, message: message.into(), layer: None, handle: None, at: None, count: 1 }
     }
 
-    /// With its place.
+    /// Sets the place.
     pub fn at(mut self, p: DVec2) -> Self {
         self.at = Some(p);
         self
     }
 
-    /// With its layer.
+    /// Sets the layer.
     pub fn on_layer(mut self, layer: impl Into<String>) -> Self {
         self.layer = Some(layer.into());
         self
     }
 
-    /// With the handle of its entity.
+    /// Sets the handle of the entity.
     pub fn of_handle(mut self, handle: Option<impl Into<String>>) -> Self {
         self.handle = handle.map(Into::into);
         self
     }
 
-    /// Standing for `n`.
+    /// Sets the number of entities or places it covers.
     pub fn times(mut self, n: u32) -> Self {
         self.count = n;
         self
     }
 }
 
-/// Findings listed one by one before the rest of one code is only counted: a list people can still read, and a
-/// bound on memory for files that are wrong everywhere.
+/// Findings of one code that are listed individually; the rest is only counted. The list stays readable, and memory
+/// stays bounded for files that are wrong everywhere.
 const LISTED_PER_CODE: u32 = 200;
 
-/// Collects findings; past [`LISTED_PER_CODE`] of one code the rest are counted in one finding of code `More`.
+/// Collects findings. Beyond [`LISTED_PER_CODE`] findings of one code, the rest is counted in one finding of code
+/// `More`.
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
     list: Vec<Finding>,
     seen: Seen,
 }
 
-/// How many of each code are listed, and how many are only counted. A list: codes are few.
+/// For each code, the number of listed findings and the number of those only counted, sorted by code. A vector serves
+/// because there are few codes.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Seen(Vec<(Code, u32, u32)>);
 
 impl Seen {
-    /// Whether another `count` of a code are to be listed; otherwise they are counted.
+    /// Records a finding that covers `count` places. Returns whether to list it; after `most` listed findings of a code
+    /// it is only counted.
     pub(crate) fn lists(&mut self, code: Code, count: u32, most: u32) -> bool {
         let at = self.0.iter().position(|(c, ..)| *c >= code).unwrap_or(self.0.len());
         if self.0.get(at).is_none_or(|(c, ..)| *c != code) {
@@ -182,26 +187,26 @@ impl Seen {
         lists
     }
 
-    /// The codes of which some are only counted, with how many.
+    /// The codes with findings that were only counted, each with that count.
     pub(crate) fn rests(self) -> impl Iterator<Item = (Code, u32)> {
         self.0.into_iter().map(|(code, _, rest)| (code, rest)).filter(|&(_, rest)| rest > 0)
     }
 }
 
 impl Findings {
-    /// Adds one.
+    /// Adds a finding.
     pub fn push(&mut self, f: Finding) {
         if self.seen.lists(f.code, f.count, LISTED_PER_CODE) {
             self.list.push(f);
         }
     }
 
-    /// Takes back those that it says of.
+    /// Removes the findings for which `of` returns true.
     pub fn withdraw(&mut self, of: impl Fn(&Finding) -> bool) {
         self.list.retain(|f| !of(f));
     }
 
-    /// The list, with a closing `More` for each code that overflowed.
+    /// The list of findings, closed by one finding of code `More` for each code that overflowed.
     pub fn into_list(mut self) -> Vec<Finding> {
         for (code, rest) in self.seen.rests() {
             let message = format!("Not listed one by one: {}.", code.in_words(rest));

@@ -182,7 +182,8 @@ impl Tracer<'_> {
             let tangent = |t: Option<DVec3>| t.map(|t| t.truncate());
             let (start, end) = (tangent(spline.start_tangent), tangent(spline.end_tangent));
             let elevation = spline.fit.first().map_or(0.0, |p| p.z);
-            Nurbs::through(&fit, start, end, spline.closed).map(|curve| curve.transformed(&flat(elevation)))
+            Nurbs::interpolate(&fit, start, end, spline.closed)
+                .map(|curve| curve.transformed(&flat(elevation)))
         };
         let curve = if spline.control.is_empty() {
             through()

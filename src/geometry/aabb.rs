@@ -2,17 +2,17 @@
 
 use glam::DVec2;
 
-/// An axis-parallel box; empty when `min` exceeds `max`.
+/// An axis-parallel box. It is empty when `min` exceeds `max`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
-    /// Lower left.
+    /// Lower left corner.
     pub min: DVec2,
-    /// Upper right.
+    /// Upper right corner.
     pub max: DVec2,
 }
 
 impl Aabb {
-    /// The box that holds nothing and grows with whatever is put in.
+    /// The empty box.
     pub const EMPTY: Self = Self { min: DVec2::INFINITY, max: DVec2::NEG_INFINITY };
 
     /// The box of one point.
@@ -20,22 +20,22 @@ impl Aabb {
         Self { min: p, max: p }
     }
 
-    /// Holds nothing.
+    /// Whether the box contains no point.
     pub fn is_empty(&self) -> bool {
         self.min.x > self.max.x || self.min.y > self.max.y
     }
 
-    /// The box grown to hold `p`.
+    /// The box extended to contain `p`.
     pub fn with(self, p: DVec2) -> Self {
         Self { min: self.min.min(p), max: self.max.max(p) }
     }
 
-    /// The box around both.
+    /// The smallest box around both.
     pub fn union(self, o: Self) -> Self {
         Self { min: self.min.min(o.min), max: self.max.max(o.max) }
     }
 
-    /// The box grown by `d` mm on every side.
+    /// The box extended by `d` mm on every side.
     pub fn grown(self, d: f64) -> Self {
         Self { min: self.min - d, max: self.max + d }
     }
@@ -55,7 +55,7 @@ impl Aabb {
         p.cmpge(self.min).all() && p.cmple(self.max).all()
     }
 
-    /// Whether `o` lies wholly inside or on the edge.
+    /// Whether `o` lies completely inside or on the edge.
     pub fn contains_box(&self, o: &Self) -> bool {
         self.contains(o.min) && self.contains(o.max)
     }

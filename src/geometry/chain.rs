@@ -1,15 +1,16 @@
-//! Segments joined end to end as a fit makes them; neighbours on one line or circle become one.
+//! A growing chain of fitted segments, which merges neighbours that lie on one line or circle.
 
 use super::segment::{Arc, Segment};
 use std::f64::consts::TAU;
 
-/// Share of the tolerance within which a stretch *is* a line or an arc, and two neighbours lie on one.
-pub(super) const EXACT: f64 = 0.002;
+/// Fraction of the tolerance within which a stretch counts as an exact line or arc, and two neighbours as parts of one
+/// element.
+pub(super) const EXACT_SHARE: f64 = 0.002;
 
 /// A growing chain.
 pub(super) struct Chain {
     pub(super) segments: Vec<Segment>,
-    /// Index of the first segment of the run under way: nothing is merged across a kink.
+    /// Index of the first segment of the current run. Segments are not merged across a kink.
     run: usize,
     tolerance: f64,
 }
@@ -20,12 +21,12 @@ impl Chain {
         Self { segments: Vec::new(), run: 0, tolerance }
     }
 
-    /// Distance below which two places of a fit are the same, mm.
+    /// Distance below which two places of the fit are the same, mm.
     pub(super) fn same(&self) -> f64 {
-        EXACT * self.tolerance
+        EXACT_SHARE * self.tolerance
     }
 
-    /// A kink: the next segment is not merged with the last.
+    /// Marks a kink: the next segment is not merged with the last one.
     pub(super) fn start_run(&mut self) {
         self.run = self.segments.len();
     }
@@ -43,7 +44,7 @@ impl Chain {
     }
 }
 
-/// Two neighbours as one segment, when they lie on one line or circle within `same` mm.
+/// Two neighbours as one segment, if both lie on it within `same` mm.
 fn merged(last: &Segment, next: &Segment, same: f64) -> Option<Segment> {
     match (last, next) {
         (Segment::Line(a), Segment::Line(b)) => {

@@ -1,31 +1,32 @@
-//! Covering a smooth stretch with as few biarcs as possible.
+//! Covers a smooth stretch with as few biarcs as possible.
 //!
-//! Greedy: each biarc reaches as far as the tolerance lets it. For pieces that interpolate the curve and its direction
-//! at the samples this is optimal in number (R. L. S. Drysdale, G. Rote, A. Sturm, "Approximation of an open polygonal
-//! curve with a minimum number of circular arcs and biarcs", Comput. Geom. 41 (2008),
-//! doi:10.1016/j.comgeo.2007.10.009). We go below that number by leaving and arriving at a small angle to the curve
-//! ([`best_tilt`]).
+//! The method is greedy: each biarc reaches as far as the tolerance allows. For pieces that interpolate the curve and
+//! its direction at the samples, this minimises their number (R. L. S. Drysdale, G. Rote, A. Sturm, "Approximation of
+//! an open polygonal curve with a minimum number of circular arcs and biarcs", Comput. Geom. 41 (2008),
+//! doi:10.1016/j.comgeo.2007.10.009). Kerfway needs fewer still, because its pieces leave and arrive at a small angle
+//! to the curve ([`best_tilt`]).
 
 use super::biarc::{Biarc, bend};
 use super::chain::Chain;
 use super::sample::Sample;
 use super::segment::Segment;
 
-/// Share of the tolerance a fit may use as measured at the samples. The rest covers the samples' own resolution (a
-/// twentieth) and what lies between them.
-pub(super) const MEASURED: f64 = 0.85;
-/// Largest sum of sines of the turns inside one biarc: about half a circle, so that its arcs stay below that.
-const TURN: f64 = 3.0;
+/// Fraction of the tolerance that a fit may use at the samples. The rest covers the error of the samples (a twentieth)
+/// and the places between them.
+pub(super) const SAMPLED_SHARE: f64 = 0.85;
+/// Largest sum of the sines of the turns inside one biarc, about half a circle, so that each of its arcs stays below
+/// half a circle.
+const MAX_TURN: f64 = 3.0;
 
-/// Covers a stretch with the longest biarcs, one after the other, as part of a chain.
+/// Covers a stretch with the longest biarcs, one after the other, and adds them to a chain.
 pub(super) fn cover(run: &[Sample], tolerance: f64, chain: &mut Chain) {
     let stretch = Stretch::new(run, tolerance);
     let (mut i, mut tilt) = (0, 0.0);
-    // Neighbours reach about as far as each other: half the last reach is a good first try.
+    // Neighbouring pieces are of similar length, so half the last length is a good first attempt.
     let mut step = 1;
     while i + 1 < run.len() {
         let found = reach(run, i, step, |j| stretch.biarc(i, tilt, j));
-        let found = found.map(|(j, b)| stretch.shared(i, tilt, j).unwrap_or((j, b)));
+        let found = found.map(|(j, b)| stretch.halved(i, tilt, j).unwrap_or((j, b)));
         match found {
             Some((j, (biarc, at_end))) => {
                 chain.push(biarc.first.segment(chain.same()));
@@ -34,7 +35,7 @@ pub(super) fn cover(run: &[Sample], tolerance: f64, chain: &mut Chain) {
                 (i, tilt) = (j, at_end);
             }
             None => {
-                // Two samples no biarc joins: nearer than the resolution, a line is as good.
+                // No biarc joins these two samples. They are nearer than the resolution, so a line serves as well.
                 chain.push(Segment::line(run[i].point, run[i + 1].point));
                 (i, tilt) = (i + 1, 0.0);
             }
@@ -62,16 +63,16 @@ impl<'r> Stretch<'r> {
         Self { run, tolerance, turned, length }
     }
 
-    /// The biarc from sample `i`, starting `tilt` rad off its direction, to sample `j`, and how far it ends off the
-    /// direction there; `None` when it is not near enough.
+    /// The biarc from sample `i`, starting `tilt` rad off its direction, to sample `j`, with the angle by which it ends
+    /// off the direction there; `None` when it is too far from the curve.
     fn biarc(&self, i: usize, tilt: f64, j: usize) -> Option<(Biarc, f64)> {
-        if self.turned[j] - self.turned[i] > TURN {
+        if self.turned[j] - self.turned[i] > MAX_TURN {
             return None;
         }
         let (from, to, between) = (tilted(self.run[i], tilt), self.run[j], &self.run[i + 1..j]);
         // The ends of the stretch keep their directions.
         let best = match self.run.get(j + 1) {
-            // Off by this angle, a piece over the next gap alone misses the curve by 0.15 tolerances at most.
+            // With at most this angle, a piece over the next gap alone misses the curve by 0.15 tolerances at most.
             Some(next) => {
                 let most = self.tolerance / next.point.distance(to.point);
                 best_tilt(bend(from, to)?, tilt).clamp(-most, most)
@@ -79,16 +80,16 @@ impl<'r> Stretch<'r> {
             None => 0.0,
         };
         let biarc = Biarc::along(from, tilted(to, best), between)?;
-        biarc.within(between, MEASURED * self.tolerance).then_some((biarc, best))
+        biarc.within(between, SAMPLED_SHARE * self.tolerance).then_some((biarc, best))
     }
 
-    /// When a piece that reaches from `i` to `j` leaves but a sliver to the end: one to the middle of both instead.
-    fn shared(&self, i: usize, tilt: f64, j: usize) -> Option<(usize, (Biarc, f64))> {
-        /// What is left, as a part of the piece: below it two halves of the sum are well within reach.
-        const SLIVER: f64 = 0.3;
+    /// If a piece from `i` to `j` leaves only a short rest to the end, a piece to the middle of both instead.
+    fn halved(&self, i: usize, tilt: f64, j: usize) -> Option<(usize, (Biarc, f64))> {
+        /// The rest as a fraction of the piece, below which two halves of the sum are certainly within reach.
+        const SHORT_REST: f64 = 0.3;
         let (start, end) = (self.length[i], *self.length.last()?);
         let rest = end - self.length[j];
-        if rest <= 0.0 || rest > SLIVER * (self.length[j] - start) {
+        if rest <= 0.0 || rest > SHORT_REST * (self.length[j] - start) {
             return None;
         }
         let middle = self.length.partition_point(|l| *l < 0.5 * (start + end)).clamp(i + 1, j);
@@ -101,24 +102,24 @@ fn tilted(s: Sample, angle: f64) -> Sample {
     Sample { tangent: (s.tangent + s.tangent.perp() * angle).normalize_or_zero(), ..s }
 }
 
-/// The angle (rad) between fit and curve at a joint that lets the pieces be longest, given the [`bend`] of the
-/// biarc that ends in the direction of the curve and starts `tilt` off it.
+/// The angle (rad) between fit and curve at a joint that allows the longest pieces. It is computed from the [`bend`] of
+/// the biarc that starts `tilt` off the curve and ends in the curve's direction.
 ///
-/// Where the curvature changes at rate k, arcs of length h with all joints on the curve stay nearest to it when they
-/// leave and arrive at an angle of -k h^2 / 12: their distance is then the even wave of amplitude k h^3 / 125, a third
-/// of what biarcs in the curve's own directions reach. That biarc changes its curvature by
-/// 4/3 k h + 2 tilt / h, hence k.
+/// Where the curvature changes at rate k, arcs of length h with all joints on the curve are nearest to it when they
+/// leave and arrive at an angle of -k h^2 / 12. Their distance is then an even wave of amplitude k h^3 / 125, a third
+/// of what biarcs in the curve's own directions reach. The biarc changes its curvature by 4/3 k h + 2 tilt / h, which
+/// gives k.
 fn best_tilt((change, h): (f64, f64), tilt: f64) -> f64 {
-    /// Beyond 6 degrees the small-angle reckoning is void.
-    const MOST: f64 = 0.1;
-    /// 1/16 follows from the above; a quarter less gave the fewest pieces on ellipses and random splines, since the
-    /// rate k changes along a piece.
-    const DAMPED: f64 = 0.75 / 16.0;
-    (-(change * h - 2.0 * tilt) * DAMPED).clamp(-MOST, MOST)
+    /// Beyond 6 degrees the small-angle approximation no longer holds.
+    const MAX_TILT: f64 = 0.1;
+    /// The derivation above gives 1/16. A quarter less gave the fewest pieces on ellipses and random splines, because
+    /// the rate k changes along a piece.
+    const DAMPING: f64 = 0.75 / 16.0;
+    (-(change * h - 2.0 * tilt) * DAMPING).clamp(-MAX_TILT, MAX_TILT)
 }
 
-/// The farthest sample that `piece` reaches from `i`, and its piece: a first try `step` samples away, then steps
-/// double while it fits and halve when it does not.
+/// The farthest sample that `piece` reaches from `i`, and that piece. The first attempt is `step` samples away; the
+/// step doubles while a piece fits and halves when it does not.
 pub(super) fn reach<T>(
     run: &[Sample],
     i: usize,

@@ -10,8 +10,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The points `center + major * cos(a) + minor * sin(a)` for `a` from `start` over `sweep`.
 ///
-/// `major` and `minor` are conjugate half axes: any two vectors, not necessarily at right angles (an affine map
-/// keeps conjugate axes conjugate). Angles are parameters in rad, not directions.
+/// `major` and `minor` are conjugate half axes, which need not be perpendicular (an affine map keeps conjugate axes
+/// conjugate). Angles are parameters in rad, not directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ellipse {
     /// Centre, mm.
@@ -26,11 +26,11 @@ pub struct Ellipse {
     pub sweep: f64,
 }
 
-/// Half axes as long as each other and at right angles to this part make a circle.
+/// Largest relative difference of the half axes' lengths, and cosine of their angle, for which the ellipse is a circle.
 const CIRCLE: f64 = 1e-12;
 
 impl Ellipse {
-    /// The image of an arc under a map; its ends are the images of the arc's ends, but for rounding.
+    /// The image of an arc under an affine map. Its ends equal the images of the arc's ends up to rounding.
     pub fn of_arc(arc: &Arc, map: &Affine) -> Self {
         let radius = arc.start - arc.center;
         Self {
@@ -42,7 +42,7 @@ impl Ellipse {
         }
     }
 
-    /// The image of this piece under a map: again a piece of an ellipse, exactly.
+    /// The image under an affine map, which is exactly an elliptic arc again.
     pub fn transformed(&self, map: &Affine) -> Self {
         Self {
             center: map.point(self.center),
@@ -62,7 +62,7 @@ impl Ellipse {
         self.sweep.abs() >= TAU
     }
 
-    /// The arc this piece is, when the half axes are those of a circle.
+    /// The equivalent circular arc, if the half axes are those of a circle.
     pub fn as_arc(&self) -> Option<Arc> {
         let (aa, bb) = (self.major.length_squared(), self.minor.length_squared());
         let size = aa.max(bb);
@@ -77,19 +77,19 @@ impl Ellipse {
         Some(Arc { start, end, center: self.center, sweep: if mirrored { -sweep } else { sweep } })
     }
 
-    /// The same piece run the other way.
+    /// The same piece in the opposite direction.
     pub fn reversed(&self) -> Self {
         Self { start: self.start + self.sweep, sweep: -self.sweep, ..*self }
     }
 
-    /// The piece as lines and arcs, nowhere farther than `tolerance` mm from it: one exact arc when it is a circle,
-    /// lines when it is flat (half axes on one line). The ends are exact; a whole ellipse closes bit for bit. Empty
-    /// when it has no length. A piece given from its other end becomes the same elements run the other way.
+    /// The piece as lines and arcs within `tolerance` mm of it: one exact arc when it is circular, lines when it is
+    /// flat (half axes on one line). The ends are exact, and a whole ellipse closes bit for bit. The result is empty
+    /// when the piece has no length. A reversed piece gives the same elements reversed.
     pub fn to_segments(&self, tolerance: f64) -> Vec<Segment> {
         if let Some(arc) = self.as_arc() {
             return vec![Segment::Arc(arc)];
         }
-        // Pieces are laid counter-clockwise.
+        // Every piece is fitted counter-clockwise.
         if self.sweep * self.major.perp_dot(self.minor) < 0.0 {
             let other = fit::fit(&EllipseCurve::new(&self.reversed()), tolerance);
             return other.iter().rev().map(Segment::reversed).collect();
@@ -98,7 +98,7 @@ impl Ellipse {
     }
 }
 
-/// The piece with its parameter cut at the vertices, where the curvature is least and greatest.
+/// The piece with its parameter range divided at the vertices, where the curvature has its extremes.
 struct EllipseCurve {
     ellipse: Ellipse,
     breaks: Vec<f64>,
@@ -112,7 +112,7 @@ impl EllipseCurve {
         let vertex = 0.5 * math::atan2(2.0 * e.major.dot(e.minor), uu - vv);
         let (low, high) = if sweep < 0.0 { (e.start + sweep, e.start) } else { (e.start, e.start + sweep) };
         let mut breaks = vec![0.0];
-        // Counted from the start, in direction of travel, so that they ascend: at most five quarters.
+        // Positions relative to the start in the direction of travel, so that they ascend; at most five quarters.
         let quarters: Vec<f64> = (0..=8)
             .map(|k| vertex + ((low - vertex) / FRAC_PI_2).floor() * FRAC_PI_2 + f64::from(k) * FRAC_PI_2)
             .filter(|a| *a > low + 1e-9 && *a < high - 1e-9)

@@ -1,11 +1,11 @@
 //! Where two segments meet: crossings, touches, and stretches they share.
 //!
-//! Candidates are the crossings of the two lines or circles, and the place nearest to each end of either segment.
-//! Candidates farther than the tolerance from either segment are dropped, those closer to each other than the
-//! tolerance become one, ends first: an end that falls short by less than the tolerance still meets. Between
-//! neighbouring candidates the segments either run side by side within the tolerance (a shared stretch) or they do
-//! not; distance between two lines, a line and a circle, or two circles has at most one peak there, so a few
-//! places decide.
+//! The candidates are the crossings of the two lines or circles, and the place nearest to each end of either segment. A
+//! candidate farther than the tolerance from either segment is dropped. Candidates closer to each other than the
+//! tolerance are merged, preferring ends: an end that falls short by less than the tolerance still meets the other
+//! segment. Between neighbouring candidates the segments either run within the tolerance of each other (an overlap) or
+//! not. The distance between two lines, a line and a circle, or two circles has at most one maximum there, so a few
+//! test places decide.
 
 use super::segment::{Arc, Line, Segment};
 use crate::order::{real, sort_by};
@@ -18,26 +18,25 @@ pub struct Meeting {
     pub a: f64,
     /// Fraction of the second segment's length, in [0, 1].
     pub b: f64,
-    /// The place, on the first segment, mm.
+    /// The place on the first segment, mm.
     pub point: DVec2,
-    /// The segments pass through each other here; `false` where one only touches the other, with an end or a
-    /// tangent.
+    /// Whether the segments cross here; `false` where one only touches the other, with an end or tangentially.
     pub crossing: bool,
 }
 
 /// A stretch that two segments share within the tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Overlap {
-    /// Where it starts and ends on the first segment: fractions, ascending.
+    /// Start and end on the first segment, as ascending fractions.
     pub a: [f64; 2],
-    /// The same places on the second segment: fractions, descending when it runs the other way.
+    /// The same places on the second segment, as fractions; they descend when it runs in the opposite direction.
     pub b: [f64; 2],
 }
 
 /// All places and stretches where two segments meet.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Intersections {
-    /// Single places, in order along the first segment; none inside or at the end of an overlap.
+    /// Single places in order along the first segment; none lies in or at the end of an overlap.
     pub points: Vec<Meeting>,
     /// Shared stretches longer than the tolerance, in order along the first segment.
     pub overlaps: Vec<Overlap>,
@@ -50,7 +49,7 @@ impl Intersections {
     }
 }
 
-/// Where segments `a` and `b` come within `tolerance` mm of each other. The start of a full circle is no end.
+/// Finds where segments `a` and `b` come within `tolerance` mm of each other. The start of a full circle is not an end.
 pub fn intersect(a: &Segment, b: &Segment, tolerance: f64) -> Intersections {
     let mut out = Intersections::default();
     if !a.bounds().grown(tolerance).overlaps(&b.bounds()) {
@@ -69,12 +68,12 @@ fn is_circle(s: &Segment) -> bool {
     matches!(s, Segment::Arc(a) if a.is_circle())
 }
 
-/// Whether fraction `f` is an end of the segment; the start of a circle is none.
+/// Whether fraction `f` is an end of the segment. A circle has no ends.
 fn is_end(s: &Segment, f: f64) -> bool {
     (f <= 0.0 || f >= 1.0) && !is_circle(s)
 }
 
-/// Ends near the other segment, then crossings: places within the tolerance of both.
+/// Ends near the other segment, then crossings, all within the tolerance of both segments.
 fn candidates(a: &Segment, b: &Segment, tolerance: f64) -> Vec<Meeting> {
     let mut out = Vec::new();
     let near = tolerance * tolerance;
@@ -120,7 +119,7 @@ fn line_line(a: &Line, b: &Line, cross: &mut impl FnMut(DVec2, bool)) {
     }
 }
 
-/// Two places, or for a tangent within the tolerance the one where they are closest.
+/// Reports both crossings and, for a tangent within the tolerance, the place where the line is closest.
 fn line_circle(l: &Line, c: &Arc, cross: &mut impl FnMut(DVec2, bool)) {
     let Some(u) = (l.end - l.start).try_normalize() else { return };
     let foot = l.start + u * (c.center - l.start).dot(u);
@@ -134,7 +133,7 @@ fn line_circle(l: &Line, c: &Arc, cross: &mut impl FnMut(DVec2, bool)) {
     cross(foot, false);
 }
 
-/// Two places, or for circles that touch within the tolerance the one where they are closest.
+/// Reports both crossings and, for circles that touch within the tolerance, the places where they may be closest.
 fn circle_circle(a: &Arc, b: &Arc, cross: &mut impl FnMut(DVec2, bool)) {
     let between = b.center - a.center;
     let (ra, rb, d2) = (a.radius(), b.radius(), between.length_squared());
@@ -148,14 +147,14 @@ fn circle_circle(a: &Arc, b: &Arc, cross: &mut impl FnMut(DVec2, bool)) {
         cross(middle + half, true);
         cross(middle - half, true);
     }
-    // Touching from outside, or from inside with the smaller circle on this or the other side.
+    // The circles touch from outside, or from inside with the smaller circle on either side.
     cross(a.center + u * ra, false);
     cross(a.center - u * ra, false);
 }
 
-/// Sorts meetings along `a` and keeps one of those that are the same place within the tolerance.
+/// Sorts meetings along `a` and keeps one of those at the same place within the tolerance.
 fn thin(meetings: &mut Vec<Meeting>, a: &Segment, b: &Segment, tolerance: f64) {
-    // An end explains a crossing right beside it; a crossing explains a touch.
+    // At the same place an end is preferred to a crossing, and a crossing to a touch.
     let rank = |m: &Meeting| {
         4 * u64::from(!is_end(a, m.a)) + 2 * u64::from(!is_end(b, m.b)) + u64::from(!m.crossing)
     };
@@ -175,13 +174,13 @@ fn thin(meetings: &mut Vec<Meeting>, a: &Segment, b: &Segment, tolerance: f64) {
     *meetings = kept;
 }
 
-/// Stretches between neighbouring meetings along which the segments run within the tolerance.
+/// Stretches between neighbouring meetings along which the segments stay within the tolerance.
 fn overlaps(meetings: &[Meeting], a: &Segment, b: &Segment, tolerance: f64) -> Vec<Overlap> {
-    /// Where a stretch is looked at: its middle and near its ends.
+    /// Where a stretch is tested: in its middle and near its ends, as fractions.
     const PLACES: [f64; 5] = [0.5, 0.25, 0.75, 0.1, 0.9];
     let near = tolerance * tolerance;
     let mut stations: Vec<f64> = meetings.iter().map(|m| m.a).collect();
-    // A circle has stretches before its first and behind its last meeting, and breaks where the other one starts.
+    // A circle has stretches before its first and after its last meeting, and a break where the other circle starts.
     stations.extend([0.0, 1.0]);
     if is_circle(b) {
         stations.push(a.nearest(b.start()).0);
@@ -194,7 +193,7 @@ fn overlaps(meetings: &[Meeting], a: &Segment, b: &Segment, tolerance: f64) -> V
         if !(long && PLACES.iter().all(|f| b.nearest(a.at(place(*f))).1 <= near)) {
             continue;
         }
-        // The start of a circle is its end as well: take what lies on this stretch's side.
+        // The start of a circle is also its end; choose the fraction on this stretch's side.
         let on_b = |f: f64, beside: f64| {
             let (g, side) = (b.nearest(a.at(f)).0, b.nearest(a.at(place(beside))).0);
             if is_circle(b) && (g - side).abs() > 0.5 { 1.0 - g.round() } else { g }

@@ -1,15 +1,15 @@
-//! Knot vectors as files hold them, brought into order; and what can be wrong with a spline.
+//! Repairs knot vectors as files write them, and defines what can be wrong with a spline.
 
-/// Knots may step back by this part of their range: rounding of printed numbers.
+/// Knots may decrease by this fraction of their range, which is rounding of printed numbers.
 const KNOT_ROUNDING: f64 = 1e-6;
 
-/// Why a spline is no curve.
+/// Why spline data describe no curve.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CurveError {
     /// The degree is 0 or above [`MAX_DEGREE`](super::MAX_DEGREE).
     #[error("its degree is {0}; 1 to 15 can be read")]
     Degree(usize),
-    /// Fewer points than a curve needs.
+    /// There are fewer points than the degree needs.
     #[error("it has {points} points, its degree {degree} needs {}", degree + 1)]
     TooFewPoints {
         /// Control points given.
@@ -17,7 +17,7 @@ pub enum CurveError {
         /// Degree given.
         degree: usize,
     },
-    /// Fewer than two distinct fit points.
+    /// There are fewer than two distinct fit points.
     #[error("it has fewer than two fit points that differ")]
     TooFewFitPoints,
     /// A coordinate, weight or knot is infinite or not a number.
@@ -26,7 +26,7 @@ pub enum CurveError {
     /// A weight is zero or negative.
     #[error("it has a weight of {0}; weights must be above 0")]
     Weight(f64),
-    /// Not one weight per control point.
+    /// The number of weights differs from the number of control points.
     #[error("it has {weights} weights for {points} points")]
     WeightCount {
         /// Weights given.
@@ -34,7 +34,7 @@ pub enum CurveError {
         /// Control points given.
         points: usize,
     },
-    /// The number of knots does not go with points and degree.
+    /// The number of knots does not match the points and the degree.
     #[error("it has {knots} knots for {points} points of degree {degree}")]
     KnotCount {
         /// Knots given.
@@ -44,12 +44,12 @@ pub enum CurveError {
         /// Degree given.
         degree: usize,
     },
-    /// Knots step back, or all are equal.
+    /// The knots decrease, or all are equal.
     #[error("its knots do not ascend")]
     KnotOrder,
 }
 
-/// The knot vector in full: as given, with its outer knots added, or made up.
+/// The complete knot vector: as given, with its outer knots added, or uniform when none is given.
 pub(super) fn complete(mut knots: Vec<f64>, points: usize, degree: usize) -> Result<Vec<f64>, CurveError> {
     let full = points + degree + 1;
     if knots.is_empty() {
@@ -68,7 +68,7 @@ pub(super) fn complete(mut knots: Vec<f64>, points: usize, degree: usize) -> Res
     }
 }
 
-/// Knots that step back by rounding are lifted; others are refused.
+/// Lifts knots that decrease by rounding; larger decreases are an error.
 pub(super) fn ascending(mut knots: Vec<f64>) -> Result<Vec<f64>, CurveError> {
     let (low, high) =
         knots.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), k| (l.min(*k), h.max(*k)));

@@ -1,8 +1,8 @@
-//! The one place for transcendental functions, in radians.
+//! All transcendental functions, in radians.
 //!
-//! `+ - * /` and `sqrt` are bit-equal natively and in wasm; sine, cosine, arc tangent and powers of std are
-//! not. All of Kerfway takes them from here, and here they come from `libm`, which is the same Rust code on
-//! every target: the same seed gives the same bytes everywhere.
+//! `+ - * /` and `sqrt` give the same bits natively and in wasm, but the standard library's sine, cosine, arc tangent
+//! and powers do not. All code calls these functions instead. They come from `libm`, which is the same Rust code on
+//! every target, so the same seed gives the same bytes everywhere.
 
 use glam::DVec2;
 use std::f64::consts::{PI, TAU};
@@ -22,12 +22,12 @@ pub fn tan(a: f64) -> f64 {
     libm::tan(a)
 }
 
-/// Arc cosine, the argument held inside [-1, 1].
+/// Arc cosine; the argument is clamped to [-1, 1].
 pub fn acos(x: f64) -> f64 {
     libm::acos(x.clamp(-1.0, 1.0))
 }
 
-/// Arc sine, the argument held inside [-1, 1].
+/// Arc sine; the argument is clamped to [-1, 1].
 pub fn asin(x: f64) -> f64 {
     libm::asin(x.clamp(-1.0, 1.0))
 }
@@ -72,12 +72,12 @@ pub fn angle_of(v: DVec2) -> f64 {
     atan2(v.y, v.x)
 }
 
-/// The signed angle that turns `a` into `b`, in (-pi, pi].
+/// The signed angle that rotates the direction of `a` to that of `b`, in (-pi, pi].
 pub fn turn(a: DVec2, b: DVec2) -> f64 {
     atan2(a.perp_dot(b), a.dot(b))
 }
 
-/// `a` brought into [0, 2 pi).
+/// The angle equivalent to `a` in [0, 2 pi).
 pub fn wrap_tau(a: f64) -> f64 {
     let r = a % TAU;
     let r = if r < 0.0 { r + TAU } else { r };
@@ -85,13 +85,13 @@ pub fn wrap_tau(a: f64) -> f64 {
     if r >= TAU { 0.0 } else { r }
 }
 
-/// `a` brought into (-pi, pi].
+/// The angle equivalent to `a` in (-pi, pi].
 pub fn wrap_pi(a: f64) -> f64 {
     let r = wrap_tau(a);
     if r > PI { r - TAU } else { r }
 }
 
-/// Turns `v` by `a` radians, counter-clockwise positive.
+/// Rotates `v` by `a` radians, counter-clockwise positive.
 pub fn rotate(v: DVec2, a: f64) -> DVec2 {
     let (s, c) = (sin(a), cos(a));
     DVec2::new(v.x * c - v.y * s, v.x * s + v.y * c)

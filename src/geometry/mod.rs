@@ -1,41 +1,41 @@
-//! Plane geometry in millimetres and radians; it knows no drawing and no machine.
+//! Plane geometry in millimetres and radians. It knows neither drawings nor machines.
 //!
-//! Two kinds of element ([`Segment`]: line, arc) make up every [`Path`]. Ellipses and splines become elements by
-//! biarc fitting within a stated tolerance, so later stages know two kinds only.
+//! Every [`Path`] consists of two kinds of [`Segment`]: lines and arcs. Ellipses and splines are converted to these by
+//! biarc fitting within a given tolerance, so later stages handle only two kinds.
 
 mod aabb;
 mod affine;
+mod affine_path;
 mod biarc;
-mod boxes;
+mod box_index;
 mod buckets;
 mod cells;
 mod chain;
 mod cover;
 mod ellipse;
 mod fit;
-mod inside;
+mod interpolate;
 mod intersect;
 mod knots;
-mod mapped;
 pub mod math;
 mod nurbs;
 mod path;
+mod recognise;
 mod sample;
 mod sampler;
 mod segment;
-mod single;
-mod through;
+mod winding;
 
 pub use aabb::Aabb;
 pub use affine::Affine;
-pub use boxes::BoxIndex;
+pub use box_index::BoxIndex;
 pub use buckets::Buckets;
 pub use cells::Cells;
 pub use ellipse::Ellipse;
 pub use glam::DVec2;
-pub use inside::{Winding, interior_point, turns, winding};
 pub use intersect::{Intersections, Meeting, Overlap, intersect};
 pub use knots::CurveError;
 pub use nurbs::{MAX_DEGREE, Nurbs};
 pub use path::Path;
 pub use segment::{Arc, Line, Segment};
+pub use winding::{Winding, interior_point, winding, winding_number};

@@ -1,10 +1,10 @@
-//! Rational B-splines, as a SPLINE entity holds them.
+//! Rational B-splines, as a SPLINE entity defines them.
 //!
 //! Evaluation is de Boor's algorithm on homogeneous coordinates (C. de Boor, "On calculating with B-splines", J.
-//! Approx. Theory 6 (1972), doi:10.1016/0021-9045(72)90080-9; L. Piegl, W. Tiller, "The NURBS Book", 2nd ed.,
-//! chapters 3 and 4). What real files hold and we take: knots that are not clamped, knot vectors without their two
-//! useless outer knots, none at all, knots that step back by rounding, closed splines whose first control points are
-//! not repeated at the end.
+//! Approx. Theory 6 (1972), doi:10.1016/0021-9045(72)90080-9; L. Piegl, W. Tiller, "The NURBS Book", 2nd ed., chapters
+//! 3 and 4). These irregularities of real files are accepted: knots that are not clamped, knot vectors without their
+//! two redundant outer knots, missing knots, knots that decrease by rounding, and closed splines whose first control
+//! points are not repeated at the end.
 
 use super::affine::Affine;
 use super::fit;
@@ -13,7 +13,7 @@ use super::sampler::Curve;
 use super::segment::Segment;
 use glam::DVec2;
 
-/// Highest degree taken; the highest any known program writes.
+/// Highest degree accepted, which is also the highest that any known program writes.
 pub const MAX_DEGREE: usize = 15;
 
 /// A rational B-spline in the plane, valid by construction.
@@ -28,18 +28,18 @@ pub struct Nurbs {
     knots: Vec<f64>,
     /// The distinct knots in the range of the curve.
     breaks: Vec<f64>,
-    /// Index of the knot each piece between breaks starts at.
+    /// For each piece between breaks, the index of the knot it starts at.
     spans: Vec<usize>,
 }
 
 impl Nurbs {
-    /// A spline of `degree` 1 to 15 from control points (mm), weights (none: all 1) and knots.
+    /// A spline of `degree` 1 to 15 from control points (mm), weights (empty when all are 1) and knots.
     ///
-    /// Knots may be `points + degree + 1` as usual, or lack the two outer ones, or be none at all (then uniform
-    /// with clamped ends).
+    /// There are normally `points + degree + 1` knots. The two outer ones may be missing, and an empty list means
+    /// uniform knots with clamped ends.
     ///
     /// # Errors
-    /// Counts that do not match, values that are not finite, weights of 0 or less, knots that do not ascend.
+    /// The counts do not match, a value is not finite, a weight is 0 or less, or the knots do not ascend.
     pub fn new(
         degree: usize,
         control: Vec<DVec2>,
@@ -79,9 +79,9 @@ impl Nurbs {
         Ok(Self { degree, control, weights, knots, breaks, spans })
     }
 
-    /// A closed spline. Control points that already lead back to the start are taken as they are; otherwise, unless
-    /// the knots are clamped (an open curve whose flag says otherwise), the first `degree` of them are repeated and
-    /// the knots continued periodically, as drawing programs do on reading the closed flag.
+    /// A closed spline. Control points that already return to the start are used unchanged, and so are clamped knots
+    /// (an open curve although its flag says closed). Otherwise the first `degree` control points are repeated and the
+    /// knots continued periodically, as drawing programs do when they read the closed flag.
     ///
     /// # Errors
     /// As [`Nurbs::new`].
@@ -102,13 +102,13 @@ impl Nurbs {
             }
             let Self { control, weights, knots, .. } = open;
             let period = knots.get(degree..=points).map(<[f64]>::to_vec).unwrap_or_default();
-            // `points - degree` spans are known; the wrapped curve has `points`: the rest continues uniformly.
+            // Only `points - degree` spans are known but the wrapped curve has `points`; the rest continues uniformly.
             return Self::wrapped(degree, &control, &weights, &period);
         }
         Self::wrapped(degree, &control, &weights, &knots)
     }
 
-    /// Control points wrapped around; `period` holds the knots of one turn, continued uniformly where too few.
+    /// A periodic spline; `period` holds the knots of one turn and is continued uniformly when it is too short.
     fn wrapped(
         degree: usize,
         control: &[DVec2],
@@ -127,7 +127,7 @@ impl Nurbs {
         let step = if period.len() > 1 { (last - first) / (period.len() - 1) as f64 } else { 1.0 };
         let mut steps: Vec<f64> = period.windows(2).map(|w| w[1] - w[0]).collect();
         steps.resize(points, step);
-        // degree + points + degree steps, periodic, so that the curve runs over exactly one period.
+        // There are degree + points + degree periodic steps, so that the curve runs over exactly one period.
         let mut knots = Vec::with_capacity(points + 2 * degree + 1);
         let mut at = first - (0..degree).map(|i| steps[(points * degree + i - degree) % points]).sum::<f64>();
         knots.push(at);
@@ -176,26 +176,25 @@ impl Nurbs {
         }
     }
 
-    /// The point at parameter `t`, held inside the domain.
+    /// The point at parameter `t`, which is clamped to the domain.
     pub fn point(&self, t: f64) -> DVec2 {
         self.at(self.piece(t), t).0
     }
 
-    /// The derivative by the parameter at `t`; at a kink that of the later side.
+    /// The derivative with respect to the parameter at `t`; at a kink, that of the later side.
     pub fn derivative(&self, t: f64) -> DVec2 {
         self.at(self.piece(t), t).1
     }
 
-    /// The image under a map: exact, since the control points carry the curve.
+    /// The image under an affine map. It is exact, because mapping the control points maps the curve.
     pub fn transformed(&self, map: &Affine) -> Self {
         Self { control: self.control.iter().map(|p| map.point(*p)).collect(), ..self.clone() }
     }
 
-    /// The curve as lines and arcs, nowhere farther than `tolerance` mm from it (unless that takes more than some
-    /// ten thousand elements, as hostile input does). Kinks are kept; between them the direction is continuous.
-    /// The ends are exact, and a curve that ends where it started closes bit for bit. Empty when it has no length.
-    /// The same curve given from its other end becomes the same elements run the other way: a copy drawn there and
-    /// back is a copy.
+    /// The curve as lines and arcs within `tolerance` mm of it, unless that takes more than some ten thousand elements,
+    /// as hostile input does. Kinks are kept; between them the direction is continuous. The ends are exact, and a curve
+    /// that ends where it started closes bit for bit. The result is empty when the curve has no length. A reversed
+    /// curve gives the same elements reversed, so a copy drawn in the other direction is recognised as a copy.
     pub fn to_segments(&self, tolerance: f64) -> Vec<Segment> {
         if self.starts_at_its_later_end()
             && let Ok(other) = self.reversed()
@@ -205,7 +204,7 @@ impl Nurbs {
         fit::fit(self, tolerance)
     }
 
-    /// The same curve run the other way.
+    /// The same curve in the opposite direction.
     fn reversed(&self) -> Result<Self, CurveError> {
         let sum = self.knots[0] + self.knots[self.knots.len() - 1];
         let control = self.control.iter().rev().copied().collect();
@@ -213,8 +212,8 @@ impl Nurbs {
         Self::new(self.degree, control, weights, self.knots.iter().rev().map(|k| sum - k).collect())
     }
 
-    /// Of the two ways to run the curve this is not the one that fits are made in: its control points come later,
-    /// by x, then by y, than those from the other end.
+    /// Whether fits are made from the other end. A curve is fitted in the direction whose control points come first
+    /// when compared by x, then by y, so that both directions give the same elements.
     fn starts_at_its_later_end(&self) -> bool {
         let differ = self.control.iter().zip(self.control.iter().rev()).find(|(a, b)| a != b);
         differ.is_some_and(|(a, b)| (a.x, a.y) > (b.x, b.y))
@@ -228,7 +227,7 @@ impl Nurbs {
         self.knots[self.knots.len() - 1] <= self.knots[self.control.len()]
     }
 
-    /// The piece between breaks that holds `t`.
+    /// Index of the piece between breaks that contains `t`.
     fn piece(&self, t: f64) -> usize {
         self.breaks.partition_point(|b| *b <= t).clamp(1, self.spans.len()) - 1
     }
@@ -273,14 +272,14 @@ impl Curve for Nurbs {
             point = self.start();
         } else if t >= to {
             let (start, end) = (self.start(), self.end());
-            // Closed but for rounding: closed.
+            // A curve whose ends differ only by rounding is closed.
             point = if start.distance(end) <= 1e-9 * self.extent() { start } else { end };
         }
         (point, derivative)
     }
 
     fn intervals(&self) -> usize {
-        // A piece of degree p bends at most p - 1 times; every interval carries five samples.
+        // A piece of degree p bends at most p - 1 times, and every interval carries five samples.
         self.degree.div_ceil(2)
     }
 

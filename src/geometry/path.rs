@@ -1,22 +1,22 @@
 //! A chain of elements joined end to end: the shape of a contour, or of one entity of a drawing.
 //!
-//! A place on a path is its arc length from the start in mm, as entries of the search slide continuously.
+//! A position on a path is its arc length from the start in mm, because the search moves entries continuously.
 
 use super::aabb::Aabb;
 use super::segment::{Arc, Segment};
 use glam::DVec2;
 
-/// Places nearer than this to an element's end are that end, mm: a sum of lengths is off by its last bits, and an
-/// element shorter than this has no direction worth anything.
+/// A position nearer than this to an element's end is that end, mm. Sums of lengths differ in their last bits, and an
+/// element shorter than this has no reliable direction.
 const SNAP: f64 = 1e-9;
 
-/// Elements joined end to end: `segments[i].end() == segments[i + 1].start()`, bit for bit; when `closed`, also
-/// the last end is the first start.
+/// Elements joined end to end: `segments[i].end() == segments[i + 1].start()`, bit for bit. When `closed`, the last end
+/// is also the first start.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Path {
     /// The elements in order of travel.
     pub segments: Vec<Segment>,
-    /// Comes back to its start.
+    /// Whether the path returns to its start.
     pub closed: bool,
 }
 
@@ -51,7 +51,7 @@ impl Path {
         self.segments.iter().fold(Aabb::EMPTY, |b, s| b.union(s.bounds()))
     }
 
-    /// The same path run the other way.
+    /// The same path in the opposite direction.
     pub fn reversed(&self) -> Self {
         Self { segments: self.segments.iter().rev().map(Segment::reversed).collect(), closed: self.closed }
     }
@@ -66,15 +66,17 @@ impl Path {
         inner.fold(last, f64::max)
     }
 
-    /// The point `s` mm along the path (held inside its length).
+    /// The point `s` mm along the path; `s` is clamped to its length.
     pub fn at(&self, s: f64) -> Option<DVec2> {
         let (i, f) = self.locate(s)?;
         self.segments.get(i).map(|g| g.at(f))
     }
 
-    /// The element `s` mm along the path, and the fraction along it; 0 within 1e-9 mm of an element's start.
+    /// Index of the element `s` mm along the path, and the fraction along it, which is 0 within 1e-9 mm of the
+    /// element's start.
     pub fn locate(&self, s: f64) -> Option<(usize, f64)> {
-        // Summed up as whoever names a corner by its arc length sums it up: the corner is met bit for bit.
+        // The lengths are summed in the same order as by callers that compute a corner's arc length, so the corner is
+        // met bit for bit.
         let mut before = 0.0;
         for (i, g) in self.segments.iter().enumerate() {
             let len = g.length();
@@ -90,8 +92,8 @@ impl Path {
         Some((self.segments.len().checked_sub(1)?, 1.0))
     }
 
-    /// The elements from `from` to `to` mm along a closed path, in its own direction, over its end where `to` lies before
-    /// `from`.
+    /// The elements from `from` to `to` mm along a closed path, in its own direction. They run across the path's end
+    /// where `to` lies before `from`.
     pub fn between(&self, from: f64, to: f64) -> Vec<Segment> {
         let (Some((i, f)), Some((j, g))) = (self.locate(from), self.locate(to)) else { return Vec::new() };
         if i == j && f < g {
@@ -112,8 +114,8 @@ impl Path {
         out
     }
 
-    /// A closed path re-cut to start `s` mm along it, in its own direction; an open path as it is. A circle stays one
-    /// arc.
+    /// A closed path with its start moved `s` mm along it, in the same direction; an open path is returned unchanged. A
+    /// circle remains one arc.
     pub fn starting_at(&self, s: f64) -> Self {
         let Some((i, f)) = self.locate(s).filter(|_| self.closed) else { return self.clone() };
         let cut = self.segments[i];

@@ -1,8 +1,8 @@
-//! A sample of a curve: what fits are measured against.
+//! A sample of a curve, against which fits are measured.
 
 use glam::DVec2;
 
-/// A place on the curve and the unit direction of travel there.
+/// A point on the curve and the unit direction of travel there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     pub(super) point: DVec2,

@@ -1,54 +1,54 @@
 //! Samples of a parametric curve, dense enough to measure a fit against them.
 //!
-//! A curve is cut into short intervals until each is, to a twentieth of the tolerance, the biarc of its own two ends
-//! and turns by at most 45 degrees. A fitted piece spans about three or four such intervals, each of which carries
-//! three more samples inside: the largest of 12 or more measured distances misses the true one by a few percent,
-//! which the margin of the fit covers. Where the direction jumps (a kink) the samples are split into runs; within a
-//! run the direction is continuous.
+//! A curve is divided into intervals until each differs from the biarc between its own two ends by at most a twentieth
+//! of the tolerance and turns by at most 45 degrees. A fitted piece spans three or four such intervals, and each
+//! interval has three more samples inside. The largest of these 12 or more distances underestimates the true maximum by
+//! a few percent, which the margin of the fit covers. The samples are split into runs where the direction jumps (a
+//! kink); within a run the direction is continuous.
 
 use super::biarc::Biarc;
 use super::sample::Sample;
 use glam::DVec2;
 
-/// A curve with a parameter, in mm.
+/// A parametric curve, in mm.
 pub(super) trait Curve {
-    /// Parameters between which the curve is smooth, ascending; at least two.
+    /// Parameters between which the curve is smooth, in ascending order; at least two.
     fn breaks(&self) -> &[f64];
-    /// Point and derivative at `t` of the piece between `breaks[piece]` and `breaks[piece + 1]`.
+    /// Point and derivative at `t` on the piece between `breaks[piece]` and `breaks[piece + 1]`.
     fn at(&self, piece: usize, t: f64) -> (DVec2, DVec2);
-    /// How many intervals to cut every piece into before looking: enough to see each bend it can have.
+    /// Number of intervals each piece is divided into at first: enough to see every bend it can have.
     fn intervals(&self) -> usize;
-    /// Rough size of the whole curve, mm, against which a length is zero.
+    /// Approximate size of the whole curve, mm. Lengths are compared with it to decide whether they are zero.
     fn extent(&self) -> f64;
 }
 
-/// Share of the tolerance to which an interval must equal its own biarc.
+/// Largest distance between an interval and its own biarc, as a fraction of the tolerance.
 const RESOLUTION: f64 = 0.05;
-/// An interval shorter than this share of the tolerance is not cut further: a sharp turn inside it is a kink.
-const POINT: f64 = 0.02;
+/// An interval shorter than this fraction of the tolerance is not divided further; a sharp turn inside it is a kink.
+const POINT_SIZE: f64 = 0.02;
 /// Largest sum of sines of the turns inside one interval: 45 degrees.
-const TURN: f64 = 0.75;
+const MAX_TURN: f64 = 0.75;
 /// Directions that differ by more than this sine (0.3 degrees) at a break are a kink. Rounding of drawn
 /// coordinates to 6 digits stays well below, a visible corner well above.
 pub(super) const KINK: f64 = 0.005;
-/// Halvings of one interval; 2^-24 of a knot span of 1 km is below a tenth of a micrometre.
-const DEPTH: u32 = 24;
-/// Halvings a curve may take, and more for each of its pieces: bounds time and memory on hostile input. A piece that
-/// spans a kilometre takes a few dozen at the default tolerance.
-const BUDGET: usize = 50_000;
-const BUDGET_PER_PIECE: usize = 100;
-/// Where an interval is measured inside; symmetric, so that a reversed curve is cut alike.
-const INSIDE: [f64; 3] = [0.23, 0.5, 0.77];
-/// A derivative whose step over the interval is below this share of the extent has no direction.
+/// Largest number of times one interval is halved. 2^-24 of a knot span of 1 km is below a tenth of a micrometre.
+const MAX_HALVINGS: u32 = 24;
+/// Number of halvings allowed for a curve, plus [`HALVINGS_PER_PIECE`] for each of its pieces. It bounds time and memory
+/// for hostile input; a piece that spans a kilometre takes a few dozen at the default tolerance.
+const HALVINGS_PER_CURVE: usize = 50_000;
+const HALVINGS_PER_PIECE: usize = 100;
+/// Where an interval is sampled inside. The positions are symmetric, so that a reversed curve gives the same samples.
+const INNER_SAMPLES: [f64; 3] = [0.23, 0.5, 0.77];
+/// Where the derivative times the interval is below this fraction of the extent, the direction is undefined.
 const STANDSTILL: f64 = 1e-9;
-/// How far inside to look for the direction then, as a share of the interval.
+/// How far inside the interval the direction is taken in that case, as a fraction of the interval.
 const STEP_IN: f64 = 1e-6;
 
-/// The samples of a curve in runs without kinks. Consecutive runs share their end point bit for bit; every run has
-/// at least two samples; a curve without length has no run.
+/// The samples of a curve in runs without kinks. Consecutive runs share their end point bit for bit. Every run has at
+/// least two samples; a curve without length has no run.
 pub(super) fn runs(curve: &dyn Curve, tolerance: f64) -> Vec<Vec<Sample>> {
     let breaks = curve.breaks();
-    let budget = BUDGET + BUDGET_PER_PIECE * breaks.len();
+    let budget = HALVINGS_PER_CURVE + HALVINGS_PER_PIECE * breaks.len();
     let zero = STANDSTILL * curve.extent();
     let mut sampler = Sampler { curve, tolerance, zero, budget, runs: Vec::new(), run: Vec::new() };
     let first = curve.intervals().max(1);
@@ -69,7 +69,7 @@ pub(super) fn runs(curve: &dyn Curve, tolerance: f64) -> Vec<Vec<Sample>> {
 struct Sampler<'c> {
     curve: &'c dyn Curve,
     tolerance: f64,
-    /// Below this a length is none, mm.
+    /// A length below this is zero, mm.
     zero: f64,
     budget: usize,
     runs: Vec<Vec<Sample>>,
@@ -79,11 +79,11 @@ struct Sampler<'c> {
 impl Sampler<'_> {
     /// Samples one interval, in order, halving it as needed.
     fn interval(&mut self, piece: usize, from: f64, to: f64) {
-        // A stack, not recursion: the depth is bounded either way, the wasm stack is small.
+        // A stack instead of recursion, because the wasm stack is small.
         let mut open = vec![(from, to, 0)];
         while let Some((a, b, depth)) = open.pop() {
             let samples = self.five(piece, a, b);
-            let exhausted = depth >= DEPTH || self.budget == 0;
+            let exhausted = depth >= MAX_HALVINGS || self.budget == 0;
             match judge(&samples, self.tolerance) {
                 Shape::Smooth => self.smooth(&samples),
                 Shape::Point => self.point(&samples),
@@ -98,7 +98,7 @@ impl Sampler<'_> {
         }
     }
 
-    /// The ends of an interval and three samples inside.
+    /// The ends of an interval and three samples inside it.
     fn five(&self, piece: usize, a: f64, b: f64) -> [Sample; 5] {
         let sample = |f: f64| {
             let t = if f >= 1.0 { b } else { a + (b - a) * f };
@@ -108,7 +108,13 @@ impl Sampler<'_> {
             }
             Sample { point, tangent: d.normalize_or_zero() }
         };
-        let mut out = [sample(0.0), sample(INSIDE[0]), sample(INSIDE[1]), sample(INSIDE[2]), sample(1.0)];
+        let mut out = [
+            sample(0.0),
+            sample(INNER_SAMPLES[0]),
+            sample(INNER_SAMPLES[1]),
+            sample(INNER_SAMPLES[2]),
+            sample(1.0),
+        ];
         let chord = (out[4].point - out[0].point).normalize_or_zero();
         for s in &mut out {
             if s.tangent == DVec2::ZERO {
@@ -118,13 +124,14 @@ impl Sampler<'_> {
         out
     }
 
-    /// Takes an interval that turns little.
+    /// Adds an interval without a kink.
     fn smooth(&mut self, samples: &[Sample; 5]) {
         self.join(samples[0]);
         self.run.extend_from_slice(&samples[1..]);
     }
 
-    /// Takes an interval too short to matter that turns much: a kink. One without any length is left out.
+    /// Adds an interval with a sharp turn that is too short to be divided further: a kink. It is skipped if it has no
+    /// length.
     fn point(&mut self, samples: &[Sample; 5]) {
         if samples[4].tangent != DVec2::ZERO {
             self.join(samples[0]);
@@ -132,7 +139,7 @@ impl Sampler<'_> {
         }
     }
 
-    /// Takes an interval as its chord: what is left to do when the budget is spent.
+    /// Adds an interval as its chord, once the budget of halvings is spent.
     fn chord(&mut self, samples: &[Sample; 5]) {
         let tangent = (samples[4].point - samples[0].point).normalize_or_zero();
         self.join(Sample { point: samples[0].point, tangent });
@@ -141,16 +148,16 @@ impl Sampler<'_> {
         }
     }
 
-    /// Continues the run at the start of an interval, or starts a new one behind a kink or a jump.
+    /// Continues the run at the start of an interval, or starts a new run after a kink or a jump.
     fn join(&mut self, next: Sample) {
         let Some(last) = self.run.last_mut() else {
-            // Behind a point-like interval the run may be empty while the chain is not.
+            // After a point-like interval the current run may be empty although earlier runs exist.
             let point = self.runs.last().and_then(|r| r.last()).map_or(next.point, |s| s.point);
             return self.run.push(Sample { point, tangent: next.tangent });
         };
         let gap = next.point - last.point;
-        if gap.length() > self.zero.max(POINT * self.tolerance) {
-            // A knot of multiplicity above the degree: the two sides are joined by a line.
+        if gap.length() > self.zero.max(POINT_SIZE * self.tolerance) {
+            // At a knot of multiplicity above the degree the curve jumps; a line joins the two sides.
             let (from, tangent) = (last.point, gap.normalize_or_zero());
             self.finish();
             self.runs.push(vec![Sample { point: from, tangent }, Sample { point: next.point, tangent }]);
@@ -164,7 +171,7 @@ impl Sampler<'_> {
         }
     }
 
-    /// Ends the run.
+    /// Ends the current run.
     fn finish(&mut self) {
         let run = std::mem::take(&mut self.run);
         if run.len() > 1 {
@@ -173,7 +180,7 @@ impl Sampler<'_> {
     }
 }
 
-/// Same direction but for rounding.
+/// Whether two directions are the same up to the angle of a kink.
 fn aligned(a: DVec2, b: DVec2) -> bool {
     a.dot(b) > 0.0 && a.perp_dot(b).abs() <= KINK
 }
@@ -184,7 +191,7 @@ enum Shape {
     Open,
 }
 
-/// Whether an interval may be taken as it is.
+/// Decides whether an interval is smooth, must be halved, or is a point.
 fn judge(samples: &[Sample; 5], tolerance: f64) -> Shape {
     let mut length = 0.0;
     let mut turn = 0.0;
@@ -194,8 +201,8 @@ fn judge(samples: &[Sample; 5], tolerance: f64) -> Shape {
         turn += w[0].tangent.perp_dot(w[1].tangent).abs();
         forward &= w[0].tangent.dot(w[1].tangent) > 0.0;
     }
-    let short = length <= POINT * tolerance;
-    if !forward || turn > TURN {
+    let short = length <= POINT_SIZE * tolerance;
+    if !forward || turn > MAX_TURN {
         return if short { Shape::Point } else { Shape::Open };
     }
     let fits = short

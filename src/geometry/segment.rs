@@ -1,15 +1,15 @@
-//! The two kinds of element that every stage after the reader knows: a straight line and a circular arc.
+//! The two kinds of element that every stage after the reader handles: a straight line and a circular arc.
 //!
-//! Both keep their end points exactly as given, so chains join bit for bit. An arc keeps its centre and its
-//! signed sweep besides; a full circle is an arc whose ends coincide and whose sweep is +-2 pi. Lengths in mm,
-//! angles in rad, counter-clockwise positive. A place on a segment is given by its arc length from the start.
+//! Both store their end points exactly as given, so neighbours in a chain share them bit for bit. An arc also stores
+//! its centre and its signed sweep; a full circle is an arc whose ends coincide and whose sweep is +-2 pi. Lengths are
+//! in mm, angles in rad, counter-clockwise positive. A position on a segment is a fraction of its length.
 
 use super::aabb::Aabb;
 use super::math;
 use glam::DVec2;
 use std::f64::consts::{PI, TAU};
 
-/// A straight element.
+/// A straight line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// First end, mm.
@@ -18,7 +18,7 @@ pub struct Line {
     pub end: DVec2,
 }
 
-/// A circular element. Build it with [`Arc::new`], [`Arc::from_angles`], [`Arc::from_bulge`] or [`Arc::circle`].
+/// A circular arc. Build it with [`Arc::new`], [`Arc::from_angles`], [`Arc::from_bulge`] or [`Arc::circle`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {
     /// First end, mm.
@@ -34,14 +34,14 @@ pub struct Arc {
 /// One element of a contour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Segment {
-    /// Straight.
+    /// A straight line.
     Line(Line),
-    /// Circular.
+    /// A circular arc.
     Arc(Arc),
 }
 
 impl Arc {
-    /// The arc from `start` to `end` around `center`, counter-clockwise or not. Coincident ends make a circle.
+    /// The arc from `start` to `end` around `center`, in the given direction. Coincident ends make a full circle.
     pub fn new(start: DVec2, end: DVec2, center: DVec2, ccw: bool) -> Self {
         let turn = math::turn(start - center, end - center);
         let sweep = if start == end {
@@ -74,11 +74,11 @@ impl Arc {
     pub fn from_bulge(start: DVec2, end: DVec2, b: f64) -> Option<Self> {
         let chord = end - start;
         let finite = b.is_finite() && chord.length_squared() > 0.0;
-        // Below 1e-9 the sagitta of a 1 m chord is half a picometre: a line.
+        // Below 1e-9 the sagitta of a 1 m chord is half a picometre, so the arc is a line.
         if !finite || b.abs() < 1e-9 {
             return None;
         }
-        // Centre = middle of the chord, moved along its left normal by c/2 * (1 - b^2) / (2 b); as written here a
+        // The centre is the middle of the chord, moved along its left normal by c/2 * (1 - b^2) / (2 b). In this form a
         // huge bulge does not overflow.
         let center = (start + end) * 0.5 + chord.perp() * ((1.0 / b - b) * 0.25);
         Some(Self { start, end, center, sweep: 4.0 * math::atan(b) })
@@ -94,7 +94,7 @@ impl Arc {
         math::angle_of(self.start - self.center)
     }
 
-    /// Runs counter-clockwise.
+    /// Whether the arc runs counter-clockwise.
     pub fn ccw(&self) -> bool {
         self.sweep > 0.0
     }
@@ -104,10 +104,10 @@ impl Arc {
         self.sweep.abs() >= TAU
     }
 
-    /// Fraction of the sweep, in [0, 1], at which direction `v` from the centre is met; `None` outside the arc. A
-    /// direction that misses an end by rounding meets it.
+    /// Fraction of the sweep, in [0, 1], at which the arc meets direction `v` from the centre; `None` when `v` lies
+    /// outside the arc. A direction that misses an end only by rounding counts as that end.
     pub fn fraction_of(&self, v: DVec2) -> Option<f64> {
-        /// Directions closer than this are the same, rad: 1e-6 mm at the largest radius of 1e6 mm.
+        /// Directions closer than this (rad) are the same: 1e-6 mm at the largest radius of 1e6 mm.
         const SAME: f64 = 1e-12;
         let turn = math::turn(self.start - self.center, v);
         let along = math::wrap_tau(if self.ccw() { turn } else { -turn });
@@ -125,7 +125,7 @@ impl Arc {
 }
 
 impl Segment {
-    /// A line.
+    /// A line from `start` to `end`.
     pub fn line(start: DVec2, end: DVec2) -> Self {
         Self::Line(Line { start, end })
     }
@@ -154,7 +154,7 @@ impl Segment {
         }
     }
 
-    /// The same element run the other way.
+    /// The same element in the opposite direction.
     pub fn reversed(&self) -> Self {
         match *self {
             Self::Line(l) => Self::line(l.end, l.start),
@@ -162,7 +162,7 @@ impl Segment {
         }
     }
 
-    /// The point at fraction `f` of the length; the ends come back exactly.
+    /// The point at fraction `f` of the length. Fractions 0 and 1 give the stored ends exactly.
     pub fn at(&self, f: f64) -> DVec2 {
         if f <= 0.0 {
             return self.start();
@@ -208,7 +208,8 @@ impl Segment {
             let r = a.radius();
             let [from, to] =
                 if a.sweep < 0.0 { [a.end, a.start] } else { [a.start, a.end] }.map(|p| p - a.center);
-            // By the sides of both radii: no angle is needed, which would take most of the time of reading a drawing.
+            // The test uses the sides of both radii and needs no angles, which would take most of the time of reading a
+            // drawing.
             let passes = |v: DVec2| {
                 let (after, before) = (from.perp_dot(v) >= 0.0, v.perp_dot(to) >= 0.0);
                 match a.sweep.abs() {
@@ -226,7 +227,7 @@ impl Segment {
         b
     }
 
-    /// Nearest place to `p`: fraction of the length, and squared distance.
+    /// The nearest place to `p`: its fraction of the length, and the squared distance in mm2.
     pub fn nearest(&self, p: DVec2) -> (f64, f64) {
         let f = match self {
             Self::Line(l) => {
@@ -245,8 +246,8 @@ impl Segment {
         (f, p.distance_squared(self.at(f)))
     }
 
-    /// Twice the signed area swept from the origin along the element: chord cross product, plus twice the
-    /// circular segment for arcs. Summed over a closed contour: twice its signed area.
+    /// Twice the signed area swept from the origin along the element: the cross product of the ends, plus twice the
+    /// circular segment for an arc. The sum over a closed contour is twice its signed area.
     pub fn doubled_area(&self) -> f64 {
         let chord = self.start().perp_dot(self.end());
         match self {

@@ -361,7 +361,7 @@ fn unclamped_periodic_and_short_knot_vectors_are_read() {
 #[test]
 fn a_spline_through_points_goes_through_them_smoothly() {
     let points = [v(0.0, 0.0), v(10.0, 5.0), v(20.0, 0.0), v(30.0, 12.0), v(30.0, 12.0), v(45.0, 3.0)];
-    let free = Nurbs::through(&points, None, None, false).unwrap();
+    let free = Nurbs::interpolate(&points, None, None, false).unwrap();
     let length = [0, 1, 2, 3].map(|i| points[i].distance(points[(i + 1).min(3)]));
     let mut t = 0.0;
     for i in 0..4 {
@@ -376,12 +376,12 @@ fn a_spline_through_points_goes_through_them_smoothly() {
     let jump =
         (free.derivative(inner + 1e-5) + free.derivative(inner - 1e-5) - free.derivative(inner) * 2.0) / 1e-5;
     assert!(jump.length() < 1e-3, "{jump}");
-    let given = Nurbs::through(&points, Some(v(0.0, 3.0)), Some(v(0.0, -0.1)), false).unwrap();
+    let given = Nurbs::interpolate(&points, Some(v(0.0, 3.0)), Some(v(0.0, -0.1)), false).unwrap();
     assert!(given.derivative(0.0).distance(v(0.0, 1.0)) < 1e-9);
     assert!(given.derivative(given.domain().1).distance(v(0.0, -1.0)) < 1e-9);
     // Closed: the seam is as smooth as any other point.
     let ring: Vec<DVec2> = (0..6).map(|i| math::unit(f64::from(i) * TAU / 6.0) * 10.0).collect();
-    let closed = Nurbs::through(&ring, None, None, true).unwrap();
+    let closed = Nurbs::interpolate(&ring, None, None, true).unwrap();
     let (a, b) = closed.domain();
     assert!(closed.point(a).distance(closed.point(b)) < 1e-12);
     assert!(closed.derivative(a).distance(closed.derivative(b)) < 1e-9);
@@ -390,7 +390,7 @@ fn a_spline_through_points_goes_through_them_smoothly() {
         let middle = closed.point(a + (b - a) * (f64::from(i) + 0.5) / 6.0).length();
         assert!((middle - 9.9).abs() < 0.2, "{middle}");
     }
-    let line = Nurbs::through(&points[..2], None, None, false).unwrap().to_segments(TOLERANCE);
+    let line = Nurbs::interpolate(&points[..2], None, None, false).unwrap().to_segments(TOLERANCE);
     assert_eq!(line, vec![Segment::line(points[0], points[1])]);
 }
 
@@ -412,8 +412,11 @@ fn bad_splines_are_refused_and_hostile_ones_end() {
         Err(CurveError::NotFinite)
     ));
     assert!(matches!(Nurbs::new(1, vec![v(0.0, f64::NAN); 2], vec![], vec![]), Err(CurveError::NotFinite)));
-    assert!(matches!(Nurbs::through(&[v(1.0, 1.0); 3], None, None, false), Err(CurveError::TooFewFitPoints)));
-    assert!(matches!(Nurbs::through(&[], None, None, true), Err(CurveError::TooFewFitPoints)));
+    assert!(matches!(
+        Nurbs::interpolate(&[v(1.0, 1.0); 3], None, None, false),
+        Err(CurveError::TooFewFitPoints)
+    ));
+    assert!(matches!(Nurbs::interpolate(&[], None, None, true), Err(CurveError::TooFewFitPoints)));
     // All points the same: nothing to cut. Some the same: the rest.
     assert!(Nurbs::new(3, vec![v(2.0, 2.0); 9], vec![], vec![]).unwrap().to_segments(TOLERANCE).is_empty());
     let stuck =

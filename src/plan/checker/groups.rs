@@ -7,7 +7,7 @@
 use super::coverage::leads;
 use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
-use crate::geometry::{DVec2, Path, Segment, turns};
+use crate::geometry::{DVec2, Path, Segment, winding_number};
 use crate::machine::Profile;
 use crate::sheet::{PierceGroup, Sheet};
 
@@ -235,7 +235,7 @@ impl Work<'_> {
     /// Whether a place lies in an area, not on its outline.
     fn holds(&self, face: u32, at: DVec2) -> bool {
         let boundary = self.boundary(face);
-        turns(&boundary, at) != 0 && boundary.iter().all(|s| s.nearest(at).1 > SAME * SAME)
+        winding_number(&boundary, at) != 0 && boundary.iter().all(|s| s.nearest(at).1 > SAME * SAME)
     }
 
     /// The elements around an area, with it on their left, in no order.

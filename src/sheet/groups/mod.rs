@@ -17,7 +17,7 @@ mod vertices;
 pub use group::{GroupElement, PierceGroup};
 
 use super::model::{Contour, Operation};
-use crate::geometry::{Aabb, BoxIndex, DVec2, Segment, turns, winding};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Segment, winding, winding_number};
 
 /// The groups of a sheet. `tolerance`, mm: within it ends are looked for; `limit`: what meets is moved by this at most.
 /// `crossing`: contours that cross each other, of which no net can be made. `same`: whether two contours may be worked one after the other at all.
@@ -88,7 +88,7 @@ fn inside(contours: &[Contour], boxes: &BoxIndex, group: &PierceGroup) -> Vec<u3
         contour.operation != Operation::Ignore
             && !group.contours.contains(c)
             && within(bounds, contour.bounds)
-            && places.into_iter().flatten().any(|p| turns(&around, p) != 0)
+            && places.into_iter().flatten().any(|p| winding_number(&around, p) != 0)
     };
     found.into_iter().filter_map(|c| u32::try_from(c).ok()).filter(lies_in).collect()
 }

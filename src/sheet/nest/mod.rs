@@ -20,7 +20,7 @@ mod boxes;
 mod slabs;
 
 use super::model::Contour;
-use crate::geometry::{Aabb, DVec2, Path, interior_point, turns};
+use crate::geometry::{Aabb, DVec2, Path, interior_point, winding_number};
 use crate::order::{real, sort_by};
 use boxes::{Answer, BoxTree};
 use slabs::Slabs;
@@ -157,7 +157,8 @@ impl<'c> Search<'c> {
             // A rest of a shape runs along the shape's outline, not inside it.
             let akin = other.outline.is_some() && other.first_shape == c.first_shape;
             let slabs = slabs[j as usize].get_or_insert_with(|| Slabs::new(around));
-            let held = || witnesses.iter().filter(|p| turns(slabs.at(around, p.y), **p) != 0).count();
+            let held =
+                || witnesses.iter().filter(|p| winding_number(slabs.at(around, p.y), **p) != 0).count();
             j != i && !akin && 2 * held() > witnesses.len()
         };
         let mut left = LOOKED_AT;

@@ -7,7 +7,7 @@ use super::segment::Segment;
 use glam::DVec2;
 
 impl Affine {
-    /// The image of a path, joined as it was; arcs that become pieces of an ellipse are fitted within `tolerance` mm.
+    /// The image of a path, joined like the original. Arcs whose images are elliptic are fitted within `tolerance` mm.
     /// Arcs that shrink to a point disappear.
     pub fn path(&self, path: &Path, tolerance: f64) -> Path {
         let similar = self.is_similarity();
@@ -26,7 +26,7 @@ impl Affine {
     }
 }
 
-/// Sets the ends of a chain that misses them by rounding.
+/// Sets the ends of a chain that misses them only by rounding.
 fn pin_ends(chain: &mut [Segment], start: DVec2, end: DVec2) {
     match chain.first_mut() {
         Some(Segment::Line(l)) => l.start = start,

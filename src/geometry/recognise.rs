@@ -1,23 +1,24 @@
-//! A curve that is, within the tolerance, one line, one arc or one circle.
+//! Recognises a curve that is one line, one arc or one circle within the tolerance.
 //!
-//! Drawing programs export circles as splines of four cubic pieces, fillets as rational quadratics, lines as splines of
-//! four points on one line. What a person drew as one thing comes back as one thing, ends exact.
+//! Drawing programs export circles as splines of four cubic pieces, fillets as rational quadratics, and lines as
+//! splines of four collinear points. Each of them is converted back to the single element that the person drew, with
+//! exact ends.
 
-use super::biarc::Bow;
+use super::biarc::TangentArc;
 use super::math;
 use super::sample::Sample;
 use super::segment::{Arc, Segment};
 use glam::DVec2;
 use std::f64::consts::TAU;
 
-/// The run as one line, circle or arc within `within` mm.
-pub(super) fn single(run: &[Sample], within: f64) -> Option<Segment> {
+/// The run as one line, circle or arc, if one lies within `within` mm of it.
+pub(super) fn single_segment(run: &[Sample], within: f64) -> Option<Segment> {
     let (first, last) = (run.first()?, run.last()?);
     if first.point == last.point {
         return circle(run, within);
     }
     let chord = (last.point - first.point).normalize_or_zero();
-    if let Some(line) = Bow::new(first.point, chord, last.point)
+    if let Some(line) = TangentArc::new(first.point, chord, last.point)
         && run.iter().all(|s| line.distance(s).is_some_and(|d| d <= within))
     {
         return Some(Segment::line(first.point, last.point));
@@ -25,13 +26,13 @@ pub(super) fn single(run: &[Sample], within: f64) -> Option<Segment> {
     arc(run, within)
 }
 
-/// The run as one arc through its ends. The height over the chord is chosen to make the largest distance least.
+/// The run as one arc through its ends, whose height over the chord minimises the largest distance.
 fn arc(run: &[Sample], within: f64) -> Option<Segment> {
     let (first, middle, last) = (run.first()?, run.get(run.len() / 2)?, run.last()?);
     let turn = total_turn(run);
     let through =
         Arc::new(first.point, last.point, circumcenter(first.point, middle.point, last.point)?, turn > 0.0);
-    // One turn of the curve must be one turn of the arc; samples turn by sines, so compare loosely.
+    // The arc must turn as far as the curve. The tolerance is loose because the turns of the samples are sums of sines.
     if (through.sweep - turn).abs() > 0.5 || through.radius() > 1e9 {
         return None;
     }
@@ -43,19 +44,19 @@ fn arc(run: &[Sample], within: f64) -> Option<Segment> {
             .and_then(|a| deviation_from_circle(run, a.center, a.radius(), a.ccw()))
             .unwrap_or(f64::INFINITY)
     };
-    // Moving the middle by d moves no other point by more: when the first try is off by more than twice the
-    // tolerance no arc fits.
+    // Moving the middle by d moves no other point by more than d. If the first attempt misses by more than twice the
+    // tolerance, no arc fits.
     let start = worst(1.0);
     if start > 2.0 * within {
         return None;
     }
     let rise = (half.length() * bulge.abs()).max(within);
-    let best = least(1.0 - 2.0 * within / rise, 1.0 + 2.0 * within / rise, worst);
+    let best = minimise(1.0 - 2.0 * within / rise, 1.0 + 2.0 * within / rise, worst);
     let scale = if start <= worst(best) { 1.0 } else { best };
     (worst(scale) <= within).then(|| candidate(scale).map(Segment::Arc)).flatten()
 }
 
-/// A closed run as one circle through its start.
+/// A closed run as one circle through its start point.
 fn circle(run: &[Sample], within: f64) -> Option<Segment> {
     let first = run.first()?;
     let turn = total_turn(run);
@@ -74,14 +75,14 @@ fn total_turn(run: &[Sample]) -> f64 {
     run.windows(2).map(|w| math::turn(w[0].tangent, w[1].tangent)).sum()
 }
 
-/// Largest distance of the samples from a circle; `None` when one of them runs another way round.
+/// Largest distance of the samples from a circle; `None` when one of them runs in another direction.
 fn deviation_from_circle(run: &[Sample], center: DVec2, radius: f64, ccw: bool) -> Option<f64> {
     let mut worst = 0.0_f64;
     for s in run {
         let v = s.point - center;
         let distance = v.length();
         let direction = if ccw { v.perp() } else { -v.perp() };
-        // Within 37 degrees, as for biarcs.
+        // The directions may differ by 37 degrees, as for biarcs.
         if direction.dot(s.tangent) <= 0.8 * distance {
             return None;
         }
@@ -98,9 +99,9 @@ fn circumcenter(a: DVec2, b: DVec2, c: DVec2) -> Option<DVec2> {
     center.is_finite().then_some(center)
 }
 
-/// Centre of the circle nearest to the samples in the algebraic least-squares sense (I. Kasa, "A circle fitting
-/// procedure and its error analysis", IEEE Trans. Instrum. Meas. 25 (1976), doi:10.1109/TIM.1976.6312298). On a
-/// whole turn it is unbiased.
+/// Centre of the circle that fits the samples best in the algebraic least-squares sense (I. Kasa, "A circle fitting
+/// procedure and its error analysis", IEEE Trans. Instrum. Meas. 25 (1976), doi:10.1109/TIM.1976.6312298). The estimate
+/// is unbiased for samples of a whole turn.
 fn circle_center(run: &[Sample]) -> Option<DVec2> {
     let n = run.len() as f64;
     let mean = run.iter().map(|s| s.point).sum::<DVec2>() / n;
@@ -119,13 +120,13 @@ fn circle_center(run: &[Sample]) -> Option<DVec2> {
     center.is_finite().then_some(center)
 }
 
-/// Where a function with one valley is least between `a` and `b`, by golden sections.
-fn least(mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> f64 {
+/// Minimum of a unimodal function between `a` and `b`, by golden-section search.
+fn minimise(mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> f64 {
     /// (sqrt 5 - 1) / 2
     const SECTION: f64 = 0.618_033_988_749_894_9;
     let (mut c, mut d) = (b - SECTION * (b - a), a + SECTION * (b - a));
     let (mut fc, mut fd) = (f(c), f(d));
-    // 0.618^16 < 1/2000 of the interval, which is four tolerances wide: well below the margin.
+    // 0.618^16 is less than 1/2000 of the interval, which is four tolerances wide: well below the margin.
     for _ in 0..16 {
         if fc <= fd {
             (b, d, fd) = (d, c, fc);

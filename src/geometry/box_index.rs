@@ -1,20 +1,20 @@
-//! Which boxes meet a box: a packed Hilbert R-tree, for overlaps, containment and crossings over many segments.
+//! Index of axis-parallel boxes (a packed Hilbert R-tree), for overlaps, containment and crossings among many segments.
 
 use super::aabb::Aabb;
 use crate::order::sort_by;
 use static_aabb2d_index::{Control, StaticAABB2DIndex, StaticAABB2DIndexBuilder};
 
-/// An index of boxes that is built once and asked often.
+/// An index of boxes that is built once and queried often.
 #[derive(Debug)]
 pub struct BoxIndex {
-    /// `None` when there is no box to find.
+    /// `None` when there are no boxes.
     tree: Option<StaticAABB2DIndex<f64>>,
-    /// Index given by the caller for each box in the tree: empty boxes and those that are not finite are left out.
+    /// For each box in the tree, its index in the caller's order. Empty and non-finite boxes are not in the tree.
     ids: Vec<usize>,
 }
 
 impl BoxIndex {
-    /// An index of boxes; each is known by its place in the order given.
+    /// Builds an index; the id of a box is its index in the iteration.
     pub fn new(boxes: impl IntoIterator<Item = Aabb>) -> Self {
         let (ids, kept): (Vec<usize>, Vec<Aabb>) = boxes
             .into_iter()
@@ -28,7 +28,7 @@ impl BoxIndex {
         Self { tree: builder.build().ok().filter(|_| !kept.is_empty()), ids }
     }
 
-    /// Boxes that share a point with `area`, ascending.
+    /// Ids of the boxes that share a point with `area`, in ascending order.
     pub fn query(&self, area: Aabb) -> Vec<usize> {
         let mut out = Vec::new();
         self.visit(area, |i| {
@@ -39,8 +39,8 @@ impl BoxIndex {
         out
     }
 
-    /// Calls `visit` with every box that shares a point with `area`, in no particular (but always the same) order,
-    /// until it returns `false`.
+    /// Calls `visit` with the id of every box that shares a point with `area` until it returns `false`. The order is
+    /// unspecified but always the same.
     pub fn visit(&self, area: Aabb, mut visit: impl FnMut(usize) -> bool) {
         let Some(tree) = &self.tree else { return };
         let mut each = |place: usize| match self.ids.get(place) {

@@ -1,10 +1,10 @@
-//! Inside or outside a closed path, exact for arcs: the winding number.
+//! Whether a point lies inside a closed path, by the winding number, exact for arcs.
 //!
-//! A ray runs from the point to the right. Every element is cut, in thought, where it is highest and lowest, so that
-//! each piece only rises or only falls; a piece whose heights lie on both sides of the ray (the lower end counts, the
-//! upper does not) crosses it once, +1 when rising, -1 when falling. Because neighbours share their end point bit for
-//! bit, a ray through a vertex or along a tangent is counted right without special cases (D. Alciatore, R. Miranda,
-//! "A winding number and point-in-polygon algorithm", 1995, carried over to arcs).
+//! A ray runs from the point to the right. Every element is divided where it is highest and lowest, so that each piece
+//! only rises or only falls. A piece whose heights lie on both sides of the ray (the lower end counts, the upper does
+//! not) crosses it once: +1 when rising, -1 when falling. Neighbours share their end point bit for bit, so a ray
+//! through a vertex or along a tangent needs no special case (D. Alciatore, R. Miranda, "A winding number and
+//! point-in-polygon algorithm", 1995, extended to arcs).
 
 use super::path::Path;
 use super::segment::{Arc, Segment};
@@ -12,34 +12,36 @@ use crate::order::{real, sort_by, whole};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Nearer to the path than this (a nanometre), a point is on the edge: rounding of coordinates of 1 m, with room.
+/// A point nearer to the path than this (mm) is on the edge. One nanometre exceeds the rounding of coordinates around 1
+/// m.
 const EDGE: f64 = 1e-6;
 
 /// How a closed path runs around a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Winding {
-    /// Turns around the point, counter-clockwise positive; 0 is outside.
+    /// Number of turns around the point, counter-clockwise positive; 0 is outside.
     pub number: i32,
-    /// Within a nanometre of the path: `number` may be that of either side.
+    /// Whether the point is within a nanometre of the path, so that `number` may be that of either side.
     pub on_edge: bool,
 }
 
 impl Winding {
-    /// Strictly inside: encircled, and not on the edge.
+    /// Whether the point is strictly inside: encircled, and not on the edge.
     pub fn is_inside(&self) -> bool {
         self.number != 0 && !self.on_edge
     }
 }
 
-/// Winding number of a closed path around `p`. An open path is closed by a straight line from end to start.
+/// Winding number of a closed path around `p`. An open path is closed by a straight line from its end to its start.
 pub fn winding(path: &Path, p: DVec2) -> Winding {
-    let number = turns(&path.segments, p) + closing_line(path, |line| turns([line], p)).unwrap_or(0);
+    let number =
+        winding_number(&path.segments, p) + closing_line(path, |line| winding_number([line], p)).unwrap_or(0);
     Winding { number, on_edge: path.segments.iter().any(|s| on_edge(s, p)) }
 }
 
-/// How often the elements of a closed path run around `p`, counter-clockwise positive. Elements that do not reach
-/// the height of `p` may be left out: whoever asks a long path often keeps its elements by height.
-pub fn turns<'a>(elements: impl IntoIterator<Item = &'a Segment>, p: DVec2) -> i32 {
+/// Winding number of the elements of a closed path around `p`. Elements that do not reach the height of `p` may be
+/// omitted, so callers with many queries can keep the elements sorted by height.
+pub fn winding_number<'a>(elements: impl IntoIterator<Item = &'a Segment>, p: DVec2) -> i32 {
     let mut number = 0;
     each_crossing(elements, p.y, |x, rise| {
         if x > p.x {
@@ -49,16 +51,17 @@ pub fn turns<'a>(elements: impl IntoIterator<Item = &'a Segment>, p: DVec2) -> i
     number
 }
 
-/// What `f` makes of the line that closes an open path; `None` when the path comes back to its start.
+/// Applies `f` to the line that closes an open path; `None` when the path returns to its start.
 fn closing_line<T>(path: &Path, f: impl FnOnce(&Segment) -> T) -> Option<T> {
     let (start, end) = (path.start()?, path.end()?);
     (start != end).then(|| f(&Segment::line(end, start)))
 }
 
-/// A point inside a closed path with much room to both sides, to ask other paths about; `None` when the path encloses
-/// nothing. Of a few horizontal cuts through the box, the middle of the widest stretch inside.
+/// A point inside a closed path and far from its edge, for containment tests against other paths; `None` when the path
+/// encloses nothing. It is the middle of the widest inner stretch on a few horizontal lines through the box.
 pub fn interior_point(path: &Path) -> Option<DVec2> {
-    // Heights as parts of the box: the middle first, then uneven ones that miss rows of vertices.
+    // Heights as fractions of the box: the middle first, then irrational ones that are unlikely to meet rows of
+    // vertices.
     const HEIGHTS: [f64; 5] = [0.5, 0.381_966, 0.618_034, 0.236_068, 0.763_932];
     let b = path.bounds();
     let mut best: Option<(f64, DVec2)> = None;
@@ -81,8 +84,8 @@ pub fn interior_point(path: &Path) -> Option<DVec2> {
     best.map(|(_, p)| p)
 }
 
-/// Calls `visit(x, rise)` for every crossing of the elements with the horizontal line at `y`; `rise` is +1 where
-/// they go up, -1 where they go down.
+/// Calls `visit(x, rise)` for every crossing of the elements with the horizontal line at `y`; `rise` is +1 where they
+/// go up and -1 where they go down.
 fn each_crossing<'a>(
     elements: impl IntoIterator<Item = &'a Segment>,
     y: f64,
@@ -96,7 +99,7 @@ fn each_crossing<'a>(
     }
 }
 
-/// +1, -1 or 0: how going from height `a` to height `b` crosses height `y`.
+/// How the step from height `a` to height `b` crosses height `y`: +1 upwards, -1 downwards, 0 not at all.
 fn rise(a: f64, b: f64, y: f64) -> i32 {
     i32::from(a <= y && y < b) - i32::from(b <= y && y < a)
 }
@@ -116,7 +119,7 @@ fn arc_crossings(a: &Arc, y: f64, visit: &mut impl FnMut(f64, i32)) {
     }
     let h = y - a.center.y;
     let half_width = (radius * radius - h * h).max(0.0).sqrt();
-    // Angle from the start, in direction of travel, to the first top or bottom.
+    // Angle from the start, in the direction of travel, to the first highest or lowest point.
     let direction = 1.0_f64.copysign(a.sweep);
     let start = a.start_angle() * direction;
     let sweep = a.sweep.abs().min(TAU);
@@ -126,7 +129,7 @@ fn arc_crossings(a: &Arc, y: f64, visit: &mut impl FnMut(f64, i32)) {
     loop {
         let last = turn >= sweep;
         let to_angle = if last { sweep } else { turn };
-        // The piece lies right of the centre when its middle does; right of it counter-clockwise rises.
+        // The piece lies right of the centre if its middle does. There, counter-clockwise travel rises.
         let middle = start + (from_angle + to_angle) * 0.5;
         let right = (middle + FRAC_PI_2).rem_euclid(TAU) < PI;
         let rises_here = right == a.ccw();

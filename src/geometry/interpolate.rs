@@ -1,21 +1,21 @@
 //! Splines through fit points, as drawing programs make them from the points a person clicked.
 //!
-//! A cubic with continuous curvature through all points, parametrised by chord length. At an end the direction is
-//! the one given, or the curvature is zero ("natural"); a closed one is periodic. This is what CAD programs draw
-//! (ezdxf, `fit_points_to_cad_cv`, which found it by comparison with BricsCAD). L. Piegl, W. Tiller, "The NURBS
-//! Book", 2nd ed., section 9.2; C. de Boor, "A Practical Guide to Splines", chapter IV, for the slopes.
+//! The result is a cubic spline with continuous curvature through all points, parametrised by chord length. At an end
+//! it has the given direction, or zero curvature ("natural"); a closed spline is periodic. CAD programs draw the same
+//! curve (ezdxf found this by comparison with BricsCAD, see its `fit_points_to_cad_cv`). L. Piegl, W. Tiller, "The
+//! NURBS Book", 2nd ed., section 9.2; C. de Boor, "A Practical Guide to Splines", chapter IV, for the slopes.
 
 use super::knots::CurveError;
 use super::nurbs::Nurbs;
 use glam::DVec2;
 
 impl Nurbs {
-    /// The cubic spline through `points` (mm). Tangents need only have a direction; zero ones count as not given.
-    /// Repeated points count once. Two points without tangents make a line.
+    /// The cubic spline through `points` (mm). Only the directions of the tangents matter; a zero tangent counts as
+    /// missing. Repeated points count once. Two points without tangents give a line.
     ///
     /// # Errors
-    /// Fewer than two distinct points, or a value that is not finite.
-    pub fn through(
+    /// There are fewer than two distinct points, or a value is not finite.
+    pub fn interpolate(
         points: &[DVec2],
         start_tangent: Option<DVec2>,
         end_tangent: Option<DVec2>,
@@ -48,7 +48,7 @@ impl Nurbs {
     }
 }
 
-/// The spline with given points and slopes, as cubic Bezier pieces: every knot three times.
+/// The spline with the given points and slopes, as cubic Bezier pieces with every knot three times.
 fn from_hermite(points: &[DVec2], steps: &[f64], slopes: &[DVec2]) -> Result<Nurbs, CurveError> {
     let mut control = vec![points[0]];
     let mut knots = vec![0.0; 4];
@@ -64,7 +64,7 @@ fn from_hermite(points: &[DVec2], steps: &[f64], slopes: &[DVec2]) -> Result<Nur
     Nurbs::new(3, control, Vec::new(), knots)
 }
 
-/// One row of `below * m[i - 1] + diagonal * m[i] + above * m[i + 1] = right`.
+/// One row of the system `below * m[i - 1] + diagonal * m[i] + above * m[i + 1] = right`.
 #[derive(Clone, Copy)]
 struct Row {
     below: f64,
@@ -73,7 +73,7 @@ struct Row {
     right: DVec2,
 }
 
-/// Continuous curvature at inner point `i` between steps `h0` and `h1`.
+/// The row that makes the curvature continuous at an inner point between steps `h0` and `h1`.
 fn inner(before: DVec2, at: DVec2, after: DVec2, h0: f64, h1: f64) -> Row {
     Row {
         below: h1,
@@ -83,10 +83,10 @@ fn inner(before: DVec2, at: DVec2, after: DVec2, h0: f64, h1: f64) -> Row {
     }
 }
 
-/// Slopes with the given or natural ends.
+/// Slopes for given or natural ends.
 fn end_slopes(points: &[DVec2], steps: &[f64], start: Option<DVec2>, end: Option<DVec2>) -> Vec<DVec2> {
     let n = points.len();
-    // Chord length as parameter: the slope at an end has the length of the direction given, 1.
+    // The parameter is the chord length, so the slope at an end is the unit vector of the given direction.
     let given = |t: DVec2| Row { below: 0.0, diagonal: 1.0, above: 0.0, right: t };
     let chord = |i: usize| (points[i + 1] - points[i]) / steps[i];
     let mut rows = Vec::with_capacity(n);
@@ -96,8 +96,8 @@ fn end_slopes(points: &[DVec2], steps: &[f64], start: Option<DVec2>, end: Option
     tridiagonal(&rows)
 }
 
-/// Slopes of a closed curve: the last point is the first. The two corners of the matrix are taken out by the
-/// Sherman-Morrison formula.
+/// Slopes of a closed curve, whose last point is the first. The Sherman-Morrison formula accounts for the two corners
+/// of the cyclic matrix.
 fn periodic_slopes(points: &[DVec2], steps: &[f64]) -> Vec<DVec2> {
     let n = steps.len();
     let mut rows: Vec<Row> = (0..n)
@@ -107,7 +107,7 @@ fn periodic_slopes(points: &[DVec2], steps: &[f64]) -> Vec<DVec2> {
         })
         .collect();
     let (corner_top, corner_bottom) = (rows[0].below, rows[n - 1].above);
-    // The matrix plus u v^T with u = (g, 0, .., bottom), v = (1, 0, .., top / g).
+    // The matrix plus u v^T, with u = (g, 0, .., bottom) and v = (1, 0, .., top / g).
     let g = -rows[0].diagonal;
     rows[0].diagonal -= g;
     rows[n - 1].diagonal -= corner_bottom * corner_top / g;
@@ -128,7 +128,7 @@ fn periodic_slopes(points: &[DVec2], steps: &[f64]) -> Vec<DVec2> {
     slopes
 }
 
-/// Thomas' algorithm; the rows are diagonally dominant, so no pivoting is needed.
+/// Thomas' algorithm. The rows are diagonally dominant, so no pivoting is needed.
 fn tridiagonal(rows: &[Row]) -> Vec<DVec2> {
     let mut above = Vec::with_capacity(rows.len());
     let mut out: Vec<DVec2> = Vec::with_capacity(rows.len());

@@ -1,4 +1,4 @@
-//! Finding codes in words, for sentences that sum up many findings of one kind.
+//! Finding codes as phrases, for sentences that sum up many findings of one code.
 
 use super::Code;
 
@@ -101,11 +101,11 @@ impl Code {
     }
 }
 
-/// The words of a code.
+/// How the summary of a code is phrased.
 enum Clauses {
-    /// What follows the number one, and what follows any other number.
+    /// The text after the number 1, and the text after any other number.
     Counted(&'static str, &'static str),
-    /// A sentence about the whole drawing, in which a number would mean nothing.
+    /// A sentence about the whole drawing, which needs no number.
     Whole(&'static str),
 }
 
