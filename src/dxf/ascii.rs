@@ -1,36 +1,36 @@
-//! Tags of an ASCII file, one pass, borrowing from it.
+//! Reads the tags of an ASCII file in one pass, borrowing from it.
 //!
-//! An ASCII DXF alternates lines: group code, value. Real files break the rhythm: lines lost, doubled or swapped,
-//! merge conflicts committed, text spilled over two lines. The reader then has lost step; it reads on from the
-//! next line where a run of pairs is plausible again (codes known, values of their type, up to the next group 0
-//! with a keyword), and marks the tags on both sides of the break so that the entity they belong to is reported
-//! as damaged and never cut by accident.
+//! An ASCII DXF alternates lines: group code, value. Real files break this alternation: lines are lost, doubled or
+//! swapped, merge conflicts are committed, text runs over two lines. The reader is then out of sync. It resumes at the
+//! next line where a run of pairs is plausible (known codes, values of their type, up to the next group 0 with a
+//! keyword). It marks the tags on both sides of the break, so that their entity is reported as damaged and is not cut
+//! unless asked for.
 //!
-//! Line ends are LF, CR LF, CR, or CR CR LF; blank lines before a group code are skipped; a file with every
-//! second line blank is read as if they were not there; a byte order mark and the old end mark ^Z are ignored.
+//! Lines end with LF, CR LF, CR, or CR CR LF. Blank lines before a group code are skipped, and a file in which every
+//! second line is blank is read without them. A byte order mark and the old end mark ^Z are ignored.
 
 use super::breaks::{Break, BreakKind};
 use super::plausible::{group_code, is_conflict_marker, is_plausible, is_structure};
 use super::tag::{Tag, Value, ValueType, is_keyword, value_of, value_type};
 
-/// Pairs that must be plausible before the reader trusts its step again. Shorter runs let coordinates that happen
-/// to be whole numbers pass as group codes; longer ones skip more of what is sound. Half a LINE entity.
+/// Number of plausible pairs after which the reader is back in sync: half a LINE entity. With fewer, coordinates that
+/// happen to be whole numbers pass as group codes; with more, more sound data is skipped.
 const PAIRS_TO_TRUST: usize = 5;
 
-/// A place between two lines.
+/// A position between two lines.
 #[derive(Clone, Copy, Debug)]
-struct Cursor {
-    /// Byte offset.
+struct LineCursor {
+    /// Byte offset from the start of the file.
     at: usize,
-    /// Lines before it.
+    /// Number of lines before it.
     line: u32,
 }
 
-/// Reads tags from ASCII.
+/// Reader of the tags of an ASCII file.
 #[derive(Debug)]
 pub(super) struct Ascii<'a> {
     data: &'a [u8],
-    cursor: Cursor,
+    cursor: LineCursor,
     double_spaced: bool,
     after_break: bool,
     breaks: Vec<Break>,
@@ -38,12 +38,12 @@ pub(super) struct Ascii<'a> {
 }
 
 impl<'a> Ascii<'a> {
-    /// A reader at the start of `data`.
+    /// Creates a reader at the start of `data`.
     pub(super) fn new(data: &'a [u8]) -> Self {
         let data = data.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(data);
         let mut reader = Self {
             data,
-            cursor: Cursor { at: 0, line: 0 },
+            cursor: LineCursor { at: 0, line: 0 },
             double_spaced: false,
             after_break: false,
             breaks: Vec::new(),
@@ -53,17 +53,17 @@ impl<'a> Ascii<'a> {
         reader
     }
 
-    /// The breaks met since the last call, in order.
+    /// The breaks found since the last call, in order.
     pub(super) fn take_breaks(&mut self) -> Vec<Break> {
         std::mem::take(&mut self.breaks)
     }
 
-    /// The file ended between a group code and its value, or within its last line.
+    /// Whether the file ended between a group code and its value, or within its last line.
     pub(super) fn cut_off(&self) -> bool {
         self.cut_off
     }
 
-    /// Whether anything but white space follows.
+    /// Whether anything but white space is left.
     pub(super) fn has_more(&self) -> bool {
         self.data
             .get(self.cursor.at..)
@@ -80,7 +80,7 @@ impl<'a> Ascii<'a> {
                 continue;
             }
             let Some(code) = group_code(first) else {
-                if let Some(tag) = self.lost_step(start, first, after_first) {
+                if let Some(tag) = self.out_of_sync(start, first, after_first) {
                     return Some(tag);
                 }
                 continue;
@@ -92,7 +92,7 @@ impl<'a> Ascii<'a> {
             };
             let value = value_of(code, second);
             match value {
-                // A code no release defines is believed only where the pairs after it make sense.
+                // A group code that no release defines is accepted only if the pairs after it are plausible.
                 Some(value) if value_type(code) != ValueType::Unknown || self.run_is_sound(after_second) => {
                     self.cursor = after_second;
                     self.note_cut_in_last_line();
@@ -108,18 +108,19 @@ impl<'a> Ascii<'a> {
         }
     }
 
-    /// A group code whose value is not of its type: a bad value, a blank line in between, or lost step.
+    /// Handles a group code whose value is not of its type. The value is bad, a blank line is in between, or the reader
+    /// is out of sync.
     fn bad_pair(
         &mut self,
-        start: Cursor,
+        start: LineCursor,
         code: i32,
         second: &'a [u8],
-        after_first: Cursor,
-        after_second: Cursor,
+        after_first: LineCursor,
+        after_second: LineCursor,
     ) -> Option<Tag<'a>> {
         if value_type(code) != ValueType::Unknown && self.run_is_sound(after_second) {
             self.cursor = after_second;
-            return Some(self.mended(start, BreakKind::BadValue, code, Value::Bad));
+            return Some(self.repaired(start, BreakKind::BadValue, code, Value::Bad));
         }
         if second.is_empty() {
             let mut next = after_second;
@@ -138,48 +139,48 @@ impl<'a> Ascii<'a> {
         }
         self.cursor = self.next_sound_run(after_first);
         if code == 0 {
-            // Something started here; its name is lost. Its values must not fall to the entity before.
-            return Some(self.mended(start, BreakKind::LostStep, 0, Value::Bad));
+            // An entity starts here but its name is lost. Its values must not go to the entity before it.
+            return Some(self.repaired(start, BreakKind::OutOfSync, 0, Value::Bad));
         }
-        self.note(start, BreakKind::LostStep);
+        self.note(start, BreakKind::OutOfSync);
         self.after_break = true;
         None
     }
 
-    /// A line where a group code should be and none is.
-    fn lost_step(&mut self, start: Cursor, text: &'a [u8], after: Cursor) -> Option<Tag<'a>> {
+    /// Handles a line that should be a group code and is not.
+    fn out_of_sync(&mut self, start: LineCursor, text: &'a [u8], after: LineCursor) -> Option<Tag<'a>> {
         if is_conflict_marker(text) {
             self.cursor = after;
             self.note(start, BreakKind::MergeConflict);
-            // Between two entities a marker harms neither of them.
+            // A conflict marker between two entities damages neither of them.
             self.after_break |= !self.starts_with_keyword(after);
             return None;
         }
         if is_structure(text) && self.run_is_sound(after) {
             self.cursor = after;
-            return Some(self.mended(start, BreakKind::LostStep, 0, Value::Text(text)));
+            return Some(self.repaired(start, BreakKind::OutOfSync, 0, Value::Text(text)));
         }
         self.cursor = self.next_sound_run(after);
-        self.note(start, BreakKind::LostStep);
+        self.note(start, BreakKind::OutOfSync);
         self.after_break = true;
         None
     }
 
-    fn mended(&mut self, start: Cursor, kind: BreakKind, code: i32, value: Value<'a>) -> Tag<'a> {
+    fn repaired(&mut self, start: LineCursor, kind: BreakKind, code: i32, value: Value<'a>) -> Tag<'a> {
         self.note(start, kind);
         self.after_break = false;
-        Tag { code, value, after_break: true, mended: true }
+        Tag { code, value, after_break: true, repaired: true }
     }
 
-    fn note(&mut self, start: Cursor, kind: BreakKind) {
+    fn note(&mut self, start: LineCursor, kind: BreakKind) {
         self.breaks.push(Break { place: start.line + 1, kind });
     }
 
-    /// The first line from `from` on where a run of pairs is plausible, or the end.
-    fn next_sound_run(&self, from: Cursor) -> Cursor {
+    /// The first line from `from` on where a run of pairs is plausible, or the end of the file.
+    fn next_sound_run(&self, from: LineCursor) -> LineCursor {
         let mut here = from;
         while let Some((text, after)) = self.read_line(here) {
-            // A run may start with blank lines: without this, many of them would be looked at again and again.
+            // A run may start with blank lines. Starting a test at each of them would take quadratic time.
             if !text.is_empty() && self.run_is_sound(here) {
                 return here;
             }
@@ -188,8 +189,8 @@ impl<'a> Ascii<'a> {
         here
     }
 
-    /// Whether the pairs from `from` on are plausible: up to a known keyword, the end, or [`PAIRS_TO_TRUST`].
-    fn run_is_sound(&self, from: Cursor) -> bool {
+    /// Whether the pairs from `from` on are plausible, up to a known keyword, the end, or [`PAIRS_TO_TRUST`] pairs.
+    fn run_is_sound(&self, from: LineCursor) -> bool {
         let mut here = from;
         for _ in 0..PAIRS_TO_TRUST {
             let (first, after_first) = loop {
@@ -217,13 +218,13 @@ impl<'a> Ascii<'a> {
     }
 
     /// Whether the next pair is a group 0.
-    fn starts_with_keyword(&self, from: Cursor) -> bool {
+    fn starts_with_keyword(&self, from: LineCursor) -> bool {
         let Some((first, after)) = self.read_line(from) else { return true };
         group_code(first) == Some(0) && self.read_line(after).is_some_and(|(second, _)| is_keyword(second))
     }
 
-    /// The line at `from` without white space around it, and the place after it.
-    fn read_line(&self, from: Cursor) -> Option<(&'a [u8], Cursor)> {
+    /// The line at `from` without surrounding white space, and the position after it.
+    fn read_line(&self, from: LineCursor) -> Option<(&'a [u8], LineCursor)> {
         let (text, after) = self.read_raw_line(from)?;
         if self.double_spaced
             && let Some((next, after_next)) = self.read_raw_line(after)
@@ -234,7 +235,7 @@ impl<'a> Ascii<'a> {
         Some((text, after))
     }
 
-    fn read_raw_line(&self, from: Cursor) -> Option<(&'a [u8], Cursor)> {
+    fn read_raw_line(&self, from: LineCursor) -> Option<(&'a [u8], LineCursor)> {
         let rest = self.data.get(from.at..).filter(|rest| !rest.is_empty())?;
         let length = rest.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(rest.len());
         let (text, end) = rest.split_at(length);
@@ -244,20 +245,20 @@ impl<'a> Ascii<'a> {
             [_, ..] => 1,
             [] => 0,
         };
-        let after = Cursor { at: from.at + length + end_length, line: from.line.saturating_add(1) };
+        let after = LineCursor { at: from.at + length + end_length, line: from.line.saturating_add(1) };
         Some((text.trim_ascii(), after))
     }
 
-    /// The file ends within its last line: without a line end, and not with the word EOF.
+    /// Records that the file ends within its last line: it has no line end, and the line is not EOF.
     fn note_cut_in_last_line(&mut self) {
         if self.cursor.at == self.data.len() {
             self.cut_off = !matches!(self.data.last(), Some(b'\n' | b'\r' | 0x1A));
         }
     }
 
-    /// Every second line blank, from the first group code on.
+    /// Whether every second line is blank, from the first group code on.
     fn is_double_spaced(&self) -> bool {
-        // Eight pairs: a header has no run of empty values that long.
+        // These lines hold eight pairs, and a header has no run of empty values that long.
         const LINES: usize = 16;
         let mut here = self.cursor;
         let (mut filled, mut blank) = (0usize, 0usize);

@@ -1,20 +1,20 @@
-//! Tags of a binary file (`AutoCAD Binary DXF`), one pass, borrowing from it.
+//! Reads the tags of a binary file (`AutoCAD Binary DXF`) in one pass, borrowing from it.
 //!
-//! Group codes take one byte up to release 12 (255 announces a longer one) and two bytes since. The type of a
-//! value follows from its code; text ends with a zero byte. A code no release defines has a value of unknown
-//! length: the reader has lost step and reads on from the next group 0 with a keyword.
+//! Group codes take one byte up to release 12 (255 announces a longer code) and two bytes since. The type of a value
+//! follows from its code; text ends with a zero byte. A code that no release defines has a value of unknown length, so
+//! the reader is out of sync and resumes at the next group 0 with a keyword.
 
 use super::breaks::{Break, BreakKind};
 use super::tag::{Tag, Value, ValueType, is_keyword, value_type};
 
-/// What every binary DXF begins with.
+/// The first bytes of every binary DXF.
 pub(super) const SENTINEL: &[u8] = b"AutoCAD Binary DXF\r\n\x1A\0";
 
-/// Longest text value, bytes: AutoCAD writes at most 2,049 characters, in UTF-8 four bytes each; some programs
-/// write longer ones. Only a bound for a reader that has lost step.
+/// Longest text value in bytes. AutoCAD writes at most 2,049 characters of up to four bytes each, and some programs
+/// write longer texts. It bounds the work of a reader that is out of sync.
 const LONGEST_TEXT: usize = 65_536;
 
-/// Reads tags from a binary file.
+/// Reader of the tags of a binary file.
 #[derive(Debug)]
 pub(super) struct Binary<'a> {
     data: &'a [u8],
@@ -26,11 +26,11 @@ pub(super) struct Binary<'a> {
 }
 
 impl<'a> Binary<'a> {
-    /// A reader at the first tag of `data`, which begins with [`SENTINEL`].
+    /// Creates a reader at the first tag of `data`, which starts with [`SENTINEL`].
     pub(super) fn new(data: &'a [u8]) -> Self {
         let at = SENTINEL.len();
-        // The first tag is group 0 or a comment (999). With codes of one byte the second byte is a letter of its
-        // text, and both together are far above every code.
+        // The first tag is group 0 or a comment (999). If codes have one byte, the second byte is a letter of its text,
+        // and both bytes together are far above every code.
         let wide_codes = match data.get(at..at + 2) {
             Some(&[low, high]) => u16::from_le_bytes([low, high]) <= 1071,
             _ => true,
@@ -43,17 +43,17 @@ impl<'a> Binary<'a> {
         u32::try_from(self.at).unwrap_or(u32::MAX)
     }
 
-    /// The breaks met since the last call, in order.
+    /// The breaks found since the last call, in order.
     pub(super) fn take_breaks(&mut self) -> Vec<Break> {
         std::mem::take(&mut self.breaks)
     }
 
-    /// The file ended within a tag.
+    /// Whether the file ended within a tag.
     pub(super) fn cut_off(&self) -> bool {
         self.cut_off
     }
 
-    /// Whether anything follows.
+    /// Whether any bytes are left.
     pub(super) fn has_more(&self) -> bool {
         self.data.get(self.at..).is_some_and(|rest| rest.iter().any(|b| !matches!(b, 0 | 0x1A)))
     }
@@ -70,10 +70,10 @@ impl<'a> Binary<'a> {
                     self.breaks.push(Break { place: self.offset(), kind: BreakKind::BadValue });
                 }
                 self.at = next;
-                Some(Tag { after_break: std::mem::take(&mut self.after_break) || bad, mended: bad, ..tag })
+                Some(Tag { after_break: std::mem::take(&mut self.after_break) || bad, repaired: bad, ..tag })
             }
             Err(Fault::Nonsense) => {
-                self.breaks.push(Break { place: self.offset(), kind: BreakKind::LostStep });
+                self.breaks.push(Break { place: self.offset(), kind: BreakKind::OutOfSync });
                 self.after_break = true;
                 self.at = self.next_keyword(self.at + 1)?;
                 let (tag, next) = self.tag_at(self.at).ok()?;
@@ -89,7 +89,7 @@ impl<'a> Binary<'a> {
         }
     }
 
-    /// The tag at `at`, and where the next one starts.
+    /// The tag at `at`, and the offset of the next one.
     fn tag_at(&self, at: usize) -> Result<(Tag<'a>, usize), Fault> {
         let (code, at) = self.code_at(at)?;
         let text = |at| self.text_at(at).map(|(t, next)| (Value::Text(t), next));
@@ -98,7 +98,7 @@ impl<'a> Binary<'a> {
                 (t, next) if is_keyword(t) => (Value::Text(t), next),
                 _ => return Err(Fault::Nonsense),
             },
-            // Chunks of bytes, a length byte before them.
+            // Chunks of bytes, preceded by a length byte.
             310..=319 | 1004 => {
                 let [length] = self.bytes(at)?;
                 let end = at + 1 + usize::from(length);
@@ -148,9 +148,9 @@ impl<'a> Binary<'a> {
         self.data.get(at..at + N).and_then(|b| b.try_into().ok()).ok_or(Fault::End)
     }
 
-    /// The next place from `from` on that reads as a group 0 with a keyword of capitals.
+    /// The next offset from `from` on that reads as a group 0 with a keyword of capital letters.
     fn next_keyword(&mut self, from: usize) -> Option<usize> {
-        // The shortest keyword is ARC or EOF; the longest in use has 34 letters.
+        // Lengths of a keyword. The shortest are ARC and EOF; the longest in use has 34 letters.
         const KEYWORD: std::ops::RangeInclusive<usize> = 3..=40;
         let zeros = if self.wide_codes { 2 } else { 1 };
         let mut at = from;
@@ -175,10 +175,10 @@ impl<'a> Binary<'a> {
     }
 }
 
-/// Why there is no tag.
+/// Why a tag could not be read.
 enum Fault {
-    /// The file ends within it.
+    /// The file ends within the tag.
     End,
-    /// The bytes make no sense here.
+    /// The bytes make no sense as a tag.
     Nonsense,
 }

@@ -1,20 +1,20 @@
-//! Places where a file could not be read as written.
+//! Places where a file could not be read as it was written.
 
-/// What was wrong at a break.
+/// What is wrong at a break.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum BreakKind {
-    /// Group codes and values did not alternate, or a binary record made no sense.
-    LostStep,
-    /// The value is not of the type its group code asks for.
+    /// Group codes and values did not alternate, or a binary tag made no sense.
+    OutOfSync,
+    /// The value is not of the type that its group code requires.
     BadValue,
-    /// A line left by a version control system.
+    /// A marker left by a version control system.
     MergeConflict,
 }
 
-/// One break.
+/// A break in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Break {
-    /// Line from 1 (ASCII) or byte offset (binary).
+    /// Line number from 1 (ASCII) or byte offset (binary).
     pub(super) place: u32,
     /// What was wrong.
     pub(super) kind: BreakKind,

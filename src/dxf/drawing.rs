@@ -1,10 +1,10 @@
-//! What the reader hands on: shapes in millimetres, layers, units and their source, findings.
+//! The result of reading: shapes in millimetres, layers, units with their source, and findings.
 
 use crate::finding::Finding;
 use crate::geometry::Path;
 use serde::{Deserialize, Serialize};
 
-/// Units of a drawing.
+/// The unit of length of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Unit {
@@ -31,7 +31,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// How many millimetres one of it is.
+    /// Length of the unit in millimetres.
     pub const fn millimetres(self) -> f64 {
         match self {
             Self::In => 25.4,
@@ -47,7 +47,7 @@ impl Unit {
         }
     }
 
-    /// Its name in a sentence.
+    /// Name of the unit in a sentence.
     pub const fn plural(self) -> &'static str {
         match self {
             Self::In => "inches",
@@ -63,14 +63,14 @@ impl Unit {
         }
     }
 
-    /// Metric or imperial.
+    /// Whether the unit is metric, not imperial.
     pub const fn is_metric(self) -> bool {
         matches!(self, Self::Um | Self::Mm | Self::Cm | Self::Dm | Self::M)
     }
 
-    /// The unit of an $INSUNITS code; `None` for 0 and for those no drawing to cut is in (miles, parsecs, ...).
+    /// The unit of an $INSUNITS code; `None` for 0 and for units that no cutting drawing uses (miles, parsecs, ...).
     pub const fn of_insert_units(code: i64) -> Option<Self> {
-        // 21 to 23 are survey feet, inches and yards: 2 parts in a million longer.
+        // 21 to 23 are survey feet, inches and yards, which are 2 parts in a million longer.
         Some(match code {
             1 | 22 => Self::In,
             2 | 21 => Self::Ft,
@@ -87,118 +87,121 @@ impl Unit {
     }
 }
 
-/// Where the units come from.
+/// Where the unit comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum UnitsSource {
-    /// $INSUNITS.
+    /// The header variable $INSUNITS.
     Header,
-    /// Guessed from size and $MEASUREMENT: see `reason`.
+    /// Guessed from the size and $MEASUREMENT; see `reason`.
     Guessed,
-    /// By the person.
+    /// Chosen by the person.
     Given,
 }
 
-/// The units taken, and why.
+/// The unit of a drawing, and why it was chosen.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Units {
-    /// The unit taken.
+    /// The chosen unit.
     pub unit: Unit,
-    /// From where.
+    /// Where the unit comes from.
     pub source: UnitsSource,
-    /// One sentence for people: why this unit.
+    /// One sentence for people that gives the reason for this unit.
     pub reason: String,
-    /// Whether a person should be asked: guessed without evidence, or the size speaks against the header.
+    /// Whether a person should be asked, because the unit was guessed without evidence or the size contradicts the
+    /// header.
     pub doubtful: bool,
 }
 
 /// A layer of the drawing.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Layer {
-    /// Name, decoded.
+    /// Decoded name.
     pub name: String,
     /// AutoCAD colour index (absolute value).
     pub color: i16,
-    /// Neither frozen nor off.
+    /// Whether the layer is neither frozen nor off.
     pub visible: bool,
 }
 
-/// One entity as a chain of lines and arcs in mm, in sheet coordinates, blocks expanded.
+/// One entity as a chain of lines and arcs in mm, in sheet coordinates, with blocks expanded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
     /// The geometry.
     pub path: Path,
     /// Index into [`Drawing::layers`].
     pub layer: u32,
-    /// AutoCAD colour index as resolved (by layer, by block).
+    /// AutoCAD colour index after resolving BYLAYER and BYBLOCK.
     pub color: i16,
-    /// Handle as written in the file, for reports only.
+    /// Handle as written in the file, used in reports only.
     pub handle: Option<String>,
     /// DXF name of the entity (`LINE`, `LWPOLYLINE`, ...).
     pub kind: &'static str,
-    /// Read through a break in the file; only present when asked for.
+    /// Whether the entity was read across a break in the file. Such shapes are present only when asked for.
     pub damaged: bool,
 }
 
-/// How many entities of a kind the file holds, blocks expanded or not.
+/// Number of entities of one kind.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct EntityKindCount {
-    /// DXF name.
+    /// Number in model space, as written (an INSERT counts once).
     pub kind: String,
     /// In model space, as written (an INSERT counts once).
     pub count: u32,
-    /// Whether it becomes geometry.
+    /// Whether entities of this kind become geometry.
     pub supported: bool,
 }
 
 /// A drawing in millimetres.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    /// $ACADVER, when given (`AC1015`).
+    /// Value of $ACADVER, if present (`AC1015`).
     pub version: Option<String>,
-    /// Units taken.
+    /// Unit of the drawing.
     pub units: Units,
-    /// Layers, in order of the file; those not in the table but used follow.
+    /// Layers in the order of the file, followed by those that are used but missing in the layer table.
     pub layers: Vec<Layer>,
-    /// Geometry of model space, visible layers only.
+    /// Geometry of model space on visible layers.
     pub shapes: Vec<Shape>,
     /// Entities by kind, most frequent first.
     pub entities: Vec<EntityKindCount>,
-    /// Everything worth knowing.
+    /// Findings of the reader.
     pub findings: Vec<Finding>,
 }
 
-/// Bounds against hostile files. Past one of them the file is refused with a sentence that names it.
+/// Limits that protect against hostile files. A file that exceeds one is refused with a sentence that names it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Limits {
-    /// Bytes of the file.
+    /// Size of the file, bytes.
     pub bytes: usize,
-    /// Elements (lines and arcs) after blocks are expanded.
+    /// Number of lines and arcs after blocks are expanded.
     pub elements: usize,
-    /// Depth of nested blocks.
+    /// Nesting depth of blocks.
     pub depth: usize,
     /// Largest coordinate, mm.
     pub coordinate: f64,
 }
 
-/// How to read.
+/// Options for reading.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadOptions {
-    /// Units given by the person; otherwise header or guess.
+    /// Unit chosen by the person; `None` takes it from the header or guesses it.
     pub unit: Option<Unit>,
-    /// Largest distance between a spline or ellipse and its lines and arcs, mm.
+    /// Largest distance between a spline or ellipse and the lines and arcs that replace it, mm.
     pub tolerance: f64,
-    /// Keep entities read through a break in the file.
+    /// Whether to keep entities that were read across a break in the file.
     pub keep_damaged: bool,
-    /// Bounds.
+    /// Limits on the input.
     pub limits: Limits,
-    /// Reads names in code pages of several bytes a character.
+    /// Decodes names in code pages of several bytes per character.
     pub decoder: TextDecoder,
 }
 
-/// Decodes bytes in an encoding named by its label in the WHATWG Encoding Standard, with U+FFFD where they mean nothing.
+/// Decodes bytes in an encoding named by its label in the WHATWG Encoding Standard; bytes without a meaning become
+/// U+FFFD.
 ///
-/// The default has all tables natively. In wasm it has none and reads UTF-8: the bindings hand over the platform's decoder.
+/// The default has all tables natively. In wasm it has none and reads UTF-8, so the bindings pass the platform's
+/// decoder instead.
 #[derive(Clone, Copy, Debug)]
 pub struct TextDecoder(pub fn(label: &str, bytes: &[u8]) -> String);
 
@@ -208,7 +211,7 @@ impl Default for TextDecoder {
     }
 }
 
-/// Decoders read the same text, so options that differ in nothing else are the same.
+/// Decoders give the same text, so options that differ in nothing else are equal.
 impl PartialEq for TextDecoder {
     fn eq(&self, _: &Self) -> bool {
         true
@@ -238,17 +241,17 @@ impl Default for ReadOptions {
     }
 }
 
-/// Why a file cannot be used: one sentence for people.
+/// Why a file cannot be used, as one sentence for people.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadError {
-    /// Not a DXF: names the format found when known, and what to do.
+    /// The file is not a DXF. The sentence names the format if it was recognised, and says what to do.
     #[error("{0}")]
     NotDxf(String),
-    /// Nothing to cut in it.
+    /// The drawing holds nothing to cut.
     #[error("{0}")]
     Empty(String),
-    /// A limit was passed.
+    /// The file exceeds a limit.
     #[error("{0}")]
     Limit(String),
 }

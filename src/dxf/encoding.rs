@@ -1,22 +1,22 @@
-//! Text of a DXF: layer, block and program names.
+//! Decodes the text of a DXF: names of layers, blocks and programs.
 //!
-//! Up to AC1018 (R2004) text is in the code page of $DWGCODEPAGE, from AC1021 (R2007) in UTF-8; in both, `\U+XXXX`
-//! stands for a Unicode character and `\M+nXXXX` for one of an East Asian code page. Programs that write UTF-8 under
-//! a Western code page are common: bytes that are valid UTF-8 beyond ASCII are taken as such there, since such text
-//! in a one-byte code page is next to impossible by chance.
+//! Up to AC1018 (R2004) text is in the code page of $DWGCODEPAGE; from AC1021 (R2007) on it is in UTF-8. In both,
+//! `\U+XXXX` is a Unicode character and `\M+nXXXX` a character of an East Asian code page. Many programs write UTF-8
+//! although the header names a Western code page. Bytes that are valid UTF-8 beyond ASCII are therefore read as UTF-8
+//! there, because such text hardly ever occurs by chance in a one-byte code page.
 
-use super::code_pages::{self as pages, SingleByte};
 use super::drawing::TextDecoder;
-use super::east_asian::EastAsian;
 use super::header::Header;
+use super::multi_byte::MultiByte;
+use super::single_byte::{self as pages, SingleByte};
 use std::borrow::Cow;
 
-/// How characters are written as bytes.
+/// The encoding of a file's text.
 #[derive(Clone, Copy, Debug)]
 enum Encoding {
     Utf8,
     SingleByte(&'static SingleByte),
-    EastAsian(EastAsian),
+    MultiByte(MultiByte),
 }
 
 impl Encoding {
@@ -24,17 +24,17 @@ impl Encoding {
         match self {
             Self::Utf8 => "UTF-8",
             Self::SingleByte(page) => page.name,
-            Self::EastAsian(page) => page.label(),
+            Self::MultiByte(page) => page.label(),
         }
     }
 
-    /// The text of `bytes`, and whether some of them meant nothing.
+    /// The text of `bytes`, and whether some of them had no meaning.
     fn decode(self, decoder: TextDecoder, bytes: &[u8]) -> (String, bool) {
         match self {
-            // A file that says UTF-8 and is not was written in the code page of the writer's computer.
+            // Invalid UTF-8 is usually text in the code page of the author's computer.
             Self::Utf8 => (pages::WINDOWS_1252.decode(bytes).0, true),
             Self::SingleByte(page) => page.decode(bytes),
-            Self::EastAsian(page) => page.decode(decoder, bytes),
+            Self::MultiByte(page) => page.decode(decoder, bytes),
         }
     }
 }
@@ -48,9 +48,9 @@ pub(super) struct Decoder {
 }
 
 impl Decoder {
-    /// The decoder that goes with a header.
+    /// Creates the decoder for a file with this header.
     pub(super) fn new(header: &Header<'_>, decoder: TextDecoder) -> Self {
-        // Versions are AC and four digits: byte order is the order of releases.
+        // Versions are AC and four digits, so the order of the bytes is the order of the releases.
         let utf8 = header.version.is_some_and(|v| v.starts_with(b"AC") && v >= b"AC1021".as_slice());
         let declared = header.code_page.and_then(code_page);
         Self {
@@ -69,20 +69,20 @@ impl Decoder {
         self.encoding.name()
     }
 
-    /// How many texts held bytes that could not be decoded.
+    /// Number of texts with bytes that could not be decoded.
     pub(super) fn replaced(&self) -> u32 {
         self.replaced
     }
 
-    /// The text of `bytes`.
+    /// Decodes `bytes`, including escapes.
     pub(super) fn text<'b>(&mut self, bytes: &'b [u8]) -> Cow<'b, str> {
         let text = self.decode(bytes);
         if text.contains('\\') { Cow::Owned(unescape(&text, self.decoder)) } else { text }
     }
 
     fn decode<'b>(&mut self, bytes: &'b [u8]) -> Cow<'b, str> {
-        // Of several bytes a character, text may look like UTF-8 by chance.
-        let may_be_utf8 = bytes.is_ascii() || !matches!(self.encoding, Encoding::EastAsian(_));
+        // Text in a code page of several bytes per character may be valid UTF-8 by chance.
+        let may_be_utf8 = bytes.is_ascii() || !matches!(self.encoding, Encoding::MultiByte(_));
         if may_be_utf8 && let Ok(text) = std::str::from_utf8(bytes) {
             return Cow::Borrowed(text);
         }
@@ -92,17 +92,17 @@ impl Decoder {
     }
 }
 
-/// The encoding of a $DWGCODEPAGE value such as `ANSI_1252`.
+/// The encoding for a $DWGCODEPAGE value such as `ANSI_1252`.
 fn code_page(name: &[u8]) -> Option<Encoding> {
     let name = name.to_ascii_uppercase();
     let number = name.rsplit(|b| *b == b'_').next().unwrap_or(&name);
     let number = number.strip_prefix(b"DOS").unwrap_or(number);
     let page = match number {
         b"874" => &pages::WINDOWS_874,
-        b"932" => return Some(Encoding::EastAsian(EastAsian::ShiftJis)),
-        b"936" => return Some(Encoding::EastAsian(EastAsian::Gbk)),
-        b"949" | b"1361" => return Some(Encoding::EastAsian(EastAsian::EucKr)),
-        b"950" => return Some(Encoding::EastAsian(EastAsian::Big5)),
+        b"932" => return Some(Encoding::MultiByte(MultiByte::ShiftJis)),
+        b"936" => return Some(Encoding::MultiByte(MultiByte::Gbk)),
+        b"949" | b"1361" => return Some(Encoding::MultiByte(MultiByte::EucKr)),
+        b"950" => return Some(Encoding::MultiByte(MultiByte::Big5)),
         b"437" => &pages::IBM437,
         b"850" => &pages::IBM850,
         b"852" => &pages::IBM852,
@@ -116,7 +116,7 @@ fn code_page(name: &[u8]) -> Option<Encoding> {
         b"1256" => &pages::WINDOWS_1256,
         b"1257" => &pages::WINDOWS_1257,
         b"1258" => &pages::WINDOWS_1258,
-        b"GB18030" | b"54936" => return Some(Encoding::EastAsian(EastAsian::Gb18030)),
+        b"GB18030" | b"54936" => return Some(Encoding::MultiByte(MultiByte::Gb18030)),
         b"ROMAN" => &pages::MACINTOSH,
         b"8859-2" | b"ISO8859-2" => &pages::ISO_8859_2,
         b"8859-3" | b"ISO8859-3" => &pages::ISO_8859_3,
@@ -131,7 +131,7 @@ fn code_page(name: &[u8]) -> Option<Encoding> {
     Some(Encoding::SingleByte(page))
 }
 
-/// Replaces `\U+XXXX` and `\M+nXXXX`; what is malformed stays as it is.
+/// Replaces `\U+XXXX` and `\M+nXXXX`; malformed escapes stay unchanged.
 fn unescape(text: &str, decoder: TextDecoder) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
@@ -157,10 +157,10 @@ fn unicode_escape(text: &str) -> Option<char> {
 fn multibyte_escape(text: &str, decoder: TextDecoder) -> Option<char> {
     let digits = text.strip_prefix("\\M+")?;
     let encoding = match digits.bytes().next()? {
-        b'1' => EastAsian::ShiftJis,
-        b'2' => EastAsian::Big5,
-        b'3' | b'4' => EastAsian::EucKr,
-        b'5' => EastAsian::Gbk,
+        b'1' => MultiByte::ShiftJis,
+        b'2' => MultiByte::Big5,
+        b'3' | b'4' => MultiByte::EucKr,
+        b'5' => MultiByte::Gbk,
         _ => return None,
     };
     let code = u16::try_from(hex4(digits.get(1..)?)?).ok()?;

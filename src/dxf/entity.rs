@@ -1,16 +1,16 @@
-//! Entities as read: typed, in the units of the drawing, blocks not expanded.
+//! Entities as read from the file: typed, in drawing units, with blocks not expanded.
 
 use glam::{DVec2, DVec3};
 
-/// Colour numbers with a meaning of their own.
+/// Colour number: the colour of the insert.
 pub(super) const BY_BLOCK: i16 = 0;
-/// Colour of the entity's layer.
+/// Colour number: the colour of the layer.
 pub(super) const BY_LAYER: i16 = 256;
 
 /// An entity of model space or of a block.
 #[derive(Debug)]
 pub(super) struct Entity<'a> {
-    /// DXF name; for kinds without geometry see [`Form::Other`].
+    /// DXF name; for kinds without geometry see [`Geometry::Other`].
     pub(super) kind: &'static str,
     /// Handle as written.
     pub(super) handle: Option<&'a [u8]>,
@@ -18,24 +18,24 @@ pub(super) struct Entity<'a> {
     pub(super) layer: u32,
     /// Colour number as written: [`BY_LAYER`], [`BY_BLOCK`] or a colour.
     pub(super) color: i16,
-    /// A break in the file touches it.
+    /// Whether a break in the file touches the entity.
     pub(super) damaged: bool,
-    /// A value is missing; what was taken instead.
+    /// If a value is missing, the text that says what was assumed.
     pub(super) assumed: Option<&'static str>,
-    /// Not seen, whatever its layer says.
+    /// Why the entity is not visible, whatever its layer says.
     pub(super) hidden: Option<Hidden>,
-    /// What it is.
-    pub(super) form: Form<'a>,
+    /// Geometry.
+    pub(super) geometry: Geometry<'a>,
 }
 
-/// Why an entity is not seen.
+/// Why an entity is not visible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Hidden {
-    /// On a paper layout (67 = 1).
+    /// It is on a paper layout (67 = 1).
     Paper,
-    /// Switched invisible (60 = 1).
+    /// It is marked as invisible (60 = 1).
     Invisible,
-    /// Its layer, or that of the insert around it, is frozen.
+    /// Its layer, or that of an insert around it, is frozen.
     Frozen,
     /// Its layer is off.
     Off,
@@ -44,18 +44,18 @@ pub(super) enum Hidden {
 /// A vertex of a two-dimensional polyline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Vertex {
-    /// Place in the plane of the polyline.
+    /// Position in the plane of the polyline.
     pub(super) at: DVec2,
-    /// tan(sweep / 4) of the arc to the next vertex; 0: a line.
+    /// tan(sweep / 4) of the arc to the next vertex; 0 for a line.
     pub(super) bulge: f64,
 }
 
-/// A B-spline, or the points one goes through.
+/// A B-spline, defined by control points or by fit points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Spline {
     /// Degree.
     pub(super) degree: usize,
-    /// Flags 1 (closed) or 2 (periodic).
+    /// Whether flag 1 (closed) or 2 (periodic) is set.
     pub(super) closed: bool,
     /// Knots.
     pub(super) knots: Vec<f64>,
@@ -63,52 +63,52 @@ pub(super) struct Spline {
     pub(super) control: Vec<DVec3>,
     /// Weights; empty when all are 1.
     pub(super) weights: Vec<f64>,
-    /// Points it goes through.
+    /// Fit points, through which the curve passes.
     pub(super) fit: Vec<DVec3>,
-    /// Direction at the start.
+    /// Direction at the start, if given.
     pub(super) start_tangent: Option<DVec3>,
-    /// Direction at the end.
+    /// Direction at the end, if given.
     pub(super) end_tangent: Option<DVec3>,
 }
 
-/// A block put in place.
+/// An instance of a block.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Insert<'a> {
     /// Name of the block, as written.
     pub(super) name: &'a [u8],
-    /// Index of the block; `None` when the file does not hold it.
+    /// Index of the block; `None` when the file does not define it.
     pub(super) block: Option<usize>,
-    /// Place, in the plane of `normal`.
+    /// Position, in the plane of `normal`.
     pub(super) at: DVec3,
     /// Scale along the axes of the block.
     pub(super) scale: DVec3,
-    /// Turn, degrees.
+    /// Rotation, degrees.
     pub(super) rotation: f64,
-    /// Columns and rows; 1 at least.
+    /// Number of columns and rows; 1 at least.
     pub(super) counts: [u32; 2],
-    /// Distance of columns and of rows, in the turned but unscaled axes of the insert.
+    /// Distance between columns and between rows, along the rotated but unscaled axes of the insert.
     pub(super) spacing: DVec2,
     /// Extrusion direction.
     pub(super) normal: DVec3,
 }
 
-/// A chain of straight lines in the world.
+/// A chain of straight lines in world coordinates.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Chain {
+pub(super) struct Polyline3d {
     /// Its points.
     pub(super) points: Vec<DVec3>,
-    /// Comes back to its start.
+    /// Whether it returns to its start.
     pub(super) closed: bool,
 }
 
-/// An element of the boundary of a hatch, in its plane.
+/// An element of the boundary of a hatch, in the hatch's plane.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Edge {
-    /// Straight.
+    /// A straight line.
     Line(DVec2, DVec2),
-    /// Centre, radius, start in degrees, signed sweep in radians.
+    /// Centre, radius, start angle in degrees, signed sweep in radians.
     Arc(DVec2, f64, f64, f64),
-    /// Elliptic.
+    /// An elliptic arc.
     Ellipse(PlaneEllipse),
     /// A spline; its points have z = 0.
     Spline(Spline),
@@ -132,18 +132,18 @@ pub(super) struct PlaneEllipse {
 /// A boundary of a hatch.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Loop {
-    /// Vertices with bulges.
+    /// Vertices with bulges, and whether it is closed.
     Polyline(Vec<Vertex>, bool),
-    /// Elements end to end.
+    /// Elements joined end to end.
     Edges(Vec<Edge>),
 }
 
 /// The geometry of an entity.
 #[derive(Debug)]
-pub(super) enum Form<'a> {
-    /// LINE, in the world.
+pub(super) enum Geometry<'a> {
+    /// LINE, in world coordinates.
     Line(DVec3, DVec3),
-    /// CIRCLE and ARC, in the plane of `normal`: start in degrees, sweep in radians.
+    /// CIRCLE and ARC, in the plane of `normal`.
     Arc {
         /// Centre.
         center: DVec3,
@@ -160,18 +160,18 @@ pub(super) enum Form<'a> {
     Polyline {
         /// Vertices.
         vertices: Vec<Vertex>,
-        /// Comes back to its start.
+        /// Whether it returns to its start.
         closed: bool,
-        /// Drawn with a width somewhere.
+        /// Whether it has a width anywhere.
         wide: bool,
         /// Height of its plane.
         elevation: f64,
         /// Extrusion direction.
         normal: DVec3,
     },
-    /// Three-dimensional POLYLINE, outlines of SOLID, TRACE and 3DFACE, in the world.
-    Chains(Vec<Chain>),
-    /// ELLIPSE, in the world: centre, half axes, first parameter and sweep in radians.
+    /// Three-dimensional POLYLINE, and outlines of SOLID, TRACE and 3DFACE, in world coordinates.
+    Polylines3d(Vec<Polyline3d>),
+    /// ELLIPSE, in world coordinates.
     Ellipse {
         /// Centre.
         center: DVec3,
@@ -184,7 +184,7 @@ pub(super) enum Form<'a> {
         /// Sweep of the parameter, rad.
         sweep: f64,
     },
-    /// SPLINE, in the world.
+    /// SPLINE, in world coordinates.
     Spline(Box<Spline>),
     /// INSERT.
     Insert(Box<Insert<'a>>),
@@ -197,8 +197,8 @@ pub(super) enum Form<'a> {
         /// Extrusion direction.
         normal: DVec3,
     },
-    /// No geometry to cut: index of its name, and a place.
+    /// Without geometry to cut: index of the kind's name, and a position.
     Other(u32, Option<DVec3>),
-    /// Meant as geometry, but its values make none: why.
+    /// A kind with geometry, but its values describe none: the reason, and a position.
     Invalid(&'static str, Option<DVec3>),
 }

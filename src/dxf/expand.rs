@@ -1,85 +1,93 @@
-//! Blocks expanded: every entity that is seen, where it is seen, with the layer and colour it is seen in.
+//! Expands blocks: every visible entity becomes shapes at its place, with its effective layer and colour.
 //!
-//! An entity on layer "0" in a block takes the layer of the insert; colour BYBLOCK takes that of the insert. A
-//! frozen layer hides an insert with all it holds; a layer that is off hides only what is on it.
+//! An entity on layer "0" in a block takes the layer of the insert, and colour BYBLOCK takes that of the insert. A
+//! frozen layer hides an insert with everything in it; a layer that is off hides only its own entities.
 
 use super::drawing::{ReadError, ReadOptions, Shape};
-use super::entity::{BY_BLOCK, BY_LAYER, Entity, Form, Hidden, Insert};
+use super::entity::{BY_BLOCK, BY_LAYER, Entity, Geometry, Hidden, Insert};
 use super::file::File;
 use super::report::{Note, Notes, Subject};
 use super::{placement, trace};
 use crate::finding::{Code, Severity};
 use glam::{DAffine3, DVec2, DVec3};
 
-/// Expands the model of `file` onto the sheet; `scale` is mm per unit of the drawing.
+/// Expands the model of `file` onto the sheet; `scale` is the length of one drawing unit in mm.
 ///
 /// # Errors
-/// More elements than the limits of `options` allow.
+/// The drawing makes more elements than the limits of `options` allow.
 pub(super) fn shapes<'a>(
     file: &File<'a>,
     scale: f64,
     options: &ReadOptions,
     notes: &mut Notes<'a>,
 ) -> Result<Vec<Shape>, ReadError> {
-    let mut walk =
-        Walk { file, options, notes, shapes: Vec::new(), visited: 0, elements: 0, open: Vec::new(), far: 0 };
-    let root = Place {
+    let mut expander = Expander {
+        file,
+        options,
+        notes,
+        shapes: Vec::new(),
+        visited: 0,
+        elements: 0,
+        open: Vec::new(),
+        far: 0,
+    };
+    let root = Placement {
         to_sheet: DAffine3::from_scale(DVec3::splat(scale)),
         layer: None,
         color: BY_LAYER,
         layer_zero: 0,
     };
-    walk.entities(&file.model, &root)?;
-    if walk.shapes.is_empty() && walk.far > 0 {
+    expander.entities(&file.model, &root)?;
+    if expander.shapes.is_empty() && expander.far > 0 {
         return Err(ReadError::Limit(format!(
             "Everything in the drawing lies more than {} m from its origin. Check the units, or move the drawing to the origin and save again.",
             options.limits.coordinate / 1000.0
         )));
     }
-    Ok(walk.shapes)
+    Ok(expander.shapes)
 }
 
-/// Where a block, or the model, is put.
-struct Place {
+/// Where a block, or the model, is placed.
+struct Placement {
     to_sheet: DAffine3,
-    /// Layer of the insert; `None` in the model.
+    /// Layer of the insert; `None` in model space.
     layer: Option<u32>,
-    /// Colour of the insert, resolved.
+    /// Resolved colour of the insert.
     color: i16,
     /// Index of layer "0".
     layer_zero: u32,
 }
 
-struct Walk<'f, 'a, 'n> {
+struct Expander<'f, 'a, 'n> {
     file: &'f File<'a>,
     options: &'f ReadOptions,
     notes: &'n mut Notes<'a>,
     shapes: Vec<Shape>,
     visited: usize,
     elements: usize,
-    /// Blocks around the entity at hand.
+    /// Indices of the blocks around the current entity, to find blocks that contain themselves.
     open: Vec<usize>,
     far: usize,
 }
 
-impl<'a> Walk<'_, 'a, '_> {
-    fn entities(&mut self, entities: &[Entity<'a>], place: &Place) -> Result<(), ReadError> {
+impl<'a> Expander<'_, 'a, '_> {
+    fn entities(&mut self, entities: &[Entity<'a>], place: &Placement) -> Result<(), ReadError> {
         entities.iter().try_for_each(|e| self.entity(e, place))
     }
 
-    fn entity(&mut self, entity: &Entity<'a>, place: &Place) -> Result<(), ReadError> {
+    fn entity(&mut self, entity: &Entity<'a>, place: &Placement) -> Result<(), ReadError> {
         self.visited += 1;
         self.check()?;
         let layer = match place.layer {
             Some(of_insert) if entity.layer == place.layer_zero => of_insert,
             _ => entity.layer,
         };
-        let at = || first_point(&entity.form).map(|p| place.to_sheet.transform_point3(p).truncate());
+        let at = || first_point(&entity.geometry).map(|p| place.to_sheet.transform_point3(p).truncate());
         if let Some(why) = self.hidden(entity, layer) {
             self.notes.count(Subject::Hidden(why), layer, entity.handle, at());
             return Ok(());
         }
-        if let Form::Other(name, _) = entity.form {
+        if let Geometry::Other(name, _) = entity.geometry {
             self.notes.count(Subject::Unsupported(self.file.other_name(name)), layer, entity.handle, at());
             return Ok(());
         }
@@ -97,16 +105,16 @@ impl<'a> Walk<'_, 'a, '_> {
             BY_BLOCK | BY_LAYER => self.file.layers.get(layer).map_or(7, |l| l.color),
             color => color,
         };
-        match &entity.form {
-            Form::Insert(insert) => {
-                self.insert(entity, insert, &Place { layer: Some(layer), color, ..*place })
+        match &entity.geometry {
+            Geometry::Insert(insert) => {
+                self.insert(entity, insert, &Placement { layer: Some(layer), color, ..*place })
             }
-            Form::Invalid(why, _) => {
+            Geometry::Invalid(why, _) => {
                 self.invalid(entity, layer, at(), why);
                 Ok(())
             }
-            form => {
-                match trace::outline(form, &place.to_sheet, self.options.tolerance) {
+            geometry => {
+                match trace::outline(geometry, &place.to_sheet, self.options.tolerance) {
                     Err(why) => self.invalid(entity, layer, at(), &why),
                     Ok(outline) => {
                         if outline.tilted {
@@ -115,7 +123,7 @@ impl<'a> Walk<'_, 'a, '_> {
                         if matches!(entity.kind, "SOLID" | "TRACE" | "3DFACE" | "HATCH") {
                             self.notes.count(Subject::Outline(entity.kind), layer, entity.handle, at());
                         }
-                        if matches!(form, Form::Polyline { wide: true, .. }) {
+                        if matches!(geometry, Geometry::Polyline { wide: true, .. }) {
                             self.notes.count(Subject::Wide(entity.kind), layer, entity.handle, at());
                         }
                         for path in outline.paths {
@@ -151,7 +159,12 @@ impl<'a> Walk<'_, 'a, '_> {
         });
     }
 
-    fn insert(&mut self, entity: &Entity<'a>, insert: &Insert<'a>, place: &Place) -> Result<(), ReadError> {
+    fn insert(
+        &mut self,
+        entity: &Entity<'a>,
+        insert: &Insert<'a>,
+        place: &Placement,
+    ) -> Result<(), ReadError> {
         let layer = place.layer.unwrap_or(entity.layer);
         let at = place.to_sheet.transform_point3(insert.at).truncate();
         let file = self.file;
@@ -175,7 +188,7 @@ impl<'a> Walk<'_, 'a, '_> {
         for row in 0..rows {
             for column in 0..columns {
                 let to_sheet = place.to_sheet * placement::cell(insert, block.base, column, row);
-                self.entities(&block.entities, &Place { to_sheet, ..*place })?;
+                self.entities(&block.entities, &Placement { to_sheet, ..*place })?;
             }
         }
         self.open.pop();
@@ -184,7 +197,7 @@ impl<'a> Walk<'_, 'a, '_> {
 
     fn hidden(&self, entity: &Entity<'a>, layer: u32) -> Option<Hidden> {
         let layer = self.file.layers.get(layer);
-        let is_insert = matches!(entity.form, Form::Insert(_));
+        let is_insert = matches!(entity.geometry, Geometry::Insert(_));
         match layer {
             _ if entity.hidden.is_some() => entity.hidden,
             Some(l) if l.frozen => Some(Hidden::Frozen),
@@ -214,11 +227,11 @@ impl<'a> Walk<'_, 'a, '_> {
     }
 
     fn inserts_damaged_block(&self, entity: &Entity<'a>) -> bool {
-        let Form::Insert(insert) = &entity.form else { return false };
+        let Geometry::Insert(insert) = &entity.geometry else { return false };
         insert.block.and_then(|i| self.file.blocks.get(i)).is_some_and(|b| b.damaged)
     }
 
-    /// The measure taken before is an estimate; this is the count.
+    /// Compares the exact number of elements with the limit; the earlier measurement was an estimate.
     fn check(&self) -> Result<(), ReadError> {
         let limit = self.options.limits.elements;
         if self.elements.max(self.visited) <= limit {
@@ -234,19 +247,19 @@ fn name(entity: &Entity<'_>) -> &'static str {
     if entity.kind.is_empty() { "An entity" } else { entity.kind }
 }
 
-/// A point of an entity, in the space it stands in.
-fn first_point(form: &Form<'_>) -> Option<DVec3> {
-    match form {
-        Form::Line(a, _) => Some(*a),
-        Form::Arc { center, normal, .. } => Some(super::ocs::axes(*normal) * *center),
-        Form::Polyline { vertices, elevation, normal, .. } => {
+/// A point of an entity, in the coordinates of its block.
+fn first_point(geometry: &Geometry<'_>) -> Option<DVec3> {
+    match geometry {
+        Geometry::Line(a, _) => Some(*a),
+        Geometry::Arc { center, normal, .. } => Some(super::ocs::axes(*normal) * *center),
+        Geometry::Polyline { vertices, elevation, normal, .. } => {
             vertices.first().map(|v| super::ocs::axes(*normal) * v.at.extend(*elevation))
         }
-        Form::Chains(chains) => chains.first().and_then(|c| c.points.first()).copied(),
-        Form::Ellipse { center, .. } => Some(*center),
-        Form::Spline(s) => s.control.first().or(s.fit.first()).copied(),
-        Form::Insert(i) => Some(super::ocs::axes(i.normal) * i.at),
-        Form::Hatch { loops, elevation, normal } => {
+        Geometry::Polylines3d(chains) => chains.first().and_then(|c| c.points.first()).copied(),
+        Geometry::Ellipse { center, .. } => Some(*center),
+        Geometry::Spline(s) => s.control.first().or(s.fit.first()).copied(),
+        Geometry::Insert(i) => Some(super::ocs::axes(i.normal) * i.at),
+        Geometry::Hatch { loops, elevation, normal } => {
             let p = loops.first().and_then(|l| match l {
                 super::entity::Loop::Polyline(vertices, _) => vertices.first().map(|v| v.at),
                 super::entity::Loop::Edges(edges) => edges.first().and_then(|e| match e {
@@ -260,6 +273,6 @@ fn first_point(form: &Form<'_>) -> Option<DVec3> {
             })?;
             Some(super::ocs::axes(*normal) * p.extend(*elevation))
         }
-        Form::Other(_, p) | Form::Invalid(_, p) => *p,
+        Geometry::Other(_, p) | Geometry::Invalid(_, p) => *p,
     }
 }

@@ -1,24 +1,24 @@
-//! Header variables the reader needs; all of them may be missing.
+//! The header variables that the reader needs. All of them may be missing.
 
 use super::tag::Tag;
 
-/// What the HEADER section says.
+/// Variables of the HEADER section.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Header<'a> {
-    /// $ACADVER: version of the format, `AC1015` is R2000.
+    /// $ACADVER: version of the format; `AC1015` is R2000.
     pub(super) version: Option<&'a [u8]>,
-    /// $DWGCODEPAGE: how text is encoded up to AC1018.
+    /// $DWGCODEPAGE: encoding of text up to AC1018.
     pub(super) code_page: Option<&'a [u8]>,
-    /// $INSUNITS: units.
+    /// $INSUNITS: unit of length.
     pub(super) insert_units: Option<i64>,
-    /// $MEASUREMENT: 0 imperial, 1 metric line types and hatches; only a hint.
+    /// $MEASUREMENT: 0 for imperial, 1 for metric line types and hatches; only a hint at the units.
     pub(super) measurement: Option<i64>,
-    /// $LUNITS: how lengths are shown; 3 and 4 are feet and inches.
+    /// $LUNITS: display format of lengths; 3 and 4 are feet and inches.
     pub(super) length_format: Option<i64>,
 }
 
 impl<'a> Header<'a> {
-    /// Takes the first value of `variable`.
+    /// Stores the first value of `variable`, if it is one of these.
     pub(super) fn take(&mut self, variable: &[u8], tag: &Tag<'a>) {
         match variable {
             b"$ACADVER" => self.version = self.version.or(tag.text()),

@@ -1,22 +1,22 @@
-//! Layers: those of the table, and those that entities name without it.
+//! Layers: those of the layer table, and those that only entities name.
 
 use super::record::Record;
 use rustc_hash::FxHashMap;
 
-/// A layer as read.
+/// A layer as read from the file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RawLayer<'a> {
     /// Name as written, not decoded.
     pub(super) name: &'a [u8],
     /// Colour index.
     pub(super) color: i16,
-    /// Frozen: neither it nor inserts on it are seen.
+    /// Whether it is frozen, so that neither its entities nor inserts on it are visible.
     pub(super) frozen: bool,
-    /// Off (negative colour): not seen.
+    /// Whether it is off (negative colour), so that its entities are not visible.
     pub(super) off: bool,
 }
 
-/// All layers, by name. Names differ by more than case.
+/// All layers by name. Names are compared without case.
 #[derive(Debug, Default)]
 pub(super) struct Layers<'a> {
     list: Vec<RawLayer<'a>>,
@@ -25,7 +25,7 @@ pub(super) struct Layers<'a> {
 }
 
 impl<'a> Layers<'a> {
-    /// Index of the layer of this name; a new one, visible and white (7), when it was not named before.
+    /// Index of the layer with this name. A layer named for the first time is added, visible and white (7).
     pub(super) fn index(&mut self, name: &'a [u8]) -> u32 {
         if let Some(index) = self.as_written.get(name) {
             return *index;
@@ -39,7 +39,7 @@ impl<'a> Layers<'a> {
         index
     }
 
-    /// Takes a LAYER record of the table.
+    /// Adds or updates a layer from a LAYER record of the table.
     pub(super) fn define(&mut self, record: &Record<'a>) {
         const FROZEN: i64 = 1;
         let Some(name) = record.text(2) else { return };
@@ -57,7 +57,7 @@ impl<'a> Layers<'a> {
         self.list.get(index as usize)
     }
 
-    /// All of them.
+    /// All layers, by index.
     pub(super) fn list(&self) -> &[RawLayer<'a>] {
         &self.list
     }

@@ -1,16 +1,16 @@
-//! How much there is to expand, how deep, and how large, before anything is expanded.
+//! Measures the number of elements, the nesting and the extent of a drawing before anything is expanded.
 //!
-//! Ten blocks that hold the one before ten times are a file of a kilobyte and 10^10 entities. Every block is
-//! measured once, so this takes time proportional to the file, whatever the number of inserts; what is past a limit
-//! is refused here with a sentence that names the block.
+//! Ten nested blocks that each insert the next one ten times take a kilobyte and expand to 10^10 entities. Every block
+//! is measured once, so the time is proportional to the size of the file, whatever the number of inserts. A file that
+//! exceeds a limit is refused here with a sentence that names the block.
 
 use super::drawing::{Limits, ReadError};
-use super::entity::{Edge, Entity, Form, Hidden, Loop};
+use super::entity::{Edge, Entity, Geometry, Hidden, Loop};
 use super::file::File;
 use super::{ocs, placement};
 use glam::{DAffine3, DVec2, DVec3};
 
-/// An extent in space; empty when `min` exceeds `max`.
+/// A box in space. It is empty when `min` exceeds `max`.
 #[derive(Clone, Copy, Debug)]
 struct Extent {
     min: DVec3,
@@ -39,12 +39,12 @@ impl Extent {
     }
 }
 
-/// What is known of a block once it is measured.
+/// Measurements of a block.
 #[derive(Clone, Copy, Debug)]
 struct Measure {
-    /// Entities to visit and elements they make, whichever is more, all nested inserts expanded.
+    /// The larger of the numbers of visited entities and of elements, with all nested inserts expanded.
     elements: u64,
-    /// Blocks below it, one within the other.
+    /// Levels of blocks nested in it.
     height: usize,
     extent: Extent,
 }
@@ -52,36 +52,38 @@ struct Measure {
 #[derive(Clone, Copy, Debug)]
 enum State {
     New,
-    /// Being measured: an insert of it now is one within itself.
-    Open,
+    /// The block is being measured, so an insert of it found now means that it contains itself.
+    InProgress,
     Done(Measure),
 }
 
-/// The size of the model on the sheet, in units of the drawing (blocks expanded).
+/// The size of the model, in drawing units, with blocks expanded.
 ///
 /// # Errors
-/// More elements or deeper nesting than `limits` allow.
+/// The file has more elements or deeper nesting than `limits` allow.
 pub(super) fn size(file: &File<'_>, limits: &Limits) -> Result<DVec2, ReadError> {
-    let mut walk = Walk { file, limits, states: vec![State::New; file.blocks.len()] };
-    let model = walk.entities(&file.model, 0)?;
-    walk.check(model.elements, None)?;
+    let mut measurer = Measurer { file, limits, states: vec![State::New; file.blocks.len()] };
+    let model = measurer.entities(&file.model, 0)?;
+    measurer.check(model.elements, None)?;
     let size = model.extent.max - model.extent.min;
     Ok(if size.x >= 0.0 { size.truncate() } else { DVec2::ZERO })
 }
 
-struct Walk<'f, 'a> {
+struct Measurer<'f, 'a> {
     file: &'f File<'a>,
     limits: &'f Limits,
     states: Vec<State>,
 }
 
-impl Walk<'_, '_> {
+impl Measurer<'_, '_> {
     fn entities(&mut self, entities: &[Entity<'_>], depth: usize) -> Result<Measure, ReadError> {
         let mut total = Measure { elements: 0, height: 0, extent: Extent::EMPTY };
         for entity in entities {
             let seen = !self.is_hidden(entity);
-            match &entity.form {
-                Form::Insert(insert) if !matches!(entity.hidden, Some(Hidden::Paper | Hidden::Invisible)) => {
+            match &entity.geometry {
+                Geometry::Insert(insert)
+                    if !matches!(entity.hidden, Some(Hidden::Paper | Hidden::Invisible)) =>
+                {
                     total.elements = total.elements.saturating_add(1);
                     let Some(block) = insert.block else { continue };
                     let Some(inner) = self.block(block, depth + 1)? else { continue };
@@ -99,10 +101,10 @@ impl Walk<'_, '_> {
                         }
                     }
                 }
-                form => {
-                    total.elements = total.elements.saturating_add(elements(form));
+                geometry => {
+                    total.elements = total.elements.saturating_add(elements(geometry));
                     if seen {
-                        each_point(form, |p| total.extent.add(p));
+                        each_point(geometry, |p| total.extent.add(p));
                     }
                 }
             }
@@ -110,10 +112,10 @@ impl Walk<'_, '_> {
         Ok(total)
     }
 
-    /// The measure of a block; `None` when it is within itself.
+    /// Measures a block; `None` when it contains itself.
     fn block(&mut self, index: usize, depth: usize) -> Result<Option<Measure>, ReadError> {
         let Some(block) = self.file.blocks.get(index) else { return Ok(None) };
-        let state = self.states.get(index).copied().unwrap_or(State::Open);
+        let state = self.states.get(index).copied().unwrap_or(State::InProgress);
         let height = if let State::Done(m) = state { m.height } else { 0 };
         if depth + height > self.limits.depth {
             return Err(ReadError::Limit(format!(
@@ -124,9 +126,9 @@ impl Walk<'_, '_> {
         }
         match state {
             State::Done(measure) => Ok(Some(measure)),
-            State::Open => Ok(None),
+            State::InProgress => Ok(None),
             State::New => {
-                self.states[index] = State::Open;
+                self.states[index] = State::InProgress;
                 let measure = self.entities(&block.entities, depth)?;
                 self.states[index] = State::Done(measure);
                 Ok(Some(measure))
@@ -158,17 +160,17 @@ impl Walk<'_, '_> {
     }
 }
 
-/// Elements an entity makes, about: enough to compare with a limit.
-fn elements(form: &Form<'_>) -> u64 {
-    // A spline within a hundredth of a millimetre takes a few elements a knot, an ellipse about eight.
+/// Approximate number of elements an entity makes, good enough for comparison with a limit.
+fn elements(geometry: &Geometry<'_>) -> u64 {
+    // At a tolerance of 0.01 mm a spline takes a few elements per knot, and an ellipse about eight.
     const PER_CONTROL_POINT: usize = 4;
     const PER_ELLIPSE: usize = 8;
-    let n = match form {
-        Form::Polyline { vertices, .. } => vertices.len(),
-        Form::Chains(chains) => chains.iter().map(|c| c.points.len()).sum(),
-        Form::Ellipse { .. } => PER_ELLIPSE,
-        Form::Spline(s) => PER_CONTROL_POINT * s.control.len().max(s.fit.len()),
-        Form::Hatch { loops, .. } => loops
+    let n = match geometry {
+        Geometry::Polyline { vertices, .. } => vertices.len(),
+        Geometry::Polylines3d(chains) => chains.iter().map(|c| c.points.len()).sum(),
+        Geometry::Ellipse { .. } => PER_ELLIPSE,
+        Geometry::Spline(s) => PER_CONTROL_POINT * s.control.len().max(s.fit.len()),
+        Geometry::Hatch { loops, .. } => loops
             .iter()
             .map(|l| match l {
                 Loop::Polyline(vertices, _) => vertices.len(),
@@ -180,11 +182,11 @@ fn elements(form: &Form<'_>) -> u64 {
     n.max(1) as u64
 }
 
-/// Points that show how large an entity is; curves by a few points on them.
-fn each_point(form: &Form<'_>, mut f: impl FnMut(DVec3)) {
-    match form {
-        Form::Line(a, b) => [*a, *b].into_iter().for_each(f),
-        Form::Arc { center, radius, start, end, normal } => {
+/// Visits points that show the extent of an entity; for curves, a few points on them.
+fn each_point(geometry: &Geometry<'_>, mut f: impl FnMut(DVec3)) {
+    match geometry {
+        Geometry::Line(a, b) => [*a, *b].into_iter().for_each(f),
+        Geometry::Arc { center, radius, start, end, normal } => {
             let plane = ocs::axes(*normal);
             let sweep = end.map_or(360.0, |end| (end - start).rem_euclid(360.0));
             for i in 0..=8 {
@@ -192,16 +194,16 @@ fn each_point(form: &Form<'_>, mut f: impl FnMut(DVec3)) {
                 f(plane * (*center + v.extend(0.0)));
             }
         }
-        Form::Polyline { vertices, elevation, normal, .. } => {
+        Geometry::Polyline { vertices, elevation, normal, .. } => {
             let plane = ocs::plane(*normal, *elevation);
             vertices.iter().for_each(|v| f(plane.transform_point3(v.at.extend(0.0))));
         }
-        Form::Chains(chains) => chains.iter().flat_map(|c| &c.points).for_each(|p| f(*p)),
-        Form::Ellipse { center, major, minor, .. } => {
+        Geometry::Polylines3d(chains) => chains.iter().flat_map(|c| &c.points).for_each(|p| f(*p)),
+        Geometry::Ellipse { center, major, minor, .. } => {
             [*major, -*major, *minor, -*minor].into_iter().for_each(|v| f(*center + v));
         }
-        Form::Spline(s) => s.control.iter().chain(&s.fit).for_each(|p| f(*p)),
-        Form::Hatch { loops, elevation, normal } => {
+        Geometry::Spline(s) => s.control.iter().chain(&s.fit).for_each(|p| f(*p)),
+        Geometry::Hatch { loops, elevation, normal } => {
             let plane: DAffine3 = ocs::plane(*normal, *elevation);
             let mut flat = |p: DVec2| f(plane.transform_point3(p.extend(0.0)));
             for l in loops {
@@ -216,6 +218,6 @@ fn each_point(form: &Form<'_>, mut f: impl FnMut(DVec3)) {
                 }
             }
         }
-        Form::Insert(_) | Form::Other(..) | Form::Invalid(..) => {}
+        Geometry::Insert(_) | Geometry::Other(..) | Geometry::Invalid(..) => {}
     }
 }

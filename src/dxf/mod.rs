@@ -1,22 +1,21 @@
-//! Reading DXF without loss: bytes in, a [`Drawing`] in millimetres out, every oddity a finding.
+//! Reads DXF: bytes in, a [`Drawing`] in millimetres out. Everything unusual becomes a finding.
 //!
 //! ```text
-//! bytes -> sniff      another format? a sentence that names it
-//!       -> tokens     group code and value, ASCII or binary, borrowed from the bytes; finds its step again
+//! bytes -> sniff      recognises other formats and names them
+//!       -> tokens     group codes and values, ASCII or binary, borrowed from the bytes; resynchronises after damage
 //!       -> file       sections, layers, blocks; records become typed entities (entities/), in drawing units
-//!       -> measure    how much, how deep, how large, before anything is expanded
-//!       -> units      header, guess or the person's word; doubt is said
-//!       -> expand     blocks, layers, colours, hidden ones; trace: lines and arcs in mm
+//!       -> measure    number of elements, nesting and extent, before anything is expanded
+//!       -> units      from the header, guessed, or chosen by the person; doubt is reported
+//!       -> expand     blocks, layers, colours, hidden entities; trace: lines and arcs in mm
 //! ```
 //!
-//! Source: "DXF Reference" (Autodesk, 2012 and later). What it leaves open is read as drawing programs read it.
+//! Source: "DXF Reference" (Autodesk, 2012 and later). Where it is unclear, files are read as drawing programs read
+//! them.
 
 mod ascii;
 mod binary;
 mod breaks;
-mod code_pages;
 mod drawing;
-mod east_asian;
 mod encoding;
 mod entities;
 mod entity;
@@ -25,12 +24,14 @@ mod file;
 mod header;
 mod layers;
 mod measure;
+mod multi_byte;
 mod number;
 mod ocs;
 mod placement;
 mod plausible;
 mod record;
 mod report;
+mod single_byte;
 mod sniff;
 mod tag;
 mod tokens;
@@ -44,19 +45,19 @@ pub use drawing::{
 
 use crate::finding::{Code, Finding, Severity};
 use encoding::Decoder;
-use entity::{Form, Hidden};
+use entity::{Geometry, Hidden};
 use file::File;
 use std::collections::BTreeMap;
 
 /// Reads a drawing from the bytes of a DXF file, ASCII or binary.
 ///
 /// # Errors
-/// The file is no DXF, holds nothing to cut, or passes a limit of `options`: one sentence for people.
+/// The file is not a DXF, holds nothing to cut, or exceeds a limit of `options`. The error is one sentence for people.
 pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadError> {
     if bytes.len() > options.limits.bytes {
         return Err(ReadError::Limit(format!(
             "The file has {} MB; up to {} MB can be read. Delete what is not to be cut, or split the drawing.",
-            // Rounded up: what is past the limit must not read like the limit.
+            // Rounded up, so that a size just above the limit does not look equal to it.
             bytes.len().div_ceil(1 << 20),
             options.limits.bytes >> 20
         )));
@@ -107,8 +108,8 @@ fn layers(file: &File<'_>, decoder: &mut Decoder) -> Vec<Layer> {
 fn counts(file: &File<'_>, decoder: &mut Decoder) -> Vec<EntityKindCount> {
     let mut by_name: BTreeMap<(&[u8], bool), u32> = BTreeMap::new();
     for entity in file.model.iter().filter(|e| e.hidden != Some(Hidden::Paper)) {
-        let key = match entity.form {
-            Form::Other(name, _) => (file.other_name(name), false),
+        let key = match entity.geometry {
+            Geometry::Other(name, _) => (file.other_name(name), false),
             _ if entity.kind.is_empty() => (b"?".as_slice(), false),
             _ => (entity.kind.as_bytes(), true),
         };
@@ -122,12 +123,12 @@ fn counts(file: &File<'_>, decoder: &mut Decoder) -> Vec<EntityKindCount> {
             supported,
         })
         .collect();
-    // Of equal counts those whose name comes first in the map.
+    // The sort is stable, so kinds with equal counts stay in alphabetical order.
     crate::order::sort_by(&mut counts, |c| [u64::MAX - u64::from(c.count), 0, 0]);
     counts
 }
 
-/// Why a drawing without shapes has none.
+/// Explains why a drawing has no shapes.
 fn nothing_to_cut(entities: &[EntityKindCount], findings: &[Finding]) -> String {
     let count = |code: Code| -> u32 { findings.iter().filter(|f| f.code == code).map(|f| f.count).sum() };
     let mut reasons: Vec<String> = Vec::new();

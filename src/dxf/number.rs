@@ -1,24 +1,25 @@
 //! Numbers as real files write them.
 //!
-//! Beside plain decimals: a decimal comma (`12,5`), a blank or a missing plus in the exponent (`1.0E 20`), the
-//! Fortran exponent letter (`1.5D3`). What is not finite is no number: `nan`, `inf`, `1.#QNAN`, `1e999`.
+//! Besides plain decimals, these are accepted: a decimal comma (`12,5`), a blank or a missing plus in the exponent
+//! (`1.0E 20`), and the Fortran exponent letter (`1.5D3`). Values that are not finite are rejected: `nan`, `inf`,
+//! `1.#QNAN`, `1e999`.
 //!
-//! Read by `lexical-parse-float`, to the nearest double as the standard library does, but without its table of powers, which
-//! alone is 10 kB that does not compress: 8.4 kB gzip less wasm.
+//! Numbers are parsed by `lexical-parse-float`, which rounds to the nearest double like the standard library. It works
+//! without the library's table of powers, which saves 8.4 kB of gzipped wasm.
 
 use lexical_parse_float::FromLexical;
 
-/// A finite real number; `None` for anything else.
+/// A finite real number; `None` for any other text.
 pub(super) fn real(text: &[u8]) -> Option<f64> {
     let plain = std::str::from_utf8(text).ok()?;
-    // It also reads `nan` and `infinity`, which are no numbers: what is not finite is sorted out below.
+    // The parser also accepts `nan` and `infinity`; the filter below removes them.
     let value = f64::from_lexical(plain.as_bytes()).ok().or_else(|| repaired(plain));
     value.filter(|v| v.is_finite())
 }
 
-/// The number after the repairs above, for the few that do not parse as they stand.
+/// Parses the few numbers that need one of the repairs above.
 fn repaired(text: &str) -> Option<f64> {
-    // Longer than any number a program writes: not worth repairing, and a bound on the work.
+    // Longer texts than any program writes for a number are not repaired, which bounds the work.
     const LONGEST: usize = 64;
     if text.len() > LONGEST || !text.bytes().any(|b| b.is_ascii_digit()) {
         return None;
@@ -40,14 +41,14 @@ fn repaired(text: &str) -> Option<f64> {
     f64::from_lexical(repaired.as_bytes()).ok()
 }
 
-/// A whole number; also one written as a real without a fraction (`1.0`), as some programs do for flags.
+/// A whole number, possibly written as a real without a fraction (`1.0`), as some programs write flags.
 pub(super) fn int(text: &[u8]) -> Option<i64> {
     let plain = std::str::from_utf8(text).ok()?;
     if let Ok(value) = plain.parse::<i64>() {
         return Some(value);
     }
     let value = real(text)?;
-    // Doubles hold whole numbers exactly up to 2^53; flags and counts stay far below.
+    // Doubles represent whole numbers exactly up to 2^53; flags and counts stay far below.
     let whole = value.fract().abs() < f64::MIN_POSITIVE && value.abs() < 9.0e15;
     #[expect(clippy::cast_possible_truncation, reason = "whole and below 2^53")]
     whole.then_some(value as i64)
@@ -66,9 +67,9 @@ mod tests {
         assert_eq!(int(b"-3"), Some(-3));
     }
 
-    /// The standard library as the oracle: digits by chance, doubles as written, halves between doubles.
+    /// Compares random digits, printed doubles and midpoints between doubles with the standard library.
     #[test]
-    fn the_nearest_double() {
+    fn rounds_to_the_nearest_double() {
         let same = |text: &str| {
             let expected = text.parse::<f64>().ok().filter(|v| v.is_finite());
             assert_eq!(real(text.as_bytes()).map(f64::to_bits), expected.map(f64::to_bits), "{text}");
@@ -91,14 +92,14 @@ mod tests {
                 same(&format!("{value:.40e}"));
             }
         }
-        // Halves between two doubles, and as little more as can be: to the even one, and up.
+        // Midpoints between two doubles round to the even one; the smallest increase above them rounds up.
         for k in 0..200_u64 {
             let half = (1 << 53) + 2 * k + 1;
             same(&half.to_string());
             same(&format!("{half}.{:0>300}1", ""));
             same(&format!("{half}e22"));
         }
-        // As small and as large as doubles go.
+        // The smallest and the largest doubles.
         let extreme = "5e-324 2.4703282292062327e-324 2.4703282292062328e-324 2.2250738585072011e-308 1e-400 -0 \
             1.7976931348623157e308 1.7976931348623158e308 1.7976931348623159e308";
         let odd = "1.e5 .5e1 -.5 +7. . -. e5 1e 1e+ --1 1e5.0 1_0 00012.50";
@@ -113,14 +114,14 @@ mod tests {
     }
 
     #[test]
-    fn exponent_with_a_blank_or_a_d() {
+    fn exponent_with_a_blank_or_the_letter_d() {
         assert_eq!(real(b"1.0E 20"), Some(1e20));
         assert_eq!(real(b"1.5D3"), Some(1500.0));
         assert_eq!(real(b"1 2"), None, "blanks between digits are damage");
     }
 
     #[test]
-    fn what_is_not_finite_is_no_number() {
+    fn non_finite_values_are_rejected() {
         for text in
             ["nan", "NaN", "inf", "-Infinity", "1.#QNAN", "1.#INF", "1e999", "", " ", "-", "1O.5", "0x10"]
         {

@@ -1,8 +1,8 @@
-//! What lines look like when a reader is in step: group codes, values, words that begin a part of the file.
+//! Tests that show whether a reader is in sync: group codes, values, and keywords that start a part of the file.
 
 use super::tag::{ValueType, value_of, value_type};
 
-/// A group code: a whole number from -5 to 32,767 with nothing else on the line.
+/// Parses a group code: a whole number from -5 to 32,767 alone on its line.
 pub(super) fn group_code(text: &[u8]) -> Option<i32> {
     let (sign, digits) = match text {
         [b'-', rest @ ..] => (-1, rest),
@@ -22,7 +22,7 @@ pub(super) fn group_code(text: &[u8]) -> Option<i32> {
     (-5..=i32::from(i16::MAX)).contains(&code).then_some(code)
 }
 
-/// Stricter than reading: what a pair looks like when the reader is in step.
+/// Whether a pair looks like one that a reader in sync would see. This is stricter than reading.
 pub(super) fn is_plausible(code: i32, value: &[u8]) -> bool {
     let hex = |text: &[u8]| !text.is_empty() && text.len() <= 16 && text.iter().all(u8::is_ascii_hexdigit);
     match code {
@@ -33,7 +33,7 @@ pub(super) fn is_plausible(code: i32, value: &[u8]) -> bool {
     }
 }
 
-/// Words that start or end a part of the file, or a common entity: enough to find the step again.
+/// Keywords that start or end a part of the file, or a common entity. They are enough to resynchronise.
 pub(super) fn is_structure(text: &[u8]) -> bool {
     const WORDS: [&[u8]; 32] = [
         b"SECTION",
@@ -72,7 +72,7 @@ pub(super) fn is_structure(text: &[u8]) -> bool {
     WORDS.contains(&text)
 }
 
-/// What a version control system leaves in a file it could not merge.
+/// Whether the line is a conflict marker of a version control system.
 pub(super) fn is_conflict_marker(text: &[u8]) -> bool {
     [&b"<<<<<<<"[..], b"=======", b">>>>>>>", b"|||||||"].iter().any(|m| text.starts_with(m))
 }

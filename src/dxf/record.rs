@@ -1,47 +1,47 @@
-//! One entity as it stands in the file: its tags, and what every entity has.
+//! One record of the file: the properties common to all entities, and its other tags.
 //!
-//! What does not belong to the entity is left out while the tags are gathered: application groups (102 `{` to
-//! `}`), objects embedded in it (all that follows group 101), extended data (codes from 1000).
+//! Tags that do not belong to the entity are skipped: application groups (102 `{` to `}`), embedded objects (everything
+//! after group 101), and extended data (codes from 1000).
 
 use super::tag::Tag;
 use super::tokens::Tokens;
 use glam::DVec3;
 
-/// An entity, not interpreted yet. One is reused for the whole file.
+/// An entity that is not interpreted yet. One record is reused for the whole file.
 #[derive(Debug, Default)]
 pub(super) struct Record<'a> {
     /// Keyword of its group 0; empty when it was lost.
     pub(super) name: &'a [u8],
-    /// Group 5.
+    /// Handle (group 5).
     pub(super) handle: Option<&'a [u8]>,
-    /// Group 8.
+    /// Layer name (group 8).
     pub(super) layer: Option<&'a [u8]>,
-    /// Group 62.
+    /// Colour number (group 62).
     pub(super) color: Option<i64>,
-    /// Group 67: on a paper layout, not in the model.
+    /// Whether it is on a paper layout instead of in the model (group 67).
     pub(super) paper: bool,
-    /// Group 60: switched invisible.
+    /// Whether it is marked as invisible (group 60).
     pub(super) invisible: bool,
-    /// Groups 210, 220, 230.
+    /// Extrusion direction (groups 210, 220, 230).
     pub(super) normal: DVec3,
-    /// A break in the file touches it.
+    /// Whether a break in the file touches it.
     pub(super) damaged: bool,
-    /// The file ends within it or right after it.
+    /// Whether the file ends within it or right after it.
     pub(super) last_in_file: bool,
     /// Its other tags, in order.
     pub(super) tags: Vec<Tag<'a>>,
 }
 
 impl<'a> Record<'a> {
-    /// Gathers the entity that starts with `head`; returns the group 0 after it.
+    /// Collects the entity that starts with `head`; returns the group 0 after it.
     pub(super) fn gather(&mut self, head: Tag<'a>, tokens: &mut Tokens<'a>) -> Option<Tag<'a>> {
         let tags = std::mem::take(&mut self.tags);
-        *self = Self { normal: DVec3::Z, damaged: head.mended, tags, ..Self::default() };
+        *self = Self { normal: DVec3::Z, damaged: head.repaired, tags, ..Self::default() };
         self.name = head.keyword().unwrap_or_default();
         self.tags.clear();
         let mut part = Part::Own;
         while let Some(tag) = tokens.next() {
-            self.damaged |= tag.after_break || tag.mended;
+            self.damaged |= tag.after_break || tag.repaired;
             if tag.code == 0 {
                 return Some(tag);
             }
@@ -65,8 +65,8 @@ impl<'a> Record<'a> {
             210 => self.normal.x = tag.real().unwrap_or(0.0),
             220 => self.normal.y = tag.real().unwrap_or(0.0),
             230 => self.normal.z = tag.real().unwrap_or(1.0),
-            // Line type, thickness, plot styles and owners have no part in the outline. Nor has a true colour (420):
-            // who writes one writes the nearest colour number (62) beside it, and colours are only shown.
+            // Line type, thickness, plot styles and owners do not affect the outline. Neither does a true colour (420):
+            // it is written with the nearest colour number (62), and colours are only displayed.
             6 | 39 | 48 | 330 | 347 | 348 | 370 | 390 | 410 | 420 | 430 | 440 => {}
             _ => self.tags.push(tag),
         }
@@ -98,19 +98,19 @@ impl<'a> Record<'a> {
         Some(DVec3::new(x, self.real(code + 10).unwrap_or(0.0), self.real(code + 20).unwrap_or(0.0)))
     }
 
-    /// How many groups `code` it has.
+    /// Number of groups `code`.
     pub(super) fn count(&self, code: i32) -> usize {
         self.tags.iter().filter(|t| t.code == code).count()
     }
 }
 
-/// Which part of an entity a tag belongs to.
+/// The part of an entity that a tag belongs to.
 #[derive(Clone, Copy)]
 enum Part {
     Own,
     Application,
     Foreign,
-    /// The closing brace of an application group: left out itself.
+    /// The closing brace of an application group, which is skipped too.
     Closing,
 }
 

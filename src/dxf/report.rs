@@ -1,4 +1,5 @@
-//! Findings of the reader, gathered in the units and the bytes of the file, handed on in mm and decoded.
+//! Findings of the reader. They are collected with undecoded names, and decoded once the encoding and all layers are
+//! known.
 
 use super::encoding::Decoder;
 use super::entity::Hidden;
@@ -9,21 +10,21 @@ use std::collections::BTreeMap;
 /// A finding whose texts are not decoded yet.
 #[derive(Clone, Debug)]
 pub(super) struct Note<'a> {
-    /// For programs.
+    /// Code for programs.
     pub(super) code: Code,
-    /// How much it matters.
+    /// Severity.
     pub(super) severity: Severity,
-    /// For people; `{}` stands for `name`.
+    /// Sentence for people, in which `{}` is replaced by `name`.
     pub(super) message: String,
-    /// Name in the message, as written in the file.
+    /// Name used in the message, as written in the file.
     pub(super) name: &'a [u8],
-    /// Index of its layer.
+    /// Index of the layer.
     pub(super) layer: Option<u32>,
     /// Handle as written.
     pub(super) handle: Option<&'a [u8]>,
-    /// Place, mm.
+    /// Position on the sheet, mm.
     pub(super) at: Option<DVec2>,
-    /// How many it stands for.
+    /// Number of entities or places the note covers.
     pub(super) count: u32,
 }
 
@@ -43,11 +44,11 @@ impl<'a> Note<'a> {
     }
 }
 
-/// Notes kept one by one before the rest of a code is only counted: above the number that
-/// [`Findings`] lists, and a bound on memory for files that are broken everywhere.
+/// Number of notes of one code that are kept; the rest is only counted. It is above the number that [`Findings`] lists,
+/// and bounds memory for files that are broken everywhere.
 const KEPT_PER_CODE: u32 = 256;
 
-/// Collects notes, and counts what occurs many times.
+/// Collects notes, and counts entities that occur many times.
 #[derive(Debug, Default)]
 pub(super) struct Notes<'a> {
     list: Vec<Note<'a>>,
@@ -55,28 +56,28 @@ pub(super) struct Notes<'a> {
     tallies: BTreeMap<(Subject<'a>, u32), Tally<'a>>,
 }
 
-/// What is counted by layer rather than listed.
+/// What is counted per layer instead of listed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Subject<'a> {
-    /// A kind without an outline.
+    /// Entities of a kind without an outline.
     Unsupported(&'a [u8]),
-    /// Not seen.
+    /// Entities that are not visible.
     Hidden(Hidden),
-    /// A kind of filled area whose outline is taken.
+    /// Filled areas of a kind that become their outlines.
     Outline(&'static str),
-    /// A kind of polyline drawn with a width.
+    /// Polylines of a kind that have a width.
     Wide(&'static str),
-    /// A kind of entity tilted against the sheet.
+    /// Entities of a kind that are tilted against the sheet.
     Projected(&'static str),
-    /// An insert of a block that is not there.
+    /// Inserts of a block that is not defined.
     MissingBlock(&'a [u8]),
-    /// An insert of a block that refers to another file.
+    /// Inserts of a block that refers to another file.
     ExternalBlock(&'a [u8]),
-    /// A block within itself.
+    /// Inserts of a block inside itself.
     CyclicBlock(&'a [u8]),
 }
 
-/// How many, and the first of them.
+/// A count, with handle and position of the first one.
 #[derive(Debug)]
 struct Tally<'a> {
     count: u32,
@@ -92,7 +93,7 @@ impl<'a> Notes<'a> {
         }
     }
 
-    /// Counts one of `subject` on a layer.
+    /// Counts one more `subject` on a layer.
     pub(super) fn count(
         &mut self,
         subject: Subject<'a>,
@@ -104,7 +105,7 @@ impl<'a> Notes<'a> {
         tally.count = tally.count.saturating_add(1);
     }
 
-    /// The findings, with texts decoded by `decoder` and layers named by `layers`.
+    /// The findings, with texts decoded by `decoder` and names from `layers`.
     pub(super) fn into_findings(self, decoder: &mut Decoder, layers: &[super::Layer]) -> Vec<Finding> {
         let mut findings = Findings::default();
         let overflow =

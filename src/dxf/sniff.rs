@@ -1,6 +1,6 @@
-//! What a file is that is no DXF: a sentence that names it and says what to do.
+//! Recognises files that are not DXF: a sentence names the format and says what to do.
 
-/// The sentence for a file of another kind; `None` when it may be a DXF.
+/// The sentence for a file of another format; `None` when it may be a DXF.
 pub(super) fn other_format(bytes: &[u8]) -> Option<&'static str> {
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let text = bytes.trim_ascii_start();
@@ -75,7 +75,7 @@ pub(super) fn other_format(bytes: &[u8]) -> Option<&'static str> {
 }
 
 fn markup(text: &[u8]) -> &'static str {
-    // An XML file may begin with declarations and comments; a kilobyte holds them.
+    // An XML file may start with declarations and comments; they fit in a kilobyte.
     let start = text.get(..1024).unwrap_or(text);
     let holds = |word: &[u8]| start.windows(word.len()).any(|w| w.eq_ignore_ascii_case(word));
     if holds(b"<svg") {
@@ -89,7 +89,7 @@ fn markup(text: &[u8]) -> &'static str {
     }
 }
 
-/// The first lines that are no comments are words such as `G21`, `M3 S1000`, `N10 G0 X0`.
+/// Whether the first lines that are not comments consist of words such as `G21`, `M3 S1000`, `N10 G0 X0`.
 fn is_gcode(text: &[u8]) -> bool {
     let lines = text.split(|b| matches!(b, b'\n' | b'\r')).map(<[u8]>::trim_ascii);
     let mut words = 0;

@@ -1,22 +1,22 @@
-//! Tags: the pairs of group code and value every DXF consists of, ASCII or binary.
+//! Tags: the pairs of group code and value that every DXF consists of, ASCII or binary.
 //!
-//! The group code fixes the type of its value ("Group Code Value Types Reference", DXF reference, Autodesk).
+//! The group code determines the type of its value ("Group Code Value Types Reference", DXF reference, Autodesk).
 //! Values borrow from the file; numbers are parsed once, here.
 
 use super::number;
 
-/// What the value of a group code is.
+/// Type of the value of a group code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ValueType {
-    /// Group 0: starts an entity, table, section or block.
+    /// Group 0, which starts an entity, table, section or block.
     Keyword,
-    /// Any text, also handles and binary data in hexadecimal digits.
+    /// Any text, including handles and binary data in hexadecimal digits.
     Text,
     /// A finite real number.
     Real,
     /// A whole number.
     Int,
-    /// A code no release of DXF defines.
+    /// The type of a code that no release of DXF defines.
     Unknown,
 }
 
@@ -41,16 +41,16 @@ pub(super) fn value_type(code: i32) -> ValueType {
     }
 }
 
-/// A value as read.
+/// A value as read from the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Value<'a> {
-    /// Text as in the file, white space around it removed, not decoded.
+    /// Text as in the file, without surrounding white space, not decoded.
     Text(&'a [u8]),
     /// A finite real number.
     Real(f64),
     /// A whole number.
     Int(i64),
-    /// Something else than the group code asks for.
+    /// A value of another type than the group code requires.
     Bad,
 }
 
@@ -61,16 +61,16 @@ pub(super) struct Tag<'a> {
     pub(super) code: i32,
     /// Its value.
     pub(super) value: Value<'a>,
-    /// Something between the tag before and this one could not be read.
+    /// Whether something between the previous tag and this one could not be read.
     pub(super) after_break: bool,
-    /// The tag itself was put together from what was left: its value is bad, or its code was missing.
-    pub(super) mended: bool,
+    /// Whether the tag was reconstructed: its value is bad, or its code was missing.
+    pub(super) repaired: bool,
 }
 
 impl<'a> Tag<'a> {
-    /// A tag read without trouble.
+    /// A tag that was read without trouble.
     pub(super) fn sound(code: i32, value: Value<'a>) -> Self {
-        Self { code, value, after_break: false, mended: false }
+        Self { code, value, after_break: false, repaired: false }
     }
 
     /// The keyword of a group 0; empty when it could not be read.
@@ -112,7 +112,7 @@ impl<'a> Tag<'a> {
     }
 }
 
-/// Reads `text` as the value of group code `code`; `None` when it is not of the code's type.
+/// Parses `text` as the value of group code `code`; `None` when it does not have the code's type.
 pub(super) fn value_of(code: i32, text: &[u8]) -> Option<Value<'_>> {
     match value_type(code) {
         ValueType::Keyword => is_keyword(text).then_some(Value::Text(text)),
@@ -122,7 +122,7 @@ pub(super) fn value_of(code: i32, text: &[u8]) -> Option<Value<'_>> {
     }
 }
 
-/// Looks like what follows a group 0: one word with at least one letter (`LINE`, `3DFACE`, `ACAD_TABLE`).
+/// Whether the text can follow a group 0: one word with at least one letter (`LINE`, `3DFACE`, `ACAD_TABLE`).
 pub(super) fn is_keyword(text: &[u8]) -> bool {
     let word = |b: &u8| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'-' | b'.' | b':' | b'$' | b'*');
     text.iter().all(word) && text.iter().any(u8::is_ascii_alphabetic)

@@ -1,21 +1,21 @@
-//! Tags of a file, whatever way it is written.
+//! Reads the tags of a file, ASCII or binary.
 
 use super::ascii::Ascii;
 use super::binary::{Binary, SENTINEL};
 use super::breaks::Break;
 use super::tag::Tag;
 
-/// Reads tags from ASCII or binary.
+/// Reader of an ASCII or binary file.
 #[derive(Debug)]
 pub(super) enum Tokens<'a> {
-    /// Lines of text.
+    /// An ASCII file.
     Ascii(Ascii<'a>),
-    /// `AutoCAD Binary DXF`.
+    /// A binary file (`AutoCAD Binary DXF`).
     Binary(Binary<'a>),
 }
 
 impl<'a> Tokens<'a> {
-    /// A reader for `bytes`.
+    /// Creates the reader for `bytes`.
     pub(super) fn new(bytes: &'a [u8]) -> Self {
         if bytes.starts_with(SENTINEL) {
             Self::Binary(Binary::new(bytes))
@@ -32,7 +32,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// What places are counted in: for messages.
+    /// The unit in which places are counted, for messages.
     pub(super) fn place_word(&self) -> &'static str {
         match self {
             Self::Ascii(_) => "line",
@@ -40,7 +40,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// The breaks met since the last call, in order.
+    /// The breaks found since the last call, in order.
     pub(super) fn take_breaks(&mut self) -> Vec<Break> {
         match self {
             Self::Ascii(t) => t.take_breaks(),
@@ -48,7 +48,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// The file ended within a tag.
+    /// Whether the file ended within a tag.
     pub(super) fn cut_off(&self) -> bool {
         match self {
             Self::Ascii(t) => t.cut_off(),
@@ -56,7 +56,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// Whether anything but filler follows.
+    /// Whether anything but white space is left.
     pub(super) fn has_more(&self) -> bool {
         match self {
             Self::Ascii(t) => t.has_more(),

@@ -1,10 +1,10 @@
-//! From an entity and the map that puts it on the sheet to chains of lines and arcs in mm.
+//! Converts an entity and the map that places it on the sheet to chains of lines and arcs in mm.
 //!
-//! Under a map that keeps angles arcs stay exact arcs; under any other they are ellipses, fitted within the
-//! tolerance like splines. End points are the images of the points in the file, bit for bit, so that what met in
-//! the drawing meets on the sheet.
+//! Under a map that keeps angles, arcs remain exact arcs. Under any other map they become ellipses, which are fitted
+//! within the tolerance like splines. End points are the exact images of the points in the file, so shapes that meet in
+//! the drawing meet on the sheet.
 
-use super::entity::{Chain, Edge, Form, Loop, PlaneEllipse, Spline, Vertex};
+use super::entity::{Edge, Geometry, Loop, PlaneEllipse, Polyline3d, Spline, Vertex};
 use super::ocs::{self, Projection};
 use crate::geometry::{Affine, Arc, Ellipse, Nurbs, Path, Segment};
 use glam::{DAffine3, DVec2, DVec3};
@@ -15,40 +15,44 @@ use std::f64::consts::TAU;
 pub(super) struct Outline {
     /// Chains, mm.
     pub(super) paths: Vec<Path>,
-    /// The entity does not lie flat: it is seen from above.
+    /// Whether the entity is tilted against the sheet, so that it is seen in projection.
     pub(super) tilted: bool,
 }
 
-/// Heights that differ by less, mm, are flat: rounding of the file.
+/// Largest difference in height, mm, that counts as flat; it allows for rounding in the file.
 const FLAT: f64 = 1e-6;
 
-/// The outline of `form`, put on the sheet by `to_sheet`, curves within `tolerance` mm.
+/// The outline of `geometry`, placed on the sheet by `to_sheet`, with curves fitted within `tolerance` mm.
 ///
 /// # Errors
-/// A sentence fragment: why its values make no outline.
-pub(super) fn outline(form: &Form<'_>, to_sheet: &DAffine3, tolerance: f64) -> Result<Outline, String> {
+/// A sentence fragment that says why its values make no outline.
+pub(super) fn outline(
+    geometry: &Geometry<'_>,
+    to_sheet: &DAffine3,
+    tolerance: f64,
+) -> Result<Outline, String> {
     let tracer = Tracer { to_sheet, tolerance };
-    match form {
-        Form::Line(a, b) => Ok(tracer.chain(&[*a, *b], false)),
-        Form::Arc { center, radius, start, end, normal } => {
+    match geometry {
+        Geometry::Line(a, b) => Ok(tracer.chain(&[*a, *b], false)),
+        Geometry::Arc { center, radius, start, end, normal } => {
             let plane = tracer.plane(*normal, center.z);
             let arc = arc(center.truncate(), *radius, *start, *end).ok_or("it has no length")?;
             Ok(flat(plane, vec![tracer.arc(&arc, &plane.map)]))
         }
-        Form::Polyline { vertices, closed, elevation, normal, .. } => {
+        Geometry::Polyline { vertices, closed, elevation, normal, .. } => {
             let plane = tracer.plane(*normal, *elevation);
             Ok(flat(plane, vec![tracer.polyline(vertices, *closed, &plane.map)]))
         }
-        Form::Chains(chains) => {
+        Geometry::Polylines3d(chains) => {
             let mut all = Outline::default();
-            for Chain { points, closed } in chains {
+            for Polyline3d { points, closed } in chains {
                 let one = tracer.chain(points, *closed);
                 all.paths.extend(one.paths);
                 all.tilted |= one.tilted;
             }
             Ok(all)
         }
-        Form::Ellipse { center, major, minor, start, sweep } => {
+        Geometry::Ellipse { center, major, minor, start, sweep } => {
             let m = to_sheet.matrix3;
             let (u, v) = (m * *major, m * *minor);
             let ellipse = Ellipse {
@@ -60,14 +64,14 @@ pub(super) fn outline(form: &Form<'_>, to_sheet: &DAffine3, tolerance: f64) -> R
             };
             Ok(Outline { paths: vec![tracer.ellipse(&ellipse)], tilted: u.z.abs().max(v.z.abs()) > FLAT })
         }
-        Form::Spline(spline) => {
+        Geometry::Spline(spline) => {
             let place = |p: &DVec3| to_sheet.transform_point3(*p).truncate();
             let heights = spline.control.iter().chain(&spline.fit).map(|p| to_sheet.transform_point3(*p).z);
             let tilted = spread(heights) > FLAT;
             let flat = |elevation| tracer.plane(DVec3::Z, elevation).map;
             Ok(Outline { paths: vec![tracer.spline(spline, place, flat)?], tilted })
         }
-        Form::Hatch { loops, elevation, normal } => {
+        Geometry::Hatch { loops, elevation, normal } => {
             let plane = tracer.plane(*normal, *elevation);
             let mut paths = Vec::new();
             for boundary in loops {
@@ -84,7 +88,7 @@ pub(super) fn outline(form: &Form<'_>, to_sheet: &DAffine3, tolerance: f64) -> R
             }
             Ok(flat(plane, paths))
         }
-        Form::Insert(_) | Form::Other(..) | Form::Invalid(..) => Ok(Outline::default()),
+        Geometry::Insert(_) | Geometry::Other(..) | Geometry::Invalid(..) => Ok(Outline::default()),
     }
 }
 
@@ -92,10 +96,10 @@ fn flat(plane: Projection, paths: Vec<Path>) -> Outline {
     Outline { paths, tilted: plane.tilted }
 }
 
-/// A counter-clockwise arc in its plane; whole when its angles are a turn apart, `None` when they are equal.
+/// A counter-clockwise arc in its plane: a circle when its angles are a full turn apart, `None` when they are equal.
 fn arc(center: DVec2, radius: f64, start: f64, end: Option<f64>) -> Option<Arc> {
     let end = end.unwrap_or(start + 360.0);
-    // Angles are written with six digits or more; a difference below is none.
+    // Angles are written with six digits or more; a smaller difference is zero.
     const NONE: f64 = 1e-9;
     if (end - start).abs() < NONE {
         return None;
@@ -132,7 +136,7 @@ impl Tracer<'_> {
                 if !arc.is_circle() {
                     pin_ends(&mut path.segments, map.point(arc.start), map.point(arc.end));
                 }
-                closed_if_it_is(path.segments)
+                closed_if_ends_meet(path.segments)
             }
         }
     }
@@ -160,13 +164,13 @@ impl Tracer<'_> {
         {
             run(last, first);
         }
-        // Drawn back to its first vertex without the flag is closed as well.
-        closed_if_it_is(segments)
+        // A polyline drawn back to its first vertex is closed even without the flag.
+        closed_if_ends_meet(segments)
     }
 
     fn ellipse(&self, e: &Ellipse) -> Path {
-        let segments = far(&[e.center, e.center + e.major, e.center + e.minor]);
-        closed_if_it_is(segments.unwrap_or_else(|| e.to_segments(self.tolerance)))
+        let segments = far_placeholder(&[e.center, e.center + e.major, e.center + e.minor]);
+        closed_if_ends_meet(segments.unwrap_or_else(|| e.to_segments(self.tolerance)))
     }
 
     fn spline(
@@ -175,8 +179,8 @@ impl Tracer<'_> {
         place: impl Fn(&DVec3) -> DVec2,
         flat: impl Fn(f64) -> Affine,
     ) -> Result<Path, String> {
-        // A curve through points depends on their distances, which a map changes: it is made where it was drawn and
-        // put on the sheet as control points.
+        // A curve through fit points depends on their distances, which the map may change. It is therefore computed in
+        // its own plane, and its control points are mapped to the sheet.
         let through = || {
             let fit: Vec<DVec2> = spline.fit.iter().map(|p| p.truncate()).collect();
             let tangent = |t: Option<DVec3>| t.map(|t| t.truncate());
@@ -198,8 +202,8 @@ impl Tracer<'_> {
             made.or_else(|fault| if spline.fit.is_empty() { Err(fault) } else { through() })
         };
         let curve = curve.map_err(|fault| fault.to_string())?;
-        let segments = far(curve.control()).unwrap_or_else(|| curve.to_segments(self.tolerance));
-        Ok(closed_if_it_is(segments))
+        let segments = far_placeholder(curve.control()).unwrap_or_else(|| curve.to_segments(self.tolerance));
+        Ok(closed_if_ends_meet(segments))
     }
 
     fn edge(&self, edge: &Edge, map: &Affine) -> Result<Path, String> {
@@ -221,10 +225,10 @@ impl Tracer<'_> {
     }
 }
 
-/// What stands for a curve that comes from farther away than any sheet: straight lines there and back through its
-/// points, to be refused by their place. Fitting it would take thousands of elements, and a tenth of a second a curve.
-fn far(points: &[DVec2]) -> Option<Vec<Segment>> {
-    // A hundred times the reader's limit: the control points of a curve on the sheet lie about as near as it does.
+/// Replaces a curve that comes from farther away than any sheet by straight lines through its points, which are then
+/// refused for their position. Fitting such a curve would take thousands of elements and a tenth of a second.
+fn far_placeholder(points: &[DVec2]) -> Option<Vec<Segment>> {
+    // A hundred times the limit of coordinates: a curve on the sheet has control points about as near as itself.
     const FARTHEST: f64 = 1e8;
     let is_far = |p: &DVec2| p.abs().max_element() > FARTHEST;
     points.iter().any(is_far).then(|| {
@@ -234,17 +238,17 @@ fn far(points: &[DVec2]) -> Option<Vec<Segment>> {
     })
 }
 
-/// The chain, closed when it ends where it starts, bit for bit.
-fn closed_if_it_is(segments: Vec<Segment>) -> Path {
+/// The chain as a path, closed when it ends exactly where it starts.
+fn closed_if_ends_meet(segments: Vec<Segment>) -> Path {
     let path = Path::new(segments, false);
-    // A single line to where it started is no outline but a point.
+    // A single line back to its start is a point, not an outline.
     let turns =
         path.segments.len() > 1 || path.segments.first().is_some_and(|s| matches!(s, Segment::Arc(_)));
     let closed = turns && path.start() == path.end();
     Path { closed, ..path }
 }
 
-/// Puts the ends of a chain where its neighbours expect them; they differ by rounding only.
+/// Sets the ends of a chain to those its neighbours expect; they differ only by rounding.
 fn pin_ends(segments: &mut [Segment], from: DVec2, to: DVec2) {
     match segments.first_mut() {
         Some(Segment::Line(l)) => l.start = from,

@@ -1,19 +1,20 @@
-//! Which unit a drawing is in, and whether to believe it.
+//! Determines the unit of a drawing, and whether it is plausible.
 //!
-//! In four of ten real drawings the header names none, and where it does it is often a template's (of 192 files in
-//! inches 25 were then larger than 6 m). So the size of what is drawn speaks too: parts and sheets for a laser are
-//! between 20 mm and 6 m. Nothing is converted in silence: the reason is given, and doubt is said.
+//! In four of ten real drawings the header names no unit, and where it does, the unit often comes from a template (of
+//! 192 files in inches, 25 were then larger than 6 m). The size of the drawing is therefore evidence too: parts and
+//! sheets for a laser measure between 20 mm and 6 m. Nothing is converted silently: the reason is given, and doubt is
+//! reported.
 
 use super::drawing::{Unit, Units, UnitsSource};
 use super::header::Header;
 use crate::finding::{Code, Finding, Severity};
 
-/// Smallest and largest extent of a drawing that raises no doubt, mm. Below lie 2 % of real drawings, most of them in
-/// another unit than they say; above 6 m no common machine has a bed.
-const USUAL: std::ops::RangeInclusive<f64> = 20.0..=6000.0;
+/// Smallest and largest extent of a drawing that raises no doubt, mm. Only 2 % of real drawings are smaller, most of
+/// them in another unit than they say; no common machine has a bed above 6 m.
+const PLAUSIBLE_SIZE: std::ops::RangeInclusive<f64> = 20.0..=6000.0;
 
-/// The unit to take for a drawing whose larger extent is `size` (in its own units; 0 when unknown), with a finding
-/// where it was guessed or is in doubt.
+/// Chooses the unit for a drawing whose larger extent is `size` (in its own units; 0 when unknown). Adds a finding when
+/// the unit is guessed or doubtful.
 pub(super) fn decide(header: &Header<'_>, given: Option<Unit>, size: f64) -> (Units, Option<Finding>) {
     if let Some(unit) = given {
         let reason = format!("{} were chosen.", unit.plural());
@@ -33,9 +34,9 @@ fn from_header(header: &Header<'_>, unit: Unit, size: f64) -> (Units, Option<Fin
         (false, Some(1)) => Some(Unit::Mm),
         _ => None,
     };
-    let doubt = if !usual(unit, size) {
-        let likely = if usual(Unit::Mm, size) { Unit::Mm } else { Unit::In };
-        let likely = if usual(likely, size) {
+    let doubt = if !is_plausible(unit, size) {
+        let likely = if is_plausible(Unit::Mm, size) { Unit::Mm } else { Unit::In };
+        let likely = if is_plausible(likely, size) {
             format!(" In {} it would be {}.", likely.plural(), extent(likely, size))
         } else {
             String::new()
@@ -45,7 +46,7 @@ fn from_header(header: &Header<'_>, unit: Unit, size: f64) -> (Units, Option<Fin
             extent(unit, size)
         ))
     } else {
-        other.filter(|other| usual(*other, size)).map(|other| {
+        other.filter(|other| is_plausible(*other, size)).map(|other| {
             format!(
                 "{named} ({}), but its other settings are for {} ({}). Check the units.",
                 extent(unit, size),
@@ -68,7 +69,7 @@ fn guess(header: &Header<'_>, code: i64, size: f64) -> (Units, Option<Finding>) 
     };
     let imperial = header.length_format.is_some_and(|f| matches!(f, 3 | 4)) || header.measurement == Some(0);
     let metric = header.measurement == Some(1);
-    let (as_mm, as_in) = (usual(Unit::Mm, size), usual(Unit::In, size));
+    let (as_mm, as_in) = (is_plausible(Unit::Mm, size), is_plausible(Unit::In, size));
     let (unit, hint, sure) = match (as_mm, as_in) {
         (true, false) => (Unit::Mm, "only in millimetres the size is usual", true),
         (false, true) if imperial => (Unit::In, "its settings and its size speak for inches", true),
@@ -91,11 +92,11 @@ fn guess(header: &Header<'_>, code: i64, size: f64) -> (Units, Option<Finding>) 
     (Units { unit, source: UnitsSource::Guessed, reason, doubtful: !sure }, Some(finding))
 }
 
-fn usual(unit: Unit, size: f64) -> bool {
-    USUAL.contains(&(size * unit.millimetres()))
+fn is_plausible(unit: Unit, size: f64) -> bool {
+    PLAUSIBLE_SIZE.contains(&(size * unit.millimetres()))
 }
 
-/// An extent as people say it.
+/// An extent in millimetres or metres, rounded for people.
 fn extent(unit: Unit, size: f64) -> String {
     let mm = size * unit.millimetres();
     if mm >= 10_000.0 {

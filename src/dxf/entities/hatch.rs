@@ -1,24 +1,24 @@
 //! HATCH: its boundaries. The filling is not cut.
 //!
-//! Whether the boundary is drawn again as lines and arcs of its own cannot be told from the HATCH; in most files
-//! it is. So the outline is taken and said (`outline-taken`), and where it lies on other geometry the sheet stage
-//! removes it as a copy.
+//! A HATCH does not show whether its boundary is also drawn as separate lines and arcs; in most files it is. The
+//! boundary is therefore taken and reported (`outline-taken`), and the sheet stage removes it as a duplicate where it
+//! coincides with other geometry.
 
-use crate::dxf::entity::{Edge, Form, Loop, PlaneEllipse, Spline, Vertex};
-use crate::dxf::ocs::few_turns;
+use crate::dxf::entity::{Edge, Geometry, Loop, PlaneEllipse, Spline, Vertex};
+use crate::dxf::ocs::without_whole_turns;
 use crate::dxf::record::Record;
 use crate::dxf::tag::Tag;
 use crate::geometry::math;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// A boundary that holds a text box, or is not to be seen in the drawing either.
+/// Boundary type flag: the frame of a text box, which is not visible in the drawing either.
 const TEXT_BOX: i64 = 8;
 const POLYLINE: i64 = 2;
 
-pub(super) fn hatch<'a>(record: &Record<'a>) -> Form<'a> {
+pub(super) fn hatch<'a>(record: &Record<'a>) -> Geometry<'a> {
     let elevation = record.real(30).unwrap_or(0.0);
-    let mut tags = Cursor { tags: &record.tags, at: 0 };
+    let mut tags = TagCursor { tags: &record.tags, at: 0 };
     let mut loops = Vec::new();
     if tags.seek(91).is_some() {
         while let Some(flags) = tags.seek_path() {
@@ -29,12 +29,12 @@ pub(super) fn hatch<'a>(record: &Record<'a>) -> Form<'a> {
         }
     }
     if loops.is_empty() {
-        return Form::Invalid("it has no boundary", record.point(10));
+        return Geometry::Invalid("it has no boundary", record.point(10));
     }
-    Form::Hatch { loops, elevation, normal: record.normal }
+    Geometry::Hatch { loops, elevation, normal: record.normal }
 }
 
-fn polyline(tags: &mut Cursor<'_, '_>) -> Option<Loop> {
+fn polyline(tags: &mut TagCursor<'_, '_>) -> Option<Loop> {
     let mut vertices: Vec<Vertex> = Vec::new();
     let mut closed = true;
     while let Some(tag) = tags.next_in_path() {
@@ -49,7 +49,7 @@ fn polyline(tags: &mut Cursor<'_, '_>) -> Option<Loop> {
     (vertices.len() > 1).then_some(Loop::Polyline(vertices, closed))
 }
 
-fn edges(tags: &mut Cursor<'_, '_>) -> Option<Loop> {
+fn edges(tags: &mut TagCursor<'_, '_>) -> Option<Loop> {
     let mut edges = Vec::new();
     let mut kind = 0;
     let mut edge = Numbers::default();
@@ -65,7 +65,7 @@ fn edges(tags: &mut Cursor<'_, '_>) -> Option<Loop> {
     (!edges.is_empty()).then_some(Loop::Edges(edges))
 }
 
-/// The numbers of one edge, whatever its kind.
+/// The numbers of one edge, of any kind.
 #[derive(Default)]
 struct Numbers {
     points: Vec<DVec2>,
@@ -75,7 +75,7 @@ struct Numbers {
     angles: [f64; 2],
     degree: usize,
     tangents: [Option<DVec2>; 2],
-    /// Group 73: counter-clockwise, or rational.
+    /// Group 73: counter-clockwise (arcs) or rational (splines).
     ccw: bool,
     /// Group 74: periodic.
     periodic: bool,
@@ -100,8 +100,8 @@ impl Numbers {
             23 => set_y(self.tangents[1].as_mut()),
             40 => self.values.push(v),
             42 => self.weights.push(v),
-            50 => self.angles[0] = few_turns(v),
-            51 => self.angles[1] = few_turns(v),
+            50 => self.angles[0] = without_whole_turns(v),
+            51 => self.angles[1] = without_whole_turns(v),
             73 => self.ccw = v > 0.0,
             74 => self.periodic = v > 0.0,
             94 => self.degree = tag.int().and_then(|n| usize::try_from(n).ok()).unwrap_or(0),
@@ -109,7 +109,7 @@ impl Numbers {
         }
     }
 
-    /// The edge of kind 1 to 4 these numbers make; starts afresh.
+    /// The edge of kind 1 to 4 that these numbers describe. Resets the numbers.
     fn take(&mut self, kind: i64) -> Option<Edge> {
         let n = std::mem::take(self);
         let (first, second) = (n.points.first().copied(), n.second.first().copied());
@@ -147,20 +147,20 @@ impl Numbers {
     }
 }
 
-/// The way from `start` to `end`, degrees, as radians in (0, 2 pi].
+/// The counter-clockwise angle from `start` to `end` (degrees), as radians in (0, 2 pi].
 fn degrees_sweep(start: f64, end: f64) -> f64 {
     let sweep = math::wrap_tau((end - start).to_radians());
-    // Whole turns are written as 0 to 360, with six digits or more.
+    // A full turn is written as 0 to 360, with six digits or more.
     if !(1e-6..=TAU - 1e-6).contains(&sweep) { TAU } else { sweep }
 }
 
-/// A place among the tags of a hatch.
-struct Cursor<'t, 'a> {
+/// A position among the tags of a hatch.
+struct TagCursor<'t, 'a> {
     tags: &'t [Tag<'a>],
     at: usize,
 }
 
-impl<'t, 'a> Cursor<'t, 'a> {
+impl<'t, 'a> TagCursor<'t, 'a> {
     fn seek(&mut self, code: i32) -> Option<&'t Tag<'a>> {
         let rest = self.tags.get(self.at..)?;
         let found = rest.iter().position(|t| t.code == code)?;
@@ -168,7 +168,7 @@ impl<'t, 'a> Cursor<'t, 'a> {
         rest.get(found)
     }
 
-    /// The flags of the next boundary; `None` when what describes the filling begins.
+    /// The flags of the next boundary; `None` when the description of the filling starts.
     fn seek_path(&mut self) -> Option<i64> {
         let rest = self.tags.get(self.at..)?;
         let found = rest.iter().position(|t| matches!(t.code, 92 | 75 | 76))?;
@@ -177,8 +177,8 @@ impl<'t, 'a> Cursor<'t, 'a> {
         tag.int()
     }
 
-    /// The next tag of a boundary; `None` at its end: the list of objects it was made from (97), the next boundary,
-    /// or the filling. A spline edge holds a 97 of its own, followed by fit points or the next edge.
+    /// The next tag of a boundary; `None` at its end, which is the list of its source objects (97), the next boundary,
+    /// or the filling. A spline edge contains a 97 of its own, followed by fit points or the next edge.
     fn next_in_path(&mut self) -> Option<&'t Tag<'a>> {
         let tag = self.tags.get(self.at)?;
         if matches!(tag.code, 92 | 75 | 76) {

@@ -1,17 +1,17 @@
 //! INSERT, with its array.
 
-use crate::dxf::entity::{Form, Insert};
+use crate::dxf::entity::{Geometry, Insert};
 use crate::dxf::record::Record;
 use glam::{DVec2, DVec3};
 
-pub(super) fn insert<'a>(record: &Record<'a>) -> Form<'a> {
+pub(super) fn insert<'a>(record: &Record<'a>) -> Geometry<'a> {
     let place = record.point(10);
-    let Some(name) = record.text(2) else { return Form::Invalid("it names no block", place) };
+    let Some(name) = record.text(2) else { return Geometry::Invalid("it names no block", place) };
     let scale = |code| record.real(code).filter(|s| s.abs() > 0.0).unwrap_or(1.0);
     let count = |code| record.int(code).and_then(|n| u32::try_from(n).ok()).unwrap_or(1).max(1);
-    Form::Insert(Box::new(Insert {
+    Geometry::Insert(Box::new(Insert {
         name,
-        // Blocks may follow their inserts: found when all is read.
+        // A block may be defined after its inserts, so it is looked up at the end of the file.
         block: None,
         at: place.unwrap_or(DVec3::ZERO),
         scale: DVec3::new(scale(41), scale(42), scale(43)),

@@ -1,6 +1,6 @@
-//! From a record to a typed entity, one file a family.
+//! Converts records to typed entities, with one file per family of entities.
 //!
-//! Which kinds hold an outline, and what is said of those that do not.
+//! This module lists the kinds that have an outline, and the advice for those that do not.
 
 mod curve;
 mod face;
@@ -11,9 +11,9 @@ mod soundness;
 mod spline;
 
 pub(super) use polyline::{Gathering, begin as begin_polyline};
-pub(super) use soundness::{Soundness, judge};
+pub(super) use soundness::{Soundness, check_soundness};
 
-use super::entity::Form;
+use super::entity::Geometry;
 use super::record::Record;
 
 /// A kind of entity whose outline can be cut.
@@ -21,7 +21,7 @@ use super::record::Record;
 pub(super) struct Kind {
     /// DXF name.
     pub(super) name: &'static str,
-    read: for<'a> fn(&Record<'a>) -> Form<'a>,
+    read: for<'a> fn(&Record<'a>) -> Geometry<'a>,
 }
 
 const KINDS: [Kind; 13] = [
@@ -36,29 +36,29 @@ const KINDS: [Kind; 13] = [
     Kind { name: "TRACE", read: face::solid },
     Kind { name: "3DFACE", read: face::face },
     Kind { name: "HATCH", read: hatch::hatch },
-    // A HELIX is a SPLINE with the numbers it was made from behind it.
+    // A HELIX is a SPLINE followed by the numbers it was made from.
     Kind { name: "HELIX", read: spline::spline },
-    // POLYLINE spans several records: see `begin_polyline`.
-    Kind { name: "POLYLINE", read: |_| Form::Invalid("its vertices are missing", None) },
+    // A POLYLINE spans several records; see `begin_polyline`.
+    Kind { name: "POLYLINE", read: |_| Geometry::Invalid("its vertices are missing", None) },
 ];
 
-/// The kind of this name, when its outline can be cut.
+/// The kind with this name, if its outline can be cut.
 pub(super) fn kind(name: &[u8]) -> Option<Kind> {
     KINDS.into_iter().find(|k| k.name.as_bytes() == name)
 }
 
-/// The geometry of a record of `kind`.
-pub(super) fn form<'a>(kind: Kind, record: &Record<'a>) -> Form<'a> {
+/// The geometry of a record of the given kind.
+pub(super) fn geometry<'a>(kind: Kind, record: &Record<'a>) -> Geometry<'a> {
     (kind.read)(record)
 }
 
-/// Kinds known to be entities although they have no outline to cut.
+/// Whether this name is a known entity without an outline.
 pub(super) fn is_known(name: &[u8]) -> bool {
     const UNKNOWN: &str = "";
     std::str::from_utf8(name).is_ok_and(|name| advice(name) != advice(UNKNOWN))
 }
 
-/// What an entity without an outline to cut is, and what a person can do about it.
+/// Explains an entity without an outline, and what a person can do about it.
 pub(super) fn advice(name: &str) -> &'static str {
     match name {
         "TEXT" | "MTEXT" | "ATTRIB" | "ATTDEF" | "ARCALIGNEDTEXT" | "RTEXT" | "SHAPE" => {

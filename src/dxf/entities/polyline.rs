@@ -1,12 +1,12 @@
 //! LWPOLYLINE, and POLYLINE with the VERTEX records after it.
 
-use crate::dxf::entity::{Chain, Form, Vertex};
+use crate::dxf::entity::{Geometry, Polyline3d, Vertex};
 use crate::dxf::record::Record;
 use glam::{DVec2, DVec3};
 
-pub(super) fn light<'a>(record: &Record<'a>) -> Form<'a> {
+pub(super) fn light<'a>(record: &Record<'a>) -> Geometry<'a> {
     let count = record.int(90).and_then(|n| usize::try_from(n).ok()).unwrap_or(0);
-    // The count is the file's word: memory follows the tags that are really there.
+    // The count comes from the file, so memory is limited by the tags that are really there.
     let mut vertices: Vec<Vertex> = Vec::with_capacity(count.min(record.tags.len()));
     let (mut elevation, mut wide) = (0.0, false);
     for tag in &record.tags {
@@ -16,7 +16,7 @@ pub(super) fn light<'a>(record: &Record<'a>) -> Form<'a> {
             (20, Some(v)) => v.at.y = value,
             (42, Some(v)) => v.bulge = value,
             (38, _) => elevation = value,
-            // Constant width; width at the start and end of a stretch.
+            // A constant width, or the width at the start or end of a segment.
             (40 | 41 | 43, _) => wide |= value > 0.0,
             _ => {}
         }
@@ -24,15 +24,15 @@ pub(super) fn light<'a>(record: &Record<'a>) -> Form<'a> {
     flat(vertices, record.flag(1), wide, elevation, record.normal)
 }
 
-fn flat<'a>(vertices: Vec<Vertex>, closed: bool, wide: bool, elevation: f64, normal: DVec3) -> Form<'a> {
+fn flat<'a>(vertices: Vec<Vertex>, closed: bool, wide: bool, elevation: f64, normal: DVec3) -> Geometry<'a> {
     if vertices.len() < 2 {
         let place = vertices.first().map(|v| v.at.extend(elevation));
-        return Form::Invalid("it has fewer than two vertices", place);
+        return Geometry::Invalid("it has fewer than two vertices", place);
     }
-    Form::Polyline { vertices, closed, wide, elevation, normal }
+    Geometry::Polyline { vertices, closed, wide, elevation, normal }
 }
 
-/// What kind of POLYLINE it is (group 70).
+/// The type of a POLYLINE (group 70).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Style {
     Flat,
@@ -41,7 +41,7 @@ enum Style {
     Polyface,
 }
 
-/// A POLYLINE whose vertices are being gathered. It ends at SEQEND, or at whatever is no VERTEX.
+/// A POLYLINE whose vertices are being collected. It ends at SEQEND, or at any other record that is not a VERTEX.
 #[derive(Debug)]
 pub(in crate::dxf) struct Gathering {
     style: Style,
@@ -69,7 +69,7 @@ pub(in crate::dxf) fn begin(record: &Record<'_>) -> Gathering {
         style,
         closed: record.flag(1),
         wide: is_wide(record),
-        // Group 10 and 20 of the POLYLINE itself are always 0; 30 is its elevation.
+        // Groups 10 and 20 of the POLYLINE itself are always 0; 30 is its elevation.
         elevation: record.real(30).unwrap_or(0.0),
         normal: record.normal,
         flat: Vec::new(),
@@ -78,13 +78,13 @@ pub(in crate::dxf) fn begin(record: &Record<'_>) -> Gathering {
     }
 }
 
-/// Whether a POLYLINE or a VERTEX gives a width, at the start or the end of a stretch.
+/// Whether a POLYLINE or a VERTEX has a width at the start or the end of a segment.
 fn is_wide(record: &Record<'_>) -> bool {
     [40, 41].into_iter().any(|code| record.real(code).is_some_and(|width| width > 0.0))
 }
 
 impl Gathering {
-    /// Adds a VERTEX. Those of the frame of a spline fit only carry it and are no part of the outline.
+    /// Adds a VERTEX. Frame vertices of a spline fit are skipped, because they are not part of the outline.
     pub(in crate::dxf) fn add(&mut self, vertex: &Record<'_>) {
         const FRAME: i64 = 16;
         const MESH: i64 = 64;
@@ -104,14 +104,16 @@ impl Gathering {
         }
     }
 
-    /// The geometry; or the name of the kind that has none to cut, and its place.
-    pub(in crate::dxf) fn end<'a>(self) -> Result<Form<'a>, (&'static str, Option<DVec3>)> {
+    /// The geometry, or the name of the kind that has none to cut, with its place.
+    pub(in crate::dxf) fn end<'a>(self) -> Result<Geometry<'a>, (&'static str, Option<DVec3>)> {
         match self.style {
             Style::Flat => Ok(flat(self.flat, self.closed, self.wide, self.elevation, self.normal)),
             Style::Spatial if self.spatial.len() < 2 => {
-                Ok(Form::Invalid("it has fewer than two vertices", self.spatial.first().copied()))
+                Ok(Geometry::Invalid("it has fewer than two vertices", self.spatial.first().copied()))
             }
-            Style::Spatial => Ok(Form::Chains(vec![Chain { points: self.spatial, closed: self.closed }])),
+            Style::Spatial => {
+                Ok(Geometry::Polylines3d(vec![Polyline3d { points: self.spatial, closed: self.closed }]))
+            }
             Style::Mesh => Err(("POLYMESH", self.first)),
             Style::Polyface => Err(("POLYFACE", self.first)),
         }

@@ -1,25 +1,25 @@
-//! Whether the groups of an entity go together, or show that lines of the file were lost or changed.
+//! Checks whether the groups of an entity are consistent, or show that lines of the file were lost or changed.
 //!
-//! Damage that leaves pairs of code and value in step is seen here only: an entity whose start was lost runs into
-//! the one before and repeats its groups; a changed code leaves a y without its x.
+//! Only this check finds damage that leaves codes and values in sync. An entity whose start was lost merges with the
+//! one before it and repeats its groups; a changed code leaves a y without its x.
 
 use crate::dxf::record::Record;
 
-/// What the groups of an entity tell.
+/// Result of the check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::dxf) enum Soundness {
-    /// Nothing strange.
+    /// Nothing is unusual.
     Sound,
-    /// A value is missing, and what is taken instead is likely what was meant: said.
+    /// A value is missing and a likely one was assumed; the text for people says so.
     Assumed(&'static str),
-    /// Lines of it are lost or changed.
+    /// Lines of the entity are lost or changed.
     Broken,
 }
 
-/// Judges an entity whose outline can be cut.
-pub(in crate::dxf) fn judge(record: &Record<'_>) -> Soundness {
-    let repeated = groups_once(record.name).iter().any(|code| record.count(*code) > 1);
-    let (orphan, lacks_y) = points(record);
+/// Checks an entity whose outline can be cut.
+pub(in crate::dxf) fn check_soundness(record: &Record<'_>) -> Soundness {
+    let repeated = unique_groups(record.name).iter().any(|code| record.count(*code) > 1);
+    let (orphan, lacks_y) = unpaired_coordinates(record);
     if repeated || orphan || (record.last_in_file && !is_complete(record)) {
         return Soundness::Broken;
     }
@@ -30,7 +30,7 @@ pub(in crate::dxf) fn judge(record: &Record<'_>) -> Soundness {
         b"ARC" if record.real(50).is_none() || record.real(51).is_none() => {
             Soundness::Assumed("one of its angles is missing; 0 was taken")
         }
-        // A scale of 0 would make nothing of the block; programs take it as not given.
+        // A scale of 0 would collapse the block; programs treat it as missing.
         b"INSERT" if [41, 42].iter().any(|code| record.real(*code).is_some_and(|s| s.abs() <= 0.0)) => {
             Soundness::Assumed("its scale is 0; 1 was taken")
         }
@@ -46,8 +46,8 @@ pub(in crate::dxf) fn judge(record: &Record<'_>) -> Soundness {
     }
 }
 
-/// Groups that an entity of this kind has once at most.
-fn groups_once(name: &[u8]) -> &'static [i32] {
+/// Groups that occur at most once in an entity of this kind.
+fn unique_groups(name: &[u8]) -> &'static [i32] {
     match name {
         b"LINE" => &[10, 20, 30, 11, 21, 31],
         b"CIRCLE" | b"ARC" => &[10, 20, 30, 40, 50, 51],
@@ -63,8 +63,8 @@ fn groups_once(name: &[u8]) -> &'static [i32] {
     }
 }
 
-/// Whether there are more y or z than x; and whether there are more x than y.
-fn points(record: &Record<'_>) -> (bool, bool) {
+/// Whether there are more y or z than x, and whether there are more x than y.
+fn unpaired_coordinates(record: &Record<'_>) -> (bool, bool) {
     // Groups 10 to 18 are x, 20 to 28 y, 30 to 37 z; 38 is an elevation and 39 a thickness.
     let mut counts = [[0i32; 9]; 3];
     for tag in &record.tags {
@@ -79,19 +79,19 @@ fn points(record: &Record<'_>) -> (bool, bool) {
         }
     }
     let [x, y, z] = counts;
-    // The elevation of a POLYLINE is the z of a point of which the rest may be missing.
+    // The elevation of a POLYLINE is the z of a point whose x and y may be missing.
     let whole = record.name != b"POLYLINE";
     let orphan = (0..9).any(|p| y[p] > x[p] || (whole && z[p] > x[p]));
     (orphan, whole && (0..9).any(|p| x[p] > y[p]))
 }
 
-/// The entity says in group `says` how many groups `holds` it has, and has not that many.
+/// Whether the entity states a number of groups `holds` in group `says` that differs from the actual number.
 fn differs(record: &Record<'_>, says: i32, holds: i32) -> bool {
     let says = record.int(says).unwrap_or(0);
     says > 0 && usize::try_from(says).ok() != Some(record.count(holds))
 }
 
-/// Whether the last entity of a file that ends without an end mark has all it needs.
+/// Whether the last entity of a file without an end mark has all the groups it needs.
 fn is_complete(record: &Record<'_>) -> bool {
     let has = |codes: &[i32]| codes.iter().all(|code| record.count(*code) > 0);
     match record.name {
@@ -101,7 +101,7 @@ fn is_complete(record: &Record<'_>) -> bool {
         b"ELLIPSE" => has(&[10, 20, 11, 21, 40, 41, 42]),
         b"LWPOLYLINE" => !differs(record, 90, 10) && record.count(10) == record.count(20),
         b"SPLINE" => !(differs(record, 72, 40) || differs(record, 73, 10) || differs(record, 74, 11)),
-        // What is optional in the others may be what is missing.
+        // In other kinds, the missing part may be an optional one.
         _ => false,
     }
 }

@@ -1,18 +1,18 @@
 //! SPLINE, and the SPLINE that a HELIX carries.
 
-use crate::dxf::entity::{Form, Spline};
+use crate::dxf::entity::{Geometry, Spline};
 use crate::dxf::record::Record;
 use crate::dxf::tag::Tag;
 use glam::DVec3;
 
-pub(super) fn spline<'a>(record: &Record<'a>) -> Form<'a> {
+pub(super) fn spline<'a>(record: &Record<'a>) -> Geometry<'a> {
     // What follows in a HELIX uses the same codes for its axis and radius.
     let own = record.tags.iter().take_while(|t| t.text() != Some(b"AcDbHelix"));
     let spline = gather(own, [11, 21, 31]);
     let place = spline.control.first().or(spline.fit.first()).copied();
     match spline.control.is_empty() && spline.fit.is_empty() {
-        true => Form::Invalid("it has no points", place),
-        false => Form::Spline(Box::new(spline)),
+        true => Geometry::Invalid("it has no points", place),
+        false => Geometry::Spline(Box::new(spline)),
     }
 }
 

@@ -1,7 +1,7 @@
-//! What a file holds, in the units of the drawing.
+//! The contents of a file, in drawing units.
 
 use crate::dxf::entities::{self, Soundness};
-use crate::dxf::entity::{Entity, Form};
+use crate::dxf::entity::{Entity, Geometry};
 use crate::dxf::header::Header;
 use crate::dxf::layers::Layers;
 use crate::dxf::record::Record;
@@ -15,17 +15,17 @@ use rustc_hash::FxHashMap;
 pub(in crate::dxf) struct Block<'a> {
     /// Name as written.
     pub(in crate::dxf) name: &'a [u8],
-    /// The point of it that an insert puts in place.
+    /// The base point, which an insert places.
     pub(in crate::dxf) base: DVec3,
-    /// A break in the file touches its start: its base point may be wrong.
+    /// Whether a break in the file touches its start, so that its base point may be wrong.
     pub(in crate::dxf) damaged: bool,
-    /// Refers to another file; holds nothing itself.
+    /// Whether it refers to another file, so that it holds nothing itself.
     pub(in crate::dxf) external: bool,
-    /// What it holds.
+    /// Entities of the block.
     pub(in crate::dxf) entities: Vec<Entity<'a>>,
 }
 
-/// Everything read from a file, in the units of the drawing.
+/// Everything read from a file, in drawing units.
 #[derive(Debug, Default)]
 pub(in crate::dxf) struct File<'a> {
     /// Header variables.
@@ -36,28 +36,28 @@ pub(in crate::dxf) struct File<'a> {
     pub(in crate::dxf) blocks: Vec<Block<'a>>,
     /// Entities outside blocks.
     pub(in crate::dxf) model: Vec<Entity<'a>>,
-    /// Names of kinds without an outline, see [`Form::Other`].
+    /// Names of kinds without an outline, see [`Geometry::Other`].
     pub(in crate::dxf) other_names: Vec<&'a [u8]>,
-    /// What was noticed while reading.
+    /// Findings made while reading.
     pub(in crate::dxf) notes: Notes<'a>,
-    /// A SECTION, a TABLE or a known entity was met: it is a DXF.
+    /// Whether a SECTION, a TABLE or a known entity was found, so that the file is a DXF.
     pub(in crate::dxf) recognised: bool,
     blocks_by_name: FxHashMap<Vec<u8>, usize>,
     other_index: FxHashMap<&'a [u8], u32>,
 }
 
 impl<'a> File<'a> {
-    /// Tells every insert where its block is.
+    /// Sets the block index of every insert.
     pub(super) fn find_blocks(&mut self) {
         let by_name = &self.blocks_by_name;
         for entity in self.model.iter_mut().chain(self.blocks.iter_mut().flat_map(|b| &mut b.entities)) {
-            if let Form::Insert(insert) = &mut entity.form {
+            if let Geometry::Insert(insert) = &mut entity.geometry {
                 insert.block = by_name.get(&insert.name.to_ascii_uppercase()).copied();
             }
         }
     }
 
-    /// The name behind [`Form::Other`].
+    /// The name of a [`Geometry::Other`].
     pub(in crate::dxf) fn other_name(&self, index: u32) -> &'a [u8] {
         self.other_names.get(index as usize).copied().unwrap_or_default()
     }
@@ -78,7 +78,7 @@ impl<'a> File<'a> {
         self.blocks.push(Block {
             name,
             base: record.point(10).unwrap_or(DVec3::ZERO),
-            damaged: record.damaged || entities::judge(record) == Soundness::Broken,
+            damaged: record.damaged || entities::check_soundness(record) == Soundness::Broken,
             external: record.flag(EXTERNAL),
             entities: Vec::new(),
         });

@@ -1,8 +1,8 @@
-//! From tags to typed entities: sections, tables, blocks.
+//! Converts tags to typed entities: sections, tables, blocks.
 //!
-//! The keyword of a group 0 decides what comes, not the section it stands in: sections, ENDSEC, EOF and the whole
-//! header may be missing. Sections that hold no geometry are passed over. Nothing is ever looked up by handle:
-//! handles repeat in real files.
+//! The keyword of a group 0 decides how a record is read, not its section, because sections, ENDSEC, EOF and the whole
+//! header may be missing. Sections without geometry are skipped. Nothing is looked up by handle, because handles repeat
+//! in real files.
 
 mod contents;
 mod reader;
@@ -10,7 +10,7 @@ mod reader;
 pub(super) use contents::File;
 use reader::Reader;
 
-/// Reads all of `bytes`.
+/// Reads the whole file.
 pub(super) fn read(bytes: &[u8]) -> File<'_> {
     let mut file = File::default();
     file.layers.zero();

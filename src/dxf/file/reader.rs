@@ -1,26 +1,26 @@
-//! Records of a file, one after the other: which section they stand in, and what they become.
+//! Reads the records of a file one after the other, and tracks the section they are in.
 
 use super::contents::File;
 use crate::dxf::breaks::BreakKind;
 use crate::dxf::entities::{self, Gathering, Soundness};
-use crate::dxf::entity::{BY_LAYER, Entity, Form, Hidden};
+use crate::dxf::entity::{BY_LAYER, Entity, Geometry, Hidden};
 use crate::dxf::record::Record;
 use crate::dxf::report::Note;
 use crate::dxf::tag::Tag;
 use crate::dxf::tokens::Tokens;
 use crate::finding::{Code, Severity};
 
-/// What kind of section the reader is in.
+/// Kind of section that the reader is in.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Section {
-    /// Outside, or the line that opened it is missing.
+    /// Outside all sections, or the line that opened the section is missing.
     Unknown,
     Header,
     Tables,
-    /// What stands outside a block here has lost the start of its block.
+    /// An entity outside a block in this section has lost the start of its block.
     Blocks,
     Entities,
-    /// Holds no geometry.
+    /// A section without geometry.
     Other,
 }
 
@@ -49,7 +49,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads everything into a file.
+    /// Reads all records into `file`.
     pub(super) fn run(mut self, file: &mut File<'a>) {
         let mut record = Record::default();
         let mut variable: &[u8] = b"";
@@ -95,8 +95,8 @@ impl<'a> Reader<'a> {
         self.note_end(file);
     }
 
-    /// Whether a record whose name nobody knows is the misspelt start of a section: outside every section, and named
-    /// as one. The section is entered.
+    /// Whether an unknown record outside every section is the misspelt start of a section, because it names one. If so,
+    /// enters that section.
     fn opens_section(&mut self, record: &Record<'a>, file: &mut File<'a>) -> bool {
         let Some((name, rest)) = record.tags.split_first().filter(|(tag, _)| tag.code == 2) else {
             return false;
@@ -122,18 +122,18 @@ impl<'a> Reader<'a> {
         true
     }
 
-    /// Takes one record, whatever it is.
+    /// Processes one record of any kind.
     fn take(&mut self, record: &Record<'a>, file: &mut File<'a>) {
         match record.name {
             b"VERTEX" if self.polyline.is_some() => {
                 if let Some((head, gathering)) = &mut self.polyline {
-                    head.damaged |= record.damaged || entities::judge(record) == Soundness::Broken;
+                    head.damaged |= record.damaged || entities::check_soundness(record) == Soundness::Broken;
                     gathering.add(record);
                 }
                 return;
             }
             b"SEQEND" => return self.close_polyline(file, record.damaged && self.polyline.is_some()),
-            // Where something unknown stands in for the end of a polyline, vertices may be lost with it.
+            // An unknown record where a polyline should end may mean that vertices were lost.
             name => self.close_polyline(file, !is_expected(name)),
         }
         match record.name {
@@ -151,42 +151,42 @@ impl<'a> Reader<'a> {
                 && entities::kind(name).is_none() => {}
             b"POLYLINE" => {
                 file.recognised = true;
-                let head = head(record, file, "POLYLINE", Form::Invalid("", None));
+                let head = head(record, file, "POLYLINE", Geometry::Invalid("", None));
                 self.polyline = Some((head, entities::begin_polyline(record)));
             }
             name => {
-                let Some(form) = self.form(record, file) else { return };
+                let Some(geometry) = self.geometry(record, file) else { return };
                 let kind = entities::kind(name).map_or("", |k| k.name);
-                let entity = head(record, file, kind, form);
+                let entity = head(record, file, kind, geometry);
                 self.push(file, entity);
             }
         }
     }
 
-    /// The geometry of a record; `None` when it is no entity.
-    fn form(&self, record: &Record<'a>, file: &mut File<'a>) -> Option<Form<'a>> {
+    /// The geometry of a record; `None` when it is not an entity.
+    fn geometry(&self, record: &Record<'a>, file: &mut File<'a>) -> Option<Geometry<'a>> {
         if let Some(kind) = entities::kind(record.name) {
             file.recognised = true;
-            return Some(entities::form(kind, record));
+            return Some(entities::geometry(kind, record));
         }
-        // Outside its section a keyword nobody knows may be anything.
+        // Outside the entity sections an unknown keyword may be anything.
         if !self.section.holds_entities() && !entities::is_known(record.name) {
             return None;
         }
         if record.name.is_empty() {
-            return Some(Form::Invalid("its kind is lost", record.point(10)));
+            return Some(Geometry::Invalid("its kind is lost", record.point(10)));
         }
-        Some(Form::Other(file.other(record.name), record.point(10)))
+        Some(Geometry::Other(file.other(record.name), record.point(10)))
     }
 
     fn close_polyline(&mut self, file: &mut File<'a>, cut_off: bool) {
         let Some((mut entity, gathering)) = self.polyline.take() else { return };
         entity.damaged |= cut_off;
-        entity.form = match gathering.end() {
-            Ok(form) => form,
+        entity.geometry = match gathering.end() {
+            Ok(geometry) => geometry,
             Err((name, place)) => {
                 entity.kind = "";
-                Form::Other(file.other(name.as_bytes()), place)
+                Geometry::Other(file.other(name.as_bytes()), place)
             }
         };
         self.push(file, entity);
@@ -196,7 +196,7 @@ impl<'a> Reader<'a> {
         entity.damaged |= self.section == Section::Blocks && self.block.is_none();
         let block = self.block.and_then(|i| file.blocks.get_mut(i));
         match block {
-            // Model space as a block of its own is empty in most files; where it is not, it is the model.
+            // In most files the block of model space is empty. Where it is not, its entities belong to the model.
             Some(b) if b.name.eq_ignore_ascii_case(b"*MODEL_SPACE") => file.model.push(entity),
             Some(b) => b.entities.push(entity),
             None => file.model.push(entity),
@@ -207,7 +207,7 @@ impl<'a> Reader<'a> {
         for b in self.tokens.take_breaks() {
             let (word, place) = (self.tokens.place_word(), b.place);
             let (code, text) = match b.kind {
-                BreakKind::LostStep => (
+                BreakKind::OutOfSync => (
                     Code::Resynchronised,
                     format!(
                         "The file is broken near {word} {place}: lines are missing, doubled or swapped. Reading went on at the next sound place."
@@ -247,12 +247,12 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Something that may follow a polyline whose end is not written.
+/// Whether this record may follow a polyline whose end is not written.
 fn is_expected(name: &[u8]) -> bool {
     matches!(name, b"BLOCK" | b"ENDBLK") || entities::kind(name).is_some() || entities::is_known(name)
 }
 
-/// The section whose name tag is `tag`.
+/// The section named by `tag`.
 fn section_of(tag: &Tag<'_>) -> Section {
     match tag.text() {
         Some(b"HEADER") => Section::Header,
@@ -264,15 +264,20 @@ fn section_of(tag: &Tag<'_>) -> Section {
     }
 }
 
-/// What every entity has.
-fn head<'a>(record: &Record<'a>, file: &mut File<'a>, kind: &'static str, form: Form<'a>) -> Entity<'a> {
+/// Reads the properties common to all entities.
+fn head<'a>(
+    record: &Record<'a>,
+    file: &mut File<'a>,
+    kind: &'static str,
+    geometry: Geometry<'a>,
+) -> Entity<'a> {
     let hidden = match (record.paper, record.invisible) {
         (true, _) => Some(Hidden::Paper),
         (_, true) => Some(Hidden::Invisible),
         _ => None,
     };
-    // What is not cut anyway need not be sound.
-    let soundness = if kind.is_empty() { Soundness::Sound } else { entities::judge(record) };
+    // An entity that is not cut need not be checked.
+    let soundness = if kind.is_empty() { Soundness::Sound } else { entities::check_soundness(record) };
     Entity {
         kind,
         handle: record.handle,
@@ -281,6 +286,6 @@ fn head<'a>(record: &Record<'a>, file: &mut File<'a>, kind: &'static str, form: 
         damaged: record.damaged || soundness == Soundness::Broken,
         assumed: if let Soundness::Assumed(what) = soundness { Some(what) } else { None },
         hidden,
-        form,
+        geometry,
     }
 }

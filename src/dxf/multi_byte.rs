@@ -1,25 +1,25 @@
-//! Code pages of several bytes a character. Their tables weigh 200 kB, so in wasm the caller hands over the platform's own
-//! decoder ([`TextDecoder`]), which every browser and Node have.
+//! East Asian code pages of several bytes per character. Their tables take 200 kB, so in wasm the caller passes the
+//! platform's own decoder ([`TextDecoder`]), which every browser and Node have.
 
 use super::drawing::TextDecoder;
 
-/// A code page by its label in the WHATWG Encoding Standard.
+/// A code page of several bytes per character.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum EastAsian {
-    /// 932, Japan.
+pub(super) enum MultiByte {
+    /// Code page 932, Japan.
     ShiftJis,
-    /// 936, China.
+    /// Code page 936, China.
     Gbk,
-    /// China, the national standard.
+    /// GB 18030, the national standard of China.
     Gb18030,
-    /// 949 and 1361, Korea.
+    /// Code pages 949 and 1361, Korea.
     EucKr,
-    /// 950, Taiwan and Hong Kong.
+    /// Code page 950, Taiwan and Hong Kong.
     Big5,
 }
 
-impl EastAsian {
-    /// Its label, for decoders and messages.
+impl MultiByte {
+    /// Its label in the WHATWG Encoding Standard, for decoders and messages.
     pub(super) fn label(self) -> &'static str {
         match self {
             Self::ShiftJis => "Shift_JIS",
@@ -30,7 +30,7 @@ impl EastAsian {
         }
     }
 
-    /// The text of `bytes`, and whether some of them meant nothing.
+    /// The text of `bytes`, and whether some of them had no meaning.
     pub(super) fn decode(self, decoder: TextDecoder, bytes: &[u8]) -> (String, bool) {
         let text = (decoder.0)(self.label(), bytes);
         let wrong = text.chars().any(|c| c == char::REPLACEMENT_CHARACTER);

@@ -1,20 +1,20 @@
-//! One-byte code pages: their upper halves, as the WHATWG Encoding Standard has them (the C1 controls included);
-//! those of DOS, which release 12 wrote, as the Unicode Consortium's mapping tables have them.
+//! Code pages of one byte per character. Their upper halves follow the WHATWG Encoding Standard (including the C1
+//! controls); the DOS code pages of release 12 follow the mapping tables of the Unicode Consortium.
 //!
-//! Written out here because the tables of the East Asian code pages come with any decoder crate that has these: 200 kB
-//! of wasm for layer names. U+FFFD stands where a byte means nothing.
+//! The tables are written out here because any decoder crate that has them also contains the East Asian tables, which
+//! cost 200 kB of wasm for layer names. U+FFFD marks bytes without a meaning.
 
-/// A code page of one byte a character; below 128 it is ASCII.
+/// A code page of one byte per character, which is ASCII below 128.
 #[derive(Debug)]
 pub(super) struct SingleByte {
-    /// Name, for messages.
+    /// Name for messages.
     pub name: &'static str,
     /// The characters of the bytes 128 to 255.
     upper: &'static str,
 }
 
 impl SingleByte {
-    /// The text of `bytes`, and whether a byte meant nothing.
+    /// The text of `bytes`, and whether any byte had no meaning.
     pub(super) fn decode(&self, bytes: &[u8]) -> (String, bool) {
         let upper: Vec<char> = self.upper.chars().collect();
         let char_of = |b: &u8| {
@@ -203,15 +203,15 @@ pub(super) static IBM852: SingleByte = SingleByte {
            ÍÎě┘┌█▄ŢŮ▀ÓßÔŃńňŠšŔÚŕŰýÝţ´\u{AD}˝˛ˇ˘§÷¸°¨˙űŘř■\u{A0}",
 };
 
-// The reference is not there in wasm.
+// The reference implementation is not available in wasm.
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
     use encoding_rs::Encoding;
 
-    /// Every byte of every code page as the reference implementation of the standard has it.
+    /// Compares every byte of every code page with the reference implementation of the standard.
     #[test]
-    fn tables_are_those_of_the_standard() {
+    fn tables_match_the_standard() {
         let pages = [
             &WINDOWS_874,
             &WINDOWS_1250,
