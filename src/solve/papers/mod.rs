@@ -19,15 +19,18 @@ mod local;
 mod parameters;
 mod repair;
 mod resumed;
+mod roulette;
 mod swarm;
+#[cfg(test)]
+mod test_sheet;
 mod tree;
 
 pub use dual::DualCodingGa;
-pub use hull::{HullPso, Ofa, Rlsga, Sga, Woa};
+pub use hull::{HullPso, HullSettings, Ofa, OperatorRates, Rlsga, Sga, Woa};
 pub use legs::{Legs, Measure};
 pub use repair::Repair;
 pub(crate) use resumed::start;
-pub use swarm::{AcoPso, KPso, Lpspso, Pso};
+pub use swarm::{AcoPso, KPso, Lpspso, Pso, SwarmSettings, Weights};
 pub use tree::{GtspLk, InitialPartitions, InitialTours, PartitionTree, Pfr, RepartitionMoves};
 
 use super::{Solver, SolverInfo};

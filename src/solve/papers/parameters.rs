@@ -4,7 +4,7 @@
 use crate::fields::{Range, Value, nearest, out_of_range};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde_json::Value as Json;
+use serde_json::{Map, Value as Json};
 
 /// Limits of the parameters that take memory, or time before the first look at the clock. All others may be any number that
 /// their field holds.
@@ -20,7 +20,10 @@ const POPULATION: Range = Range::new(1.0, 1000.0, "", "the papers have at most 2
 /// Limits of numbers without others: squares and products of them stay finite.
 const ANY: Range = Range::new(-1e9, 1e9, "", "larger numbers say nothing to a method");
 
-/// A method with its parameters: the defaults with what a JSON object says otherwise.
+/// A method with its default parameters, except those that a JSON object gives.
+///
+/// The structs refuse no unknown names themselves, as serde allows that for none with flattened fields: names are compared
+/// with those of the defaults here.
 ///
 /// # Errors
 /// One sentence that names the parameter.
@@ -29,24 +32,32 @@ pub(super) fn read<M: Default + Serialize + DeserializeOwned>(text: &str) -> Res
     let Json::Object(given) = given else {
         return Err("The parameters are no object. Give an object with their names and values.".into());
     };
-    let defaults = serde_json::to_value(M::default()).unwrap_or_default();
-    for (name, value) in &given {
-        let Some(default) = defaults.get(name) else { return Err(unknown(name, &defaults)) };
-        check::<M>(name, value, default)?;
+    let Ok(Json::Object(defaults)) = serde_json::to_value(M::default()) else {
+        return Err("The method has no parameters.".into());
+    };
+    let mut parameters = defaults.clone();
+    for (name, value) in given {
+        let Some(default) = defaults.get(&name) else { return Err(unknown(&name, &defaults)) };
+        check_range(&name, &value)?;
+        // Each value is tried by itself, as errors of serde name no field.
+        let mut alone = defaults.clone();
+        alone.insert(name.clone(), value.clone());
+        if let Err(e) = serde_json::from_value::<M>(Json::Object(alone)) {
+            let value = shown(&value);
+            return Err(format!("The parameter \"{name}\" is {value}: {e}. Its default is {default}."));
+        }
+        parameters.insert(name, value);
     }
-    serde_json::from_value(Json::Object(given)).map_err(|e| format!("The parameters cannot be read: {e}."))
+    serde_json::from_value(Json::Object(parameters))
+        .map_err(|e| format!("The parameters cannot be read: {e}."))
 }
 
-fn check<M: DeserializeOwned>(name: &str, value: &Json, default: &Json) -> Result<(), String> {
+fn check_range(name: &str, value: &Json) -> Result<(), String> {
     let limits = LIMITS.iter().find(|(of, _)| *of == name).map_or(ANY, |(_, range)| *range);
-    if let Some(n) = value.as_f64().filter(|n| !limits.holds(*n)) {
-        return Err(out_of_range("The parameter", name, n, &limits));
+    match value.as_f64().filter(|n| !limits.holds(*n)) {
+        Some(n) => Err(out_of_range("The parameter", name, n, &limits)),
+        None => Ok(()),
     }
-    // Each by itself, as the reader names no field.
-    let alone = Json::Object([(name.to_owned(), value.clone())].into_iter().collect());
-    let read = serde_json::from_value::<M>(alone).map(|_| ());
-    let shown = shown(value);
-    read.map_err(|e| format!("The parameter \"{name}\" is {shown}: {e}. Its default is {default}."))
 }
 
 fn shown(value: &Json) -> String {
@@ -58,13 +69,51 @@ fn shown(value: &Json) -> String {
     }
 }
 
-fn unknown(name: &str, defaults: &Json) -> String {
-    let names: Vec<&str> =
-        defaults.as_object().into_iter().flat_map(|o| o.keys().map(String::as_str)).collect();
+fn unknown(name: &str, defaults: &Map<String, Json>) -> String {
+    let names: Vec<&str> = defaults.keys().map(String::as_str).collect();
     let hint = match (nearest(name, names.iter().copied()), names.is_empty()) {
         (Some(near), _) => format!("Did you mean \"{near}\"?"),
         (None, false) => format!("There are: {}.", names.join(", ")),
         (None, true) => "It has none.".into(),
     };
     format!("The method has no parameter {}. {hint}", Value::Text(name.to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{cards, method};
+
+    fn refusal(name: &str, parameters: &str) -> String {
+        method(name, parameters).err().unwrap()
+    }
+
+    #[test]
+    fn a_misspelt_shared_parameter_is_refused_with_the_nearest_name() {
+        for name in ["pso", "aco-pso", "k-pso", "lpspso"] {
+            let says = "The method has no parameter \"particels\". Did you mean \"particles\"?";
+            assert_eq!(refusal(name, r#"{"particels":12}"#), says, "{name}");
+        }
+        for name in ["rlsga", "sga", "hull-pso", "ofa", "woa"] {
+            let says = "The method has no parameter \"generation\". Did you mean \"generations\"?";
+            assert_eq!(refusal(name, r#"{"generation":12}"#), says, "{name}");
+        }
+        assert_eq!(
+            refusal("woa", r#"{"settings":{}}"#),
+            "The method has no parameter \"settings\". There are: a, a_min, b, c, generations, measure, population."
+        );
+    }
+
+    #[test]
+    fn shared_parameters_are_flat_and_keep_the_defaults_of_their_method() {
+        let default = |name: &str, parameter: &str| {
+            let card = cards().into_iter().find(|c| c.info.name == name).unwrap();
+            assert!(card.parameters.as_object().unwrap().values().all(|v| !v.is_object()), "{name}");
+            card.parameters[parameter].clone()
+        };
+        assert_eq!((default("pso", "fastest"), default("lpspso", "fastest")), (0.2.into(), 0.05.into()));
+        assert_eq!((default("woa", "population"), default("sga", "crossover")), (200.into(), 0.6.into()));
+        // Giving one shared parameter leaves the others at the method's own defaults.
+        let path = super::read::<super::super::Lpspso>(r#"{"particles":7}"#).unwrap();
+        assert_eq!((path.settings.particles, path.settings.fastest), (7, 0.05));
+    }
 }

@@ -5,6 +5,7 @@ use super::fitness::fitness;
 use crate::problem::{ItemId, NodeId, Problem};
 use crate::solve::dice::Dice;
 use crate::solve::papers::lead::{Lead, Pieces, Running, solution};
+use crate::solve::papers::roulette::Roulette;
 use crate::solve::papers::{Legs, Measure, Repair};
 use crate::solve::{Curve, Insight};
 use crate::solve::{Search, Solution, Solver, SolverInfo};
@@ -15,7 +16,6 @@ const MOST_GENES: usize = 1 << 25;
 
 /// Yang's genetic algorithm. It starts from random codes, whatever path it is given.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
 pub struct DualCodingGa {
     /// Codes in the population.
     pub population: u32,
@@ -77,8 +77,8 @@ struct Generations<'p> {
     dice: Dice,
     parents: Vec<Code>,
     lengths: Vec<f64>,
-    /// Sums of fitness up to each parent: the roulette.
-    wheel: Vec<f64>,
+    /// Selects parents by their fitness in this generation.
+    roulette: Roulette,
     children: Vec<Code>,
     child_lengths: Vec<f64>,
     /// Children to be priced.
@@ -109,7 +109,7 @@ impl<'p> Generations<'p> {
             dice,
             parents: vec![first],
             lengths: vec![length],
-            wheel: Vec::new(),
+            roulette: Roulette::default(),
             children: Vec::new(),
             child_lengths: Vec::new(),
             raw: Vec::new(),
@@ -129,25 +129,13 @@ impl<'p> Generations<'p> {
 
     /// The roulette of the generation that begins, eq. (2).
     fn draw_up(&mut self) {
-        let mut sum = 0.0;
-        let fitness = fitness(&self.lengths, self.rates.lambda, self.rates.alpha, self.generation + 1);
-        self.wheel = fitness
-            .into_iter()
-            .map(|f| {
-                sum += f;
-                sum
-            })
-            .collect();
-    }
-
-    fn spin(&mut self) -> usize {
-        let at = self.dice.even() * self.wheel.last().copied().unwrap_or(0.0);
-        self.wheel.partition_point(|&s| s <= at).min(self.parents.len() - 1)
+        let Self { lengths, rates, generation, .. } = self;
+        self.roulette = Roulette::new(fitness(lengths, rates.lambda, rates.alpha, *generation + 1));
     }
 
     /// The next pair.
     fn breed(&mut self) {
-        let pair = [self.spin(), self.spin()].map(|p| &self.parents[p]);
+        let pair = [(); 2].map(|()| &self.parents[self.roulette.spin(&mut self.dice)]);
         let problem = self.legs.problem();
         self.raw = if self.dice.even() < self.rates.crossover {
             cross(problem, pair, &mut self.dice).into()

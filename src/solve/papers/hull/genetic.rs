@@ -10,29 +10,29 @@ use super::chromosome::{Chromosome, genes, keys};
 use super::crossover::{OPERATORS, cross};
 use super::decode::Decoder;
 use super::filling::Filling;
+use super::settings::{HullSettings, OperatorRates};
 use crate::order::{real, sort_by};
 use crate::solve::dice::Dice;
 use crate::solve::papers::lead::{Lead, Pieces};
+use crate::solve::papers::roulette::Roulette;
 use crate::solve::{Curve, Grid, Insight};
 
 /// Genes in memory at most, parents and children: 128 MB. On 10,000 contours of 8 nodes, 200 chromosomes are within it.
 const MOST_GENES: usize = 1 << 25;
 
-/// Numbers of the genetic algorithm.
+/// How children come from parents.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rates {
-    pub(super) population: usize,
-    pub(super) generations: u32,
-    pub(super) crossover: f64,
-    pub(super) mutation: f64,
-    pub(super) migration: f64,
+pub(super) struct Breeding {
+    pub(super) rates: OperatorRates,
+    /// Whether eq. (6) takes fitness divided by its mean.
     pub(super) scaled_fitness: bool,
 }
 
 /// The algorithm at work.
 pub(super) struct Genetic<'p> {
     decoder: Decoder<'p>,
-    rates: Rates,
+    breeding: Breeding,
+    generations: u32,
     population: usize,
     dice: Dice,
     agent: Agent,
@@ -49,10 +49,16 @@ pub(super) struct Genetic<'p> {
 }
 
 impl<'p> Genetic<'p> {
-    pub(super) fn new(decoder: Decoder<'p>, rates: Rates, learning: Option<Learning>, seed: u64) -> Self {
+    pub(super) fn new(
+        decoder: Decoder<'p>,
+        settings: HullSettings,
+        breeding: Breeding,
+        learning: Option<Learning>,
+        seed: u64,
+    ) -> Self {
         let segments = decoder.model.segments();
         let fitting = MOST_GENES / (2 * segments).max(1);
-        let population = rates.population.min(fitting).max(2);
+        let population = (settings.population as usize).min(fitting).max(2);
         let mut dice = Dice::new(seed);
         let mut first = random(&decoder, &mut dice);
         let (length, visits) = decoder.price(&first.genes);
@@ -60,7 +66,8 @@ impl<'p> Genetic<'p> {
         let lead = Lead::new(decoder.solution(visits), length);
         Self {
             decoder,
-            rates,
+            breeding,
+            generations: settings.generations,
             population,
             dice,
             agent: Agent::new(learning),
@@ -88,27 +95,14 @@ impl<'p> Genetic<'p> {
 
     /// The roulette, and whether there was a population to learn from.
     fn draw(&mut self) {
-        let mut sum = 0.0;
-        let sums: Vec<f64> = self
-            .fitness()
-            .into_iter()
-            .map(|f| {
-                sum += f;
-                sum
-            })
-            .collect();
-        let dice = &mut self.dice;
-        let spin = |_| {
-            let at = dice.even() * sum;
-            sums.partition_point(|&s| s <= at).min(sums.len() - 1)
-        };
-        self.drawn = (0..self.population).map(spin).collect();
+        let roulette = Roulette::new(self.fitness());
+        self.drawn = (0..self.population).map(|_| roulette.spin(&mut self.dice)).collect();
     }
 
     /// Crosses the next pair, or takes it as it is.
     fn breed(&mut self) {
         let (Some(a), b) = (self.drawn.pop(), self.drawn.pop()) else { return };
-        let Some(b) = b.filter(|_| self.dice.even() < self.rates.crossover) else {
+        let Some(b) = b.filter(|_| self.dice.even() < self.breeding.rates.crossover) else {
             self.raw.extend([Some(a), b].into_iter().flatten().map(|i| self.parents[i].clone()));
             return;
         };
@@ -120,10 +114,10 @@ impl<'p> Genetic<'p> {
 
     /// Mutates, migrates and prices a child.
     fn finish(&mut self, mut child: Chromosome) {
-        if self.dice.even() < self.rates.mutation {
+        if self.dice.even() < self.breeding.rates.mutation {
             child.mutate(&mut self.dice);
         }
-        if self.dice.even() < self.rates.migration {
+        if self.dice.even() < self.breeding.rates.migration {
             child.migrate(&mut self.dice);
         }
         self.price(&mut child);
@@ -143,8 +137,8 @@ impl<'p> Genetic<'p> {
 
     fn look(&self) -> (Sums, f64) {
         let sums = Sums::new(self.fitness());
-        let done = f64::from(self.generation) / f64::from(self.rates.generations.max(1));
-        (sums, sums.diversity(done, self.rates.scaled_fitness))
+        let done = f64::from(self.generation) / f64::from(self.generations.max(1));
+        (sums, sums.diversity(done, self.breeding.scaled_fitness))
     }
 }
 
@@ -170,7 +164,7 @@ impl Pieces for Genetic<'_> {
 
     fn piece(&mut self) -> Option<u64> {
         let segments = self.decoder.model.segments() as u64;
-        if segments == 0 || self.generation >= self.rates.generations {
+        if segments == 0 || self.generation >= self.generations {
             return None;
         }
         if self.parents.len() < self.population {

@@ -23,10 +23,12 @@ mod model;
 mod nested;
 mod rlsga;
 mod rules;
+mod settings;
 mod swarm;
 mod swarms;
 #[cfg(test)]
 mod tests;
 
 pub use rlsga::{Rlsga, Sga};
+pub use settings::{HullSettings, OperatorRates};
 pub use swarms::{HullPso, Ofa, Woa};

@@ -9,9 +9,11 @@ use super::decode::Decoder;
 use super::flock::Flock;
 use super::model::Gene;
 use super::rules::Rule;
+use super::settings::HullSettings;
+use crate::problem::Problem;
 use crate::solve::dice::Dice;
-use crate::solve::papers::lead::{Lead, Pieces};
-use crate::solve::{Curve, Insight};
+use crate::solve::papers::lead::{Lead, Pieces, Running};
+use crate::solve::{Curve, Insight, Search};
 
 /// Keys in memory at most, 128 MB. A rule holds three of each member's at most: on 10,000 contours of 8 nodes, a flock of
 /// 200 is cut to 69.
@@ -33,8 +35,22 @@ pub(super) struct Swarm<'p, R> {
     lead: Lead,
 }
 
+impl<'p, R: Rule + 'p> Swarm<'p, R> {
+    /// Starts a search by a rule.
+    pub(super) fn start(
+        problem: &'p Problem,
+        rule: R,
+        settings: HullSettings,
+        seed: u64,
+    ) -> Box<dyn Search + 'p> {
+        let decoder = Decoder::new(problem, settings.measure);
+        Box::new(Running(Self::new(decoder, rule, settings, seed)))
+    }
+}
+
 impl<'p, R: Rule> Swarm<'p, R> {
-    pub(super) fn new(decoder: Decoder<'p>, rule: R, [population, generations]: [u32; 2], seed: u64) -> Self {
+    fn new(decoder: Decoder<'p>, rule: R, settings: HullSettings, seed: u64) -> Self {
+        let HullSettings { population, generations, .. } = settings;
         let segments = decoder.model.segments();
         let fitting = MOST_KEYS / (6 * segments).max(1);
         let mut dice = Dice::new(seed);

@@ -1,37 +1,31 @@
 //! The parameters of `hull-pso`, `ofa` and `woa`, as methods (section 5.2).
 
-use super::decode::Decoder;
 use super::rlsga::SOURCE;
 use super::rules::{Foragers, Particles, Whales};
+use super::settings::HullSettings;
 use super::swarm::Swarm;
 use crate::problem::Problem;
-use crate::solve::papers::Measure;
-use crate::solve::papers::lead::Running;
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 
 /// Particle swarm optimisation on the segments' random keys.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
 pub struct HullPso {
-    /// Particles n.
-    pub population: u32,
-    /// Generations t_max; it ends after them.
-    pub generations: u32,
+    /// Parameters of every method for hull parts.
+    #[serde(flatten)]
+    pub settings: HullSettings,
     /// Inertia weight omega.
     pub inertia: f64,
     /// Acceleration c1 towards the particle's own best.
     pub own: f64,
     /// Acceleration c2 towards the best of all.
     pub all: f64,
-    /// What empty travel is measured in, eq. (1).
-    pub measure: Measure,
 }
 
 impl Default for HullPso {
     fn default() -> Self {
         let (inertia, own, all) = (0.3, 0.5, 0.5);
-        Self { population: 200, generations: 1000, inertia, own, all, measure: Measure::Euclidean }
+        Self { settings: HullSettings::default(), inertia, own, all }
     }
 }
 
@@ -47,30 +41,25 @@ impl Solver for HullPso {
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
         let rule = Particles::new(self.inertia, self.own, self.all);
-        let decoder = Decoder::new(problem, self.measure);
-        Box::new(Running(Swarm::new(decoder, rule, [self.population, self.generations], seed)))
+        Swarm::start(problem, rule, self.settings, seed)
     }
 }
 
 /// The optimal foraging algorithm on the segments' random keys.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
 pub struct Ofa {
-    /// Foragers n.
-    pub population: u32,
-    /// Generations t_max; it ends after them.
-    pub generations: u32,
+    /// Parameters of every method for hull parts.
+    #[serde(flatten)]
+    pub settings: HullSettings,
     /// k at the beginning.
     pub k: f64,
     /// What k loses until the end.
     pub k_fall: f64,
-    /// What empty travel is measured in, eq. (1).
-    pub measure: Measure,
 }
 
 impl Default for Ofa {
     fn default() -> Self {
-        Self { population: 200, generations: 1000, k: 0.9, k_fall: 0.5, measure: Measure::Euclidean }
+        Self { settings: HullSettings::default(), k: 0.9, k_fall: 0.5 }
     }
 }
 
@@ -86,19 +75,16 @@ impl Solver for Ofa {
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
         let rule = Foragers::new(self.k, self.k_fall);
-        let decoder = Decoder::new(problem, self.measure);
-        Box::new(Running(Swarm::new(decoder, rule, [self.population, self.generations], seed)))
+        Swarm::start(problem, rule, self.settings, seed)
     }
 }
 
 /// The whale optimisation algorithm on the segments' random keys.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
 pub struct Woa {
-    /// Whales n.
-    pub population: u32,
-    /// Generations t_max; it ends after them.
-    pub generations: u32,
+    /// Parameters of every method for hull parts.
+    #[serde(flatten)]
+    pub settings: HullSettings,
     /// A at the beginning.
     pub a: f64,
     /// A_min, at the end.
@@ -107,14 +93,11 @@ pub struct Woa {
     pub c: f64,
     /// Shape b of the spiral.
     pub b: f64,
-    /// What empty travel is measured in, eq. (1).
-    pub measure: Measure,
 }
 
 impl Default for Woa {
     fn default() -> Self {
-        let measure = Measure::Euclidean;
-        Self { population: 200, generations: 1000, a: 2.0, a_min: 0.0, c: 1.0, b: 1.0, measure }
+        Self { settings: HullSettings::default(), a: 2.0, a_min: 0.0, c: 1.0, b: 1.0 }
     }
 }
 
@@ -130,7 +113,6 @@ impl Solver for Woa {
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
         let rule = Whales { reach: self.a, least: self.a_min, weight: self.c, spiral: self.b };
-        let decoder = Decoder::new(problem, self.measure);
-        Box::new(Running(Swarm::new(decoder, rule, [self.population, self.generations], seed)))
+        Swarm::start(problem, rule, self.settings, seed)
     }
 }

@@ -6,29 +6,14 @@ use super::decode::Decoder;
 use super::filling::Filling;
 use super::model::{BLANK, Gene, Model, Visit};
 use super::nested::nested;
-use crate::geometry::DVec2;
-use crate::machine;
-use crate::problem::{Groups, Item, Node, NodeId, Problem};
+use crate::problem::{Node, NodeId, Problem};
 use crate::solve::dice::Dice;
-use crate::solve::papers::{Legs, Measure};
+use crate::solve::papers::{Legs, Measure, test_sheet};
 use std::collections::BTreeSet;
 
-/// Closed contours of these corners, to be left free of charge; home at 0.
+/// Closed contours with these corners, which may be left at no cost; a closed path returns to (0, 0).
 fn sheet(contours: &[&[[f64; 2]]], closed: bool) -> Problem {
-    let (mut items, mut nodes) = (Vec::new(), Vec::new());
-    for (contour, item) in contours.iter().zip(0..) {
-        let first = u32::try_from(nodes.len()).unwrap();
-        for (corner, along) in contour.iter().zip(0..) {
-            let entry = DVec2::from(*corner);
-            let twin = u32::try_from(nodes.len()).unwrap();
-            nodes.push(Node { item, entry, exit: entry, along: along.into(), reversed: false, twin });
-        }
-        let nodes = first..u32::try_from(nodes.len()).unwrap();
-        items.push(Item { nodes, leave: Some(0.0), ..Item::default() });
-    }
-    let machine = machine::preset("length-partial").unwrap();
-    let (home, pairs, groups, table) = (DVec2::ZERO, Vec::new(), Groups::default(), None);
-    Problem { items, nodes, home, closed, machine, pairs, groups, table }
+    Problem { closed, ..test_sheet::sheet(contours, Some(0.0), "length-partial") }
 }
 
 fn random_sheet(contours: usize, closed: bool, dice: &mut Dice) -> Problem {

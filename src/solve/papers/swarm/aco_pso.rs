@@ -7,10 +7,10 @@
 //! node; where none is left it goes to the nearest of all (Dorigo & Stützle, Ant Colony Optimization, 2004, section 3.7).
 
 use super::super::left::Walk;
-use super::super::legs::Measure;
 use super::flock::Flock;
 use super::pso::{Plain, Pso};
 use super::run::{Guide, Run};
+use super::settings::{SwarmSettings, Weights};
 use crate::geometry::math;
 use crate::order::{real, sort_by};
 use crate::problem::{NodeId, Problem};
@@ -20,26 +20,13 @@ use std::ops::Range;
 
 /// The method with its parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
 pub struct AcoPso {
-    /// Particles, and ants.
-    pub particles: u32,
-    /// Iterations.
-    pub rounds: u32,
-    /// How ways are measured.
-    pub measure: Measure,
-    /// 2-opt, Or-opt and the best entries on each particle's tour before it is valued.
-    pub local_search: bool,
-    /// The node every path starts with; none: any.
-    pub first: Option<NodeId>,
-    /// Inertia weight.
-    pub inertia: f64,
-    /// Individual learning factor.
-    pub own: f64,
-    /// Group learning factor.
-    pub swarm: f64,
-    /// Largest velocity, in shares of the range of a key.
-    pub fastest: f64,
+    /// Parameters of every swarm method.
+    #[serde(flatten)]
+    pub settings: SwarmSettings,
+    /// Constant weights.
+    #[serde(flatten)]
+    pub weights: Weights,
     /// Rounds between two times that the worse half starts again from tours of the ants.
     pub again: u32,
     /// Exponent of the pheromone.
@@ -52,34 +39,10 @@ pub struct AcoPso {
 
 impl Default for AcoPso {
     fn default() -> Self {
-        let Pso { particles, rounds, measure, local_search, first, inertia, own, swarm, fastest } =
-            Pso::default();
+        let Pso { settings, weights } = Pso::default();
         // Exponents and evaporation of the ant system (Dorigo & Stützle 2004, box 3.1).
         let (again, trail, nearness, evaporation) = (10, 1.0, 3.0, 0.1);
-        Self {
-            particles,
-            rounds,
-            measure,
-            local_search,
-            first,
-            inertia,
-            own,
-            swarm,
-            fastest,
-            again,
-            trail,
-            nearness,
-            evaporation,
-        }
-    }
-}
-
-impl AcoPso {
-    /// The swarm it moves as.
-    fn pso(&self) -> Pso {
-        let Self { particles, rounds, measure, local_search, first, inertia, own, swarm, fastest, .. } =
-            *self;
-        Pso { particles, rounds, measure, local_search, first, inertia, own, swarm, fastest }
+        Self { settings, weights, again, trail, nearness, evaporation }
     }
 }
 
@@ -97,18 +60,16 @@ impl Solver for AcoPso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let pso = self.pso();
-        let plain = pso.plain();
         let colony = Colony {
             by: self.clone(),
-            plain,
+            plain: Plain::new(self.weights),
             trails: Vec::new(),
             sent: Vec::new(),
             fresh: Vec::new(),
             marked: 0,
             ant: None,
         };
-        Run::start(problem, seed, &pso.settings(), colony)
+        Run::start(problem, seed, &self.settings, colony)
     }
 }
 

@@ -3,6 +3,7 @@
 //! x^{t+1}.
 
 use super::super::left::Left;
+use super::settings::Weights;
 use super::worth::Worth;
 use crate::problem::NodeId;
 use crate::solve::dice::Dice;
@@ -41,14 +42,6 @@ pub(super) struct Flock<'p> {
     pub(super) found: Option<Vec<NodeId>>,
 }
 
-/// Weights of a move: inertia, and how much the particle's own best and the best of all attract.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Pull {
-    pub(super) inertia: f64,
-    pub(super) own: f64,
-    pub(super) swarm: f64,
-}
-
 impl Flock<'_> {
     /// Share of the iterations done, t/tmax.
     pub(super) fn share(&self) -> f64 {
@@ -71,7 +64,7 @@ impl Flock<'_> {
     }
 
     /// Eqs (14) and (15) for some keys of a particle. `pull` gives the weights, key by key.
-    pub(super) fn pull(&mut self, i: usize, range: Range<usize>, mut pull: impl FnMut(&mut Dice) -> Pull) {
+    pub(super) fn pull(&mut self, i: usize, range: Range<usize>, mut pull: impl FnMut(&mut Dice) -> Weights) {
         for k in range {
             let by = pull(&mut self.dice);
             let leader = self.particles[self.leader].best[k];

@@ -6,10 +6,10 @@
 //! The centre of a group is that of its items from which the ways to the others are shortest, as a table of costs has no
 //! places of which there would be a mean; an item stands for its first node. k is the root of the number of items.
 
-use super::super::legs::Measure;
 use super::flock::Flock;
 use super::pso::{Plain, Pso};
 use super::run::{Guide, Run};
+use super::settings::{SwarmSettings, Weights};
 use crate::problem::{ItemId, NodeId, Problem};
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
@@ -17,46 +17,23 @@ use std::ops::Range;
 
 /// The method with its parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
 pub struct KPso {
-    /// Particles.
-    pub particles: u32,
-    /// Iterations.
-    pub rounds: u32,
-    /// How ways are measured.
-    pub measure: Measure,
-    /// 2-opt, Or-opt and the best entries on each particle's tour before it is valued.
-    pub local_search: bool,
-    /// The node every path starts with; none: any.
-    pub first: Option<NodeId>,
-    /// Inertia weight.
-    pub inertia: f64,
-    /// Individual learning factor.
-    pub own: f64,
-    /// Group learning factor.
-    pub swarm: f64,
-    /// Largest velocity, in shares of the range of a key.
-    pub fastest: f64,
+    /// Parameters of every swarm method.
+    #[serde(flatten)]
+    pub settings: SwarmSettings,
+    /// Constant weights.
+    #[serde(flatten)]
+    pub weights: Weights,
     /// Times that items are put to the nearest centre and centres found anew, at most.
     pub grouping: u32,
 }
 
 impl Default for KPso {
     fn default() -> Self {
-        let Pso { particles, rounds, measure, local_search, first, inertia, own, swarm, fastest } =
-            Pso::default();
+        let Pso { settings, weights } = Pso::default();
         // Groups of points in a plane hardly change after that many.
         let grouping = 20;
-        Self { particles, rounds, measure, local_search, first, inertia, own, swarm, fastest, grouping }
-    }
-}
-
-impl KPso {
-    /// The swarm it moves as.
-    fn pso(&self) -> Pso {
-        let Self { particles, rounds, measure, local_search, first, inertia, own, swarm, fastest, .. } =
-            *self;
-        Pso { particles, rounds, measure, local_search, first, inertia, own, swarm, fastest }
+        Self { settings, weights, grouping }
     }
 }
 
@@ -74,13 +51,12 @@ impl Solver for KPso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let pso = self.pso();
-        let plain = pso.plain();
+        let plain = Plain::new(self.weights);
         let groups = Groups { left: self.grouping, ..Groups::default() };
         Run::start(
             problem,
             seed,
-            &pso.settings(),
+            &self.settings,
             Grouped {
                 plain,
                 groups,

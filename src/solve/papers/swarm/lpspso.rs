@@ -5,12 +5,12 @@
 //! moved by (19) and (20) with inertia (16), learning factors (17) and a chaotic number (18) that change from iteration
 //! to iteration, or sent on Levy flights (21)-(24) when the threshold (25)-(27) says so (`rules.rs`).
 
-use super::super::legs::Measure;
-use super::flock::{Flock, Pull};
+use super::flock::Flock;
 use super::prospect::{Outcomes, Prospect};
 use super::proximity::Proximity;
 use super::rules::{Levy, add_distances, inertia, kappa, learning, singer, tau};
-use super::run::{Guide, Run, Settings};
+use super::run::{Guide, Run};
+use super::settings::{SwarmSettings, Weights};
 use crate::problem::{NodeId, Problem};
 use crate::solve::Curve;
 use crate::solve::{Search, Solution, Solver, SolverInfo};
@@ -19,19 +19,10 @@ use std::ops::Range;
 
 /// The method with its parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
 pub struct Lpspso {
-    /// Particles N.
-    pub particles: u32,
-    /// Iterations tmax.
-    pub rounds: u32,
-    /// How ways are measured, eq. (1).
-    pub measure: Measure,
-    /// 2-opt, Or-opt and the best entries on each particle's tour before it is valued. Not in the paper: random keys
-    /// alone do not come near its results.
-    pub local_search: bool,
-    /// The node every path starts with ("fixed start"); none: "random start", all are tried.
-    pub first: Option<NodeId>,
+    /// Parameters of every swarm method.
+    #[serde(flatten)]
+    pub settings: SwarmSettings,
     /// Steps of all walks of the proximity method together: the paper walks from every feature point; on large sheets
     /// that takes hours, so fewer are tried, evenly spread.
     pub proximity_steps: u64,
@@ -58,8 +49,6 @@ pub struct Lpspso {
     pub flights_must_gain: bool,
     /// Iterations without a better path after which the chaotic number is drawn once more, step 7.
     pub patience: u32,
-    /// Largest velocity, in shares of the range of a key; not given in the paper.
-    pub fastest: f64,
     /// Exponent of gains, eq. (5).
     pub alpha: f64,
     /// Exponent of losses, eq. (5).
@@ -77,11 +66,7 @@ pub struct Lpspso {
 impl Default for Lpspso {
     fn default() -> Self {
         Self {
-            particles: 50,
-            rounds: 600,
-            measure: Measure::Euclidean,
-            local_search: true,
-            first: None,
+            settings: SwarmSettings::with_fastest(0.05),
             proximity_steps: 1_000_000,
             inertia_most: 0.95,
             inertia_least: 0.40,
@@ -94,7 +79,6 @@ impl Default for Lpspso {
             levy_step: 0.4,
             flights_must_gain: true,
             patience: 10,
-            fastest: 0.05,
             alpha: 0.85,
             beta: 0.85,
             gamma: 2.25,
@@ -119,15 +103,7 @@ impl Solver for Lpspso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let settings = Settings {
-            particles: self.particles,
-            rounds: self.rounds,
-            measure: self.measure,
-            local_search: self.local_search,
-            first: self.first,
-            fastest: self.fastest,
-        };
-        Run::start(problem, seed, &settings, Swarm::new(self.clone()))
+        Run::start(problem, seed, &self.settings, Swarm::new(self.clone()))
     }
 }
 
@@ -150,7 +126,7 @@ struct Swarm {
     flight: bool,
     before: Vec<Origin>,
     /// Weights of this round for the particle being moved.
-    pull: Pull,
+    pull: Weights,
     learning: (f64, f64),
     /// Rounds without a better path.
     idle: u32,
@@ -179,7 +155,7 @@ impl Swarm {
             tau: 1.0,
             flight: false,
             before: Vec::new(),
-            pull: Pull::default(),
+            pull: Weights::default(),
             learning: (0.0, 0.0),
             idle: 0,
             z: 0.0,

@@ -9,9 +9,11 @@ mod proximity;
 mod pso;
 mod rules;
 mod run;
+mod settings;
 mod worth;
 
 pub use aco_pso::AcoPso;
 pub use k_pso::KPso;
 pub use lpspso::Lpspso;
 pub use pso::Pso;
+pub use settings::{SwarmSettings, Weights};

@@ -77,10 +77,9 @@ impl Proximity {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::machine;
-    use crate::problem::{Groups, Item, Node, Problem};
+    use crate::problem::Problem;
     use crate::solve::papers::Measure;
-    use glam::DVec2;
+    use crate::solve::papers::test_sheet::sheet;
 
     /// The worked example, table 2: feature points of seven contours.
     const SEVEN: [&[[f64; 2]]; 7] = [
@@ -122,21 +121,9 @@ mod tests {
         ],
     ];
 
-    /// Open from the origin, with these feature points.
+    /// A path from the origin over contours with these feature points that does not return.
     fn problem(contours: &[&[[f64; 2]]]) -> Problem {
-        let (mut items, mut nodes) = (Vec::new(), Vec::new());
-        for (points, item) in contours.iter().zip(0..) {
-            let first = u32::try_from(nodes.len()).unwrap();
-            for (&[x, y], twin) in points.iter().zip(first..) {
-                let entry = DVec2::new(x, y);
-                nodes.push(Node { item, entry, exit: entry, along: 0.0, reversed: false, twin });
-            }
-            let nodes = first..u32::try_from(nodes.len()).unwrap();
-            items.push(Item { nodes, ..Item::default() });
-        }
-        let (machine, home) = (machine::presets().into_iter().next().unwrap(), DVec2::ZERO);
-        let groups = Groups::default();
-        Problem { items, nodes, home, closed: false, machine, pairs: vec![], groups, table: None }
+        Problem { closed: false, ..sheet(contours, None, "length") }
     }
 
     fn paths(problem: &Problem, first: Option<NodeId>, most: u64) -> Vec<(f64, Vec<NodeId>)> {

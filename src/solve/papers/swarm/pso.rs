@@ -2,10 +2,10 @@
 //! random numbers, no flights, lengths as they are. Their parameters are not in the paper; these are the constricted
 //! swarm's (Clerc & Kennedy, IEEE Transactions on Evolutionary Computation 6, 2002).
 
-use super::super::legs::Measure;
-use super::flock::{Flock, Pull};
-use super::run::{Guide, Run, Settings};
-use crate::problem::{NodeId, Problem};
+use super::flock::Flock;
+use super::run::{Guide, Run};
+use super::settings::{SwarmSettings, Weights};
+use crate::problem::Problem;
 use crate::solve::dice::Dice;
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
@@ -13,60 +13,18 @@ use std::ops::Range;
 
 /// The method with its parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
 pub struct Pso {
-    /// Particles.
-    pub particles: u32,
-    /// Iterations.
-    pub rounds: u32,
-    /// How ways are measured.
-    pub measure: Measure,
-    /// 2-opt, Or-opt and the best entries on each particle's tour before it is valued.
-    pub local_search: bool,
-    /// The node every path starts with; none: any.
-    pub first: Option<NodeId>,
-    /// Inertia weight.
-    pub inertia: f64,
-    /// Individual learning factor.
-    pub own: f64,
-    /// Group learning factor.
-    pub swarm: f64,
-    /// Largest velocity, in shares of the range of a key.
-    pub fastest: f64,
+    /// Parameters of every swarm method.
+    #[serde(flatten)]
+    pub settings: SwarmSettings,
+    /// Constant weights.
+    #[serde(flatten)]
+    pub weights: Weights,
 }
 
 impl Default for Pso {
     fn default() -> Self {
-        Self {
-            particles: 50,
-            rounds: 600,
-            measure: Measure::Euclidean,
-            local_search: true,
-            first: None,
-            inertia: 0.7298,
-            own: 1.496_18,
-            swarm: 1.496_18,
-            fastest: 0.2,
-        }
-    }
-}
-
-impl Pso {
-    /// What every swarm method is told.
-    pub(super) fn settings(&self) -> Settings {
-        Settings {
-            particles: self.particles,
-            rounds: self.rounds,
-            measure: self.measure,
-            local_search: self.local_search,
-            first: self.first,
-            fastest: self.fastest,
-        }
-    }
-
-    /// How it moves.
-    pub(super) fn plain(&self) -> Plain {
-        Plain { pull: Pull { inertia: self.inertia, own: self.own, swarm: self.swarm }, sown: 0 }
+        Self { settings: SwarmSettings::with_fastest(0.2), weights: Weights::CONSTRICTED }
     }
 }
 
@@ -84,15 +42,22 @@ impl Solver for Pso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        Run::start(problem, seed, &self.settings(), self.plain())
+        Run::start(problem, seed, &self.settings, Plain::new(self.weights))
     }
 }
 
 /// The standard swarm at work; the others move as it does.
 pub(super) struct Plain {
-    pub(super) pull: Pull,
+    weights: Weights,
     /// Particles that have their keys.
-    pub(super) sown: usize,
+    sown: usize,
+}
+
+impl Plain {
+    /// A swarm that is not sown yet.
+    pub(super) fn new(weights: Weights) -> Self {
+        Self { weights, sown: 0 }
+    }
 }
 
 impl Guide for Plain {
@@ -106,8 +71,8 @@ impl Guide for Plain {
     }
 
     fn drive(&mut self, flock: &mut Flock, particle: usize, keys: Range<usize>) {
-        let Pull { inertia, own, swarm } = self.pull;
-        let draw = |dice: &mut Dice| Pull { inertia, own: own * dice.even(), swarm: swarm * dice.even() };
+        let Weights { inertia, own, swarm } = self.weights;
+        let draw = |dice: &mut Dice| Weights { inertia, own: own * dice.even(), swarm: swarm * dice.even() };
         flock.pull(particle, keys, draw);
     }
 }

@@ -4,8 +4,9 @@
 use super::super::keys::Keys;
 use super::super::lead::{Lead, Pieces, Running, solution};
 use super::super::left::Left;
-use super::super::legs::{Legs, Measure};
+use super::super::legs::Legs;
 use super::flock::{Flock, Particle};
+use super::settings::SwarmSettings;
 use super::worth::{Valued, Worth};
 use crate::problem::{NodeId, Problem};
 use crate::solve::Search;
@@ -15,16 +16,6 @@ use std::ops::Range;
 
 /// Keys moved in one piece: with two normal numbers for each, half a millisecond.
 const KEYS: usize = 4096;
-
-/// What every swarm method may be told.
-pub(super) struct Settings {
-    pub(super) particles: u32,
-    pub(super) rounds: u32,
-    pub(super) measure: Measure,
-    pub(super) local_search: bool,
-    pub(super) first: Option<NodeId>,
-    pub(super) fastest: f64,
-}
 
 /// What makes a method of a swarm. Every function works one piece and tells its price.
 pub(super) trait Guide {
@@ -77,7 +68,7 @@ impl<'p, G: Guide + 'p> Run<'p, G> {
     pub(super) fn start(
         problem: &'p Problem,
         seed: u64,
-        settings: &Settings,
+        settings: &SwarmSettings,
         guide: G,
     ) -> Box<dyn Search + 'p> {
         let keys = Keys::new(problem, settings.first);

@@ -7,6 +7,19 @@ use crate::problem::NodeId;
 use crate::solve::epsilon::EPSILON;
 use glam::DVec2;
 
+/// Largest number of contours that are tried in every order.
+pub(super) const MOST_ORDERED: usize = 3;
+
+/// Every order of up to [`MOST_ORDERED`] contours; none for more.
+pub(super) fn orders(contours: usize) -> &'static [&'static [usize]] {
+    match contours {
+        1 => &[&[0]],
+        2 => &[&[0, 1], &[1, 0]],
+        3 => &[&[0, 1, 2], &[0, 2, 1], &[1, 0, 2], &[1, 2, 0], &[2, 0, 1], &[2, 1, 0]],
+        _ => &[],
+    }
+}
+
 /// The cheapest nodes for layers passed in order between two places, and what they cost.
 pub(super) fn cheapest(
     g: &Ground,

@@ -5,7 +5,7 @@
 //! 2-opt, Or-3opt with re-entry over neighbour lists, kicked and annealed (`tour_tree`). Up to three contours are tried in
 //! every order. Precedence is left out, as in the paper.
 
-use super::entries::cheapest;
+use super::entries::{MOST_ORDERED, cheapest, orders};
 use super::forest::Forest;
 use super::ground::Ground;
 use crate::problem::{Groups, Item, ItemId, Node, NodeId, Problem};
@@ -13,8 +13,6 @@ use crate::solve::epsilon::EPSILON;
 use crate::solve::tour_tree::TourTree;
 use crate::solve::{Running, Solution, Solver, Status, Stop};
 
-/// Contours that are tried in every order.
-const FEW: usize = 3;
 /// Moves to a piece: about a millisecond.
 const SLICE: u64 = 1_000;
 
@@ -39,7 +37,7 @@ impl Gtsp {
         moves: &mut u64,
     ) -> Option<Self> {
         let items = forest.items(route).to_vec();
-        if items.len() <= FEW {
+        if items.len() <= MOST_ORDERED {
             *moves += few(g, forest, route);
             return None;
         }
@@ -124,12 +122,7 @@ fn set(g: &Ground, forest: &mut Forest, route: u32, nodes: &[NodeId]) {
 
 /// Every order of a few contours, with the best entries of each; how many orders.
 fn few(g: &Ground, forest: &mut Forest, route: u32) -> u64 {
-    let orders: &[&[usize]] = match forest.items(route).len() {
-        1 => &[&[0]],
-        2 => &[&[0, 1], &[1, 0]],
-        3 => &[&[0, 1, 2], &[0, 2, 1], &[1, 0, 2], &[1, 2, 0], &[2, 0, 1], &[2, 1, 0]],
-        _ => &[],
-    };
+    let orders = orders(forest.items(route).len());
     let layer = |&k: &usize| g.nodes(forest.items(route)[k]).filter(|&n| forest.may_enter(n)).collect();
     let tried = orders.iter().map(|order| {
         let layers: Vec<Vec<NodeId>> = order.iter().map(layer).collect();

@@ -34,7 +34,6 @@ impl Solver for PartitionTree {
 
 /// The construction heuristic alone.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
 pub struct Pfr {}
 
 impl Solver for Pfr {
@@ -59,7 +58,6 @@ impl Solver for Pfr {
 
 /// All contours in one partition, each cut in one go: what CAM programs make.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
 pub struct GtspLk {
     /// Moves of the search, a contour.
     pub gtsp_moves: u64,

@@ -29,7 +29,6 @@ pub enum InitialTours {
 
 /// The partition-tree framework.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
 pub struct PartitionTree {
     /// Initial partitions.
     pub start: InitialPartitions,

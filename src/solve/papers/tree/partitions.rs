@@ -1,7 +1,7 @@
 //! The first set of repartitioning moves: a partition is hung up elsewhere; a partition of one contour with a child of one
 //! contour (and a child of that one) is merged with it and hung up elsewhere, or at the same node (figure 6).
 
-use super::entries::cheapest;
+use super::entries::{cheapest, orders};
 use super::forest::Forest;
 use super::ground::Ground;
 use super::moves::{Found, Move};
@@ -79,13 +79,8 @@ fn merge(g: &Ground, forest: &Forest, items: &[ItemId], found: &mut Found) {
     let freed = |n: NodeId| items[1..].iter().any(|&i| forest.at(forest.route_of(i)) == Some(n));
     let layer =
         |i: ItemId| -> Vec<NodeId> { g.nodes(i).filter(|&n| forest.may_enter(n) || freed(n)).collect() };
-    let orders: &[&[usize]] = if items.len() == 2 {
-        &[&[0, 1], &[1, 0]]
-    } else {
-        &[&[0, 1, 2], &[0, 2, 1], &[1, 0, 2], &[1, 2, 0], &[2, 0, 1], &[2, 1, 0]]
-    };
     let orders: Vec<Vec<Vec<NodeId>>> =
-        orders.iter().map(|o| o.iter().map(|&k| layer(items[k])).collect()).collect();
+        orders(items.len()).iter().map(|o| o.iter().map(|&k| layer(items[k])).collect()).collect();
     let mut places: Vec<NodeId> = items
         .iter()
         .flat_map(|&i| g.nodes(i))

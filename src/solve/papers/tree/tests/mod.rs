@@ -6,30 +6,16 @@ mod resolution;
 
 use super::forest::{Forest, ROOT};
 use super::ground::Ground;
-use crate::geometry::DVec2;
-use crate::machine;
-use crate::problem::{Groups, Item, Node, NodeId, Problem};
+use crate::problem::{NodeId, Problem};
 use crate::solve::dice::Dice;
+use crate::solve::papers::test_sheet;
 
 /// Seconds of leaving a contour in most tests.
 const PRE_CUT: f64 = 1.0;
 
-/// Closed contours of these corners, which may be left for [`PRE_CUT`]; home at 0, a second a millimetre, back home.
+/// Closed contours with these corners, which may be left for [`PRE_CUT`]; a path of 1 mm takes a second.
 fn sheet(contours: &[&[[f64; 2]]]) -> Problem {
-    let (mut items, mut nodes) = (Vec::new(), Vec::new());
-    for (contour, item) in contours.iter().zip(0..) {
-        let first = NodeId::try_from(nodes.len()).unwrap();
-        for (corner, along) in contour.iter().zip(0..) {
-            let entry = DVec2::from(*corner);
-            let twin = NodeId::try_from(nodes.len()).unwrap();
-            nodes.push(Node { item, entry, exit: entry, along: along.into(), reversed: false, twin });
-        }
-        let nodes = first..NodeId::try_from(nodes.len()).unwrap();
-        items.push(Item { nodes, leave: Some(PRE_CUT), ..Item::default() });
-    }
-    let machine = machine::preset("length").unwrap();
-    let (home, pairs, groups, table) = (DVec2::ZERO, Vec::new(), Groups::default(), None);
-    Problem { items, nodes, home, closed: true, machine, pairs, groups, table }
+    test_sheet::sheet(contours, Some(PRE_CUT), "length")
 }
 
 /// Random contours of that many corners each, some inside others, some that may not be left, one now and then open.

@@ -1,0 +1,28 @@
+//! Selection in proportion to fitness ("roulette wheel").
+
+use crate::solve::dice::Dice;
+
+/// Draws indices, each with a probability in proportion to its fitness.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Roulette {
+    /// Sum of the fitnesses up to each index.
+    sums: Vec<f64>,
+}
+
+impl Roulette {
+    /// A wheel for these fitnesses, by index.
+    pub(super) fn new(fitness: impl IntoIterator<Item = f64>) -> Self {
+        let mut sum = 0.0;
+        let add = |f| {
+            sum += f;
+            sum
+        };
+        Self { sums: fitness.into_iter().map(add).collect() }
+    }
+
+    /// Draws an index; 0 when there are none.
+    pub(super) fn spin(&self, dice: &mut Dice) -> usize {
+        let at = dice.even() * self.sums.last().copied().unwrap_or(0.0);
+        self.sums.partition_point(|&s| s <= at).min(self.sums.len().saturating_sub(1))
+    }
+}

@@ -1,0 +1,48 @@
+//! Parameters that several swarm methods share. Each method holds them in a field that serde flattens, so callers see one
+//! flat object.
+
+use super::super::legs::Measure;
+use crate::problem::NodeId;
+use serde::{Deserialize, Serialize};
+
+/// Parameters of every swarm method.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SwarmSettings {
+    /// Number of particles (N).
+    pub particles: u32,
+    /// Number of iterations (tmax), after which the method ends.
+    pub rounds: u32,
+    /// How distances are measured, eq. (1).
+    pub measure: Measure,
+    /// Whether 2-opt, Or-opt and the choice of the best entries improve each particle's tour before it is measured. This
+    /// is not in the paper, but random keys alone do not come near its results.
+    pub local_search: bool,
+    /// The node that every path starts with ("fixed start"); `None` lets every node be the first ("random start").
+    pub first: Option<NodeId>,
+    /// Largest velocity, as a fraction of the range of a key.
+    pub fastest: f64,
+}
+
+impl SwarmSettings {
+    /// The settings of the paper, with this largest velocity, which the paper does not give.
+    pub(super) const fn with_fastest(fastest: f64) -> Self {
+        let measure = Measure::Euclidean;
+        Self { particles: 50, rounds: 600, measure, local_search: true, first: None, fastest }
+    }
+}
+
+/// Constant weights of the standard swarm, eq. (14).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Weights {
+    /// Inertia weight.
+    pub inertia: f64,
+    /// Learning factor towards the particle's own best position.
+    pub own: f64,
+    /// Learning factor towards the best position of the swarm.
+    pub swarm: f64,
+}
+
+impl Weights {
+    /// The constricted swarm of Clerc & Kennedy (2002).
+    pub(super) const CONSTRICTED: Self = Self { inertia: 0.7298, own: 1.496_18, swarm: 1.496_18 };
+}
