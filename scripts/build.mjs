@@ -37,15 +37,20 @@ const OPTIMISE = ['-O3', '--flexible-inline-max-function-size=8', '--one-caller-
 
 /** Builds everything; each wasm file only when something it is made of changed. `quick`: for trying out, not for publishing. */
 export async function build({ quick = false } = {}) {
-  mkdirSync(WASM, { recursive: true });
-  await together(compiling({ quick }));
-  for (const name of Object.keys(FILES)) bind(name, quick);
+  await wasmFiles({ quick });
   sdk();
   console.log('build: the page');
   run('tsc', ['-p', join(ROOT, 'www', 'app')]);
   run('vite', ['build', '--logLevel', 'warn', join(ROOT, 'www', 'app')]);
   offline();
   if (!quick) weigh();
+}
+
+/** Makes the wasm files that are out of date, with their JavaScript and their types. */
+export async function wasmFiles({ quick = false } = {}) {
+  mkdirSync(WASM, { recursive: true });
+  await together(compiling({ quick }));
+  for (const name of Object.keys(FILES)) bind(name, quick);
 }
 
 /** The task that compiles the wasm files which are out of date; it needs no tool but cargo. */

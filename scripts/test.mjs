@@ -1,70 +1,95 @@
-// npm test: sets up, builds and runs every test there is; the last line counts them.
+// npm test: sets up, builds and runs every test there is. npm run check: formatting, lints, native tests and types, for
+// between two edits. The last line counts passed, failed and skipped tests.
 
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { build } from './build.mjs';
+import { build, wasmFiles } from './build.mjs';
 import { setup } from './setup.mjs';
+import { sinceStart } from './together.mjs';
 import { main, ROOT, tee } from './tools.mjs';
 
-// The native tests read files, which wasm has none of: it has its own.
-const WASM = ['--target', 'wasm32-unknown-unknown', '--lib', '--test', 'wasm'];
 const DENY = ['--', '-D', 'warnings'];
+const WASM = ['--target', 'wasm32-unknown-unknown'];
+// The native tests read files, which wasm cannot: it has a test binary of its own.
+const WASM_TESTS = ['--lib', '--test', 'wasm'];
 
-const CHECKS = [
-  ['Rust formatting', 'cargo', ['fmt', '--check']],
-  ['clippy', 'cargo', ['clippy', '--locked', '--all-targets', ...DENY]],
-  ['clippy, PNG renderer', 'cargo', ['clippy', '--locked', '--all-targets', '--features', 'png', ...DENY]],
-  ['clippy, wasm', 'cargo', ['clippy', '--locked', ...WASM, '--features', 'lab', ...DENY]],
-  ['Rust tests', 'cargo', ['test', '--locked', '--features', 'png', '--no-fail-fast']],
-  ['wasm tests under Node', 'wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--locked', '--test', 'wasm']],
+const NATIVE = [
+  command('Rust formatting', 'cargo', ['fmt', '--check']),
+  command('clippy', 'cargo', ['clippy', '--locked', '--all-targets', '--features', 'png', ...DENY]),
+  command('Rust tests', 'cargo', ['test', '--locked', '--features', 'png', '--no-fail-fast']),
 ];
 
-const AFTER_BUILD = [
-  ['package tests', 'node', ['--test', '--test-reporter=spec', ...testFiles('package')]],
-  ['browser tests', 'node', ['--test', '--test-reporter=spec', '--test-concurrency=1', ...testFiles('browser')]],
+const IN_WASM = [
+  command('clippy of the core, in wasm', 'cargo', ['clippy', '--locked', ...WASM, '--lib', '--no-default-features', '--features', 'planner', ...DENY]),
+  command('clippy of the research build and its tests, in wasm', 'cargo', ['clippy', '--locked', ...WASM, ...WASM_TESTS, ...DENY]),
+  command('wasm tests under Node', 'wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--locked', '--test', 'wasm']),
+];
+
+const OF_THE_BUILD = [
+  command('package tests', 'node', ['--test', '--test-reporter=spec', ...testFiles('package')]),
+  command('browser tests', 'node', ['--test', '--test-reporter=spec', '--test-concurrency=1', ...testFiles('browser')]),
+];
+
+const TYPES = [
+  step('wasm files, quick', () => wasmFiles({ quick: true })),
+  command('types of the package', 'tsc', ['-p', join(ROOT, 'www', 'sdk')]),
+  command('types of the page', 'tsc', ['-p', join(ROOT, 'www', 'app')]),
 ];
 
 main(async () => {
-  await setup({ tests: true });
+  const quick = process.argv.includes('--check');
+  await setup({ tests: !quick });
   const results = [];
-  for (const step of CHECKS) results.push(await check(step));
-  results.push(await attempt('build', build));
-  if (results.at(-1).failed === 0) for (const step of AFTER_BUILD) results.push(await check(step));
-  else results.push({ name: 'package and browser tests, not run without a build', passed: 0, failed: 1 });
-
+  const all = async (steps) => {
+    for (const { name, work } of steps) {
+      console.log(`\n== ${name}`);
+      results.push({ name, ...(await work()) });
+    }
+  };
+  await all(NATIVE);
+  if (quick) await all(TYPES);
+  else {
+    await all([...IN_WASM, step('build', build)]);
+    if (results.at(-1).failed === 0) await all(OF_THE_BUILD);
+    else results.push({ name: 'package and browser tests, not run without a build', passed: 0, failed: 1, skipped: 0 });
+  }
   console.log('');
   for (const r of results) console.log(`${r.failed === 0 ? 'ok    ' : 'FAILED'}  ${r.name}${counts(r)}`);
   const sum = (key) => results.reduce((n, r) => n + r[key], 0);
-  console.log(`\n${sum('passed')} passed, ${sum('failed')} failed`);
+  console.log(`\nAfter ${sinceStart()}:\n${sum('passed')} passed, ${sum('failed')} failed, ${sum('skipped')} skipped`);
   if (sum('failed') > 0) process.exitCode = 1;
 });
 
-/** Runs one command and counts the tests it reports; one without tests (a linter) counts as one. */
-async function check([name, command, args]) {
-  console.log(`\n== ${name}`);
-  const { code, text } = await tee(command, args);
-  const plain = text.replace(/\x1b\[[0-9;]*m/g, '');
-  const rust = [...plain.matchAll(/^test result: \w+\. (\d+) passed; (\d+) failed/gm)];
-  const node = [['pass', 'fail'].map((k) => Number(new RegExp(`^\\S+ ${k} (\\d+)$`, 'm').exec(plain)?.[1] ?? 0))];
-  const all = [...rust.map((m) => [Number(m[1]), Number(m[2])]), ...node];
-  const [passed, failed] = all.reduce(([p, f], [a, b]) => [p + a, f + b], [0, 0]);
-  if (code === 0) return { name, passed: passed || 1, failed };
-  return { name, passed, failed: failed || 1 };
+/** A step that runs a command and counts the tests it reports; a command without tests, such as a linter, counts as one. */
+function command(name, program, args) {
+  const work = async () => {
+    const { code, text } = await tee(program, args);
+    const plain = text.replace(/\x1b\[[0-9;]*m/g, '');
+    const rust = [...plain.matchAll(/^test result: \w+\. (\d+) passed; (\d+) failed; (\d+) ignored/gm)].map((m) => m.slice(1, 4).map(Number));
+    const node = ['pass', 'fail', 'skipped'].map((k) => Number(new RegExp(`^\\S+ ${k} (\\d+)$`, 'm').exec(plain)?.[1] ?? 0));
+    const [passed, failed, skipped] = [...rust, node].reduce((sum, counts) => sum.map((n, k) => n + counts[k]), [0, 0, 0]);
+    return code === 0 ? { passed: passed || 1, failed, skipped } : { passed, failed: failed || 1, skipped };
+  };
+  return { name, work };
 }
 
-async function attempt(name, body) {
-  console.log(`\n== ${name}`);
-  try {
-    await body();
-    return { name, passed: 1, failed: 0 };
-  } catch (error) {
-    console.error(error.message);
-    return { name, passed: 0, failed: 1 };
-  }
+/** A step of our own scripts, which counts as one test. */
+function step(name, body) {
+  const work = async () => {
+    try {
+      await body();
+      return { passed: 1, failed: 0, skipped: 0 };
+    } catch (error) {
+      console.error(error.message);
+      return { passed: 0, failed: 1, skipped: 0 };
+    }
+  };
+  return { name, work };
 }
 
-function counts({ passed, failed }) {
-  return passed + failed > 1 ? ` (${passed} passed, ${failed} failed)` : '';
+function counts({ passed, failed, skipped }) {
+  if (passed + failed + skipped <= 1) return '';
+  return ` (${passed} passed, ${failed} failed${skipped > 0 ? `, ${skipped} skipped` : ''})`;
 }
 
 function testFiles(folder) {

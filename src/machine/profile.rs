@@ -9,62 +9,61 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Travel {
-    /// Both axes move along a straight line, as fast as the limiting axis allows in this direction; at 45 degrees the
-    /// head is faster than either axis. GRBL and similar controllers do this.
+    /// Together along a straight line, as fast as the axis that binds in this direction allows: at 45 degrees the
+    /// head is faster than either axis. GRBL and most controllers of its kind.
     Straight,
-    /// The head moves along a straight line with the same limits in every direction, the lower of the two axes' limits,
-    /// so the time depends on the Euclidean distance. This fits controllers with one idle speed for x and y, and
-    /// comparison with published lengths.
+    /// Along a straight line with the same limits in every direction, the lower of the two axes': time by the
+    /// distance (Euclidean). Controllers with one idle speed for x and y, and comparison with published lengths.
     Vector,
-    /// Each axis moves at its own top speed; the slower axis determines the time (Chebyshev).
+    /// Each at its own top speed; time is that of the axis that takes longest (Chebyshev).
     PerAxis,
 }
 
-/// Limits of the two axes.
+/// Limits of one axis pair.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Axes {
     /// Top speed of x and y, mm/s.
     pub speed: [f64; 2],
-    /// Acceleration of x and y, mm/s2; `None` if the speed is reached instantly.
+    /// Acceleration of x and y, mm/s2; `None`: at once.
     pub accel: Option<[f64; 2]>,
 }
 
-/// How the beam works in the material, for cutting or for marking.
+/// What the beam does in the material: one for cutting, one for marking.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Process {
     /// Speed along the contour, mm/s.
     pub speed: f64,
-    /// Acceleration along the contour, mm/s2; `None` if the speed is reached instantly.
+    /// Acceleration along the contour, mm/s2; `None`: at once.
     pub accel: Option<f64>,
-    /// Power as a fraction of full power, 0 to 1.
+    /// Power, 0 to 1.
     pub power: f64,
 }
 
-/// Dialect of G-code.
+/// Flavour of G-code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Dialect {
-    /// GRBL 1.1 in laser mode with dynamic power (M4).
+    /// GRBL 1.1 laser mode, M4 dynamic power.
     GrblM4,
 }
 
-/// A machine with a material.
+/// A machine with a material on it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Profile {
-    /// Version of this data format: 1.
+    /// Format of this data: 1.
     pub version: u32,
     /// Name of the preset (`co2-100w`).
     pub name: String,
-    /// Title for people.
+    /// For people.
     pub title: String,
-    /// Position of the head before the first move, mm.
+    /// Where the head starts, mm.
     pub home: [f64; 2],
-    /// Whether the head returns home at the end.
+    /// Goes back home at the end.
     pub return_home: bool,
-    /// How air moves are run.
+    /// How air moves run.
     pub travel: Travel,
     /// Limits of air moves.
     pub rapid: Axes,
@@ -72,34 +71,34 @@ pub struct Profile {
     pub cut: Process,
     /// Marking.
     pub mark: Process,
-    /// Allowed deviation at corners in the look-ahead, mm (GRBL's junction deviation, `$11`). It also limits the speed
-    /// on arcs, which such a controller runs as chords. With `None`, corners are passed at full speed, and the speed on
-    /// arcs is limited by the centripetal acceleration.
+    /// Allowed deviation at corners for the look-ahead, mm (GRBL's junction deviation, `$11`); it limits the speed on
+    /// arcs too, which such a controller runs as chords. `None`: full speed through every corner, and on arcs what the
+    /// acceleration allows towards the centre.
     pub junction_deviation: Option<f64>,
-    /// Seconds to pierce the material.
+    /// Seconds to pierce.
     pub pierce_time: f64,
-    /// Seconds of a pre-cut. A contour may be interrupted where a pre-cut is made, and is resumed there without
-    /// piercing. With 0, contours may be interrupted without charge and without pre-cuts (the partial cutting of the
-    /// hull-part papers). With `None`, every contour is cut in one go.
+    /// Seconds of a pre-cut: a contour may be left unfinished wherever one is made, and resumed there without piercing.
+    /// 0: contours are left free of charge and without pre-cuts (the hull-part papers' partial cutting); `None`:
+    /// contours are cut in one go.
     #[serde(default)]
     pub pre_cut_time: Option<f64>,
-    /// Length of a pre-cut, mm. It is cut and the head returns within [`Profile::pre_cut_time`].
+    /// How far a pre-cut reaches into the contour, mm: cut there and back within [`Profile::pre_cut_time`].
     #[serde(default, skip_serializing_if = "is_zero")]
     pub pre_cut_length: f64,
-    /// The corners that are cut with a pause; `None` for no such corners.
+    /// Which corners are cut with a pause; `None`: none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sharp_corner: Option<SharpCorner>,
-    /// Width of the cut, mm. If it is above 0, contours are outlines of parts and holes, and the beam is offset from
-    /// them by half the kerf width. If it is 0, the beam follows the drawn lines.
+    /// How wide the beam cuts, mm. Above 0, contours are outlines of parts and holes, and the beam follows them half of this
+    /// aside; 0: it follows the lines drawn.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub kerf_width: f64,
-    /// Time for the beam to settle before a cut, s.
+    /// Beam settling before a cut, s.
     pub beam_on_delay: f64,
-    /// Time for the beam to settle after a cut, s.
+    /// Beam settling after a cut, s.
     pub beam_off_delay: f64,
-    /// Dialect of G-code.
+    /// G-code flavour.
     pub dialect: Dialect,
-    /// S value at full power.
+    /// The S word of full power.
     pub max_s: f64,
 }
 
@@ -109,17 +108,17 @@ fn is_zero(length: &f64) -> bool {
 }
 
 impl Profile {
-    /// The process along a contour that is marked or cut.
+    /// What the beam does along a contour that is marked, or cut.
     pub fn process(&self, mark: bool) -> &Process {
         if mark { &self.mark } else { &self.cut }
     }
 
-    /// Whether pre-cuts have a cost. If so, contours that share cuts are cut as one.
+    /// Whether it makes pre-cuts that cost something: then contours that share cuts are cut as one.
     pub fn makes_pre_cuts(&self) -> bool {
         self.pre_cut_time.is_some_and(|seconds| seconds > 0.0)
     }
 
-    /// The part of the rest of a contour that a pre-cut at its start covers: at most half of it.
+    /// What a pre-cut reaches of the rest of a contour, from where that begins: half of it at most.
     pub fn cut_ahead(&self, rest: &Path) -> Vec<Segment> {
         let length = self.pre_cut_length.min(0.5 * rest.length());
         if length > 0.0 { rest.between(0.0, length) } else { Vec::new() }

@@ -1,12 +1,12 @@
-//! Data of sharp corners.
+//! Which corners count as sharp.
 
 use serde::{Deserialize, Serialize};
 
-/// Which corners need a macro, and how long it takes.
+/// When a corner needs a macro, and what it takes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SharpCorner {
-    /// Corners whose elements meet at less than this angle are sharp, rad; pi is straight on.
+    /// Corners are sharp whose elements meet at less than this angle, rad: pi is straight on.
     pub angle: f64,
     /// Seconds that the corner cools.
     pub time: f64,

@@ -7,10 +7,12 @@ thread_local! {
     static LAST: RefCell<Option<String>> = const { RefCell::new(None) };
 }
 
-/// Installs the hook when the instance starts.
+/// Adds the hook to the one there is when the instance starts.
 #[wasm_bindgen(start)]
 pub fn start() {
-    std::panic::set_hook(Box::new(|panic| {
+    let before = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        before(panic);
         console_error_panic_hook::hook(panic);
         LAST.set(Some(panic.to_string()));
     }));

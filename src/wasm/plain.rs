@@ -1,15 +1,15 @@
 //! Reports and objects for JavaScript.
 
-use crate::output::json_text;
-use js_sys::JSON;
 use js_sys::{Object, Reflect};
 use serde::Serialize;
+use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 
-/// A plain object. By way of JSON text: the writer of plans is there anyway, and a second one, which sets fields one by
-/// one, is slower and larger.
+/// A plain object, as `JSON.parse` would make it of the value's JSON text.
 pub(super) fn plain(value: &impl Serialize) -> Result<JsValue, JsError> {
-    JSON::parse(&json_text(value)).map_err(|_| JsError::new("The report could not be passed on."))
+    value
+        .serialize(&Serializer::json_compatible())
+        .map_err(|_| JsError::new("The report could not be passed on."))
 }
 
 /// An object with these fields.

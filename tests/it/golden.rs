@@ -119,3 +119,14 @@ fn another_seed_may_give_another_plan_but_never_one_that_fails_its_check() {
         }
     }
 }
+
+#[test]
+fn every_method_plans_the_bytes_expected() {
+    let hashes = crate::testkit::methods::hashes();
+    if std::env::var_os("KERFWAY_BLESS").is_some() {
+        fs::write(at("golden/methods.json"), serde_json::to_string_pretty(&hashes).unwrap() + "\n").unwrap();
+        return;
+    }
+    let expected: BTreeMap<String, String> = serde_json::from_str(crate::testkit::methods::EXPECTED).unwrap();
+    assert_eq!(hashes, expected);
+}
