@@ -1,7 +1,6 @@
 //! Solvers behind two traits, and the registry that names them.
 
 mod as_drawn;
-mod dice;
 mod epsilon;
 mod exact;
 mod greedy;
@@ -10,6 +9,7 @@ mod insight;
 pub mod papers;
 pub mod pierce_group;
 mod precedence;
+mod rng;
 mod running;
 mod tour_tree;
 mod traits;

@@ -1,6 +1,6 @@
 //! Selection in proportion to fitness ("roulette wheel").
 
-use crate::solve::dice::Dice;
+use crate::solve::rng::{Draw, Rng};
 
 /// Draws indices, each with a probability in proportion to its fitness.
 #[derive(Clone, Debug, Default)]
@@ -21,8 +21,8 @@ impl Roulette {
     }
 
     /// Draws an index; 0 when there are none.
-    pub(super) fn spin(&self, dice: &mut Dice) -> usize {
-        let at = dice.even() * self.sums.last().copied().unwrap_or(0.0);
+    pub(super) fn spin(&self, rng: &mut Rng) -> usize {
+        let at = rng.uniform() * self.sums.last().copied().unwrap_or(0.0);
         self.sums.partition_point(|&s| s <= at).min(self.sums.len().saturating_sub(1))
     }
 }

@@ -44,10 +44,10 @@ mod tests;
 mod tour;
 mod travel;
 
-use super::dice::Dice;
 use super::greedy::greedy;
 use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
 use crate::problem::Problem;
+use crate::solve::rng::seeded;
 use anneal::Annealing;
 use best::Best;
 use children::Children;
@@ -73,9 +73,9 @@ impl Solver for TourTree {
         let space = Space::new(problem);
         let leaving = children::may_leave(&space);
         // One more seed for the routes: the root's cycles are the same with and without them.
-        let children = leaving.then(|| Children::new(&space, &first, Dice::new(seed.wrapping_add(1))));
+        let children = leaving.then(|| Children::new(&space, &first, seeded(seed.wrapping_add(1))));
         let kept = if leaving { children::flattened(&space, &first) } else { space.kept(&first) };
-        let annealing = Annealing::new(Tour::new(space, kept), Dice::new(seed));
+        let annealing = Annealing::new(Tour::new(space, kept), seeded(seed));
         Box::new(TourTreeSearch {
             annealing,
             children,

@@ -6,11 +6,11 @@
 //! overlooked. After Christiaens & Vanden Berghe, Transportation Science 54 (2020), and Smith & Imeson, Computers &
 //! Operations Research 87 (2017).
 
-use super::super::dice::Dice;
 use super::neighbours::Neighbours;
 use super::queue::Queue;
 use super::space::Space;
 use super::tour::Tour;
+use crate::solve::rng::{Draw, Rng};
 
 /// One place in this many is overlooked, as in Christiaens & Vanden Berghe.
 const BLINK: usize = 100;
@@ -19,14 +19,14 @@ const MOST: usize = 40;
 
 /// Takes out up to [`MOST`] items and puts them back; gives the seconds that costs. Touched items are queued. `None`
 /// when precedence left an item no place: the journal then takes the tour back.
-pub(super) fn rebuild(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, dice: &mut Dice) -> Option<f64> {
-    let mut gone = chosen(tour, near, dice);
+pub(super) fn rebuild(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, rng: &mut Rng) -> Option<f64> {
+    let mut gone = chosen(tour, near, rng);
     let mut rest = Rest::without(tour, &gone, queue);
     for k in (1..gone.len()).rev() {
-        gone.swap(k, dice.below(k + 1));
+        gone.swap(k, rng.below(k + 1));
     }
     for item in gone {
-        let found = rest.cheapest(tour, dice, item)?;
+        let found = rest.cheapest(tour, rng, item)?;
         rest.put(tour, queue, item, found);
     }
     tour.reorder(rest.order, rest.ways);
@@ -34,26 +34,26 @@ pub(super) fn rebuild(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, dic
 }
 
 /// Items to be taken out.
-fn chosen(tour: &Tour, near: &Neighbours, dice: &mut Dice) -> Vec<u32> {
-    let count = dice.length(MOST.min(tour.last()));
+fn chosen(tour: &Tour, near: &Neighbours, rng: &mut Rng) -> Vec<u32> {
+    let count = rng.log_uniform(MOST.min(tour.last()));
     let mut gone = Vec::with_capacity(count);
-    match dice.below(3) {
+    match rng.below(3) {
         0 => {
-            let from = 1 + dice.below(tour.last() + 1 - count);
+            let from = 1 + rng.below(tour.last() + 1 - count);
             gone.extend((from..from + count).map(|p| tour.item(p)));
         }
         way => {
-            gone.push(tour.item(1 + dice.below(tour.last())));
+            gone.push(tour.item(1 + rng.below(tour.last())));
             // Near ones may all be out already: then fewer go.
             for _ in 0..4 * count {
                 if gone.len() == count {
                     break;
                 }
                 let next = if way == 1 {
-                    let list = near.of_item(gone[dice.below(gone.len())]);
-                    list[dice.below(list.len())]
+                    let list = near.of_item(gone[rng.below(gone.len())]);
+                    list[rng.below(list.len())]
                 } else {
-                    tour.item(1 + dice.below(tour.last()))
+                    tour.item(1 + rng.below(tour.last()))
                 };
                 if next != tour.space.home && !gone.contains(&next) {
                     gone.push(next);
@@ -135,7 +135,7 @@ impl Rest {
     }
 
     /// Where an item that is out costs least, and where it is entered there.
-    fn cheapest(&mut self, tour: &mut Tour, dice: &mut Dice, item: u32) -> Option<Found> {
+    fn cheapest(&mut self, tour: &mut Tour, rng: &mut Rng, item: u32) -> Option<Found> {
         let space = &tour.space;
         let (first, last) = self.bounds(space, tour.free, item);
         let (reaching, rank) = (space.reaching(item), |i: u32| space.rank[i as usize]);
@@ -157,7 +157,7 @@ impl Rest {
             }
             let gap = tour.gap(from, to);
             let on = gap.to.map_or(0.0, |q| reaching.at_least(q, true));
-            if there + on - given >= least || dice.below(BLINK) == 0 {
+            if there + on - given >= least || rng.below(BLINK) == 0 {
                 continue;
             }
             let (at, seconds) = space.best_entry(item, gap, least + given);

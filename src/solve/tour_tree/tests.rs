@@ -5,12 +5,13 @@ use super::*;
 use crate::geometry::{Arc, DVec2, Path, Segment};
 use crate::machine::{self, AirTime, ClosedRun};
 use crate::problem::{Groups, Item, Node, NodeId};
+use crate::solve::rng::seeded;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
-struct Dice(Xoshiro256PlusPlus);
+struct TestRng(Xoshiro256PlusPlus);
 
-impl Dice {
+impl TestRng {
     fn below(&mut self, n: u64) -> u32 {
         u32::try_from(self.0.next_u64() % n).unwrap()
     }
@@ -22,29 +23,29 @@ impl Dice {
 
 /// Closed items with up to three loose entries, open items, some inside others, some of a later rank.
 pub(super) fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Problem {
-    let mut dice = Dice(Xoshiro256PlusPlus::seed_from_u64(seed));
+    let mut rng = TestRng(Xoshiro256PlusPlus::seed_from_u64(seed));
     let machine = machine::preset(machine).unwrap();
     let (mut items, mut nodes): (Vec<Item>, Vec<Node>) = (Vec::new(), Vec::new());
     for item in 0..count {
         let first = NodeId::try_from(nodes.len()).unwrap();
-        if dice.below(3) == 0 {
-            let (a, b) = (dice.place(), dice.place());
+        if rng.below(3) == 0 {
+            let (a, b) = (rng.place(), rng.place());
             nodes.push(Node { item, entry: a, exit: b, along: 0.0, reversed: false, twin: first + 1 });
             nodes.push(Node { item, entry: b, exit: a, along: 0.0, reversed: true, twin: first });
         } else {
-            for k in 0..=dice.below(3) {
-                let entry = dice.place();
+            for k in 0..=rng.below(3) {
+                let entry = rng.place();
                 let along = 0.25 * f64::from(k);
                 nodes.push(Node { item, entry, exit: entry, along, reversed: false, twin: first + k });
             }
         }
-        let rank = u32::from(item >= count - 1 && dice.below(2) == 0);
+        let rank = u32::from(item >= count - 1 && rng.below(2) == 0);
         // Later items lie around earlier ones.
-        let before = (item + 1 < count && dice.below(2) == 0)
-            .then(|| item + 1 + dice.below(u64::from(count - item - 1)));
+        let before = (item + 1 < count && rng.below(2) == 0)
+            .then(|| item + 1 + rng.below(u64::from(count - item - 1)));
         let end = NodeId::try_from(nodes.len()).unwrap();
         // Closed ones cost more or less by entry, as a polygon entered at a corner or on the way along its sides.
-        let corner: Vec<DVec2> = (0..5).map(|_| dice.place() * 1e-3).collect();
+        let corner: Vec<DVec2> = (0..5).map(|_| rng.place() * 1e-3).collect();
         let run = (0..5).map(|k| Segment::line(corner[k], corner[(k + 1) % 5])).collect::<Vec<_>>();
         let open = nodes[first as usize].twin != first;
         let run = if open { None } else { ClosedRun::new(&machine, false, &run) };
@@ -197,9 +198,9 @@ fn few() -> impl Iterator<Item = Problem> {
             problem.items.iter_mut().for_each(|i| i.before = None);
         }
         if seed % 4 > 1 {
-            let mut dice = Dice(Xoshiro256PlusPlus::seed_from_u64(seed));
+            let mut rng = TestRng(Xoshiro256PlusPlus::seed_from_u64(seed));
             let n = problem.nodes.len();
-            let mut costs: Vec<f64> = (0..n * n).map(|_| f64::from(dice.below(100))).collect();
+            let mut costs: Vec<f64> = (0..n * n).map(|_| f64::from(rng.below(100))).collect();
             if seed % 8 < 4 {
                 (0..n).for_each(|a| (0..a).for_each(|b| costs[a * n + b] = costs[b * n + a]));
             }
@@ -218,10 +219,10 @@ fn few() -> impl Iterator<Item = Problem> {
 fn what_is_rebuilt_costs_what_is_told_and_keeps_precedence() {
     for (problem, seed) in few().zip(0..) {
         let (mut tour, near) = tour(&problem);
-        let (mut queue, mut dice) = (queue::Queue::new(8), super::super::dice::Dice::new(seed));
+        let (mut queue, mut rng) = (queue::Queue::new(8), seeded(seed));
         for _ in 0..200 {
             let before = tour.cost();
-            match rebuild::rebuild(&mut tour, &near, &mut queue, &mut dice) {
+            match rebuild::rebuild(&mut tour, &near, &mut queue, &mut rng) {
                 Some(change) => assert!(tour.cost_is(before + change), "{seed}"),
                 None => tour.undo(),
             }
@@ -235,9 +236,9 @@ fn what_is_rebuilt_costs_what_is_told_and_keeps_precedence() {
 fn entries_chosen_together_are_the_best_of_all() {
     for (problem, seed) in few().zip(0..) {
         let (mut tour, near) = tour(&problem);
-        let (mut queue, mut dice) = (queue::Queue::new(8), super::super::dice::Dice::new(seed));
+        let (mut queue, mut rng) = (queue::Queue::new(8), seeded(seed));
         for _ in 0..5 {
-            if rebuild::rebuild(&mut tour, &near, &mut queue, &mut dice).is_none() {
+            if rebuild::rebuild(&mut tour, &near, &mut queue, &mut rng).is_none() {
                 tour.undo();
             }
             let kept = tour.now().clone();
@@ -270,11 +271,11 @@ fn a_crossed_tour_leaves_no_better_stretch_to_the_other() {
     let mut crossed = 0;
     for (problem, seed) in few().zip(0..) {
         let (mut tour, near) = tour(&problem);
-        let (mut queue, mut dice) = (queue::Queue::new(8), super::super::dice::Dice::new(seed));
+        let (mut queue, mut rng) = (queue::Queue::new(8), seeded(seed));
         for _ in 0..20 {
             let other = tour.now().clone();
             for _ in 0..3 {
-                if rebuild::rebuild(&mut tour, &near, &mut queue, &mut dice).is_none() {
+                if rebuild::rebuild(&mut tour, &near, &mut queue, &mut rng).is_none() {
                     tour.undo();
                 }
                 tour.commit();

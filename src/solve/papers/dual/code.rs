@@ -2,7 +2,7 @@
 //! points. None of the operators makes a code that is none.
 
 use crate::problem::{ItemId, Problem};
-use crate::solve::dice::Dice;
+use crate::solve::rng::{Draw, Rng};
 
 /// A chromosome.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,12 +21,12 @@ pub(super) fn count(problem: &Problem, item: ItemId) -> u32 {
 
 impl Code {
     /// A random one of these contours.
-    pub(super) fn random(problem: &Problem, contours: &[ItemId], dice: &mut Dice) -> Self {
+    pub(super) fn random(problem: &Problem, contours: &[ItemId], rng: &mut Rng) -> Self {
         let mut order = contours.to_vec();
         for k in (1..order.len()).rev() {
-            order.swap(k, dice.below(k + 1));
+            order.swap(k, rng.below(k + 1));
         }
-        let points = order.iter().map(|&i| below(count(problem, i), dice)).collect();
+        let points = order.iter().map(|&i| below(count(problem, i), rng)).collect();
         Self { order, points }
     }
 
@@ -38,26 +38,26 @@ impl Code {
     }
 }
 
-fn below(n: u32, dice: &mut Dice) -> u32 {
-    u32::try_from(dice.below(n as usize)).unwrap_or(0)
+fn below(n: u32, rng: &mut Rng) -> u32 {
+    u32::try_from(rng.below(n as usize)).unwrap_or(0)
 }
 
 /// Crosses two codes by one of the three methods.
-pub(super) fn cross(problem: &Problem, pair: [&Code; 2], dice: &mut Dice) -> [Code; 2] {
+pub(super) fn cross(problem: &Problem, pair: [&Code; 2], rng: &mut Rng) -> [Code; 2] {
     let places = pair[0].order.len();
-    let method = dice.below(3);
+    let method = rng.below(3);
     let mut children = pair.map(Clone::clone);
     if method != 1 {
-        let [a, b] = [(); 2].map(|()| dice.below(places));
+        let [a, b] = [(); 2].map(|()| rng.below(places));
         children = order_crossover([&children[0], &children[1]], a.min(b)..a.max(b) + 1);
     }
     if method != 0 {
         let [a, b] = &children;
-        children = if dice.below(2) == 0 && places > 1 {
+        children = if rng.below(2) == 0 && places > 1 {
             // "Larger than 1 and not exceeding n".
-            point_exchange([a, b], 2 + dice.below(places - 1))
+            point_exchange([a, b], 2 + rng.below(places - 1))
         } else {
-            arithmetic(problem, [a, b], dice)
+            arithmetic(problem, [a, b], rng)
         };
     }
     children
@@ -99,14 +99,14 @@ pub(super) fn point_exchange(pair: [&Code; 2], left: usize) -> [Code; 2] {
 
 /// Eq. (3): both points of each contour move towards each other by one random part; the middle of two indices lies within
 /// the range of both.
-fn arithmetic(problem: &Problem, pair: [&Code; 2], dice: &mut Dice) -> [Code; 2] {
+fn arithmetic(problem: &Problem, pair: [&Code; 2], rng: &mut Rng) -> [Code; 2] {
     let mut points = pair.map(|c| c.point_of(problem.items.len()));
     let [a, b] = &mut points;
     for (x, y) in a.iter_mut().zip(b) {
         if let (Some(x), Some(y)) = (x, y)
             && x != y
         {
-            (*x, *y) = blend(*x, *y, dice.even());
+            (*x, *y) = blend(*x, *y, rng.uniform());
         }
     }
     [0, 1].map(|side| {
@@ -126,18 +126,18 @@ pub(super) fn blend(x: u32, y: u32, epsilon: f64) -> (u32, u32) {
 }
 
 /// Changes a code by one of the three methods.
-pub(super) fn mutate(problem: &Problem, code: &mut Code, dice: &mut Dice) {
-    let method = dice.below(3);
+pub(super) fn mutate(problem: &Problem, code: &mut Code, rng: &mut Rng) {
+    let method = rng.below(3);
     let places = code.order.len();
     if method != 1 {
-        swap(code, [(); 2].map(|()| dice.below(places)));
+        swap(code, [(); 2].map(|()| rng.below(places)));
     }
     if method != 0 {
-        let place = dice.below(places);
+        let place = rng.below(places);
         let points = count(problem, code.order[place]);
         if points > 1 {
             // Another one than it is.
-            code.points[place] = (code.points[place] + 1 + below(points - 1, dice)) % points;
+            code.points[place] = (code.points[place] + 1 + below(points - 1, rng)) % points;
         }
     }
 }

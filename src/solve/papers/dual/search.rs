@@ -3,10 +3,10 @@
 use super::code::{Code, cross, mutate};
 use super::fitness::fitness;
 use crate::problem::{ItemId, NodeId, Problem};
-use crate::solve::dice::Dice;
 use crate::solve::papers::lead::{Lead, Pieces, Running, solution};
 use crate::solve::papers::roulette::Roulette;
 use crate::solve::papers::{Legs, Measure, Repair};
+use crate::solve::rng::{Draw, Rng, seeded};
 use crate::solve::{Curve, Insight};
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
@@ -74,7 +74,7 @@ struct Generations<'p> {
     contours: Vec<ItemId>,
     rates: DualCodingGa,
     population: usize,
-    dice: Dice,
+    rng: Rng,
     parents: Vec<Code>,
     lengths: Vec<f64>,
     /// Selects parents by their fitness in this generation.
@@ -93,8 +93,8 @@ impl<'p> Generations<'p> {
             (0..).zip(&problem.items).filter(|(_, i)| !i.nodes.is_empty()).map(|(id, _)| id).collect();
         let table = problem.table().map(|_| Repair::new(problem));
         let repair = table.or_else(|| Repair::needed(problem));
-        let mut dice = Dice::new(seed);
-        let first = Code::random(problem, &contours, &mut dice);
+        let mut rng = seeded(seed);
+        let first = Code::random(problem, &contours, &mut rng);
         let legs = Legs::new(problem, rates.measure);
         let nodes = nodes(problem, repair.as_ref(), &first);
         let length = legs.around(&nodes);
@@ -106,7 +106,7 @@ impl<'p> Generations<'p> {
             contours,
             rates,
             population: (rates.population as usize).min(fitting).max(2),
-            dice,
+            rng,
             parents: vec![first],
             lengths: vec![length],
             roulette: Roulette::default(),
@@ -135,16 +135,16 @@ impl<'p> Generations<'p> {
 
     /// The next pair.
     fn breed(&mut self) {
-        let pair = [(); 2].map(|()| &self.parents[self.roulette.spin(&mut self.dice)]);
+        let pair = [(); 2].map(|()| &self.parents[self.roulette.spin(&mut self.rng)]);
         let problem = self.legs.problem();
-        self.raw = if self.dice.even() < self.rates.crossover {
-            cross(problem, pair, &mut self.dice).into()
+        self.raw = if self.rng.uniform() < self.rates.crossover {
+            cross(problem, pair, &mut self.rng).into()
         } else {
             pair.map(Clone::clone).into()
         };
         for child in &mut self.raw {
-            if self.dice.even() < self.rates.mutation {
-                mutate(problem, child, &mut self.dice);
+            if self.rng.uniform() < self.rates.mutation {
+                mutate(problem, child, &mut self.rng);
             }
         }
     }
@@ -175,7 +175,7 @@ impl Pieces for Generations<'_> {
             return None;
         }
         if self.parents.len() < self.population {
-            let code = Code::random(self.legs.problem(), &self.contours, &mut self.dice);
+            let code = Code::random(self.legs.problem(), &self.contours, &mut self.rng);
             let length = self.price(&code);
             self.lengths.push(length);
             self.parents.push(code);

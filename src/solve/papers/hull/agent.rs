@@ -10,7 +10,7 @@
 
 use crate::geometry::math;
 use crate::order::{real, sort_by};
-use crate::solve::dice::Dice;
+use crate::solve::rng::{Draw, Rng};
 
 /// Lengths that differ by less than this part are one fitness: sums of the same gaps in another order do.
 const SAME: f64 = 1e-9;
@@ -112,16 +112,16 @@ impl Agent {
     }
 
     /// Takes the population it starts with, and chooses.
-    pub(super) fn begin(&mut self, sums: Sums, diversity: f64, dice: &mut Dice) {
+    pub(super) fn begin(&mut self, sums: Sums, diversity: f64, rng: &mut Rng) {
         (self.sums, self.diversity, self.state) = (sums, diversity, state(diversity));
-        self.choose(dice);
+        self.choose(rng);
     }
 
     /// Takes the next generation: reward, next action, update.
-    pub(super) fn learn(&mut self, sums: Sums, diversity: f64, dice: &mut Dice) {
+    pub(super) fn learn(&mut self, sums: Sums, diversity: f64, rng: &mut Rng) {
         let was = (self.state, self.action);
         self.reward = reward((&self.sums, self.diversity), (&sums, diversity));
-        self.begin(sums, diversity, dice);
+        self.begin(sums, diversity, rng);
         if let Some(Learning { alpha, gamma, .. }) = self.learning {
             let next = self.table[self.state][self.action];
             let q = &mut self.table[was.0][was.1];
@@ -130,12 +130,12 @@ impl Agent {
     }
 
     /// The action of the state by the epsilon-greedy rule.
-    fn choose(&mut self, dice: &mut Dice) {
+    fn choose(&mut self, rng: &mut Rng) {
         let row = self.table[self.state];
-        let greedy = self.learning.filter(|l| dice.even() >= l.epsilon).is_some();
+        let greedy = self.learning.filter(|l| rng.uniform() >= l.epsilon).is_some();
         let most = row.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let open: Vec<usize> = (0..3).filter(|&a| !greedy || row[a] >= most).collect();
-        self.action = open[dice.below(open.len())];
+        self.action = open[rng.below(open.len())];
         self.chosen[self.action] += 1;
     }
 }
@@ -195,12 +195,12 @@ mod tests {
         close(update(2.0, 1.5, 3.0, 0.9, 0.9), 0.2 + 0.9 * (1.5 + 2.7));
         let learning = Learning { alpha: 0.9, gamma: 0.9, epsilon: 0.0 };
         let mut agent = Agent::new(Some(learning));
-        let mut dice = Dice::new(1);
+        let mut rng = crate::solve::rng::seeded(1);
         agent.table = [[0.0, 5.0, 0.0], [1.0, 2.0, 4.0], [7.0, 0.0, 0.0]];
         let sums = Sums { best: 0.5, mean: 0.25, ..Sums::default() };
-        agent.begin(sums, 0.1, &mut dice);
+        agent.begin(sums, 0.1, &mut rng);
         assert_eq!((agent.state, agent.action), (0, 1));
-        agent.learn(Sums { best: 0.6, mean: 0.3, ..sums }, 0.4, &mut dice);
+        agent.learn(Sums { best: 0.6, mean: 0.3, ..sums }, 0.4, &mut rng);
         assert_eq!((agent.state, agent.action), (1, 2));
         // 0.1 * 5 + 0.9 * (0.3 + 1.5 + 1 + 0.9 * 4).
         close(agent.table[0][1], 0.5 + 0.9 * (2.8 + 3.6));
@@ -209,10 +209,10 @@ mod tests {
     #[test]
     fn a_table_decides_but_for_epsilon_and_without_learning_nothing_does() {
         let chosen = |learning: Option<Learning>, best: usize| {
-            let (mut agent, mut dice) = (Agent::new(learning), Dice::new(7));
+            let (mut agent, mut rng) = (Agent::new(learning), crate::solve::rng::seeded(7));
             agent.table[2][best] = 1.0;
             for _ in 0..3000 {
-                agent.begin(Sums::default(), 1.0, &mut dice);
+                agent.begin(Sums::default(), 1.0, &mut rng);
             }
             agent.chosen
         };

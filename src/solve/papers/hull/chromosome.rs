@@ -3,7 +3,7 @@
 //! others; after a migration it is longer or shorter, and the next crossover brings its length back.
 
 use super::model::{Gene, Model};
-use crate::solve::dice::Dice;
+use crate::solve::rng::{Draw, Rng};
 
 /// A feasible solution of the paper's model.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,28 +33,28 @@ impl Chromosome {
     }
 
     /// Two codes of a path change places: the paper's mutation.
-    pub(super) fn mutate(&mut self, dice: &mut Dice) {
-        let path = self.path(dice.below(self.ends.len()));
+    pub(super) fn mutate(&mut self, rng: &mut Rng) {
+        let path = self.path(rng.below(self.ends.len()));
         if !path.is_empty() {
-            let [a, b] = [(); 2].map(|()| path.start + dice.below(path.len()));
+            let [a, b] = [(); 2].map(|()| path.start + rng.below(path.len()));
             self.genes.swap(a, b);
         }
     }
 
     /// A run of codes of a path moves to a place on another path: the paper's migration.
-    pub(super) fn migrate(&mut self, dice: &mut Dice) {
+    pub(super) fn migrate(&mut self, rng: &mut Rng) {
         let paths = self.ends.len();
         if paths < 2 {
             return;
         }
-        let from = dice.below(paths);
-        let to = (from + 1 + dice.below(paths - 1)) % paths;
+        let from = rng.below(paths);
+        let to = (from + 1 + rng.below(paths - 1)) % paths;
         let path = self.path(from);
         if path.is_empty() {
             return;
         }
-        let run = run(path.len(), dice);
-        let place = dice.below(self.path(to).len() + 1);
+        let run = run(path.len(), rng);
+        let place = rng.below(self.path(to).len() + 1);
         let moved: Vec<Gene> = self.genes.drain(path.start + run.start..path.start + run.end).collect();
         let count = u32::try_from(moved.len()).unwrap_or(0);
         self.ends[from..].iter_mut().for_each(|e| *e -= count);
@@ -65,20 +65,20 @@ impl Chromosome {
 }
 
 /// A run of places, one at least, of so many.
-pub(super) fn run(places: usize, dice: &mut Dice) -> std::ops::Range<usize> {
-    let [a, b] = [(); 2].map(|()| dice.below(places));
+pub(super) fn run(places: usize, rng: &mut Rng) -> std::ops::Range<usize> {
+    let [a, b] = [(); 2].map(|()| rng.below(places));
     a.min(b)..a.max(b) + 1
 }
 
 /// Random keys: one a segment for its turn, then one a segment for its way. All methods draw their first ones so, and from
 /// one seed they have the same. Eq. (3) says that a path is the sequence of its own contour's segments, so the turns of contour
 /// m of M lie in the m-th part of the range: first chromosomes cut contour by contour in drawing order, each in a random way.
-pub(super) fn keys(model: &Model, dice: &mut Dice) -> Vec<f32> {
+pub(super) fn keys(model: &Model, rng: &mut Rng) -> Vec<f32> {
     let paths = model.sizes.len() as f64;
     let own = |(m, &size): (usize, &u32)| std::iter::repeat_n(m as f64, size as usize);
     let turns: Vec<f64> =
-        model.sizes.iter().enumerate().flat_map(own).map(|m| (m + dice.even()) / paths).collect();
-    let ways = (0..model.segments()).map(|_| dice.even());
+        model.sizes.iter().enumerate().flat_map(own).map(|m| (m + rng.uniform()) / paths).collect();
+    let ways = (0..model.segments()).map(|_| rng.uniform());
     #[expect(clippy::cast_possible_truncation, reason = "fewer digits are as random")]
     turns.into_iter().chain(ways).map(|k| k as f32).collect()
 }
@@ -124,10 +124,10 @@ mod tests {
 
     #[test]
     fn keys_in_order_as_std_sorts() {
-        let mut dice = Dice::new(1);
+        let mut rng = crate::solve::rng::seeded(1);
         for round in 0..200 {
             #[expect(clippy::cast_possible_truncation, reason = "test data")]
-            let mut keys: Vec<f32> = (0..round).map(|_| dice.normal() as f32).collect();
+            let mut keys: Vec<f32> = (0..round).map(|_| rng.standard_normal() as f32).collect();
             keys.extend(keys.clone().iter().step_by(3));
             keys.extend([0.0, 1.0, -2.5, f32::MIN_POSITIVE, 1e30]);
             let mut wanted: Vec<u32> = (0..).take(keys.len()).collect();

@@ -10,7 +10,7 @@
 
 use super::chromosome::{Chromosome, run};
 use super::model::{BLANK, Gene};
-use crate::solve::dice::Dice;
+use crate::solve::rng::{Draw, Rng};
 use serde::Serialize;
 
 /// A segmented crossover.
@@ -43,26 +43,26 @@ struct Exchange {
 }
 
 /// Steps (a) to (c) on two chromosomes. `sizes`: segments of each contour.
-pub(super) fn cross(by: Operator, parents: [&Chromosome; 2], sizes: &[u32], dice: &mut Dice) -> [Torn; 2] {
-    let runs: Vec<Exchange> = (0..sizes.len()).filter_map(|m| exchange(by, parents, m, dice)).collect();
+pub(super) fn cross(by: Operator, parents: [&Chromosome; 2], sizes: &[u32], rng: &mut Rng) -> [Torn; 2] {
+    let runs: Vec<Exchange> = (0..sizes.len()).filter_map(|m| exchange(by, parents, m, rng)).collect();
     [0, 1].map(|side| {
         let mut torn = receive(by, parents, side, &runs);
-        complete(&mut torn.chromosome, sizes, dice);
+        complete(&mut torn.chromosome, sizes, rng);
         torn
     })
 }
 
 /// The runs of a path that change places; none where a path is empty.
-fn exchange(by: Operator, parents: [&Chromosome; 2], path: usize, dice: &mut Dice) -> Option<Exchange> {
+fn exchange(by: Operator, parents: [&Chromosome; 2], path: usize, rng: &mut Rng) -> Option<Exchange> {
     let paths = parents.map(|p| p.path(path));
     let shorter = usize::from(paths[1].len() < paths[0].len());
     if paths[shorter].is_empty() {
         return None;
     }
-    let run = run(paths[shorter].len(), dice);
+    let run = run(paths[shorter].len(), rng);
     let mut places = [run.start; 2];
     if by == Operator::Intersect {
-        places[1 - shorter] = dice.below(paths[1 - shorter].len() - run.len() + 1);
+        places[1 - shorter] = rng.below(paths[1 - shorter].len() - run.len() + 1);
     }
     Some(Exchange { places: [0, 1].map(|p| paths[p].start + places[p]), length: run.len() })
 }
@@ -98,7 +98,7 @@ fn segment(gene: Gene) -> usize {
 }
 
 /// Blanks of paths longer than their contours go to shorter ones.
-fn complete(chromosome: &mut Chromosome, sizes: &[u32], dice: &mut Dice) {
+fn complete(chromosome: &mut Chromosome, sizes: &[u32], rng: &mut Rng) {
     let lengths: Vec<usize> = (0..sizes.len()).map(|m| chromosome.path(m).len()).collect();
     let size = |m: usize| sizes[m] as usize;
     if (0..sizes.len()).all(|m| lengths[m] == size(m)) {
@@ -118,7 +118,7 @@ fn complete(chromosome: &mut Chromosome, sizes: &[u32], dice: &mut Dice) {
             if over.is_empty() {
                 break;
             }
-            let which = dice.below(over.len());
+            let which = rng.below(over.len());
             let from = &mut over[which];
             change[from.0] -= 1;
             change[m] += 1;
@@ -139,7 +139,7 @@ fn complete(chromosome: &mut Chromosome, sizes: &[u32], dice: &mut Dice) {
             !gone
         }));
         for _ in 0..usize::try_from(change).unwrap_or(0) {
-            let place = start + dice.below(genes.len() - start + 1);
+            let place = start + rng.below(genes.len() - start + 1);
             genes.insert(place, BLANK);
         }
         ends.push(u32::try_from(genes.len()).unwrap_or(u32::MAX));

@@ -9,7 +9,7 @@ use super::chromosome::Chromosome;
 use super::crossover::Torn;
 use super::model::{BLANK, Gene, Model};
 use crate::problem::NodeId;
-use crate::solve::dice::Dice;
+use crate::solve::rng::{Draw, Rng};
 
 /// Ways priced in one go: a fraction of a millisecond.
 const CHUNK: u64 = 20_000;
@@ -25,7 +25,7 @@ pub(super) struct Filling {
 
 impl Filling {
     /// Fills what is appropriate and puts the rest in a random order.
-    pub(super) fn new(model: &Model, torn: Torn, dice: &mut Dice) -> Self {
+    pub(super) fn new(model: &Model, torn: Torn, rng: &mut Rng) -> Self {
         let Torn { mut chromosome, mut missing } = torn;
         let genes = &mut chromosome.genes;
         let mut lacks = vec![false; model.segments()];
@@ -43,7 +43,7 @@ impl Filling {
         }
         missing.retain(|&s| lacks[s as usize]);
         for k in (1..missing.len()).rev() {
-            missing.swap(k, dice.below(k + 1));
+            missing.swap(k, rng.below(k + 1));
         }
         let mut blanks: Vec<std::ops::Range<usize>> = Vec::new();
         for (k, _) in chromosome.genes.iter().enumerate().filter(|g| *g.1 == BLANK) {

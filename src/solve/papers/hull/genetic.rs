@@ -12,9 +12,9 @@ use super::decode::Decoder;
 use super::filling::Filling;
 use super::settings::{HullSettings, OperatorRates};
 use crate::order::{real, sort_by};
-use crate::solve::dice::Dice;
 use crate::solve::papers::lead::{Lead, Pieces};
 use crate::solve::papers::roulette::Roulette;
+use crate::solve::rng::{Draw, Rng, seeded};
 use crate::solve::{Curve, Grid, Insight};
 
 /// Genes in memory at most, parents and children: 128 MB. On 10,000 contours of 8 nodes, 200 chromosomes are within it.
@@ -34,7 +34,7 @@ pub(super) struct Genetic<'p> {
     breeding: Breeding,
     generations: u32,
     population: usize,
-    dice: Dice,
+    rng: Rng,
     agent: Agent,
     parents: Vec<Chromosome>,
     /// The subpopulation drawn, by index of parent; the last are next.
@@ -59,8 +59,8 @@ impl<'p> Genetic<'p> {
         let segments = decoder.model.segments();
         let fitting = MOST_GENES / (2 * segments).max(1);
         let population = (settings.population as usize).min(fitting).max(2);
-        let mut dice = Dice::new(seed);
-        let mut first = random(&decoder, &mut dice);
+        let mut rng = seeded(seed);
+        let mut first = random(&decoder, &mut rng);
         let (length, visits) = decoder.price(&first.genes);
         first.length = length;
         let lead = Lead::new(decoder.solution(visits), length);
@@ -69,7 +69,7 @@ impl<'p> Genetic<'p> {
             breeding,
             generations: settings.generations,
             population,
-            dice,
+            rng,
             agent: Agent::new(learning),
             parents: vec![first],
             drawn: Vec::new(),
@@ -96,29 +96,29 @@ impl<'p> Genetic<'p> {
     /// The roulette, and whether there was a population to learn from.
     fn draw(&mut self) {
         let roulette = Roulette::new(self.fitness());
-        self.drawn = (0..self.population).map(|_| roulette.spin(&mut self.dice)).collect();
+        self.drawn = (0..self.population).map(|_| roulette.spin(&mut self.rng)).collect();
     }
 
     /// Crosses the next pair, or takes it as it is.
     fn breed(&mut self) {
         let (Some(a), b) = (self.drawn.pop(), self.drawn.pop()) else { return };
-        let Some(b) = b.filter(|_| self.dice.even() < self.breeding.rates.crossover) else {
+        let Some(b) = b.filter(|_| self.rng.uniform() < self.breeding.rates.crossover) else {
             self.raw.extend([Some(a), b].into_iter().flatten().map(|i| self.parents[i].clone()));
             return;
         };
         let operator = OPERATORS[self.agent.action];
         let parents = [&self.parents[a], &self.parents[b]];
-        let torn = cross(operator, parents, &self.decoder.model.sizes, &mut self.dice);
-        self.fillings.extend(torn.map(|t| Filling::new(&self.decoder.model, t, &mut self.dice)));
+        let torn = cross(operator, parents, &self.decoder.model.sizes, &mut self.rng);
+        self.fillings.extend(torn.map(|t| Filling::new(&self.decoder.model, t, &mut self.rng)));
     }
 
     /// Mutates, migrates and prices a child.
     fn finish(&mut self, mut child: Chromosome) {
-        if self.dice.even() < self.breeding.rates.mutation {
-            child.mutate(&mut self.dice);
+        if self.rng.uniform() < self.breeding.rates.mutation {
+            child.mutate(&mut self.rng);
         }
-        if self.dice.even() < self.breeding.rates.migration {
-            child.migrate(&mut self.dice);
+        if self.rng.uniform() < self.breeding.rates.migration {
+            child.migrate(&mut self.rng);
         }
         self.price(&mut child);
         self.children.push(child);
@@ -131,7 +131,7 @@ impl<'p> Genetic<'p> {
         self.parents.truncate(self.population);
         self.generation += 1;
         let (sums, diversity) = self.look();
-        self.agent.learn(sums, diversity, &mut self.dice);
+        self.agent.learn(sums, diversity, &mut self.rng);
         self.draw();
     }
 
@@ -143,9 +143,9 @@ impl<'p> Genetic<'p> {
 }
 
 /// A random chromosome, not yet priced.
-fn random(decoder: &Decoder, dice: &mut Dice) -> Chromosome {
+fn random(decoder: &Decoder, rng: &mut Rng) -> Chromosome {
     let model = &decoder.model;
-    Chromosome::new(genes(model, &keys(model, dice)), &model.sizes)
+    Chromosome::new(genes(model, &keys(model, rng)), &model.sizes)
 }
 
 /// Eq. (4); a path without travel counts as one of a nanometre.
@@ -169,14 +169,14 @@ impl Pieces for Genetic<'_> {
         }
         if self.parents.len() < self.population {
             let Some(mut chromosome) = self.raw.pop() else {
-                self.raw.push(random(&self.decoder, &mut self.dice));
+                self.raw.push(random(&self.decoder, &mut self.rng));
                 return Some(segments);
             };
             self.price(&mut chromosome);
             self.parents.push(chromosome);
             if self.parents.len() == self.population {
                 let (sums, diversity) = self.look();
-                self.agent.begin(sums, diversity, &mut self.dice);
+                self.agent.begin(sums, diversity, &mut self.rng);
                 self.draw();
             }
             return Some(segments);

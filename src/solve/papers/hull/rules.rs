@@ -5,7 +5,7 @@
 use super::flock::Flock;
 use crate::geometry::math;
 use crate::order::{real, sort_by};
-use crate::solve::dice::Dice;
+use crate::solve::rng::{Draw, Rng};
 use std::f64::consts::TAU;
 
 /// Moves the members of a flock.
@@ -13,9 +13,9 @@ pub(super) trait Rule {
     /// At the beginning of a generation.
     fn begin(&mut self, _flock: &Flock) {}
     /// Where a member goes, with a part `done` of all generations done.
-    fn trial(&mut self, flock: &Flock, member: usize, done: f64, dice: &mut Dice) -> Vec<f32>;
+    fn trial(&mut self, flock: &Flock, member: usize, done: f64, rng: &mut Rng) -> Vec<f32>;
     /// Whether it goes there, by the lengths before and after; generations count from 1.
-    fn takes(&mut self, _before: f64, _after: f64, _generation: f64, _dice: &mut Dice) -> bool {
+    fn takes(&mut self, _before: f64, _after: f64, _generation: f64, _dice: &mut Rng) -> bool {
         true
     }
 }
@@ -43,7 +43,7 @@ impl Particles {
 }
 
 impl Rule for Particles {
-    fn trial(&mut self, flock: &Flock, member: usize, _done: f64, dice: &mut Dice) -> Vec<f32> {
+    fn trial(&mut self, flock: &Flock, member: usize, _done: f64, rng: &mut Rng) -> Vec<f32> {
         let here = &flock.keys[member];
         if self.bests.len() == member {
             self.velocities.push(vec![0.0; here.len()]);
@@ -56,7 +56,7 @@ impl Rule for Particles {
         let pulls = self.bests[member].iter().zip(&flock.best);
         let moved = self.velocities[member].iter_mut().zip(here).zip(pulls).map(|((v, &x), (&own, &all))| {
             let [to_own, to_all] = [own, all].map(|p| f64::from(p) - f64::from(x));
-            let pull = self.own * dice.even() * to_own + self.all * dice.even() * to_all;
+            let pull = self.own * rng.uniform() * to_own + self.all * rng.uniform() * to_all;
             *v = key(self.inertia * f64::from(*v) + pull);
             x + *v
         });
@@ -90,21 +90,21 @@ impl Rule for Foragers {
         self.order.iter().enumerate().for_each(|(place, &m)| self.places[m] = place);
     }
 
-    fn trial(&mut self, flock: &Flock, member: usize, done: f64, dice: &mut Dice) -> Vec<f32> {
+    fn trial(&mut self, flock: &Flock, member: usize, done: f64, rng: &mut Rng) -> Vec<f32> {
         let place = self.places[member];
-        let other = if place == 0 { self.order.len() - 1 } else { dice.below(place) };
+        let other = if place == 0 { self.order.len() - 1 } else { rng.below(place) };
         let other = &flock.keys[self.order[other]];
         let k = self.from - self.fall * done;
         let moved = flock.keys[member].iter().zip(other).map(|(&x, &o)| {
             let change = f64::from(o) - f64::from(x);
-            let back = dice.even();
-            key(f64::from(x) - k * back * change + k * dice.even() * change)
+            let back = rng.uniform();
+            key(f64::from(x) - k * back * change + k * rng.uniform() * change)
         });
         moved.collect()
     }
 
-    fn takes(&mut self, before: f64, after: f64, generation: f64, dice: &mut Dice) -> bool {
-        let prey = dice.even();
+    fn takes(&mut self, before: f64, after: f64, generation: f64, rng: &mut Rng) -> bool {
+        let prey = rng.uniform();
         prey * after / (1.0 + (generation + 1.0) * prey) < before / generation
     }
 }
@@ -122,18 +122,18 @@ pub(super) struct Whales {
 }
 
 impl Rule for Whales {
-    fn trial(&mut self, flock: &Flock, member: usize, done: f64, dice: &mut Dice) -> Vec<f32> {
+    fn trial(&mut self, flock: &Flock, member: usize, done: f64, rng: &mut Rng) -> Vec<f32> {
         let here = &flock.keys[member];
-        if dice.even() >= 0.5 {
-            let l = 2.0 * dice.even() - 1.0;
+        if rng.uniform() >= 0.5 {
+            let l = 2.0 * rng.uniform() - 1.0;
             let turn = math::exp(self.spiral * l) * math::cos(TAU * l);
             let around =
                 |(&x, &b): (&f32, &f32)| key((f64::from(b) - f64::from(x)).abs() * turn + f64::from(b));
             return here.iter().zip(&flock.best).map(around).collect();
         }
         let falling = self.reach - (self.reach - self.least) * done;
-        let a = 2.0 * falling * dice.even() - falling;
-        let prey = if a.abs() < 1.0 { &flock.best } else { &flock.keys[dice.below(flock.keys.len())] };
+        let a = 2.0 * falling * rng.uniform() - falling;
+        let prey = if a.abs() < 1.0 { &flock.best } else { &flock.keys[rng.below(flock.keys.len())] };
         let towards = |(&x, &p): (&f32, &f32)| {
             key(f64::from(p) - a * (self.weight * f64::from(p) - f64::from(x)).abs())
         };
@@ -161,20 +161,20 @@ mod tests {
     fn particles_by_hand() {
         let mut rule = Particles::new(0.3, 0.5, 0.5);
         // No velocity yet, its own best where it is: only the best of all pulls.
-        let found = rule.trial(&flock(), 0, 0.0, &mut Dice::new(9));
-        let mut dice = Dice::new(9);
-        let [_, a, _, b] = [(); 4].map(|()| dice.even());
+        let found = rule.trial(&flock(), 0, 0.0, &mut crate::solve::rng::seeded(9));
+        let mut rng = crate::solve::rng::seeded(9);
+        let [_, a, _, b] = [(); 4].map(|()| rng.uniform());
         close(&found, [0.2 + 0.5 * a * 0.4, 0.4 + 0.5 * b * 0.5]);
         // Then inertia, and a pull back to its own best, as it got worse.
         let mut moved = flock();
         (moved.keys[0], moved.lengths[0]) = (found.clone(), 6.0);
-        let again = rule.trial(&moved, 0, 0.0, &mut dice);
-        let mut dice = Dice::new(9);
+        let again = rule.trial(&moved, 0, 0.0, &mut rng);
+        let mut rng = crate::solve::rng::seeded(9);
         (0..4).for_each(|_| {
-            dice.even();
+            rng.uniform();
         });
         let x = f64::from(found[0]);
-        let (own, all) = (0.5 * dice.even(), 0.5 * dice.even());
+        let (own, all) = (0.5 * rng.uniform(), 0.5 * rng.uniform());
         let wanted = x + 0.3 * (x - 0.2) + own * (0.2 - x) + all * (0.6 - x);
         assert!((f64::from(again[0]) - wanted).abs() < 1e-6);
     }
@@ -185,14 +185,14 @@ mod tests {
         rule.begin(&flock());
         assert_eq!(rule.order, [1, 2, 0]);
         // The best moves along the difference to the worst, at half time by k = 0.65.
-        let found = rule.trial(&flock(), 1, 0.5, &mut Dice::new(4));
-        let mut dice = Dice::new(4);
-        let [a, b, c, d] = [(); 4].map(|()| dice.even());
+        let found = rule.trial(&flock(), 1, 0.5, &mut crate::solve::rng::seeded(4));
+        let mut rng = crate::solve::rng::seeded(4);
+        let [a, b, c, d] = [(); 4].map(|()| rng.uniform());
         close(&found, [0.6 + 0.65 * (b - a) * (0.2 - 0.6), 0.9 + 0.65 * (d - c) * (0.4 - 0.9)]);
         // What is shorter is always taken; what is longer by half never in generation 1000.
-        let mut dice = Dice::new(5);
-        assert!((0..500).all(|_| rule.takes(2.0, 2.0, 7.0, &mut dice)));
-        let taken = (0..500).filter(|_| rule.takes(2.0, 3.0, 1000.0, &mut dice)).count();
+        let mut rng = crate::solve::rng::seeded(5);
+        assert!((0..500).all(|_| rule.takes(2.0, 2.0, 7.0, &mut rng)));
+        let taken = (0..500).filter(|_| rule.takes(2.0, 3.0, 1000.0, &mut rng)).count();
         assert!(taken < 10, "{taken}");
     }
 
@@ -202,10 +202,10 @@ mod tests {
         let mut kinds = [0; 2];
         for seed in 0..60 {
             // At the end A is 0: the prey itself, or the spiral.
-            let found = rule.trial(&flock(), 0, 1.0, &mut Dice::new(seed));
-            let mut dice = Dice::new(seed);
-            let spiral = dice.even() >= 0.5;
-            let l = 2.0 * dice.even() - 1.0;
+            let found = rule.trial(&flock(), 0, 1.0, &mut crate::solve::rng::seeded(seed));
+            let mut rng = crate::solve::rng::seeded(seed);
+            let spiral = rng.uniform() >= 0.5;
+            let l = 2.0 * rng.uniform() - 1.0;
             let turn = if spiral { math::exp(l) * math::cos(TAU * l) } else { 0.0 };
             close(&found, [0.6 + 0.4 * turn, 0.9 + 0.5 * turn]);
             kinds[usize::from(spiral)] += 1;

@@ -11,8 +11,8 @@ use super::model::Gene;
 use super::rules::Rule;
 use super::settings::HullSettings;
 use crate::problem::Problem;
-use crate::solve::dice::Dice;
 use crate::solve::papers::lead::{Lead, Pieces, Running};
+use crate::solve::rng::{Rng, seeded};
 use crate::solve::{Curve, Insight, Search};
 
 /// Keys in memory at most, 128 MB. A rule holds three of each member's at most: on 10,000 contours of 8 nodes, a flock of
@@ -31,7 +31,7 @@ pub(super) struct Swarm<'p, R> {
     member: usize,
     /// Where a member goes, and what that stands for.
     trial: Option<(Vec<f32>, Vec<Gene>)>,
-    dice: Dice,
+    rng: Rng,
     lead: Lead,
 }
 
@@ -53,15 +53,15 @@ impl<'p, R: Rule> Swarm<'p, R> {
         let HullSettings { population, generations, .. } = settings;
         let segments = decoder.model.segments();
         let fitting = MOST_KEYS / (6 * segments).max(1);
-        let mut dice = Dice::new(seed);
-        let first = keys(&decoder.model, &mut dice);
+        let mut rng = seeded(seed);
+        let first = keys(&decoder.model, &mut rng);
         let codes = genes(&decoder.model, &first);
         let (length, visits) = decoder.price(&codes);
         let lead = Lead::new(decoder.solution(visits), length);
         let flock = Flock { best: first.clone(), keys: vec![first], lengths: vec![length], shortest: length };
         let population = (population as usize).min(fitting).max(2);
         let (generation, member, trial) = (0, 0, None);
-        Self { decoder, rule, flock, population, generations, generation, member, trial, dice, lead }
+        Self { decoder, rule, flock, population, generations, generation, member, trial, rng, lead }
     }
 
     /// Prices a trial, and takes it to the best if it is.
@@ -94,13 +94,13 @@ impl<R: Rule> Pieces for Swarm<'_, R> {
         let round = f64::from(self.generation) + 1.0;
         let Some((trial, codes)) = self.trial.take() else {
             let trial = if founding {
-                keys(&self.decoder.model, &mut self.dice)
+                keys(&self.decoder.model, &mut self.rng)
             } else {
                 if self.member == 0 {
                     self.rule.begin(&self.flock);
                 }
                 let done = f64::from(self.generation) / f64::from(self.generations);
-                self.rule.trial(&self.flock, self.member, done, &mut self.dice)
+                self.rule.trial(&self.flock, self.member, done, &mut self.rng)
             };
             let codes = genes(&self.decoder.model, &trial);
             self.trial = Some((trial, codes));
@@ -113,7 +113,7 @@ impl<R: Rule> Pieces for Swarm<'_, R> {
             return Some(segments as u64);
         }
         let member = self.member;
-        if self.rule.takes(self.flock.lengths[member], length, round, &mut self.dice) {
+        if self.rule.takes(self.flock.lengths[member], length, round, &mut self.rng) {
             self.flock.keys[member] = trial;
             self.flock.lengths[member] = length;
         }

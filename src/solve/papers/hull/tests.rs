@@ -7,8 +7,8 @@ use super::filling::Filling;
 use super::model::{BLANK, Gene, Model, Visit};
 use super::nested::nested;
 use crate::problem::{Node, NodeId, Problem};
-use crate::solve::dice::Dice;
 use crate::solve::papers::{Legs, Measure, test_sheet};
+use crate::solve::rng::{Draw, Rng, seeded};
 use std::collections::BTreeSet;
 
 /// Closed contours with these corners, which may be left at no cost; a closed path returns to (0, 0).
@@ -16,8 +16,8 @@ fn sheet(contours: &[&[[f64; 2]]], closed: bool) -> Problem {
     Problem { closed, ..test_sheet::sheet(contours, Some(0.0), "length-partial") }
 }
 
-fn random_sheet(contours: usize, closed: bool, dice: &mut Dice) -> Problem {
-    let mut place = || [dice.even() * 100.0, dice.even() * 100.0];
+fn random_sheet(contours: usize, closed: bool, rng: &mut Rng) -> Problem {
+    let mut place = || [rng.uniform() * 100.0, rng.uniform() * 100.0];
     let corners: Vec<Vec<[f64; 2]>> =
         (0..contours).map(|c| (0..2 + c % 5).map(|_| place()).collect()).collect();
     sheet(&corners.iter().map(Vec::as_slice).collect::<Vec<_>>(), closed)
@@ -50,12 +50,12 @@ fn assert_nested(problem: &Problem, path: &[Visit]) {
 
 #[test]
 fn any_chromosome_nests_with_no_more_travel() {
-    let mut dice = Dice::new(1);
+    let mut rng = seeded(1);
     let mut same = 0;
     for round in 0..4000 {
-        let problem = random_sheet(1 + round % 7, round % 3 > 0, &mut dice);
+        let problem = random_sheet(1 + round % 7, round % 3 > 0, &mut rng);
         let model = model(&problem);
-        let order = genes(&model, &keys(&model, &mut dice));
+        let order = genes(&model, &keys(&model, &mut rng));
         let visits = model.visits(&order);
         let path = nested(&model, &visits);
         assert_nested(&problem, &path);
@@ -67,7 +67,7 @@ fn any_chromosome_nests_with_no_more_travel() {
 }
 
 /// A random walk over the same moves and segments: the same multigraph, gone through in another order and other ways.
-fn shuffled(model: &Model, path: &[Gene], dice: &mut Dice) -> Vec<Gene> {
+fn shuffled(model: &Model, path: &[Gene], rng: &mut Rng) -> Vec<Gene> {
     const HOME: NodeId = NodeId::MAX;
     // Edges: air moves, and segments with their gene.
     let mut edges: Vec<(NodeId, NodeId, Option<Gene>)> = Vec::new();
@@ -97,7 +97,7 @@ fn shuffled(model: &Model, path: &[Gene], dice: &mut Dice) -> Vec<Gene> {
             if open.is_empty() {
                 break;
             }
-            let e = open[dice.below(open.len())];
+            let e = open[rng.below(open.len())];
             used[e] = true;
             let (a, b, gene) = edges[e];
             let step = if a == here { (a, b, gene) } else { (b, a, gene.map(|g| g ^ 1)) };
@@ -112,13 +112,13 @@ fn shuffled(model: &Model, path: &[Gene], dice: &mut Dice) -> Vec<Gene> {
 }
 
 /// A tree of contours: each is entered at its first node and left for others at later ones, one for each.
-fn tree(model: &Model, contours: &mut Vec<u32>, dice: &mut Dice, out: &mut Vec<Gene>) {
+fn tree(model: &Model, contours: &mut Vec<u32>, rng: &mut Rng, out: &mut Vec<Gene>) {
     let Some(item) = contours.pop() else { return };
     let nodes = model.problem().items[item as usize].nodes.clone();
     let genes: Vec<Gene> = nodes.clone().map(|n| 2 * n).collect();
     for (k, gene) in genes.into_iter().enumerate() {
-        if k > 0 && dice.even() < 0.6 {
-            tree(model, contours, dice, out);
+        if k > 0 && rng.uniform() < 0.6 {
+            tree(model, contours, rng, out);
         }
         out.push(gene);
     }
@@ -126,18 +126,18 @@ fn tree(model: &Model, contours: &mut Vec<u32>, dice: &mut Dice, out: &mut Vec<G
 
 #[test]
 fn a_path_of_nested_visits_keeps_its_travel_however_its_moves_are_gone() {
-    let mut dice = Dice::new(2);
+    let mut rng = seeded(2);
     let mut turned = 0;
     for round in 0..3000 {
-        let problem = random_sheet(1 + round % 9, round % 2 > 0, &mut dice);
+        let problem = random_sheet(1 + round % 9, round % 2 > 0, &mut rng);
         let model = model(&problem);
         let mut contours: Vec<u32> = (0..).take(problem.items.len()).collect();
         let mut path = Vec::new();
         while !contours.is_empty() {
-            tree(&model, &mut contours, &mut dice, &mut path);
+            tree(&model, &mut contours, &mut rng, &mut path);
         }
         let travel = |genes: &[Gene]| model.travel(&model.visits(genes));
-        let walk = shuffled(&model, &path, &mut dice);
+        let walk = shuffled(&model, &path, &mut rng);
         assert_eq!(walk.len(), path.len(), "the same segments");
         assert!((travel(&walk) - travel(&path)).abs() < 1e-9);
         let read = nested(&model, &model.visits(&walk));
@@ -164,10 +164,10 @@ fn contours_cut_whole_are_taken_along_either_way() {
     problem.nodes[5] = Node { exit: b, twin: 6, ..problem.nodes[5] };
     problem.nodes[6] = Node { exit: a, twin: 5, reversed: true, ..problem.nodes[6] };
     let decoder = Decoder::new(&problem, Measure::Euclidean);
-    let mut dice = Dice::new(3);
+    let mut rng = seeded(3);
     assert_eq!(decoder.model.sizes, [3, 2, 1, 2]);
     for _ in 0..500 {
-        let order = genes(&decoder.model, &keys(&decoder.model, &mut dice));
+        let order = genes(&decoder.model, &keys(&decoder.model, &mut rng));
         let (length, visits) = decoder.price(&order);
         let solution = decoder.solution(visits);
         assert_eq!(solution.stops.iter().filter(|s| problem.nodes[s.node as usize].item >= 2).count(), 2);
@@ -189,7 +189,7 @@ fn coded(paths: &[&[i32]]) -> Chromosome {
 }
 
 fn cross_often(by: Operator, parents: [&Chromosome; 2], sizes: &[u32]) -> Vec<[Torn; 2]> {
-    (0..400).map(|seed| cross(by, parents, sizes, &mut Dice::new(seed))).collect()
+    (0..400).map(|seed| cross(by, parents, sizes, &mut seeded(seed))).collect()
 }
 
 /// Figure 6 in words: chromosome 1 receives {5, 2} from chromosome 2; 2 then stands twice, and the one outside is blanked.
@@ -247,16 +247,16 @@ fn the_three_crossovers_give_runs_as_they_say() {
 
 #[test]
 fn crossovers_bring_paths_back_to_their_lengths_and_keep_every_segment() {
-    let mut dice = Dice::new(5);
+    let mut rng = seeded(5);
     for round in 0..600 {
-        let problem = random_sheet(2 + round % 6, true, &mut dice);
+        let problem = random_sheet(2 + round % 6, true, &mut rng);
         let model = model(&problem);
         let mut parents =
-            [(); 2].map(|()| Chromosome::new(genes(&model, &keys(&model, &mut dice)), &model.sizes));
+            [(); 2].map(|()| Chromosome::new(genes(&model, &keys(&model, &mut rng)), &model.sizes));
         for parent in &mut parents {
             for _ in 0..round % 4 {
-                parent.migrate(&mut dice);
-                parent.mutate(&mut dice);
+                parent.migrate(&mut rng);
+                parent.mutate(&mut rng);
             }
             let mut held: Vec<u32> = parent.genes.iter().map(|g| g / 2).collect();
             held.sort_unstable();
@@ -265,14 +265,14 @@ fn crossovers_bring_paths_back_to_their_lengths_and_keep_every_segment() {
         }
         let lengths = |c: &Chromosome| (0..model.sizes.len()).map(|m| c.path(m).len()).collect::<Vec<_>>();
         for by in OPERATORS {
-            let torn = cross(by, [&parents[0], &parents[1]], &model.sizes, &mut dice);
+            let torn = cross(by, [&parents[0], &parents[1]], &model.sizes, &mut rng);
             for (torn, parent) in torn.into_iter().zip(&parents) {
                 let (now, was) = (lengths(&torn.chromosome), lengths(parent));
                 for (m, &size) in model.sizes.iter().enumerate() {
                     let size = size as usize;
                     assert!((now[m] >= size || now[m] >= was[m]) && (now[m] <= size || now[m] <= was[m]));
                 }
-                let mut filling = Filling::new(&model, torn, &mut dice);
+                let mut filling = Filling::new(&model, torn, &mut rng);
                 while filling.work(&model) > 0 {}
                 let child = filling.full().unwrap();
                 let held: BTreeSet<u32> = child.genes.iter().map(|g| g / 2).collect();
@@ -291,7 +291,7 @@ fn blanks_take_first_what_goes_on_and_then_what_adds_least() {
     let model = model(&problem);
     let fill = |genes: &[Gene], missing: &[u32]| {
         let torn = Torn { chromosome: Chromosome::new(genes.to_vec(), &[4, 4]), missing: missing.to_vec() };
-        let mut filling = Filling::new(&model, torn, &mut Dice::new(1));
+        let mut filling = Filling::new(&model, torn, &mut seeded(1));
         filling.work(&model);
         filling.full().unwrap().genes
     };

@@ -14,6 +14,7 @@ use super::settings::{SwarmSettings, Weights};
 use crate::geometry::math;
 use crate::order::{real, sort_by};
 use crate::problem::{NodeId, Problem};
+use crate::solve::rng::Draw;
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -98,9 +99,9 @@ impl Colony {
         let problem = legs.problem();
         let Some(walk) = &mut self.ant else {
             let items = worth.keys.items();
-            let any = items[if worth.keys.led { 0 } else { flock.dice.below(items.len()) }];
+            let any = items[if worth.keys.led { 0 } else { flock.rng.below(items.len()) }];
             let nodes = problem.items[any as usize].nodes.clone();
-            let drawn = nodes.clone().nth(flock.dice.below(nodes.len())).unwrap_or(nodes.start);
+            let drawn = nodes.clone().nth(flock.rng.below(nodes.len())).unwrap_or(nodes.start);
             let node = worth.keys.pinned.unwrap_or(drawn);
             self.ant = Some(Walk::new(flock.all.clone(), problem, &[node]));
             return Some(problem.nodes.len() as u64);
@@ -123,7 +124,7 @@ impl Colony {
             sum += (math::pow(*trail, self.by.trail) * math::pow(nearness, self.by.nearness)).min(1e100);
             choices.push((sum, node));
         }
-        let drawn = flock.dice.even() * sum;
+        let drawn = flock.rng.uniform() * sum;
         if let Some(&(_, node)) = choices.iter().find(|c| c.0 > drawn) {
             walk.go(problem, node);
             return Some(priced);

@@ -6,7 +6,7 @@ use super::super::left::Left;
 use super::settings::Weights;
 use super::worth::Worth;
 use crate::problem::NodeId;
-use crate::solve::dice::Dice;
+use crate::solve::rng::{Draw, Rng};
 use std::ops::Range;
 
 /// A particle.
@@ -29,7 +29,7 @@ pub(super) struct Flock<'p> {
     pub(super) worth: Worth<'p>,
     /// All nodes, to walk among.
     pub(super) all: Left,
-    pub(super) dice: Dice,
+    pub(super) rng: Rng,
     pub(super) particles: Vec<Particle>,
     /// The particle whose best is the best of all.
     pub(super) leader: usize,
@@ -51,22 +51,22 @@ impl Flock<'_> {
     /// Draws a particle's velocity anew, and its position too when there is no tour to stand for.
     pub(super) fn draw(&mut self, i: usize, tour: Option<&[NodeId]>) {
         let count = self.worth.keys.count();
-        let Self { particles, dice, fastest, worth, .. } = self;
+        let Self { particles, rng, fastest, worth, .. } = self;
         let particle = &mut particles[i];
-        particle.velocity = (0..count).map(|_| *fastest * (2.0 * dice.even() - 1.0)).collect();
+        particle.velocity = (0..count).map(|_| *fastest * (2.0 * rng.uniform() - 1.0)).collect();
         match tour {
             Some(tour) => {
                 particle.keys.resize(count, 0.5);
                 worth.keys.set(tour, &mut particle.keys);
             }
-            None => particle.keys = (0..count).map(|_| dice.even()).collect(),
+            None => particle.keys = (0..count).map(|_| rng.uniform()).collect(),
         }
     }
 
     /// Eqs (14) and (15) for some keys of a particle. `pull` gives the weights, key by key.
-    pub(super) fn pull(&mut self, i: usize, range: Range<usize>, mut pull: impl FnMut(&mut Dice) -> Weights) {
+    pub(super) fn pull(&mut self, i: usize, range: Range<usize>, mut pull: impl FnMut(&mut Rng) -> Weights) {
         for k in range {
-            let by = pull(&mut self.dice);
+            let by = pull(&mut self.rng);
             let leader = self.particles[self.leader].best[k];
             let p = &mut self.particles[i];
             let x = p.keys[k];

@@ -11,6 +11,7 @@ use super::pso::{Plain, Pso};
 use super::run::{Guide, Run};
 use super::settings::{SwarmSettings, Weights};
 use crate::problem::{ItemId, NodeId, Problem};
+use crate::solve::rng::Draw;
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -112,7 +113,7 @@ impl Groups {
         if self.centres.is_empty() {
             let mut left = items.to_vec();
             while self.centres.len() * self.centres.len() < items.len() {
-                self.centres.push(left.swap_remove(flock.dice.below(left.len())));
+                self.centres.push(left.swap_remove(flock.rng.below(left.len())));
             }
             self.begin();
             return Some(items.len() as u64);

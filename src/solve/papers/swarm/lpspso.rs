@@ -13,6 +13,7 @@ use super::run::{Guide, Run};
 use super::settings::{SwarmSettings, Weights};
 use crate::problem::{NodeId, Problem};
 use crate::solve::Curve;
+use crate::solve::rng::Draw;
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -264,7 +265,7 @@ impl Guide for Swarm {
     /// Step 6.
     fn drive(&mut self, flock: &mut Flock, i: usize, keys: Range<usize>) {
         if keys.start == 0 {
-            self.pull.own = self.learning.0 * flock.dice.even();
+            self.pull.own = self.learning.0 * flock.rng.uniform();
             if self.flight && self.by.flights_must_gain {
                 let p = &flock.particles[i];
                 self.before.push(Origin { keys: p.keys.clone(), value: p.value, tour: p.tour.clone() });
@@ -275,7 +276,7 @@ impl Guide for Swarm {
             return flock.pull(i, keys, |_| pull);
         }
         for key in &mut flock.particles[i].keys[keys] {
-            *key = (*key + self.alpha * self.levy.step(&mut flock.dice)).clamp(0.0, 1.0);
+            *key = (*key + self.alpha * self.levy.step(&mut flock.rng)).clamp(0.0, 1.0);
         }
     }
 

@@ -85,6 +85,7 @@ impl Outcomes {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
+    use crate::solve::rng::{Draw, seeded};
 
     pub(in super::super) const PRINTED: Prospect =
         Prospect { alpha: 0.85, beta: 0.85, gamma: 2.25, delta: 0.61, phi: 0.69, avoidance: 0.69 };
@@ -113,9 +114,9 @@ pub(super) mod tests {
 
     #[test]
     fn a_shorter_path_never_has_a_smaller_value() {
-        let mut dice = crate::solve::dice::Dice::new(7);
+        let mut rng = seeded(7);
         for _ in 0..200 {
-            let mut draw = |n: usize| (0..n).map(|_| 1000.0 * dice.even()).collect::<Vec<f64>>();
+            let mut draw = |n: usize| (0..n).map(|_| 1000.0 * rng.uniform()).collect::<Vec<f64>>();
             let (now, kept) = (draw(50), draw(50));
             let outcomes = Outcomes::new(PRINTED, &now, &kept);
             let mut all: Vec<f64> = now.into_iter().chain(kept).collect();

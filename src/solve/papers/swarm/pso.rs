@@ -6,7 +6,7 @@ use super::flock::Flock;
 use super::run::{Guide, Run};
 use super::settings::{SwarmSettings, Weights};
 use crate::problem::Problem;
-use crate::solve::dice::Dice;
+use crate::solve::rng::{Draw, Rng};
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -72,7 +72,8 @@ impl Guide for Plain {
 
     fn drive(&mut self, flock: &mut Flock, particle: usize, keys: Range<usize>) {
         let Weights { inertia, own, swarm } = self.weights;
-        let draw = |dice: &mut Dice| Weights { inertia, own: own * dice.even(), swarm: swarm * dice.even() };
+        let draw =
+            |rng: &mut Rng| Weights { inertia, own: own * rng.uniform(), swarm: swarm * rng.uniform() };
         flock.pull(particle, keys, draw);
     }
 }

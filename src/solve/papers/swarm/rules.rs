@@ -1,7 +1,7 @@
 //! The rules by which LPSPSO's numbers change from iteration to iteration: Qu & Du, equations (16)-(18), (23)-(27).
 
 use crate::geometry::math;
-use crate::solve::dice::Dice;
+use crate::solve::rng::{Draw, Rng};
 
 /// Inertia weight, eq. (16): between the mean of its bounds and the upper one, as a power of `base`, falling with the
 /// share of the iterations done.
@@ -40,8 +40,8 @@ impl Levy {
     }
 
     /// One step.
-    pub(super) fn step(&self, dice: &mut Dice) -> f64 {
-        let (mu, nu) = (self.sigma * dice.normal(), dice.normal());
+    pub(super) fn step(&self, rng: &mut Rng) -> f64 {
+        let (mu, nu) = (self.sigma * rng.standard_normal(), rng.standard_normal());
         // A denominator of 0 would be a step without end.
         mu / math::pow(nu.abs().max(f64::MIN_POSITIVE), 1.0 / self.beta)
     }
@@ -134,9 +134,9 @@ mod tests {
         assert!((Levy::new(1.5).sigma - 0.6966).abs() < 5e-5);
         near(Levy::new(1.0).sigma, 1.0);
         // The tail: about 0.4 x^-1.5 of the steps are longer than x.
-        let mut dice = Dice::new(1);
+        let mut rng = crate::solve::rng::seeded(1);
         let levy = Levy::new(1.5);
-        let steps: Vec<f64> = (0..100_000).map(|_| levy.step(&mut dice).abs()).collect();
+        let steps: Vec<f64> = (0..100_000).map(|_| levy.step(&mut rng).abs()).collect();
         for x in [10.0, 20.0] {
             let longer = steps.iter().filter(|&&s| s > x).count() as f64 / 1e5;
             let wanted = 0.4 / (x * f64::sqrt(x));

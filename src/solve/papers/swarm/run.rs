@@ -10,7 +10,7 @@ use super::settings::SwarmSettings;
 use super::worth::{Valued, Worth};
 use crate::problem::{NodeId, Problem};
 use crate::solve::Search;
-use crate::solve::dice::Dice;
+use crate::solve::rng::seeded;
 use crate::solve::{Curve, Insight};
 use std::ops::Range;
 
@@ -77,7 +77,7 @@ impl<'p, G: Guide + 'p> Run<'p, G> {
         let count = if worth.keys.items().is_empty() { 0 } else { settings.particles.max(1) as usize };
         let flock = Flock {
             all: Left::all(problem),
-            dice: Dice::new(seed),
+            rng: seeded(seed),
             particles: vec![Particle::default(); count],
             leader: 0,
             round: 0,

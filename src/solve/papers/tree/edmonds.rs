@@ -126,7 +126,7 @@ fn opened(levels: &[Level]) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solve::dice::Dice;
+    use crate::solve::rng::{Draw, seeded};
 
     /// The cheapest choice of an arc into each vertex by which the root reaches all, by trying every one.
     fn brute(vertices: usize, root: usize, arcs: &[Arc]) -> Option<f64> {
@@ -155,16 +155,16 @@ mod tests {
 
     #[test]
     fn as_cheap_as_the_best_of_all_choices() {
-        let mut dice = Dice::new(5);
+        let mut rng = seeded(5);
         let (mut solved, mut cut_off) = (0, 0);
         for _ in 0..600 {
-            let vertices = 2 + dice.below(5);
-            let root = dice.below(vertices);
-            let arcs: Vec<Arc> = (0..dice.below(3 * vertices) + vertices)
+            let vertices = 2 + rng.below(5);
+            let root = rng.below(vertices);
+            let arcs: Vec<Arc> = (0..rng.below(3 * vertices) + vertices)
                 .map(|_| Arc {
-                    from: dice.below(vertices),
-                    to: dice.below(vertices),
-                    cost: dice.below(9) as f64,
+                    from: rng.below(vertices),
+                    to: rng.below(vertices),
+                    cost: rng.below(9) as f64,
                 })
                 .collect();
             let (found, best) = (arborescence(vertices, root, &arcs), brute(vertices, root, &arcs));

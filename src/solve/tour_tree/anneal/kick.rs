@@ -6,6 +6,7 @@ use super::super::improve::improve;
 use super::super::rebuild::rebuild;
 use super::Annealing;
 use crate::solve::epsilon::EPSILON;
+use crate::solve::rng::Draw;
 
 impl Annealing<'_> {
     pub(super) fn kick(&mut self) {
@@ -16,11 +17,11 @@ impl Annealing<'_> {
             let left = 1.0 - self.kicks as f64 / self.kicks_wanted as f64;
             self.temperature * left * left
         };
-        let Self { tour, near, queue, dice, .. } = self;
-        let change = if self.rebuilds > 0 && dice.below(100) < self.rebuilds {
-            rebuild(tour, near, queue, dice)
+        let Self { tour, near, queue, rng, .. } = self;
+        let change = if self.rebuilds > 0 && rng.below(100) < self.rebuilds {
+            rebuild(tour, near, queue, rng)
         } else {
-            exchange(tour, queue, dice)
+            exchange(tour, queue, rng)
         };
         let Some(mut change) = change else {
             while queue.pop().is_some() {}
@@ -34,7 +35,7 @@ impl Annealing<'_> {
         if self.few && change.abs() > EPSILON && self.cost + change < most {
             change -= self.settled_anew(self.cost + change);
         }
-        if !self.dice.passes(change, heat) {
+        if !self.rng.accepts(change, heat) {
             self.tour.undo();
             return;
         }

@@ -18,8 +18,8 @@ use super::kept::Kept;
 use super::neighbours::Neighbours;
 use super::queue::Queue;
 use super::tour::Tour;
-use crate::solve::dice::Dice;
 use crate::solve::epsilon::EPSILON;
+use crate::solve::rng::Rng;
 
 /// The best of a part of a cycle; `unsaved` while the tour itself is the best.
 struct Top {
@@ -47,7 +47,7 @@ pub(super) struct Annealing<'p> {
     queue: Queue,
     layers: Layers,
     elites: Elites,
-    dice: Dice,
+    rng: Rng,
     stage: Stage,
     /// Seconds of the tour as it is.
     cost: f64,
@@ -68,7 +68,7 @@ pub(super) struct Annealing<'p> {
 
 impl<'p> Annealing<'p> {
     /// From a feasible tour.
-    pub(super) fn new(mut tour: Tour<'p>, dice: Dice) -> Self {
+    pub(super) fn new(mut tour: Tour<'p>, rng: Rng) -> Self {
         let near = Neighbours::new(&tour.space);
         let queue = Queue::new(tour.space.home as usize + 1);
         let (cost, kept) = (tour.cost(), tour.now().clone());
@@ -81,7 +81,7 @@ impl<'p> Annealing<'p> {
             queue,
             layers: Layers::default(),
             elites: Elites::default(),
-            dice,
+            rng,
             stage: Stage::Listing,
             cost,
             top: Top { cost, kept: kept.clone(), unsaved: false },

@@ -1,7 +1,6 @@
 //! Kicks: a chain of stops taken somewhere else, further along its route or to something near, the local search after
 //! it, and the decision whether that stays.
 
-use super::super::super::dice::Dice;
 use super::super::index::index;
 use super::super::neighbours::Neighbours;
 use super::super::space::Space;
@@ -13,6 +12,7 @@ use super::shift::Shift;
 use super::shift::Spot;
 use super::tree::leaving;
 use super::{Children, Tree};
+use crate::solve::rng::{Draw, Rng};
 
 /// Longest chain taken, and farthest it goes along its route: most are short, as in `exchange.rs`.
 const LONGEST: usize = 50;
@@ -30,28 +30,28 @@ impl Children {
         self.tree.priced += 1;
         let g = Ground { space, near, bridges: &self.bridges };
         let mut touched = Vec::with_capacity(16);
-        let first = index(self.dice.below(space.home as usize));
+        let first = index(self.rng.below(space.home as usize));
         // Not of the tour: it is cut with its pierce group.
         if !self.tree.is_live(first) {
             return;
         }
         let mut change = 0.0;
-        if self.dice.below(JOIN) == 0 {
+        if self.rng.below(JOIN) == 0 {
             let list = near.of_item(first);
-            let other = *list.get(self.dice.below(list.len().max(1))).unwrap_or(&first);
+            let other = *list.get(self.rng.below(list.len().max(1))).unwrap_or(&first);
             for stop in [first, other] {
                 change -= join(g, &mut self.tree, stop, &mut touched);
             }
         } else {
-            let Some(shift) = draw(&mut self.dice, &self.tree, g, first) else { return };
+            let Some(shift) = draw(&mut self.rng, &self.tree, g, first) else { return };
             if !may_shift(g, &mut self.tree, shift) {
                 return;
             }
             change -= gain(space, &self.tree, shift);
             perform(g, &mut self.tree, shift, |t| touched.push(t));
         }
-        if self.dice.below(DRAW_PLACE) == 0 {
-            let place = index(self.dice.below(space.places(first).len()));
+        if self.rng.below(DRAW_PLACE) == 0 {
+            let place = index(self.rng.below(space.places(first).len()));
             change += place_at(g, &mut self.tree, first, place).unwrap_or(0.0);
         }
         // Places first, as in `exchange.rs`; the first of the chain last.
@@ -64,7 +64,7 @@ impl Children {
         while let Some(touch) = self.queue.pop() {
             change -= improve(g, &mut self.tree, &mut self.queue, touch);
         }
-        if !self.dice.passes(change, heat) {
+        if !self.rng.accepts(change, heat) {
             self.tree.undo(space, 0);
             return;
         }
@@ -101,29 +101,29 @@ fn join(g: Ground, tree: &mut Tree, stop: u32, touched: &mut Vec<u32>) -> f64 {
 }
 
 /// A chain and somewhere to put it.
-fn draw(dice: &mut Dice, tree: &Tree, g: Ground, first: u32) -> Option<Shift> {
+fn draw(rng: &mut Rng, tree: &Tree, g: Ground, first: u32) -> Option<Shift> {
     let space = g.space;
     let ahead = |from: u32, steps: usize, stop: u32| {
         let on = |&t: &u32| Some(tree.next(t)).filter(|&n| n != stop);
         std::iter::successors(Some(from), on).take(steps + 1).last().unwrap_or(from)
     };
-    let last = ahead(first, dice.length(LONGEST) - 1, tree.route(first));
-    let turned = dice.below(2) == 0;
+    let last = ahead(first, rng.log_uniform(LONGEST) - 1, tree.route(first));
+    let turned = rng.below(2) == 0;
     let shift = |spot| Some(Shift { first, last, turned, spot, at: None, enter: first });
-    let way = dice.below(4);
+    let way = rng.below(4);
     if way < 2 {
-        let to = ahead(last, dice.length(LONGEST), tree.previous(first));
+        let to = ahead(last, rng.log_uniform(LONGEST), tree.previous(first));
         return if to == last { None } else { shift(Spot::Behind(to)) };
     }
     let list = g.near.of_item(first);
-    let other = *list.get(dice.below(list.len().max(1)))?;
+    let other = *list.get(rng.below(list.len().max(1)))?;
     if other != space.home && tree.closing.holds(tree.head(first), last, other) {
         return None;
     }
     if way == 2 {
         let anchors = tree.kids(other);
-        let touch = *anchors.get(dice.below(anchors.len() + 1)).unwrap_or(&other);
-        let to = if dice.below(2) == 0 { touch } else { tree.previous(touch) };
+        let touch = *anchors.get(rng.below(anchors.len() + 1)).unwrap_or(&other);
+        let to = if rng.below(2) == 0 { touch } else { tree.previous(touch) };
         let outside = tree.is_anchor(to) || !tree.closing.holds(tree.head(first), last, to);
         return if outside && to != tree.previous(first) { shift(Spot::Behind(to)) } else { None };
     }

@@ -30,7 +30,6 @@ mod tree;
 mod turn;
 mod visits;
 
-use super::super::dice::Dice;
 use super::anneal::Annealing;
 use super::kept::Kept;
 use super::polish::unpolished;
@@ -38,6 +37,7 @@ use super::queue::Queue;
 use super::space::Space;
 use crate::solve::Solution;
 use crate::solve::epsilon::EPSILON;
+use crate::solve::rng::Rng;
 use bridges::Bridges;
 use hang::hang;
 use moves::improve;
@@ -75,7 +75,7 @@ pub(super) struct Children {
     bridges: Bridges,
     tree: Tree,
     queue: Queue,
-    dice: Dice,
+    rng: Rng,
     stage: Stage,
     /// Seconds of the routes as they are.
     cost: f64,
@@ -114,7 +114,7 @@ pub(super) fn flattened(space: &Space, solution: &Solution) -> Kept {
 
 impl Children {
     /// From any solution.
-    pub(super) fn new(space: &Space, from: &Solution, dice: Dice) -> Self {
+    pub(super) fn new(space: &Space, from: &Solution, rng: Rng) -> Self {
         let tree = Tree::new(space, from);
         let cost = tree.cost(space);
         let best = at_places(space, &tree);
@@ -122,7 +122,7 @@ impl Children {
             bridges: Bridges::default(),
             tree,
             queue: Queue::new(2 * space.home as usize + 1),
-            dice,
+            rng,
             stage: Stage::Listing,
             cost,
             least: best.cost,

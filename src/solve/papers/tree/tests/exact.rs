@@ -6,7 +6,7 @@ use super::super::{ground::Ground, pfr};
 use super::{ground, near, random, sheet};
 use crate::geometry::DVec2;
 use crate::problem::{NodeId, Problem};
-use crate::solve::dice::Dice;
+use crate::solve::rng::seeded;
 use crate::solve::{Solution, Solver, Status, exact};
 
 /// What the head is about, outermost first.
@@ -98,9 +98,9 @@ fn run(method: &dyn Solver, problem: &Problem) -> Solution {
 
 #[test]
 fn trying_everything_is_the_exact_solver_where_nothing_may_be_left() {
-    let mut dice = Dice::new(8);
+    let mut rng = seeded(8);
     for _ in 0..10 {
-        let mut problem = random(4, 3, &mut dice);
+        let mut problem = random(4, 3, &mut rng);
         problem.items.iter_mut().for_each(|i| i.leave = None);
         near(optimum(&problem), exact(&problem).unwrap().cost);
     }
@@ -108,12 +108,12 @@ fn trying_everything_is_the_exact_solver_where_nothing_may_be_left() {
 
 #[test]
 fn no_method_is_below_the_optimum_and_the_tree_is_often_at_it() {
-    let mut dice = Dice::new(9);
+    let mut rng = seeded(9);
     let tree = |start| PartitionTree { start, ..PartitionTree::default() };
     let trees = [InitialPartitions::Pfr, InitialPartitions::Single, InitialPartitions::Each].map(tree);
     let (mut at, mut left, mut built) = (0, 0, 0);
     for round in 0..40 {
-        let problem = random(2 + round % 3, 2 + round % 2, &mut dice);
+        let problem = random(2 + round % 3, 2 + round % 2, &mut rng);
         let optimum = optimum(&problem);
         for method in [&trees[0] as &dyn Solver, &trees[1], &trees[2], &GtspLk::default(), &Pfr {}] {
             let found = run(method, &problem);
@@ -147,9 +147,9 @@ fn pfr_leaves_a_contour_where_that_is_cheaper() {
 
 #[test]
 fn pfr_keeps_precedence_on_deep_nestings() {
-    let mut dice = Dice::new(12);
+    let mut rng = seeded(12);
     for _ in 0..20 {
-        let problem = random(30, 4, &mut dice);
+        let problem = random(30, 4, &mut rng);
         let g = ground(&problem);
         let mut construction = pfr::Pfr::new(&g);
         while construction.piece(&g).is_some() {

@@ -7,8 +7,8 @@ mod resolution;
 use super::forest::{Forest, ROOT};
 use super::ground::Ground;
 use crate::problem::{NodeId, Problem};
-use crate::solve::dice::Dice;
 use crate::solve::papers::test_sheet;
+use crate::solve::rng::{Draw, Rng};
 
 /// Seconds of leaving a contour in most tests.
 const PRE_CUT: f64 = 1.0;
@@ -19,17 +19,17 @@ fn sheet(contours: &[&[[f64; 2]]]) -> Problem {
 }
 
 /// Random contours of that many corners each, some inside others, some that may not be left, one now and then open.
-fn random(contours: usize, corners: usize, dice: &mut Dice) -> Problem {
-    let mut place = || [dice.even() * 100.0, dice.even() * 100.0];
+fn random(contours: usize, corners: usize, rng: &mut Rng) -> Problem {
+    let mut place = || [rng.uniform() * 100.0, rng.uniform() * 100.0];
     let all: Vec<Vec<[f64; 2]>> = (0..contours).map(|_| (0..corners).map(|_| place()).collect()).collect();
     let mut problem = sheet(&all.iter().map(Vec::as_slice).collect::<Vec<_>>());
-    problem.closed = dice.below(2) == 0;
+    problem.closed = rng.below(2) == 0;
     for k in 0..contours {
         let item = &mut problem.items[k];
         // What is around has a lower number: no circles.
-        item.before = (k > 0 && dice.below(3) == 0).then(|| u32::try_from(dice.below(k)).unwrap());
-        item.leave = (dice.below(4) > 0).then(|| dice.even() * 20.0);
-        if corners == 2 && dice.below(4) == 0 {
+        item.before = (k > 0 && rng.below(3) == 0).then(|| u32::try_from(rng.below(k)).unwrap());
+        item.leave = (rng.below(4) > 0).then(|| rng.uniform() * 20.0);
+        if corners == 2 && rng.below(4) == 0 {
             item.leave = None;
             let (a, b) = (item.nodes.start, item.nodes.start + 1);
             for (own, other) in [(a, b), (b, a)] {
@@ -49,20 +49,20 @@ fn ground(problem: &Problem) -> Ground<'_> {
 }
 
 /// A random tree: every contour in a random gap or at a random free node.
-fn random_forest(g: &Ground, dice: &mut Dice) -> Forest {
+fn random_forest(g: &Ground, rng: &mut Rng) -> Forest {
     let mut forest = Forest::new(g);
     for (item, k) in (0..).zip(0..g.problem.items.len()) {
         let nodes = g.nodes(item);
-        forest.enter(item, nodes.start + NodeId::try_from(dice.below(nodes.len())).unwrap());
-        let other = u32::try_from(dice.below(k.max(1))).unwrap();
+        forest.enter(item, nodes.start + NodeId::try_from(rng.below(nodes.len())).unwrap());
+        let other = u32::try_from(rng.below(k.max(1))).unwrap();
         let free: Vec<NodeId> = g.nodes(other).filter(|&n| k > 0 && forest.is_free(g, n)).collect();
-        if free.is_empty() || dice.below(2) == 0 {
+        if free.is_empty() || rng.below(2) == 0 {
             let (route, pos) =
                 if k > 0 { (forest.route_of(other), forest.pos(other) + 1) } else { (ROOT, 0) };
             forest.splice(route, pos, vec![item]);
         } else {
             let route = forest.open(vec![item]);
-            forest.hang(g, route, free[dice.below(free.len())]);
+            forest.hang(g, route, free[rng.below(free.len())]);
         }
     }
     assert!(forest.is_sound(g));

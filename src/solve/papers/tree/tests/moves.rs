@@ -10,7 +10,7 @@ use super::super::{
 };
 use super::{PRE_CUT, ground, near, random, random_forest, sheet};
 use crate::problem::NodeId;
-use crate::solve::dice::Dice;
+use crate::solve::rng::seeded;
 use std::mem::discriminant;
 
 fn found(g: &Ground, forest: &Forest) -> Vec<(f64, Move)> {
@@ -24,12 +24,12 @@ fn found(g: &Ground, forest: &Forest) -> Vec<(f64, Move)> {
 
 #[test]
 fn every_move_gains_what_it_says_and_leaves_a_tree() {
-    let mut dice = Dice::new(3);
+    let mut rng = seeded(3);
     let mut kinds = Vec::new();
     for round in 0..60 {
-        let problem = random(3 + round % 9, 2 + round % 3, &mut dice);
+        let problem = random(3 + round % 9, 2 + round % 3, &mut rng);
         let g = ground(&problem);
-        let forest = random_forest(&g, &mut dice);
+        let forest = random_forest(&g, &mut rng);
         for (gain, change) in found(&g, &forest) {
             let mut next = forest.clone();
             change.apply(&g, &mut next);
@@ -47,9 +47,9 @@ fn every_move_gains_what_it_says_and_leaves_a_tree() {
 
 #[test]
 fn near_nodes_are_the_nearest_two_of_each_contour() {
-    let mut dice = Dice::new(2);
+    let mut rng = seeded(2);
     for round in 0..20 {
-        let problem = random(4 + 3 * round, 2 + round % 4, &mut dice);
+        let problem = random(4 + 3 * round, 2 + round % 4, &mut rng);
         let g = ground(&problem);
         for (id, node) in (0..).zip(&problem.nodes) {
             let seconds = |n: NodeId| g.air(node.exit, g.entry(n)).min(g.air(node.entry, g.entry(n)));
@@ -72,13 +72,13 @@ fn near_nodes_are_the_nearest_two_of_each_contour() {
 
 #[test]
 fn with_precedence_no_move_breaks_it() {
-    let mut dice = Dice::new(4);
+    let mut rng = seeded(4);
     let (mut made, mut broken) = (0, 0);
     for round in 0..40 {
-        let problem = random(4 + round % 12, 3, &mut dice);
+        let problem = random(4 + round % 12, 3, &mut rng);
         let g = ground(&problem);
         for keep in [true, false] {
-            let mut forest = random_forest(&g, &mut dice);
+            let mut forest = random_forest(&g, &mut rng);
             repair(&g, &mut forest);
             assert!(keeps_precedence(&g, &forest) && forest.is_sound(&g), "repaired");
             for item in (0..).take(problem.items.len()) {
@@ -95,11 +95,11 @@ fn with_precedence_no_move_breaks_it() {
 
 #[test]
 fn resolving_any_tree_leaves_a_tree() {
-    let mut dice = Dice::new(6);
+    let mut rng = seeded(6);
     for round in 0..80 {
-        let problem = random(2 + round % 15, 2 + round % 4, &mut dice);
+        let problem = random(2 + round % 15, 2 + round % 4, &mut rng);
         let g = ground(&problem);
-        let mut forest = random_forest(&g, &mut dice);
+        let mut forest = random_forest(&g, &mut rng);
         let mut connections = Connections::default();
         let routes: Vec<u32> = forest.used().collect();
         for &route in &routes {
