@@ -182,7 +182,8 @@ impl Run {
     /// The proof knows no sharp corners: where it takes less to leave a contour in one than to wait there, every one of them
     /// may save that.
     pub fn bound(&self) -> f64 {
-        let saved = |i: &Item| i.run.as_ref().map_or(0.0, |run| run.sharp() as f64) * (-i.resume()).max(0.0);
+        let saved =
+            |i: &Item| i.run.as_ref().map_or(0.0, |run| run.sharp_corners() as f64) * (-i.resume()).max(0.0);
         let least = |i: &Item| i.fixed - if i.leave.is_some() { saved(i) } else { 0.0 };
         let all = |prover: &LowerBound| self.problem().items.iter().map(least).sum::<f64>() + prover.value();
         self.prover.as_ref().map_or(0.0, all)

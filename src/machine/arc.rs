@@ -1,37 +1,38 @@
-//! The speed along an arc.
+//! Speed limit on an arc.
 //!
-//! GRBL runs an arc as chords that deviate from it by at most its arc tolerance e (setting `$12`), and plans these like
-//! any other lines: only the corner between two chords limits the speed. A chord of an arc of radius r turns by 2 x with
-//! x = sqrt(e (2 r - e)) / r, so by the junction speed of `lookahead.rs`
+//! GRBL divides an arc into chords that deviate from it by at most its arc tolerance e (setting `$12`), and plans them
+//! like any other lines, so only the corners between chords limit the speed. A chord of an arc of radius r turns by 2
+//! x, with x = sqrt(e (2 r - e)) / r. The junction speed of `lookahead.rs` then gives
 //!
-//! v^2 = a delta cos x / (1 - cos x), which is about a r delta / e:
+//! v^2 = a delta cos x / (1 - cos x), which is about a r delta / e.
 //!
-//! with GRBL's delta of 0.010 mm and e of 0.002 mm five times what a centripetal acceleration of a would allow. Between
-//! two corners the head speeds up and slows down again. What counts is the mean speed over a chord, so a piece of an arc
-//! takes its share of the time wherever the arc is divided. GRBL rounds the number of chords down, up to one chord of an
-//! arc; that depends on where the contour is entered and is left out.
+//! With GRBL's delta of 0.010 mm and e of 0.002 mm, that is five times what a centripetal acceleration of a would
+//! allow. Between two corners the head accelerates and brakes again. The model uses the mean speed over a chord, so a
+//! part of an arc takes its share of the time wherever the arc is divided. GRBL rounds the number of chords down, which
+//! can drop up to one chord of an arc; this depends on the entry of the contour and is neglected.
 //!
-//! A machine without a junction deviation keeps to the centripetal acceleration: v^2 = a r.
+//! A machine without a junction deviation is limited by the centripetal acceleration: v^2 = a r.
 //!
 //! Source: GRBL 1.1, wiki "Grbl v1.1 Configuration" (`$11`, `$12`), `mc_arc` of motion_control.c.
 
 use super::ramp::seconds;
 use crate::geometry::math;
 
-/// How far chords may deviate from an arc, mm: `$12` of GRBL as it is shipped.
+/// Largest deviation of chords from an arc, mm: the default of GRBL's `$12`.
 const ARC_TOLERANCE: f64 = 0.002;
-/// Cosine beyond which GRBL takes a corner for straight on.
+/// Cosine above which GRBL treats a corner as straight.
 const STRAIGHT: f64 = 0.999_999;
 
-/// Square of the speed along an arc of this radius, mm, at most `top2`.
+/// Square of the speed limit, (mm/s)^2, on an arc of radius `radius` mm; at most `top2`.
 pub(super) fn arc_speed2(deviation: Option<f64>, accel: f64, top2: f64, radius: f64) -> f64 {
     let Some(deviation) = deviation else { return top2.min(accel * radius) };
     let half2 = ARC_TOLERANCE * (2.0 * radius - ARC_TOLERANCE);
-    // A circle smaller than the tolerance is one line to the controller.
+    // The controller runs a circle smaller than the tolerance as one line.
     if half2 <= 0.0 {
         return top2;
     }
-    // As 1 - cos x is at most x^2 / 2: no root nor cosine where the arc is no limit, which is nearly everywhere.
+    // Since 1 - cos x is at most x^2 / 2, this test needs no root nor cosine where the arc is no limit, which is nearly
+    // everywhere.
     if accel * deviation * (2.0 * radius * radius / half2 - 1.0) >= top2 {
         return top2;
     }

@@ -1,42 +1,42 @@
-//! Seconds along a closed contour by the place where it is entered.
+//! Time along a closed contour, as a function of the place where it is entered.
 //!
-//! However a closed contour is entered, the head stops there twice, at the start and at the end. What that costs
-//! depends on the place: at a sharp corner the head is slow anyway, in the middle of a side it brakes from full
-//! speed and has to come back to it. The fastest run without any stop is worked out once, by the rules of
-//! `lookahead.rs` carried round the loop. A stop lowers its profile only where the ramps from rest lie under it:
-//! they are followed out from the stop, forwards and back, until they meet it, so a place is priced by the few
-//! elements around it. Squares of speeds change by at most 2 a d over a distance d in either direction, so the
-//! profile with the stop is the least of the profile without it and both ramps, and the price is exact.
+//! Wherever a closed contour is entered, the head is at rest there at the start and at the end. The cost of that
+//! depends on the place: at a sharp corner the head is slow anyway, but in the middle of a side it accelerates from
+//! rest to full speed and brakes again. The fastest run without a stop is computed once, by the rules of `lookahead.rs`
+//! applied around the loop. A stop lowers its speed profile only near the stop: the two ramps from rest are followed
+//! forwards and backwards until they meet the profile, so pricing a place visits only the few elements around it.
+//! Squares of speeds change by at most 2 a d over a distance d, so the profile with the stop is the minimum of the
+//! profile without it and both ramps, and the price is exact.
 //!
-//! In a sharp corner ([`super::SharpCorner`]) the head stops anyway, and waits; a run that is entered there does not cut it
-//! through, and saves the wait.
+//! In a sharp corner ([`super::SharpCorner`]) the head stops and waits in any case. A run that is entered there does
+//! not cut through it and saves the wait.
 //!
-//! The slowest place of the loop tells how little a stop can cost: that much is part of every run, and the extra
-//! seconds of a place are what it costs above that; never less than 0. With a sharp corner, a stop costs less than nothing:
-//! it saves the wait.
+//! The slowest place of the loop gives a lower bound on the cost of a stop. That bound is part of every run, and the
+//! extra seconds of a place are those above it, never less than 0. With sharp corners a stop may have a negative cost,
+//! because it saves a wait.
 
-use super::lookahead::{Run, corner_speed2};
+use super::lookahead::{ElementLimits, corner_speed2};
 use super::profile::Profile;
 use super::ramp::seconds;
 use crate::geometry::Segment;
 
-/// Places nearer than this to an element's end are that end, mm: as in `geometry/path.rs`.
+/// A place nearer than this to an element's end is that end, mm, as in `geometry/path.rs`.
 const SNAP: f64 = 1e-9;
 
-/// The runs along a closed contour, from rest to rest at any of its places.
+/// The times along a closed contour from rest to rest, for every entry.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedRun {
-    /// Infinite: speeds change at once.
+    /// Acceleration, mm/s2; infinite if speeds change instantly.
     accel: f64,
     length: f64,
-    /// Seconds without any stop but those in sharp corners.
-    through: f64,
-    /// Seconds that a stop costs at least; negative where it may save a wait in a sharp corner.
+    /// Seconds without any stop except those in sharp corners.
+    nonstop: f64,
+    /// Least seconds that a stop costs; negative if it may save a wait in a sharp corner.
     stop: f64,
-    /// Seconds of that wait.
+    /// Seconds of a wait in a sharp corner.
     wait: f64,
-    /// The same speed everywhere.
-    even: bool,
+    /// Whether the speed is the same everywhere.
+    uniform: bool,
     pieces: Vec<Piece>,
 }
 
@@ -46,26 +46,26 @@ struct Piece {
     /// Arc length at its start, mm.
     start: f64,
     length: f64,
-    /// Square of the highest speed along it.
+    /// Square of the speed limit along it, (mm/s)^2.
     top2: f64,
-    /// Square of the speed at its start, without any stop.
+    /// Square of the speed at its start without a stop, (mm/s)^2.
     speed2: f64,
-    /// Seconds along it, without any stop.
+    /// Seconds along it without a stop.
     seconds: f64,
-    /// It starts at a sharp corner.
+    /// Whether it starts at a sharp corner.
     sharp: bool,
 }
 
 impl ClosedRun {
-    /// The runs of a closed path that is marked, or cut; `None` where stopping costs nothing, without an acceleration and
-    /// sharp corners, and on a path without length.
+    /// The times along a closed path that is marked (`mark`) or cut. `None` where a stop costs nothing (without
+    /// acceleration and sharp corners) and for a path without length.
     pub fn new(profile: &Profile, mark: bool, path: &[Segment]) -> Option<Self> {
         let process = profile.process(mark);
         let accel = process.accel.unwrap_or(f64::INFINITY);
         let mut runs = Vec::with_capacity(path.len());
         let (mut pieces, mut length) = (Vec::with_capacity(path.len()), 0.0);
         for element in path {
-            let run = Run::new(profile, process.speed, accel, element);
+            let run = ElementLimits::new(profile, process.speed, accel, element);
             let start = length;
             length += run.length;
             if run.length > 0.0 {
@@ -95,14 +95,14 @@ impl ClosedRun {
         let wait = profile.macro_seconds();
         let saved = if sharp > 0 { wait } else { 0.0 };
         if accel.is_infinite() {
-            let through = pieces.iter().map(|p| p.seconds).sum::<f64>() + sharp as f64 * wait;
-            let run = Self { accel, length, through, stop: -saved, wait, even: false, pieces };
+            let nonstop = pieces.iter().map(|p| p.seconds).sum::<f64>() + sharp as f64 * wait;
+            let run = Self { accel, length, nonstop, stop: -saved, wait, uniform: false, pieces };
             return (sharp > 0).then_some(run);
         }
-        // The slowest corner is run at its own limit: both passes may start there.
+        // The slowest corner is passed at its own limit, so both passes may start there.
         let slowest = (0..n).fold(0, |s, i| if pieces[i].speed2 < pieces[s].speed2 { i } else { s });
         let least2 = pieces[slowest].speed2;
-        let even = pieces.iter().all(|p| p.speed2.max(p.top2) <= least2);
+        let uniform = pieces.iter().all(|p| p.speed2.max(p.top2) <= least2);
         for i in (0..n).map(|k| (slowest + k) % n) {
             let (piece, next) = (pieces[i], &mut pieces[(i + 1) % n]);
             next.speed2 = next.speed2.min(piece.speed2 + 2.0 * accel * piece.length);
@@ -113,25 +113,25 @@ impl ClosedRun {
             piece.speed2 = piece.speed2.min(next.speed2 + 2.0 * accel * piece.length);
             piece.seconds = seconds(piece.length, piece.top2, piece.speed2, next.speed2, accel);
         }
-        // At the slowest speed all the way there is the least to brake from.
+        // Braking costs least if the head runs at the slowest speed all the way.
         let stop = if least2 > 0.0 {
             seconds(length, least2, 0.0, 0.0, accel) - length / least2.sqrt()
         } else {
             0.0
         };
-        let through = pieces.iter().map(|p| p.seconds).sum::<f64>() + sharp as f64 * wait;
-        Some(Self { accel, length, through, stop: stop - saved, wait, even, pieces })
+        let nonstop = pieces.iter().map(|p| p.seconds).sum::<f64>() + sharp as f64 * wait;
+        Some(Self { accel, length, nonstop, stop: stop - saved, wait, uniform, pieces })
     }
 
-    /// Seconds that the run takes at least, wherever it is entered.
+    /// Least seconds of the run, over all entries.
     pub fn least(&self) -> f64 {
-        self.through + self.stop
+        self.nonstop + self.stop
     }
 
-    /// Seconds on top of [`ClosedRun::least`] when entered `along` mm from the path's start. Together they are
-    /// [`super::work_time`] of the path re-cut to start there.
+    /// Seconds above [`ClosedRun::least`] for the entry `along` mm from the path's start. Their sum is the
+    /// [`super::process_time`] of the path re-cut to start there.
     pub fn extra(&self, along: f64) -> f64 {
-        if self.even {
+        if self.uniform {
             return 0.0;
         }
         let n = self.pieces.len();
@@ -149,7 +149,7 @@ impl ClosedRun {
         }
         let mut change = -saved;
         let (mut ahead, mut d) = (i, 0.0);
-        // Pieces that are run whole, forwards or back.
+        // Elements that are passed completely, forwards or backwards.
         let mut left = n;
         if at > 0.0 {
             left -= 1;
@@ -174,33 +174,35 @@ impl ClosedRun {
         (change - self.stop).max(0.0)
     }
 
-    /// Seconds that each stop on the way takes at least; [`ClosedRun::least`] holds one. Negative where it saves a wait.
+    /// Least seconds of each stop on the way, one of which is part of [`ClosedRun::least`]. Negative if a stop saves a
+    /// wait.
     pub fn stop(&self) -> f64 {
         self.stop
     }
 
-    /// Sharp corners in it.
-    pub fn sharp(&self) -> usize {
+    /// Number of sharp corners.
+    pub fn sharp_corners(&self) -> usize {
         self.pieces.iter().filter(|p| p.sharp).count()
     }
 
-    /// Whether the run takes the same from wherever it is entered, as on a circle.
-    pub fn is_even(&self) -> bool {
-        self.even
+    /// Whether the time is the same for every entry, as on a circle.
+    pub fn is_uniform(&self) -> bool {
+        self.uniform
     }
 
-    /// Where elements start, the corners among them: arc length, mm, and square of the speed there without a stop.
+    /// The joints between elements, corners included: arc length in mm, and the square of the speed there without a
+    /// stop.
     pub fn joints(&self) -> impl Iterator<Item = (f64, f64)> {
         self.pieces.iter().map(|p| (p.start, p.speed2))
     }
 
-    /// Square of the speed at the start of piece `i`, `d` mm one way round from the stop.
+    /// Square of the speed at the start of piece `i`, which is `d` mm from the stop in one direction.
     fn slowed2(&self, i: usize, d: f64) -> f64 {
         let ramp2 = 2.0 * self.accel * d.min(self.length - d).max(0.0);
         self.pieces[i].speed2.min(ramp2)
     }
 
-    /// Seconds by which piece `i` takes longer between these speeds than without the stop.
+    /// Extra seconds along piece `i` when it is run between these speeds, compared with no stop.
     fn slower(&self, i: usize, from2: f64, to2: f64) -> f64 {
         let p = &self.pieces[i];
         seconds(p.length, p.top2, from2, to2, self.accel) - p.seconds

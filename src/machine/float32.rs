@@ -1,34 +1,34 @@
-//! Places in the numbers of the controller: 32-bit floats.
+//! Resolution of the controller's 32-bit floating-point coordinates.
 //!
-//! GRBL and its relatives compute with floats of 24 binary digits. Up to a few metres from the origin these are far finer
-//! than a motor step. Farther out the spacing between neighbouring floats doubles with the distance: 0.001 mm at 16 m,
-//! 0.008 mm from 66 m, 0.016 mm from 131 m. There a contour is cut with visible steps, and arcs are refused in the middle
-//! of the job (error 33) because their two radii no longer agree.
+//! GRBL and related controllers compute with floats of 24 binary digits. Up to a few metres from the origin these are
+//! far finer than a motor step. Farther out the spacing between neighbouring floats doubles with the distance: 0.001 mm
+//! at 16 m, 0.008 mm from 66 m, 0.016 mm from 131 m. There a contour is cut with visible steps, and the controller
+//! refuses arcs in the middle of the job (error 33) because their two radii no longer agree.
 
 use crate::geometry::{Aabb, DVec2};
 
-/// Coarsest spacing of the controller's numbers to cut with, mm: a tenth of a laser's kerf, about one motor step. Reached
-/// at 131,072 mm from the origin.
+/// Coarsest spacing of the controller's numbers that is accepted, mm: a tenth of a laser's kerf, about one motor step.
+/// It is reached at 131,072 mm from the origin.
 const COARSEST: f64 = 0.01;
 
-/// Distance between the 32-bit floats next to a coordinate, mm.
+/// Distance between neighbouring 32-bit floats at a coordinate, mm.
 pub(crate) fn spacing(coordinate: f64) -> f64 {
-    // The exponent alone of a double is the power of two at or below it.
+    // The exponent of a double alone is the largest power of two not above it.
     let power = f64::from_bits(coordinate.abs().to_bits() & (0x7FF << 52));
     power * f64::from(f32::EPSILON)
 }
 
-/// The larger of the spacings at a place's two coordinates, mm.
+/// The larger of the spacings at the two coordinates of a place, mm.
 pub(crate) fn spacing_at(place: DVec2) -> f64 {
     spacing(place.abs().max_element())
 }
 
-/// A place where the controller's numbers are too coarse to cut.
+/// A place where the controller's numbers are too coarse for cutting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FarOut {
-    /// Where, mm.
+    /// The place, mm.
     pub(crate) at: DVec2,
-    /// Distance between neighbouring numbers there, mm.
+    /// Distance between neighbouring floats there, mm.
     pub(crate) spacing: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The machine: what it can do ([`Profile`]), and the seconds that follow from it ([`air_time`], [`cut_time`]).
+//! The machine: its data ([`Profile`]), and the times that follow from it ([`air_time`], [`cut_time`]).
 
 mod arc;
 mod closed_run;
@@ -15,7 +15,7 @@ mod valid;
 pub use closed_run::ClosedRun;
 pub(crate) use corner::MARGIN;
 pub(crate) use float32::{FarOut, far_out, spacing_at};
-pub use lookahead::{cut_time, work_time};
+pub use lookahead::{cut_time, process_time};
 pub use motion::{AirTime, air_time};
 pub use presets::{preset, presets};
 pub use profile::{Axes, Dialect, Process, Profile, Travel};

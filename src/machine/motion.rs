@@ -1,28 +1,28 @@
-//! Seconds of an air move: from rest, as fast as the axes allow, to rest.
+//! Time of an air move from rest to rest, at the limits of the axes.
 //!
-//! One motion over a distance d with top speed v and acceleration a is a trapezoid of speed over time, or a
-//! triangle when d is too short to reach v. Two times say it all: `run` = d / v, the time at top speed, and
-//! `ramp2` = d / a, a time squared. The ramps add v / a = `ramp2` / `run`; the triangle takes 2 sqrt(`ramp2`).
-//! Written so, the limits of a direction come without dividing by its components: the axis that binds is the one
-//! with the larger |dx| / v, and likewise for the acceleration.
+//! A motion over distance d with top speed v and acceleration a is a trapezoid of speed over time, or a triangle when d
+//! is too short to reach v. It is described by `run` = d / v, the time at top speed, and `ramp2` = d / a, a squared
+//! time. The ramps of the trapezoid add v / a = `ramp2` / `run`; the triangle takes 2 sqrt(`ramp2`). In this form, the
+//! limits in a direction need no division by its components: the limiting axis is the one with the larger |dx| / v, and
+//! likewise for the acceleration.
 
 use super::profile::{Profile, Travel};
 use glam::DVec2;
 
-/// The air moves of one machine, ready to be priced many times.
+/// Time of air moves on one machine, prepared for many evaluations.
 #[derive(Clone, Copy, Debug)]
 pub struct AirTime {
     travel: Travel,
-    /// Seconds at top speed for one mm, by axis.
+    /// Seconds per mm at top speed, by axis.
     per_speed: DVec2,
-    /// Seconds squared for one mm, by axis; 0 when the machine is at speed at once.
+    /// Seconds squared per mm, by axis; 0 when the machine reaches its speed instantly.
     per_accel: DVec2,
-    /// The machine is at speed at once.
+    /// Whether the machine reaches its speed instantly.
     at_once: bool,
 }
 
 impl AirTime {
-    /// The air moves of a machine.
+    /// Prepares the air moves of a machine.
     pub fn new(profile: &Profile) -> Self {
         let per_speed = 1.0 / DVec2::from_array(profile.rapid.speed);
         let per_accel = profile.rapid.accel.map_or(DVec2::ZERO, |a| 1.0 / DVec2::from_array(a));
@@ -38,13 +38,13 @@ impl AirTime {
         }
     }
 
-    /// Seconds from `from` to `to`, mm. The same both ways, 0 on the spot, and never less for a longer way along
-    /// either axis.
+    /// Seconds from `from` to `to`, mm. The time is symmetric, 0 for no distance, and never decreases with the distance
+    /// along either axis.
     pub fn seconds(&self, from: DVec2, to: DVec2) -> f64 {
         self.seconds_here(from, to)
     }
 
-    /// The same, for where the call itself counts.
+    /// The same, inlined for loops in which a call is noticeable.
     #[inline(always)]
     pub(crate) fn seconds_here(&self, from: DVec2, to: DVec2) -> f64 {
         let d = (to - from).abs();
@@ -60,10 +60,10 @@ impl AirTime {
         }
     }
 
-    /// Seconds of a motion from rest to rest: see the head of this file.
+    /// Seconds of a motion from rest to rest; see the module's documentation.
     #[inline(always)]
     fn ramped(&self, run: f64, ramp2: f64) -> f64 {
-        // No root and no division for machines that are at speed at once.
+        // Machines that reach their speed instantly need no root and no division.
         if self.at_once {
             run
         } else if ramp2 >= run * run {
@@ -73,19 +73,20 @@ impl AirTime {
         }
     }
 
-    /// Seconds that a move of at least `d` mm along x or along y takes at least.
+    /// Least seconds of a move of at least `d` mm along x or along y.
     pub fn seconds_at_least(&self, d: f64) -> f64 {
         self.seconds(DVec2::ZERO, DVec2::X * d).min(self.seconds(DVec2::ZERO, DVec2::Y * d))
     }
 }
 
-/// Seconds of an air move of a machine, mm to s.
+/// Seconds of an air move between two places in mm.
 pub fn air_time(profile: &Profile, from: DVec2, to: DVec2) -> f64 {
     AirTime::new(profile).seconds(from, to)
 }
 
-/// The larger of two that are not below 0. In wasm that of the library is a call, as it heeds what is not a number, and a
-/// choice of two such numbers a jump, which machines guess wrong half the time; their bits are in the same order.
+/// The larger of two numbers that are not negative. In wasm, the library's `max` is a call, because it handles NaN, and
+/// a comparison is a branch, which is mispredicted half the time. The bits of such numbers have the same order as their
+/// values.
 #[inline(always)]
 pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if cfg!(target_family = "wasm") {
@@ -122,10 +123,10 @@ mod tests {
     #[test]
     fn trapezoid_and_triangle_by_hand() {
         let p = machine(Travel::Vector, [100.0, 100.0], Some([1000.0, 1000.0]));
-        // 0.1 s and 5 mm to reach 100 mm/s, 5 mm to stop, 90 mm at speed.
+        // It takes 0.1 s and 5 mm to reach 100 mm/s, 5 mm to stop, and 90 mm are run at speed.
         near(seconds(&p, 100.0, 0.0), 1.1);
         near(seconds(&p, 60.0, 80.0), 1.1);
-        // 4 mm: 2 mm up at 1000 mm/s2 take sqrt(2 * 2 / 1000).
+        // Of 4 mm, 2 mm of acceleration at 1000 mm/s2 take sqrt(2 * 2 / 1000).
         near(seconds(&p, 0.0, 4.0), 2.0 * (4.0_f64 / 1000.0).sqrt());
         // Both formulas meet where top speed is just reached.
         near(seconds(&p, 10.0, 0.0), 0.2);
@@ -133,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn at_once_without_acceleration() {
+    fn speed_is_reached_instantly_without_acceleration() {
         near(seconds(&machine(Travel::Vector, [50.0, 100.0], None), 30.0, 40.0), 1.0);
         near(seconds(&machine(Travel::Straight, [50.0, 100.0], None), 30.0, 40.0), 0.6);
         near(seconds(&machine(Travel::PerAxis, [50.0, 100.0], None), 30.0, 100.0), 1.0);
@@ -142,19 +143,19 @@ mod tests {
 
     #[test]
     fn straight_is_bound_by_one_axis_each_for_speed_and_acceleration() {
-        // Along (3, 4)/5: speed bound by y (200 / 0.8 = 250 < 300 / 0.6), acceleration by x (600 / 0.6 = 1000).
+        // Along (3, 4)/5, y limits the speed (200 / 0.8 = 250 < 300 / 0.6) and x the acceleration (600 / 0.6 = 1000).
         let p = machine(Travel::Straight, [300.0, 200.0], Some([600.0, 2000.0]));
         let (d, v, a) = (500.0, 250.0, 1000.0);
         near(seconds(&p, 300.0, 400.0), d / v + v / a);
         near(seconds(&p, -300.0, 400.0), d / v + v / a);
-        // An axis that stands still binds nothing.
+        // An axis that does not move is no limit.
         near(seconds(&p, 0.0, 400.0), 400.0 / 200.0 + 200.0 / 2000.0);
     }
 
     #[test]
     fn per_axis_takes_the_slower_axis() {
         let p = machine(Travel::PerAxis, [100.0, 100.0], Some([1000.0, 100.0]));
-        // x alone 1.1 s; y alone 2 sqrt(30 / 100) = 1.095 s, and 1.1 s just above 30.25 mm.
+        // x alone takes 1.1 s; y alone takes 2 sqrt(30 / 100) = 1.095 s, and 1.1 s just above 30.25 mm.
         near(seconds(&p, 100.0, 30.0), 1.1);
         near(seconds(&p, 100.0, 36.0), 2.0 * 0.6);
     }

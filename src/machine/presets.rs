@@ -1,16 +1,16 @@
-//! Machines with a material on them, as data. The figures are plausible middle values for their class, not those
-//! of one product: good enough to compare paths and to quote roughly, to be replaced by one's own.
+//! Presets: machines with a material, as data. The figures are typical for a class of machines, not for one product.
+//! They are good enough to compare paths and for rough quotes, and users replace them by their own.
 //!
 //! Sources: GRBL 1.1 settings `$110`/`$111` (top rates), `$120`/`$121` (accelerations), `$11` (junction deviation,
-//! 0.010 mm by default) and `$30` (full power, 1000) in the GRBL wiki; data sheets and cutting tables that makers
-//! of such machines publish. Each figure has its own reason beside it.
+//! 0.010 mm by default) and `$30` (full power, 1000) in the GRBL wiki; data sheets and cutting tables published by
+//! makers of such machines. The reason for each figure stands beside it.
 
 use super::profile::{Axes, Dialect, Process, Profile, Travel};
 use super::sharp_corner::SharpCorner;
 use super::valid::VERSION;
 use std::f64::consts::PI;
 
-/// Every preset, the default first.
+/// All presets, starting with the default.
 pub fn presets() -> Vec<Profile> {
     vec![
         co2_100w(),
@@ -27,12 +27,12 @@ pub fn presets() -> Vec<Profile> {
     ]
 }
 
-/// The preset of that name.
+/// The preset with this name.
 pub fn preset(name: &str) -> Option<Profile> {
     presets().into_iter().find(|p| p.name == name)
 }
 
-/// A gantry CO2 laser of 1300 x 900 mm run by GRBL, 3 mm acrylic.
+/// A gantry CO2 laser of 1300 x 900 mm with a GRBL controller, 3 mm acrylic.
 fn co2_100w() -> Profile {
     Profile {
         version: VERSION,
@@ -45,22 +45,22 @@ fn co2_100w() -> Profile {
         rapid: Axes {
             // Belt-driven optics head: 24 m/min for the light x, 18 m/min for the whole gantry in y.
             speed: [400.0, 300.0],
-            // A third of g for the head, less for the gantry: where belts still hold 0.1 mm.
+            // A third of g for the head, less for the gantry; belts still hold 0.1 mm at this.
             accel: Some([3000.0, 2000.0]),
         },
-        // 3 mm acrylic at 100 W: 30 to 45 mm/s in published tables for a clean edge.
+        // Published tables give 30 to 45 mm/s for a clean edge in 3 mm acrylic at 100 W.
         cut: Process { speed: 35.0, accel: Some(2000.0), power: 0.85 },
-        // Vector engraving, well below what burns through.
+        // Vector engraving, far from cutting through.
         mark: Process { speed: 200.0, accel: Some(2000.0), power: 0.15 },
         // GRBL's default.
         junction_deviation: Some(0.01),
-        // Acrylic is pierced while the tube comes up.
+        // Acrylic is pierced while the tube reaches its power.
         pierce_time: 0.1,
         pre_cut_time: None,
         pre_cut_length: 0.0,
         sharp_corner: None,
         kerf_width: 0.0,
-        // Rise and fall of a high-voltage CO2 supply: a few ms.
+        // A high-voltage CO2 supply rises and falls within a few ms.
         beam_on_delay: 0.005,
         beam_off_delay: 0.005,
         dialect: Dialect::GrblM4,
@@ -78,17 +78,17 @@ fn diode_hobby() -> Profile {
         return_home: true,
         travel: Travel::Straight,
         rapid: Axes {
-            // 10,000 mm/min in x and y: the usual `$110` and `$111` of such machines.
+            // 10,000 mm/min in x and y, the usual `$110` and `$111` of such machines.
             speed: [10_000.0 / 60.0, 10_000.0 / 60.0],
-            // 500 to 1,000 mm/s2 as shipped.
+            // Such machines are shipped with 500 to 1,000 mm/s2.
             accel: Some([800.0, 800.0]),
         },
-        // 3 mm plywood through in one pass at 10 W optical power: about 300 mm/min.
+        // 3 mm plywood is cut in one pass at 10 W optical power and about 300 mm/min.
         cut: Process { speed: 5.0, accel: Some(800.0), power: 1.0 },
-        // Line engraving: 3,000 mm/min.
+        // Line engraving at 3,000 mm/min.
         mark: Process { speed: 50.0, accel: Some(800.0), power: 0.4 },
         junction_deviation: Some(0.01),
-        // With M4 the head starts at once; at 5 mm/s the beam pierces on the way.
+        // With M4 the head starts at once; at 5 mm/s the beam pierces while moving.
         pierce_time: 0.0,
         pre_cut_time: None,
         pre_cut_length: 0.0,
@@ -109,19 +109,19 @@ fn fibre_3kw_thin() -> Profile {
         title: "Fibre laser, 3 kW, 1 mm stainless steel, nitrogen".to_owned(),
         home: [0.0, 0.0],
         return_home: true,
-        // Positioning runs each drive at its own limit ("simultaneous" speeds in data sheets are sqrt 2 higher).
+        // Positioning moves each drive at its own limit ("simultaneous" speeds in data sheets are sqrt 2 higher).
         travel: Travel::PerAxis,
         rapid: Axes {
-            // 100 m/min an axis: the common class of rack-and-pinion tables.
+            // 100 m/min per axis, the common class of rack-and-pinion tables.
             speed: [100_000.0 / 60.0, 100_000.0 / 60.0],
             // 1 g.
             accel: Some([9810.0, 9810.0]),
         },
-        // 24 to 30 m/min in cutting tables for 1 mm and 3 kW.
+        // Cutting tables give 24 to 30 m/min for 1 mm at 3 kW.
         cut: Process { speed: 400.0, accel: Some(5000.0), power: 1.0 },
         // Marking with the same beam at low power.
         mark: Process { speed: 500.0, accel: Some(5000.0), power: 0.1 },
-        // Such controls round corners within a few hundredths of a millimetre.
+        // Such controllers round corners within a few hundredths of a millimetre.
         junction_deviation: Some(0.02),
         // Thin sheet is pierced in one pulse.
         pierce_time: 0.1,
@@ -129,7 +129,7 @@ fn fibre_3kw_thin() -> Profile {
         pre_cut_length: 0.0,
         sharp_corner: None,
         kerf_width: 0.0,
-        // Gas and height control settle.
+        // The gas and the height control need time to settle.
         beam_on_delay: 0.05,
         beam_off_delay: 0.02,
         dialect: Dialect::GrblM4,
@@ -142,42 +142,43 @@ fn fibre_6kw_thick() -> Profile {
     Profile {
         name: "fibre-6kw-thick".to_owned(),
         title: "Fibre laser, 6 kW, 12 mm mild steel, oxygen".to_owned(),
-        // About 2 m/min for 12 mm in cutting tables: oxygen sets the pace, not power.
+        // Cutting tables give about 2 m/min for 12 mm; the oxygen limits the speed, not the power.
         cut: Process { speed: 33.0, accel: Some(3000.0), power: 0.7 },
         mark: Process { speed: 250.0, accel: Some(3000.0), power: 0.1 },
-        // Staged piercing of 12 mm: half a second to a second.
+        // Staged piercing of 12 mm takes half a second to a second.
         pierce_time: 0.8,
         pre_cut_time: None,
         pre_cut_length: 0.0,
         sharp_corner: None,
         kerf_width: 0.0,
-        // Oxygen builds up and is blown off again.
+        // The oxygen pressure is built up and released.
         beam_on_delay: 0.2,
         beam_off_delay: 0.1,
         ..fibre_3kw_thin()
     }
 }
 
-/// A 6 kW fibre laser on thick plate: 20 mm mild steel with oxygen. Piercing is dear enough that contours are left and resumed,
-/// and corners burn.
+/// A 6 kW fibre laser on thick plate: 20 mm mild steel with oxygen. Piercing is so expensive that partial cuts of
+/// contours pay off, and sharp corners burn.
 fn fibre_6kw_plate() -> Profile {
     Profile {
         name: "fibre-6kw-plate".to_owned(),
         title: "Fibre laser, 6 kW, 20 mm mild steel, oxygen".to_owned(),
-        // About 0.9 m/min for 20 mm in cutting tables.
+        // Cutting tables give about 0.9 m/min for 20 mm.
         cut: Process { speed: 15.0, accel: Some(3000.0), power: 0.9 },
-        // Staged piercing of 20 mm: two to three seconds.
+        // Staged piercing of 20 mm takes two to three seconds.
         pierce_time: 2.5,
-        // 4 mm at cutting speed, there and back dark, with the beam off and on.
+        // 4 mm at cutting speed, back with the beam off, and the delays of the beam.
         pre_cut_time: Some(0.6),
         pre_cut_length: 4.0,
-        // Points of less than 75 degrees burn off in plate; a second lets them cool.
+        // Corners of less than 75 degrees burn off in plate; one second lets them cool.
         sharp_corner: Some(SharpCorner { angle: 75.0 * PI / 180.0, time: 1.0 }),
         ..fibre_6kw_thick()
     }
 }
 
-/// Unit speed, no acceleration, no charges: seconds are millimetres of air, as in published comparisons.
+/// Unit speed without acceleration and charges, so that seconds are millimetres of air move, as in published
+/// comparisons.
 fn length(name: &str, title: &str, travel: Travel) -> Profile {
     Profile {
         version: VERSION,

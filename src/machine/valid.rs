@@ -1,27 +1,27 @@
-//! The fields of a machine profile and the range of every number in it.
+//! Validates machine profiles: their fields, and the range of every number.
 //!
-//! The limits are wide: they refuse slips (a comma lost, metres for millimetres) and numbers that a controller cannot read,
-//! not unusual machines.
+//! The limits are wide. They reject mistakes (a lost decimal point, metres instead of millimetres) and numbers that a
+//! controller cannot read, but not unusual machines.
 
 use super::profile::Profile;
 use crate::fields::{Field, Kind, Range, Shape, Shaped, out_of_range};
 use std::f64::consts::PI;
 
-/// The only version of the data there is; later ones will be brought up to date on reading.
+/// The only version of the data so far; later code will convert older versions on reading.
 pub(super) const VERSION: u32 = 1;
 
-/// Why a profile cannot be used: one sentence for people.
+/// Why a profile cannot be used, as one sentence for people.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ProfileError {
-    /// A value out of its range.
+    /// A value is out of its range.
     #[error("{}", out_of_range(SHAPE.value, .field, *.value, .range))]
     Value {
-        /// Which value, as written in the data.
+        /// Name of the field, as written in the data.
         field: &'static str,
-        /// What it says.
+        /// Its value.
         value: f64,
-        /// What it may be.
+        /// Its valid range.
         range: Range,
     },
 }
@@ -41,7 +41,8 @@ const WAIT: Range =
     Range::new(0.0, 600.0, "s", "thick plate is pierced in seconds, so ten minutes are a slip");
 const PRE_CUT: Range = Range::new(0.0, 1000.0, "mm", "a pre-cut is a short start of a cut");
 const ANGLE: Range = Range::new(0.0, PI, "rad", "corners have at most half a turn");
-/// Half of the least is the distance within which lines are copies of each other; water jets cut 1 mm, plasma up to 10.
+/// Half of the smallest kerf is the distance within which lines are duplicates. Water jets cut 1 mm wide, plasma up to
+/// 10 mm.
 const KERF: Range =
     Range::new(0.02, 10.0, "mm", "no beam is thinner, and no jet or plasma cuts wider").or_zero();
 const DELAY: Range = Range::new(0.0, 60.0, "s", "a beam settles within a second or so");
@@ -93,7 +94,7 @@ impl Shaped for Profile {
 }
 
 impl Profile {
-    /// Whether every value can be planned with; the first that cannot is named.
+    /// Checks that every value can be used for planning; the error names the first that cannot.
     pub fn validate(&self) -> Result<(), ProfileError> {
         let values = [
             ("version", Some(self.version.into()), VERSIONS),

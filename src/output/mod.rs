@@ -1,10 +1,11 @@
-//! Outputs: what a plan looks like to a machine, to another program and to a person.
+//! Output formats: a plan for a machine, for another program, or for a person.
 //!
-//! Each format is one file that turns a plan into text, knowing no solver and no clock: [`gcode()`] for the machine,
-//! [`dxf()`] for other cutting software, [`svg()`] for looking and printing, [`json()`] for programs, and [`png`]
-//! (feature `png`) draws the picture of such a JSON document. Lengths in mm.
+//! Each format turns a plan into text and depends on neither solver nor clock: [`gcode()`] for the machine, [`dxf()`]
+//! for other cutting software, [`svg()`] for viewing and printing, [`json()`] for programs. [`png`] (feature `png`)
+//! draws the picture of such a JSON document. Lengths are in mm.
 
 mod arcs;
+mod cuts;
 mod dxf;
 mod gcode;
 mod json;
@@ -13,7 +14,6 @@ pub(crate) mod picture;
 #[cfg(feature = "png")]
 pub mod png;
 mod svg;
-mod walk;
 
 pub use dxf::dxf;
 pub use gcode::{OutputError, gcode};

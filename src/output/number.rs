@@ -1,10 +1,11 @@
-//! Numbers as text, one way for every format: fixed decimals, trailing zeros cut, a point, no exponent, no "-0".
+//! Formats numbers in the same way for every format: fixed decimals, no trailing zeros, a decimal point, no exponent,
+//! no "-0".
 //!
 //! The digits come from the standard library's exact decimal formatting, so they are the same on every target.
 
 use std::fmt::{self, Display};
 
-/// A number to be written with at most `decimals` decimals.
+/// A number that is formatted with at most `decimals` decimals.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fixed {
     value: f64,

@@ -1,16 +1,16 @@
-//! The plan as a picture: SVG in millimetres, y up turned into y down, no script, readable on light and dark.
+//! Draws a plan as SVG: in millimetres, with y flipped, without scripts, readable on light and dark ground.
 //!
-//! Contours stand in cutting order as exact arcs, each with a title that names it; air moves are dashed; entries are
-//! dots with their number in the order of cutting; a contour that is left unfinished has one for each stretch. Widths and letters follow the size of the sheet, so
-//! the picture reads the same on a tag and on a three-metre plate.
+//! Contours are in cutting order as exact arcs, each with a title that names it. Air moves are dashed. Entries are dots
+//! with their number in cutting order; a contour that is cut in parts has one for each part. Widths and text size
+//! follow the size of the sheet, so the picture is readable for a tag and for a three-metre plate.
 //!
-//! An SVG arc is given by its ends and radius: near half a turn its centre hangs on the last digit, so arcs go out in
-//! pieces of at most a third of a turn, where an error in the ends moves the arc by no more than itself. All is drawn
-//! within 0.003 mm of the plan.
+//! An SVG arc is given by its ends and radius. Near half a turn its centre is ill-conditioned, so arcs are written in
+//! pieces of at most a third of a turn, where an error in the ends moves the arc by no more than itself. Everything
+//! lies within 0.003 mm of the plan.
 
 use super::arcs;
+use super::cuts::{Cut, closes, cuts, layer_name};
 use super::number::{Fixed, fixed};
-use super::walk::{Cut, closes, cuts, layer_name};
 use crate::geometry::{Aabb, DVec2, Segment};
 use crate::machine::Profile;
 use crate::plan::{Move, Plan};
@@ -22,20 +22,20 @@ use std::fmt::Write as _;
 const DECIMALS: usize = 3;
 /// Largest sweep of one arc command, rad.
 const LARGEST_SWEEP: f64 = TAU / 3.0;
-/// Line width as a fraction of the sheet's longer side: a hairline when the sheet fills a screen.
+/// Line width as a fraction of the sheet's longer side: a thin line when the sheet fills a screen.
 const LINE: f64 = 1.0 / 1000.0;
-/// Free rim around everything, in line widths.
-const RIM: f64 = 20.0;
+/// Margin around everything, in line widths.
+const MARGIN: f64 = 20.0;
 /// Height of the numbers, in line widths.
-const LETTERS: f64 = 12.0;
-/// Numbers are left out beyond this many contours: they would cover the picture. The titles remain.
-const NUMBERED: usize = 1000;
+const TEXT_HEIGHT: f64 = 12.0;
+/// Above this number of contours the numbers are omitted, because they would cover the picture. The titles remain.
+const MAX_NUMBERED: usize = 1000;
 
 /// The picture of a plan. The head starts at the home of `profile`.
 pub fn svg(plan: &Plan, sheet: &Sheet, profile: &Profile) -> String {
     let bounds = reach(plan, profile.home());
     let width = (bounds.size().max_element() * LINE).max(1e-3);
-    let view = bounds.grown(width * RIM);
+    let view = bounds.grown(width * MARGIN);
     let (corner, size) = (Point(DVec2::new(view.min.x, view.max.y)), view.size());
     let (w, h) = (number(size.x), number(size.y));
 
@@ -54,7 +54,7 @@ pub fn svg(plan: &Plan, sheet: &Sheet, profile: &Profile) -> String {
     out
 }
 
-/// The box of everything the head visits.
+/// The box of all places the head visits.
 fn reach(plan: &Plan, home: DVec2) -> Aabb {
     plan.moves.iter().fold(Aabb::of(home), |b, step| match step {
         Move::Air { to } | Move::PreCut { to, .. } => b.with(*to),
@@ -63,9 +63,9 @@ fn reach(plan: &Plan, home: DVec2) -> Aabb {
     })
 }
 
-/// Ink for cuts, blue for marks, orange for air: told apart without red and green, on white and on black.
+/// Dark for cuts, blue for marks, orange for air moves: distinguishable without red and green, on white and on black.
 fn style(out: &mut String, width: f64) {
-    let [line, dash, dot, letters] = [width, width * 4.0, width * 5.0, width * LETTERS].map(number);
+    let [line, dash, dot, letters] = [width, width * 4.0, width * 5.0, width * TEXT_HEIGHT].map(number);
     let _ = writeln!(
         out,
         "<style>path{{fill:none;stroke-width:{line};stroke-linejoin:round}}.cut{{stroke:#1b1f24}}.mark{{stroke:#2563c9}}\
@@ -97,7 +97,7 @@ fn element(out: &mut String, segment: &Segment) {
         }
         Segment::Arc(a) => {
             let r = number(a.radius());
-            // Counter-clockwise with y up is the direction SVG, with y down, calls 0.
+            // SVG has y down, so a counter-clockwise arc with y up has sweep flag 0.
             let sweep = u8::from(!a.ccw());
             for piece in arcs::split(a, LARGEST_SWEEP) {
                 let _ = write!(out, "A{r} {r} 0 0 {sweep} {}", Point(piece.end));
@@ -130,7 +130,7 @@ fn entries(out: &mut String, plan: &Plan, width: f64) {
         let _ = write!(out, "M{}h0", Point(*p));
     }
     out.push_str("\"/>\n");
-    if places.len() <= NUMBERED {
+    if places.len() <= MAX_NUMBERED {
         for (order, p) in places.iter().enumerate() {
             let beside = *p + DVec2::splat(width * 4.0);
             let (x, y) = (number(beside.x), number(-beside.y));
@@ -143,7 +143,7 @@ fn number(v: f64) -> Fixed {
     fixed(v, DECIMALS)
 }
 
-/// A place of the sheet in the picture's coordinates, y down.
+/// A place of the sheet in the picture's coordinates, with y down.
 struct Point(DVec2);
 
 impl std::fmt::Display for Point {
@@ -152,7 +152,7 @@ impl std::fmt::Display for Point {
     }
 }
 
-/// Text as XML takes it; characters XML forbids become the replacement character.
+/// Text escaped for XML; characters that XML forbids become the replacement character.
 struct Escaped<'a>(&'a str);
 
 impl std::fmt::Display for Escaped<'_> {

@@ -6,7 +6,7 @@ use super::ids::{ItemId, NodeId};
 use super::model::{Item, Node, Problem};
 use super::pierce_groups::PierceGroups;
 use super::sub_path::SubPath;
-use crate::machine::{ClosedRun, Profile, work_time};
+use crate::machine::{ClosedRun, Profile, process_time};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
 
@@ -95,7 +95,7 @@ fn seconds(machine: &Profile, contour: &Contour) -> (f64, Option<ClosedRun>) {
     let pierce = if mark { 0.0 } else { machine.pierce_time };
     let path = &contour.path;
     let run = if path.closed { ClosedRun::new(machine, mark, &path.segments) } else { None };
-    let least = run.as_ref().map_or_else(|| work_time(machine, mark, &path.segments), ClosedRun::least);
+    let least = run.as_ref().map_or_else(|| process_time(machine, mark, &path.segments), ClosedRun::least);
     (pierce + machine.beam_delays() + least, run)
 }
 

@@ -85,7 +85,7 @@ impl Item {
 
     /// The run along it, when it takes more or less by the place of entry.
     pub fn uneven(&self) -> Option<&ClosedRun> {
-        self.run.as_ref().filter(|run| !run.is_even())
+        self.run.as_ref().filter(|run| !run.is_uniform())
     }
 
     /// Seconds of leaving and resuming it, [`Item::extra`] of the place apart: what [`Item::leave`] says, and one more

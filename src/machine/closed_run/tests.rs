@@ -1,8 +1,8 @@
-//! Against the look-ahead itself, run over the path re-cut to start at the place.
+//! Compares the prices with the look-ahead itself, run over the path re-cut to start at the place.
 
 use super::*;
 use crate::geometry::{Arc, DVec2, Path, math};
-use crate::machine::{SharpCorner, presets, work_time};
+use crate::machine::{SharpCorner, presets, process_time};
 use std::f64::consts::{PI, TAU};
 
 fn polygon(points: &[(f64, f64)]) -> Path {
@@ -10,7 +10,7 @@ fn polygon(points: &[(f64, f64)]) -> Path {
     Path::new((0..points.len()).map(|k| Segment::line(point(k), point(k + 1))).collect(), true)
 }
 
-/// Regular, with one corner cut flat by a hair: long and very short elements side by side.
+/// A regular polygon with one corner cut off very slightly, so that long and very short elements are neighbours.
 fn regular(sides: u32, radius: f64) -> Path {
     let at = |k: u32| radius * math::unit(TAU * f64::from(k) / f64::from(sides));
     let mut points: Vec<(f64, f64)> = (0..sides).map(|k| at(k).into()).collect();
@@ -29,7 +29,7 @@ fn slot(length: f64, radius: f64) -> Path {
     Path::new(vec![a, turn(length, -1.0, 1.0), b, turn(0.0, 1.0, -1.0)], true)
 }
 
-/// A wave of tight tangent arcs, as a fitted spline has, closed by corners and a line back.
+/// A wave of tight tangent arcs, like a fitted spline, closed by corners and a line back.
 fn wave(bends: u32, radius: f64) -> Path {
     let mut segments = Vec::new();
     for k in 0..bends {
@@ -74,10 +74,10 @@ fn shapes() -> Vec<(&'static str, Path)> {
 }
 
 #[test]
-fn extra_seconds_are_those_of_the_path_started_there() {
+fn extra_seconds_match_the_path_re_cut_to_start_there() {
     for mut profile in presets() {
         let free = profile.junction_deviation;
-        // The last two: waits in the corners of the triangle, and in those of the square, too.
+        // The last two settings wait in the corners of the triangle, and also in those of the square.
         let settings =
             [(free, 0.0), (None, 0.0), (Some(0.0), 0.0), (Some(0.4), 0.0), (free, 1.5), (None, 1.6)];
         for (deviation, angle) in settings {
@@ -85,7 +85,7 @@ fn extra_seconds_are_those_of_the_path_started_there() {
             profile.sharp_corner = (angle > 0.0).then_some(SharpCorner { angle, time: 0.7 });
             for (name, path) in shapes() {
                 for mark in [false, true] {
-                    let time = |along: f64| work_time(&profile, mark, &path.starting_at(along).segments);
+                    let time = |along: f64| process_time(&profile, mark, &path.starting_at(along).segments);
                     let Some(run) = ClosedRun::new(&profile, mark, &path.segments) else {
                         assert_eq!(profile.process(mark).accel, None);
                         continue;
@@ -110,18 +110,20 @@ fn extra_seconds_are_those_of_the_path_started_there() {
     }
 }
 
-/// GRBL's 7 mm/s at a right angle, 35 mm/s on the sides: the corner takes a fraction of what the side takes.
+/// At GRBL's defaults the head takes a right angle at 7 mm/s and the sides at 35 mm/s, so a stop at a corner costs a
+/// fraction of one on a side.
 #[test]
 fn a_sharp_corner_costs_next_to_nothing_and_the_middle_of_a_side_a_stop() {
     let profile = presets().swap_remove(0);
     let (_, square) = shapes().swap_remove(0);
     let run = ClosedRun::new(&profile, false, &square.segments).unwrap();
     let (v, a) = (35.0, 2000.0);
-    // To stop and to come back to v takes v / a each, over v^2 / 2a each, which take half of that at speed.
+    // Stopping from v and returning to it takes v / a each, over v^2 / 2a each, which take half of that at speed v.
     let middle = run.extra(20.0) + run.stop;
     assert!((middle - v / a).abs() < 1e-12, "{middle}");
     let corner = (a * 0.01 * (1.0 + 2.0_f64.sqrt())).sqrt();
-    // Two ramps between rest and the corner's speed less the way that the ramps from rest take longer.
+    // Two ramps between rest and the corner's speed, less the time over the way by which the ramps from rest are
+    // longer.
     let lost = corner * corner / (2.0 * a) / v;
     let at_corner = run.extra(40.0) + run.stop;
     assert!((at_corner - 2.0 * (corner / a - lost)).abs() < 1e-12, "{at_corner}");
@@ -129,11 +131,11 @@ fn a_sharp_corner_costs_next_to_nothing_and_the_middle_of_a_side_a_stop() {
 }
 
 #[test]
-fn what_is_the_same_everywhere_has_no_price() {
+fn uniform_runs_have_no_extra_seconds() {
     for profile in presets() {
         let circle = [Segment::Arc(Arc::circle(DVec2::ONE, 5.0))];
         let run = ClosedRun::new(&profile, false, &circle);
-        assert!(run.is_none_or(|r| r.is_even() && r.extra(1.0) == 0.0));
+        assert!(run.is_none_or(|r| r.is_uniform() && r.extra(1.0) == 0.0));
         assert_eq!(ClosedRun::new(&profile, false, &[]), None);
         let point = [Segment::line(DVec2::ONE, DVec2::ONE)];
         assert_eq!(ClosedRun::new(&profile, false, &point), None);

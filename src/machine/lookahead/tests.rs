@@ -1,4 +1,4 @@
-//! The closed form against a fine simulation, and properties that hold for any machine.
+//! Compares the closed form with a fine simulation, and tests properties that hold for any machine.
 
 use super::*;
 use crate::geometry::Arc;
@@ -20,7 +20,7 @@ fn polyline(points: &[(f64, f64)]) -> Vec<Segment> {
     points.windows(2).map(|w| Segment::line(w[0], w[1])).collect()
 }
 
-/// A path with everything in it: lines, tangent and sharp joins, wide and tight arcs, a short element, a reversal.
+/// A path with every case: lines, tangent and sharp joints, wide and tight arcs, a short element, a reversal.
 fn mixed() -> Vec<Segment> {
     let mut path = polyline(&[(0.0, 0.0), (30.0, 0.0)]);
     path.push(Segment::Arc(Arc::from_angles(DVec2::new(30.0, 5.0), 5.0, -PI / 2.0, PI)));
@@ -30,16 +30,16 @@ fn mixed() -> Vec<Segment> {
     path
 }
 
-/// Speed limit at every step of a grid along the path, forward and backward pass over the grid, and the sum of
-/// step by mean speed: the same rules without any closed form.
+/// Applies the same rules without a closed form: speed limits on a fine grid along the path, a forward and a backward
+/// pass over the grid, and the sum of steps divided by mean speeds.
 fn simulate(profile: &Profile, process: &Process, path: &[Segment], per_mm: f64) -> f64 {
     let accel = process.accel.unwrap();
     let mut limits: Vec<f64> = Vec::new();
     let mut steps = Vec::new();
     for (i, s) in path.iter().enumerate() {
         let pieces = (s.length() * per_mm).ceil().max(1.0);
-        // The speed along an arc has a simulation of its own: `tests/it/machine_time.rs`.
-        let top = Run::new(profile, process.speed, accel, s).top2.sqrt();
+        // The speed limit on an arc has a simulation of its own in `tests/it/machine_time.rs`.
+        let top = ElementLimits::new(profile, process.speed, accel, s).top2.sqrt();
         let corner = if i == 0 {
             0.0
         } else {
@@ -65,7 +65,8 @@ fn simulate(profile: &Profile, process: &Process, path: &[Segment], per_mm: f64)
     for i in (0..steps.len()).rev() {
         speed[i] = speed[i].min((speed[i + 1] * speed[i + 1] + 2.0 * accel * steps[i]).sqrt());
     }
-    // Under constant acceleration the mean of both speeds is exact; only steps that hold a kink are not.
+    // Under constant acceleration the mean of both speeds is exact; only steps that contain a change of acceleration
+    // are not.
     steps.iter().zip(speed.windows(2)).map(|(d, v)| 2.0 * d / (v[0] + v[1])).sum()
 }
 
@@ -87,19 +88,19 @@ fn agrees_with_a_fine_simulation() {
 #[test]
 fn values_by_hand() {
     let square = polyline(&[(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0), (0.0, 0.0)]);
-    // Stop at every corner: four times (10 mm at 100 mm/s with 5 mm up and 5 mm down at 1000 mm/s2).
+    // The head stops at every corner: four times 10 mm at 100 mm/s, with 5 mm up and 5 mm down at 1000 mm/s2.
     near(cut_time(&machine(Some(0.0)), &process(100.0, 1000.0), &square), 4.0 * 0.2, 1e-12);
-    // Full speed through the corners: 40 mm, one start and one stop of 0.1 s each.
+    // The corners are passed at full speed: 40 mm, and 0.1 s for one start and one stop.
     near(cut_time(&machine(None), &process(100.0, 1000.0), &square), 0.4 + 0.1, 1e-12);
     // GRBL's junction speed for a right angle: sin 45 deg / (1 - sin 45 deg) = 1 + sqrt 2.
     let corner = (1000.0 * 0.01 * (1.0 + 2.0_f64.sqrt())).sqrt();
     let ends = (100.0 + (100.0 - corner)) / 1000.0 + (10.0 - 5.0 - (1e4 - corner * corner) / 2000.0) / 100.0;
     let inner = 2.0 * (100.0 - corner) / 1000.0 + (10.0 - (1e4 - corner * corner) / 1000.0) / 100.0;
     near(cut_time(&machine(Some(0.01)), &process(100.0, 1000.0), &square), 2.0 * ends + 2.0 * inner, 1e-12);
-    // At once: length by speed.
+    // Without acceleration, the time is length divided by speed.
     let at_once = Process { speed: 80.0, accel: None, power: 1.0 };
     near(cut_time(&machine(Some(0.01)), &at_once, &square), 0.5, 1e-12);
-    // A circle of radius 2 at 500 mm/s2 runs at sqrt(1000) mm/s; 1 mm to get there and 1 mm to stop.
+    // A circle of radius 2 mm at 500 mm/s2 is run at sqrt(1000) mm/s, with 1 mm to reach that speed and 1 mm to stop.
     let circle = [Segment::Arc(Arc::circle(DVec2::ZERO, 2.0))];
     let v = 1000.0_f64.sqrt();
     near(
@@ -128,7 +129,7 @@ fn splitting_and_reversing_change_nothing() {
 }
 
 #[test]
-fn more_of_anything_is_never_slower() {
+fn higher_limits_are_never_slower() {
     let time = |speed: f64, accel: f64, deviation: f64| {
         cut_time(&machine(Some(deviation)), &process(speed, accel), &mixed())
     };
@@ -146,7 +147,7 @@ fn corners_cost_time() {
     let circle = [Segment::Arc(Arc::circle(DVec2::ZERO, 50.0 / PI))];
     let (m, p) = (machine(Some(0.01)), process(35.0, 2000.0));
     assert!(cut_time(&m, &p, &square) > cut_time(&m, &p, &circle) * 1.01);
-    // A reversal stops: out and back is twice out.
+    // A reversal is a stop, so out and back takes twice the time of out.
     let (out, both) = (polyline(&[(0.0, 0.0), (9.0, 0.0)]), polyline(&[(0.0, 0.0), (9.0, 0.0), (0.0, 0.0)]));
     near(cut_time(&m, &p, &both), 2.0 * cut_time(&m, &p, &out), 1e-12);
 }

@@ -1,4 +1,4 @@
-//! What stands around the entities of an R2000 drawing: the least that AutoCAD accepts.
+//! The parts of an R2000 drawing around its entities: the minimum that AutoCAD accepts.
 //!
 //! Required from R13 on: $ACADVER and $HANDSEED; the tables VPORT (with *Active), LTYPE (ByBlock, ByLayer, Continuous),
 //! LAYER (0), STYLE and DIMSTYLE (Standard), VIEW, UCS, APPID (ACAD) and BLOCK_RECORD, the blocks and block records of
@@ -11,10 +11,11 @@ use super::layers::Layers;
 use super::tags::{DECIMALS, Tags};
 use crate::geometry::DVec2;
 
-/// Handle of the block record of model space, the owner of every entity.
+/// Handle of the block record of model space, which owns every entity.
 pub(super) const MODEL_SPACE: &str = "17";
 
-/// Everything up to the first entity; `bounds` of what is drawn (xmin, ymin, xmax, ymax, mm), `entities` to come.
+/// Writes everything before the first entity. `bounds` is the box of the drawing (xmin, ymin, xmax, ymax, mm),
+/// `entities` the number of entities that follow.
 pub(super) fn before_entities(tags: &mut Tags, bounds: [f64; 4], layers: &Layers, entities: usize) {
     let [x0, y0, x1, y1] = bounds;
     let (low, high) = (DVec2::new(x0, y0), DVec2::new(x1, y1));
@@ -50,7 +51,7 @@ pub(super) fn before_entities(tags: &mut Tags, bounds: [f64; 4], layers: &Layers
     tags.put_all("0 SECTION\n2 ENTITIES");
 }
 
-/// Everything after the last entity.
+/// Writes everything after the last entity.
 pub(super) fn after_entities(tags: &mut Tags) {
     tags.put_all(
         "0 ENDSEC
@@ -87,7 +88,7 @@ fn table(tags: &mut Tags, name: &str, handle: &str, count: usize) {
     tags.put(70, count);
 }
 
-/// The view a program opens with: all of the drawing, with a tenth of room around it.
+/// The initial view: the whole drawing with a margin of a tenth.
 fn view(tags: &mut Tags, low: DVec2, high: DVec2) {
     let size = (high - low).max(DVec2::ONE);
     table(tags, "VPORT", "8", 1);

@@ -1,23 +1,23 @@
-//! Layers of the sheet under names that every DXF reader takes.
+//! Layers of the sheet, with names that every DXF reader accepts.
 
 use crate::sheet::Sheet;
 use rustc_hash::FxHashMap;
 use std::fmt::Write as _;
 
-/// Characters AutoCAD refuses in a name, from R2000 on.
+/// Characters that AutoCAD does not allow in names, from R2000 on.
 const FORBIDDEN: &str = "<>/\\\":;?*|,=`";
-/// Longest name AutoCAD takes, in characters as written.
+/// Longest name that AutoCAD accepts, in characters.
 const LONGEST: usize = 255;
-/// White on black, black on white: for layers without a colour of their own.
+/// Colour 7 is white on black and black on white; it is used for layers without a colour of their own.
 const DEFAULT_COLOR: i16 = 7;
 
-/// Names and colours, by the sheet's layer index.
+/// Names and colours, by layer index of the sheet.
 pub(super) struct Layers {
     list: Vec<(String, i16)>,
 }
 
 impl Layers {
-    /// The layers of a sheet. Names that would fall together (case does not count in DXF) get a number.
+    /// The layers of a sheet. Names that would coincide get a number, because DXF ignores case.
     pub(super) fn of(sheet: &Sheet) -> Self {
         let mut taken: FxHashMap<Vec<u8>, u32> = FxHashMap::default();
         let list = sheet
@@ -38,13 +38,13 @@ impl Layers {
         Self { list }
     }
 
-    /// The name of a contour's layer as it stands in the file.
+    /// The name of a contour's layer in the file.
     pub(super) fn of_contour(&self, sheet: &Sheet, contour: u32) -> &str {
         let known = sheet.contours.get(contour as usize).and_then(|c| self.list.get(c.layer as usize));
         known.map_or("0", |(name, _)| name)
     }
 
-    /// Names and colours to be defined: layer 0, which every drawing has, and the rest.
+    /// Names and colours for the layer table: layer 0, which every drawing has, and the others.
     pub(super) fn defined(&self) -> Vec<(&str, i16)> {
         let zero = ("0", DEFAULT_COLOR);
         let named = self.list.iter().map(|(name, color)| (name.as_str(), *color));
@@ -56,7 +56,8 @@ impl Layers {
     }
 }
 
-/// A name as it stands in the file: forbidden and control characters replaced, others than ASCII escaped.
+/// A name in its form for the file: forbidden and control characters are replaced, characters outside ASCII are
+/// escaped.
 fn written(name: &str) -> String {
     let mut out = String::new();
     for c in name.trim().chars() {

@@ -1,24 +1,25 @@
-//! The plan as DXF for other cutting software: contours in cutting order, each one polyline that begins at its entry
-//! and runs in the direction of the cut. mm.
+//! Writes a plan as DXF for other cutting software. Contours are in cutting order, each as one polyline that begins at
+//! its entry and runs in the direction of the cut. Coordinates are in mm.
 //!
 //! Software that cuts "in drawing order, as drawn" then cuts the plan. Layers keep their names and colours. Air moves
-//! are not in the file: they would be cut. A contour that is left unfinished is one open polyline a stretch.
+//! are not in the file, because they would be cut. A contour that is cut in parts becomes one open polyline per part.
 //!
-//! **Why R2000 (AC1015), ASCII.** It is the oldest version that can say its unit ($INSUNITS; R12 cannot, and AutoCAD
-//! refuses header variables it does not know), that keeps layer names as they are (R12 has 31 upper-case letters), and
-//! that has LWPOLYLINE, one record with bulges a contour. Everything that reads DXF at all reads it. The frame around
-//! the entities is the least that AutoCAD accepts, see [`frame`].
+//! **Why R2000 (AC1015), ASCII.** It is the oldest version that states its unit ($INSUNITS; R12 cannot, and AutoCAD
+//! refuses unknown header variables), that keeps layer names (R12 allows 31 upper-case letters), and that has
+//! LWPOLYLINE, one record with bulges per contour. Every DXF reader supports it. The frame around the entities is the
+//! minimum that AutoCAD accepts, see [`frame`].
 //!
-//! An arc is a bulge, tan(sweep / 4); arcs over half a turn go out in pieces, so no bulge exceeds 1 and a circle is two
-//! halves from its entry. Characters outside ASCII are written `\U+XXXX`, as readers of every code page know them.
+//! An arc is written as a bulge, tan(sweep / 4). Arcs of more than half a turn are divided, so no bulge exceeds 1, and
+//! a circle becomes two halves from its entry. Characters outside ASCII are written `\U+XXXX`, which readers of every
+//! code page understand.
 
 mod frame;
 mod layers;
 mod tags;
 
 use super::arcs;
+use super::cuts::{closes, cuts};
 use super::number::fixed;
-use super::walk::{closes, cuts};
 use crate::geometry::{Arc, DVec2, Segment, math};
 use crate::plan::Plan;
 use crate::sheet::Sheet;
@@ -26,7 +27,7 @@ use layers::Layers;
 use std::f64::consts::PI;
 use tags::{DECIMALS, Tags};
 
-/// Decimals of a bulge: on a chord of 1 km the last one moves the arc by half a nanometre.
+/// Decimals of a bulge. On a chord of 1 km the last one moves the arc by half a nanometre.
 const BULGE_DECIMALS: usize = 12;
 
 /// The contours of a plan as a DXF drawing.

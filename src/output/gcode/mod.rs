@@ -1,31 +1,31 @@
-//! G-code for GRBL 1.1 in laser mode (setting 32 at 1), from a plan. mm, mm/min, seconds.
+//! Writes a plan as G-code for GRBL 1.1 in laser mode (setting 32 at 1), in mm, mm/min and seconds.
 //!
-//! **Dark on the way.** M4 (dynamic power) is chosen once, at the head of the program, and stays; between contours the
-//! S word goes to 0 on the very line of the rapid. Two independent things keep the beam off there: the power is 0, and
-//! in laser mode GRBL passes no power to any motion but G1, G2 and G3. Switching M5 and M4 around every contour would
-//! add nothing to that, and each switch empties the planner's buffer.
+//! **Beam off on air moves.** M4 (dynamic power) is selected once, at the head of the program. Between contours, the
+//! line of the rapid also sets S to 0. Two independent mechanisms keep the beam off there: the power is 0, and in laser
+//! mode GRBL passes no power to any motion but G1, G2 and G3. Switching M5 and M4 around every contour would add
+//! nothing, and each switch empties the planner's buffer.
 //!
-//! **Piercing.** Under M4 the power follows the speed, so at standstill the beam is off and a dwell pierces nothing.
-//! A pierce therefore is, at the entry: `G1 M3 S.. F..` (constant power; G1 on the same line because in the motion
-//! mode G0, left by the rapid, GRBL would hold the beam off), `G4 P..` with the beam on, and `M4` back to dynamic
-//! power. The settling time of the beam before a cut is part of that dwell; the one after a cut is a dwell at S0.
+//! **Piercing.** Under M4 the power follows the speed, so at standstill the beam is off and a dwell pierces nothing. A
+//! pierce at the entry is therefore `G1 M3 S.. F..` (constant power; G1 is on the same line because in the motion mode
+//! G0, left by the rapid, GRBL would keep the beam off), `G4 P..` with the beam on, and `M4` back to dynamic power. The
+//! settling time of the beam before a cut is part of that dwell; the one after a cut is a dwell at S0.
 //!
-//! **Contours left unfinished** go on with the beam as it comes, under M4 and without the dwell of a pierce: a cut that no
-//! pierce precedes is resumed from its pre-cut. A pre-cut with a length is cut ahead, and the head comes back dark.
+//! **Partial cuts.** A contour is resumed from its pre-cut under M4 without a pierce, so a cut without a pierce before
+//! it has no dwell. A pre-cut with a length is cut in advance, and the head returns with the beam off.
 //!
-//! **Sharp corners** are a dwell with the beam off in the corner (`S0`, `G4 P..`); the cut goes on as the beam comes.
+//! **Sharp corners** are a dwell with the beam off in the corner (`S0`, `G4 P..`); then the cut goes on.
 //!
-//! **Comments** begin with a semicolon, which nests in nothing and needs no closing. GRBL picks its real-time commands
-//! (`?`, `!`, `~`, and every byte from 0x80) out of the stream before it knows of comments, so names are written in
-//! plain letters, digits and a few marks. Lines are short of the 80 characters GRBL holds.
+//! **Comments** begin with a semicolon, which needs no closing and cannot be nested. GRBL picks its real-time commands
+//! (`?`, `!`, `~`, and every byte from 0x80) out of the stream before it recognises comments, so names are reduced to
+//! plain letters, digits and a few marks. Lines are shorter than the 80 characters that GRBL holds.
 //!
 //! Source: GRBL 1.1, gcode.c (steps 4 and 7 of the block), spindle_control.c, protocol.c, wiki "Grbl v1.1 Laser Mode".
 
 mod grbl_arc;
 mod pen;
 
+use super::cuts::{cuts, layer_name};
 use super::number::fixed;
-use super::walk::{cuts, layer_name};
 use crate::geometry::{Aabb, DVec2, Segment};
 use crate::machine::{Dialect, Process, Profile, far_out};
 use crate::plan::{Move, Plan};
@@ -33,31 +33,32 @@ use crate::sheet::Sheet;
 use pen::Pen;
 use std::mem;
 
-/// Longest comment, in characters: with the semicolon and a space well short of the 80 that GRBL holds.
-const COMMENT: usize = 66;
+/// Longest comment in characters. With the semicolon and a space it is well below the 80 that GRBL holds.
+const MAX_COMMENT: usize = 66;
 
-/// Why a plan cannot be written as a program: one sentence for people.
+/// Why a plan cannot be written as a program, as one sentence for people.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OutputError {
-    /// The controller's numbers are too coarse there.
+    /// The job reaches a place where the controller's numbers are too coarse.
     #[error(
         "The program would reach x {x:.0}, y {y:.0} mm, where the controller's 32-bit numbers are {spacing:.3} mm apart: \
          move the drawing and the machine's home near the origin, or correct the drawing's unit."
     )]
     FarFromOrigin {
-        /// Where, mm.
+        /// x of that place, mm.
         x: f64,
-        /// Where, mm.
+        /// y of that place, mm.
         y: f64,
         /// Distance between neighbouring numbers there, mm.
         spacing: f64,
     },
 }
 
-/// The program of a plan for a machine; `name` of the job for its head comment. mm, absolute, in the work coordinates
-/// that are active on the machine. The head may stand anywhere: it goes to the plan's home first. An error where the
-/// controller's 32-bit numbers are too coarse for the job.
+/// The program of a plan for a machine; `name` is the name of the job for the comment at its head. Coordinates are
+/// absolute, in mm, in the work coordinates active on the machine. The head may be anywhere at the start, because the
+/// program first moves it to the plan's home. The result is an error where the controller's 32-bit numbers are too
+/// coarse for the job.
 pub fn gcode(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> Result<String, OutputError> {
     let [x0, y0, x1, y1] = plan.summary.bounds;
     let bounds = Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) };
@@ -73,7 +74,7 @@ fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
     let mut pen = Pen::new(profile.home());
     head(&mut pen, plan, profile, name);
 
-    // The way home is run with the laser switched off.
+    // The move home is run with the laser switched off.
     let (work, way_home) = match plan.moves.split_last() {
         Some((Move::Air { to }, work)) => (work, Some(*to)),
         _ => (plan.moves.as_slice(), None),
@@ -84,10 +85,10 @@ fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
         match step {
             Move::Air { to } => pen.rapid(*to),
             Move::Pierce => pierce += profile.pierce_time,
-            // Where pre-cuts have no length they are a charge of time: nothing to burn.
+            // A pre-cut without length is only a charge of time, so nothing is cut.
             Move::PreCut { contour, to, ahead } if !ahead.is_empty() => {
                 comment(&mut pen, &format!("pre-cut into contour {contour}"));
-                work_contour(&mut pen, profile, &profile.cut, ahead, mem::take(&mut pierce));
+                write_contour(&mut pen, profile, &profile.cut, ahead, mem::take(&mut pierce));
                 pen.rapid(*to);
             }
             Move::PreCut { .. } => {}
@@ -100,7 +101,7 @@ fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
                     let words = format!("{order} of {all}: {verb} contour {contour}, layer ");
                     comment_naming(&mut pen, &words, layer);
                 }
-                work_contour(&mut pen, profile, profile.process(*mark), path, mem::take(&mut pierce));
+                write_contour(&mut pen, profile, profile.process(*mark), path, mem::take(&mut pierce));
             }
         }
         goes_on = matches!(step, Move::Macro { .. });
@@ -114,8 +115,8 @@ fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
     pen.into_program()
 }
 
-/// One contour: the dwell with the beam on, the path, the dwell after it.
-fn work_contour(pen: &mut Pen, profile: &Profile, process: &Process, path: &[Segment], pierce: f64) {
+/// Writes one contour: the dwell with the beam on, the path, and the dwell after it.
+fn write_contour(pen: &mut Pen, profile: &Profile, process: &Process, path: &[Segment], pierce: f64) {
     pen.set_process(process.speed * 60.0, process.power * profile.max_s);
     pen.pierce(pierce + profile.beam_on_delay);
     for segment in path {
@@ -144,29 +145,29 @@ fn head(pen: &mut Pen, plan: &Plan, profile: &Profile, name: &str) {
     pen.find_start();
 }
 
-/// A comment line, in plain characters.
+/// Writes a comment line, in plain characters.
 fn comment(pen: &mut Pen, text: &str) {
-    debug_assert!(text.len() <= COMMENT, "a comment that its line cannot hold: {text}");
+    debug_assert!(text.len() <= MAX_COMMENT, "a comment that its line cannot hold: {text}");
     let text = plain(text);
     pen.command(&format!("; {}", text.trim_end()));
 }
 
-/// A comment line that ends in a name somebody else chose: where the line would be too long, the name is shortened in its
-/// middle, so that the words before it and the ending of a file's name remain.
+/// Writes a comment line that ends in a name given by the user. A name that is too long for the line is shortened in
+/// its middle, so that its start and a file's extension remain.
 fn comment_naming(pen: &mut Pen, words: &str, name: &str) {
     const GAP: &str = "...";
-    let (name, room) = (plain(name), COMMENT.saturating_sub(words.len()));
+    let (name, room) = (plain(name), MAX_COMMENT.saturating_sub(words.len()));
     if name.len() <= room {
         return comment(pen, &format!("{words}{name}"));
     }
     let kept = room.saturating_sub(GAP.len());
-    // Plain characters are of one byte each.
+    // Plain characters take one byte each.
     let (start, end) = (&name[..kept - kept / 2], &name[name.len() - kept / 2..]);
     comment(pen, &format!("{words}{start}{GAP}{end}"));
 }
 
-/// Text in characters that no controller acts upon; parentheses, which some take for the comments they are in other
-/// dialects, are left out.
+/// Replaces characters that a controller may act upon. Parentheses are removed, because they delimit comments in other
+/// dialects.
 fn plain(text: &str) -> String {
     let plain = |c: char| match c {
         ' ' | '.' | ',' | ':' | '_' | '+' | '-' | '=' | '/' => c,

@@ -1,14 +1,15 @@
-//! The head as the controller sees it: its place after rounding, the feed and power in force, and the lines that take
-//! it further.
+//! The state of the controller: the rounded position, the feed and the power in force, and the program lines that
+//! change them.
 //!
-//! Coordinates are rounded to 0.001 mm from their absolute values, so errors never add up. An arc is written in pieces of
-//! at most half a turn, as G2 or G3 with I and J: a full circle is two halves, as controllers differ on arcs that end
-//! where they start. I and J are computed from the rounded ends: the centre is moved onto the perpendicular bisector
-//! of the rounded chord, so both radii agree but for the rounding of I and J itself, 0.0001 mm. An arc that cannot be
-//! told from its chord after rounding is a line, and an element that rounds to one point is left out. An arc that the
-//! controller might refuse or distort in its 32-bit numbers is written as chords (`grbl_arc.rs`).
+//! Coordinates are rounded to 0.001 mm from their absolute values, so errors do not add up. An arc is written in pieces
+//! of at most half a turn, as G2 or G3 with I and J: a full circle becomes two halves, because controllers differ on
+//! arcs that end where they start. I and J are computed from the rounded ends: the centre is moved onto the
+//! perpendicular bisector of the rounded chord, so both radii agree up to the rounding of I and J themselves, 0.0001
+//! mm. An arc that coincides with its chord after rounding is written as a line, and an element that rounds to one
+//! point is skipped. An arc that the controller might refuse or distort because of its 32-bit numbers is written as
+//! chords (`grbl_arc.rs`).
 //!
-//! Every motion, as it is written, lies within 0.002 mm of the element it stands for.
+//! Every motion, as written, lies within 0.002 mm of its element.
 
 use super::super::arcs;
 use super::super::number::fixed;
@@ -17,35 +18,35 @@ use crate::geometry::{Arc, DVec2, Segment};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-/// Decimals of X and Y, and of F, S and P: a micrometre, ten times finer than the step of any such machine.
+/// Decimals of X, Y, F, S and P. A micrometre is ten times finer than the step of any such machine.
 const DECIMALS: usize = 3;
-/// The grid these decimals make, 1/mm.
+/// Grid points per mm at these decimals.
 const GRID: f64 = 1000.0;
-/// The slowest feed these decimals can say, mm/min.
+/// Slowest feed that these decimals can express, mm/min.
 const SLOWEST: f64 = 1.0 / GRID;
 /// Decimals of I and J: one more, so that the two radii of an arc agree to a tenth of the grid.
 const CENTER_DECIMALS: usize = 4;
-/// An arc flatter than half the grid is a line: rounding its ends moves it as far.
-const FLAT: f64 = 0.5 / GRID;
-/// Largest distance between an arc and the chords written for it, mm: with the rounding of their ends, 0.0007 mm, less
-/// than the 0.002 mm that GRBL itself allows the chords it makes of an arc.
+/// An arc flatter than half the grid is a line, mm, because rounding its ends moves it as far.
+const MIN_SAGITTA: f64 = 0.5 / GRID;
+/// Largest distance between an arc and the chords written for it, mm. With the rounding of their ends, 0.0007 mm, it is
+/// less than the 0.002 mm that GRBL itself allows for the chords of an arc.
 const CHORD_DEVIATION: f64 = 0.001;
 
-/// Writes the program and knows what is in force.
+/// Writes the program and keeps track of the state in force.
 pub(super) struct Pen {
     program: String,
-    /// Where the head stands, rounded, mm.
+    /// Rounded position of the head, mm.
     at: DVec2,
-    /// Feed to work at, mm/min, and the F word in force.
+    /// Feed for the next cuts, mm/min, and the F word in force.
     feed: String,
     feed_in_force: String,
-    /// Power to work at, and the S word in force.
+    /// Power for the next cuts, and the S word in force.
     power: String,
     power_in_force: String,
 }
 
 impl Pen {
-    /// At `home`, dark, nothing written yet.
+    /// Starts at `home` with the beam off and an empty program.
     pub(super) fn new(home: DVec2) -> Self {
         let dark = || "0".to_owned();
         Self {
@@ -58,18 +59,18 @@ impl Pen {
         }
     }
 
-    /// Brings the head, wherever it stands, to where the pen believes it is.
+    /// Moves the head from wherever it is to the pen's position.
     pub(super) fn find_start(&mut self) {
-        let line = format!("G0{}", Words(self.at));
+        let line = format!("G0{}", XyWords(self.at));
         self.command(&line);
     }
 
-    /// The whole program, one command a line.
+    /// The whole program, one command per line.
     pub(super) fn into_program(self) -> String {
         self.program
     }
 
-    /// A line as it is.
+    /// Writes a line unchanged.
     pub(super) fn command(&mut self, line: &str) {
         self.program.push_str(line);
         self.program.push('\n');
@@ -81,18 +82,18 @@ impl Pen {
         "0".clone_into(&mut self.power_in_force);
     }
 
-    /// Feed (mm/min) and power (S) of the work that follows. A feed of 0, which GRBL refuses, is never written.
+    /// Sets feed (mm/min) and power (S) for the following cuts. A feed of 0, which GRBL refuses, is never written.
     pub(super) fn set_process(&mut self, feed: f64, power: f64) {
         self.feed = fixed(feed.max(SLOWEST), DECIMALS).to_string();
         self.power = fixed(power, DECIMALS).to_string();
     }
 
-    /// To a place with the beam off.
+    /// Moves to a place with the beam off.
     pub(super) fn rapid(&mut self, to: DVec2) {
         let to = rounded(to);
         let mut line = String::new();
         if !same(self.at, to) {
-            let _ = write!(line, "G0{}", Words(to));
+            let _ = write!(line, "G0{}", XyWords(to));
         }
         if self.power_in_force != "0" {
             line.push_str(if line.is_empty() { "S0" } else { " S0" });
@@ -104,7 +105,7 @@ impl Pen {
         self.at = to;
     }
 
-    /// Stands for `seconds` with the beam on; nothing when that rounds to no time.
+    /// Dwells for `seconds` with the beam on; writes nothing if that rounds to 0.
     pub(super) fn pierce(&mut self, seconds: f64) {
         let seconds = fixed(seconds, DECIMALS).to_string();
         if seconds == "0" {
@@ -118,7 +119,7 @@ impl Pen {
         self.feed_in_force.clone_from(&self.feed);
     }
 
-    /// Stands for `seconds` with the beam off; nothing when that rounds to no time.
+    /// Dwells for `seconds` with the beam off; writes nothing if that rounds to 0.
     pub(super) fn settle_dark(&mut self, seconds: f64) {
         let seconds = fixed(seconds, DECIMALS).to_string();
         if seconds == "0" {
@@ -129,23 +130,23 @@ impl Pen {
         "0".clone_into(&mut self.power_in_force);
     }
 
-    /// Along an element with the beam on.
+    /// Moves along an element with the beam on.
     pub(super) fn cut(&mut self, segment: &Segment) {
         match segment {
             Segment::Line(l) => self.straight(rounded(l.end)),
-            Segment::Arc(a) => arcs::split(a, PI).for_each(|piece| self.turn(&piece)),
+            Segment::Arc(a) => arcs::split(a, PI).for_each(|piece| self.arc(&piece)),
         }
     }
 
     fn straight(&mut self, to: DVec2) {
         if !same(self.at, to) {
-            self.motion(format!("G1{}", Words(to)), to);
+            self.motion(format!("G1{}", XyWords(to)), to);
         }
     }
 
-    fn turn(&mut self, arc: &Arc) {
+    fn arc(&mut self, arc: &Arc) {
         let to = rounded(arc.end);
-        if same(self.at, to) || arcs::sagitta(arc) <= FLAT {
+        if same(self.at, to) || arcs::sagitta(arc) <= MIN_SAGITTA {
             return self.straight(to);
         }
         let middle = (self.at + to) * 0.5;
@@ -156,10 +157,10 @@ impl Pen {
         }
         let word = if arc.ccw() { "G3" } else { "G2" };
         let (i, j) = (fixed(offset.x, CENTER_DECIMALS), fixed(offset.y, CENTER_DECIMALS));
-        self.motion(format!("{word}{} I{i} J{j}", Words(to)), to);
+        self.motion(format!("{word}{} I{i} J{j}", XyWords(to)), to);
     }
 
-    /// A motion with the beam on, with the feed and power words it needs.
+    /// Writes a motion with the beam on, with the feed and power words it needs.
     fn motion(&mut self, mut line: String, to: DVec2) {
         if self.feed != self.feed_in_force {
             let _ = write!(line, " F{}", self.feed);
@@ -175,9 +176,9 @@ impl Pen {
 }
 
 /// The X and Y words of a place.
-struct Words(DVec2);
+struct XyWords(DVec2);
 
-impl std::fmt::Display for Words {
+impl std::fmt::Display for XyWords {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, " X{} Y{}", fixed(self.0.x, DECIMALS), fixed(self.0.y, DECIMALS))
     }
@@ -187,7 +188,7 @@ fn rounded(p: DVec2) -> DVec2 {
     (p * GRID).round() / GRID
 }
 
-/// Whether two rounded places are one.
+/// Whether two rounded places are the same.
 fn same(a: DVec2, b: DVec2) -> bool {
-    (a - b).abs().max_element() < FLAT
+    (a - b).abs().max_element() < MIN_SAGITTA
 }

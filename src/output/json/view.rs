@@ -5,7 +5,7 @@
 //! out as what is safe: flatter than [`FLAT`] as its chord, nearer to a full turn than [`NEAR_TURN`] as two halves.
 
 use super::super::arcs;
-use super::super::walk::layer_name;
+use super::super::cuts::layer_name;
 use super::{Budget, Document};
 use crate::dxf::{Unit, UnitsSource};
 use crate::finding::Finding;

@@ -1,38 +1,38 @@
-//! Where a place of the sheet lies on the picture: millimetres with y up to pixels with y down.
+//! Maps the sheet (millimetres, y up) to the picture (pixels, y down).
 
 use crate::geometry::{Aabb, DVec2};
 
-/// White rim around everything, as a fraction of the picture's width.
-const RIM: f64 = 0.02;
-/// Most pixels of a picture: 134 MB of memory at four bytes each, which a browser tab still grants.
-const MOST_PIXELS: u32 = 1 << 25;
-/// Highest picture, px.
-const MOST_HEIGHT: u32 = 8192;
-/// Up to this width, px, lines keep their least width: thinner ones fade.
+/// White margin around everything, as a fraction of the picture's width.
+const MARGIN: f64 = 0.02;
+/// Largest number of pixels of a picture. They take 134 MB at four bytes each, which a browser tab still allows.
+const MAX_PIXELS: u32 = 1 << 25;
+/// Largest height of a picture, px.
+const MAX_HEIGHT: u32 = 8192;
+/// Up to this width, px, lines keep their smallest width, because thinner lines fade.
 const SMALL: f64 = 1000.0;
-/// Smallest sheet side that is told from a point, mm.
+/// Smallest side of a sheet that counts as more than a point, mm.
 const POINT: f64 = 1e-6;
 
-/// A picture and the sheet on it: as wide as asked for, as high as the sheet needs. Where that would be too high, the
-/// sheet is drawn smaller, in the middle.
+/// A picture and the position of the sheet on it. It has the requested width and the height that the sheet needs. If
+/// that would be too high, the sheet is drawn smaller and centred.
 pub(super) struct Frame {
-    /// px.
+    /// Width, px.
     pub(super) width: u32,
-    /// px.
+    /// Height, px.
     pub(super) height: u32,
-    /// px a mm.
+    /// Pixels per mm.
     scale: f64,
-    /// Middle of the sheet, mm.
+    /// Centre of the sheet, mm.
     middle: DVec2,
 }
 
 impl Frame {
-    /// The picture `width` px wide of what lies in `bounds`; `None` when that has no finite size.
+    /// A picture of `bounds` that is `width` px wide; `None` when the bounds are not finite.
     pub(super) fn around(bounds: Aabb, width: u32) -> Option<Self> {
         let size = bounds.size().max(DVec2::splat(POINT));
-        let rim = 2.0 * RIM * f64::from(width);
+        let rim = 2.0 * MARGIN * f64::from(width);
         let scale = (f64::from(width) - rim) / size.x;
-        let most = f64::from(MOST_HEIGHT.min(MOST_PIXELS / width));
+        let most = f64::from(MAX_HEIGHT.min(MAX_PIXELS / width));
         let height = (size.y * scale + rim).clamp(rim + 1.0, most).round();
         let scale = scale.min((height - rim) / size.y);
         let middle = bounds.center();
@@ -42,19 +42,20 @@ impl Frame {
         #[allow(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "held between 1 and MOST_HEIGHT above"
+            reason = "held between 1 and MAX_HEIGHT above"
         )]
         let height = height as u32;
         Some(Self { width, height, scale, middle })
     }
 
-    /// What a line one px wide on a small picture is on this one, px: lines grow with pictures over [`SMALL`].
+    /// Width in this picture, px, of a line one px wide in a small picture: lines grow with pictures wider than
+    /// [`SMALL`].
     #[allow(clippy::cast_possible_truncation, reason = "the drawing library works in f32")]
     pub(super) fn line_px(&self) -> f32 {
         (f64::from(self.width) / SMALL).max(1.0) as f32
     }
 
-    /// A place of the sheet, px from the upper left corner.
+    /// A place of the sheet, in px from the upper left corner.
     #[allow(clippy::cast_possible_truncation, reason = "the drawing library works in f32")]
     pub(super) fn place(&self, p: DVec2) -> (f32, f32) {
         let at = (p - self.middle) * self.scale;
@@ -81,11 +82,11 @@ mod tests {
     #[test]
     fn high_and_flat_sheets_stay_within_the_limits() {
         let high = frame(1.0, 1000.0, 1000);
-        assert_eq!((high.width, high.height), (1000, MOST_HEIGHT));
+        assert_eq!((high.width, high.height), (1000, MAX_HEIGHT));
         let (x, y) = high.place(DVec2::new(0.5, 1000.0));
         assert!((x - 500.0).abs() < 1e-3 && (y - 20.0).abs() < 1e-2, "{x} {y}");
         let wide = frame(100.0, 100.0, 8192);
-        assert_eq!(wide.width * wide.height, MOST_PIXELS);
+        assert_eq!(wide.width * wide.height, MAX_PIXELS);
         assert_eq!(frame(100.0, 0.0, 1000).height, 41);
         assert!(frame(0.0, 0.0, 64).height >= 1);
         let endless = Aabb { min: DVec2::splat(-1e308), max: DVec2::splat(1e308) };

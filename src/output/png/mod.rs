@@ -1,8 +1,8 @@
-//! The picture of a plan as PNG, drawn by tiny-skia from its JSON (`kerfway.plan/1`).
+//! Draws a plan as PNG with tiny-skia, from its JSON (`kerfway.plan/1`).
 //!
-//! It works from the JSON and not from a plan in memory because it lives in a wasm file of its own (feature `png`), which
-//! is loaded only when somebody asks for a picture. White ground, contours in ink, marks in blue, air moves thin and
-//! dashed in orange, entries as dots: the colours of the SVG on white.
+//! The input is the JSON and not a plan in memory, because this module is in a wasm file of its own (feature `png`),
+//! which is loaded only when a picture is requested. The ground is white, cuts are dark, marks blue, air moves thin,
+//! dashed and orange, and entries are dots: the colours of the SVG on white.
 
 mod frame;
 
@@ -16,25 +16,25 @@ use tiny_skia::{
     Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
 };
 
-/// Narrowest and widest picture, px.
+/// Smallest and largest width of a picture, px.
 pub const WIDTHS: std::ops::RangeInclusive<u32> = 64..=8192;
 
 const INK: [u8; 3] = [0x1b, 0x1f, 0x24];
 const BLUE: [u8; 3] = [0x25, 0x63, 0xc9];
 const ORANGE: [u8; 3] = [0xc2, 0x57, 0x1a];
 
-/// Width of contours, of air moves, and radius of entries, in line px ([`Frame::line_px`]).
+/// Width of contours and of air moves, and radius of entries, in line px ([`Frame::line_px`]).
 const CONTOUR_WIDTH: f32 = 1.8;
 const AIR_WIDTH: f32 = 1.0;
 const ENTRY_RADIUS: f32 = 3.0;
 /// Dash and gap of air moves, in line px.
 const DASH: [f32; 2] = [6.0, 4.0];
 
-/// Largest sweep drawn as one cubic: it misses the arc by 4e-6 of the radius, 0.03 px on the largest picture.
+/// Largest sweep drawn as one cubic. It deviates from the arc by 4e-6 of the radius, 0.03 px in the largest picture.
 const LARGEST_SWEEP: f64 = FRAC_PI_4;
 
-/// The plan in `plan_json` as a PNG file `width` px wide ([`WIDTHS`]), as high as the sheet asks for; an error is a
-/// sentence for people. No picture has more than 33.5 million px: a higher sheet is drawn smaller.
+/// Draws the plan in `plan_json` as a PNG file `width` px wide ([`WIDTHS`]), with the height that the sheet needs. An
+/// error is a sentence for people. No picture has more than 33.5 million px; a higher sheet is drawn smaller.
 pub fn render(plan_json: &str, width: u32) -> Result<Vec<u8>, String> {
     if !WIDTHS.contains(&width) {
         return Err(format!(
@@ -109,7 +109,7 @@ fn trace(to: &mut PathBuilder, frame: &Frame, path: &[Segment]) {
     }
 }
 
-/// The cubic with the ends and tangents of a short arc and its middle: handles of 4/3 tan(sweep / 4) radii.
+/// The cubic with the ends, tangents and middle of a short arc. Its handles are 4/3 tan(sweep / 4) radii long.
 fn cubic_to(to: &mut PathBuilder, frame: &Frame, arc: &Arc) {
     let handle = 4.0 / 3.0 * math::tan(arc.sweep * 0.25);
     let (a, b) = (arc.start - arc.center, arc.end - arc.center);

@@ -1,7 +1,7 @@
 //! The elements of a group, which orders of them are possible, and about what an order costs.
 
 use crate::geometry::{DVec2, Segment};
-use crate::machine::{AirTime, Profile, work_time};
+use crate::machine::{AirTime, Profile, process_time};
 use crate::problem::GroupProblem;
 
 /// An element and the way it is cut: twice its index, one more against its direction.
@@ -80,7 +80,7 @@ impl<'s> Net<'s> {
     }
 
     fn gains_after(&self, step: Step) -> Vec<(Step, f64)> {
-        let seconds = |path: &[Segment]| work_time(self.machine, false, path);
+        let seconds = |path: &[Segment]| process_time(self.machine, false, path);
         let own = self.travelled(step);
         let from = self.step(step)[1];
         let next = self.steps().filter(|&s| s / 2 != step / 2 && self.step(s)[0] == from);

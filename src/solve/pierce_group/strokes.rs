@@ -5,7 +5,7 @@
 
 use super::net::{Net, Step};
 use crate::geometry::{DVec2, Segment};
-use crate::machine::work_time;
+use crate::machine::process_time;
 use crate::problem::{Span, Stroke, SubPath};
 
 /// The path of an order.
@@ -90,7 +90,7 @@ fn seconds(net: &Net, start: DVec2, strokes: &[Stroke]) -> f64 {
             Stroke::Pierce => sum += net.machine.pierce_time,
             Stroke::PreCut { .. } => sum += net.pre_cut(),
             Stroke::Cut { path, .. } => {
-                sum += work_time(net.machine, false, path) + net.start();
+                sum += process_time(net.machine, false, path) + net.start();
                 head = path.last().map_or(head, Segment::end);
             }
         }

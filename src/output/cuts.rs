@@ -1,19 +1,19 @@
-//! What every format asks of a plan: its cuts and marks in order, and the names of their layers.
+//! The cuts and marks of a plan in order, and the names of their layers, as every format needs them.
 
 use crate::geometry::{DVec2, Segment};
 use crate::plan::{Move, Plan};
 use crate::sheet::Sheet;
 use std::borrow::Cow;
 
-/// A cut or mark of a plan: all of a contour, or a stretch of one that is left unfinished.
+/// A cut or mark of a plan: a whole contour, or a part of one that is interrupted.
 pub(super) struct Cut<'a> {
     /// The contour's id.
     pub(super) contour: u32,
-    /// Where it is entered, mm.
+    /// Its entry, mm.
     pub(super) entry: DVec2,
-    /// Its elements from the entry on; never empty. Pauses in sharp corners interrupt nothing.
+    /// Its elements from the entry on; never empty. Pauses in sharp corners do not divide it.
     pub(super) path: Cow<'a, [Segment]>,
-    /// Marks instead of cutting through.
+    /// Whether it is marked instead of cut.
     pub(super) mark: bool,
 }
 
@@ -38,16 +38,17 @@ pub(super) fn cuts(plan: &Plan) -> Vec<Cut<'_>> {
     all
 }
 
-/// The name of a contour's layer; empty when the sheet does not know it.
+/// The name of a contour's layer; empty when the sheet does not contain it.
 pub(super) fn layer_name(sheet: &Sheet, contour: u32) -> &str {
     let known = sheet.contours.get(contour as usize).and_then(|c| sheet.layers.get(c.layer as usize));
     known.map_or("", |l| l.name.as_str())
 }
 
-/// Stretches are shorter than their contour by more than this, mm: what is less is a sum of lengths in another order.
+/// Largest difference between the length of a cut and that of its whole contour, mm. It covers rounding of sums in
+/// different order; a partial cut differs by more.
 const WHOLE: f64 = 1e-6;
 
-/// Whether a cut closes: it is all of a contour that does, and no run through a pierce group.
+/// Whether a cut is closed: it is all of a closed contour, and not a path through a pierce group.
 pub(super) fn closes(sheet: &Sheet, cut: &Cut) -> bool {
     let length = || cut.path.iter().map(Segment::length).sum::<f64>();
     let comes_back = cut.path.last().is_some_and(|last| last.end() == cut.entry);
