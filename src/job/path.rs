@@ -38,7 +38,7 @@ impl BestPath {
         let mut parts: Vec<Vec<f64>> = Vec::new();
         for stop in &run.best().stops {
             let node = &problem.nodes[stop.node as usize];
-            if let Some(way) = problem.items.get(node.item as usize).and_then(|i| i.path(stop.along)) {
+            if let Some(way) = problem.items.get(node.item as usize).and_then(|i| i.path(stop.node)) {
                 path.through(way, sheet, &mut parts);
                 continue;
             }

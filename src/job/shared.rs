@@ -1,14 +1,14 @@
 //! What cutting pierce groups as one saves, in words.
 
 use crate::finding::{Code, Finding, Severity};
-use crate::problem::Problem;
+use crate::problem::{Item, Problem};
 use crate::sheet::{PierceGroup, Sheet};
 
 /// One finding for each group that the problem of a sheet cuts as one.
 pub(super) fn findings(sheet: &Sheet, problem: &Problem) -> Vec<Finding> {
     let joined = |g: &&PierceGroup| {
         let first = g.contours.first().and_then(|&c| problem.items.get(c as usize));
-        first.is_some_and(|item| !item.ways().is_empty())
+        first.is_some_and(Item::is_pierce_group)
     };
     sheet.pierce_groups().iter().filter(joined).map(finding).collect()
 }

@@ -39,7 +39,7 @@ pub(super) fn solution(warm: &Warm, problem: &Problem) -> Result<Solution, JobEr
             reversed: reversed != 0,
         })
         .collect();
-    let groups: Vec<&Item> = problem.items.iter().filter(|i| !i.ways().is_empty()).collect();
+    let groups: Vec<&Item> = problem.items.iter().filter(|i| i.is_pierce_group()).collect();
     let mut rest = all.as_slice();
     let stops = std::iter::from_fn(|| {
         let (visit, after) = rest.split_first()?;
@@ -70,7 +70,7 @@ fn through(problem: &Problem, groups: &[&Item], visits: &[Visit]) -> Option<(Sto
         v.contour == s.contour && v.reversed == s.reversed && places <= SAME_PLACE
     };
     groups.iter().find_map(|item| {
-        item.nodes.clone().zip(item.ways()).find_map(|(node, path)| {
+        item.nodes.clone().zip(&item.paths).find_map(|(node, path)| {
             let spans = path.spans().count();
             let alike =
                 spans > 0 && visits.len() >= spans && visits.iter().zip(path.spans()).all(|(v, s)| is(v, s));
@@ -82,7 +82,8 @@ fn through(problem: &Problem, groups: &[&Item], visits: &[Visit]) -> Option<(Sto
 /// The stop from one place to another: anywhere along a track, otherwise at nodes.
 fn stop(problem: &Problem, visit: &Visit) -> Option<Stop> {
     let Visit { contour, along, until, reversed } = *visit;
-    let item = problem.items.get(contour as usize)?;
+    // A pierce group is found by its stretches only.
+    let item = problem.items.get(contour as usize).filter(|i| !i.is_pierce_group())?;
     let at = |along: f64| {
         let mut stops = item.nodes.clone().map(|node| Stop::at(problem, node));
         let same_way = |s: &Stop| problem.nodes[s.node as usize].reversed == reversed;

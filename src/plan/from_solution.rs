@@ -22,7 +22,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
         let contour = node.item;
         let Some(known) = sheet.contours.get(contour as usize) else { continue };
-        if let Some(way) = problem.items.get(contour as usize).and_then(|i| i.path(stop.along)) {
+        if let Some(way) = problem.items.get(contour as usize).and_then(|i| i.path(stop.node)) {
             go(&mut moves, &mut head, way.ends[0]);
             through(&mut moves, &problem.machine, way);
             head = way.ends[1];

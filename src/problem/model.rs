@@ -24,7 +24,7 @@ pub struct Node {
     pub entry: DVec2,
     /// Where the head leaves, mm.
     pub exit: DVec2,
-    /// Place on the contour: arc length from its start, mm. Of a pierce group: -1 - k for the k-th of [`Item::paths`].
+    /// Place on the contour: arc length from its start, mm; 0 for an open contour and for a pierce group.
     pub along: f64,
     /// Runs the contour against its stored direction.
     pub reversed: bool,
@@ -50,37 +50,34 @@ pub struct Item {
     pub leave: Option<f64>,
     /// A closed path along which it may be entered anywhere, not at its nodes only; its nodes lie on it.
     pub track: Option<Path>,
-    /// Of a pierce group, that is contours cut as one: the way through it of each node. [`Item::fixed`] is the least of them.
+    /// Of a pierce group, that is contours cut as one: the path through it that each node stands for, in the order of the
+    /// nodes. [`Item::fixed`] is the least of their seconds.
     pub paths: Vec<SubPath>,
 }
 
 impl Item {
-    /// Seconds on top of [`Item::fixed`] when entered `along` mm from the start of its track; never less than 0.
-    pub fn extra(&self, along: f64) -> f64 {
-        match self.path(along) {
+    /// Seconds on top of [`Item::fixed`] when it is entered by one of its nodes, `along` mm from the start of its track;
+    /// never less than 0.
+    pub fn extra(&self, node: NodeId, along: f64) -> f64 {
+        match self.path(node) {
             Some(path) => path.seconds - self.fixed,
             None => self.run.as_ref().map_or(0.0, |run| run.extra(along)),
         }
     }
 
-    /// The ways through a pierce group; none for any other item.
-    pub fn ways(&self) -> &[SubPath] {
-        &self.paths
+    /// Whether it is a pierce group: contours cut as one, by one of several paths.
+    pub fn is_pierce_group(&self) -> bool {
+        !self.paths.is_empty()
     }
 
-    /// The way through a pierce group that a place stands for.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a cast from float saturates"
-    )]
-    pub fn path(&self, along: f64) -> Option<&SubPath> {
-        self.ways().get((-1.0 - along) as usize).filter(|_| along < 0.0)
+    /// The path through a pierce group that one of its nodes stands for; none for any other item.
+    pub fn path(&self, node: NodeId) -> Option<&SubPath> {
+        self.paths.get(node.checked_sub(self.nodes.start)? as usize)
     }
 
-    /// Whether it costs more or less by the place where it is entered.
+    /// Whether its seconds depend on the place where it is entered.
     pub fn is_uneven(&self) -> bool {
-        !self.ways().is_empty() || self.uneven().is_some()
+        self.is_pierce_group() || self.uneven().is_some()
     }
 
     /// The run along it, when it takes more or less by the place of entry.

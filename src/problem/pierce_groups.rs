@@ -76,12 +76,10 @@ impl<'s> PierceGroups<'s> {
         let first = NodeId::try_from(nodes.len()).ok()?;
         let stands = group.contours[0] == contour;
         let paths = if stands { paths.to_vec() } else { Vec::new() };
-        let mut place = -1.0;
         for (path, id) in paths.iter().zip(first..) {
             let [entry, exit] = path.ends;
             let twin = first + ((id - first) ^ 1);
-            nodes.push(Node { item: contour, entry, exit, along: place, reversed: false, twin });
-            place -= 1.0;
+            nodes.push(Node { item: contour, entry, exit, along: 0.0, reversed: false, twin });
         }
         let least = paths.iter().map(|p| p.seconds).fold(f64::INFINITY, f64::min);
         Some(Item {

@@ -124,7 +124,7 @@ impl<'p> Sets<'p> {
                     }
                     let item = &self.problem.items[next as usize];
                     for n in item.nodes.clone() {
-                        let extra = item.extra(self.problem.nodes[n as usize].along);
+                        let extra = item.extra(n, self.problem.nodes[n as usize].along);
                         let cost = cost + self.leg(end, Some(n)) + extra;
                         let known = &mut self.least[(done | 1 << next) * count + n as usize];
                         *known = known.min(cost);

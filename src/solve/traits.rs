@@ -158,7 +158,7 @@ impl Solution {
             head = exit;
             let id = problem.nodes[stop.node as usize].item as usize;
             let item = &problem.items[id];
-            cost += air.seconds(before, entry) + item.extra(stop.along);
+            cost += air.seconds(before, entry) + item.extra(stop.node, stop.along);
             if std::mem::replace(&mut begun[id], true) {
                 cost += item.resume();
             }

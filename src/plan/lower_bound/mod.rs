@@ -64,7 +64,7 @@ mod space;
 mod tree;
 mod walks;
 
-use crate::problem::Problem;
+use crate::problem::{Item, Problem};
 use cheap::Cheap;
 use rounds::Strong;
 
@@ -92,7 +92,7 @@ impl LowerBound {
     pub fn new(problem: &Problem) -> Self {
         let count = problem.items.len() - usize::from(problem.start().is_some());
         let resumes = problem.items.iter().any(|i| i.leave.is_some());
-        let method = if count == 0 || problem.items.iter().any(|i| !i.ways().is_empty()) {
+        let method = if count == 0 || problem.items.iter().any(Item::is_pierce_group) {
             Method::Done(0.0)
         } else if count > STRONG || resumes {
             Method::Cheap(Box::new(Cheap::new(problem, resumes)))

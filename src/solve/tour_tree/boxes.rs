@@ -1,7 +1,6 @@
 //! Boxes around places: what lies in one is no nearer than the box.
 
 use super::ring::GATES;
-use super::travel::Place;
 use crate::geometry::{Aabb, DVec2};
 
 /// Arcs of a ring, each with a box: more exclude more candidates at a higher price.
@@ -21,7 +20,7 @@ impl Boxed {
 
     /// How far a place is outside along both axes.
     #[inline(always)]
-    pub(super) fn outside(&self, p: Place) -> DVec2 {
+    pub(super) fn outside(&self, p: DVec2) -> DVec2 {
         let d = (p - self.middle).abs() - self.half;
         // In wasm the maximum of glam is a call, and a choice of two numbers a jump.
         let outside = |d: f64| 0.5 * (d + d.abs());
@@ -30,7 +29,7 @@ impl Boxed {
 }
 
 /// The boxes of the arcs of a ring: of its gates, and half way to the next on both sides.
-pub(super) fn arcs(ring: &[Place]) -> [Boxed; ARCS] {
+pub(super) fn arcs(ring: &[DVec2]) -> [Boxed; ARCS] {
     let (count, half) = (ring.len(), ring.len() / GATES / 2);
     std::array::from_fn(|arc| {
         let from = arc * count / ARCS + count - half;

@@ -82,7 +82,7 @@ fn stretches(tour: &mut Tour, other: &Kept) -> Vec<Stretch> {
     for (p, &item) in other.order.iter().enumerate() {
         position[item as usize] = p;
     }
-    let entry = |item: u32| space.places(item)[other.at[item as usize] as usize];
+    let entry = |item: u32| space.places(item).at(other.at[item as usize]);
     let exit = |item: u32| space.exit(item, other.at[item as usize]);
     // Seconds from the first item to the one at a position, entries included, here and there.
     let mut here = vec![0.0; last + 1];

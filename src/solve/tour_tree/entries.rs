@@ -39,7 +39,7 @@ impl Layers {
         let first = self.items[0];
         for start in 0..index(tour.space.places(first).len()) {
             tour.priced += self.pass(tour, start);
-            let end = tour.space.places(first)[start as usize];
+            let end = tour.space.places(first).at(start);
             let mut total = (f64::INFINITY, 0);
             for (k, &(p, cost)) in (0..).zip(&self.reached) {
                 let cost = cost + tour.way(p, first, end);

@@ -5,7 +5,7 @@ use super::ring::GATES;
 use super::ring_in::RingIn;
 use super::space::Space;
 use super::travel::Gap;
-use super::travel::{Place, node_at};
+use super::travel::Place;
 use crate::geometry::DVec2;
 
 /// How far one item is from places: what a table says lies at hand.
@@ -20,7 +20,7 @@ impl Reaching<'_> {
     #[inline(always)]
     pub(super) fn at_least(&self, p: Place, back: bool) -> f64 {
         match self.rows[usize::from(back)] {
-            Some(row) => row[node_at(p) as usize],
+            Some(row) => row[p.node as usize],
             _ => self.space.at_least(p, self.item, back),
         }
     }
@@ -33,7 +33,7 @@ impl Space<'_> {
         if self.travel.by_table() {
             return self.travel.least(p, item, self.places(item), back);
         }
-        self.travel.seconds_here(DVec2::ZERO, self.whole[item as usize].outside(p))
+        self.travel.air(DVec2::ZERO, self.whole[item as usize].outside(p.point))
     }
 
     /// How far an item is, for where that is asked of one place after the other.
@@ -43,7 +43,7 @@ impl Space<'_> {
 
     /// Seconds from `gap.from` into an item at place `at` and on to `gap.to`, with what that place costs on top.
     pub(super) fn through(&self, item: u32, at: u32, gap: Gap) -> f64 {
-        let entry = self.places(item)[at as usize];
+        let entry = self.places(item).at(at);
         let exit = if self.two_ends(item) { self.exit(item, at) } else { entry };
         let on = gap.to.map_or(0.0, |to| self.travel.seconds_here(exit, to));
         self.travel.seconds_here(gap.from, entry) + on + self.extra(item, at)
@@ -65,7 +65,7 @@ impl Space<'_> {
                 return best;
             }
             let two_ends = self.two_ends(item);
-            for (at, &place) in (0..).zip(places) {
+            for (at, place) in (0..).zip(places.iter()) {
                 // The way there alone tells of most that they cost more.
                 let out = self.travel.seconds(gap.from, place);
                 if out >= best.1 {
@@ -81,7 +81,7 @@ impl Space<'_> {
             return best;
         }
         let ring = self.ring_in(item, gap);
-        let step = ring.places.len() / GATES;
+        let step = ring.points.len() / GATES;
         for (q, arc) in self.arcs[item as usize].iter().enumerate() {
             let least = ring.at_least(arc);
             // Not the smaller of the two: in wasm that is a call, as it heeds what is not a number.
@@ -121,6 +121,12 @@ impl Space<'_> {
     fn ring_in(&self, item: u32, gap: Gap) -> RingIn<'_> {
         let places = self.first[item as usize] as usize..self.first[item as usize + 1] as usize;
         let extra = if self.extra.is_empty() { &[][..] } else { &self.extra[places.clone()] };
-        RingIn { travel: &self.travel, places: &self.place[places], extra, gap }
+        RingIn {
+            travel: &self.travel,
+            points: &self.point[places],
+            extra,
+            from: gap.from.point,
+            to: gap.to.map(|to| to.point),
+        }
     }
 }

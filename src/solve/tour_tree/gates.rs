@@ -1,13 +1,12 @@
 //! The gates of all items by place, in square cells that stand in rows: what lies around a place is a few runs of one list.
 
-use super::travel::Place;
-use crate::geometry::{Aabb, Cells};
+use crate::geometry::{Aabb, Cells, DVec2};
 
 /// Gates in a cell on average: more makes each look longer, fewer makes more cells to look at.
 const PER_CELL: f64 = 4.0;
 
 /// A gate: its item and where it is.
-pub(super) type Gate = (u32, Place);
+pub(super) type Gate = (u32, DVec2);
 
 pub(super) struct Gates {
     grid: Cells,
@@ -29,7 +28,7 @@ impl Gates {
             ends[c + 1] += ends[c];
         }
         let first = ends.clone();
-        let mut placed = vec![(0, Place::ZERO); gates.len()];
+        let mut placed = vec![(0, DVec2::ZERO); gates.len()];
         for (&gate, c) in gates.iter().zip(cells) {
             placed[ends[c] as usize] = gate;
             ends[c] += 1;
@@ -38,7 +37,7 @@ impl Gates {
     }
 
     /// How many rings around `place` it takes to see every cell.
-    pub(super) fn rings(&self, place: Place) -> usize {
+    pub(super) fn rings(&self, place: DVec2) -> usize {
         self.grid.rings(place)
     }
 
@@ -48,7 +47,7 @@ impl Gates {
     }
 
     /// Shows the gates in ring `r` around the cell of `place` (0: the cell itself), in runs.
-    pub(super) fn ring(&self, place: Place, r: usize, mut show: impl FnMut(&[Gate])) {
+    pub(super) fn ring(&self, place: DVec2, r: usize, mut show: impl FnMut(&[Gate])) {
         let (x, y) = self.grid.cell(place);
         let (left, right) = (x.saturating_sub(r), (x + r).min(self.grid.columns - 1));
         for row in y.saturating_sub(r)..=(y + r).min(self.grid.rows - 1) {
@@ -77,15 +76,15 @@ mod tests {
     use super::*;
 
     fn line(count: u32, apart: f64) -> Vec<Gate> {
-        (0..count).map(|k| (k, Place::new(f64::from(k) * apart, 5.0))).collect()
+        (0..count).map(|k| (k, DVec2::new(f64::from(k) * apart, 5.0))).collect()
     }
 
     #[test]
     fn rings_hold_every_gate_once_and_as_far_as_they_say() {
         let gates: Vec<Gate> =
-            (0..700).map(|k| (k, Place::new(f64::from(k * 37 % 101), f64::from(k * 53 % 47)))).collect();
+            (0..700).map(|k| (k, DVec2::new(f64::from(k * 37 % 101), f64::from(k * 53 % 47)))).collect();
         let grid = Gates::new(&gates);
-        for from in [Place::ZERO, Place::new(50.0, 20.0), Place::new(-30.0, 900.0)] {
+        for from in [DVec2::ZERO, DVec2::new(50.0, 20.0), DVec2::new(-30.0, 900.0)] {
             let mut seen = Vec::new();
             for r in 0..grid.rings(from) {
                 grid.ring(from, r, |run| {
@@ -105,8 +104,8 @@ mod tests {
     fn flat_empty_and_single() {
         let flat = Gates::new(&line(90, 1e4));
         assert!(flat.first.len() < 100, "{}", flat.first.len());
-        assert_eq!(Gates::new(&[]).rings(Place::ONE), 1);
+        assert_eq!(Gates::new(&[]).rings(DVec2::ONE), 1);
         let one = line(1, 0.0);
-        Gates::new(&one).ring(Place::ZERO, 0, |run| assert_eq!(run, one));
+        Gates::new(&one).ring(DVec2::ZERO, 0, |run| assert_eq!(run, one));
     }
 }

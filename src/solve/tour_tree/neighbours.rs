@@ -10,6 +10,7 @@ use super::index::index;
 use super::space::Space;
 use super::tour::Tour;
 use super::travel::Place;
+use crate::geometry::DVec2;
 use crate::order::{real, sort_by};
 
 /// Items listed for a gate: nearly always enough, and a pass over them stays in one pair of cache lines.
@@ -35,7 +36,7 @@ impl Neighbours {
     pub(super) fn new(space: &Space) -> Self {
         let listed = if space.travel.by_table() { 0 } else { space.home + 1 };
         let gates: Vec<Gate> =
-            (0..listed).flat_map(|item| space.gates(item).map(move |place| (item, place))).collect();
+            (0..listed).flat_map(|item| space.gates(item).map(move |place| (item, place.point))).collect();
         let room = space.gate_first.last().map_or(0, |&all| all as usize * PER_GATE);
         Self {
             gates: Gates::new(&gates),
@@ -58,7 +59,7 @@ impl Neighbours {
                 let nearest = if space.travel.by_table() {
                     nearest_by_table(space, item, place, back)
                 } else {
-                    self.nearest(space, item, place)
+                    self.nearest(space, item, place.point)
                 };
                 self.stride = nearest.len();
                 self.by_gate[usize::from(back)].extend(nearest.iter().map(|n| n.1));
@@ -75,7 +76,7 @@ impl Neighbours {
     }
 
     /// Seconds to, and item of, the nearest other items, in this order.
-    fn nearest(&self, space: &Space, item: u32, place: Place) -> Vec<(f64, u32)> {
+    fn nearest(&self, space: &Space, item: u32, place: DVec2) -> Vec<(f64, u32)> {
         let mut found: Vec<(f64, u32)> = Vec::with_capacity(PER_GATE + 1);
         for r in 0..self.gates.rings(place) {
             let d = self.gates.distance_of_ring(r);
@@ -84,7 +85,7 @@ impl Neighbours {
             }
             self.gates.ring(place, r, |run| {
                 for &(other, there) in run.iter().filter(|gate| gate.0 != item) {
-                    insert(&mut found, (space.travel.seconds_here(place, there), other));
+                    insert(&mut found, (space.travel.air(place, there), other));
                 }
             });
         }

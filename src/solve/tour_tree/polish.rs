@@ -8,7 +8,6 @@
 use super::kept::Kept;
 use super::space::Space;
 use super::tour::Tour;
-use super::travel::Gap;
 use crate::geometry::{DVec2, Path, Segment};
 use crate::problem::Item;
 use crate::solve::{Solution, Stop};
@@ -47,7 +46,7 @@ pub(super) fn polished(tour: &Tour, kept: &Kept) -> Solution {
                 Some(next) => Some(next.entry),
                 None => space.problem.closed.then_some(space.problem.home),
             };
-            stops[k].slide(space, Gap { from, to });
+            stops[k].slide(space, from, to);
         }
         let now = Solution::new(space.problem, stops.iter().map(|s| s.stop).collect()).cost;
         if now > cost * (1.0 - ENOUGH) {
@@ -71,7 +70,7 @@ pub(super) struct Slide<'p> {
 
 impl<'p> Slide<'p> {
     pub(super) fn new(space: &Space<'p>, item: u32, at: u32) -> Self {
-        let (entry, exit) = (space.places(item)[at as usize], space.exit(item, at));
+        let (entry, exit) = (space.places(item).at(at).point, space.exit(item, at).point);
         let it = &space.problem.items[item as usize];
         let track = it.track.as_ref().filter(|_| space.is_ring(item));
         let track = track.map(|track| {
@@ -85,21 +84,21 @@ impl<'p> Slide<'p> {
     }
 
     /// Moves to the best place between those next to where it is.
-    pub(super) fn slide(&mut self, space: &Space, gap: Gap) {
+    pub(super) fn slide(&mut self, space: &Space, from: DVec2, to: Option<DVec2>) {
         let Some((track, starts, reach)) = &self.track else { return };
         let price = |along: f64, p: DVec2| {
-            let on = gap.to.map_or(0.0, |to| space.travel.seconds(p, to));
-            space.travel.seconds(gap.from, p) + on + self.item.extra(along)
+            let on = to.map_or(0.0, |to| space.travel.air(p, to));
+            space.travel.air(from, p) + on + self.item.extra(self.stop.node, along)
         };
         let length = starts[starts.len() - 1];
         let mut best = (price(self.stop.along, self.entry), self.stop.along, self.entry);
-        let (from, to) = (self.stop.along - reach, self.stop.along + reach);
+        let (low, high) = (self.stop.along - reach, self.stop.along + reach);
         // The window may hang over either end of the track.
         for shift in [-length, 0.0, length] {
-            let (from, to) = ((from + shift).max(0.0), (to + shift).min(length));
-            let first = starts.partition_point(|&s| s <= from).saturating_sub(1);
+            let (low, high) = ((low + shift).max(0.0), (high + shift).min(length));
+            let first = starts.partition_point(|&s| s <= low).saturating_sub(1);
             for (g, span) in track.segments.iter().zip(starts.windows(2)).skip(first) {
-                let (low, high) = (from.max(span[0]), to.min(span[1]));
+                let (low, high) = (low.max(span[0]), high.min(span[1]));
                 if low > high {
                     break;
                 }

@@ -49,7 +49,7 @@ fn slide_on(tour: &mut Tour, queue: &mut Queue, [item, other]: [u32; 2], steps: 
     let (before, after) = (tour.previous(first), tour.next(last));
     let price = |[own, others]: [u32; 2]| {
         let [a, b] = if first == item { [own, others] } else { [others, own] };
-        let (p, q) = (space.places(first)[a as usize], space.places(last)[b as usize]);
+        let (p, q) = (space.places(first).at(a), space.places(last).at(b));
         let (into, on) = (tour.way(tour.exit(before), first, p), tour.way(q, after, tour.entry(after)));
         into + space.extra(first, a) + space.travel.seconds(p, q) + space.extra(last, b) + on
     };

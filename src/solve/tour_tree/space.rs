@@ -14,9 +14,9 @@ use super::index::index;
 use super::kept::Kept;
 use super::ring::GATES;
 use super::ring::{Ring, nearest};
-use super::travel::{Place, Travel, node_place};
-use crate::geometry::Aabb;
-use crate::problem::{Item, Node, NodeId, Problem};
+use super::travel::{Place, Places, Travel};
+use crate::geometry::{Aabb, DVec2};
+use crate::problem::{Item, Problem};
 use crate::solve::precedence::Precedence;
 use crate::solve::{Solution, Stop};
 
@@ -28,7 +28,8 @@ pub(super) struct Space<'p> {
     pub(super) home: u32,
     /// Places of item i: `first[i]..first[i + 1]`.
     pub(super) first: Vec<u32>,
-    pub(super) place: Vec<Place>,
+    /// Where each place is, mm. With a table a place has the number of its node, and the points mean nothing.
+    pub(super) point: Vec<DVec2>,
     /// Arc length of each place of a ring along its track, mm; empty where all are evenly spaced.
     along: Vec<f64>,
     /// Seconds on top for entering at each place; empty when no item has any.
@@ -68,7 +69,7 @@ impl<'p> Space<'p> {
             travel: Travel::new(problem),
             home: problem.start().unwrap_or(index(n)),
             first: vec![0],
-            place: Vec::new(),
+            point: Vec::new(),
             along: Vec::new(),
             extra: Vec::new(),
             corner_first: vec![0],
@@ -79,7 +80,7 @@ impl<'p> Space<'p> {
             arcs: Vec::with_capacity(n + 1),
             lopsided: (0..)
                 .zip(&problem.items)
-                .filter(|(_, i)| !i.ways().is_empty())
+                .filter(|(_, i)| i.is_pierce_group())
                 .map(|(id, _)| id)
                 .collect(),
             whole: Vec::with_capacity(n + 1),
@@ -91,13 +92,13 @@ impl<'p> Space<'p> {
         // Grown place by place, room for large rings took longer than all the rest.
         let count =
             |(ring, item): (&Option<Ring>, &Item)| ring.as_ref().map_or(item.nodes.len(), |r| r.count);
-        s.place.reserve_exact(rings.iter().zip(&problem.items).map(count).sum::<usize>() + 1);
+        s.point.reserve_exact(rings.iter().zip(&problem.items).map(count).sum::<usize>() + 1);
         for (item, ring) in problem.items.iter().zip(rings) {
             let nodes = &problem.nodes[item.nodes.start as usize..item.nodes.end as usize];
             let (kind, spacing) = match ring {
                 Some(ring) => {
                     let prices = charged.then(|| ring.prices());
-                    s.place.extend(ring.points(prices.as_ref()));
+                    s.point.extend(ring.points(prices.as_ref()));
                     if let Some(prices) = prices {
                         s.along.extend(prices.along);
                         s.extra.extend(prices.extra);
@@ -106,11 +107,20 @@ impl<'p> Space<'p> {
                     (Kind::Ring, ring.spacing)
                 }
                 None => {
-                    let by_table = s.travel.by_table();
-                    let place =
-                        |(node, id): (&Node, NodeId)| if by_table { node_place(id) } else { node.entry };
-                    s.place.extend(nodes.iter().zip(item.nodes.clone()).map(place));
-                    s.extra.extend(nodes.iter().filter(|_| charged).map(|n| item.extra(n.along)));
+                    debug_assert!(
+                        !s.travel.by_table()
+                            || nodes.is_empty()
+                            || s.point.len() == item.nodes.start as usize,
+                        "a place of a table without its node's number"
+                    );
+                    s.point.extend(nodes.iter().map(|n| n.entry));
+                    s.extra.extend(
+                        nodes
+                            .iter()
+                            .zip(item.nodes.clone())
+                            .filter(|_| charged)
+                            .map(|(n, id)| item.extra(id, n.along)),
+                    );
                     let ends = !nodes.is_empty()
                         && nodes
                             .chunks(2)
@@ -122,8 +132,7 @@ impl<'p> Space<'p> {
             s.close_item(kind, spacing, charged);
         }
         if problem.table().is_none() {
-            let home = problem.home;
-            s.place.push(if s.travel.by_table() { node_place(index(problem.nodes.len())) } else { home });
+            s.point.push(problem.home);
             s.close_item(Kind::Loose, 0.0, charged);
             s.rank.push(0);
         }
@@ -133,18 +142,18 @@ impl<'p> Space<'p> {
     /// Ends the places of the item being built.
     fn close_item(&mut self, kind: Kind, spacing: f64, charged: bool) {
         let from = self.first[self.first.len() - 1] as usize;
-        let places = &self.place[from..];
+        let places = &self.point[from..];
         let b = places.iter().fold(Aabb::EMPTY, |b, p| b.with(*p));
         let whole = Boxed::new(b);
         self.whole.push(whole);
         self.arcs.push(if kind == Kind::Ring { arcs(places) } else { [whole; ARCS] });
         let gates = if self.travel.by_table() { places.len() } else { places.len().min(GATES) };
         self.gate_first.push(self.gate_first[self.gate_first.len() - 1] + index(gates));
-        self.first.push(index(self.place.len()));
+        self.first.push(index(self.point.len()));
         self.corner_first.push(index(self.corner.len()));
         if charged {
-            self.along.resize(self.place.len(), 0.0);
-            self.extra.resize(self.place.len(), 0.0);
+            self.along.resize(self.point.len(), 0.0);
+            self.extra.resize(self.point.len(), 0.0);
         }
         self.kind.push(kind);
         self.spacing.push(spacing);
@@ -152,8 +161,9 @@ impl<'p> Space<'p> {
 
     /// An item's places.
     #[inline]
-    pub(super) fn places(&self, item: u32) -> &[Place] {
-        &self.place[self.first[item as usize] as usize..self.first[item as usize + 1] as usize]
+    pub(super) fn places(&self, item: u32) -> Places<'_> {
+        let (first, end) = (self.first[item as usize], self.first[item as usize + 1]);
+        Places { points: &self.point[first as usize..end as usize], first }
     }
 
     /// How far from a place its neighbours on a ring are at most, mm.
@@ -241,7 +251,7 @@ impl<'p> Space<'p> {
 
     /// Where the head leaves an item entered at place `at`.
     pub(super) fn exit(&self, item: u32, at: u32) -> Place {
-        self.places(item)[at as usize ^ usize::from(self.two_ends(item))]
+        self.places(item).at(at ^ u32::from(self.two_ends(item)))
     }
 
     /// An open contour or a pierce group: run the other way, by the other node of its pair, entry and exit change places.
@@ -273,7 +283,7 @@ impl<'p> Space<'p> {
     pub(super) fn gates(&self, item: u32) -> impl Iterator<Item = Place> {
         let places = self.places(item);
         let step = if self.is_ring(item) { places.len() / GATES } else { 1 };
-        places.iter().step_by(step).take(self.gate_count(item)).copied()
+        places.iter().step_by(step).take(self.gate_count(item))
     }
 
     /// How many places on along a ring one is from another; 0 if it is a gate farther, or on no ring.

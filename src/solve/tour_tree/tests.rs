@@ -94,7 +94,7 @@ fn brute(problem: &Problem) -> f64 {
             order.push(i);
             for n in p.items[i as usize].nodes.clone() {
                 let node = &p.nodes[n as usize];
-                let there = air.seconds(head, node.entry) + p.items[i as usize].extra(node.along);
+                let there = air.seconds(head, node.entry) + p.items[i as usize].extra(n, node.along);
                 go(p, air, order, node.exit, spent + there, least);
             }
             order.pop();

@@ -1,8 +1,7 @@
 //! What a way costs: the machine's air time between two points, or a table's entry for two nodes.
 //!
-//! The search handles places without looking into them. In a problem with a table a place holds a node's number in
-//! the bits of its x: one type, one price function with a branch that always goes the same way, and no second copy
-//! of the search (measured on sheets of 100 and 500 contours: as many moves a second as without the branch).
+//! A [`Place`] carries both, its point and its node's number, and [`Travel::seconds`] takes what counts. So one search
+//! serves both kinds of problems; the branch always goes the same way and costs nothing that could be measured.
 //!
 //! A few points to choose from get a table of their own, in which the costs to all points of an item are side by side.
 //!
@@ -18,8 +17,48 @@ use std::borrow::Cow;
 /// Most nodes in the plane for a table of travel of their own: it takes 1.3 MB, which stays near the processor.
 const MOST_NODES: usize = 400;
 
-/// Where the head is: a point, or a node of a table.
-pub(super) type Place = DVec2;
+/// Where the head is. With a table of costs the node counts, otherwise the point.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
+    pub(super) point: DVec2,
+    /// Number of the place among all places of a search, which is its node's number where there is a table.
+    pub(super) node: NodeId,
+}
+
+/// A point by itself, for problems without a table.
+impl From<DVec2> for Place {
+    fn from(point: DVec2) -> Self {
+        Self { point, node: NodeId::MAX }
+    }
+}
+
+/// The places of an item, whose numbers follow one another.
+#[derive(Clone, Copy)]
+pub(super) struct Places<'s> {
+    pub(super) points: &'s [DVec2],
+    /// Number of the first.
+    pub(super) first: NodeId,
+}
+
+impl<'s> Places<'s> {
+    pub(super) fn len(self) -> usize {
+        self.points.len()
+    }
+
+    pub(super) fn is_empty(self) -> bool {
+        self.points.is_empty()
+    }
+
+    /// The place with this index on the item.
+    #[inline]
+    pub(super) fn at(self, at: u32) -> Place {
+        Place { point: self.points[at as usize], node: self.first + at }
+    }
+
+    pub(super) fn iter(self) -> impl Iterator<Item = Place> + use<'s> {
+        self.points.iter().zip(self.first..).map(|(&point, node)| Place { point, node })
+    }
+}
 
 /// Where a stop lies between its neighbours: where the head comes from, and where it goes (`None`: nowhere, the last
 /// stop of a path without return).
@@ -41,34 +80,25 @@ pub(super) struct Travel<'p> {
     pub(super) symmetric: bool,
 }
 
-/// The place of a node of a table.
-pub(super) fn node_place(node: NodeId) -> Place {
-    DVec2::new(f64::from_bits(node.into()), 0.0)
-}
-
-/// The node of such a place.
-#[expect(clippy::cast_possible_truncation, reason = "made from a NodeId")]
-pub(super) fn node_at(place: Place) -> NodeId {
-    place.x.to_bits() as NodeId
-}
-
 impl<'p> Travel<'p> {
     pub(super) fn new(problem: &'p Problem) -> Self {
         let air = AirTime::new(&problem.machine);
         let table = problem.table().map(Cow::Borrowed).or_else(|| of_points(problem, &air).map(Cow::Owned));
         let symmetric = table.as_ref().is_none_or(|t| t.is_symmetric());
         let mut travel = Self { air, table, least: [Vec::new(), Vec::new()], symmetric };
-        let Some(all) = travel.table.as_ref().map(|t| t.nodes()) else { return travel };
+        let Some(table) = &travel.table else { return travel };
+        let all = table.nodes();
         if all >= 2 * problem.items.len() {
             let (mut out, mut back) = (Vec::new(), Vec::new());
             // Home too, where it is no item of the problem.
             let home = index(problem.nodes.len())..index(all);
             for nodes in problem.items.iter().map(|i| i.nodes.clone()).chain([home]) {
-                let places: Vec<Place> = nodes.map(node_place).collect();
+                let least =
+                    |cost: &dyn Fn(NodeId) -> f64| nodes.clone().map(cost).fold(f64::INFINITY, f64::min);
                 for node in 0..index(all) {
-                    out.push(travel.least(node_place(node), 0, &places, false));
+                    out.push(least(&|other| table.cost(node, other)));
                     if !travel.symmetric {
-                        back.push(travel.least(node_place(node), 0, &places, true));
+                        back.push(least(&|other| table.cost(other, node)));
                     }
                 }
             }
@@ -86,9 +116,15 @@ impl<'p> Travel<'p> {
     #[inline(always)]
     pub(super) fn seconds_here(&self, from: Place, to: Place) -> f64 {
         match &self.table {
-            Some(table) => table.cost(node_at(from), node_at(to)),
-            _ => self.air.seconds_here(from, to),
+            Some(table) => table.cost(from.node, to.node),
+            None => self.air.seconds_here(from.point, to.point),
         }
+    }
+
+    /// Seconds from one point to another, in a problem without a table.
+    #[inline(always)]
+    pub(super) fn air(&self, from: DVec2, to: DVec2) -> f64 {
+        self.air.seconds_here(from, to)
     }
 
     /// Seconds that a move of at least `d` mm along an axis takes at least.
@@ -104,33 +140,35 @@ impl<'p> Travel<'p> {
     }
 
     /// The least cost from `p` to (`back`: to `p` from) any of an item's places, by the table.
-    pub(super) fn least(&self, p: Place, item: u32, places: &[Place], back: bool) -> f64 {
+    pub(super) fn least(&self, p: Place, item: u32, places: Places, back: bool) -> f64 {
         if let Some(least) = self.leasts(item, back) {
-            return least[node_at(p) as usize];
+            return least[p.node as usize];
         }
         places
             .iter()
-            .map(|&q| if back { self.seconds(q, p) } else { self.seconds(p, q) })
+            .map(|q| if back { self.seconds(q, p) } else { self.seconds(p, q) })
             .fold(f64::INFINITY, f64::min)
     }
 
     /// Seconds from a place to each of an item's places.
-    pub(super) fn fan(&self, from: Place, places: &[Place], mut each: impl FnMut(usize, f64)) {
-        match (&self.table, places) {
-            // Nodes of an item follow one another.
-            (Some(table), [first, ..]) => {
-                let row = table.row(node_at(from), node_at(*first), places.len());
+    pub(super) fn fan(&self, from: Place, places: Places, mut each: impl FnMut(usize, f64)) {
+        match &self.table {
+            Some(table) => {
+                let row = table.row(from.node, places.first, places.len());
                 row.iter().enumerate().for_each(|(k, &cost)| each(k, cost));
             }
-            _ => places.iter().enumerate().for_each(|(k, &to)| each(k, self.air.seconds(from, to))),
+            None => {
+                let points = places.points.iter().enumerate();
+                points.for_each(|(k, &to)| each(k, self.air.seconds(from.point, to)));
+            }
         }
     }
 
     /// Costs from `from`, and back to `to`, of each of an item's places, where a table says them and ways back cost the
     /// same: two rows that lie at hand, while a column does not.
-    pub(super) fn both_ways(&self, from: Place, to: Place, places: &[Place]) -> Option<[&[f64]; 2]> {
-        let (table, first) = (self.table.as_ref().filter(|_| self.symmetric)?, node_at(*places.first()?));
-        Some([from, to].map(|p| table.row(node_at(p), first, places.len())))
+    pub(super) fn both_ways(&self, from: Place, to: Place, places: Places) -> Option<[&[f64]; 2]> {
+        let table = self.table.as_ref().filter(|_| self.symmetric)?;
+        Some([from, to].map(|p| table.row(p.node, places.first, places.len())))
     }
 
     /// Whether costs come from a table.
@@ -144,11 +182,19 @@ impl<'p> Travel<'p> {
 fn of_points(problem: &Problem, air: &AirTime) -> Option<Table> {
     let points = (problem.items.len() + 1..=MOST_NODES).contains(&problem.nodes.len())
         && problem.items.iter().all(|item| item.track.is_none() && item.leave.is_none() && !item.is_uneven())
-        && (0..).zip(&problem.nodes).all(|(id, node)| node.twin == id);
+        && (0..).zip(&problem.nodes).all(|(id, node)| node.twin == id)
+        && are_in_order(problem);
     if !points {
         return None;
     }
     let places: Vec<DVec2> = problem.nodes.iter().map(|n| n.entry).chain([problem.home]).collect();
     let seconds = places.iter().flat_map(|&p| places.iter().map(move |&q| air.seconds(p, q)));
     Table::new(places.len(), seconds.collect())
+}
+
+/// Whether the nodes are in the order of their items, so that a place has the number of its node.
+fn are_in_order(problem: &Problem) -> bool {
+    let mut next = 0;
+    let mut items = problem.items.iter().filter(|item| !item.nodes.is_empty());
+    items.all(|item| item.nodes.start == std::mem::replace(&mut next, item.nodes.end))
 }

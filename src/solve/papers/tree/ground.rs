@@ -85,7 +85,7 @@ impl<'p> Ground<'p> {
     /// Seconds an entry costs by its place.
     pub(super) fn extra(&self, node: NodeId) -> f64 {
         let n = &self.problem.nodes[node as usize];
-        self.problem.items[n.item as usize].extra(n.along)
+        self.problem.items[n.item as usize].extra(node, n.along)
     }
 
     /// Whether a contour may be left unfinished.

@@ -48,8 +48,7 @@ impl Bridges {
 
 fn bridge(space: &Space, item: u32, other: u32) -> Bridge {
     let step = |i: u32| if space.is_ring(i) { space.places(i).len() / GATES } else { 1 };
-    let around =
-        |i: u32, at: u32| Gap { from: space.places(i)[at as usize], to: Some(space.places(i)[at as usize]) };
+    let around = |i: u32, at: u32| Gap { from: space.places(i).at(at), to: Some(space.places(i).at(at)) };
     let mut best = Bridge { from: 0, to: 0, seconds: f64::INFINITY };
     for from in (0..index(space.places(item).len())).step_by(step(item)) {
         for to in (0..index(space.places(other).len())).step_by(step(other)) {

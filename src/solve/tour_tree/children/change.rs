@@ -23,7 +23,7 @@ impl Tree {
 
     pub(super) fn locate(&mut self, space: &Space, touch: u32) {
         let (item, at) = (self.item(touch), self.at(touch));
-        self.entry[touch as usize] = space.places(item)[at as usize];
+        self.entry[touch as usize] = space.places(item).at(at);
         self.exit[touch as usize] = space.exit(item, at);
     }
 

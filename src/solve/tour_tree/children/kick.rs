@@ -152,7 +152,7 @@ fn gain(space: &Space, tree: &Tree, shift: Shift) -> f64 {
                 - tree.way(space, leave, next, tree.entry(next))
         }
         Spot::Child(host, at) => {
-            let place = space.places(host)[at as usize];
+            let place = space.places(host).at(at);
             given
                 - leaving(space, host)
                 - space.extra(host, at)

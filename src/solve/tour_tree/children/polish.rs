@@ -3,7 +3,6 @@
 use super::super::index::index;
 use super::super::polish::{ENOUGH, ROUNDS, Slide};
 use super::super::space::Space;
-use super::super::travel::Gap;
 use super::tree::Tree;
 use crate::solve::Solution;
 
@@ -27,7 +26,7 @@ pub(super) fn polished(space: &Space, tree: &Tree) -> Solution {
             let next = tree.next(t);
             let to = end(next).map_or(space.problem.home, |s| s.entry);
             let to = Some(to).filter(|_| next != space.home || space.problem.closed);
-            slide.slide(space, Gap { from, to });
+            slide.slide(space, from, to);
             let before = slides[t as usize].replace(slide);
             if !in_order(space, tree, &slides, tree.item(t)) {
                 slides[t as usize] = before;

@@ -7,7 +7,7 @@ use super::super::TourTree;
 use super::super::tests::small;
 use crate::geometry::DVec2;
 use crate::machine::AirTime;
-use crate::problem::{Node, Problem};
+use crate::problem::{NodeId, Problem};
 use crate::solve::Solver;
 
 /// Items under way and done, and the seconds so far.
@@ -41,22 +41,23 @@ fn go(p: &Problem, air: &AirTime, s: &State, least: &mut f64) {
     }
     let unfinished = || (0..p.items.len()).filter(|&i| !s.finished[i]);
     let may_end = |i: usize| unfinished().all(|c| p.items[c].before != u32::try_from(i).ok());
-    let nodes = |i: usize| p.items[i].nodes.clone().map(|n| &p.nodes[n as usize]);
-    let to = |s: &State, node: &Node| {
-        let seconds = air.seconds(s.head, node.entry) + p.items[node.item as usize].extra(node.along);
+    let nodes = |i: usize| p.items[i].nodes.clone().map(|n| (n, &p.nodes[n as usize]));
+    let to = |s: &State, id: NodeId| {
+        let node = p.nodes[id as usize];
+        let seconds = air.seconds(s.head, node.entry) + p.items[node.item as usize].extra(id, node.along);
         State { head: node.exit, spent: s.spent + seconds, ..s.clone() }
     };
     let rank = unfinished().map(|i| p.items[i].rank).min();
     for i in unfinished().filter(|&i| !s.begun[i] && Some(p.items[i].rank) == rank) {
-        for node in nodes(i) {
-            let mut next = to(s, node);
+        for (id, node) in nodes(i) {
+            let mut next = to(s, id);
             next.begun[i] = true;
             if may_end(i) {
                 let mut whole = next.clone();
                 whole.finished[i] = true;
                 go(p, air, &whole, least);
             }
-            for until in nodes(i).filter(|u| p.items[i].leave.is_some() && u.along != node.along) {
+            for (_, until) in nodes(i).filter(|(_, u)| p.items[i].leave.is_some() && u.along != node.along) {
                 let mut left = next.clone();
                 left.head = until.entry;
                 left.open.push((i, node.along, until.along));
@@ -65,11 +66,11 @@ fn go(p: &Problem, air: &AirTime, s: &State, least: &mut f64) {
         }
     }
     if let Some(&(i, start, left)) = s.open.last() {
-        let node = nodes(i).find(|n| n.along == left).unwrap();
-        let mut next = to(s, node);
+        let (id, _) = nodes(i).find(|(_, n)| n.along == left).unwrap();
+        let mut next = to(s, id);
         next.spent += p.items[i].resume();
         next.open.pop();
-        for until in nodes(i) {
+        for (_, until) in nodes(i) {
             let mut next = next.clone();
             next.head = until.entry;
             if until.along == start && may_end(i) {

@@ -9,8 +9,8 @@ mod journal;
 
 use super::kept::Kept;
 use super::space::Space;
-use super::travel::Gap;
-use super::travel::Place;
+use super::travel::{Gap, Place};
+use crate::geometry::DVec2;
 use journal::Change;
 
 /// An order of items with entries.
@@ -43,8 +43,8 @@ impl<'p> Tour<'p> {
             space,
             now: kept,
             position: vec![0; n],
-            entry: vec![Place::ZERO; n],
-            exit: vec![Place::ZERO; n],
+            entry: vec![Place::from(DVec2::ZERO); n],
+            exit: vec![Place::from(DVec2::ZERO); n],
             ways: Vec::new(),
             best_entered: vec![false; n],
             journal: Vec::new(),
@@ -87,7 +87,7 @@ impl<'p> Tour<'p> {
     /// Looks up where the head enters and leaves an item.
     fn place(&mut self, item: u32) {
         let at = self.now.at[item as usize];
-        self.entry[item as usize] = self.space.places(item)[at as usize];
+        self.entry[item as usize] = self.space.places(item).at(at);
         self.exit[item as usize] = self.space.exit(item, at);
         for touched in [self.previous(item), item, self.next(item)] {
             self.best_entered[touched as usize] = false;
