@@ -11,7 +11,7 @@ mod table;
 mod value;
 
 pub use check::out_of_range;
-pub use nearest::nearest;
+pub use nearest::{nearest, no_such};
 pub use table::{Field, Kind, Range, Shape};
 pub use value::Value;
 

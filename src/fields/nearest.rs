@@ -1,4 +1,6 @@
-//! The known name that somebody probably meant.
+//! The known name that a caller probably meant.
+
+use super::value::shown;
 
 /// The name among `known` that is nearest to `name`, when it is near enough to be a slip: at most a third of its
 /// characters differ, or two. Case, hyphens and underscores count for nothing.
@@ -13,6 +15,13 @@ pub fn nearest<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Opti
     // The first of equals, so that the answer does not depend on anything but the order of the table.
     let best = all.reduce(|best, other| if other.0 < best.0 { other } else { best });
     best.filter(|(d, _)| *d <= most).map(|(_, other)| other)
+}
+
+/// The sentence for a name that is not among the known ones. `what` is the kind of thing: `machine`.
+pub fn no_such(what: &str, name: &str, known: &[&str]) -> String {
+    let hint = nearest(name, known.iter().copied()).map(|near| format!(" Did you mean \"{near}\"?"));
+    let (name, hint) = (shown(name), hint.unwrap_or_default());
+    format!("There is no {what} named \"{name}\".{hint} Choose one of: {}.", known.join(", "))
 }
 
 /// Longest name looked at, in characters: far above any field's name, and a bound on the work for hostile ones.

@@ -6,7 +6,7 @@
 use super::ranges::{JOIN_TOLERANCE, SECONDS, TOLERANCE, WORKERS};
 use super::{JobError, Warm};
 use crate::dxf::{ReadOptions, TextDecoder, Unit};
-use crate::fields::{Range, nearest, out_of_range};
+use crate::fields::{Range, no_such, out_of_range};
 use crate::machine::{self, Profile};
 use crate::sheet::{CommonCuts, Operation, SheetOptions};
 use serde::de::value::MapAccessDeserializer;
@@ -165,19 +165,12 @@ impl MachineChoice {
                 Ok((**p).clone())
             }
             Self::Preset(name) => machine::preset(name).ok_or_else(|| {
-                let names: Vec<_> = machine::presets().into_iter().map(|p| p.name).collect();
+                let presets = machine::presets();
+                let names: Vec<&str> = presets.iter().map(|p| p.name.as_str()).collect();
                 JobError::Options(no_such("machine", name, &names))
             }),
         }
     }
-}
-
-/// The sentence for a name that is not among those there are.
-pub(super) fn no_such(what: &str, name: &str, names: &[String]) -> String {
-    let near = nearest(name, names.iter().map(String::as_str));
-    let hint = near.map(|near| format!(" Did you mean {near}?")).unwrap_or_default();
-    let short: String = name.chars().take(60).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
-    format!("There is no {what} named {short}.{hint} Choose one of: {}.", names.join(", "))
 }
 
 /// When to stop. The core counts moves itself; seconds are the caller's, who has a clock, and only told on.

@@ -7,7 +7,7 @@ use crate::machine::Profile;
 use crate::plan::{self, LowerBound, Plan};
 use crate::problem::{Item, Problem};
 use crate::sheet::Sheet;
-use crate::solve::{self, Insight, Running, Search, Solution, Solver, Status, Telemetry};
+use crate::solve::{self, Insight, Running, Solution, Status, Telemetry};
 
 /// Moves before the lower bound is begun: the first paths come first. A second of search on large sheets; on small ones
 /// the best path is found by then and only the proof is left.
@@ -76,7 +76,8 @@ pub struct Run {
 impl Run {
     pub(super) fn start(sheet: &Sheet, machine: Profile, options: &PlanOptions) -> Result<Self, JobError> {
         let name = options.method.as_deref().unwrap_or(solve::methods()[0].info().name);
-        let method = Method::named(name, options)?;
+        let parameters = options.parameters.as_deref().unwrap_or_default();
+        let method = solve::named(name, parameters).map_err(JobError::Options)?;
         let problem = problem_of(sheet, &machine);
         let summary = |s: &Solution| plan::from_solution(sheet, &problem, s).summary;
         let findings = shared::findings(sheet, &problem);
@@ -87,7 +88,9 @@ impl Run {
         };
         let (workers, stream) = (options.workers()?, options.stream());
         let warm = options.warm.as_ref().map(|w| warm::solution(w, &problem)).transpose()?;
-        let running = Running::new(problem, |p| method.start(p, stream, warm, greedy));
+        // A published method builds its first path itself.
+        let first = if method.is_published() { warm } else { Some(warm.unwrap_or(greedy)) };
+        let running = Running::new(problem, |p| method.start(p, stream, first.as_ref()));
         Ok(Self {
             machine,
             method: name.to_owned(),
@@ -187,44 +190,5 @@ impl Run {
         let least = |i: &Item| i.fixed - if i.leave.is_some() { saved(i) } else { 0.0 };
         let all = |prover: &LowerBound| self.problem().items.iter().map(least).sum::<f64>() + prover.value();
         self.prover.as_ref().map_or(0.0, all)
-    }
-}
-
-/// How a run searches.
-enum Method {
-    Own(&'static dyn Solver),
-    #[cfg(feature = "research")]
-    Paper(Box<dyn Solver>),
-}
-
-impl Method {
-    #[cfg(feature = "research")]
-    fn named(name: &str, options: &PlanOptions) -> Result<Self, JobError> {
-        if let Some(own) = solve::method(name) {
-            return Ok(Self::Own(own));
-        }
-        let method = solve::papers::method(name, options.parameters.as_deref().unwrap_or_default());
-        method.map(Self::Paper).map_err(JobError::Options)
-    }
-
-    #[cfg(not(feature = "research"))]
-    fn named(name: &str, _: &PlanOptions) -> Result<Self, JobError> {
-        let names: Vec<_> = solve::methods().iter().map(|m| m.info().name.to_owned()).collect();
-        let unknown = || JobError::Options(super::options::no_such("method", name, &names));
-        solve::method(name).map(Self::Own).ok_or_else(unknown)
-    }
-
-    fn start<'p>(
-        &self,
-        p: &'p Problem,
-        seed: u64,
-        warm: Option<Solution>,
-        greedy: Solution,
-    ) -> Box<dyn Search + 'p> {
-        match self {
-            Self::Own(own) => own.start(p, seed, Some(&warm.unwrap_or(greedy))),
-            #[cfg(feature = "research")]
-            Self::Paper(paper) => solve::papers::start(paper.as_ref(), p, seed, warm),
-        }
     }
 }

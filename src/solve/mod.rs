@@ -26,7 +26,28 @@ pub fn methods() -> &'static [&'static dyn Solver] {
     &[&tour_tree::TourTree, &greedy::Greedy]
 }
 
-/// The method of that name.
+/// The method of that name among ours.
 pub fn method(name: &str) -> Option<&'static dyn Solver> {
     methods().iter().copied().find(|m| m.info().name == name)
+}
+
+/// The method of that name: one of ours or, with the feature `research`, of a published paper. `parameters` is a JSON object
+/// with the parameters of a published method that differ from its defaults, or empty; ours have none.
+///
+/// # Errors
+/// One sentence: there is no such method, or a parameter is wrong.
+pub fn named(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
+    match method(name) {
+        Some(ours) => Ok(Box::new(ours)),
+        None => published(name, parameters),
+    }
+}
+
+#[cfg(feature = "research")]
+use papers::method as published;
+
+#[cfg(not(feature = "research"))]
+fn published(name: &str, _parameters: &str) -> Result<Box<dyn Solver>, String> {
+    let names: Vec<&str> = methods().iter().map(|m| m.info().name).collect();
+    Err(crate::fields::no_such("method", name, &names))
 }

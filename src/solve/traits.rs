@@ -119,8 +119,27 @@ pub struct Telemetry {
 pub trait Solver: Sync {
     /// Name, citation.
     fn info(&self) -> SolverInfo;
+    /// Whether this is the method of a paper, run as published: it builds its first path itself. A path given to it at its
+    /// start is only its best until it finds an improvement of its own.
+    fn is_published(&self) -> bool {
+        false
+    }
     /// Starts a search; `warm` is a feasible solution to start from.
     fn start<'p>(&self, problem: &'p Problem, seed: u64, warm: Option<&Solution>) -> Box<dyn Search + 'p>;
+}
+
+impl Solver for &'static dyn Solver {
+    fn info(&self) -> SolverInfo {
+        (**self).info()
+    }
+
+    fn is_published(&self) -> bool {
+        (**self).is_published()
+    }
+
+    fn start<'p>(&self, problem: &'p Problem, seed: u64, warm: Option<&Solution>) -> Box<dyn Search + 'p> {
+        (**self).start(problem, seed, warm)
+    }
 }
 
 /// A search under way. It always has a feasible best solution, from its start on.

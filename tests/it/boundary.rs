@@ -65,7 +65,7 @@ fn misspelt_options_materials_and_parameters_are_refused_with_the_nearest_name()
         says("rlsga", r#"{"popluation":12}"#),
         "The method has no parameter \"popluation\". Did you mean \"population\"?"
     );
-    assert!(says("rlsag", "").contains("Did you mean rlsga?"));
+    assert!(says("rlsag", "").contains("Did you mean \"rlsga\"?"));
 }
 
 #[test]

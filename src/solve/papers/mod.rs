@@ -17,8 +17,8 @@ mod left;
 mod legs;
 mod local;
 mod parameters;
+mod published;
 mod repair;
-mod resumed;
 mod roulette;
 mod swarm;
 #[cfg(test)]
@@ -29,12 +29,12 @@ pub use dual::DualCodingGa;
 pub use hull::{HullPso, HullSettings, Ofa, OperatorRates, Rlsga, Sga, Woa};
 pub use legs::{Legs, Measure};
 pub use repair::Repair;
-pub(crate) use resumed::start;
 pub use swarm::{AcoPso, KPso, Lpspso, Pso, SwarmSettings, Weights};
 pub use tree::{GtspLk, InitialPartitions, InitialTours, PartitionTree, Pfr, RepartitionMoves};
 
 use super::{Solver, SolverInfo};
-use crate::fields::{Value, nearest};
+use crate::fields::no_such;
+use published::Published;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -74,19 +74,18 @@ pub fn cards() -> Vec<Card> {
     METHODS.iter().map(|(card, _)| card()).collect()
 }
 
-/// The method of that name with parameters: a JSON object with those that differ from the defaults, or nothing.
+/// The published method of that name with parameters: a JSON object with those that differ from the defaults, or nothing.
 ///
 /// # Errors
 /// One sentence: no such method, or parameters it does not have.
 pub fn method(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
     let Some((_, make)) = METHODS.iter().find(|(card, _)| card().info.name == name) else {
-        let names: Vec<_> = cards().into_iter().map(|c| c.info.name).collect();
-        let near = nearest(name, names.iter().copied());
-        let hint = near.map(|near| format!(" Did you mean {near}?")).unwrap_or_default();
-        let name = Value::Text(name.to_owned());
-        return Err(format!("There is no method named {name}.{hint} From papers: {}.", names.join(", ")));
+        let ours = super::methods().iter().map(|m| m.info().name);
+        let names: Vec<_> = ours.chain(cards().into_iter().map(|c| c.info.name)).collect();
+        return Err(no_such("method", name, &names));
     };
-    make(if parameters.trim().is_empty() { "{}" } else { parameters })
+    let parameters = if parameters.trim().is_empty() { "{}" } else { parameters };
+    Ok(Box::new(Published(make(parameters)?)))
 }
 
 /// An entry of the list for a method whose parameters are its fields.
