@@ -208,7 +208,7 @@ impl<'a> Expander<'_, 'a, '_> {
 
     fn damaged(&mut self, entity: &Entity<'a>, layer: u32, at: Option<DVec2>) {
         let fate = if self.options.keep_damaged {
-            "It is cut all the same, as was asked for"
+            "It is cut nevertheless, as requested"
         } else {
             "It is left out; compare it with the original"
         };

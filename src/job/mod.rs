@@ -139,7 +139,7 @@ impl Job {
 
     /// Starts a plan; one under way is dropped.
     pub fn start(&mut self, options: &PlanOptions) -> Result<&Run, JobError> {
-        if !self.sheet.contours.iter().any(Contour::is_worked) {
+        if !self.sheet.contours.iter().any(Contour::is_processed) {
             return Err(JobError::NothingToCut(self.why_empty()));
         }
         options.check()?;

@@ -59,7 +59,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
     summary.parts = u32::try_from(sheet.parts.len()).unwrap_or(u32::MAX);
     // A run through a group tells only of its own ends.
     if !sheet.pierce_groups().is_empty() {
-        let open = sheet.contours.iter().filter(|c| c.is_worked() && !c.path.closed);
+        let open = sheet.contours.iter().filter(|c| c.is_processed() && !c.path.closed);
         summary.open_contours = u32::try_from(open.count()).unwrap_or(u32::MAX);
     }
     Plan { moves, summary }

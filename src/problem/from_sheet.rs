@@ -38,7 +38,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             items.push(item);
             continue;
         }
-        if !contour.is_worked() {
+        if !contour.is_processed() {
             items.push(Item::default());
             continue;
         }

@@ -62,7 +62,7 @@ pub struct Element {
 /// contour by itself.
 pub fn group_problems<'m>(sheet: &Sheet, machine: &'m Profile) -> GroupProblems<'m> {
     let groups = sheet.cut_as_one(machine.makes_pre_cuts());
-    let worked = sheet.contours.iter().filter(|c| c.is_worked()).count();
+    let worked = sheet.contours.iter().filter(|c| c.is_processed()).count();
     GroupProblems {
         machine,
         method: match sheet.common_cuts {

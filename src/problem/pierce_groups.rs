@@ -53,8 +53,8 @@ impl<'s> PierceGroups<'s> {
     pub(super) fn before(&self, contour: u32) -> Option<ItemId> {
         let up = |c: &u32| self.sheet.contours.get(*c as usize).and_then(|c| c.inside).filter(|o| o != c);
         // Others may cut all of what lies around it.
-        let is_worked = |o: &u32| self.sheet.contours.get(*o as usize).is_some_and(Contour::is_worked);
-        let inside = |c: u32| std::iter::successors(up(&c), up).take(self.of.len()).find(is_worked);
+        let is_processed = |o: &u32| self.sheet.contours.get(*o as usize).is_some_and(Contour::is_processed);
+        let inside = |c: u32| std::iter::successors(up(&c), up).take(self.of.len()).find(is_processed);
         let own = self.of[contour as usize];
         // Around the group, not of it.
         let mut outer = inside(contour);

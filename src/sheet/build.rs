@@ -1,23 +1,23 @@
-//! The stage as a whole.
+//! Builds a sheet: runs all steps of this stage.
 
-use super::about::{self, layer_name, plural};
 use super::assemble::{Assembled, assemble};
 use super::clean::clean;
+use super::findings::{self, layer_name, plural};
 use super::groups::{self, PierceGroup};
 use super::model::{CommonCuts, Contour, Ignored, LayerUse, Operation, Pin, Sheet, SheetOptions};
 use super::source::Source;
-use super::{cross, exclude, layers, nest, outline, parts, small};
+use super::{crossings, exclude, layers, narrow, nest, outline, parts};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::Aabb;
 use crate::machine::far_out;
 use crate::order::sort_by;
 
-/// Crossings less deep than this, mm, are rounding of drawings in which lines end on each other.
-const SEEN: f64 = 0.001;
+/// Depth of a crossing, mm, up to which it is rounding of a drawing in which lines end on each other.
+const MIN_CROSSING_DEPTH: f64 = 0.001;
 
-/// Builds the sheet of a drawing: joins, cleans, nests. Never fails; whatever is odd is a finding. The findings of
-/// the sheet are those of this stage; the reader's stand in the drawing.
+/// Builds the sheet of a drawing: cleans, joins and nests. It never fails, because everything unusual becomes a
+/// finding. The sheet has the findings of this stage only; those of the reader stay with the drawing.
 pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     let mut findings = Findings::default();
     let mut layers = layers::layers(drawing, options, &mut findings);
@@ -26,7 +26,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     let copy = length_or(options.copy_tolerance, 0.0).min(join);
     let source = Source::Drawing(drawing);
     let mut contours = Vec::new();
-    // Cuts and marks are cleaned and joined apart: a line that is both marked and cut stays both.
+    // Cuts and marks are cleaned and joined separately, so a line that is both marked and cut remains both.
     for operation in [Operation::Cut, Operation::Mark] {
         let lines = layers::lines_of(drawing, &layers, operation);
         let chains = clean(source, &lines, copy, join, &mut findings);
@@ -35,11 +35,11 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         }
     }
     sort_by(&mut contours, |c| [c.first_shape.into(), 0, 0]);
-    exclude::leave_out(&mut contours, &options.exclude, copy, &mut findings);
-    let mut crossing = cross::find(source, &mut contours, copy.max(SEEN), &mut findings);
+    exclude::exclude(&mut contours, &options.exclude, copy, &mut findings);
+    let mut crossing = crossings::find(source, &mut contours, copy.max(MIN_CROSSING_DEPTH), &mut findings);
     if !nest::nest(&mut contours, &crossing, join) {
         let message =
-            "So many contours lock into each other that what lies inside what was found in part only.";
+            "So many contours interlock that it was only partly determined which lies inside which.";
         findings.push(Finding::new(Code::NotAllChecked, Severity::Warning, message));
     }
     let mut border = outline::find(&contours, &layers);
@@ -52,14 +52,14 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
             border = None;
         }
     }
-    small::find(drawing, &contours, small::Limit::FinestBeam, &mut findings);
+    narrow::find(drawing, &contours, narrow::Limit::FinestBeam, &mut findings);
     parts::orient(&mut contours);
     pin(&mut contours, options);
     let groups = find_groups(&contours, &layers, &crossing, options, join);
     let mut bounds = Aabb::EMPTY;
     for c in &contours {
         match layers.get_mut(c.layer as usize) {
-            Some(l) if c.is_worked() => {
+            Some(l) if c.is_processed() => {
                 l.contours += 1;
                 bounds = bounds.union(c.bounds);
             }
@@ -67,7 +67,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         }
     }
     if let Some(far) = far_out(&bounds) {
-        findings.push(about::far_from_origin(&far));
+        findings.push(findings::far_from_origin(&far));
     }
     Sheet {
         parts: parts::parts(&contours),
@@ -83,7 +83,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     }
 }
 
-/// Contours that share cuts, unless they are cut by themselves: where that is wished, and part by part.
+/// Finds contours that share cuts. There are none if the options ask for separate contours or for part by part.
 pub(super) fn find_groups(
     contours: &[Contour],
     layers: &[LayerUse],
@@ -98,8 +98,8 @@ pub(super) fn find_groups(
     groups::find(contours, crossing, [join, options.copy_tolerance], |a, b| rank(a) == rank(b))
 }
 
-/// Pins contours, with what lies inside those that come first. What lies around those that come last waits for them
-/// anyway.
+/// Pins contours, with everything inside those that come first. What lies around those that come last waits for them in
+/// any case.
 fn pin(contours: &mut [Contour], options: &SheetOptions) {
     for (ids, pin) in [(&options.first, Pin::First), (&options.last, Pin::Last)] {
         for &id in ids {
@@ -118,12 +118,12 @@ fn pin(contours: &mut [Contour], options: &SheetOptions) {
     }
 }
 
-/// A length that came from outside: not negative, and a number.
+/// A length from outside, replaced by `otherwise` when it is negative or not a number.
 pub(super) fn length_or(v: f64, otherwise: f64) -> f64 {
     if v.is_finite() { v.max(0.0) } else { otherwise }
 }
 
-/// Lengths of elements, by layer, added up.
+/// Sums the lengths of elements by layer.
 fn by_layer(mut lengths: Vec<(u32, f64)>) -> Vec<(u32, f64)> {
     sort_by(&mut lengths, |(layer, _)| [(*layer).into(), 0, 0]);
     lengths.dedup_by(|next, sum| {
@@ -147,7 +147,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
             names.join(", "),
             layer_name(drawing, layer).unwrap_or_default(),
         );
-        findings.push(about::shape(
+        findings.push(findings::shape(
             drawing,
             a.first_shape,
             Code::SeveralLayers,
@@ -162,7 +162,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
             "This contour of {length:.3} mm does not close: it is cut as an open line and frees no part. \
              Close it in the drawing, or raise the joining tolerance."
         );
-        findings.push(about::shape(
+        findings.push(findings::shape(
             drawing,
             a.first_shape,
             Code::OpenContour,

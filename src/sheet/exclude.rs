@@ -1,28 +1,28 @@
-//! Contours that a person leaves out one by one. They keep their places among the contours, so that the others keep their
-//! ids, and lie around nothing: what was a hole in one is a part of its own.
+//! Excludes single contours at a person's request. They stay in the list of contours, so that the others keep their
+//! ids, but they contain nothing: a hole in an excluded contour becomes a part of its own.
 
-use super::about::{count, plural};
+use super::findings::{count, plural};
 use super::model::{Contour, Operation};
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{DVec2, Path, Segment};
 
-/// Places looked at on each side of an outline: a shared stretch is at least this part of a side.
-const PLACES: u32 = 16;
+/// Number of places tested on each side of an outline. A shared stretch is at least this fraction of a side.
+const SAMPLES_PER_SIDE: u32 = 16;
 
-/// Leaves out those of these ids, and what was told of each of them alone. `tolerance` in mm: what is nearer lies on top of
-/// each other.
-pub(super) fn leave_out(contours: &mut [Contour], ids: &[u32], tolerance: f64, findings: &mut Findings) {
+/// Excludes the contours with these ids, and withdraws the findings about each of them alone. Elements within
+/// `tolerance` mm of each other lie on top of each other.
+pub(super) fn exclude(contours: &mut [Contour], ids: &[u32], tolerance: f64, findings: &mut Findings) {
     let mut left = 0;
     let mut at = DVec2::ZERO;
     for &id in ids {
-        let Some(c) = contours.get_mut(id as usize).filter(|c| c.is_worked()) else { continue };
+        let Some(c) = contours.get_mut(id as usize).filter(|c| c.is_processed()) else { continue };
         let operation = std::mem::replace(&mut c.operation, Operation::Ignore);
         let path = std::mem::take(&mut c.path);
         let shape = c.first_shape;
         at = path.start().unwrap_or(at);
         left += 1;
         findings.withdraw(|f| f.at == Some(at) && matches!(f.code, Code::OpenContour | Code::SeveralLayers));
-        give_back(contours, &path, (operation, shape), tolerance);
+        restore_outlines(contours, &path, (operation, shape), tolerance);
         contours[id as usize].path = path;
     }
     if left > 0 {
@@ -32,19 +32,19 @@ pub(super) fn leave_out(contours: &mut [Contour], ids: &[u32], tolerance: f64, f
     }
 }
 
-/// Gives contours the outline back of which the one that is gone held a side, as nobody else cuts that side now; a side
-/// that they share with a third one is then cut with both.
-fn give_back(contours: &mut [Contour], gone: &Path, of: (Operation, u32), tolerance: f64) {
+/// Restores the outlines of contours that shared a side with the excluded one, because nothing else cuts that side now.
+/// A side that they share with a third contour is then cut with both.
+fn restore_outlines(contours: &mut [Contour], gone: &Path, of: (Operation, u32), tolerance: f64) {
     for i in 0..contours.len() {
         let c = &mut contours[i];
         let shape = c.first_shape;
-        // What one shape was parted into gives itself nothing back.
+        // The parts of one shape restore nothing to each other.
         if c.operation != of.0 || shape == of.1 {
             continue;
         }
         let Some(whole) = c.outline.take_if(|outline| shares(outline, gone, tolerance)) else { continue };
         (c.length, c.bounds, c.path) = (whole.length(), whole.bounds(), whole);
-        // Other rests of the same shape are part of it again.
+        // The other rests of the same shape become part of the restored outline.
         for rest in contours.iter_mut().filter(|r| r.first_shape == shape && !r.path.closed) {
             rest.operation = Operation::Ignore;
         }
@@ -55,8 +55,8 @@ fn give_back(contours: &mut [Contour], gone: &Path, of: (Operation, u32), tolera
 fn shares(outline: &Path, path: &Path, tolerance: f64) -> bool {
     let near = path.bounds().grown(tolerance);
     outline.segments.iter().any(|side| {
-        (0..PLACES).any(|k| {
-            let p = side.at((f64::from(k) + 0.5) / f64::from(PLACES));
+        (0..SAMPLES_PER_SIDE).any(|k| {
+            let p = side.at((f64::from(k) + 0.5) / f64::from(SAMPLES_PER_SIDE));
             let on = |s: &Segment| s.nearest(p).1 <= tolerance * tolerance;
             near.contains(p) && path.segments.iter().any(on)
         })

@@ -1,17 +1,19 @@
-//! Layers: what is done with each, what its name suggests, and its place in the order of work.
+//! Layers: their operations, what their names suggest, and their place in the order of layers.
 //!
-//! Everything is cut unless the person says otherwise; only Defpoints, which no CAD ever plots, is left out by
+//! Everything is cut unless the person chooses otherwise. Only Defpoints is ignored by default, because no CAD program
+//! plots it. Names are compared without case, as DXF does. What a name suggests is reported as a finding and changes
+//! nothing.
 //! itself. Names are compared without regard to case, as DXF does. What a name suggests is a finding, not a deed.
 
-use super::about::{count, plural};
+use super::findings::{count, plural};
+use super::layer_names;
 use super::model::{Ignored, LayerUse, Operation, SheetOptions};
 use super::source::Line;
-use super::words;
 use crate::dxf::Drawing;
 use crate::fields::nearest;
 use crate::finding::{Code, Finding, Findings, Severity};
 
-/// The layers of a drawing with their operations; same indices. Contours are counted later.
+/// The layers of a drawing with their operations, at the same indices. The contours on them are counted later.
 pub(super) fn layers(drawing: &Drawing, options: &SheetOptions, findings: &mut Findings) -> Vec<LayerUse> {
     let given: Vec<(String, Operation)> = options.layers.iter().map(|(n, o)| (key(n), *o)).collect();
     let mut shapes = vec![0_usize; drawing.layers.len()];
@@ -35,7 +37,7 @@ pub(super) fn layers(drawing: &Drawing, options: &SheetOptions, findings: &mut F
             None if never_plotted => Operation::Ignore,
             None => Operation::Cut,
         };
-        let suggestion = words::suggestion(&layer.name).filter(|s| asked.is_none() && *s != operation);
+        let suggestion = layer_names::suggestion(&layer.name).filter(|s| asked.is_none() && *s != operation);
         let used = shapes[index as usize];
         if let (Some(s), true) = (suggestion, used > 0) {
             findings.push(suggested(&layer.name, s, used));
@@ -51,7 +53,7 @@ pub(super) fn layers(drawing: &Drawing, options: &SheetOptions, findings: &mut F
     out
 }
 
-/// A layer that was named in the options and is not in the drawing.
+/// Reports a layer of the options that the drawing does not have.
 fn unknown(name: &str, drawing: &Drawing) -> Finding {
     let hint = match nearest(name, drawing.layers.iter().map(|l| l.name.as_str())) {
         Some(near) => format!("Did you mean \"{near}\"?"),
@@ -65,16 +67,18 @@ fn suggested(name: &str, suggestion: Operation, shapes: usize) -> Finding {
     let what = plural(shapes, "shape is", "shapes are");
     let message = match suggestion {
         Operation::Mark => {
-            format!("{what} on layer {name}, by its name to be marked: now cut. Choose mark or ignore.")
+            format!(
+                "{what} on layer {name}, whose name suggests marking: currently cut. Choose mark or ignore."
+            )
         }
         _ => format!(
-            "{what} on layer {name}, by its name not to be cut: now cut. Choose ignore to leave it out."
+            "{what} on layer {name}, whose name suggests that it is not cut: currently cut. Choose ignore to skip it."
         ),
     };
     Finding::new(Code::LayerSuggestion, Severity::Warning, message).on_layer(name).times(count(shapes))
 }
 
-/// The shapes of ignored layers, and a finding for each such layer.
+/// The shapes of ignored layers, with a finding for each such layer.
 pub(super) fn ignored(drawing: &Drawing, layers: &[LayerUse], findings: &mut Findings) -> Vec<Ignored> {
     let mut held = vec![0_usize; layers.len()];
     let mut out = Vec::new();
@@ -94,7 +98,7 @@ pub(super) fn ignored(drawing: &Drawing, layers: &[LayerUse], findings: &mut Fin
     out
 }
 
-/// The shapes of one operation, in drawing order. A shape of a layer that is not in the list is cut.
+/// The shapes of one operation, in drawing order. A shape whose layer is not in the list is cut.
 pub(super) fn lines_of<'d>(drawing: &'d Drawing, layers: &[LayerUse], operation: Operation) -> Vec<Line<'d>> {
     let of = |layer: u32| layers.get(layer as usize).map_or(Operation::Cut, |l| l.operation);
     (0_u32..)
@@ -105,5 +109,5 @@ pub(super) fn lines_of<'d>(drawing: &'d Drawing, layers: &[LayerUse], operation:
 }
 
 fn key(name: &str) -> String {
-    name.chars().map(words::lower).collect()
+    name.chars().map(layer_names::lower).collect()
 }

@@ -1,41 +1,41 @@
-//! From shapes to contours to parts: ends joined, copies removed, nesting found. See [`build`] and [`Sheet`].
+//! From shapes to contours to parts: joins ends, removes copies, determines the nesting. See [`build`] and [`Sheet`].
 //!
 //! ```text
-//! shapes -> layers: operations, order, what names suggest; ignored ones set aside
+//! shapes -> layers: operations, order, what names suggest; ignored layers are separated
 //!        -> clean: every line and arc once (zero lengths, copies, overlaps)
 //!        -> assemble: chains joined end to end, best match first; gaps closed bit for bit
-//!        -> exclude: contours left out one by one
-//!        -> cross: contours that cross themselves or each other
+//!        -> exclude: contours excluded one by one
+//!        -> crossings: contours that cross themselves or each other
 //!        -> nest: containment tree of any depth; the sheet's own border recognised
-//!        -> groups: contours that share cuts, and what they close in
-//!        -> small: contours too narrow for any beam
+//!        -> groups: contours that share cuts, and what they enclose
+//!        -> narrow: contours too narrow for any beam
 //!        -> parts: outer contours counter-clockwise, holes clockwise, parts in holes
 //! contours, machine with a kerf width
-//!        -> kerf: the lines of the beam, half a kerf beside the outlines; groups anew
+//!        -> kerf: the lines of the beam, offset from the outlines by half the kerf; groups found again
 //! ```
 //!
-//! Everything that is left out, changed or doubted is a finding with its place. Results depend on the drawing alone:
-//! no order of a hash map decides anything, and ties fall by drawing order. Every step is bounded for hostile
-//! drawings (all ends in one point, 100,000 lines on top of each other): how, stands at each.
+//! Everything that is skipped, changed or doubtful is reported as a finding with its place. Results depend on the
+//! drawing alone: no hash order decides anything, and ties are decided by drawing order. Every step is bounded for
+//! hostile drawings (all ends in one point, 100,000 lines on top of each other); its documentation says how.
 
-mod about;
 mod assemble;
 mod build;
 mod clean;
 mod cluster;
-mod cross;
+mod crossings;
 mod element;
 mod exclude;
+mod findings;
 mod groups;
 mod kerf;
+mod layer_names;
 mod layers;
 mod model;
+mod narrow;
 mod nest;
 mod outline;
 mod parts;
-mod small;
 mod source;
-mod words;
 
 pub use build::build;
 pub use groups::{GroupElement, PierceGroup};

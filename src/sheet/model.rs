@@ -1,4 +1,4 @@
-//! What the sheet stage hands on: contours, their nesting, parts, layers with operations, findings.
+//! The result of the sheet stage: contours, their nesting, parts, layers with operations, findings.
 
 use super::groups::PierceGroup;
 use crate::finding::Finding;
@@ -6,54 +6,55 @@ use crate::geometry::{Aabb, Path};
 use crate::order::sort_by;
 use serde::{Deserialize, Serialize};
 
-/// What is done with a layer.
+/// What is done with the contours of a layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Operation {
     /// Cut through.
     Cut,
-    /// Engrave a line: before the cuts, at marking speed and power.
+    /// Mark a line, before the cuts, at marking speed and power.
     Mark,
-    /// Leave out.
+    /// Do not cut or mark.
     Ignore,
 }
 
-/// What is done with cuts that contours share.
+/// How cuts that contours share are handled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum CommonCuts {
-    /// Contours that share cuts are pierced once and cut as a whole, on the best way through them that is found.
+    /// Contours that share cuts are pierced once and cut as a whole, along the best path through them that the search
+    /// finds.
     #[default]
     Best,
-    /// The same, on the way that the element insertion heuristic of Dewil et al. finds.
+    /// The same, along the path that the element insertion heuristic of Dewil et al. finds.
     Insertion,
-    /// Every contour by itself; what two share is cut with one of them.
+    /// Every contour is cut by itself; a stretch shared by two contours is cut with one of them.
     Off,
 }
 
-/// How to build a sheet.
+/// Options for building a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SheetOptions {
-    /// Ends nearer than this are joined, mm.
+    /// Largest distance between ends that are joined, mm.
     pub join_tolerance: f64,
-    /// Elements nearer than this everywhere are copies of each other, mm.
+    /// Largest distance between elements that count as copies of each other, mm.
     pub copy_tolerance: f64,
-    /// Operations given by the person, by layer name; the order given is the order by layer when `order_by_layer`.
+    /// Operations chosen by the person, by layer name. With `order_by_layer`, their order is the order of layers.
     pub layers: Vec<(String, Operation)>,
-    /// Work layer after layer, in the order of `layers`, then of the file.
+    /// Whether to process layer after layer, in the order of `layers`, then of the file.
     pub order_by_layer: bool,
-    /// Leave out the lone border around everything.
+    /// Whether to ignore the single border around everything.
     pub ignore_outline: bool,
-    /// Work a part wholly, with all that lies in its holes, before the next one.
+    /// Whether to finish each part, with everything in its holes, before the next one.
     pub part_by_part: bool,
     /// Whether contours that share cuts are cut as one.
     pub common_cuts: CommonCuts,
-    /// Contours worked before all others, by id; what lies inside them, too.
+    /// Ids of contours that are processed before all others, together with what lies inside them.
     pub first: Vec<u32>,
-    /// Contours worked after all others, by id; what lies around them, too.
+    /// Ids of contours that are processed after all others, together with what lies around them.
     pub last: Vec<u32>,
-    /// Contours left out, by id; see [`Sheet::contours`]. What lies inside one of them is no hole any more but a part of
-    /// its own, and a side that one of them shared with another contour is cut with that one.
+    /// Ids of contours that are excluded; see [`Sheet::contours`]. A hole in an excluded contour becomes a part of its
+    /// own, and a side shared with another contour is cut with that one.
     pub exclude: Vec<u32>,
 }
 
@@ -74,102 +75,103 @@ impl Default for SheetOptions {
     }
 }
 
-/// Whether a contour is worked before or after all that is not pinned.
+/// Whether a contour is processed before or after all contours that are not pinned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub enum Pin {
-    /// Before.
+    /// Before the others.
     First,
-    /// Wherever it is best.
+    /// In the order that the search chooses.
     #[default]
     None,
-    /// After.
+    /// After the others.
     Last,
 }
 
-/// One contour: a closed or open chain that is cut (or marked) in one go.
+/// A closed or open chain of elements that is cut or marked in one go.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contour {
-    /// Geometry in mm. Closed ones are counter-clockwise when outer (even depth) and clockwise when holes.
+    /// Geometry in mm. A closed path is counter-clockwise for outer contours (even depth) and clockwise for holes.
     pub path: Path,
-    /// The closed outline that an open contour is the rest of, when another contour cuts the side they share. It
-    /// bounds a part or a hole as a closed contour does.
+    /// If it is the open rest of a closed shape because another contour cuts the side they share: the outline of that
+    /// shape. It bounds a part or a hole like a closed contour.
     pub outline: Option<Path>,
-    /// The outline of what is made, as drawn, where `path` lies half a kerf beside it; see [`Sheet`].
+    /// The outline as drawn, if `path` is offset from it by half the kerf; see [`Sheet`].
     pub drawn: Option<Path>,
-    /// Index into [`Sheet::layers`]: the layer most of its length is on.
+    /// Index into [`Sheet::layers`] of the layer that most of its length is on.
     pub layer: u32,
-    /// Cut or mark; [`Operation::Ignore`]: left out by itself.
+    /// Cut or mark; [`Operation::Ignore`] if it is excluded individually.
     pub operation: Operation,
     /// The smallest cut contour around it that bounds an area.
     pub inside: Option<u32>,
-    /// How many such contours lie around it.
+    /// Number of such contours around it.
     pub depth: u32,
     /// Length, mm.
     pub length: f64,
-    /// Unsigned area of a closed one or of its outline, as drawn, mm2; 0 for other open ones.
+    /// Unsigned area of a closed contour or of its outline, as drawn, mm2; 0 for other open contours.
     pub area: f64,
     /// The smallest box around it.
     pub bounds: Aabb,
-    /// Worked first or last.
+    /// Whether it is pinned to be processed first or last.
     pub pin: Pin,
-    /// Crosses itself: its inside is in doubt.
+    /// Whether it crosses itself, so that its interior is in doubt.
     pub self_crossing: bool,
-    /// Smallest index of the shapes it was made of: drawing order.
+    /// Smallest index of the shapes it consists of, which gives the drawing order.
     pub first_shape: u32,
 }
 
 impl Contour {
-    /// Whether it is worked, not left out.
-    pub fn is_worked(&self) -> bool {
+    /// Whether it is cut or marked.
+    pub fn is_processed(&self) -> bool {
         self.operation != Operation::Ignore
     }
 
-    /// What bounds an area: the path of a closed contour, or the outline that an open one is the rest of.
+    /// The curve that bounds its area: the path of a closed contour, or the outline that an open contour is the rest
+    /// of.
     pub fn boundary(&self) -> Option<&Path> {
         if self.path.closed { Some(&self.path) } else { self.outline.as_ref() }
     }
 
-    /// The outline of what is made, where the line that is cut is not that: half a kerf beside it, or the rest of it.
-    pub fn made(&self) -> Option<&Path> {
+    /// The outline of the part or hole, if it differs from the path that is cut because that is offset or only a rest.
+    pub fn part_outline(&self) -> Option<&Path> {
         let rest_of = self.outline.as_ref().filter(|_| self.operation == Operation::Cut);
         self.drawn.as_ref().or(rest_of)
     }
 
-    /// Whether it bounds a part or a hole: a cut around an area.
+    /// Whether it is a cut that bounds a part or a hole.
     pub fn bounds_area(&self) -> bool {
         self.operation == Operation::Cut && self.boundary().is_some()
     }
 }
 
-/// A part: an outer contour with its holes (contours at depth + 1 inside it) and what is marked on it.
+/// A part: an outer contour with its holes (contours at depth + 1 inside it) and the marks on it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Part {
-    /// Contour index of the outer contour.
+    /// Id of the outer contour.
     pub outer: u32,
-    /// Contour indices of its holes, and of open cuts and marks on it.
+    /// Ids of its holes, and of the open cuts and marks on it.
     pub holes: Vec<u32>,
     /// Index of the part in whose hole this part lies.
     pub inside: Option<u32>,
 }
 
-/// A layer and what is done with it.
+/// A layer and its operation.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LayerUse {
     /// Name.
     pub name: String,
     /// AutoCAD colour index.
     pub color: i16,
-    /// What is done with it.
+    /// Operation of its contours.
     pub operation: Operation,
-    /// What its name suggests, where that differs.
+    /// Operation that its name suggests, if different.
     pub suggestion: Option<Operation>,
-    /// Place in the order by layer; equal for all when not ordered.
+    /// Place in the order of layers; equal for all layers when there is no such order.
     pub rank: u32,
-    /// Contours on it.
+    /// Number of contours on it.
     pub contours: u32,
 }
 
-/// Geometry that is shown but not cut.
+/// Geometry that is displayed but not cut.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ignored {
     /// Geometry, mm.
@@ -178,32 +180,34 @@ pub struct Ignored {
     pub layer: u32,
 }
 
-/// Contours with their nesting, ready to be planned.
+/// Contours with their nesting, ready for planning.
 ///
-/// As built, contours are the lines drawn. For a machine with a kerf width they are the lines of the beam, and [`Contour::drawn`]
-/// are the outlines of parts and holes; nesting, parts and areas are of these.
+/// As built, contours are the drawn lines. For a machine with a kerf width they are the lines of the beam, and
+/// [`Contour::drawn`] holds the outlines of parts and holes. Nesting, parts and areas always refer to the drawn
+/// outlines.
 #[derive(Clone, Debug)]
 pub struct Sheet {
-    /// Contours to cut and mark; the index is the contour's id everywhere. In drawing order. Those left out one by one
-    /// ([`SheetOptions::exclude`], the border) stay among them, to be ignored, so that the others keep their ids.
+    /// Contours in drawing order; the index is the contour's id everywhere. Individually excluded contours
+    /// ([`SheetOptions::exclude`], the border) stay in the list with [`Operation::Ignore`], so that the others keep
+    /// their ids.
     pub contours: Vec<Contour>,
     /// Parts, in drawing order of their outer contours.
     pub parts: Vec<Part>,
-    /// Layers.
+    /// Layers, at the indices of the drawing.
     pub layers: Vec<LayerUse>,
-    /// Shown, not cut: what lies on ignored layers, then the contours left out.
+    /// Geometry that is displayed but not cut: shapes on ignored layers, then excluded contours.
     pub ignored: Vec<Ignored>,
-    /// The contour that looks like the sheet's border, when there is one and it is not ignored yet.
+    /// The contour that looks like the sheet's border, if there is one and it is not ignored yet.
     pub outline: Option<u32>,
-    /// A part is worked wholly before the next one.
+    /// Whether each part is finished before the next one.
     pub part_by_part: bool,
-    /// Contours that share cuts; none when they are cut by themselves.
+    /// Contours that share cuts; empty when they are cut by themselves.
     pub groups: Vec<PierceGroup>,
-    /// How ways through groups are found.
+    /// How paths through groups are found.
     pub common_cuts: CommonCuts,
-    /// Box around all contours that are cut and marked.
+    /// Box around all contours that are cut or marked.
     pub bounds: Aabb,
-    /// Everything worth knowing.
+    /// Findings of this stage.
     pub findings: Vec<Finding>,
 }
 
@@ -213,15 +217,14 @@ impl Sheet {
         &self.groups
     }
 
-    /// The contours by id, in the order in which the file draws them.
+    /// The ids of the contours, in the order in which the file draws them.
     pub fn drawing_order(&self) -> Vec<u32> {
         let mut order: Vec<u32> = (0..).take(self.contours.len()).collect();
         sort_by(&mut order, |&c| [self.contours[c as usize].first_shape.into(), 0, 0]);
         order
     }
 
-    /// Those that are cut as one: all of them by a machine that makes pre-cuts, none by others, which cut every contour by
-    /// itself.
+    /// The groups that the machine cuts as one: all of them if it makes pre-cuts, otherwise none.
     pub fn cut_as_one(&self, makes_pre_cuts: bool) -> &[PierceGroup] {
         if makes_pre_cuts { self.pierce_groups() } else { &[] }
     }

@@ -1,9 +1,9 @@
-//! Parts: contours at even depth with their holes, oriented.
+//! Parts: contours at even depth with their holes, and the orientation of contours.
 
 use super::model::{Contour, Operation, Part};
 
-/// Turns closed contours: outer ones (even depth) and closed marks counter-clockwise, holes clockwise. The start
-/// stays where it was drawn.
+/// Orients closed contours: outer ones (even depth) and closed marks counter-clockwise, holes clockwise. The start
+/// point stays as drawn.
 pub(super) fn orient(contours: &mut [Contour]) {
     for c in contours.iter_mut().filter(|c| c.path.closed) {
         let clockwise = c.operation == Operation::Cut && c.depth % 2 == 1;
@@ -13,7 +13,7 @@ pub(super) fn orient(contours: &mut [Contour]) {
     }
 }
 
-/// The parts, in drawing order of their outer contours. Parts in holes are parts of their own.
+/// The parts, in drawing order of their outer contours. Parts in holes are separate parts.
 pub(super) fn parts(contours: &[Contour]) -> Vec<Part> {
     let is_outer = |c: &Contour| c.bounds_area() && c.depth.is_multiple_of(2);
     let mut part_of = vec![None; contours.len()];

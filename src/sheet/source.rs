@@ -1,6 +1,6 @@
-//! What cleaning and joining work on: paths, and where they come from, for the findings about them.
+//! The input of cleaning and joining: paths, and where they come from, for the findings about them.
 
-use super::about;
+use super::findings;
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Severity};
 use crate::geometry::{DVec2, Path};
@@ -16,17 +16,17 @@ pub(super) struct Line<'a> {
     pub(super) path: &'a Path,
 }
 
-/// Where paths come from.
+/// Where the paths come from.
 #[derive(Clone, Copy)]
 pub(super) enum Source<'a> {
     /// The shapes of a drawing, by index.
     Drawing(&'a Drawing),
-    /// Contours that the kerf moved, by id: nothing in the drawing lies where they lie.
+    /// Contours offset by the kerf, by id. The drawing has nothing at their place.
     MovedContours,
 }
 
 impl<'a> Source<'a> {
-    /// What a path is, in words.
+    /// The kind of a path, in words.
     pub(super) fn kind(self, index: u32) -> &'static str {
         match self {
             Self::Drawing(drawing) => drawing.shapes.get(index as usize).map_or("shape", |s| s.kind),
@@ -52,7 +52,7 @@ impl<'a> Source<'a> {
         at: Option<DVec2>,
     ) -> Finding {
         match self {
-            Self::Drawing(drawing) => about::shape(drawing, index, code, severity, message, at),
+            Self::Drawing(drawing) => findings::shape(drawing, index, code, severity, message, at),
             Self::MovedContours => Finding { at, ..Finding::new(code, severity, message) },
         }
     }

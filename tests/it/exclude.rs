@@ -73,7 +73,7 @@ fn leaving_a_contour_out_equals_a_drawing_without_it() {
             let first_shape = id(c.first_shape);
             (id(i), Contour { inside: c.inside.map(id), first_shape, ..c.clone() })
         });
-        let worked = (0..).zip(left_out.sheet().contours.iter().cloned()).filter(|(_, c)| c.is_worked());
+        let worked = (0..).zip(left_out.sheet().contours.iter().cloned()).filter(|(_, c)| c.is_processed());
         assert_eq!(worked.collect::<Vec<_>>(), expected.collect::<Vec<_>>(), "without {out}");
         let parts = drawn
             .sheet()

@@ -272,7 +272,7 @@ impl<'a> View<'a> {
                     length: c.length,
                     area: c.area,
                     drawn: c
-                        .made()
+                        .part_outline()
                         .or_else(|| c.boundary().filter(|_| in_pieces(id)))
                         .and_then(OutlineView::of),
                 })

@@ -21,7 +21,7 @@ pub(super) fn pairs(sheet: &Sheet) -> Vec<(u32, u32)> {
         .collect();
     let Some(index) = index(&outers, sheet) else { return Vec::new() };
     let mut pairs = Vec::new();
-    for (inner, contour) in (0..).zip(&sheet.contours).filter(|(_, c)| c.is_worked()) {
+    for (inner, contour) in (0..).zip(&sheet.contours).filter(|(_, c)| c.is_processed()) {
         let bounds = contour.path.bounds();
         if bounds.is_empty() {
             continue;

@@ -120,7 +120,7 @@ impl<'s> Visits<'s> {
     pub(super) fn finish(&self, groups: &Groups, found: &mut Vec<Violation>) {
         for ((contour, work), known) in (0..).zip(&self.work).zip(&self.sheet.contours) {
             let Some((_, step)) = work.steps else {
-                if known.is_worked() && known.path.segments.iter().any(|s| s.length() > SAME) {
+                if known.is_processed() && known.path.segments.iter().any(|s| s.length() > SAME) {
                     found.push(Violation::Missing { contour });
                 }
                 continue;

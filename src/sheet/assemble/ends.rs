@@ -1,34 +1,35 @@
-//! The ends of chains, and what is joined to what.
+//! The ends of chains, and which of them are joined.
 
 use super::super::cluster::cluster;
 use super::super::element::{Chains, ROUNDING};
 use crate::geometry::DVec2;
 use crate::order::{Key, sort_by};
 
-/// No end.
+/// Stands for no end.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// The ends of all chains: chain `c` starts at end `2 c` and ends at end `2 c + 1`.
+/// The ends of all chains. Chain `c` starts at end `2 c` and ends at end `2 c + 1`.
 pub(super) struct Ends {
-    /// Where, mm.
+    /// Position of each end, mm.
     pub(super) point: Vec<DVec2>,
-    /// Unit direction out of the chain.
+    /// Unit direction out of the chain at each end.
     pub(super) out: Vec<DVec2>,
-    /// Layer of the element there.
+    /// Layer of the element at each end.
     pub(super) layer: Vec<u32>,
-    /// Index of the shape of the element there.
+    /// Index of the shape of the element at each end.
     pub(super) shape: Vec<u32>,
-    /// The end it is joined to, or [`NONE`]; closed chains count as joined to themselves.
+    /// The end it is joined to, or [`NONE`]. The ends of closed chains count as joined to themselves.
     pub(super) mate: Vec<u32>,
-    /// For a free end: the free end at the far side of all that is joined to it so far.
+    /// For a free end: the free end at the other side of all chains joined to it so far.
     pub(super) far: Vec<u32>,
-    /// For a free end: the length up to there, mm.
+    /// For a free end: the length of those chains, mm.
     pub(super) length: Vec<f64>,
-    /// More than two ends meet here: told already.
+    /// Whether more than two ends meet here. A finding has already reported that.
     pub(super) at_branch: Vec<bool>,
-    /// No other end is near enough to be joined to.
-    pub(super) lonely: Vec<bool>,
-    /// What is left of a closed shape joins nothing else.
+    /// Whether no other end is near enough to be joined to it.
+    pub(super) isolated: Vec<bool>,
+    /// For an end of the rest of a closed shape: the index of that shape's outline. Such an end is joined only to other
+    /// rests of the same shape.
     pub(super) rest_of: Vec<Option<u32>>,
 }
 
@@ -44,12 +45,12 @@ impl Ends {
             far: Vec::with_capacity(n),
             length: Vec::with_capacity(n),
             at_branch: vec![false; n],
-            lonely: Vec::new(),
+            isolated: Vec::new(),
             rest_of: Vec::with_capacity(n),
         };
         let mut next = 0_u32;
         for chain in &chains.chains {
-            // Chains are never empty: cleaning makes one around each element it keeps.
+            // Chains are never empty, because cleaning builds each around an element that it keeps.
             let ([first, .., last] | [first @ last]) = chains.of(chain) else { continue };
             let length = chains.of(chain).iter().map(|e| e.segment.length()).sum();
             let (start, end) = (next, next + 1);
@@ -68,29 +69,29 @@ impl Ends {
             }
             next += 2;
         }
-        ends.find_lonely(tolerance);
+        ends.find_isolated(tolerance);
         ends
     }
 
-    pub(super) fn find_lonely(&mut self, tolerance: f64) {
+    pub(super) fn find_isolated(&mut self, tolerance: f64) {
         let together = cluster(&self.point, 2.0 * tolerance.max(ROUNDING));
         let mut size = vec![0_u32; self.point.len()];
         for &c in &together {
             size[c as usize] += 1;
         }
-        self.lonely = together.iter().map(|&c| size[c as usize] == 1).collect();
+        self.isolated = together.iter().map(|&c| size[c as usize] == 1).collect();
     }
 
-    /// Whether the chain at this end leads nowhere.
+    /// Whether no chain continues at the other side of this end.
     pub(super) fn is_tail(&self, end: u32) -> bool {
-        self.lonely[self.far[end as usize] as usize]
+        self.isolated[self.far[end as usize] as usize]
     }
 
     pub(super) fn free(&self, end: u32) -> bool {
         self.mate[end as usize] == NONE
     }
 
-    /// All free ends in order.
+    /// All free ends, in ascending order.
     pub(super) fn all_free(&self) -> Vec<u32> {
         (0_u32..).zip(&self.mate).filter(|(_, m)| **m == NONE).map(|(e, _)| e).collect()
     }
@@ -99,17 +100,17 @@ impl Ends {
         self.point[a as usize].distance(self.point[b as usize])
     }
 
-    /// Whether two ends are both of ordinary chains, or of rests of one shape.
-    pub(super) fn akin(&self, a: u32, b: u32) -> bool {
+    /// Whether both ends belong to ordinary chains, or both to rests of the same shape.
+    pub(super) fn compatible(&self, a: u32, b: u32) -> bool {
         self.rest_of[a as usize] == self.rest_of[b as usize]
     }
 
-    /// Whether two ends may be joined. A chain may close on itself only when it is clearly longer than the gap:
-    /// otherwise a short line would be folded onto itself.
+    /// Whether two ends may be joined. A chain may close on itself only when it is clearly longer than the gap, so that
+    /// a short line is not folded onto itself.
     pub(super) fn may_join(&self, a: u32, b: u32) -> bool {
         let closes = self.far[a as usize] == b;
         a != b
-            && self.akin(a, b)
+            && self.compatible(a, b)
             && self.free(a)
             && self.free(b)
             && (!closes || self.length[a as usize] > 4.0 * self.gap(a, b))
@@ -126,10 +127,10 @@ impl Ends {
         self.length[y as usize] = length;
     }
 
-    /// How two ends rank among matches of equal distance, the least being best: same layer before another one,
-    /// then the straighter continuation (0 straight on, 2 straight back, in steps of 1e-9 so that the last bit does
-    /// not decide), then drawing order. The layer comes first because two contours of different layers often touch
-    /// in a corner with sides in line, and are two contours all the same.
+    /// Rank of a join among those of equal distance; the smallest is best. A join on one layer comes first, then the
+    /// straighter continuation (0 straight on, 2 straight back, in steps of 1e-9 so that rounding does not decide). The
+    /// layer comes first because contours of different layers often touch in a corner with sides in line, and are still
+    /// two contours. Remaining ties are decided by drawing order.
     pub(super) fn preference(&self, a: u32, b: u32) -> [u64; 2] {
         let (i, j) = (a as usize, b as usize);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 2e9")]
@@ -138,7 +139,7 @@ impl Ends {
         [other_layer << 32 | bend, u64::from(a.min(b)) << 32 | u64::from(a.max(b))]
     }
 
-    /// Joins the pairs in order of the keys, as far as both ends are still free.
+    /// Joins the pairs in the order of their keys, as long as both ends are still free.
     pub(super) fn join_in_order(&mut self, mut pairs: Vec<(Key, u32, u32)>) {
         sort_by(&mut pairs, |p| p.0);
         for (_, a, b) in pairs {

@@ -1,7 +1,7 @@
-//! Gaps: free ends joined up to the tolerance by ascending distance, and what is said about those left.
+//! Gaps: joins free ends up to the tolerance in order of ascending distance, and reports those that stay open.
 
 use super::ends::Ends;
-use super::node::Branch;
+use super::junctions::Branch;
 use crate::finding::{Code, Findings, Severity};
 use crate::geometry::DVec2;
 use crate::sheet::cluster::cell;
@@ -9,15 +9,15 @@ use crate::sheet::element::ROUNDING;
 use crate::sheet::source::Source;
 use rustc_hash::FxHashMap;
 
-/// Each step of distance is this many times the last one. After a step no two free ends are nearer than it, so a
-/// cell of the next holds at most a few dozen, however crowded the drawing was.
+/// Factor between one step of distance and the next. After a step no two free ends are nearer than its distance, so a
+/// cell of the next step holds at most a few dozen ends, however crowded the drawing was.
 const STEP: f64 = 4.0;
-/// Free ends within this many tolerances of each other are a near miss worth telling,
+/// Free ends within this many tolerances of each other are reported as a near miss,
 const NEAR_MISS: f64 = 10.0;
-/// but only up to this, mm (or twice a larger tolerance): a wider gap was drawn on purpose.
+/// but only up to this distance, mm (or twice the tolerance if that is larger), because a wider gap is intended.
 const NEAR_MISS_AT_MOST: f64 = 1.0;
 
-/// Joins free ends up to `tolerance` mm.
+/// Joins free ends whose distance is at most `tolerance` mm.
 pub(super) fn join(ends: &mut Ends, tolerance: f64) {
     let mut reach = ROUNDING;
     while reach < tolerance {
@@ -32,7 +32,7 @@ pub(super) fn join(ends: &mut Ends, tolerance: f64) {
             for b in cells.around(ends.point[a as usize]) {
                 let gap = ends.gap(a, b);
                 if a < b && gap <= reach && ends.may_join(a, b) {
-                    // Distances that differ by less than rounding are equal.
+                    // Distances that differ only by rounding count as equal.
                     #[allow(
                         clippy::cast_possible_truncation,
                         clippy::cast_sign_loss,
@@ -48,7 +48,7 @@ pub(super) fn join(ends: &mut Ends, tolerance: f64) {
     }
 }
 
-/// Ends by cell, for neighbours within the cell's side.
+/// Ends by grid cell, to find neighbours within the side of a cell.
 struct Cells {
     side: f64,
     ends: FxHashMap<(i64, i64), Vec<u32>>,
@@ -63,7 +63,7 @@ impl Cells {
         Self { side, ends: map }
     }
 
-    /// The ends in the nine cells around a point, cell after cell.
+    /// The ends in the nine cells around a point, cell by cell.
     fn around(&self, p: DVec2) -> impl Iterator<Item = u32> {
         let (x, y) = cell(p, self.side);
         (0..9_i64)
@@ -73,7 +73,7 @@ impl Cells {
     }
 }
 
-/// Branches, and near misses among the ends left free.
+/// Reports branches, and near misses among the ends that stay open.
 pub(super) fn report(
     source: Source,
     ends: &Ends,
@@ -83,7 +83,7 @@ pub(super) fn report(
 ) {
     for b in branches {
         let message = format!(
-            "{} ends meet in one point: the straightest were joined. Look whether the contours are the ones meant.",
+            "{} ends meet in one point: the straightest were joined. Check that the contours are the intended ones.",
             b.ends
         );
         let shape = ends.shape[b.end as usize];
@@ -94,13 +94,14 @@ pub(super) fn report(
     near_misses(source, ends, &free, tolerance, findings);
 }
 
-/// Free ends within the tolerance of ends that found a better match: branches, too, over a gap.
+/// Reports free ends within the tolerance of ends that found a better match: branches across a gap.
 fn left_at_joints(source: Source, ends: &Ends, free: &[u32], tolerance: f64, findings: &mut Findings) {
     let open: Vec<u32> = (0_u32..).zip(&ends.mate).filter(|(e, m)| e != *m).map(|(e, _)| e).collect();
     let cells = Cells::new(ends, &open, tolerance.max(ROUNDING));
     for &e in free.iter().filter(|&&e| !ends.at_branch[e as usize]) {
         let p = ends.point[e as usize];
-        let met = cells.around(p).find(|&o| !ends.free(o) && ends.akin(e, o) && ends.gap(e, o) <= tolerance);
+        let met =
+            cells.around(p).find(|&o| !ends.free(o) && ends.compatible(e, o) && ends.gap(e, o) <= tolerance);
         if met.is_some() {
             let message = "An end meets two others that fit each other better: it stays open.".to_owned();
             let shape = ends.shape[e as usize];
@@ -109,7 +110,7 @@ fn left_at_joints(source: Source, ends: &Ends, free: &[u32], tolerance: f64, fin
     }
 }
 
-/// Free ends that are near each other, but not near enough.
+/// Reports free ends that are near each other, but farther apart than the tolerance.
 fn near_misses(source: Source, ends: &Ends, free: &[u32], tolerance: f64, findings: &mut Findings) {
     let reach = (NEAR_MISS * tolerance.max(ROUNDING)).min(NEAR_MISS_AT_MOST.max(2.0 * tolerance));
     let cells = Cells::new(ends, free, reach);
@@ -120,7 +121,7 @@ fn near_misses(source: Source, ends: &Ends, free: &[u32], tolerance: f64, findin
     };
     for &e in free {
         let Some((gap, o)) = nearest(e) else { continue };
-        // A pair that is nearest to each other is told once, at its first end.
+        // Two ends that are each other's nearest are reported once, at the first of them.
         if o < e && nearest(o).is_some_and(|(_, back)| back == e) {
             continue;
         }

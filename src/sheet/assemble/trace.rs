@@ -1,30 +1,31 @@
-//! Joined chains walked into paths whose elements meet bit for bit.
+//! Converts joined chains to paths whose elements meet bit for bit.
 
 use super::close;
 use super::ends::{Ends, NONE};
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{DVec2, Path};
 use crate::order::sort_by;
-use crate::sheet::about::{count, plural};
 use crate::sheet::element::{Chain, Chains, ROUNDING};
+use crate::sheet::findings::{count, plural};
 use crate::sheet::source::Source;
 
 /// A contour before nesting.
 pub(crate) struct Assembled {
     /// Elements that meet bit for bit, in the direction of the first shape.
     pub(crate) path: Path,
-    /// Smallest index of the shapes it was made of.
+    /// Smallest index of the shapes it consists of.
     pub(crate) first_shape: u32,
-    /// Layer, by index, and length of each element, mm.
+    /// Layer index and length (mm) of each element.
     pub(crate) layers: Vec<(u32, f64)>,
-    /// What is left of a closed shape of which another one cuts the rest.
+    /// Whether it is the rest of a closed shape whose other part is cut with another contour.
     pub(crate) is_rest: bool,
-    /// The outline of that shape, on the longest of its rests.
+    /// The outline of that shape; set on the longest of its rests only.
     pub(crate) outline: Option<Path>,
 }
 
-/// Walks all contours, in drawing order, and tells the gaps closed. What was left over where lines lay along each other,
-/// joins nothing and is no longer than the distance at which ends meet, is dropped: a burnt spot beside a cut.
+/// Traces all contours in drawing order and reports the gaps that were closed. A short rest of removed overlaps is
+/// dropped if it joins nothing and is no longer than the joining tolerance, because it would only burn a spot beside a
+/// cut.
 pub(super) fn contours(
     source: Source,
     chains: &Chains,
@@ -43,7 +44,7 @@ pub(super) fn contours(
             }
             continue;
         };
-        let mut walk = Walk::default();
+        let mut builder = ContourBuilder::default();
         let mut left_over = true;
         let start = first_end(ends, 2 * first);
         let mut end = start;
@@ -51,31 +52,30 @@ pub(super) fn contours(
             let chain = end / 2;
             visited[chain as usize] = true;
             left_over &= chains.chains[chain as usize].left_over;
-            walk.take(chains, &chains.chains[chain as usize], end % 2 == 1);
+            builder.take(chains, &chains.chains[chain as usize], end % 2 == 1);
             let mate = ends.mate[(end ^ 1) as usize];
             if mate == NONE || mate == start || mate == end ^ 1 {
-                walk.closed = mate != NONE;
+                builder.closed = mate != NONE;
                 break;
             }
             end = mate;
         }
-        walk.finish();
-        if left_over && !walk.closed && walk.contour.path.length() <= tolerance {
-            scraps.extend(walk.contour.path.start());
+        builder.finish();
+        if left_over && !builder.closed && builder.contour.path.length() <= tolerance {
+            scraps.extend(builder.contour.path.start());
             continue;
         }
-        walk.tell_gaps(source, findings);
+        builder.report_gaps(source, findings);
         if let Some(of) = chains.chains[first as usize].rest_of {
-            walk.contour.is_rest = true;
+            builder.contour.is_rest = true;
             rests.push((of, out.len()));
         }
-        out.push(walk.contour);
+        out.push(builder.contour);
     }
     if let Some(&at) = scraps.first() {
         let text = plural(scraps.len(), "piece", "pieces");
-        let message = format!(
-            "{text} no longer than the joining tolerance, left over beside removed overlaps, left out."
-        );
+        let message =
+            format!("Next to removed overlaps, {text} no longer than the joining tolerance left out.");
         let finding = Finding::new(Code::OverlapRemoved, Severity::Info, message);
         findings.push(finding.at(at).times(count(scraps.len())));
     }
@@ -93,15 +93,15 @@ fn give_outline(contours: &mut [Assembled], rests: &[(u32, usize)], outline: &Pa
         return;
     }
     let length = |i: usize| contours[i].path.length();
-    // The first of equals.
+    // Of equally long ones, the first.
     let longest = rests.rev().max_by(|&a, &b| length(a).total_cmp(&length(b)));
     if let Some(i) = longest {
         contours[i].outline = Some(outline.clone());
     }
 }
 
-/// The end at which the contour begins that passes through chain end `start`: the free end behind it, or `start`
-/// itself when it comes round.
+/// The end at which the contour through chain end `start` begins: the free end behind it, or `start` itself when the
+/// contour is closed.
 fn first_end(ends: &Ends, start: u32) -> u32 {
     let mut end = start;
     loop {
@@ -113,14 +113,14 @@ fn first_end(ends: &Ends, start: u32) -> u32 {
     }
 }
 
-/// A contour on its way.
-struct Walk {
+/// A contour under construction.
+struct ContourBuilder {
     contour: Assembled,
     closed: bool,
     gaps: Vec<(f64, DVec2)>,
 }
 
-impl Default for Walk {
+impl Default for ContourBuilder {
     fn default() -> Self {
         let contour = Assembled {
             path: Path::default(),
@@ -133,8 +133,8 @@ impl Default for Walk {
     }
 }
 
-impl Walk {
-    /// Appends a chain; its first element meets the last one so far.
+impl ContourBuilder {
+    /// Appends a chain, whose first element is made to meet the last element so far.
     fn take(&mut self, chains: &Chains, chain: &Chain, reversed: bool) {
         let elements = chains.of(chain);
         for e in elements {
@@ -158,7 +158,7 @@ impl Walk {
         }
     }
 
-    /// Lets the last end meet the first start of a closed contour.
+    /// Makes the last end of a closed contour meet the first start.
     fn finish(&mut self) {
         self.contour.path.closed = self.closed;
         let segments = &mut self.contour.path.segments;
@@ -178,7 +178,7 @@ impl Walk {
         segments.extend(bridge);
     }
 
-    fn tell_gaps(&self, source: Source, findings: &mut Findings) {
+    fn report_gaps(&self, source: Source, findings: &mut Findings) {
         let closed: Vec<_> = self.gaps.iter().filter(|(gap, _)| *gap > ROUNDING).collect();
         let Some((gap, at)) = closed.iter().max_by(|a, b| a.0.total_cmp(&b.0)) else { return };
         let message = if closed.len() == 1 {

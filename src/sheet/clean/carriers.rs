@@ -1,13 +1,14 @@
 //! Overlaps on one carrier: lines on one straight line, arcs on one circle.
 //!
-//! Every element becomes an interval on its carrier: mm along the line, radians around the circle. The elements of
-//! a carrier are taken in order of rank; each keeps what is not covered yet and covers its own interval. Lines are
-//! put on a carrier by quantised direction and offset, arcs by centre and radius; the cells are so small that two
-//! elements of one carrier are nowhere farther apart than the tolerance, and so odd that coordinates with few
-//! decimals do not sit on their edges. What falls on two sides of an edge all the same is left to [`super::near`].
+//! Every element becomes an interval on its carrier, in mm along the line or radians around the circle. The elements of
+//! a carrier are processed in order of rank; each keeps what is not yet covered, and covers its own interval. Elements
+//! are assigned to carriers by cells: lines by quantised direction and offset, arcs by centre and radius. The cells are
+//! so small that two elements of one carrier are nowhere farther apart than the tolerance. Their sizes are uneven
+//! numbers, so that coordinates with few decimals do not lie on their edges. Overlaps across an edge of two cells are
+//! found by [`super::near`].
 
 use super::cover::{Cover, Key, rest};
-use super::kept::Kept;
+use super::remainder::Remainder;
 use crate::geometry::{Aabb, Arc, Line, Segment, math};
 use crate::order;
 use crate::sheet::element::{Element, ROUNDING};
@@ -15,27 +16,28 @@ use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Lines are on one carrier only when their directions agree to this, rad: coordinates of six decimals over 1 mm.
+/// Largest difference in direction (rad) of lines on one carrier: that of coordinates with six decimals over 1 mm.
 const SAME_DIRECTION: f64 = 1e-6;
-/// Cell of line offsets, in tolerances: with a quarter for the direction it stays below one.
+/// Cell size of line offsets, in tolerances. With a quarter for the direction it stays below one.
 const OFFSET_CELL: f64 = 0.4711;
-/// Cell of centres and radii, in tolerances: in each of three coordinates members differ from the first by one cell
-/// at most, 0.8 tolerances together.
+/// Cell size of centres and radii, in tolerances. Members differ from the first by at most one cell in each of three
+/// coordinates, which is 0.8 tolerances in total.
 const CIRCLE_CELL: f64 = 0.3317;
-/// Elements looked at to tell a copy from an overlap; they differ in the word used in the finding, no more.
-const LOOKED_AT: usize = 16;
+/// Number of elements tested to distinguish a copy from an overlap. The difference only affects the wording of the
+/// finding.
+const MAX_COPY_TESTS: usize = 16;
 
 /// An element as an interval on its carrier.
 struct Span {
     element: u32,
     from: f64,
     to: f64,
-    /// The element runs against the carrier.
+    /// Whether the element runs against the direction of the carrier.
     reversed: bool,
 }
 
-/// Unites all elements on their carriers.
-pub(super) fn unite(elements: &[Element], rank: &[u32], tolerance: f64, kept: &mut [Kept]) {
+/// Removes overlaps among the elements of every carrier.
+pub(super) fn unite(elements: &[Element], rank: &[u32], tolerance: f64, kept: &mut [Remainder]) {
     let tolerance = tolerance.max(ROUNDING);
     for mut spans in on_lines(elements, tolerance) {
         order::sort_by(&mut spans, |s| [rank[s.element as usize].into(), 0, 0]);
@@ -63,7 +65,7 @@ fn on_lines(elements: &[Element], tolerance: f64) -> Vec<Vec<Span>> {
         .into_iter()
         .map(|(element, l)| {
             let v = (l.end - l.start).normalize_or_zero();
-            // Rightwards; upwards when upright, whatever the last bit of x says.
+            // Lines are directed to the right, and nearly vertical ones upwards, whatever the rounding of x.
             let reversed = if v.x.abs() < 1e-9 { v.y < 0.0 } else { v.x < 0.0 };
             let d = if reversed { -v } else { v };
             let angle = if d.x.abs() < 1e-9 { FRAC_PI_2 } else { math::angle_of(d) };
@@ -111,7 +113,7 @@ fn on_circles(elements: &[Element], tolerance: f64) -> Vec<(f64, Vec<Span>)> {
     groups.into_iter().filter(|(_, g)| g.len() > 1).map(|(place, g)| (place[2], g)).collect()
 }
 
-/// The arc as an interval from an angle in [0, 2 pi) on; a full circle starts at 0.
+/// The arc as an interval that starts at an angle in [0, 2 pi). A full circle starts at 0.
 fn span_of(element: u32, a: &Arc) -> Span {
     let reversed = !a.ccw();
     let first = if reversed { a.end } else { a.start };
@@ -119,7 +121,7 @@ fn span_of(element: u32, a: &Arc) -> Span {
     Span { element, from, to: from + a.sweep.abs(), reversed }
 }
 
-/// The 26 cells around a cell.
+/// The 26 neighbours of a cell.
 fn around(at: [i64; 3]) -> impl Iterator<Item = [i64; 3]> {
     (0..27_i64).filter(|&k| k != 13).map(move |k| {
         let shift = [k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1];
@@ -135,23 +137,23 @@ fn cell(v: f64, side: f64) -> i64 {
     ((v / side).round() as i64)
 }
 
-/// Takes the spans of one carrier in order. `least` and `period` in the carrier's unit.
-fn unite_on_one(spans: &[Span], least: f64, period: Option<f64>, kept: &mut [Kept]) {
+/// Removes overlaps among the spans of one carrier, in order. `least` and `period` are in the carrier's unit.
+fn unite_on_one(spans: &[Span], least: f64, period: Option<f64>, kept: &mut [Remainder]) {
     let mut cover = Cover::default();
     let mut originals: BTreeMap<Key, f64> = BTreeMap::new();
     for span in spans {
         let &Span { element, from, to, .. } = span;
-        // A short element is not within a tolerance of its neighbours merely because it is short.
+        // A short element must not count as covered merely because it is shorter than the tolerance.
         let crumb = least.min((to - from) * 0.25);
         let turn = period.unwrap_or(f64::INFINITY);
         let second_turn = (to > turn).then(|| cover.within(0.0, to - turn)).into_iter().flatten();
         let covered = cover.within(from, to.min(turn)).chain(second_turn.map(|(a, b)| (a + turn, b + turn)));
         let left = rest(from, to, covered, crumb);
         let is_copy = || {
-            let near = originals.range(Key(from - least)..=Key(from + least)).take(LOOKED_AT);
+            let near = originals.range(Key(from - least)..=Key(from + least)).take(MAX_COPY_TESTS);
             near.into_iter().any(|(_, end)| (end - to).abs() <= least)
         };
-        // Only what is kept covers: crumbs that were dropped do not add up to a hole.
+        // Only the parts that are kept cover others, so that dropped short parts do not add up to a hole.
         for &(a, b) in &left {
             if a < turn {
                 cover.add(a, b.min(turn));
@@ -161,10 +163,10 @@ fn unite_on_one(spans: &[Span], least: f64, period: Option<f64>, kept: &mut [Kep
             }
         }
         kept[element as usize] = match left[..] {
-            [] if is_copy() => Kept::Copy,
-            [] => Kept::Covered,
-            [(a, b)] if a <= from && b >= to => Kept::Whole,
-            _ => Kept::Pieces(fractions(span, &left)),
+            [] if is_copy() => Remainder::Copy,
+            [] => Remainder::Covered,
+            [(a, b)] if a <= from && b >= to => Remainder::Whole,
+            _ => Remainder::Pieces(fractions(span, &left)),
         };
         if !left.is_empty() {
             originals.insert(Key(from), to);
@@ -172,7 +174,7 @@ fn unite_on_one(spans: &[Span], least: f64, period: Option<f64>, kept: &mut [Kep
     }
 }
 
-/// Intervals on the carrier as fractions of the element, in its own direction.
+/// Converts intervals on the carrier to fractions of the element, in its own direction.
 fn fractions(span: &Span, left: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let length = span.to - span.from;
     let along = |t: f64| ((t - span.from) / length).clamp(0.0, 1.0);

@@ -1,9 +1,9 @@
-//! What of a line or circle is covered already: disjoint intervals, united as they come.
+//! The part of a line or circle that is already covered, as disjoint intervals.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// A number with a total order, to be a key.
+/// A floating-point number with a total order, for use as a key.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Key(pub(super) f64);
 
@@ -19,8 +19,8 @@ impl Ord for Key {
     }
 }
 
-/// Disjoint closed intervals in order. Every interval that is walked over in a query is swallowed by the interval
-/// that is then added, so n queries with n additions cost O(n log n) together.
+/// Disjoint closed intervals in order. Every interval that a query visits is merged into the interval added next, so n
+/// queries with n additions take O(n log n) in total.
 #[derive(Default)]
 pub(super) struct Cover(BTreeMap<Key, f64>);
 
@@ -32,7 +32,7 @@ impl Cover {
         before.into_iter().chain(inside).map(move |(start, &end)| (start.0.max(a), end.min(b)))
     }
 
-    /// Covers `[a, b]`, united with whatever it touches.
+    /// Covers `[a, b]` and merges it with all intervals it touches.
     pub(super) fn add(&mut self, mut a: f64, mut b: f64) {
         if let Some((&start, &end)) = self.0.range(..Key(a)).next_back()
             && end >= a
@@ -48,8 +48,8 @@ impl Cover {
     }
 }
 
-/// What is left of `[a, b]` without the `covered` parts (in order, clipped to it). Covered parts and remains no
-/// longer than `least` are none: ends that overlap by rounding are a joint, not an overlap.
+/// The parts of `[a, b]` outside the `covered` parts, which are in order and clipped to it. Covered parts and remaining
+/// parts no longer than `least` are ignored, because ends that overlap by rounding form a joint, not an overlap.
 pub(super) fn rest(a: f64, b: f64, covered: impl Iterator<Item = (f64, f64)>, least: f64) -> Vec<(f64, f64)> {
     let mut left = Vec::new();
     let mut from = a;

@@ -1,25 +1,25 @@
-//! Cleaning: every line and arc once.
+//! Cleaning: every line and arc remains once.
 //!
-//! 1. **Explode.** Shapes fall into elements; those without length are dropped. Elements of a shape that follow each
-//!    other bit for bit stay a run.
-//! 2. **Carriers** ([`carriers`]). Lines on one straight line and arcs on one circle are united as intervals on it.
-//!    That finds exact copies, reversed copies, circles drawn twice from different starts, and every collinear and
+//! 1. **Explode.** Shapes are divided into elements; those without length are dropped. Elements of a shape that follow
+//!    each other bit for bit form a run.
+//! 2. **Carriers** ([`carriers`]). Lines on one straight line and arcs on one circle are merged as intervals on it.
+//!    This finds exact and reversed copies, circles drawn twice from different starts, and every collinear and
 //!    co-circular overlap, in O(n log n) however many lie on top of each other.
-//! 3. **Near copies** ([`near`]). What lies within the tolerance of another element without sharing its carrier:
-//!    an arc beside its chord, a spline fitted twice, lines turned by a hair.
-//! 4. **Rebuild.** Runs are cut where something was taken out, and become chains. A closed shape that shares a side
-//!    with another one loses it, as it is cut once; what is left of it stays apart from other chains and remembers
-//!    its outline, so that what lies inside it still does.
+//! 3. **Near copies** ([`near`]). Elements within the tolerance of another element on a different carrier are found:
+//!    an arc beside its chord, a spline fitted twice, a slightly rotated line.
+//! 4. **Rebuild.** Runs are divided where something was removed, and become chains. A closed shape that shares a side
+//!    with another one loses that side, because it is cut once. Its rest is not joined to other chains and keeps the
+//!    shape's outline, so that it still contains what lies inside the shape.
 //!
-//! The union is kept: of two elements on top of each other one stays whole, the other loses what is covered. Which
-//! one, decides what stays closed, so closed shapes come first (a whole shape before the next), then elements whose
-//! two ends meet other ends (sides of a square of lines, over a long line that passes along it), then the longer,
-//! then the first drawn.
+//! The union of all elements is kept: of two elements on top of each other one stays whole, and the other loses the
+//! covered part. The order decides which shapes stay closed. Closed shapes come first (a whole shape before the next),
+//! then elements whose two ends meet other ends (the sides of a square made of lines, before a long line that passes
+//! along it), then the longer element, then the one drawn first.
 
 mod carriers;
 mod cover;
-mod kept;
 mod near;
+mod remainder;
 mod report;
 
 use super::cluster::cluster;
@@ -28,17 +28,17 @@ use super::source::{Line, Source};
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{DVec2, Path, Segment};
 use crate::order;
-use kept::Kept;
+use remainder::Remainder;
 use std::ops::Range;
 
-/// Elements that follow each other bit for bit in one shape.
+/// Elements of one shape that follow each other bit for bit.
 struct Run {
     elements: Range<usize>,
     closed: bool,
 }
 
-/// Cleans the given paths of a source. `tolerance` (mm) is the distance up to which elements are copies of each
-/// other, `join` (mm) the one up to which ends meet.
+/// Cleans the given paths. `tolerance` (mm) is the distance up to which elements are copies of each other, `join` (mm)
+/// the distance up to which ends meet.
 pub(super) fn clean(
     source: Source,
     lines: &[Line],
@@ -47,21 +47,21 @@ pub(super) fn clean(
     findings: &mut Findings,
 ) -> Chains {
     let (elements, runs) = explode(source, lines, findings);
-    let mut kept = vec![Kept::Whole; elements.len()];
+    let mut kept = vec![Remainder::Whole; elements.len()];
     let rank = ranks(&elements, &runs, join);
     carriers::unite(&elements, &rank, tolerance, &mut kept);
     if !near::unite(&elements, &rank, tolerance, &mut kept) {
         findings.push(Finding::new(
             Code::NotAllChecked,
             Severity::Info,
-            "So many lines lie close together that near copies among them were looked for in part only.",
+            "So many lines lie close together that only some of them were checked for near copies.",
         ));
     }
     report::removed(source, &elements, &kept, findings);
     rebuild(&elements, &runs, &kept, tolerance)
 }
 
-/// Paths into elements and runs, without elements shorter than rounding.
+/// Divides paths into elements and runs, and drops elements shorter than rounding.
 fn explode(source: Source, lines: &[Line], findings: &mut Findings) -> (Vec<Element>, Vec<Run>) {
     let mut elements: Vec<Element> = Vec::new();
     let mut runs: Vec<Run> = Vec::new();
@@ -104,7 +104,7 @@ fn explode(source: Source, lines: &[Line], findings: &mut Findings) -> (Vec<Elem
     (elements, runs)
 }
 
-/// Marks the only run of a shape closed when it says so or its ends are one point.
+/// Marks the only run of a shape as closed when the shape is marked so or its ends are one point.
 fn close(run: &mut Run, elements: &mut [Element], said: bool) {
     let many = run.elements.len() > 1;
     let [first, .., last] = &mut elements[run.elements.clone()] else { return };
@@ -119,7 +119,8 @@ fn is_circle(s: &Segment) -> bool {
     matches!(s, Segment::Arc(a) if a.is_circle())
 }
 
-/// For every element its place in the order of who stays whole; see the module text.
+/// The rank of every element; of two overlapping elements the one with the lower rank stays whole. See the module's
+/// documentation.
 fn ranks(elements: &[Element], runs: &[Run], join: f64) -> Vec<u32> {
     let ends: Vec<DVec2> = elements.iter().flat_map(|e| [e.segment.start(), e.segment.end()]).collect();
     let meeting = cluster(&ends, join.max(ROUNDING));
@@ -148,14 +149,15 @@ fn ranks(elements: &[Element], runs: &[Run], join: f64) -> Vec<u32> {
     rank
 }
 
-/// Chains of what was kept. A closed run that lost something opens there; its outline is kept beside.
-fn rebuild(elements: &[Element], runs: &[Run], kept: &[Kept], tolerance: f64) -> Chains {
+/// Builds chains from the remainders. A closed run that lost something becomes open there, and its outline is stored
+/// separately.
+fn rebuild(elements: &[Element], runs: &[Run], kept: &[Remainder], tolerance: f64) -> Chains {
     let mut out = Chains::default();
     out.elements.reserve(elements.len());
     out.chains.reserve(runs.len());
     for run in runs {
         let range = run.elements.clone();
-        if kept[range.clone()].iter().all(|k| *k == Kept::Whole) {
+        if kept[range.clone()].iter().all(|k| *k == Remainder::Whole) {
             let from = out.elements.len();
             out.elements.extend_from_slice(&elements[range]);
             let elements = from..out.elements.len();
@@ -183,17 +185,17 @@ fn rebuild(elements: &[Element], runs: &[Run], kept: &[Kept], tolerance: f64) ->
     out
 }
 
-/// The pieces of a run that lost something, as chains; across the seam of a closed run they stay together.
-fn broken(elements: &[Element], kept: &[Kept], closed: bool) -> Vec<Vec<Element>> {
+/// The pieces of a run that lost something, as chains. Pieces that meet at the start of a closed run stay together.
+fn broken(elements: &[Element], kept: &[Remainder], closed: bool) -> Vec<Vec<Element>> {
     let mut chains: Vec<Vec<Element>> = Vec::new();
     let mut attached = false;
     let mut first_at_seam = false;
     for (i, (element, kept)) in elements.iter().zip(kept).enumerate() {
         let whole = [(0.0, 1.0)];
         let pieces = match kept {
-            Kept::Whole => &whole[..],
-            Kept::Pieces(p) => p,
-            Kept::Copy | Kept::Covered => &[],
+            Remainder::Whole => &whole[..],
+            Remainder::Pieces(p) => p,
+            Remainder::Copy | Remainder::Covered => &[],
         };
         if pieces.is_empty() {
             attached = false;
@@ -215,14 +217,14 @@ fn broken(elements: &[Element], kept: &[Kept], closed: bool) -> Vec<Vec<Element>
         if let Some(last) = chains.last_mut() {
             last.extend(head);
         }
-        // The chain over the seam holds the first element: it stays first in drawing order.
+        // The chain across the start contains the first element, so it stays first in drawing order.
         chains.rotate_right(1);
     }
     chains
 }
 
-/// Chains of a closed run, parted also at the corners that their open ends touch. A spike in an outline, out and
-/// back along one line, loses its way back; parted at its foot, the outline can close without it.
+/// Divides the chains of a closed run at the corners that their open ends touch. A spike in an outline, drawn out and
+/// back along one line, loses its way back. Divided at its foot, the outline can close without it.
 fn parted(chains: Vec<Vec<Element>>, tolerance: f64) -> Vec<Vec<Element>> {
     let mut points: Vec<DVec2> = Vec::new();
     for chain in &chains {

@@ -1,13 +1,13 @@
-//! What cleaning took out, in words: one finding a shape.
+//! Findings about what cleaning removed, one per shape.
 
-use super::kept::Kept;
+use super::remainder::Remainder;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::Path;
-use crate::sheet::about::{count, plural};
 use crate::sheet::element::Element;
+use crate::sheet::findings::{count, plural};
 use crate::sheet::source::Source;
 
-/// A shape with elements that have no length.
+/// Reports elements of a shape that have no length.
 pub(super) fn zero_length(source: Source, index: u32, path: &Path, dropped: usize) -> Finding {
     let kind = source.kind(index);
     let message = if path.segments.len() == dropped {
@@ -18,8 +18,8 @@ pub(super) fn zero_length(source: Source, index: u32, path: &Path, dropped: usiz
     source.finding(index, Code::ZeroLength, Severity::Info, message, path.start()).times(count(dropped))
 }
 
-/// Every shape that lost something to another one.
-pub(super) fn removed(source: Source, elements: &[Element], kept: &[Kept], findings: &mut Findings) {
+/// Reports every shape that lost something to another one.
+pub(super) fn removed(source: Source, elements: &[Element], kept: &[Remainder], findings: &mut Findings) {
     let mut from = 0;
     for group in elements.chunk_by(|a, b| a.shape == b.shape) {
         let kept = &kept[from..from + group.len()];
@@ -30,12 +30,12 @@ pub(super) fn removed(source: Source, elements: &[Element], kept: &[Kept], findi
     }
 }
 
-fn lost(source: Source, elements: &[Element], kept: &[Kept]) -> Option<Finding> {
-    let first = kept.iter().position(|k| *k != Kept::Whole)?;
+fn lost(source: Source, elements: &[Element], kept: &[Remainder]) -> Option<Finding> {
+    let first = kept.iter().position(|k| *k != Remainder::Whole)?;
     let (element, loss) = (elements.get(first)?, kept.get(first)?);
-    let copies = kept.iter().filter(|k| **k == Kept::Copy).count();
-    let gone = copies + kept.iter().filter(|k| **k == Kept::Covered).count();
-    let touched = kept.iter().filter(|k| **k != Kept::Whole).count();
+    let copies = kept.iter().filter(|k| **k == Remainder::Copy).count();
+    let gone = copies + kept.iter().filter(|k| **k == Remainder::Covered).count();
+    let touched = kept.iter().filter(|k| **k != Remainder::Whole).count();
     let length: f64 = elements.iter().zip(kept).map(|(e, k)| e.segment.length() * (1.0 - share(k))).sum();
     let kind = source.kind(element.shape);
     let (code, message) = if copies == elements.len() {
@@ -53,19 +53,19 @@ fn lost(source: Source, elements: &[Element], kept: &[Kept]) -> Option<Finding> 
     Some(source.finding(element.shape, code, Severity::Info, message, Some(at)).times(count(touched)))
 }
 
-/// How much of an element is kept, 0 to 1.
-fn share(kept: &Kept) -> f64 {
+/// The kept fraction of an element, 0 to 1.
+fn share(kept: &Remainder) -> f64 {
     match kept {
-        Kept::Whole => 1.0,
-        Kept::Pieces(p) => p.iter().map(|(a, b)| b - a).sum(),
-        Kept::Copy | Kept::Covered => 0.0,
+        Remainder::Whole => 1.0,
+        Remainder::Pieces(p) => p.iter().map(|(a, b)| b - a).sum(),
+        Remainder::Copy | Remainder::Covered => 0.0,
     }
 }
 
-/// The middle of the first part that was taken out, as a fraction of the element.
-fn first_loss(kept: &Kept) -> f64 {
+/// The middle of the first removed part, as a fraction of the element.
+fn first_loss(kept: &Remainder) -> f64 {
     match kept {
-        Kept::Pieces(p) => match p[..] {
+        Remainder::Pieces(p) => match p[..] {
             [(from, _), ..] if from > 0.0 => from * 0.5,
             [(_, to), (from, _), ..] => (from + to) * 0.5,
             [(_, to)] => (1.0 + to) * 0.5,

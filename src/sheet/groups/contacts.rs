@@ -1,4 +1,4 @@
-//! Which contours end on which, and where.
+//! Contacts: which contours end on which others, and where.
 
 use super::super::cluster::cluster;
 use super::super::model::Contour;
@@ -6,7 +6,7 @@ use super::vertices::with_vertices;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path};
 use crate::order::{real, sort_by};
 
-/// A place on a contour where a group has a node.
+/// A place on a contour where its group has a node.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Break {
     pub(super) contour: u32,
@@ -15,17 +15,17 @@ pub(super) struct Break {
     pub(super) at: DVec2,
 }
 
-/// Contours that hang together, and where they meet.
+/// Contours that are connected by contacts, and the places where they meet.
 pub(super) struct Set {
-    /// Ascending.
+    /// Contour ids, ascending.
     pub(super) contours: Vec<u32>,
-    /// By contour, then along it.
+    /// Sorted by contour, then by position on it.
     pub(super) breaks: Vec<Break>,
     /// The node of each break.
     pub(super) node: Vec<u32>,
 }
 
-/// Sets of contours that end on each other, of those that are `sound`.
+/// Connected sets of those contours that are `sound`.
 pub(super) fn sets(contours: &[Contour], sound: &[bool], tolerance: f64) -> Vec<Set> {
     let boxes = BoxIndex::new(contours.iter().map(|c| c.bounds));
     let mut leader: Vec<u32> = (0..).take(contours.len()).collect();
@@ -44,7 +44,7 @@ pub(super) fn sets(contours: &[Contour], sound: &[bool], tolerance: f64) -> Vec<
             breaks.push(found);
         }
     }
-    // Open contours end where they end, touched or not.
+    // The ends of an open contour are breaks even if nothing touches them.
     met.extend(breaks.iter().map(|b| b.contour));
     sort_by(&mut met, |&c| [c.into(), 0, 0]);
     met.dedup();
@@ -82,7 +82,7 @@ fn touching(
     found
 }
 
-/// The place on a path nearest to a point: arc length and point.
+/// The place on a path nearest to a point: its arc length and the point.
 fn nearest(path: &Path, p: DVec2) -> Option<(f64, DVec2)> {
     let mut before = 0.0;
     let mut best: Option<(f64, f64, DVec2)> = None;
@@ -96,7 +96,8 @@ fn nearest(path: &Path, p: DVec2) -> Option<(f64, DVec2)> {
     best.map(|b| (b.1, b.2))
 }
 
-/// A set with its nodes: breaks within tolerance are one, of one contour they are one break.
+/// A set with its nodes. Breaks within the tolerance of each other are one node, and those of one contour are one
+/// break.
 fn joined(contours: &[Contour], set: &[(u32, Break)], tolerance: f64) -> Set {
     let points: Vec<DVec2> = set.iter().map(|s| s.1.at).collect();
     let node = cluster(&points, 2.0 * tolerance);
@@ -106,7 +107,7 @@ fn joined(contours: &[Contour], set: &[(u32, Break)], tolerance: f64) -> Set {
             out.contours.push(b.contour);
         }
         let same = |k: usize| out.breaks[k].contour == b.contour && out.node[k] == n;
-        // Ends of an open contour stay both; other places of one contour at a node are one.
+        // The two ends of an open contour remain separate breaks; other places of one contour at a node are merged.
         let known = (0..out.breaks.len())
             .rev()
             .take_while(|&k| out.breaks[k].contour == b.contour)
@@ -135,8 +136,8 @@ fn joined(contours: &[Contour], set: &[(u32, Break)], tolerance: f64) -> Set {
     out
 }
 
-/// The paths of the contours of a set with vertices at its nodes, so that all meet bit for bit. `None` where something would
-/// move farther than `limit`.
+/// The paths of the contours of a set with vertices at its nodes, so that they meet bit for bit. `None` if something
+/// would move farther than `limit` mm.
 pub(super) fn join(contours: &[Contour], set: &mut Set, limit: f64) -> Option<Vec<Path>> {
     let nodes = set.node.iter().max().map_or(0, |n| *n as usize + 1);
     let mut place: Vec<Option<DVec2>> = vec![None; nodes];
@@ -144,7 +145,7 @@ pub(super) fn join(contours: &[Contour], set: &mut Set, limit: f64) -> Option<Ve
         let path = &contours[b.contour as usize].path;
         path.closed || (b.along > 0.0 && b.along < path.length())
     };
-    // The middle of a contour stays, ends move onto it.
+    // Contours that pass through a node stay, and ends move onto them.
     for inner in [true, false] {
         for (b, &n) in set.breaks.iter().zip(&set.node) {
             if is_inner(b) == inner && place[n as usize].is_none() {

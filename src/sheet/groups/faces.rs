@@ -1,19 +1,21 @@
-//! The net of a group: elements between nodes, and the areas they part.
+//! The planar graph of a group: elements between nodes, and the faces they bound.
 //!
-//! Every element is walked twice, once each way, always with the area on the left: at a node the walk goes on along the
-//! element that turns left the least from where it came, which is the next one clockwise. Rounds that enclose an
-//! area run counter-clockwise; the net hangs together, so exactly one runs clockwise, and that is the area around it.
+//! Every element is traversed twice, once in each direction, with the face on its left. At a node the traversal
+//! continues with the element that turns least to the left from where it came, which is the next one clockwise. Cycles
+//! around a bounded face run counter-clockwise. The graph is connected, so exactly one cycle runs clockwise, and it
+//! bounds the outer face.
 
 use super::contacts::Set;
 use super::group::{GroupElement, PierceGroup};
 use crate::geometry::{DVec2, Path};
 use crate::order::{real, sort_by};
 
-/// How far along an element its direction at a node is looked at, as a part of its length: arcs that leave a node along
-/// one tangent part there.
+/// Where the direction of an element at a node is taken, as a fraction of its length. Arcs with a common tangent at the
+/// node have diverged there.
 const AHEAD: f64 = 0.05;
 
-/// The group of a set of contours; `None` when its elements are no proper net, as when they cross elsewhere.
+/// The group of a set of contours; `None` when its elements form no planar graph, for example because they cross
+/// elsewhere.
 pub(super) fn group(set: &Set, paths: Vec<Path>) -> Option<PierceGroup> {
     let nodes = set.node.iter().max().map_or(0, |n| *n as usize + 1);
     let mut at = vec![DVec2::ZERO; nodes];
@@ -43,9 +45,9 @@ pub(super) fn group(set: &Set, paths: Vec<Path>) -> Option<PierceGroup> {
     Some(group)
 }
 
-/// Gives every element its faces; how many there are.
+/// Assigns faces to every element; returns the number of faces.
 fn trace(elements: &mut [GroupElement], paths: &[Path], nodes: usize) -> Option<u32> {
-    // Half 2 e leaves the beginning of element e, half 2 e + 1 its end.
+    // Half-edge 2 e leaves the start of element e, half-edge 2 e + 1 its end.
     let mut leaving: Vec<Vec<usize>> = vec![Vec::new(); nodes];
     for (e, element) in elements.iter().enumerate() {
         leaving[element.ends[0] as usize].push(2 * e);
@@ -55,7 +57,8 @@ fn trace(elements: &mut [GroupElement], paths: &[Path], nodes: usize) -> Option<
     for halves in &mut leaving {
         sort_by(halves, |&h| [real(angle(direction(&paths[h / 2], h % 2 == 1))), 0, 0]);
         for (k, &h) in halves.iter().enumerate() {
-            // Whoever arrives by the other half of h goes on with the one before it counter-clockwise.
+            // A traversal that arrives by the opposite half-edge of h continues with the one before h in
+            // counter-clockwise order.
             after[h ^ 1] = halves[(k + halves.len() - 1) % halves.len()];
         }
     }
@@ -86,14 +89,14 @@ fn trace(elements: &mut [GroupElement], paths: &[Path], nodes: usize) -> Option<
     (around == 1).then_some(inner)
 }
 
-/// The way from a node into an element.
+/// The direction from a node into an element.
 fn direction(path: &Path, from_end: bool) -> DVec2 {
     let length = path.length();
     let (at, there) = if from_end { (length, length * (1.0 - AHEAD)) } else { (0.0, length * AHEAD) };
     path.at(there).unwrap_or_default() - path.at(at).unwrap_or_default()
 }
 
-/// Grows with the angle of a direction, from 0 to 4.
+/// A number from 0 to 4 that increases with the angle of a direction.
 fn angle(d: DVec2) -> f64 {
     let x = d.x / (d.x.abs() + d.y.abs());
     if d.y >= 0.0 { 1.0 - x } else { 3.0 + x }

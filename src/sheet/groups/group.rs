@@ -1,38 +1,38 @@
-//! A pierce group: contours that share cuts, as a planar net.
+//! A pierce group: contours that share cuts, as a planar graph.
 
 use crate::geometry::{DVec2, Path};
 
 /// Contours that share cuts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PierceGroup {
-    /// Contour ids, ascending; the first stands for the group.
+    /// Contour ids, ascending; the first one represents the group.
     pub contours: Vec<u32>,
-    /// Their paths in the group: as those of the sheet, but with a vertex at each node, which they are moved onto within the
-    /// copy tolerance. The contours themselves stay as they are for machines that cut them one by one.
+    /// Their paths in the group. They equal those of the sheet except for a vertex at each node, which is moved by at
+    /// most the copy tolerance. The contours themselves stay unchanged for machines that cut them one by one.
     pub paths: Vec<Path>,
-    /// Where elements end, mm.
+    /// Points where elements end, mm.
     pub nodes: Vec<DVec2>,
     /// Stretches of its contours between nodes.
     pub elements: Vec<GroupElement>,
-    /// How many areas its elements part; 0 is the one around the group.
+    /// Number of faces; face 0 is the outer one.
     pub faces: u32,
-    /// Contours that lie in what the group closes in, at any depth.
+    /// Contours inside the bounded faces of the group, at any depth.
     pub inside: Vec<u32>,
 }
 
 /// A stretch of a contour between two nodes of its group.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GroupElement {
-    /// Whose it is.
+    /// Id of the contour.
     pub contour: u32,
-    /// Arc length on the contour's path in the group where it begins and ends, mm; over the contour's end where it ends before it begins,
-    /// and once round where both are one.
+    /// Arc lengths on the contour's path in the group where the stretch begins and ends, mm. If `to` is less than
+    /// `from`, it passes the contour's start; if they are equal, it is the whole contour.
     pub from: f64,
     /// See `from`.
     pub to: f64,
-    /// Nodes at which it begins and ends.
+    /// Nodes at its beginning and end.
     pub ends: [u32; 2],
-    /// Areas to its left and right.
+    /// Faces to its left and right.
     pub faces: [u32; 2],
 }
 
@@ -42,7 +42,7 @@ impl PierceGroup {
         self.contours.iter().position(|&c| c == contour).and_then(|k| self.paths.get(k))
     }
 
-    /// Elements between two areas that the group closes in: cut once for both.
+    /// Elements between two bounded faces, which are cut once for both.
     pub fn between_parts(&self) -> impl Iterator<Item = &GroupElement> {
         self.elements.iter().filter(|e| !e.faces.contains(&0))
     }

@@ -1,13 +1,13 @@
-//! Pierce groups: contours that share cuts, as one planar net of elements.
+//! Pierce groups: contours that share cuts, as one planar graph of elements.
 //!
-//! Cleaning leaves every stretch that two outlines share on one of them only; the other is cut open there and ends on
-//! it. Where an open contour ends on others at both ends, they are one group: it can be pierced once and cut as a whole,
-//! from element to element.
+//! Cleaning leaves every stretch that two outlines share on only one of them; the other outline becomes an open contour
+//! that ends on the first. Where an open contour ends on others at both ends, they form one group, which can be pierced
+//! once and cut as a whole, from element to element.
 //!
-//! [`contacts`] finds where contours of a group meet, [`vertices`] lets them meet bit for bit; [`faces`] tells the areas that
-//! the elements close in: parts, and islands between parts. What is closed in falls out when the last element around it
-//! is cut, so a face may be closed only when nothing in it is left to cut; a stretch shared by two parts comes before
-//! the contour that both have together.
+//! [`contacts`] finds where contours of a group meet, and [`vertices`] makes them meet bit for bit. [`faces`] finds the
+//! faces that the elements enclose: parts, and islands between parts. The material of a face falls out when the last
+//! element around it is cut, so a face may be closed only when nothing in it is left to cut. A stretch shared by two
+//! parts comes before the contour around both.
 
 mod contacts;
 mod faces;
@@ -19,8 +19,9 @@ pub use group::{GroupElement, PierceGroup};
 use super::model::{Contour, Operation};
 use crate::geometry::{Aabb, BoxIndex, DVec2, Segment, winding, winding_number};
 
-/// The groups of a sheet. `tolerance`, mm: within it ends are looked for; `limit`: what meets is moved by this at most.
-/// `crossing`: contours that cross each other, of which no net can be made. `same`: whether two contours may be worked one after the other at all.
+/// The groups of a sheet. Ends are searched within `tolerance` mm, and moved by at most `limit` mm. `crossing` lists
+/// contours that cross each other, for which no planar graph exists. `same` says whether two contours may be cut one
+/// after the other at all.
 pub(super) fn find(
     contours: &[Contour],
     crossing: &[(u32, u32)],
@@ -48,8 +49,8 @@ pub(super) fn find(
     groups
 }
 
-/// Whether every other contour that bounds an area has all of a group in it, and is known to be around it, or nothing of
-/// it: outlines that overlap leave in doubt what falls out when.
+/// Whether every other contour that bounds an area either contains the whole group, and is known to lie around it, or
+/// nothing of it. For overlapping outlines it is unclear what falls out when.
 fn lies_clear(contours: &[Contour], boxes: &BoxIndex, group: &PierceGroup) -> bool {
     let places: Vec<DVec2> = group
         .elements
@@ -74,7 +75,7 @@ fn lies_clear(contours: &[Contour], boxes: &BoxIndex, group: &PierceGroup) -> bo
     })
 }
 
-/// Contours that are closed in by a group.
+/// Contours enclosed by a group.
 fn inside(contours: &[Contour], boxes: &BoxIndex, group: &PierceGroup) -> Vec<u32> {
     let around = around(group);
     let bounds = around.iter().fold(Aabb::EMPTY, |b, s| b.union(s.bounds()));
@@ -83,7 +84,7 @@ fn inside(contours: &[Contour], boxes: &BoxIndex, group: &PierceGroup) -> Vec<u3
     let lies_in = |c: &u32| {
         let contour = &contours[*c as usize];
         let path = &contour.path;
-        // Ends may lie on the outline.
+        // The ends may lie on the outline.
         let places = [0.0, 0.5, 1.0].map(|part| path.at(part * contour.length));
         contour.operation != Operation::Ignore
             && !group.contours.contains(c)
@@ -97,7 +98,7 @@ fn within(outer: Aabb, inner: Aabb) -> bool {
     outer.union(inner) == outer
 }
 
-/// The elements that the area around a group ends at, in no order: enough to count crossings.
+/// The elements that bound the outer face of a group, in no particular order; enough for a winding number.
 fn around(group: &PierceGroup) -> Vec<Segment> {
     let mut segments = Vec::new();
     for e in &group.elements {

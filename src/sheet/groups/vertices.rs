@@ -1,13 +1,13 @@
-//! A path with vertices where its group has nodes.
+//! Inserts vertices into a path where its group has nodes.
 //!
-//! What meets within the tolerance is to meet bit for bit. So a path gets a vertex at each of its nodes, at the very place
-//! of the node: an end or a joint that is near moves there, elsewhere the element is divided, and its pieces end there.
+//! Contours that meet within the tolerance must meet bit for bit. A path therefore gets a vertex at the exact position
+//! of each of its nodes. A near end or joint is moved there; elsewhere the element is divided.
 
 use super::super::element::ROUNDING;
 use crate::geometry::{Arc, DVec2, Path, Segment, math};
 
-/// The path with vertices at these places, given with their arc lengths in order; and the arc lengths of the vertices on it.
-/// `None` where a place is farther than `limit` from the path, or nothing is left of an element.
+/// The path with vertices at these places, which are given with their arc lengths in order, and the arc lengths of
+/// these vertices. `None` if a place is farther than `limit` mm from the path, or if nothing is left of an element.
 pub(super) fn with_vertices(path: &Path, places: &[(f64, DVec2)], limit: f64) -> Option<(Path, Vec<f64>)> {
     let ends: Vec<f64> = path
         .segments
@@ -19,7 +19,7 @@ pub(super) fn with_vertices(path: &Path, places: &[(f64, DVec2)], limit: f64) ->
         .collect();
     let length = *ends.last()?;
     let count = path.segments.len();
-    // Where joint k, the start of element k, moves to; the last end of a closed path is its first start.
+    // New position of joint k, the start of element k. The last end of a closed path is its first start.
     let mut joints: Vec<Option<DVec2>> = vec![None; count + 1];
     let mut divided: Vec<Vec<(f64, DVec2)>> = vec![Vec::new(); count];
     for &(along, place) in places {
@@ -52,7 +52,7 @@ pub(super) fn with_vertices(path: &Path, places: &[(f64, DVec2)], limit: f64) ->
             from = to;
         }
     }
-    // A closed path ends where it starts: that vertex is at 0.
+    // A closed path ends where it starts, so that vertex is at arc length 0.
     if path.closed {
         at.pop();
     }
@@ -65,7 +65,8 @@ pub(super) fn with_vertices(path: &Path, places: &[(f64, DVec2)], limit: f64) ->
     Some((Path::new(segments, path.closed), alongs))
 }
 
-/// An element between other ends; an arc keeps its centre where they moved by rounding, its sweep where farther.
+/// An element with new ends. An arc keeps its centre if they moved only by rounding, and its sweep if they moved
+/// farther.
 fn moved(s: Segment, start: DVec2, end: DVec2) -> Option<Segment> {
     let far = s.start().distance(start).max(s.end().distance(end)) > ROUNDING;
     let new = match s {

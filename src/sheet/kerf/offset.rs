@@ -1,43 +1,43 @@
-//! A closed outline moved to its right.
+//! Offsets a closed outline to its right.
 //!
-//! The edge of all that lies within some distance of an outline is made of stretches of a few simple lines ([`raw`]): its
-//! elements, moved, and joins around its corners. All of these are parted where they meet, the stretches that come nearer to
-//! the outline than they should are dropped, and the others, end to end, are the offset (X.-Z. Liu et al., "An offset
-//! algorithm for polyline curves", Computers in Industry 58 (2007), doi:10.1016/j.compind.2006.06.002; ours looks at every
-//! distance and needs no dual curves). Arcs stay arcs.
+//! The points at a given distance from an outline lie on a few simple curves ([`raw`]): its elements, offset, and joins
+//! around its corners. These are divided where they meet, stretches that come too near to the outline are dropped, and
+//! the remaining ones, joined end to end, are the offset (X.-Z. Liu et al., "An offset algorithm for polyline curves",
+//! Computers in Industry 58 (2007), doi:10.1016/j.compind.2006.06.002; this implementation tests every distance and
+//! needs no dual curves). Arcs remain arcs.
 //!
-//! No crate does it: the one there is (`cavalier_contours`) takes sines from the platform, so that its last bits differ
-//! between a browser and a native program, and stops the program where its own assumptions fail. It is the oracle of the
-//! tests.
+//! The existing crate (`cavalier_contours`) cannot be used. It takes sines from the platform, so its last bits differ
+//! between a browser and a native program, and it panics where its own assumptions fail. The tests compare with it.
 
 use super::super::cluster::cluster;
 use super::super::element::{ROUNDING, with_end, with_start};
-use super::raw::{self, LONGEST_CORNER, MEETS, Raw};
+use super::raw::{self, MEETING_DISTANCE, MITER_LIMIT, Raw};
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, intersect};
 use crate::order::{real, sort_by};
 
-/// Elements looked at per element on average, and for a small outline in all: an outline needs ten or so, a star of thousands
-/// of lines from one point needs thousands, and keeps its drawn line.
-const LOOKED_AT: usize = 400;
-const LOOKED_AT_AT_LEAST: usize = 400_000;
-/// Ends in one cluster are no farther apart, mm.
-const SAME_PLACE: f64 = 8.0 * MEETS;
-/// Crumbs in a row that are taken out; real drawings have one or two.
-const CRUMBS: usize = 16;
-/// An offset shorter than this is none, mm.
-const SHORTEST: f64 = 0.01;
+/// Number of elements visited per element on average, and for a small outline in total. An outline needs about ten; a
+/// star of thousands of lines from one point needs thousands and keeps its drawn line.
+const NEIGHBOURS_PER_ELEMENT: usize = 400;
+const MIN_NEIGHBOURS: usize = 400_000;
+/// Largest distance between ends in one cluster, mm.
+const SAME_PLACE: f64 = 8.0 * MEETING_DISTANCE;
+/// Largest number of consecutive short fragments that are removed; real drawings have one or two.
+const MAX_FRAGMENTS: usize = 16;
+/// Shortest offset that is used, mm.
+const MIN_LENGTH: f64 = 0.01;
 
-/// The outline moved to its right by `by` mm, beginning beside its own beginning. `free`: whether the beam may go where a
-/// sharp corner would take it.
+/// The outline offset to its right by `by` mm, starting beside the outline's start. `free` says whether the beam may
+/// follow the sharp corner over a given segment.
 ///
 /// # Errors
-/// A place where it cannot be moved: it vanishes, falls into several or turns over, or a whole element of it is so far from
+/// A place where the outline cannot be offset: it vanishes, falls into several pieces or turns over, or an element of
+/// it is so far from the offset that the beam would miss what was drawn.
 /// all of the offset that the beam leaves out what was drawn.
 pub(super) fn offset(outline: &Path, by: f64, free: impl Fn(&Segment) -> bool) -> Result<Path, DVec2> {
     let start = outline.start().unwrap_or_default();
     let drawn = BoxIndex::new(outline.segments.iter().map(Segment::bounds));
     let raw = raw::pieces(outline, by, &drawn, &free);
-    let mut look = (LOOKED_AT * raw.len()).max(LOOKED_AT_AT_LEAST);
+    let mut look = (NEIGHBOURS_PER_ELEMENT * raw.len()).max(MIN_NEIGHBOURS);
     let mut stretches = parted(&raw, &mut look).ok_or(start)?;
     let mut is_clear = |p: DVec2| {
         let mut clear = true;
@@ -53,24 +53,24 @@ pub(super) fn offset(outline: &Path, by: f64, free: impl Fn(&Segment) -> bool) -
     if look == 0 {
         return Err(start);
     }
-    let line = round(stretches, start)?;
+    let line = joined_around(stretches, start)?;
     let same_way = (line.0.area() > 0.0) == (outline.area() > 0.0);
-    if !same_way || line.0.length() < SHORTEST {
+    if !same_way || line.0.length() < MIN_LENGTH {
         return Err(start);
     }
-    left_out(outline, &line, by).map_or_else(|| Ok(from_beside(line.0, start)), Err)
+    missed_element(outline, &line, by).map_or_else(|| Ok(from_beside(line.0, start)), Err)
 }
 
-/// The pieces, parted where they meet. `None` when there is too much to look at.
+/// The raw pieces, divided where they meet. `None` when there are too many elements to visit.
 fn parted(raw: &[Raw], look: &mut usize) -> Option<Vec<Raw>> {
-    let boxes: Vec<Aabb> = raw.iter().map(|r| r.segment.bounds().grown(MEETS)).collect();
+    let boxes: Vec<Aabb> = raw.iter().map(|r| r.segment.bounds().grown(MEETING_DISTANCE)).collect();
     let index = BoxIndex::new(boxes.iter().copied());
     let mut cuts: Vec<Vec<(f64, DVec2)>> = vec![Vec::new(); raw.len()];
     for (i, a) in raw.iter().enumerate() {
         index.visit(boxes[i], |j| {
             *look = look.saturating_sub(1);
             if j > i {
-                let met = intersect(&a.segment, &raw[j].segment, MEETS);
+                let met = intersect(&a.segment, &raw[j].segment, MEETING_DISTANCE);
                 let stretches = met.overlaps.iter().flat_map(|o| [(o.a[0], o.b[0]), (o.a[1], o.b[1])]);
                 for (f, g) in met.points.iter().map(|m| (m.a, m.b)).chain(stretches) {
                     let at = a.segment.at(f);
@@ -88,10 +88,10 @@ fn parted(raw: &[Raw], look: &mut usize) -> Option<Vec<Raw>> {
     for (r, mut cuts) in raw.iter().zip(cuts) {
         sort_by(&mut cuts, |c| [real(c.0), 0, 0]);
         let length = r.segment.length();
-        let inner = |f: f64| f * length > MEETS && (1.0 - f) * length > MEETS;
+        let inner = |f: f64| f * length > MEETING_DISTANCE && (1.0 - f) * length > MEETING_DISTANCE;
         let mut from = (0.0, r.segment.start());
         for to in cuts.into_iter().filter(|c| inner(c.0)).chain([(1.0, r.segment.end())]) {
-            if (to.0 - from.0) * length > MEETS {
+            if (to.0 - from.0) * length > MEETING_DISTANCE {
                 let piece = r.segment.piece(from.0, to.0);
                 out.push(Raw { segment: with_end(with_start(piece, from.1), to.1), of: r.of });
                 from = to;
@@ -101,10 +101,11 @@ fn parted(raw: &[Raw], look: &mut usize) -> Option<Vec<Raw>> {
     Some(out)
 }
 
-/// The stretches end to end, once round; and the drawn elements they run beside.
-fn round(mut stretches: Vec<Raw>, start: DVec2) -> Result<(Path, Vec<usize>), DVec2> {
+/// Joins the stretches end to end around the outline; returns the path and the drawn elements that its elements run
+/// beside.
+fn joined_around(mut stretches: Vec<Raw>, start: DVec2) -> Result<(Path, Vec<usize>), DVec2> {
     let ends: Vec<DVec2> = stretches.iter().flat_map(|r| [r.segment.start(), r.segment.end()]).collect();
-    let node = cluster(&ends, 4.0 * MEETS);
+    let node = cluster(&ends, 4.0 * MEETING_DISTANCE);
     drop_doubled(&mut stretches, &node);
     drop_dangling(&mut stretches, &node);
     let place = |at: usize| node[at];
@@ -132,7 +133,7 @@ fn round(mut stretches: Vec<Raw>, start: DVec2) -> Result<(Path, Vec<usize>), DV
             break;
         }
     }
-    // What is left over is another round, or an end.
+    // A stretch that is left over belongs to another cycle, or to an open end.
     if let Some(&k) = leaving.iter().flatten().next() {
         return Err(stretches[k].segment.start());
     }
@@ -147,8 +148,9 @@ fn round(mut stretches: Vec<Raw>, start: DVec2) -> Result<(Path, Vec<usize>), DV
     Ok((Path::new(segments, true), beside))
 }
 
-/// Takes out what runs twice between the same places: there and back, both (the middle of a slot exactly as wide as the
-/// kerf); the same way, one (an arc and a line that leave a corner along each other).
+/// Removes stretches that connect the same places twice. If they run in opposite directions, both are removed (the
+/// middle of a slot exactly as wide as the kerf); otherwise one stays (an arc and a line that leave a corner side by
+/// side).
 fn drop_doubled(stretches: &mut [Raw], node: &[u32]) {
     let ends = |k: usize| [node[2 * k], node[2 * k + 1]];
     let key = |k: usize| [ends(k)[0].min(ends(k)[1]), ends(k)[0].max(ends(k)[1])];
@@ -162,20 +164,21 @@ fn drop_doubled(stretches: &mut [Raw], node: &[u32]) {
                 there && middle(&stretches[a]).distance(middle(&stretches[b])) <= ROUNDING
             });
             let Some(b) = other else { continue };
-            stretches[b].segment = nothing(&stretches[b]);
+            stretches[b].segment = zero_length(&stretches[b]);
             if ends(a) != ends(b) {
-                stretches[a].segment = nothing(&stretches[a]);
+                stretches[a].segment = zero_length(&stretches[a]);
             }
         }
     }
 }
 
-/// Takes out what leads nowhere, or comes from nowhere: crumbs between two elements that cross almost along each other,
-/// which are as far from the outline as they should be but for the last bits. And what is so short that it is a place.
+/// Removes stretches that lead nowhere or come from nowhere: short fragments between two elements that cross at a very
+/// small angle, whose distance from the outline is right up to rounding. Also removes stretches that are as short as a
+/// point.
 fn drop_dangling(stretches: &mut [Raw], node: &[u32]) {
-    for _ in 0..CRUMBS {
+    for _ in 0..MAX_FRAGMENTS {
         let there = |r: &Raw| r.segment.length() > 0.0;
-        // By node: whether something begins there, and ends there.
+        // For each node, whether a stretch begins there, and whether one ends there.
         let mut used = vec![[false; 2]; node.len()];
         for (k, _) in stretches.iter().enumerate().filter(|(_, r)| there(r)) {
             used[node[2 * k] as usize][0] = true;
@@ -186,7 +189,7 @@ fn drop_dangling(stretches: &mut [Raw], node: &[u32]) {
             let [from, to] = [node[2 * k], node[2 * k + 1]];
             let place = from == to && r.segment.length() <= SAME_PLACE;
             if place || !used[from as usize][1] || !used[to as usize][0] {
-                r.segment = nothing(r);
+                r.segment = zero_length(r);
                 dropped = true;
             }
         }
@@ -196,16 +199,16 @@ fn drop_dangling(stretches: &mut [Raw], node: &[u32]) {
     }
 }
 
-fn nothing(of: &Raw) -> Segment {
+fn zero_length(of: &Raw) -> Segment {
     Segment::line(of.segment.start(), of.segment.start())
 }
 
-/// The middle of a drawn element that nothing of the line runs beside, and that is too far from all of it.
-fn left_out(outline: &Path, (line, beside): &(Path, Vec<usize>), by: f64) -> Option<DVec2> {
+/// The middle of a drawn element that no part of the line runs beside, and that is too far from all of it.
+fn missed_element(outline: &Path, (line, beside): &(Path, Vec<usize>), by: f64) -> Option<DVec2> {
     let mut present = vec![false; outline.segments.len()];
     beside.iter().for_each(|&k| present[k] = true);
     let index = BoxIndex::new(line.segments.iter().map(Segment::bounds));
-    let reach = LONGEST_CORNER * by;
+    let reach = MITER_LIMIT * by;
     let absent = outline.segments.iter().zip(present).filter(|(_, present)| !present);
     absent.map(|(s, _)| s.at(0.5)).find(|&p| {
         let mut near = false;
@@ -217,7 +220,7 @@ fn left_out(outline: &Path, (line, beside): &(Path, Vec<usize>), by: f64) -> Opt
     })
 }
 
-/// The line begun at the vertex nearest to a place, its elements parted no more than needed.
+/// The line with its start moved to the vertex nearest to a place, and with no more divisions than necessary.
 fn from_beside(mut line: Path, place: DVec2) -> Path {
     let near = |k: &usize| line.segments[*k].start().distance_squared(place);
     let first = (0..line.segments.len()).min_by(|a, b| near(a).total_cmp(&near(b)));

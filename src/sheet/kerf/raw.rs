@@ -1,28 +1,30 @@
-//! The pieces of which an offset is made: every element moved to its right, and what joins them at corners.
+//! The raw pieces of an offset: every element offset to its right, and the joins at the corners.
 //!
-//! Where an outline turns left, the moved elements part. Whatever is at the right distance between them lies on an arc around
-//! the corner. But corners stay corners where the way is clear: the ends go on straight until they meet. That is no nearer to
-//! the part, it is what a machine does best, and parts laid out one kerf apart have the same lines then up to the corner in
-//! which four of them meet. Where an outline turns right, the moved elements cross each other.
+//! Where an outline turns left, the offset elements diverge. The points at the right distance between them lie on an
+//! arc around the corner. Where there is room, the corner is kept sharp instead: both ends continue straight until they
+//! meet. This is no nearer to the part, it suits the machine best, and parts that lie one kerf apart then have the same
+//! lines up to the corner where four of them meet. Where an outline turns right, the offset elements cross each other.
 
 use super::super::element::{ROUNDING, with_start};
-use super::room::apart;
+use super::clearance::distance;
 use crate::geometry::{Arc, BoxIndex, DVec2, Path, Segment, math};
 
-/// Stretches meet within this, mm: a hundred times the rounding of a place on the largest sheet.
-pub(super) const MEETS: f64 = 1e-7;
-/// Corners reach as far as this from the drawn corner at most, in halves of the kerf; sharper ones are rounded. It is what
-/// SVG and PDF writers take for their joins, and lets triangles of 30 degrees (3.86) lie point to point.
-pub(super) const LONGEST_CORNER: f64 = 4.0;
+/// Stretches meet within this distance, mm: a hundred times the rounding of a place on the largest sheet.
+pub(super) const MEETING_DISTANCE: f64 = 1e-7;
+/// Largest distance of a sharp corner of the line from the drawn corner, in halves of the kerf; other corners are
+/// rounded. SVG and PDF writers use the same limit for their joins, and it allows triangles of 30 degrees (3.86) point
+/// to point.
+pub(super) const MITER_LIMIT: f64 = 4.0;
 
-/// A piece, and the drawn element it runs beside; none for what joins two.
+/// A raw piece, and the drawn element it runs beside; `None` for a join.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Raw {
     pub(super) segment: Segment,
     pub(super) of: Option<usize>,
 }
 
-/// All pieces of an outline moved to its right by `by` mm, in its order. `free`: whether the beam may go there.
+/// All raw pieces of an outline offset to its right by `by` mm, in the outline's order. `free` says whether the beam
+/// may go there.
 pub(super) fn pieces(
     outline: &Path,
     by: f64,
@@ -36,7 +38,7 @@ pub(super) fn pieces(
     let clear = |k: usize, s: &Segment| {
         let mut clear = free(s);
         index.visit(s.bounds().grown(by), |j| {
-            clear &= j == k || j == (k + 1) % n || apart(s, &drawn[j]).0 >= by + ROUNDING;
+            clear &= j == k || j == (k + 1) % n || distance(s, &drawn[j]).0 >= by + ROUNDING;
             clear
         });
         clear
@@ -45,17 +47,17 @@ pub(super) fn pieces(
         let next = (k + 1) % n;
         let (at, turns) = (drawn[k].end(), [drawn[k].tangent(1.0), drawn[next].tangent(0.0)]);
         let [from, to] = turns.map(|t| at - t.perp() * by);
-        // Arcs that were joined over a rounding end beside where their tangents say.
+        // Arcs that were joined within rounding end slightly beside where their tangents meet.
         let from = sides[k].map_or(from, |s| s.end());
         let to = sides[next].map_or(to, |s| s.start());
         let turn = math::turn(turns[0], turns[1]);
-        if n == 1 || from.distance(to) <= MEETS {
-            // One direction: joined bit for bit.
+        if n == 1 || from.distance(to) <= MEETING_DISTANCE {
+            // Both elements have one direction, so they are joined bit for bit.
             if let (Some(_), Some(b), true) = (sides[k], sides[next], n > 1) {
                 sides[next] = Some(with_start(b, from));
             }
         } else if turn > 0.0 {
-            let tip = tip(at, turns, turn, by).filter(|tip| {
+            let tip = miter_tip(at, turns, turn, by).filter(|tip| {
                 [Segment::line(from, *tip), Segment::line(*tip, to)].iter().all(|s| clear(k, s))
             });
             match tip {
@@ -72,7 +74,7 @@ pub(super) fn pieces(
     sides.zip(joins).flat_map(|(side, join)| side.into_iter().chain(join)).collect()
 }
 
-/// An element moved to its right; none where an arc bends too much for that.
+/// An element offset to its right; `None` where an arc's radius is too small for that.
 fn beside(s: &Segment, by: f64) -> Option<Segment> {
     match *s {
         Segment::Line(l) => {
@@ -90,14 +92,14 @@ fn beside(s: &Segment, by: f64) -> Option<Segment> {
     }
 }
 
-/// Where the tangents of two moved elements meet, if that is not too far from the corner.
-fn tip(corner: DVec2, [a, b]: [DVec2; 2], turn: f64, by: f64) -> Option<DVec2> {
+/// The place where the tangents of two offset elements meet, if it is not too far from the corner.
+fn miter_tip(corner: DVec2, [a, b]: [DVec2; 2], turn: f64, by: f64) -> Option<DVec2> {
     let reach = 1.0 / math::cos(0.5 * turn);
     let out = -(a.perp() + b.perp()).normalize_or_zero();
-    (reach > 0.0 && reach <= LONGEST_CORNER).then(|| corner + out * (by * reach))
+    (reach > 0.0 && reach <= MITER_LIMIT).then(|| corner + out * (by * reach))
 }
 
-/// Lets a moved line end (or start) at a corner; of an arc the way there comes back.
+/// Extends an offset line to a corner at its end (or start). For an arc, returns the line that leads there.
 fn extended(side: &mut Option<Segment>, end: DVec2, tip: DVec2, at_end: bool) -> Option<Segment> {
     match side {
         Some(Segment::Line(l)) => {

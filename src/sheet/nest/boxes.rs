@@ -1,28 +1,28 @@
-//! The smallest box around a box, by area of what it bounds.
+//! Finds the smallest box around a given box, by the area of the contour in it.
 //!
-//! A tree over boxes as points in four dimensions (left, bottom, right, top), split at the median of one after the
-//! other. A node knows the union of its boxes and the least and greatest area beneath it: a node whose union does
-//! not hold the box asked for cannot hold a box around it. Nodes are opened in order of least area, so among
-//! thousands of boxes around each other the smallest is met first.
+//! A k-d tree over boxes as points in four dimensions (left, bottom, right, top), split at the median of one dimension
+//! after the other. A node stores the union of its boxes and the smallest and largest area below it. If the union does
+//! not contain the queried box, no box below contains it. Nodes are visited in order of smallest area, so among
+//! thousands of nested boxes the smallest is found first.
 
 use crate::geometry::Aabb;
 use crate::order::{real, sort_by};
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
-/// Boxes in a leaf: few enough that trying them all costs less than another level.
-const LEAF: usize = 6;
+/// Boxes in a leaf: so few that testing all of them costs less than another level.
+const LEAF_SIZE: usize = 6;
 
-/// A box, the area of what it bounds, and its number.
+/// A box, the area of the contour in it, and the contour's id.
 type Item = (Aabb, f64, u32);
 
-/// What a caller says to a candidate.
+/// The caller's decision about a candidate.
 pub(super) enum Answer {
-    /// This is it.
+    /// Accept it.
     Found,
-    /// Not this one; go on.
+    /// Reject it and continue.
     Next,
-    /// Give up.
+    /// Stop the search.
     Stop,
 }
 
@@ -32,26 +32,26 @@ struct Node {
     union: Aabb,
     least: f64,
     greatest: f64,
-    /// Left child; the right one follows it. `None` in leaves.
+    /// Index of the left child, followed by the right one. `None` in leaves.
     children: Option<usize>,
 }
 
-/// See the module text.
+/// The tree; see the module's documentation.
 pub(super) struct BoxTree {
     items: Vec<Item>,
     nodes: Vec<Node>,
 }
 
-/// Something to look at, least area first, then the lower number.
+/// A node or box to visit, ordered by area, then by index.
 #[derive(PartialEq)]
 struct Candidate {
     area: f64,
-    /// A node before an item of the same area; then by number.
-    what: What,
+    /// A node before a box of the same area, then by index.
+    what: Entry,
 }
 
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
-enum What {
+enum Entry {
     Node(usize),
     Item(u32),
 }
@@ -72,7 +72,7 @@ impl BoxTree {
     /// A tree over the items.
     pub(super) fn new(mut items: Vec<Item>) -> Self {
         let mut nodes = vec![Node::of(&items, 0, items.len())];
-        // Level by level: a node's children are appended after it.
+        // The tree is built level by level; a node's children are appended after it.
         let mut next = 0;
         let mut level_end = nodes.len();
         let mut side = 0;
@@ -82,10 +82,10 @@ impl BoxTree {
                 side = (side + 1) % 4;
             }
             let (from, to) = (nodes[next].from, nodes[next].to);
-            if to - from > LEAF {
+            if to - from > LEAF_SIZE {
                 let middle = (from + to) / 2;
                 let key = |i: &Item| [i.0.min.x, i.0.min.y, i.0.max.x, i.0.max.y][side];
-                // All of it, not the half only: the one sort there is in wasm anyway.
+                // A full sort instead of a selection, because it is already in the wasm file.
                 let mut part = items[from..to].to_vec();
                 sort_by(&mut part, |i| [real(key(i)), i.2.into(), 0]);
                 items[from..to].copy_from_slice(&part);
@@ -98,7 +98,8 @@ impl BoxTree {
         Self { items, nodes }
     }
 
-    /// Offers the boxes around `inner` whose area is larger than `area`, smallest area first, until one is found.
+    /// Calls the visitor with the boxes around `inner` whose area is larger than `area`, smallest area first, until it
+    /// accepts one.
     pub(super) fn smallest_around(
         &self,
         inner: &Aabb,
@@ -109,18 +110,18 @@ impl BoxTree {
         let open = |node: usize, queue: &mut BinaryHeap<Reverse<Candidate>>| {
             let n = &self.nodes[node];
             if n.greatest > area && n.union.contains_box(inner) {
-                queue.push(Reverse(Candidate { area: n.least.max(area), what: What::Node(node) }));
+                queue.push(Reverse(Candidate { area: n.least.max(area), what: Entry::Node(node) }));
             }
         };
         open(0, &mut queue);
         while let Some(Reverse(next)) = queue.pop() {
             match next.what {
-                What::Item(i) => match answer(i) {
+                Entry::Item(i) => match answer(i) {
                     Answer::Found => return Some(i),
                     Answer::Next => {}
                     Answer::Stop => return None,
                 },
-                What::Node(node) => match self.nodes[node].children {
+                Entry::Node(node) => match self.nodes[node].children {
                     Some(left) => {
                         open(left, &mut queue);
                         open(left + 1, &mut queue);
@@ -128,7 +129,8 @@ impl BoxTree {
                     None => {
                         let leaf = &self.items[self.nodes[node].from..self.nodes[node].to];
                         let around = leaf.iter().filter(|i| i.1 > area && i.0.contains_box(inner));
-                        queue.extend(around.map(|i| Reverse(Candidate { area: i.1, what: What::Item(i.2) })));
+                        queue
+                            .extend(around.map(|i| Reverse(Candidate { area: i.1, what: Entry::Item(i.2) })));
                     }
                 },
             }

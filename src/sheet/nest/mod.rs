@@ -1,20 +1,20 @@
-//! Nesting: which closed cut contour lies directly around each contour.
+//! Nesting: determines which closed cut contour lies directly around each contour.
 //!
-//! A contour lies inside another when the other is larger, its box is around it, and a witness, a point well inside
-//! the contour itself, lies inside the other. A point on the contour would not do: contours touch. A contour that
-//! crosses a larger one in whose box it lies counts as inside, too: a hole that breaks through an edge is cut before
-//! the edge.
+//! A contour lies inside another if the other is larger, its box contains the contour's box, and a witness, a point
+//! well inside the contour, lies inside the other. A point on the contour would not do, because contours may touch. A
+//! contour that crosses a larger one and lies in its box counts as inside, too: a hole that breaks through an edge is
+//! cut before the edge.
 //!
-//! For each contour the boxes around it are tried in order of area, smallest first ([`boxes`]), so the first that
-//! holds its witness is its parent, at any depth of nesting; a contour of many elements is asked through slabs
-//! ([`slabs`]), so only elements at the height of the witness are looked at. All in all O(n log n) for contours
-//! whose boxes do not interlock; [`LOOKED_AT`] bounds the rest.
+//! For each contour, the boxes around it are tested in order of area, smallest first ([`boxes`]), so the first that
+//! contains its witness is its parent, at any depth of nesting. A contour of many elements is queried through slabs
+//! ([`slabs`]), which give the elements at the height of the witness. In total this takes O(n log n) for contours whose
+//! boxes do not interlock; [`MAX_FAILED_BOXES`] bounds the rest.
 //!
-//! Contours that cross each other spoil the tree: something may lie in both of two, neither of which lies in the
-//! other. Everything around a contour must be among its ancestors all the same, or it would be cut too late. So
-//! where crossing contours are around one, they are lined up by area, as an elimination tree is built (J. W. H. Liu,
-//! "The role of elimination trees in sparse factorization", 1990): the smallest is the parent, and hands the others
-//! on to be its own ancestors.
+//! Contours that cross each other do not form a tree: something may lie in both of two contours, neither of which lies
+//! in the other. Everything around a contour must still be among its ancestors, or it would be cut too early. Crossing
+//! contours around one contour are therefore chained by area, as an elimination tree is built (J. W. H. Liu, "The role
+//! of elimination trees in sparse factorization", 1990): the smallest becomes the parent and passes the others on to be
+//! its own ancestors.
 
 mod boxes;
 mod slabs;
@@ -25,16 +25,16 @@ use crate::order::{real, sort_by};
 use boxes::{Answer, BoxTree};
 use slabs::Slabs;
 
-/// Boxes around a contour that do not hold it are passed by up to this many times before it counts as lying in
-/// none. Parts that lock into each other overlap in a handful of boxes; a thousand C-shapes in each other is no
-/// sheet, but must not take a thousand times the time.
-const LOOKED_AT: usize = 256;
+/// Largest number of boxes around a contour that are tested without success before it counts as lying in none.
+/// Interlocking parts overlap in a handful of boxes. A thousand C-shapes in each other are not a real sheet, but must
+/// not take a thousand times the time.
+const MAX_FAILED_BOXES: usize = 256;
 
-/// Sets `inside` and `depth` of all contours. `crossing`: pairs of contours that cross. `slack` in mm: contours that
-/// touch may stick out of each other's boxes by as much as ends were moved. What is left out lies in nothing, and nothing
-/// in it. `false` when some were given up.
+/// Sets `inside` and `depth` of all contours. `crossing` lists pairs of contours that cross. Touching contours may
+/// exceed each other's boxes by the distance that ends were moved, which is at most `slack` mm. An excluded contour
+/// lies in nothing and contains nothing. Returns `false` when a search was given up.
 pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64) -> bool {
-    // What is around others comes after them.
+    // Contours around others come after them.
     let mut order: Vec<u32> = (0_u32..).take(contours.len()).collect();
     sort_by(&mut order, |&i| {
         let c = &contours[i as usize];
@@ -46,8 +46,8 @@ pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64
     }
     let mut around = crossed_by(contours, crossing, &place, slack);
     let mut search = Search::new(contours, crossing, slack);
-    let worked = (0_u32..).zip(&mut around).filter(|(i, _)| contours[*i as usize].is_worked());
-    for (i, outer) in worked {
+    let processed = (0_u32..).zip(&mut around).filter(|(i, _)| contours[*i as usize].is_processed());
+    for (i, outer) in processed {
         search.add_around(i, outer);
     }
     let complete = search.complete;
@@ -69,9 +69,10 @@ pub(super) fn nest(contours: &mut [Contour], crossing: &[(u32, u32)], slack: f64
     complete
 }
 
-/// What contours are ordered by, so that what is around comes after what is inside, mm2. The area; but the lobes of
-/// a contour that crosses itself cancel in it (a bow tie has none): that of its box there. What is left of a shape
-/// beside an equal one, shifted a little, may lie in that one, never the other way round: it counts as smaller by a hair.
+/// The key by which contours are ordered so that those around others come later, mm2. It is the area, except for
+/// contours that cross themselves: their lobes cancel (a bow tie has area 0), so the area of their box counts. The rest
+/// of a shape beside an equal but slightly shifted shape may lie in that one, and never the other way round, so it
+/// counts as slightly smaller.
 fn size(c: &Contour) -> f64 {
     if !c.self_crossing {
         return if c.outline.is_some() { c.area * (1.0 - 1e-9) } else { c.area };
@@ -80,13 +81,13 @@ fn size(c: &Contour) -> f64 {
     box_size.x * box_size.y
 }
 
-/// The box made smaller by `slack` on every side, down to its middle and no further.
+/// The box reduced by `slack` on every side, at most to its centre.
 fn shrunk(b: Aabb, slack: f64) -> Aabb {
     let middle = b.center();
     Aabb { min: (b.min + slack).min(middle), max: (b.max - slack).max(middle) }
 }
 
-/// For each contour the larger ones that it crosses and in whose box it lies.
+/// For each contour, the larger ones that it crosses and in whose box it lies.
 fn crossed_by(contours: &[Contour], crossing: &[(u32, u32)], place: &[usize], slack: f64) -> Vec<Vec<u32>> {
     let mut out = vec![Vec::new(); contours.len()];
     for &(a, b) in crossing {
@@ -99,10 +100,10 @@ fn crossed_by(contours: &[Contour], crossing: &[(u32, u32)], place: &[usize], sl
     out
 }
 
-/// Looks for what is around a contour.
+/// Search for the contours around a contour.
 struct Search<'c> {
     contours: &'c [Contour],
-    /// All contours that bound others.
+    /// All contours that may contain others.
     all: BoxTree,
     /// Those of them that may cross or overlap another one.
     crossed: BoxTree,
@@ -123,7 +124,7 @@ impl<'c> Search<'c> {
             c.bounds_area().then_some((bounds, size(c), i))
         };
         let items: Vec<_> = (0_u32..).zip(contours).filter_map(item).collect();
-        // Shapes that lost a side they shared with another may overlap it without crossing it.
+        // Shapes that lost a side shared with another one may overlap it without crossing it.
         let shared = contours.iter().any(|c| c.outline.is_some());
         let crossed = items.iter().filter(|i| shared || crosses[i.2 as usize]).copied();
         Self {
@@ -136,12 +137,12 @@ impl<'c> Search<'c> {
         }
     }
 
-    /// Adds the smallest contour around contour `i`, and all around it that cross others.
+    /// Adds the smallest contour around contour `i`, and all those around it that cross others.
     fn add_around(&mut self, i: u32, outer: &mut Vec<u32>) {
         let contours = self.contours;
         let c = &contours[i as usize];
         self.add_around_course(i, c.boundary().unwrap_or(&c.path), outer);
-        // What is left of a shape may lie inside of what the shape itself crosses.
+        // The rest of a shape may lie inside something that the shape itself crosses.
         if c.outline.is_some() {
             self.add_around_course(i, &c.path, outer);
         }
@@ -154,14 +155,14 @@ impl<'c> Search<'c> {
         let mut holds = |j: u32| {
             let other = &contours[j as usize];
             let Some(around) = other.boundary() else { return false };
-            // A rest of a shape runs along the shape's outline, not inside it.
-            let akin = other.outline.is_some() && other.first_shape == c.first_shape;
+            // The rest of a shape runs along the shape's outline, not inside it.
+            let same_shape = other.outline.is_some() && other.first_shape == c.first_shape;
             let slabs = slabs[j as usize].get_or_insert_with(|| Slabs::new(around));
             let held =
                 || witnesses.iter().filter(|p| winding_number(slabs.at(around, p.y), **p) != 0).count();
-            j != i && !akin && 2 * held() > witnesses.len()
+            j != i && !same_shape && 2 * held() > witnesses.len()
         };
-        let mut left = LOOKED_AT;
+        let mut left = MAX_FAILED_BOXES;
         let smallest = all.smallest_around(&inner, size(c), |j| {
             left -= 1;
             match (holds(j), left) {
@@ -172,7 +173,7 @@ impl<'c> Search<'c> {
         });
         *complete &= left > 0 || smallest.is_some();
         outer.extend(smallest);
-        let mut left = LOOKED_AT;
+        let mut left = MAX_FAILED_BOXES;
         crossed.smallest_around(&inner, size(c), |j| {
             left -= 1;
             if holds(j) {
@@ -184,7 +185,7 @@ impl<'c> Search<'c> {
     }
 }
 
-/// Points that stand for the contour: one well inside a closed one, three on an open one.
+/// Points that represent the contour: one well inside a closed contour, three on an open one.
 fn witnesses(path: &Path) -> Vec<DVec2> {
     if path.closed
         && let Some(p) = interior_point(path)
@@ -192,7 +193,7 @@ fn witnesses(path: &Path) -> Vec<DVec2> {
         return vec![p];
     }
     let n = path.segments.len();
-    // Off ends and middles, where open contours like to touch others.
+    // Positions away from ends and middles, where open contours often touch others.
     let picked = [(n / 6, 0.171), (n / 2, 0.413), (n - 1 - n / 6, 0.829)];
     picked.iter().filter_map(|&(i, f)| path.segments.get(i).map(|s| s.at(f))).collect()
 }

@@ -1,15 +1,16 @@
-//! The elements of a contour by height, so that a point is tested against those at its height only.
+//! The elements of a contour by height, so that a point is tested only against those at its height.
 
 use crate::geometry::{Path, Segment};
 
-/// Contours of fewer elements are tested whole.
-const WHOLE: usize = 24;
-/// Entries per element on average: enough slabs to tell apart, and memory linear in the elements however tall.
-const ENTRIES: f64 = 6.0;
+/// Contours with fewer elements are tested as a whole.
+const MIN_ELEMENTS: usize = 24;
+/// Entries per element on average: enough slabs to separate the elements, with memory linear in their number for any
+/// height.
+const ENTRIES_PER_ELEMENT: f64 = 6.0;
 
 /// Slabs of equal height over a contour's box, each with the elements that reach into it.
 pub(super) enum Slabs {
-    /// Few elements: all of them at any height.
+    /// A contour with few elements, which are all tested at any height.
     One,
     /// Slab `k` holds `items[offsets[k]..offsets[k + 1]]`.
     Many {
@@ -17,7 +18,7 @@ pub(super) enum Slabs {
         low: f64,
         /// Slabs per mm.
         per_mm: f64,
-        /// Where each slab begins; one more at the end.
+        /// Start of each slab in `items`, and the end of the last one.
         offsets: Vec<u32>,
         /// Element indices.
         items: Vec<u32>,
@@ -25,12 +26,12 @@ pub(super) enum Slabs {
 }
 
 impl Slabs {
-    /// Slabs of a contour.
+    /// Builds the slabs of a contour.
     pub(super) fn new(path: &Path) -> Self {
         let bounds = path.bounds();
         let height = bounds.size().y;
         let n = path.segments.len();
-        if n < WHOLE || height <= 0.0 {
+        if n < MIN_ELEMENTS || height <= 0.0 {
             return Self::One;
         }
         let spans: Vec<(f64, f64)> = path
@@ -43,7 +44,7 @@ impl Slabs {
             .collect();
         let tall: f64 = spans.iter().map(|(a, b)| b - a).sum::<f64>() / height;
         #[allow(clippy::cast_precision_loss, reason = "counts are far below 2^52")]
-        let slabs = (n as f64).min((ENTRIES - 1.0) * n as f64 / tall.max(1.0)).max(1.0).floor();
+        let slabs = (n as f64).min((ENTRIES_PER_ELEMENT - 1.0) * n as f64 / tall.max(1.0)).max(1.0).floor();
         let per_mm = slabs / height;
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at least 1, at most n")]
         let count = slabs as usize;

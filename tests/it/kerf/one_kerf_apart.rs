@@ -107,7 +107,7 @@ fn contours_keep_their_ids() {
         }
         assert_eq!(worked.contours[8].operation, Operation::Ignore, "nothing of it is left");
         assert_eq!(plan.summary.parts, 9);
-        let all: f64 = worked.contours.iter().filter(|c| c.is_worked()).map(|c| c.length).sum();
+        let all: f64 = worked.contours.iter().filter(|c| c.is_processed()).map(|c| c.length).sum();
         assert!((all - (4.0 * 3.0 * 20.4 + 4.0 * 3.0 * 10.4 + 4.0 * 3.6)).abs() < 1e-6, "{all}");
     }
     // Between two others, drawn last: above and below something is left.

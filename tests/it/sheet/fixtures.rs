@@ -87,7 +87,7 @@ fn the_border_of_a_sheet_is_suggested_and_left_out_when_asked() {
     assert_eq!(findings(&with, Code::LayerSuggestion)[0].layer.as_deref(), Some("SHEET"));
     let (without, _) = load("sheet_100", &options(true));
     // The others keep their ids.
-    let worked = || without.contours.iter().filter(|c| c.is_worked());
+    let worked = || without.contours.iter().filter(|c| c.is_processed());
     assert_eq!((worked().count(), without.ignored.len(), without.outline), (100, 1, None));
     let (plain, _) = load("sheet_100", &options(false));
     for (c, p) in worked().zip(&plain.contours) {

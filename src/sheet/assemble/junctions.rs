@@ -1,4 +1,4 @@
-//! Ends that meet in one point, and branches.
+//! Junctions: ends that meet in one point, and branches.
 
 use super::ends::{Ends, NONE};
 use crate::geometry::{DVec2, math};
@@ -8,20 +8,20 @@ use crate::sheet::element::ROUNDING;
 
 /// A point where more than two ends meet.
 pub(super) struct Branch {
-    /// Where, mm.
+    /// The point, mm.
     pub(super) at: DVec2,
-    /// How many ends.
+    /// Number of ends that meet there.
     pub(super) ends: usize,
-    /// One of them.
+    /// One of these ends.
     pub(super) end: u32,
 }
 
-/// Ends at a branch of which all pairs are compared; beyond, only those nearly opposite to each other.
-const ALL_PAIRS: usize = 16;
-/// Ends on either side of the opposite direction that are compared at a branch of very many ends.
-const OPPOSITE: usize = 4;
+/// Largest number of ends at a branch for which all pairs are compared. Beyond it, only nearly opposite ends are.
+const MAX_ALL_PAIRS: usize = 16;
+/// Number of ends on either side of the opposite direction that are compared at a very large branch.
+const OPPOSITE_ENDS: usize = 4;
 
-/// Joins ends within rounding; the branches come back.
+/// Joins ends within rounding of each other; returns the branches.
 pub(super) fn join(ends: &mut Ends) -> Vec<Branch> {
     let free = ends.all_free();
     let points: Vec<DVec2> = free.iter().map(|&e| ends.point[e as usize]).collect();
@@ -48,9 +48,9 @@ pub(super) fn join(ends: &mut Ends) -> Vec<Branch> {
     branches
 }
 
-/// Pairs the ends of a branch.
+/// Joins the ends of a branch in pairs.
 fn pair_up(ends: &mut Ends, members: &[u32]) {
-    // Membership by sorted list: `members` ascends.
+    // `members` is sorted, so membership is a binary search.
     for &a in members {
         let b = ends.far[a as usize];
         if b != NONE && members.binary_search(&b).is_ok() && ends.may_join(a, b) {
@@ -58,8 +58,8 @@ fn pair_up(ends: &mut Ends, members: &[u32]) {
         }
     }
     let left: Vec<u32> = members.iter().copied().filter(|&e| ends.free(e)).collect();
-    let pairs = if left.len() <= ALL_PAIRS { all_pairs(&left) } else { opposite_pairs(ends, &left) };
-    // Tails last: what leads on, leads to a contour that closes.
+    let pairs = if left.len() <= MAX_ALL_PAIRS { all_pairs(&left) } else { opposite_pairs(ends, &left) };
+    // Tails come last, because a chain that continues may become part of a closed contour.
     let tails = |a, b| u64::from(ends.is_tail(a)) + u64::from(ends.is_tail(b));
     let key = |a, b| {
         let [bend, names] = ends.preference(a, b);
@@ -67,7 +67,7 @@ fn pair_up(ends: &mut Ends, members: &[u32]) {
     };
     let keyed = pairs.into_iter().map(|(a, b)| (key(a, b), a, b)).collect();
     ends.join_in_order(keyed);
-    if left.len() > ALL_PAIRS {
+    if left.len() > MAX_ALL_PAIRS {
         pair_rest(ends, &left);
     }
 }
@@ -77,7 +77,7 @@ fn all_pairs(of: &[u32]) -> Vec<(u32, u32)> {
     of.iter().enumerate().flat_map(|(i, &a)| later(i).map(move |b| (a, b))).collect()
 }
 
-/// For each end the few of its layer that point most nearly the other way.
+/// For each end, the few ends of its layer whose directions are most nearly opposite.
 fn opposite_pairs(ends: &Ends, of: &[u32]) -> Vec<(u32, u32)> {
     let mut pairs = Vec::new();
     for layer in by_angle(ends, of).chunk_by(|a, b| a.0 == b.0) {
@@ -85,14 +85,14 @@ fn opposite_pairs(ends: &Ends, of: &[u32]) -> Vec<(u32, u32)> {
         for &(_, angle, a) in layer {
             let opposite = math::wrap_pi(angle + std::f64::consts::PI);
             let from = layer.partition_point(|m| m.1 < opposite) + n;
-            let near = (from.saturating_sub(OPPOSITE)..from + OPPOSITE).map(|k| layer[k % n].2);
+            let near = (from.saturating_sub(OPPOSITE_ENDS)..from + OPPOSITE_ENDS).map(|k| layer[k % n].2);
             pairs.extend(near.filter(|&b| b != a).map(|b| (a, b)));
         }
     }
     pairs
 }
 
-/// What is still free at a branch of very many ends: each with the one half a round further on.
+/// Joins the remaining free ends of a very large branch, each with the one half a turn farther on.
 fn pair_rest(ends: &mut Ends, of: &[u32]) {
     let left: Vec<u32> = of.iter().copied().filter(|&e| ends.free(e)).collect();
     let left = by_angle(ends, &left);
@@ -104,7 +104,7 @@ fn pair_rest(ends: &mut Ends, of: &[u32]) {
     }
 }
 
-/// Layer, direction out and end, sorted by layer and direction.
+/// Layer, outward direction and index of the ends, sorted by layer and direction.
 fn by_angle(ends: &Ends, of: &[u32]) -> Vec<(u32, f64, u32)> {
     let angle = |e: u32| math::angle_of(ends.out[e as usize]);
     let mut sorted: Vec<_> = of.iter().map(|&e| (ends.layer[e as usize], angle(e), e)).collect();

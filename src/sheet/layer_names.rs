@@ -1,15 +1,15 @@
-//! What the name of a layer suggests.
+//! What the name of a layer suggests about its operation.
 //!
-//! A name is split into words at everything that is no letter, at digits and where lower case turns upper; a word
-//! counts only as a whole, so MARKET, TEXTURE or CENTERPIECE suggest nothing. A word that says *cut* outweighs all
-//! others: CUT_FRAME is cut.
+//! A name is divided into words at everything that is not a letter, at digits, and where lower case changes to upper.
+//! Only whole words count, so MARKET, TEXTURE or CENTERPIECE suggest nothing. A word for *cut* outweighs all others:
+//! CUT_FRAME is cut.
 
 use super::model::Operation;
 
-/// Cut in the tongues that drawings come in: such a layer means what it says.
+/// Words for cutting in the common languages of drawings.
 const CUT: &[&str] =
     &["CUT", "CUTS", "CUTTING", "LASERCUT", "SCHNITT", "SCHNEIDEN", "DECOUPE", "TAGLIO", "CORTE"];
-/// To be marked or engraved.
+/// Words for marking or engraving.
 const MARK: &[&str] = &[
     "MARK",
     "MARKS",
@@ -37,7 +37,7 @@ const MARK: &[&str] = &[
     "ENGRAVUR",
     "RASTER",
 ];
-/// Not to be cut: the sheet, and lines that explain the drawing.
+/// Words for what is not cut: the sheet, and lines that explain the drawing.
 const IGNORE: &[&str] = &[
     "SHEET",
     "SHEETS",
@@ -89,7 +89,7 @@ const IGNORE: &[&str] = &[
     "BIEGELINIEN",
 ];
 
-/// What is probably to be done with a layer of that name; `None` when the name says nothing.
+/// The operation that a layer's name suggests; `None` if it suggests nothing.
 pub(super) fn suggestion(name: &str) -> Option<Operation> {
     let words = words(name);
     let any = |list: &[&str]| words.iter().any(|w| list.iter().any(|l| l.eq_ignore_ascii_case(w)));
@@ -123,8 +123,8 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
-/// A letter of the Latin, Greek or Cyrillic alphabets in lower case; anything else as it is. Layer names are in these;
-/// the tables for all of Unicode are 9 KB of the wasm file.
+/// A letter of the Latin, Greek or Cyrillic alphabets in lower case; any other character unchanged. Layer names use
+/// these alphabets, and the tables for all of Unicode would add 9 KB to the wasm file.
 pub(super) fn lower(c: char) -> char {
     let distance = match c {
         'À'..='Þ' if c != '×' => 0x20,

@@ -1,11 +1,11 @@
-//! Findings about shapes and contours: the sentence with layer, handle and place filled in.
+//! Builders for the findings of this stage, with layer, handle and place filled in.
 
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Severity};
 use crate::geometry::DVec2;
 use crate::machine::FarOut;
 
-/// A finding about the shape of that index.
+/// A finding about the shape with index `index`.
 pub(super) fn shape(
     drawing: &Drawing,
     index: u32,
@@ -23,7 +23,7 @@ pub(super) fn shape(
     f
 }
 
-/// The drawing is too far from the origin to be cut.
+/// The finding that the drawing is too far from the origin to be cut.
 pub(super) fn far_from_origin(far: &FarOut) -> Finding {
     let message = format!(
         "The drawing reaches {:.1} m from the origin. The controller's numbers are {:.3} mm apart there, too coarse to \
@@ -34,17 +34,17 @@ pub(super) fn far_from_origin(far: &FarOut) -> Finding {
     Finding::new(Code::FarFromOrigin, Severity::Error, message).at(far.at)
 }
 
-/// The name of a layer.
+/// The name of a layer, if the index is valid.
 pub(super) fn layer_name(drawing: &Drawing, layer: u32) -> Option<String> {
     drawing.layers.get(layer as usize).map(|l| l.name.clone())
 }
 
-/// A count for [`Finding::count`].
+/// A number for [`Finding::count`].
 pub(super) fn count(n: usize) -> u32 {
     u32::try_from(n).unwrap_or(u32::MAX)
 }
 
-/// "1 gap", "3 gaps".
+/// A number with its noun: "1 gap", "3 gaps".
 pub(super) fn plural(n: usize, one: &str, many: &str) -> String {
     format!("{n} {}", if n == 1 { one } else { many })
 }

@@ -1,12 +1,12 @@
-//! Crossings: contours that cross themselves or each other, with the place.
+//! Crossings: contours that cross themselves or each other.
 //!
-//! Elements whose boxes meet are intersected. Where one passes through another between their ends, that is a
-//! crossing. Where they meet at an end, the courses of both contours a little before and behind the place decide:
-//! they cross when each has the other's two arms on its two sides; an end that stops there, and contours that touch
-//! and part again, do not. Crossings of cuts are told; engraved lines cross whatever they like, but the nesting wants
-//! to know which cuts they cross.
+//! Elements whose boxes meet are intersected. If one passes through another between their ends, they cross. If they
+//! meet at an end, the courses of both contours shortly before and after the place decide: they cross when the arms of
+//! each lie on different sides of the other. An end that stops there, and contours that touch and separate again, do
+//! not cross. Crossings of cuts are reported. Marks may cross anything, but the nesting needs to know which cuts they
+//! cross.
 
-use super::about::{count, plural};
+use super::findings::{count, plural};
 use super::model::{Contour, Operation};
 use super::source::Source;
 use crate::finding::{Code, Finding, Findings, Severity};
@@ -14,29 +14,30 @@ use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, intersect};
 use crate::order::sort_by;
 use rustc_hash::FxHashMap;
 
-/// Boxes looked at per element on average, and for a small drawing in all. A sheet needs two or three; thousands of
-/// circles around each other need thousands, and are told to be looked at in part.
-const LOOKED_AT: usize = 200;
-const LOOKED_AT_AT_LEAST: usize = 2_000_000;
-/// Pairs intersected per element on average, and for a small drawing in all.
-const INTERSECTED: usize = 8;
-const INTERSECTED_AT_LEAST: usize = 200_000;
-/// Places kept per pair of contours; more are not told apart from each other.
-const PLACES: usize = 100;
-/// How far before and behind a meeting the courses are compared, in tolerances: clear of rounding and short pieces.
-const ARM: f64 = 10.0;
-/// Sine of the angle under which two arms count as one direction: touching, not crossing.
+/// Number of boxes visited per element on average, and for a small drawing in total. A sheet needs two or three;
+/// thousands of circles around each other need thousands, and a finding then reports that not all were checked.
+const BOXES_PER_ELEMENT: usize = 200;
+const MIN_BOXES: usize = 2_000_000;
+/// Number of pairs intersected per element on average, and for a small drawing in total.
+const PAIRS_PER_ELEMENT: usize = 8;
+const MIN_PAIRS: usize = 200_000;
+/// Largest number of places recorded for a pair of contours.
+const MAX_PLACES: usize = 100;
+/// Distance before and after a meeting at which the courses are compared, in tolerances. It is large compared with
+/// rounding and short elements.
+const ARM_LENGTH: f64 = 10.0;
+/// Sine of the angle below which two arms have the same direction, so that they touch and do not cross.
 const SAME_DIRECTION: f64 = 0.02;
 
-/// An element of a contour.
+/// Index of an element of a contour.
 #[derive(Clone, Copy)]
-struct Place {
+struct ElementRef {
     contour: u32,
     element: usize,
 }
 
-/// Finds and tells crossings, and marks contours that cross themselves; the pairs of different contours that cross,
-/// at least one of them a cut, come back. `tolerance` in mm: what is nearer touches.
+/// Finds and reports crossings, and marks contours that cross themselves. Returns the pairs of different contours that
+/// cross, of which at least one is a cut. Elements within `tolerance` mm of each other only touch.
 pub(super) fn find(
     source: Source,
     contours: &mut [Contour],
@@ -45,9 +46,9 @@ pub(super) fn find(
 ) -> Vec<(u32, u32)> {
     let (places, boxes) = elements(contours);
     let index = BoxIndex::new(boxes.iter().copied());
-    let mut look = (LOOKED_AT * places.len()).max(LOOKED_AT_AT_LEAST);
-    let mut work = (INTERSECTED * places.len()).max(INTERSECTED_AT_LEAST);
-    let mut found = Found::default();
+    let mut look = (BOXES_PER_ELEMENT * places.len()).max(MIN_BOXES);
+    let mut work = (PAIRS_PER_ELEMENT * places.len()).max(MIN_PAIRS);
+    let mut found = PairPlaces::default();
     for (i, (&a, &around)) in places.iter().zip(&boxes).enumerate() {
         index.visit(around, |j| {
             look = look.saturating_sub(1);
@@ -61,14 +62,14 @@ pub(super) fn find(
     sort_by(&mut found.pairs, |((a, b), _)| [(*a).into(), (*b).into(), 0]);
     for &((a, b), ref at) in &found.pairs {
         if is_cut(&contours[a as usize]) && is_cut(&contours[b as usize]) {
-            findings.push(tell(source, contours, (a, b), at));
+            findings.push(finding(source, contours, (a, b), at));
         }
         if a == b {
             contours[a as usize].self_crossing = true;
         }
     }
     if look == 0 || work == 0 {
-        let message = "So many lines lie over each other that crossings were looked for in part only.";
+        let message = "So many lines lie over each other that only some of them were checked for crossings.";
         findings.push(Finding::new(Code::NotAllChecked, Severity::Info, message));
     }
     found.pairs.into_iter().map(|(pair, _)| pair).filter(|(a, b)| a != b).collect()
@@ -78,24 +79,24 @@ fn is_cut(c: &Contour) -> bool {
     c.operation == Operation::Cut
 }
 
-fn elements(contours: &[Contour]) -> (Vec<Place>, Vec<Aabb>) {
+fn elements(contours: &[Contour]) -> (Vec<ElementRef>, Vec<Aabb>) {
     let mut places = Vec::new();
     let mut boxes = Vec::new();
-    for (contour, c) in (0_u32..).zip(contours).filter(|(_, c)| c.is_worked()) {
+    for (contour, c) in (0_u32..).zip(contours).filter(|(_, c)| c.is_processed()) {
         for (element, s) in c.path.segments.iter().enumerate() {
-            places.push(Place { contour, element });
+            places.push(ElementRef { contour, element });
             boxes.push(s.bounds());
         }
     }
     (places, boxes)
 }
 
-fn segment(contours: &[Contour], p: Place) -> &Segment {
+fn segment(contours: &[Contour], p: ElementRef) -> &Segment {
     &contours[p.contour as usize].path.segments[p.element]
 }
 
-/// Whether it is worth intersecting two elements whose boxes meet.
-fn may_meet(contours: &[Contour], a: (Place, &Aabb), b: (Place, &Aabb), tolerance: f64) -> bool {
+/// Whether two elements whose boxes meet need to be intersected.
+fn may_meet(contours: &[Contour], a: (ElementRef, &Aabb), b: (ElementRef, &Aabb), tolerance: f64) -> bool {
     if [a.0, b.0].iter().all(|p| !is_cut(&contours[p.contour as usize])) {
         return false;
     }
@@ -103,7 +104,7 @@ fn may_meet(contours: &[Contour], a: (Place, &Aabb), b: (Place, &Aabb), toleranc
     let lines = matches!((first, second), (Segment::Line(_), Segment::Line(_)));
     let path = &contours[a.0.contour as usize].path;
     let neighbours = a.0.contour == b.0.contour && are_neighbours(path, a.0.element, b.0.element);
-    // Two lines that follow each other meet in their corner and nowhere else.
+    // Two consecutive lines meet only in their common corner.
     let only_corner = neighbours && lines;
     !(only_corner || misses(first, b.1, tolerance) || misses(second, a.1, tolerance))
 }
@@ -113,7 +114,7 @@ fn are_neighbours(path: &Path, i: usize, j: usize) -> bool {
     high - low == 1 || (path.closed && low == 0 && high + 1 == path.segments.len())
 }
 
-/// Whether the line or circle of an element passes a box by.
+/// Whether the line or circle of an element passes a box at a distance.
 fn misses(s: &Segment, b: &Aabb, tolerance: f64) -> bool {
     match s {
         Segment::Line(l) => {
@@ -132,14 +133,14 @@ fn misses(s: &Segment, b: &Aabb, tolerance: f64) -> bool {
     }
 }
 
-/// Where pairs of contours cross.
+/// The places where pairs of contours cross.
 #[derive(Default)]
-struct Found {
+struct PairPlaces {
     pairs: Vec<((u32, u32), Vec<DVec2>)>,
     index: FxHashMap<(i64, i64), u32>,
 }
 
-impl Found {
+impl PairPlaces {
     fn of(&mut self, pair: (u32, u32)) -> &mut Vec<DVec2> {
         let next = u32::try_from(self.pairs.len()).unwrap_or(u32::MAX);
         let at = *self.index.entry((pair.0.into(), pair.1.into())).or_insert(next);
@@ -150,28 +151,29 @@ impl Found {
     }
 }
 
-/// Adds the crossings of two elements.
-fn meetings(contours: &[Contour], a: Place, b: Place, tolerance: f64, found: &mut Found) {
+/// Records the crossings of two elements.
+fn meetings(contours: &[Contour], a: ElementRef, b: ElementRef, tolerance: f64, found: &mut PairPlaces) {
     for m in intersect(segment(contours, a), segment(contours, b), tolerance).points {
         if !(m.crossing || cross_at_corner(contours, (a, m.a), (b, m.b), tolerance)) {
             continue;
         }
         let pair = (a.contour.min(b.contour), a.contour.max(b.contour));
         let at = found.of(pair);
-        // A corner is met by up to four pairs of elements.
-        if at.len() < PLACES && at.iter().all(|p| p.distance(m.point) > ARM * tolerance) {
+        // Up to four pairs of elements meet at a corner, so a place may be found repeatedly.
+        if at.len() < MAX_PLACES && at.iter().all(|p| p.distance(m.point) > ARM_LENGTH * tolerance) {
             at.push(m.point);
         }
     }
 }
 
-/// Whether two contours cross where one of them has a corner.
-fn cross_at_corner(contours: &[Contour], a: (Place, f64), b: (Place, f64), tolerance: f64) -> bool {
-    let arms = |(place, f): (Place, f64)| {
+/// Whether two contours cross at a place where one of them has a corner.
+fn cross_at_corner(contours: &[Contour], a: (ElementRef, f64), b: (ElementRef, f64), tolerance: f64) -> bool {
+    let arms = |(place, f): (ElementRef, f64)| {
         let path = &contours[place.contour as usize].path;
         let at = path.segments[place.element].at(f);
         let along = |forward| {
-            beyond(path, place.element, f, ARM * tolerance, forward).map(|p| (p - at).normalize_or_zero())
+            beyond(path, place.element, f, ARM_LENGTH * tolerance, forward)
+                .map(|p| (p - at).normalize_or_zero())
         };
         Some((along(false)?, along(true)?))
     };
@@ -181,7 +183,7 @@ fn cross_at_corner(contours: &[Contour], a: (Place, f64), b: (Place, f64), toler
     distinct && between(a0, b0, a1) != between(a0, b1, a1)
 }
 
-/// Whether, turning counter-clockwise from `from`, `v` comes before `to`.
+/// Whether `v` comes before `to` when turning counter-clockwise from `from`.
 fn between(from: DVec2, v: DVec2, to: DVec2) -> bool {
     let left = from.perp_dot(to) >= 0.0;
     if left {
@@ -191,8 +193,8 @@ fn between(from: DVec2, v: DVec2, to: DVec2) -> bool {
     }
 }
 
-/// The point `distance` mm farther along a path from fraction `f` of an element, onwards or backwards; `None` when
-/// the path ends before.
+/// The point `distance` mm along a path from fraction `f` of an element, forward or backward; `None` when the path ends
+/// before.
 fn beyond(path: &Path, element: usize, f: f64, distance: f64, forward: bool) -> Option<DVec2> {
     let n = path.segments.len();
     let mut rest = distance;
@@ -219,7 +221,7 @@ fn beyond(path: &Path, element: usize, f: f64, distance: f64, forward: bool) -> 
     None
 }
 
-fn tell(source: Source, contours: &[Contour], (a, b): (u32, u32), at: &[DVec2]) -> Finding {
+fn finding(source: Source, contours: &[Contour], (a, b): (u32, u32), at: &[DVec2]) -> Finding {
     let first = contours[a as usize].first_shape;
     let places = plural(at.len(), "place", "places");
     let (code, message) = if a == b {

@@ -1,29 +1,29 @@
-//! Room for the kerf: which contours come nearer to each other than it is wide, with waste between them.
+//! Clearance: finds contours that are closer to each other than the kerf is wide, with waste between them.
 
 use super::super::model::{Contour, Operation};
 use crate::geometry::{BoxIndex, DVec2, Segment, intersect};
 
-/// Elements looked at per element on average, and for a small drawing in all: a sheet needs two or three; thousands of lines
-/// from one point need thousands, and are told to be looked at in part.
-const LOOKED_AT: usize = 200;
-const LOOKED_AT_AT_LEAST: usize = 2_000_000;
-/// Elements that meet within this, mm, have no distance.
-const MEETS: f64 = 1e-9;
+/// Number of elements visited per element on average, and for a small drawing in total. A sheet needs two or three;
+/// thousands of lines from one point need thousands, and a finding then reports that not all were checked.
+const ELEMENTS_PER_ELEMENT: usize = 200;
+const MIN_ELEMENTS: usize = 2_000_000;
+/// Elements that meet within this distance, mm, touch each other.
+const TOUCHING: f64 = 1e-9;
 
 /// All outlines that are cut, as drawn.
-pub(super) struct Room {
+pub(super) struct Clearance {
     elements: Vec<(u32, Segment)>,
     index: BoxIndex,
-    /// Half the kerf, less what cannot be told from it, mm.
+    /// Half the kerf less the tolerance, mm.
     clear: f64,
-    /// By contour: how near another one is, and where.
+    /// For each contour, the distance to a contour that is too close (mm), and the place.
     near: Vec<Option<(f64, DVec2)>>,
-    /// Not all could be looked at.
+    /// Whether some elements could not be checked.
     pub(super) cut_short: bool,
 }
 
-impl Room {
-    /// `width` of the kerf and `slack`: what is nearer to it than that is as wide, mm.
+impl Clearance {
+    /// `width` is the kerf width, mm; distances smaller than it by up to `slack` mm are accepted.
     pub(super) fn new(contours: &[Contour], width: f64, slack: f64) -> Self {
         let elements: Vec<(u32, Segment)> = (0..)
             .zip(contours)
@@ -32,21 +32,21 @@ impl Room {
             .collect();
         let index = BoxIndex::new(elements.iter().map(|(_, s)| s.bounds()));
         let near = vec![None; contours.len()];
-        let mut room = Self { elements, index, clear: 0.5 * width - slack, near, cut_short: false };
-        room.find_near(contours, width - slack);
-        room
+        let mut clearance = Self { elements, index, clear: 0.5 * width - slack, near, cut_short: false };
+        clearance.find_near(contours, width - slack);
+        clearance
     }
 
     fn find_near(&mut self, contours: &[Contour], least: f64) {
         let waste: Vec<Waste> = (0..).zip(contours).map(|(id, c)| Waste::of(id, c)).collect();
-        let mut look = (LOOKED_AT * self.elements.len()).max(LOOKED_AT_AT_LEAST);
+        let mut look = (ELEMENTS_PER_ELEMENT * self.elements.len()).max(MIN_ELEMENTS);
         let mut near = std::mem::take(&mut self.near);
         for (i, (a, s)) in self.elements.iter().enumerate() {
             self.index.visit(s.bounds().grown(least), |j| {
                 let (b, other) = &self.elements[j];
                 look = look.saturating_sub(1);
                 if j > i && a != b && waste[*a as usize].is_between(&waste[*b as usize]) {
-                    let (gap, at) = apart(s, other);
+                    let (gap, at) = distance(s, other);
                     for c in [*a, *b].into_iter().filter(|_| gap < least) {
                         let known = &mut near[c as usize];
                         if known.is_none_or(|(g, _)| gap < g) {
@@ -60,17 +60,18 @@ impl Room {
         (self.near, self.cut_short) = (near, look == 0);
     }
 
-    /// How near another contour is where that is less than the kerf, mm, and where.
+    /// The distance to another contour if it is less than the kerf (mm), and the place.
     pub(super) fn near(&self, contour: u32) -> Option<(f64, DVec2)> {
         self.near.get(contour as usize).copied().flatten()
     }
 
-    /// Whether a beam along an element takes nothing of any part but, where it lies along it, of this contour's own.
+    /// Whether a beam along an element removes nothing of any part, except of this contour's own part where it lies
+    /// along it.
     pub(super) fn is_free(&self, contour: u32, element: &Segment) -> bool {
         let mut free = true;
         self.index.visit(element.bounds().grown(self.clear), |j| {
             let (other, drawn) = &self.elements[j];
-            free = *other == contour || apart(element, drawn).0 >= self.clear;
+            free = *other == contour || distance(element, drawn).0 >= self.clear;
             free
         });
         free
@@ -80,11 +81,11 @@ impl Room {
 /// Where the waste beside a contour lies.
 #[derive(Clone, Copy, PartialEq)]
 enum Waste {
-    /// Around everything.
+    /// Around all parts.
     Sheet,
     /// In this hole.
     Hole(u32),
-    /// Nowhere: an open cut in a part, or nothing cut.
+    /// Nowhere, because it is an open cut in a part, or not cut.
     None,
 }
 
@@ -104,9 +105,9 @@ impl Waste {
     }
 }
 
-/// How far two elements are from each other, mm, and a place between them.
-pub(super) fn apart(a: &Segment, b: &Segment) -> (f64, DVec2) {
-    if let Some(m) = intersect(a, b, MEETS).points.first() {
+/// The distance between two elements, mm, and a place between them.
+pub(super) fn distance(a: &Segment, b: &Segment) -> (f64, DVec2) {
+    if let Some(m) = intersect(a, b, TOUCHING).points.first() {
         return (0.0, m.point);
     }
     let mut best = (f64::INFINITY, a.start());
@@ -119,7 +120,8 @@ pub(super) fn apart(a: &Segment, b: &Segment) -> (f64, DVec2) {
     for (s, other) in [(a, b), (b, a)] {
         from(s.start(), other);
         from(s.end(), other);
-        // Inside of both, the way from one to the other stands on both: it lies on a line through the centre of an arc.
+        // In the interior of both elements the shortest connection is perpendicular to both, so it lies on a line
+        // through an arc's centre.
         if let Segment::Arc(arc) = other {
             from(s.at(s.nearest(arc.center).0), other);
             if let Segment::Arc(own) = s {
@@ -135,7 +137,7 @@ mod tests {
     use super::*;
     use crate::geometry::Arc;
 
-    /// Against the least distance of many places.
+    /// Compares with the smallest distance between many places.
     #[test]
     fn distances_are_those_of_the_nearest_places() {
         let p = DVec2::new;
@@ -155,9 +157,9 @@ mod tests {
             for b in &all[..i] {
                 let sampled =
                     places(a).into_iter().map(|p| b.nearest(p).1.sqrt()).fold(f64::INFINITY, f64::min);
-                let found = apart(a, b).0;
+                let found = distance(a, b).0;
                 assert!(found <= sampled + 1e-12 && sampled - found < 5e-3, "{found} {sampled}: {a:?} {b:?}");
-                assert_eq!(found.to_bits(), apart(a, b).0.to_bits());
+                assert_eq!(found.to_bits(), distance(a, b).0.to_bits());
             }
         }
     }

@@ -1,15 +1,17 @@
-//! Contours too narrow for a beam: slots and holes in which no circle as wide as the beam fits anywhere.
+//! Contours too narrow for a beam: slots and holes in which no circle as wide as the beam fits.
 //!
-//! The width of a contour is the diameter of the largest circle inside it, so a narrow neck of a large contour does not count.
-//! Two steps, as nearly all contours are far wider than a beam:
+//! The width of a contour is the diameter of the largest circle inside it, so a narrow neck of a large contour does not
+//! count. The search has two steps, because nearly all contours are far wider than a beam:
 //!
-//! 1. **A bound from area and perimeter.** The inradius r of a simple closed curve satisfies A + pi r^2 <= P r (Bonnesen;
-//!    R. Osserman, "Bonnesen-style isoperimetric inequalities", Amer. Math. Monthly 86, 1979, theorem 1), so it is at least
-//!    (P - sqrt(P^2 - 4 pi A)) / 2 pi. Circles and straight slots with round ends reach this bound.
-//! 2. **Tangent circles.** Contours below the bound are sampled: from each place on the line the largest circle that touches
-//!    the line there from within is shrunk until it crosses no element.
+//! 1. **A bound from area and perimeter.** The inradius r of a simple closed curve satisfies A + pi r^2 <= P r
+//! (Bonnesen;
+//!    R. Osserman, "Bonnesen-style isoperimetric inequalities", Amer. Math. Monthly 86, 1979, theorem 1), so it is at
+//!    least (P - sqrt(P^2 - 4 pi A)) / 2 pi. Circles and straight slots with round ends reach this bound.
+//! 2. **Tangent circles.** Contours below the bound are sampled: at each place, the largest circle that touches the
+//! line
+//!    from within is reduced until it crosses no element.
 
-use super::about;
+use super::findings;
 use super::model::{Contour, Operation};
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
@@ -19,16 +21,16 @@ use std::f64::consts::PI;
 /// Width below which a contour is reported while no machine is known, mm: about the kerf of the finest common cutting lasers.
 pub(super) const FINEST_BEAM: f64 = 0.1;
 /// Widths are compared up to this, mm, so that a slot drawn exactly as wide as the beam is not reported for rounding.
-const SLACK: f64 = 1e-6;
-/// Places looked at along each element. A circle that touches the middle of a long side is found by any of them; between
-/// the places of a triangle's side the width changes by less than a tenth.
+const ROUNDING: f64 = 1e-6;
+/// Number of samples along each element. A circle that touches the middle of a long side is found from any sample;
+/// between the samples on a triangle's side the width changes by less than a tenth.
 const SAMPLES: u32 = 8;
-/// Steps in which a circle shrinks to its size; most need two.
-const SHRINKS: u32 = 24;
+/// Largest number of steps in which a circle is reduced; most need two.
+const MAX_SHRINKS: u32 = 24;
 /// Elements compared for each element of narrow contours on average, and at least in all. A slot of four lines needs
 /// about 80 for each; an outline crumpled into less than a beam would need thousands.
-const COMPARED: usize = 400;
-const COMPARED_AT_LEAST: usize = 2_000_000;
+const COMPARISONS_PER_ELEMENT: usize = 400;
+const MIN_COMPARISONS: usize = 2_000_000;
 
 /// Reports the closed cut contours that are narrower than `limit`.
 pub(super) fn find(drawing: &Drawing, contours: &[Contour], limit: Limit, findings: &mut Findings) {
@@ -38,12 +40,12 @@ pub(super) fn find(drawing: &Drawing, contours: &[Contour], limit: Limit, findin
         .filter(|(c, p)| may_be_narrow(c, p, limit.width()))
         .collect();
     let elements: usize = narrow.iter().map(|(_, path)| path.segments.len()).sum();
-    let mut budget = elements.saturating_mul(COMPARED).max(COMPARED_AT_LEAST);
+    let mut budget = elements.saturating_mul(COMPARISONS_PER_ELEMENT).max(MIN_COMPARISONS);
     for (contour, path) in narrow {
         if let Some((width, at)) = width_below(path, limit.width(), &mut budget) {
             let message = limit.message(width);
             let code = Code::FeatureTooSmall;
-            findings.push(about::shape(
+            findings.push(findings::shape(
                 drawing,
                 contour.first_shape,
                 code,
@@ -91,12 +93,12 @@ impl Limit {
     }
 }
 
-/// Whether the bound from area and perimeter leaves it open that a contour is narrower than `limit`.
+/// Whether the contour may be narrower than `limit` according to the bound from area and perimeter.
 fn may_be_narrow(contour: &Contour, path: &Path, limit: f64) -> bool {
     let perimeter = if contour.path.closed { contour.length } else { path.length() };
     let rest = (perimeter * perimeter - 4.0 * PI * contour.area).max(0.0);
     let least = (perimeter - rest.sqrt()) / PI;
-    contour.operation == Operation::Cut && !contour.self_crossing && least < limit - SLACK
+    contour.operation == Operation::Cut && !contour.self_crossing && least < limit - ROUNDING
 }
 
 /// Width of a closed path and the middle of its widest place, where that is less than `limit`. Counts `budget` down.
@@ -113,13 +115,13 @@ fn width_below(path: &Path, limit: f64, budget: &mut usize) -> Option<(f64, DVec
             let f = (f64::from(k) + 0.5) / f64::from(SAMPLES);
             let (from, inward) = (segment.at(f), segment.tangent(f).perp() * side);
             let radius = tangent_circle(path, &index, (from, inward), cap, budget);
-            if radius >= cap - 0.5 * SLACK || *budget == 0 {
+            if radius >= cap - 0.5 * ROUNDING || *budget == 0 {
                 return None;
             }
             if widest.is_none_or(|(width, _)| 2.0 * radius > width) {
                 widest = Some((2.0 * radius, from + inward * radius));
             }
-            if radius >= most - 0.5 * SLACK {
+            if radius >= most - 0.5 * ROUNDING {
                 return widest;
             }
         }
@@ -137,9 +139,9 @@ fn tangent_circle(
     budget: &mut usize,
 ) -> f64 {
     let mut radius = cap;
-    for _ in 0..SHRINKS {
+    for _ in 0..MAX_SHRINKS {
         let center = from + inward * radius;
-        let mut nearest = (radius - 0.5 * SLACK).max(0.0).powi(2);
+        let mut nearest = (radius - 0.5 * ROUNDING).max(0.0).powi(2);
         let mut touched = None;
         index.visit(Aabb::of(center).grown(radius), |k| {
             *budget = budget.saturating_sub(1);

@@ -1,55 +1,55 @@
-//! What the kerf changes, and what keeps its drawn line, in words.
+//! Findings about contours that keep their drawn line, and about shared lines.
 
-use super::super::about::{self, count, plural};
+use super::super::findings::{self, count, plural};
 use super::super::model::Contour;
 use crate::dxf::Drawing;
 use crate::finding::{Code, Finding, Severity};
 use crate::geometry::DVec2;
 
-/// Why a contour keeps its drawn line.
+/// Reason a contour keeps its drawn line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Why {
-    /// It shares a side with another one as drawn.
+pub(super) enum Reason {
+    /// It shares a side with another contour as drawn.
     SharesSides,
-    /// It crosses itself: nobody knows what is waste.
+    /// It crosses itself, so it is unclear which side is waste.
     CrossesItself,
-    /// Waste of this width, mm, lies between it and another one, here.
+    /// The waste between it and another contour has this width, mm, at this place.
     Near(f64, DVec2),
-    /// It, or part of it, is narrower than the kerf; about here.
+    /// It is narrower than the kerf, at least in part, near this place.
     Narrow(DVec2),
 }
 
-/// A contour that keeps its drawn line.
-pub(super) fn kept(drawing: &Drawing, contour: &Contour, why: Why, width: f64) -> Finding {
+/// Reports a contour that keeps its drawn line.
+pub(super) fn keeps_drawn_line(drawing: &Drawing, contour: &Contour, reason: Reason, width: f64) -> Finding {
     let start = contour.path.start();
-    let (text, at) = match why {
-        Why::SharesSides => (
+    let (text, at) = match reason {
+        Reason::SharesSides => (
             format!(
                 "This contour has sides in common with another one as drawn: both keep their drawn lines, and parts come out \
                  smaller by half a kerf there. Lay them out {width} mm apart for one cut between them."
             ),
             start,
         ),
-        Why::CrossesItself => (
-            "This contour crosses itself, so what of it is a part is in doubt: it keeps its drawn line."
+        Reason::CrossesItself => (
+            "This contour crosses itself, so it is unclear which side is the part: it keeps its drawn line."
                 .to_owned(),
             start,
         ),
-        Why::Near(gap, at) if gap < 0.5e-3 => (
+        Reason::Near(gap, at) if gap < 0.5e-3 => (
             format!(
                 "This contour touches another one, with no room for the kerf between them: both keep their drawn lines, and parts \
                  come out smaller by half a kerf. Lay them out {width} mm apart or more."
             ),
             Some(at),
         ),
-        Why::Near(gap, at) => (
+        Reason::Near(gap, at) => (
             format!(
                 "Only {gap:.3} mm lie between this contour and another one, less than the kerf: both keep their drawn lines, and \
                  parts come out smaller by half a kerf. Lay them out {width} mm apart or more."
             ),
             Some(at),
         ),
-        Why::Narrow(at) => (
+        Reason::Narrow(at) => (
             format!(
                 "This contour is narrower here than the kerf of {width} mm: it keeps its drawn line, which is off by half a \
                  kerf. Widen it, or cut it with a finer beam."
@@ -57,11 +57,11 @@ pub(super) fn kept(drawing: &Drawing, contour: &Contour, why: Why, width: f64) -
             Some(at),
         ),
     };
-    about::shape(drawing, contour.first_shape, Code::KerfNotApplied, Severity::Warning, text, at)
+    findings::shape(drawing, contour.first_shape, Code::KerfNotApplied, Severity::Warning, text, at)
 }
 
-/// Open contours, by where they start.
-pub(super) fn open(starts: &[DVec2]) -> Option<Finding> {
+/// Reports open contours, given by their starts.
+pub(super) fn open_contours(starts: &[DVec2]) -> Option<Finding> {
     let at = *starts.first()?;
     let which = plural(starts.len(), "open contour keeps its", "open contours keep their");
     let message =
@@ -69,23 +69,23 @@ pub(super) fn open(starts: &[DVec2]) -> Option<Finding> {
     Some(Finding::new(Code::KerfNotApplied, Severity::Info, message).at(at).times(count(starts.len())))
 }
 
-/// A contour that may be the border of the sheet: then everything is on the wrong side.
+/// Reports a contour that may be the border of the sheet, in which case every line is offset to the wrong side.
 pub(super) fn border(drawing: &Drawing, border: &Contour) -> Finding {
     let text = "The border around everything looks like the sheet, but is cut as a part: what lies in it counts as its holes, and comes \
                 out smaller by a kerf. Choose to leave it out.";
     let at = border.path.start();
-    about::shape(drawing, border.first_shape, Code::SheetOutline, Severity::Warning, text.to_owned(), at)
+    findings::shape(drawing, border.first_shape, Code::SheetOutline, Severity::Warning, text.to_owned(), at)
 }
 
-/// Lines that have become one.
-pub(super) fn once(length: f64, at: DVec2) -> Finding {
+/// Reports lines that now coincide.
+pub(super) fn cut_once(length: f64, at: DVec2) -> Finding {
     let message = format!("Parts one kerf apart: {length:.3} mm between them are cut once instead of twice.");
     Finding::new(Code::OverlapRemoved, Severity::Info, message).at(at)
 }
 
-/// Not every pair of contours was looked at.
-pub(super) fn crowded() -> Finding {
+/// Reports that not every pair of contours was checked.
+pub(super) fn partly_checked() -> Finding {
     let message =
-        "So many lines lie close together that room for the kerf between them was looked for in part only.";
+        "So many lines lie close together that only some of them were checked for room for the kerf.";
     Finding::new(Code::NotAllChecked, Severity::Warning, message)
 }
