@@ -75,7 +75,7 @@ fn a_best_stands_from_the_start_and_gets_shorter_by_the_measure() {
         for (text, measure) in [("euclidean", Measure::Euclidean), ("chebyshev", Measure::Chebyshev)] {
             let parameters = format!(r#"{{"particles":5,"rounds":6,"measure":"{text}"}}"#);
             let legs = Legs::new(&problem, measure);
-            let length = |s: &Solution| legs.around(&s.stops.iter().map(|s| s.node).collect::<Vec<_>>());
+            let length = |s: &Solution| legs.tour_length(&s.stops.iter().map(|s| s.node).collect::<Vec<_>>());
             let method = method(name, &parameters).unwrap();
             let mut search = method.start(&problem, 1, None);
             assert_feasible(&problem, search.best());
@@ -125,11 +125,11 @@ fn brute(problem: &Problem) -> f64 {
         let left: Vec<u32> =
             (0..).zip(&problem.nodes).filter(|(_, n)| !visited(n.item)).map(|(i, _)| i).collect();
         if left.is_empty() {
-            *least = least.min(legs.around(tour));
+            *least = least.min(legs.tour_length(tour));
         }
         for node in left {
             tour.push(node);
-            if legs.around(tour) < *least || problem.closed {
+            if legs.tour_length(tour) < *least || problem.closed {
                 go(problem, legs, tour, least);
             }
             tour.pop();
@@ -148,7 +148,7 @@ fn open_contours_and_items_without_nodes_come_to_the_optimum() {
         for name in NAMES {
             let (best, ..) = run(&problem, name, r#"{"rounds":20}"#, 1, 1 << 40);
             let nodes: Vec<u32> = best.stops.iter().map(|s| s.node).collect();
-            let length = Legs::new(&problem, Measure::Euclidean).around(&nodes);
+            let length = Legs::new(&problem, Measure::Euclidean).tour_length(&nodes);
             assert!((length - least).abs() < 1e-9, "{name}: {length}, {least}");
         }
     }

@@ -1,29 +1,30 @@
-//! Random keys: how a row of real numbers in [0, 1] stands for a tour (Bean, ORSA Journal on Computing 6, 1994). One
-//! key an item for its place in the order, and one for its entry where there are several: the m nodes of an item share
-//! [0, 1] evenly.
+//! Random keys (Bean, ORSA Journal on Computing 6, 1994): a vector of real numbers in [0, 1] represents a tour. Each item
+//! has a key that sorts it into the order. An item with several nodes has a second key that selects the node where it is
+//! entered: its m nodes share [0, 1] evenly.
 
 use crate::order::{real, sort_by};
 use crate::problem::{ItemId, NodeId, Problem};
 
-/// What the keys of a problem stand for.
+/// The tours of a problem as random keys.
 pub(super) struct Keys<'p> {
     problem: &'p Problem,
-    /// Items with nodes, what leads the tour first.
+    /// Items that have nodes; the item that is fixed at the start of the tour, if any, comes first.
     items: Vec<ItemId>,
-    /// By item: its place in `items`.
+    /// For each item, its position in `items`.
     index: Vec<usize>,
-    /// By place in `items`: its key for the entry, if it has one.
+    /// For each position in `items`, the index of the key that selects its entry; `None` if it has one node or a fixed one.
     entry: Vec<Option<usize>>,
-    /// How many keys there are.
+    /// Number of keys.
     count: usize,
-    /// The first of the items leads every tour.
+    /// Whether the first of `items` starts every tour.
     pub(super) led: bool,
-    /// With this node.
+    /// The node at which every tour starts, if it is fixed.
     pub(super) pinned: Option<NodeId>,
 }
 
 impl<'p> Keys<'p> {
-    /// For a problem; `first`: the node every tour starts with. A cycle by a table of costs starts where the table says.
+    /// The keys of a problem. `first` fixes the node at which every tour starts. A cycle given by a table of costs starts
+    /// at the item that the table names.
     pub(super) fn new(problem: &'p Problem, first: Option<NodeId>) -> Self {
         let node = first.and_then(|n| Some((n, problem.nodes.get(n as usize)?.item)));
         let start = problem.start().filter(|&s| !problem.items[s as usize].nodes.is_empty());
@@ -44,24 +45,24 @@ impl<'p> Keys<'p> {
         Self { problem, items, index, entry, count, led: lead.is_some(), pinned }
     }
 
-    /// How many keys there are.
+    /// Number of keys.
     pub(super) fn count(&self) -> usize {
         self.count
     }
 
-    /// Items in a tour, what leads it first.
+    /// The items of a tour, the fixed first one (if any) at the front.
     pub(super) fn items(&self) -> &[ItemId] {
         &self.items
     }
 
-    /// The tour that keys stand for; of equal keys the item named first comes first.
+    /// The tour that these keys represent. Items with equal keys stay in the order of `items`.
     pub(super) fn tour(&self, keys: &[f64]) -> Vec<NodeId> {
         let mut order: Vec<usize> = (0..self.items.len()).collect();
         sort_by(&mut order, |&k| [u64::from(k > 0 || !self.led), real(keys[k]), 0]);
         order.into_iter().map(|k| self.node(k, keys)).collect()
     }
 
-    /// The node at which the `k`th item is entered.
+    /// The node at which the `k`th of `items` is entered.
     fn node(&self, k: usize, keys: &[f64]) -> NodeId {
         let nodes = &self.problem.items[self.items[k] as usize].nodes;
         let Some(key) = self.entry[k] else { return self.pinned.filter(|_| k == 0).unwrap_or(nodes.start) };
@@ -74,8 +75,8 @@ impl<'p> Keys<'p> {
         nodes.start + step.min(nodes.end - nodes.start - 1)
     }
 
-    /// Makes keys stand for a tour: places at even distances, entries in the middle of their share. Keys of entries
-    /// that are right stay as they are.
+    /// Changes keys so that they represent a tour: order keys are evenly spaced, entry keys lie in the middle of their
+    /// node's share. Entry keys that already select the right node stay unchanged.
     pub(super) fn set(&self, tour: &[NodeId], keys: &mut [f64]) {
         for (place, &node) in tour.iter().enumerate() {
             let item = self.problem.nodes[node as usize].item;

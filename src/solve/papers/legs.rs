@@ -1,23 +1,24 @@
-//! What the papers measure: the way between nodes.
+//! What the papers measure: the length of the air moves (legs) between nodes.
 
 use crate::machine::AirTime;
 use crate::problem::{NodeId, Problem};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-/// How a way is measured.
+/// How the length of an air move is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Measure {
-    /// The straight line, mm: Qu & Du eq. (3), the hull parts' eq. (1).
+    /// Euclidean distance, mm: Qu & Du eq. (3), and eq. (1) of the hull parts.
     Euclidean,
-    /// The longer of the two axes, mm: Yang's eq. (1), for equal speeds.
+    /// The longer of the distances along the two axes, mm: Yang's eq. (1), for axes of equal speed.
     Chebyshev,
-    /// Seconds of the machine's air moves.
+    /// Seconds that the machine takes for the air move.
     Seconds,
 }
 
-/// Ways between the nodes of a problem; with a table of costs they are the table's, whatever the measure.
+/// Lengths between the nodes of a problem. Where the problem has a table of costs, the table gives them, whatever the
+/// measure.
 pub struct Legs<'p> {
     problem: &'p Problem,
     measure: Measure,
@@ -25,17 +26,17 @@ pub struct Legs<'p> {
 }
 
 impl<'p> Legs<'p> {
-    /// By that measure.
+    /// Measures a problem's air moves.
     pub fn new(problem: &'p Problem, measure: Measure) -> Self {
         Self { problem, measure, air: AirTime::new(&problem.machine) }
     }
 
-    /// The problem.
+    /// The problem that is measured.
     pub fn problem(&self) -> &'p Problem {
         self.problem
     }
 
-    /// Between two places.
+    /// Length between two points.
     pub fn between(&self, a: DVec2, b: DVec2) -> f64 {
         match self.measure {
             Measure::Euclidean => a.distance(b),
@@ -44,15 +45,15 @@ impl<'p> Legs<'p> {
         }
     }
 
-    /// Between places that are at least `d` mm apart along x or along y, at least.
-    pub fn at_least(&self, d: f64) -> f64 {
+    /// A lower bound of the length between points that are at least `d` mm apart along x or along y.
+    pub fn lower_bound(&self, d: f64) -> f64 {
         match self.measure {
             Measure::Euclidean | Measure::Chebyshev => d,
             Measure::Seconds => self.air.seconds_at_least(d),
         }
     }
 
-    /// From leaving at one node to entering at the next.
+    /// Length from the exit of one node to the entry of the next.
     pub fn leg(&self, from: NodeId, to: NodeId) -> f64 {
         match self.problem.table() {
             Some(table) => table.cost(from, to),
@@ -63,16 +64,17 @@ impl<'p> Legs<'p> {
         }
     }
 
-    /// From the start to the first node; with a table there is no way before it.
-    pub fn out(&self, to: NodeId) -> f64 {
+    /// Length from home to the first node; 0 where a table of costs is given.
+    pub fn from_home(&self, to: NodeId) -> f64 {
         match self.problem.table() {
             Some(_) => 0.0,
             None => self.between(self.problem.home, self.problem.nodes[to as usize].entry),
         }
     }
 
-    /// From the last node to the end: home, if the machine goes back there. With a table, round to the first.
-    pub fn back(&self, from: NodeId, first: NodeId) -> f64 {
+    /// Length from the last node to the end of the tour: to home if the machine returns there, otherwise 0. With a table of
+    /// costs, the cost of the way back to the first node.
+    pub fn to_end(&self, from: NodeId, first: NodeId) -> f64 {
         match self.problem.table() {
             Some(table) => table.cost(from, first),
             None if self.problem.closed => {
@@ -82,20 +84,20 @@ impl<'p> Legs<'p> {
         }
     }
 
-    /// Between neighbours in a tour that begins with `first`: nothing before its first node and after its last one.
+    /// Length between two neighbours in a tour that starts with `first`; `None` is the start or the end of the tour.
     pub fn link(&self, from: Option<NodeId>, to: Option<NodeId>, first: NodeId) -> f64 {
         match (from, to) {
             (Some(from), Some(to)) => self.leg(from, to),
-            (None, Some(to)) => self.out(to),
-            (Some(from), None) => self.back(from, first),
+            (None, Some(to)) => self.from_home(to),
+            (Some(from), None) => self.to_end(from, first),
             (None, None) => 0.0,
         }
     }
 
-    /// All the way.
-    pub fn around(&self, nodes: &[NodeId]) -> f64 {
+    /// Length of a whole tour.
+    pub fn tour_length(&self, nodes: &[NodeId]) -> f64 {
         let (Some(&first), Some(&last)) = (nodes.first(), nodes.last()) else { return 0.0 };
         let between: f64 = nodes.windows(2).map(|w| self.leg(w[0], w[1])).sum();
-        self.out(first) + between + self.back(last, first)
+        self.from_home(first) + between + self.to_end(last, first)
     }
 }

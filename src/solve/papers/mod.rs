@@ -1,22 +1,24 @@
-//! Methods of published papers, as published, behind the common traits: to be compared with, and checked by people who
-//! know the papers. They are never the best choice for a sheet; the default method is.
+//! Methods of published papers, built as published, behind the same traits as our own. They are here for comparison, and
+//! for readers who know the papers. For cutting a sheet, the default method is always the better choice.
 //!
-//! Every parameter of a paper is a documented field with the paper's value as its default. Where a paper is silent or
-//! its print is wrong, the module of the method says what was built and why; each deviation can be switched off.
+//! Every parameter of a paper is a documented field whose default is the paper's value. Where a paper leaves something
+//! open, or an equation is misprinted, the module of the method states what was built and why. Each deviation from a paper
+//! can be switched off.
 //!
-//! What a method compares is the paper's measure (`legs.rs`), not the seconds of the whole job, and its best solution is
-//! its own, also where a nearest-neighbour tour is better: a comparison would be worth nothing otherwise.
+//! A method compares solutions by the paper's measure (`legs.rs`), not by the seconds of the whole job. The best solution
+//! it reports is one it found itself, even where the nearest-neighbour tour is better; otherwise a comparison would show
+//! nothing.
 //!
-//! They are built with the feature `research` only: the browser fetches that wasm file when one of them is chosen.
+//! The methods are compiled with the feature `research` only. The page downloads that wasm file when one of them is
+//! selected.
 
 mod dual;
 mod hull;
 mod keys;
-mod lead;
-mod left;
 mod legs;
 mod local;
 mod parameters;
+mod piecewise;
 mod published;
 mod repair;
 mod roulette;
@@ -24,6 +26,7 @@ mod swarm;
 #[cfg(test)]
 mod test_sheet;
 mod tree;
+mod unvisited;
 
 pub use dual::DualCodingGa;
 pub use hull::{HullPso, HullSettings, Ofa, OperatorRates, Rlsga, Sga, Woa};
@@ -38,21 +41,21 @@ use published::Published;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-/// A method with what may be set of it, for lists.
+/// A method and its parameters, for lists.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Card {
-    /// Name, citation.
+    /// Name and citation.
     #[serde(flatten)]
     pub info: SolverInfo,
-    /// Its parameters with their defaults, the paper's where it has them.
+    /// Parameters with their default values, the paper's where it gives them.
     pub parameters: serde_json::Value,
 }
 
-/// A method's default form, and how it is made from parameters.
+/// A method with its default parameters, and the function that makes it from given ones.
 type Entry = (fn() -> Card, Make);
 type Make = fn(&str) -> Result<Box<dyn Solver>, String>;
 
-/// Every method.
+/// All methods.
 const METHODS: &[Entry] = &[
     entry::<Lpspso>(),
     entry::<Pso>(),
@@ -69,15 +72,16 @@ const METHODS: &[Entry] = &[
     entry::<GtspLk>(),
 ];
 
-/// Every method with the defaults of its parameters.
+/// All methods with the default values of their parameters.
 pub fn cards() -> Vec<Card> {
     METHODS.iter().map(|(card, _)| card()).collect()
 }
 
-/// The published method of that name with parameters: a JSON object with those that differ from the defaults, or nothing.
+/// The published method of that name. `parameters` is a JSON object with the values that differ from the defaults, or
+/// empty.
 ///
 /// # Errors
-/// One sentence: no such method, or parameters it does not have.
+/// One sentence: there is no such method, or it has no such parameter or value.
 pub fn method(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
     let Some((_, make)) = METHODS.iter().find(|(card, _)| card().info.name == name) else {
         let ours = super::methods().iter().map(|m| m.info().name);
@@ -88,7 +92,7 @@ pub fn method(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
     Ok(Box::new(Published(make(parameters)?)))
 }
 
-/// An entry of the list for a method whose parameters are its fields.
+/// The entry of [`METHODS`] for a method whose parameters are the fields of its struct.
 const fn entry<M: Solver + Default + Serialize + DeserializeOwned + 'static>() -> Entry {
     (card::<M>, make::<M>)
 }

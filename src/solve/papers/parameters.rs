@@ -1,13 +1,13 @@
-//! Parameters of methods, as callers give them: a JSON object. A method's parameters are the fields of its struct, so their
-//! names and kinds are read off its defaults; their limits are here.
+//! Parameters of the published methods, which callers give as a JSON object. The parameters of a method are the fields of
+//! its struct, so their names and types come from its default value. Their limits are in this file.
 
 use crate::fields::{Range, Value, nearest, out_of_range};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value as Json};
 
-/// Limits of the parameters that take memory, or time before the first look at the clock. All others may be any number that
-/// their field holds.
+/// Limits of the parameters that cost memory, or time before the search can be interrupted. All other parameters accept any
+/// number of their field's type within [`ANY`].
 const LIMITS: &[(&str, Range)] = &[
     ("particles", POPULATION),
     ("population", POPULATION),
@@ -15,15 +15,15 @@ const LIMITS: &[(&str, Range)] = &[
     ("proximity_steps", Range::new(0.0, 1e9, "", "more steps take minutes before the first path")),
     ("gtsp_moves", Range::new(0.0, 1e9, "", "more moves take minutes before the next path")),
 ];
-/// Memory is this many times the nodes of a drawing, of which large ones have some ten thousand.
+/// A population takes memory in proportion to the nodes of a drawing, and large drawings have some ten thousand.
 const POPULATION: Range = Range::new(1.0, 1000.0, "", "the papers have at most 200, and each takes memory");
-/// Limits of numbers without others: squares and products of them stay finite.
+/// Limits of all other numbers: squares and products of them stay finite.
 const ANY: Range = Range::new(-1e9, 1e9, "", "larger numbers say nothing to a method");
 
-/// A method with its default parameters, except those that a JSON object gives.
+/// A method with its default parameters, except for those that a JSON object gives.
 ///
-/// The structs refuse no unknown names themselves, as serde allows that for none with flattened fields: names are compared
-/// with those of the defaults here.
+/// serde cannot refuse unknown names in structs with flattened fields. Therefore names are compared with those of the
+/// default value here.
 ///
 /// # Errors
 /// One sentence that names the parameter.
@@ -39,7 +39,7 @@ pub(super) fn read<M: Default + Serialize + DeserializeOwned>(text: &str) -> Res
     for (name, value) in given {
         let Some(default) = defaults.get(&name) else { return Err(unknown(&name, &defaults)) };
         check_range(&name, &value)?;
-        // Each value is tried by itself, as errors of serde name no field.
+        // Each value is tried by itself, because serde's errors do not name the field.
         let mut alone = defaults.clone();
         alone.insert(name.clone(), value.clone());
         if let Err(e) = serde_json::from_value::<M>(Json::Object(alone)) {
@@ -112,7 +112,7 @@ mod tests {
         };
         assert_eq!((default("pso", "fastest"), default("lpspso", "fastest")), (0.2.into(), 0.05.into()));
         assert_eq!((default("woa", "population"), default("sga", "crossover")), (200.into(), 0.6.into()));
-        // Giving one shared parameter leaves the others at the method's own defaults.
+        // Giving one shared parameter leaves the others at the defaults of the method.
         let path = super::read::<super::super::Lpspso>(r#"{"particles":7}"#).unwrap();
         assert_eq!((path.settings.particles, path.settings.fastest), (7, 0.05));
     }

@@ -1,35 +1,35 @@
-//! Any order made an allowed one: the papers' codes know no precedence, sheets do.
+//! Repairs any order of items so that it keeps precedence. The codes of the papers ignore precedence, but sheets have it.
 //!
-//! What has to come before an item is moved to just before it, if its turn comes later: a hole before its outer contour.
-//! Items keep their order otherwise; ranks are worked one after the other, and groups stay together, each at the place
-//! of its first item.
+//! An item that must come before another one, such as a hole before its outer contour, is moved to just before it if it
+//! comes later. Otherwise items keep their order. Ranks are cut one after the other, and each group stays together at the
+//! position of its first item.
 
 use crate::order::sort_by;
 use crate::problem::{ItemId, NodeId, Problem};
 
-/// Makes orders of a problem's items allowed ones.
+/// Makes orders of a problem's items feasible.
 pub struct Repair {
     items: usize,
-    /// Around each item and then each group: its group; the last index stands for none.
+    /// For each item and then each group, the index of the group around it; the last index means no group.
     parent: Vec<usize>,
-    /// What has to come before each of them, among those with the same parent.
+    /// For each item and group, the ones with the same parent that must come before it.
     first: Vec<Vec<usize>>,
     rank: Vec<u32>,
-    /// Ranks there are, ascending.
+    /// All ranks, ascending.
     ranks: Vec<u32>,
     start: Option<usize>,
 }
 
-/// On the way down the tree of groups.
+/// A step of the depth-first walk through the tree of groups.
 enum Turn {
-    /// What has to come before it, then the thing itself.
+    /// First everything that must come before this item or group, then itself.
     Enter(usize),
-    /// The thing itself.
+    /// The item or group itself.
     Emit(usize),
 }
 
 impl Repair {
-    /// For a problem.
+    /// Prepares the repair for a problem.
     pub fn new(problem: &Problem) -> Self {
         let items = problem.items.len();
         let groups = &problem.groups;
@@ -58,7 +58,7 @@ impl Repair {
         Self { items, parent, first, rank, ranks: ranks(problem), start: problem.start().map(|s| s as usize) }
     }
 
-    /// For a problem of which not any order at all is allowed.
+    /// Prepares the repair for a problem; `None` if every order of its items is feasible.
     pub(super) fn needed(problem: &Problem) -> Option<Self> {
         let free = problem.pairs.is_empty()
             && problem.groups.is_empty()
@@ -66,7 +66,7 @@ impl Repair {
         (!free).then(|| Self::new(problem))
     }
 
-    /// The allowed tour nearest to a tour, each item entered as in it.
+    /// The feasible tour closest to a given one. Items keep the nodes at which they are entered.
     pub(super) fn tour(&self, problem: &Problem, tour: &[NodeId]) -> Vec<NodeId> {
         let item = |node: NodeId| problem.nodes[node as usize].item;
         let mut node_of = vec![0; problem.items.len()];
@@ -75,7 +75,8 @@ impl Repair {
         self.apply(&order).into_iter().map(|i| node_of[i as usize]).collect()
     }
 
-    /// The allowed order nearest to `order`, which names items once each; those it leaves out do not come in.
+    /// The feasible order closest to `order`, which contains each item at most once. Items that are not in `order` are not
+    /// added.
     pub fn apply(&self, order: &[ItemId]) -> Vec<ItemId> {
         let root = self.parent.len();
         let mut out = Vec::with_capacity(order.len());
@@ -93,7 +94,7 @@ impl Repair {
                     at = self.parent[at];
                 }
             }
-            // A group may have items of several ranks: each rank has its turn.
+            // A group may contain items of several ranks, so it may be emitted once for each rank.
             done[self.items..].fill(false);
             turns.extend(children[root].iter().rev().map(|&c| Turn::Enter(c)));
             while let Some(turn) = turns.pop() {
@@ -114,7 +115,7 @@ impl Repair {
     }
 }
 
-/// The ranks there are, ascending.
+/// All ranks of a problem, ascending.
 pub(super) fn ranks(problem: &Problem) -> Vec<u32> {
     let mut ranks: Vec<u32> = problem.items.iter().map(|i| i.rank).collect();
     sort_by(&mut ranks, |&r| [r.into(), 0, 0]);
@@ -139,7 +140,7 @@ mod tests {
 
     #[test]
     fn what_lies_inside_comes_just_before_its_outer_contour() {
-        // 1 in 0, 2 in 1; 3 alone.
+        // Item 1 lies in 0, item 2 in 1; item 3 is free.
         let p = problem(&[None, Some(0), Some(1), None], &[0; 4], Groups::default());
         let repair = Repair::new(&p);
         assert_eq!(repair.apply(&[0, 3, 1, 2]), [2, 1, 0, 3]);
@@ -151,7 +152,7 @@ mod tests {
         let groups = Groups::new(vec![Some(0), Some(0), Some(1), Some(1), None], vec![None, None]);
         let mut p = problem(&[None, Some(0), None, Some(2), None], &[1, 1, 1, 1, 0], groups);
         p.pairs = vec![(2, 1)];
-        // Group 0 has its turn first, but item 1 of it waits for item 2 of group 1, which waits for item 3.
+        // Group 0 comes first, but its item 1 waits for item 2 of group 1, which waits for item 3.
         assert_eq!(Repair::new(&p).apply(&[0, 3, 1, 2, 4]), [4, 3, 2, 1, 0]);
     }
 }

@@ -2,15 +2,15 @@
 
 use crate::solve::rng::{Draw, Rng};
 
-/// Draws indices, each with a probability in proportion to its fitness.
+/// Draws indices with probabilities in proportion to their fitness.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Roulette {
-    /// Sum of the fitnesses up to each index.
+    /// For each index, the sum of the fitness values up to it.
     sums: Vec<f64>,
 }
 
 impl Roulette {
-    /// A wheel for these fitnesses, by index.
+    /// A wheel for these fitness values.
     pub(super) fn new(fitness: impl IntoIterator<Item = f64>) -> Self {
         let mut sum = 0.0;
         let add = |f| {

@@ -5,7 +5,7 @@ use crate::machine;
 use crate::problem::{Groups, Item, Node, NodeId, Problem};
 
 /// Closed contours with these corners as nodes, on the preset machine of that name. The head starts at (0, 0) and returns
-/// there. `leave` is what leaving a contour unfinished costs, in seconds; `None` forbids it.
+/// there. `leave` is the cost of leaving a contour unfinished, in seconds; `None` forbids it.
 pub(super) fn sheet(contours: &[&[[f64; 2]]], leave: Option<f64>, machine: &str) -> Problem {
     let (mut items, mut nodes) = (Vec::new(), Vec::new());
     for (corners, item) in contours.iter().zip(0..) {

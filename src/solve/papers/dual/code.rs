@@ -1,5 +1,5 @@
-//! The dual code and what changes it. In both rows, position by position: which contour, and from which of its feature
-//! points. None of the operators makes a code that is none.
+//! The dual code and its operators. Each position holds a contour (first row) and the feature point where it is entered
+//! (second row). Every operator returns a valid code.
 
 use crate::problem::{ItemId, Problem};
 use crate::solve::rng::{Draw, Rng};
@@ -7,20 +7,20 @@ use crate::solve::rng::{Draw, Rng};
 /// A chromosome.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Code {
-    /// First row: contours in their order.
+    /// First row: the contours in cutting order.
     pub(super) order: Vec<ItemId>,
-    /// Second row: of the contour above, the feature point, counted from 0.
+    /// Second row: for each contour of the first row its feature point, counted from 0.
     pub(super) points: Vec<u32>,
 }
 
-/// Feature points of a contour.
+/// Number of feature points of a contour.
 pub(super) fn count(problem: &Problem, item: ItemId) -> u32 {
     let nodes = &problem.items[item as usize].nodes;
     nodes.end - nodes.start
 }
 
 impl Code {
-    /// A random one of these contours.
+    /// A random code over these contours.
     pub(super) fn random(problem: &Problem, contours: &[ItemId], rng: &mut Rng) -> Self {
         let mut order = contours.to_vec();
         for k in (1..order.len()).rev() {
@@ -30,7 +30,7 @@ impl Code {
         Self { order, points }
     }
 
-    /// The point of each contour; contours that do not come in have none.
+    /// The feature point of each contour; `None` for contours that are not in the code.
     fn point_of(&self, contours: usize) -> Vec<Option<u32>> {
         let mut points = vec![None; contours];
         self.order.iter().zip(&self.points).for_each(|(&i, &p)| points[i as usize] = Some(p));
@@ -42,7 +42,7 @@ fn below(n: u32, rng: &mut Rng) -> u32 {
     u32::try_from(rng.below(n as usize)).unwrap_or(0)
 }
 
-/// Crosses two codes by one of the three methods.
+/// Crosses two codes by one of the three methods of the paper, drawn at random.
 pub(super) fn cross(problem: &Problem, pair: [&Code; 2], rng: &mut Rng) -> [Code; 2] {
     let places = pair[0].order.len();
     let method = rng.below(3);
@@ -54,7 +54,7 @@ pub(super) fn cross(problem: &Problem, pair: [&Code; 2], rng: &mut Rng) -> [Code
     if method != 0 {
         let [a, b] = &children;
         children = if rng.below(2) == 0 && places > 1 {
-            // "Larger than 1 and not exceeding n".
+            // The paper: "Larger than 1 and not exceeding n".
             point_exchange([a, b], 2 + rng.below(places - 1))
         } else {
             arithmetic(problem, [a, b], rng)
@@ -63,8 +63,8 @@ pub(super) fn cross(problem: &Problem, pair: [&Code; 2], rng: &mut Rng) -> [Code
     children
 }
 
-/// Order crossover: the places between the crossover points stay, the others are filled by what is left of the other code,
-/// in its order. A contour brings its point along.
+/// Order crossover: the positions between the crossover points are kept; the others take the remaining contours in the
+/// order of the other code. A contour keeps its feature point.
 pub(super) fn order_crossover(pair: [&Code; 2], kept: std::ops::Range<usize>) -> [Code; 2] {
     [0, 1].map(|side| {
         let (own, other) = (pair[side], pair[1 - side]);
@@ -81,7 +81,7 @@ pub(super) fn order_crossover(pair: [&Code; 2], kept: std::ops::Range<usize>) ->
     })
 }
 
-/// Contours that both codes have among their first `left` exchange their points.
+/// Contours that both codes have among their first `left` positions exchange their feature points.
 pub(super) fn point_exchange(pair: [&Code; 2], left: usize) -> [Code; 2] {
     let contours = pair[0].order.iter().map(|&i| i as usize + 1).max().unwrap_or(0);
     let first = |c: &Code| Code { order: c.order[..left].to_vec(), points: c.points[..left].to_vec() };
@@ -97,8 +97,8 @@ pub(super) fn point_exchange(pair: [&Code; 2], left: usize) -> [Code; 2] {
     })
 }
 
-/// Eq. (3): both points of each contour move towards each other by one random part; the middle of two indices lies within
-/// the range of both.
+/// Eq. (3): the two feature points of each contour are blended with one random weight. The weighted mean of two indices
+/// lies between them, so it is valid in both codes.
 fn arithmetic(problem: &Problem, pair: [&Code; 2], rng: &mut Rng) -> [Code; 2] {
     let mut points = pair.map(|c| c.point_of(problem.items.len()));
     let [a, b] = &mut points;
@@ -118,14 +118,14 @@ fn arithmetic(problem: &Problem, pair: [&Code; 2], rng: &mut Rng) -> [Code; 2] {
     })
 }
 
-/// Eq. (3) on two points.
+/// Eq. (3) for two feature points.
 pub(super) fn blend(x: u32, y: u32, epsilon: f64) -> (u32, u32) {
     let mix = |x: u32, y: u32| (epsilon * f64::from(x) + (1.0 - epsilon) * f64::from(y)).round();
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between two indices")]
     (mix(x, y) as u32, mix(y, x) as u32)
 }
 
-/// Changes a code by one of the three methods.
+/// Mutates a code by one of the three methods of the paper, drawn at random.
 pub(super) fn mutate(problem: &Problem, code: &mut Code, rng: &mut Rng) {
     let method = rng.below(3);
     let places = code.order.len();
@@ -136,13 +136,13 @@ pub(super) fn mutate(problem: &Problem, code: &mut Code, rng: &mut Rng) {
         let place = rng.below(places);
         let points = count(problem, code.order[place]);
         if points > 1 {
-            // Another one than it is.
+            // A different point from the current one.
             code.points[place] = (code.points[place] + 1 + below(points - 1, rng)) % points;
         }
     }
 }
 
-/// Two contours change places, with their points.
+/// Two contours exchange their positions and keep their points.
 pub(super) fn swap(code: &mut Code, [a, b]: [usize; 2]) {
     code.order.swap(a, b);
     code.points.swap(a, b);
@@ -152,7 +152,7 @@ pub(super) fn swap(code: &mut Code, [a, b]: [usize; 2]) {
 mod tests {
     use super::*;
 
-    /// As printed: contours and points count from 1.
+    /// As printed in the paper: contours and points are counted from 1.
     fn code(order: [u32; 5], points: [u32; 5]) -> Code {
         Code { order: order.map(|i| i - 1).to_vec(), points: points.map(|p| p - 1).to_vec() }
     }
@@ -188,7 +188,7 @@ mod tests {
     fn equation_3_by_hand() {
         assert_eq!(blend(2, 7, 0.25), (6, 3));
         assert_eq!(blend(2, 7, 0.0), (7, 2));
-        // 0.5 * 3 + 0.5 * 6 = 4.5 both ways, rounded away from zero.
+        // 0.5 * 3 + 0.5 * 6 = 4.5 both ways, which is rounded away from zero.
         assert_eq!(blend(3, 6, 0.5), (5, 5));
     }
 }

@@ -1,12 +1,13 @@
-//! Fitness, eq. (2): nearly even at first, so that a few good codes do not take over, and more and more selective.
+//! Fitness, eq. (2). It is nearly uniform at first, so that a few good codes do not take over, and becomes more selective
+//! with every generation.
 
 use crate::geometry::math;
 
-/// How far lambda alpha^k goes at most. The paper has 1.02 to the power of the iteration without an end; beyond this the
-/// worst code is never drawn anyway, and further on the number is no number.
+/// Upper limit of lambda alpha^k. The paper sets no limit to 1.02^k. At this value the worst code is never drawn any more,
+/// and without a limit the number would overflow.
 const MOST: f64 = 1e12;
 
-/// F of each f, eq. (2), in iteration k, which counts from 1; all one where all f are one.
+/// The fitness F for each length f in iteration k, eq. (2). k counts from 1. Equal lengths give equal fitness.
 pub(super) fn fitness(f: &[f64], lambda: f64, alpha: f64, k: u32) -> Vec<f64> {
     let mean = f.iter().sum::<f64>() / f.len() as f64;
     let most = f.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -26,7 +27,7 @@ mod tests {
     fn the_ratios_of_the_paper() {
         let ratio = |k| {
             let all = fitness(&[700.0, 1000.0, 800.0], 0.1, 1.02, k);
-            // Mean 2500/3; the worst has it as it is.
+            // The mean is 2500/3, which is the fitness of the longest.
             assert!((all[1] - 2500.0 / 3.0).abs() < 1e-9);
             assert!((all[2] - all[1] - (all[0] - all[1]) * 2.0 / 3.0).abs() < 1e-9, "linear in between");
             all[1] / all[0]

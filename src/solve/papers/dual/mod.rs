@@ -1,15 +1,18 @@
-//! `dual-coding-ga`: Jianjun Yang, "Application of Improved Dual Coding Genetic Algorithm for Contour Path Planning in Laser
-//! Processing", Information Technology Journal (2013), ISSN 1812-5638.
+//! `dual-coding-ga`: Jianjun Yang, "Application of Improved Dual Coding Genetic Algorithm for Contour Path Planning in
+//! Laser Processing", Information Technology Journal (2013), ISSN 1812-5638.
 //!
-//! A chromosome has two rows: the order of contours, and for each the feature point it is scanned from (`code.rs`, with its
-//! crossovers and mutations). What is least is spare travel *time*: the head moves along both axes at once, so a way takes
-//! the longer of its two parts, eq. (1). Fitness is stretched as generations go by, eq. (2) (`fitness.rs`).
+//! A chromosome has two rows: the order of the contours, and the feature point where each is entered (`code.rs`, with
+//! crossovers and mutations). The method minimises the travel *time*: the head moves along both axes at once, so an air
+//! move takes the time of the longer axis, eq. (1). Fitness is scaled more strongly with every generation, eq. (2)
+//! (`fitness.rs`).
 //!
-//! Where the paper is silent: selection is by roulette on (2), children take the place of their parents, the best so far is
-//! kept aside, both probabilities are per pair and per child, and the run ends after `generations`. Feature points are the
-//! nodes of the sheet; the paper's own, vertices and eighths of circles, are those of the instance in `tests/fixtures/yang`.
-//! Where a sheet has holes, ranks or groups, the order is repaired before it is priced, and its fitness is that of the
-//! repaired one: a deviation, as the paper has none.
+//! The paper does not give the following. Selection is by roulette on (2). Children replace their parents, and the best
+//! code is remembered separately. The crossover probability applies to a pair, the mutation probability to a child. The run
+//! ends after `generations`. Feature points are the nodes of the sheet; those of the paper, vertices and eighths of
+//! circles, are in the instance in `tests/fixtures/yang`.
+//!
+//! Deviation: the paper has no holes, ranks or groups. Where a sheet has them, the order is repaired, and the fitness is
+//! that of the repaired order.
 
 mod code;
 mod fitness;

@@ -1,9 +1,9 @@
-//! The generations of `dual-coding-ga`, and its parameters.
+//! The search of `dual-coding-ga`, and its parameters.
 
 use super::code::{Code, cross, mutate};
 use super::fitness::fitness;
 use crate::problem::{ItemId, NodeId, Problem};
-use crate::solve::papers::lead::{Lead, Pieces, Running, solution};
+use crate::solve::papers::piecewise::{Piecewise, PiecewiseSearch, Progress, solution};
 use crate::solve::papers::roulette::Roulette;
 use crate::solve::papers::{Legs, Measure, Repair};
 use crate::solve::rng::{Draw, Rng, seeded};
@@ -11,25 +11,25 @@ use crate::solve::{Curve, Insight};
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 
-/// Genes of both rows in memory at most, parents and children: 128 MB.
+/// Largest number of genes in memory, in both rows of parents and children: 128 MB.
 const MOST_GENES: usize = 1 << 25;
 
 /// Yang's genetic algorithm. It starts from random codes, whatever path it is given.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DualCodingGa {
-    /// Codes in the population.
+    /// Number of codes in the population.
     pub population: u32,
-    /// Generations; it ends after them. The paper does not say how many it had, but looks at the 200th.
+    /// Number of generations, after which the method ends. The paper does not give it, but shows the 200th.
     pub generations: u32,
     /// Probability that a pair is crossed.
     pub crossover: f64,
     /// Probability that a child mutates.
     pub mutation: f64,
-    /// Stretch of fitness at the beginning, lambda of eq. (2).
+    /// Scaling of the fitness in the first generation, lambda of eq. (2).
     pub lambda: f64,
-    /// By what it grows each generation, alpha of eq. (2).
+    /// Factor by which the scaling grows in each generation, alpha of eq. (2).
     pub alpha: f64,
-    /// What spare travel is measured in, eq. (1).
+    /// How travel is measured, eq. (1).
     pub measure: Measure,
 }
 
@@ -62,14 +62,14 @@ impl Solver for DualCodingGa {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        Box::new(Running(Generations::new(problem, *self, seed)))
+        Box::new(PiecewiseSearch(Generations::new(problem, *self, seed)))
     }
 }
 
-/// The algorithm at work.
+/// The search.
 struct Generations<'p> {
     legs: Legs<'p>,
-    /// How orders become allowed; `None`: all of them are.
+    /// Repairs the order; `None` if every order is feasible.
     repair: Option<Repair>,
     contours: Vec<ItemId>,
     rates: DualCodingGa,
@@ -81,10 +81,10 @@ struct Generations<'p> {
     roulette: Roulette,
     children: Vec<Code>,
     child_lengths: Vec<f64>,
-    /// Children to be priced.
+    /// Children that are not priced yet.
     raw: Vec<Code>,
     generation: u32,
-    lead: Lead,
+    progress: Progress,
 }
 
 impl<'p> Generations<'p> {
@@ -97,8 +97,8 @@ impl<'p> Generations<'p> {
         let first = Code::random(problem, &contours, &mut rng);
         let legs = Legs::new(problem, rates.measure);
         let nodes = nodes(problem, repair.as_ref(), &first);
-        let length = legs.around(&nodes);
-        let lead = Lead::new(solution(problem, &nodes), length);
+        let length = legs.tour_length(&nodes);
+        let progress = Progress::new(solution(problem, &nodes), length);
         let fitting = MOST_GENES / (4 * contours.len()).max(1);
         Self {
             legs,
@@ -114,26 +114,26 @@ impl<'p> Generations<'p> {
             child_lengths: Vec::new(),
             raw: Vec::new(),
             generation: 0,
-            lead,
+            progress,
         }
     }
 
-    /// Spare travel of a code, eq. (1), with the ways from and to home.
+    /// Travel of a code, eq. (1), including the air moves from and to home.
     fn price(&mut self, code: &Code) -> f64 {
         let problem = self.legs.problem();
         let nodes = nodes(problem, self.repair.as_ref(), code);
-        let length = self.legs.around(&nodes);
-        self.lead.take(length, || solution(problem, &nodes));
+        let length = self.legs.tour_length(&nodes);
+        self.progress.take(length, || solution(problem, &nodes));
         length
     }
 
-    /// The roulette of the generation that begins, eq. (2).
+    /// Prepares the selection of the generation that begins, eq. (2).
     fn draw_up(&mut self) {
         let Self { lengths, rates, generation, .. } = self;
         self.roulette = Roulette::new(fitness(lengths, rates.lambda, rates.alpha, *generation + 1));
     }
 
-    /// The next pair.
+    /// Makes the children of the next pair.
     fn breed(&mut self) {
         let pair = [(); 2].map(|()| &self.parents[self.roulette.spin(&mut self.rng)]);
         let problem = self.legs.problem();
@@ -150,7 +150,7 @@ impl<'p> Generations<'p> {
     }
 }
 
-/// The nodes of a code in an allowed order.
+/// The nodes of a code in a feasible order.
 fn nodes(problem: &Problem, repair: Option<&Repair>, code: &Code) -> Vec<NodeId> {
     let node = |item: ItemId, point: u32| problem.items[item as usize].nodes.start + point;
     let tour: Vec<NodeId> = code.order.iter().zip(&code.points).map(|(&i, &p)| node(i, p)).collect();
@@ -160,13 +160,13 @@ fn nodes(problem: &Problem, repair: Option<&Repair>, code: &Code) -> Vec<NodeId>
     }
 }
 
-impl Pieces for Generations<'_> {
-    fn lead(&self) -> &Lead {
-        &self.lead
+impl Piecewise for Generations<'_> {
+    fn progress(&self) -> &Progress {
+        &self.progress
     }
 
-    fn lead_mut(&mut self) -> &mut Lead {
-        &mut self.lead
+    fn progress_mut(&mut self) -> &mut Progress {
+        &mut self.progress
     }
 
     fn piece(&mut self) -> Option<u64> {
@@ -207,7 +207,7 @@ impl Pieces for Generations<'_> {
         Insight {
             round: self.generation.into(),
             curves: vec![
-                curve("shortest spare travel f", self.lead.length),
+                curve("shortest spare travel f", self.progress.length),
                 curve("shortest of the generation", least),
                 curve("mean of the generation", mean),
                 curve("F min / F max of eq. (2)", even[1] / even[0]),

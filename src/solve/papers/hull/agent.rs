@@ -1,63 +1,65 @@
-//! The population as an agent that learns which crossover to choose (sections 4.2, 4.4 and 4.5).
+//! The agent that learns which crossover to apply (sections 4.2, 4.4 and 4.5).
 //!
-//! Its state is the diversity coefficient, eqs (5) and (6), in three ranges. Fitness stands in (6) as mean squared over a
-//! difference, so its value hangs on the unit of length: in metres a population is diverse that is not in millimetres.
-//! Here fitness is first divided by its mean; `scaled_fitness: false` takes it as it is, 1/mm.
+//! The state is the diversity coefficient, eqs (5) and (6), in three ranges. Eq. (6) divides the squared mean of the
+//! fitness by a difference of fitness values, so it depends on the unit of length: a population that is diverse in metres
+//! is not diverse in millimetres. Here fitness is first divided by its mean; `scaled_fitness: false` uses it unscaled, in
+//! 1/mm.
 //!
-//! The reward is (7) to (10). In (9) the mean is compared with the *best* of the generation before, in the sentence above it
-//! with its mean: the sentence is followed. The update is (11), with the action chosen next. The table starts at zero; of
-//! equal values one is taken at random.
+//! The reward is (7) to (10). Eq. (9) compares the mean with the *best* of the previous generation, the sentence above it
+//! with the mean of that generation; the sentence is followed. The update is (11), with the action chosen next. The table
+//! starts at zero. Ties between actions are broken at random.
 
 use crate::geometry::math;
 use crate::order::{real, sort_by};
 use crate::solve::rng::{Draw, Rng};
 
-/// Lengths that differ by less than this part are one fitness: sums of the same gaps in another order do.
+/// Relative difference below which two fitness values are equal: sums of the same lengths in another order differ by
+/// rounding.
 const SAME: f64 = 1e-9;
 
-/// What a population is like.
+/// Statistics of a population.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
-pub(super) struct Sums {
+pub(super) struct Statistics {
     pub(super) best: f64,
     pub(super) mean: f64,
-    /// Sum over chromosomes of D - 1, D the number of those with its fitness.
-    pub(super) doubles: f64,
+    /// Sum of D - 1 over all chromosomes, where D is the number of chromosomes with the same fitness.
+    pub(super) duplicates: f64,
     pub(super) count: f64,
 }
 
-impl Sums {
-    /// Of chromosomes with these fitnesses.
+impl Statistics {
+    /// The statistics of these fitness values.
     pub(super) fn new(mut fitness: Vec<f64>) -> Self {
         sort_by(&mut fitness, |&f| [real(f), 0, 0]);
         let count = fitness.len() as f64;
         let alike = fitness.chunk_by(|a, b| b - a <= SAME * b).map(|c| (c.len() * (c.len() - 1)) as f64);
-        let doubles = alike.sum();
+        let duplicates = alike.sum();
         let mean = fitness.iter().sum::<f64>() / count;
-        Self { best: fitness.last().copied().unwrap_or(0.0), mean, doubles, count }
+        Self { best: fitness.last().copied().unwrap_or(0.0), mean, duplicates, count }
     }
 
-    /// The diversity coefficient, eqs (5) and (6), in [0, 1], `done` generations of all of them, as a part, done.
+    /// The diversity coefficient, eqs (5) and (6), in [0, 1]. `done` is the fraction of the generations that are done.
     pub(super) fn diversity(&self, done: f64, scaled: bool) -> f64 {
         let (best, mean) = if scaled { (self.best / self.mean, 1.0) } else { (self.best, self.mean) };
-        if self.doubles == 0.0 {
+        if self.duplicates == 0.0 {
             return 1.0 - 0.5 * done;
         }
-        // All one: p is minus infinity.
+        // All chromosomes are equal: p is minus infinity.
         if best - mean <= SAME * best {
             return 0.0;
         }
-        let p = -mean * mean * self.doubles / (self.count * (best - mean));
+        let p = -mean * mean * self.duplicates / (self.count * (best - mean));
         (1.0 - 0.5 * done) * math::exp(p)
     }
 }
 
-/// The state of a diversity coefficient: 0 below 0.25, 2 above 0.75, 1 between.
+/// The state for a diversity coefficient: 0 below 0.25, 2 above 0.75, 1 between.
 pub(super) fn state(diversity: f64) -> usize {
     usize::from(diversity >= 0.25) + usize::from(diversity > 0.75)
 }
 
-/// The immediate reward, eqs (7) to (10), of a generation after the one before.
-pub(super) fn reward(before: (&Sums, f64), now: (&Sums, f64)) -> f64 {
+/// The immediate reward of a generation, eqs (7) to (10), from the statistics and diversity before and after it.
+pub(super) fn reward(before: (&Statistics, f64), now: (&Statistics, f64)) -> f64 {
     let change = |now: f64, before: f64, [more, same, less]: [f64; 3]| match now - before {
         d if d.abs() <= SAME * before => same,
         d if d > 0.0 => more,
@@ -68,36 +70,36 @@ pub(super) fn reward(before: (&Sums, f64), now: (&Sums, f64)) -> f64 {
     (now.1 - before.1) + best + mean
 }
 
-/// How an agent learns.
+/// Parameters of the learning.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Learning {
-    /// Learning rate.
+    /// Learning rate alpha.
     pub(super) alpha: f64,
-    /// Discount.
+    /// Discount factor gamma.
     pub(super) gamma: f64,
-    /// Probability of a random action.
+    /// Probability epsilon of a random action.
     pub(super) epsilon: f64,
 }
 
-/// The Q-table and where it is used.
+/// The Q-table, and the current state and action.
 #[derive(Clone, Debug)]
 pub(super) struct Agent {
-    /// By state, then action.
+    /// Q-values by state, then action.
     pub(super) table: [[f64; 3]; 3],
-    /// `None`: every action at random.
+    /// `None` if every action is random.
     learning: Option<Learning>,
     pub(super) state: usize,
     pub(super) action: usize,
-    /// How often each action was chosen.
+    /// Number of times that each action was chosen.
     pub(super) chosen: [u64; 3],
-    /// Of the last generation.
+    /// Reward and diversity of the last generation.
     pub(super) reward: f64,
     pub(super) diversity: f64,
-    pub(super) sums: Sums,
+    pub(super) statistics: Statistics,
 }
 
 impl Agent {
-    /// An agent that knows nothing, before its first action.
+    /// An agent that has learned nothing.
     pub(super) fn new(learning: Option<Learning>) -> Self {
         Self {
             table: [[0.0; 3]; 3],
@@ -107,21 +109,21 @@ impl Agent {
             chosen: [0; 3],
             reward: 0.0,
             diversity: 0.0,
-            sums: Sums::default(),
+            statistics: Statistics::default(),
         }
     }
 
-    /// Takes the population it starts with, and chooses.
-    pub(super) fn begin(&mut self, sums: Sums, diversity: f64, rng: &mut Rng) {
-        (self.sums, self.diversity, self.state) = (sums, diversity, state(diversity));
+    /// Takes the statistics of a population and chooses an action.
+    pub(super) fn begin(&mut self, statistics: Statistics, diversity: f64, rng: &mut Rng) {
+        (self.statistics, self.diversity, self.state) = (statistics, diversity, state(diversity));
         self.choose(rng);
     }
 
-    /// Takes the next generation: reward, next action, update.
-    pub(super) fn learn(&mut self, sums: Sums, diversity: f64, rng: &mut Rng) {
+    /// Takes the statistics of the next generation: computes the reward, chooses the next action and updates the table.
+    pub(super) fn learn(&mut self, statistics: Statistics, diversity: f64, rng: &mut Rng) {
         let was = (self.state, self.action);
-        self.reward = reward((&self.sums, self.diversity), (&sums, diversity));
-        self.begin(sums, diversity, rng);
+        self.reward = reward((&self.statistics, self.diversity), (&statistics, diversity));
+        self.begin(statistics, diversity, rng);
         if let Some(Learning { alpha, gamma, .. }) = self.learning {
             let next = self.table[self.state][self.action];
             let q = &mut self.table[was.0][was.1];
@@ -129,7 +131,7 @@ impl Agent {
         }
     }
 
-    /// The action of the state by the epsilon-greedy rule.
+    /// Chooses an action by the epsilon-greedy rule.
     fn choose(&mut self, rng: &mut Rng) {
         let row = self.table[self.state];
         let greedy = self.learning.filter(|l| rng.uniform() >= l.epsilon).is_some();
@@ -140,7 +142,7 @@ impl Agent {
     }
 }
 
-/// Eq. (11).
+/// The update of a Q-value, eq. (11).
 fn update(q: f64, reward: f64, next: f64, alpha: f64, gamma: f64) -> f64 {
     (1.0 - alpha) * q + alpha * (reward + gamma * next)
 }
@@ -148,6 +150,7 @@ fn update(q: f64, reward: f64, next: f64, alpha: f64, gamma: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solve::rng::seeded;
 
     fn close(a: f64, b: f64) {
         assert!((a - b).abs() < 1e-12, "{a} {b}");
@@ -155,21 +158,21 @@ mod tests {
 
     #[test]
     fn diversity_at_its_limits_and_by_hand() {
-        // All different: p is 0, and time halves it.
-        let different = Sums::new(vec![0.1, 0.2, 0.3, 0.4]);
+        // All different: p is 0, and the elapsed time halves the coefficient.
+        let different = Statistics::new(vec![0.1, 0.2, 0.3, 0.4]);
         close(different.diversity(0.0, true), 1.0);
         close(different.diversity(1.0, true), 0.5);
-        // All one: p is minus infinity.
-        let one = Sums::new(vec![0.02; 5]);
-        close(one.doubles, 20.0);
+        // All equal: p is minus infinity.
+        let one = Statistics::new(vec![0.02; 5]);
+        close(one.duplicates, 20.0);
         assert_eq!((one.diversity(0.0, true), one.diversity(0.0, false)), (0.0, 0.0));
-        // Fitness 0.25 twice and 0.5: mean 1/3, best 1.5 of it, D - 1 adds up to 2: p = -2 / (3 * 0.5) = -4/3; as it is, p =
-        // -(1/9) * 2 / (3 * (1/6)) = -4/9.
-        let three = Sums::new(vec![0.25, 0.5, 0.25]);
+        // Fitness 0.25 twice and 0.5: the mean is 1/3, the best 1.5 times that, and D - 1 sums to 2. Scaled, p = -2 / (3 *
+        // 0.5) = -4/3; unscaled, p = -(1/9) * 2 / (3 * (1/6)) = -4/9.
+        let three = Statistics::new(vec![0.25, 0.5, 0.25]);
         close(three.diversity(0.0, true), math::exp(-4.0 / 3.0));
         close(three.diversity(0.4, false), 0.8 * math::exp(-4.0 / 9.0));
-        // Scaled, it does not hang on units.
-        let metres = Sums::new(vec![250.0, 500.0, 250.0]);
+        // The scaled coefficient does not depend on units.
+        let metres = Statistics::new(vec![250.0, 500.0, 250.0]);
         close(metres.diversity(0.0, true), three.diversity(0.0, true));
     }
 
@@ -180,14 +183,14 @@ mod tests {
 
     #[test]
     fn rewards_by_hand() {
-        let sums = |best, mean| Sums { best, mean, ..Sums::default() };
-        let of = |now: Sums| reward((&sums(0.5, 0.25), 0.75), (&now, 0.5));
-        close(of(sums(0.6, 0.3)), -0.25 + 1.5 + 1.0);
-        close(of(sums(0.5, 0.3)), -0.25 - 0.5 + 1.0);
-        close(of(sums(0.5, 0.25)), -0.25 - 0.5 - 2.0);
-        close(of(sums(0.4, 0.2)), -0.25 - 1.0 - 0.5);
-        // The mean grew, though it is below the best before: the sentence, not the print of (9).
-        close(of(sums(0.5, 0.4)), -0.25 - 0.5 + 1.0);
+        let statistics = |best, mean| Statistics { best, mean, ..Statistics::default() };
+        let of = |now: Statistics| reward((&statistics(0.5, 0.25), 0.75), (&now, 0.5));
+        close(of(statistics(0.6, 0.3)), -0.25 + 1.5 + 1.0);
+        close(of(statistics(0.5, 0.3)), -0.25 - 0.5 + 1.0);
+        close(of(statistics(0.5, 0.25)), -0.25 - 0.5 - 2.0);
+        close(of(statistics(0.4, 0.2)), -0.25 - 1.0 - 0.5);
+        // The mean grew, although it is below the previous best: the sentence of the paper counts, not eq. (9) as printed.
+        close(of(statistics(0.5, 0.4)), -0.25 - 0.5 + 1.0);
     }
 
     #[test]
@@ -195,12 +198,12 @@ mod tests {
         close(update(2.0, 1.5, 3.0, 0.9, 0.9), 0.2 + 0.9 * (1.5 + 2.7));
         let learning = Learning { alpha: 0.9, gamma: 0.9, epsilon: 0.0 };
         let mut agent = Agent::new(Some(learning));
-        let mut rng = crate::solve::rng::seeded(1);
+        let mut rng = seeded(1);
         agent.table = [[0.0, 5.0, 0.0], [1.0, 2.0, 4.0], [7.0, 0.0, 0.0]];
-        let sums = Sums { best: 0.5, mean: 0.25, ..Sums::default() };
-        agent.begin(sums, 0.1, &mut rng);
+        let statistics = Statistics { best: 0.5, mean: 0.25, ..Statistics::default() };
+        agent.begin(statistics, 0.1, &mut rng);
         assert_eq!((agent.state, agent.action), (0, 1));
-        agent.learn(Sums { best: 0.6, mean: 0.3, ..sums }, 0.4, &mut rng);
+        agent.learn(Statistics { best: 0.6, mean: 0.3, ..statistics }, 0.4, &mut rng);
         assert_eq!((agent.state, agent.action), (1, 2));
         // 0.1 * 5 + 0.9 * (0.3 + 1.5 + 1 + 0.9 * 4).
         close(agent.table[0][1], 0.5 + 0.9 * (2.8 + 3.6));
@@ -209,16 +212,16 @@ mod tests {
     #[test]
     fn a_table_decides_but_for_epsilon_and_without_learning_nothing_does() {
         let chosen = |learning: Option<Learning>, best: usize| {
-            let (mut agent, mut rng) = (Agent::new(learning), crate::solve::rng::seeded(7));
+            let (mut agent, mut rng) = (Agent::new(learning), seeded(7));
             agent.table[2][best] = 1.0;
             for _ in 0..3000 {
-                agent.begin(Sums::default(), 1.0, &mut rng);
+                agent.begin(Statistics::default(), 1.0, &mut rng);
             }
             agent.chosen
         };
         let learning = Learning { alpha: 0.9, gamma: 0.9, epsilon: 0.1 };
         for best in 0..3 {
-            // 0.9 + 0.1 / 3 of all choices.
+            // The expected fraction is 0.9 + 0.1 / 3.
             assert!((2750..2850).contains(&chosen(Some(learning), best)[best]), "{best}");
             assert!(chosen(None, best).iter().all(|c| (900..1100).contains(c)), "{best}");
         }

@@ -1,6 +1,7 @@
-//! The chromosome, eq. (3): M paths, as many as contours, that hold all N segments, each with the way it is cut. One after
-//! the other they give the order of cutting. A path has as many places as its contour has segments, but may hold those of
-//! others; after a migration it is longer or shorter, and the next crossover brings its length back.
+//! The chromosome, eq. (3): M paths, one for each contour, which together contain all N segments with their cutting
+//! directions. The paths one after the other give the cutting order. A path has as many places as its contour has segments,
+//! but may contain segments of other contours. A migration makes it longer or shorter; the next crossover restores its
+//! length.
 
 use super::model::{Gene, Model};
 use crate::solve::rng::{Draw, Rng};
@@ -8,16 +9,16 @@ use crate::solve::rng::{Draw, Rng};
 /// A feasible solution of the paper's model.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Chromosome {
-    /// All paths, one after the other.
+    /// The genes of all paths, one path after the other.
     pub(super) genes: Vec<Gene>,
-    /// Where each path ends.
+    /// The end of each path in `genes`.
     pub(super) ends: Vec<u32>,
     /// TL, its empty travel.
     pub(super) length: f64,
 }
 
 impl Chromosome {
-    /// The genes of an order and ways in the paths' own lengths; it has no length yet.
+    /// A chromosome with these genes and paths of these sizes. Its length is not computed yet.
     pub(super) fn new(genes: Vec<Gene>, sizes: &[u32]) -> Self {
         let ends = sizes.iter().scan(0, |sum, &size| {
             *sum += size;
@@ -26,13 +27,13 @@ impl Chromosome {
         Self { genes, ends: ends.collect(), length: f64::INFINITY }
     }
 
-    /// Places of a path.
+    /// The range of a path in `genes`.
     pub(super) fn path(&self, m: usize) -> std::ops::Range<usize> {
         let start = m.checked_sub(1).map_or(0, |m| self.ends[m]);
         start as usize..self.ends[m] as usize
     }
 
-    /// Two codes of a path change places: the paper's mutation.
+    /// The paper's mutation: two genes of a path exchange their places.
     pub(super) fn mutate(&mut self, rng: &mut Rng) {
         let path = self.path(rng.below(self.ends.len()));
         if !path.is_empty() {
@@ -41,7 +42,7 @@ impl Chromosome {
         }
     }
 
-    /// A run of codes of a path moves to a place on another path: the paper's migration.
+    /// The paper's migration: a run of genes moves from one path to another.
     pub(super) fn migrate(&mut self, rng: &mut Rng) {
         let paths = self.ends.len();
         if paths < 2 {
@@ -64,15 +65,16 @@ impl Chromosome {
     }
 }
 
-/// A run of places, one at least, of so many.
+/// A random range of at least one place.
 pub(super) fn run(places: usize, rng: &mut Rng) -> std::ops::Range<usize> {
     let [a, b] = [(); 2].map(|()| rng.below(places));
     a.min(b)..a.max(b) + 1
 }
 
-/// Random keys: one a segment for its turn, then one a segment for its way. All methods draw their first ones so, and from
-/// one seed they have the same. Eq. (3) says that a path is the sequence of its own contour's segments, so the turns of contour
-/// m of M lie in the m-th part of the range: first chromosomes cut contour by contour in drawing order, each in a random way.
+/// Random keys: one for the turn of each segment, then one for the direction of each. All methods draw their first
+/// solutions this way, so with one seed they start from the same population. By eq. (3) a path is the sequence of its own
+/// contour's segments, so the turns of contour m of M lie in the m-th part of the range. The first chromosomes therefore
+/// cut contour by contour in drawing order, with random orders and directions within a contour.
 pub(super) fn keys(model: &Model, rng: &mut Rng) -> Vec<f32> {
     let paths = model.sizes.len() as f64;
     let own = |(m, &size): (usize, &u32)| std::iter::repeat_n(m as f64, size as usize);
@@ -83,19 +85,19 @@ pub(super) fn keys(model: &Model, rng: &mut Rng) -> Vec<f32> {
     turns.into_iter().chain(ways).map(|k| k as f32).collect()
 }
 
-/// What keys stand for: segments in ascending order of their first key, against the stored direction where the second one
-/// is at least a half.
+/// The genes that keys represent: segments in ascending order of their turn, cut against the stored direction if the
+/// direction key is at least a half.
 pub(super) fn genes(model: &Model, keys: &[f32]) -> Vec<Gene> {
     let (turns, ways) = keys.split_at(model.segments());
     let order = ascending(turns);
     order.into_iter().map(|s| 2 * s + u32::from(ways[s as usize] >= 0.5)).collect()
 }
 
-/// Indices in ascending order of their keys, those of equal keys in their own: a radix sort, three times 11 bits, as a
-/// sort by comparison of 80,000 keys would be the longest piece of all.
+/// Indices in ascending order of their keys; equal keys stay in order. This is a radix sort in three passes of 11 bits,
+/// because a comparison sort of 80,000 keys would be the longest piece of all.
 fn ascending(keys: &[f32]) -> Vec<u32> {
     const BITS: u32 = 11;
-    // Bits in the order of the numbers: negative ones run the other way and come first.
+    // Converts bits so that they sort like the numbers: those of negative numbers are inverted and come first.
     let rank = |k: f32| {
         let bits = k.to_bits();
         if bits >> 31 == 1 { !bits } else { bits | 1 << 31 }
@@ -121,10 +123,11 @@ fn ascending(keys: &[f32]) -> Vec<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solve::rng::seeded;
 
     #[test]
     fn keys_in_order_as_std_sorts() {
-        let mut rng = crate::solve::rng::seeded(1);
+        let mut rng = seeded(1);
         for round in 0..200 {
             #[expect(clippy::cast_possible_truncation, reason = "test data")]
             let mut keys: Vec<f32> = (0..round).map(|_| rng.standard_normal() as f32).collect();

@@ -1,10 +1,11 @@
-//! The three segmented crossovers, the actions (section 4.3), and their first three steps.
+//! The three segmented crossovers, which are the agent's actions (section 4.3), and their first three steps.
 //!
-//! (a) Of every path a run of codes changes places with one of the other chromosome: of the same places (PSX), turned round
-//! on the way (RSX), or of any places of the longer path (ISX). The paper turns runs, but does not say whether the ways of
-//! their segments turn, too: here they do, so that the air moves within a run stay as they are.
-//! (b) Outside of the runs, codes that stand twice are blanked.
-//! (c) Paths shorter than their contour, after migrations, get blanks from longer ones, at random, while those have any.
+//! (a) In every path, a run of genes is exchanged with a run of the other chromosome: at the same places (PSX), reversed
+//! (RSX), or at any places of the longer path (ISX). The paper reverses runs but does not say whether the cutting
+//! directions are reversed too; here they are, so that the air moves within a run stay the same.
+//! (b) Outside the runs, genes that occur twice are blanked.
+//! (c) Paths that migrations made shorter than their contour get blanks from longer paths, at random, as long as those have
+//! any.
 //!
 //! Step (d) fills the blanks: `filling.rs`.
 
@@ -16,33 +17,33 @@ use serde::Serialize;
 /// A segmented crossover.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub(super) enum Operator {
-    /// PSX, positive.
+    /// PSX, the positive crossover.
     Positive,
-    /// RSX, reverse.
+    /// RSX, the reverse crossover.
     Reverse,
-    /// ISX, intersect.
+    /// ISX, the intersect crossover.
     Intersect,
 }
 
-/// In the order of the columns of the Q-table.
+/// The crossovers in the order of the columns of the Q-table.
 pub(super) const OPERATORS: [Operator; 3] = [Operator::Positive, Operator::Reverse, Operator::Intersect];
 
-/// A chromosome with blanks, and the segments it lacks.
+/// A chromosome with blanks, and the segments that it lacks.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Torn {
     pub(super) chromosome: Chromosome,
-    /// As many as there are blanks.
+    /// As many segments as there are blanks.
     pub(super) missing: Vec<u32>,
 }
 
-/// Places of a run in either chromosome, and its length.
+/// The first places of a run in both chromosomes, and its length.
 #[derive(Clone, Copy, Debug)]
 struct Exchange {
     places: [usize; 2],
     length: usize,
 }
 
-/// Steps (a) to (c) on two chromosomes. `sizes`: segments of each contour.
+/// Steps (a) to (c) for two chromosomes. `sizes` is the number of segments of each contour.
 pub(super) fn cross(by: Operator, parents: [&Chromosome; 2], sizes: &[u32], rng: &mut Rng) -> [Torn; 2] {
     let runs: Vec<Exchange> = (0..sizes.len()).filter_map(|m| exchange(by, parents, m, rng)).collect();
     [0, 1].map(|side| {
@@ -52,7 +53,7 @@ pub(super) fn cross(by: Operator, parents: [&Chromosome; 2], sizes: &[u32], rng:
     })
 }
 
-/// The runs of a path that change places; none where a path is empty.
+/// The runs of a path that are exchanged; `None` where a path is empty.
 fn exchange(by: Operator, parents: [&Chromosome; 2], path: usize, rng: &mut Rng) -> Option<Exchange> {
     let paths = parents.map(|p| p.path(path));
     let shorter = usize::from(paths[1].len() < paths[0].len());
@@ -67,7 +68,7 @@ fn exchange(by: Operator, parents: [&Chromosome; 2], path: usize, rng: &mut Rng)
     Some(Exchange { places: [0, 1].map(|p| paths[p].start + places[p]), length: run.len() })
 }
 
-/// The chromosome of a side with the runs of the other one, and its doubles blanked.
+/// One of the chromosomes with the runs of the other one. Genes that then occur twice are blanked.
 fn receive(by: Operator, parents: [&Chromosome; 2], side: usize, runs: &[Exchange]) -> Torn {
     let mut chromosome = parents[side].clone();
     let mut held = vec![false; chromosome.genes.len()];
@@ -97,14 +98,14 @@ fn segment(gene: Gene) -> usize {
     gene as usize / 2
 }
 
-/// Blanks of paths longer than their contours go to shorter ones.
+/// Moves blanks from paths that are longer than their contours to shorter ones.
 fn complete(chromosome: &mut Chromosome, sizes: &[u32], rng: &mut Rng) {
     let lengths: Vec<usize> = (0..sizes.len()).map(|m| chromosome.path(m).len()).collect();
     let size = |m: usize| sizes[m] as usize;
     if (0..sizes.len()).all(|m| lengths[m] == size(m)) {
         return;
     }
-    // Of each longer path: blanks it can give.
+    // For each longer path, the number of blanks that it can give.
     let mut over: Vec<(usize, usize)> = (0..sizes.len())
         .map(|m| {
             let blanks = chromosome.genes[chromosome.path(m)].iter().filter(|&&g| g == BLANK).count();

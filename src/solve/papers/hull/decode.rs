@@ -1,11 +1,12 @@
-//! From a chromosome to what it is worth and to the path it stands for.
+//! From a chromosome to its length and its path.
 //!
-//! Fitness is 1/TL, eq. (4), of the chromosome as it is where nothing has to come before anything, as in the paper. The
-//! plan is its nested reading (`nested.rs`), as long or shorter. Where holes or ranks ask for an order, that reading is
-//! repaired (`holes.rs`), rank by rank, and the fitness is that of the repaired path: a deviation, as the paper has no holes.
-//! What charges for leaving a contour cost is not seen by the fitness: it stands in the plan.
+//! Fitness is 1/TL, eq. (4). Where nothing needs to come before anything else, as in the paper, TL is the length of the
+//! chromosome itself, and the plan is its nested form (`nested.rs`), which is as long or shorter. Where holes or ranks
+//! demand an order, the nested form is repaired rank by rank (`holes.rs`), and the fitness is that of the repaired path.
+//! This is a deviation, as the paper has no holes. The cost of leaving contours is part of the plan but not of the fitness.
 //!
-//! With groups, pairs or a table of costs nothing is left unfinished, and [`Repair`] makes the order of contours an allowed one.
+//! With groups, pairs or a table of costs no contour is left unfinished, and [`Repair`] makes the order of the contours
+//! feasible.
 
 use super::super::legs::{Legs, Measure};
 use super::super::repair::{Repair, ranks};
@@ -16,17 +17,17 @@ use crate::order::sort_by;
 use crate::problem::Problem;
 use crate::solve::traits::{Solution, Stop};
 
-/// Prices and reads chromosomes of a problem.
+/// Prices and decodes the chromosomes of a problem.
 pub(super) struct Decoder<'p> {
     pub(super) model: Model<'p>,
-    /// How orders become allowed; `None`: all of them are.
+    /// Makes orders feasible; `None` if every order is.
     ordered: Option<Ordered>,
 }
 
 enum Ordered {
-    /// Contours that lie in others, outer ones first; and the ranks there are, ascending.
+    /// Contours that lie inside others, outer ones first, and all ranks in ascending order.
     Nesting { inwards: Vec<u32>, ranks: Vec<u32> },
-    /// Whole contours by all that orders know.
+    /// Whole contours, with all kinds of precedence.
     Whole(Repair),
 }
 
@@ -43,14 +44,14 @@ impl<'p> Decoder<'p> {
         Self { model: Model::new(Legs::new(problem, measure), whole), ordered }
     }
 
-    /// TL of a chromosome, and the visits it is the length of: its own, or those of the repaired path.
+    /// TL of a chromosome, and the visits that it is the length of: its own, or those of the repaired path.
     pub(super) fn price(&self, genes: &[Gene]) -> (f64, Vec<Visit>) {
         let visits = self.model.visits(genes);
         let visits = if self.ordered.is_some() { self.path(visits) } else { visits };
         (self.model.travel(&visits), visits)
     }
 
-    /// The path of priced visits.
+    /// The solution for the visits that [`Decoder::price`] returned.
     pub(super) fn solution(&self, visits: Vec<Visit>) -> Solution {
         let problem = self.model.problem();
         let along = |n: u32| problem.nodes[n as usize].along;
@@ -59,7 +60,7 @@ impl<'p> Decoder<'p> {
         Solution::new(problem, path.into_iter().map(stop).collect())
     }
 
-    /// Visits that nest and are allowed.
+    /// Converts visits to a path that nests and is feasible.
     fn path(&self, visits: Vec<Visit>) -> Vec<Visit> {
         let model = &self.model;
         match &self.ordered {
@@ -86,7 +87,7 @@ impl<'p> Decoder<'p> {
     }
 }
 
-/// Contours that lie in others, those in the fewest first.
+/// Contours that lie inside others, those inside the fewest first.
 fn inwards(problem: &Problem) -> Vec<u32> {
     let outer = |i: u32| problem.items.get(i as usize).and_then(|i| i.before);
     let most = problem.items.len();

@@ -1,9 +1,10 @@
 //! The last step of a crossover, (d): blanks are filled.
 //!
-//! "First with appropriate empty slots": a segment is appropriate where it goes on from the gene before the blank, or leads to
-//! the one behind it, without an air move. "Then in a random order according to the principle of minimal increments": each
-//! segment that is left, in the way and at the blank that add the least travel. Blanks side by side add the same, so only
-//! the first of them is looked at; the neighbours of a blank are the nearest genes that are none.
+//! "First with appropriate empty slots": a segment is appropriate for a blank if it continues from the gene before the
+//! blank, or leads to the gene after it, without an air move. "Then in a random order according to the principle of minimal
+//! increments": each remaining segment is put, in the direction and at the blank, where it adds the least travel. Adjacent
+//! blanks add the same, so only the first of them is considered. The neighbours of a blank are the nearest genes that are
+//! not blank.
 
 use super::chromosome::Chromosome;
 use super::crossover::Torn;
@@ -11,20 +12,20 @@ use super::model::{BLANK, Gene, Model};
 use crate::problem::NodeId;
 use crate::solve::rng::{Draw, Rng};
 
-/// Ways priced in one go: a fraction of a millisecond.
+/// Number of legs priced in one piece: a fraction of a millisecond.
 const CHUNK: u64 = 20_000;
 
-/// A chromosome on its way to completeness.
+/// A chromosome whose blanks are being filled.
 pub(super) struct Filling {
     chromosome: Chromosome,
-    /// Segments without a place; the last is next.
+    /// Segments that have no place yet; the last is next.
     missing: Vec<u32>,
-    /// Stretches of blanks.
+    /// Ranges of blanks.
     blanks: Vec<std::ops::Range<usize>>,
 }
 
 impl Filling {
-    /// Fills what is appropriate and puts the rest in a random order.
+    /// Places the appropriate segments and shuffles the others.
     pub(super) fn new(model: &Model, torn: Torn, rng: &mut Rng) -> Self {
         let Torn { mut chromosome, mut missing } = torn;
         let genes = &mut chromosome.genes;
@@ -55,7 +56,7 @@ impl Filling {
         Self { chromosome, missing, blanks }
     }
 
-    /// Fills some more; how many ways it priced.
+    /// Places some segments. Returns the number of legs priced.
     pub(super) fn work(&mut self, model: &Model) -> u64 {
         let mut priced = 0;
         while priced < CHUNK {
@@ -65,7 +66,7 @@ impl Filling {
         priced
     }
 
-    /// The chromosome when nothing is missing.
+    /// The chromosome, when no segment is missing.
     pub(super) fn full(&mut self) -> Option<Chromosome> {
         let empty = Chromosome { genes: Vec::new(), ends: Vec::new(), length: f64::INFINITY };
         self.missing.is_empty().then(|| std::mem::replace(&mut self.chromosome, empty))

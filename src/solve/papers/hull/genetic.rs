@@ -1,34 +1,34 @@
 //! The segmented genetic algorithm (section 4.5): `rlsga` with an agent that learns, `sga` with one that does not.
 //!
-//! A generation: n chromosomes drawn by roulette, with fitness 1/TL, form a subpopulation; pairs of them are crossed with
-//! probability pC by the operator the agent chose; each then mutates with pMu and migrates with pMi; the n best of parents
-//! and subpopulation go on. It works in pieces: one chromosome founded, one crossover begun, some blanks filled, one
-//! chromosome priced, one selection.
+//! In each generation n chromosomes are selected by roulette, with fitness 1/TL. Pairs of them are crossed with probability
+//! pC by the operator that the agent chose. Each child mutates with pMu and migrates with pMi. The n best of parents and
+//! children survive. One piece of work creates a chromosome, starts a crossover, fills some blanks, prices a chromosome, or
+//! selects.
 
-use super::agent::{Agent, Learning, Sums};
+use super::agent::{Agent, Learning, Statistics};
 use super::chromosome::{Chromosome, genes, keys};
 use super::crossover::{OPERATORS, cross};
 use super::decode::Decoder;
 use super::filling::Filling;
 use super::settings::{HullSettings, OperatorRates};
 use crate::order::{real, sort_by};
-use crate::solve::papers::lead::{Lead, Pieces};
+use crate::solve::papers::piecewise::{Piecewise, Progress};
 use crate::solve::papers::roulette::Roulette;
 use crate::solve::rng::{Draw, Rng, seeded};
 use crate::solve::{Curve, Grid, Insight};
 
-/// Genes in memory at most, parents and children: 128 MB. On 10,000 contours of 8 nodes, 200 chromosomes are within it.
+/// Largest number of genes in memory, of parents and children: 128 MB. 200 chromosomes for 10,000 contours of 8 nodes fit.
 const MOST_GENES: usize = 1 << 25;
 
-/// How children come from parents.
+/// Parameters of the operators that make children.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Breeding {
     pub(super) rates: OperatorRates,
-    /// Whether eq. (6) takes fitness divided by its mean.
+    /// Whether eq. (6) uses fitness divided by its mean.
     pub(super) scaled_fitness: bool,
 }
 
-/// The algorithm at work.
+/// The search.
 pub(super) struct Genetic<'p> {
     decoder: Decoder<'p>,
     breeding: Breeding,
@@ -37,15 +37,15 @@ pub(super) struct Genetic<'p> {
     rng: Rng,
     agent: Agent,
     parents: Vec<Chromosome>,
-    /// The subpopulation drawn, by index of parent; the last are next.
+    /// Indices of the selected parents; the last are next.
     drawn: Vec<usize>,
     children: Vec<Chromosome>,
-    /// Children whose blanks are filled; the last is in work.
+    /// Children whose blanks are being filled; the last is current.
     fillings: Vec<Filling>,
-    /// What is to be priced: a founder, or a child that may mutate first.
+    /// Chromosomes that are not priced yet: a member of the first population, or a child that may still mutate.
     raw: Vec<Chromosome>,
     generation: u32,
-    lead: Lead,
+    progress: Progress,
 }
 
 impl<'p> Genetic<'p> {
@@ -63,7 +63,7 @@ impl<'p> Genetic<'p> {
         let mut first = random(&decoder, &mut rng);
         let (length, visits) = decoder.price(&first.genes);
         first.length = length;
-        let lead = Lead::new(decoder.solution(visits), length);
+        let progress = Progress::new(decoder.solution(visits), length);
         Self {
             decoder,
             breeding,
@@ -77,29 +77,29 @@ impl<'p> Genetic<'p> {
             fillings: Vec::new(),
             raw: Vec::new(),
             generation: 0,
-            lead,
+            progress,
         }
     }
 
-    /// Gives a chromosome its length, and compares it with the best.
+    /// Computes the length of a chromosome and compares it with the best.
     fn price(&mut self, chromosome: &mut Chromosome) {
         let (length, visits) = self.decoder.price(&chromosome.genes);
         chromosome.length = length;
-        self.lead.take(length, || self.decoder.solution(visits));
+        self.progress.take(length, || self.decoder.solution(visits));
     }
 
-    /// Lengths of the parents as fitness, eq. (4).
+    /// Fitness of the parents, eq. (4).
     fn fitness(&self) -> Vec<f64> {
         self.parents.iter().map(|p| fitness(p.length)).collect()
     }
 
-    /// The roulette, and whether there was a population to learn from.
+    /// Selects parents for the next generation.
     fn draw(&mut self) {
         let roulette = Roulette::new(self.fitness());
         self.drawn = (0..self.population).map(|_| roulette.spin(&mut self.rng)).collect();
     }
 
-    /// Crosses the next pair, or takes it as it is.
+    /// Crosses the next pair, or copies it.
     fn breed(&mut self) {
         let (Some(a), b) = (self.drawn.pop(), self.drawn.pop()) else { return };
         let Some(b) = b.filter(|_| self.rng.uniform() < self.breeding.rates.crossover) else {
@@ -124,42 +124,42 @@ impl<'p> Genetic<'p> {
         self.children.push(child);
     }
 
-    /// The n best of parents and children.
+    /// Keeps the n best of parents and children.
     fn survive(&mut self) {
         self.parents.append(&mut self.children);
         sort_by(&mut self.parents, |c| [real(c.length), 0, 0]);
         self.parents.truncate(self.population);
         self.generation += 1;
-        let (sums, diversity) = self.look();
-        self.agent.learn(sums, diversity, &mut self.rng);
+        let (statistics, diversity) = self.look();
+        self.agent.learn(statistics, diversity, &mut self.rng);
         self.draw();
     }
 
-    fn look(&self) -> (Sums, f64) {
-        let sums = Sums::new(self.fitness());
+    fn look(&self) -> (Statistics, f64) {
+        let statistics = Statistics::new(self.fitness());
         let done = f64::from(self.generation) / f64::from(self.generations.max(1));
-        (sums, sums.diversity(done, self.breeding.scaled_fitness))
+        (statistics, statistics.diversity(done, self.breeding.scaled_fitness))
     }
 }
 
-/// A random chromosome, not yet priced.
+/// A random chromosome that is not priced yet.
 fn random(decoder: &Decoder, rng: &mut Rng) -> Chromosome {
     let model = &decoder.model;
     Chromosome::new(genes(model, &keys(model, rng)), &model.sizes)
 }
 
-/// Eq. (4); a path without travel counts as one of a nanometre.
+/// Fitness, eq. (4). A path without travel counts as one of a nanometre, so that the fitness is finite.
 fn fitness(length: f64) -> f64 {
     1.0 / length.max(1e-6)
 }
 
-impl Pieces for Genetic<'_> {
-    fn lead(&self) -> &Lead {
-        &self.lead
+impl Piecewise for Genetic<'_> {
+    fn progress(&self) -> &Progress {
+        &self.progress
     }
 
-    fn lead_mut(&mut self) -> &mut Lead {
-        &mut self.lead
+    fn progress_mut(&mut self) -> &mut Progress {
+        &mut self.progress
     }
 
     fn piece(&mut self) -> Option<u64> {
@@ -175,8 +175,8 @@ impl Pieces for Genetic<'_> {
             self.price(&mut chromosome);
             self.parents.push(chromosome);
             if self.parents.len() == self.population {
-                let (sums, diversity) = self.look();
-                self.agent.begin(sums, diversity, &mut self.rng);
+                let (statistics, diversity) = self.look();
+                self.agent.begin(statistics, diversity, &mut self.rng);
                 self.draw();
             }
             return Some(segments);
@@ -209,7 +209,7 @@ impl Pieces for Genetic<'_> {
         Insight {
             round: self.generation.into(),
             curves: vec![
-                curve("shortest empty travel TL", self.lead.length),
+                curve("shortest empty travel TL", self.progress.length),
                 curve("diversity coefficient div", agent.diversity),
                 curve("reward R", agent.reward),
                 curve("share of PSX", share(0)),

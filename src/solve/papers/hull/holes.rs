@@ -1,17 +1,17 @@
-//! Nested visits made an allowed path: what lies inside a contour is finished before it.
+//! Repairs nested visits so that what lies inside a contour is finished before it.
 //!
-//! Outer contours first: a contour that is finished too late is taken out, all its visits, and put back whole before the
-//! last visit of what it lies in, at the cheapest place there, entered where it was. What was cut while it was left is then
-//! cut without leaving it, so visits still nest.
+//! Outer contours come first. A contour that is finished too late is removed, with all its visits, and inserted as a whole
+//! before the last visit of the contour around it: at the cheapest place there, entered where it was before. Contours that
+//! were cut while it was left unfinished are then cut without leaving it, so visits still nest.
 
 use super::model::{Model, Visit};
 
-/// Places looked at for each contour that moves, the nearest to its outer contour's last visit: a contour inside is near
-/// that visit more often than not, and 10,000 holes times 16 places are a few milliseconds.
+/// Number of places tried for each contour that moves: those nearest to the last visit of its outer contour, as a contour
+/// inside is usually near that visit. 16 places for 10,000 holes take a few milliseconds.
 const PLACES: usize = 16;
 
-/// The path of these visits in which every contour is finished before the one around it. `inwards`: contours that lie in
-/// others, outer ones first. `start`: visits before this one stay before all that moves.
+/// The path of these visits in which every contour is finished before the one around it. `inwards` lists the contours that
+/// lie inside others, outer ones first. Visits before `start` stay before everything that moves.
 pub(super) fn finished_inside_first(
     model: &Model,
     inwards: &[u32],
@@ -19,13 +19,13 @@ pub(super) fn finished_inside_first(
     start: usize,
 ) -> Vec<Visit> {
     let items = &model.problem().items;
-    // First and last visit of each contour of these visits.
+    // First and last visit of each contour.
     let mut spans: Vec<Option<(usize, usize)>> = vec![None; items.len()];
     for (k, visit) in visits.iter().enumerate().skip(start) {
         let span = &mut spans[model.item(visit.enter) as usize];
         *span = Some((span.map_or(k, |s| s.0), k));
     }
-    // Where each moves to: before the visit of that index.
+    // For each contour that moves, the index of the visit before which it goes.
     let mut to: Vec<Option<usize>> = vec![None; items.len()];
     let mut moved: Vec<(usize, u32)> = Vec::new();
     for &item in inwards {
@@ -49,7 +49,7 @@ pub(super) fn finished_inside_first(
     if moved.is_empty() {
         return visits.to_vec();
     }
-    // Those of one place: what lies inside comes later in `inwards` and is cut earlier.
+    // At the same place, inner contours come later in `inwards` and are cut earlier.
     moved.reverse();
     crate::order::sort_by(&mut moved, |m| [m.0 as u64, 0, 0]);
     let mut moved = moved.into_iter().peekable();

@@ -1,34 +1,37 @@
-//! `rlsga` and what it is compared with: Liu & Chang, "An Improved Method for Optimizing CNC Laser Cutting Paths for Ship Hull
-//! Components with Thicknesses up to 24 mm", Journal of Marine Science and Engineering 11, 652 (2023),
-//! doi:10.3390/jmse11030652. Its problem is HPCPO, the cutting path of hull parts by partial cutting.
+//! `rlsga` and the methods it is compared with: Liu & Chang, "An Improved Method for Optimizing CNC Laser Cutting Paths for
+//! Ship Hull Components with Thicknesses up to 24 mm", Journal of Marine Science and Engineering 11, 652 (2023),
+//! doi:10.3390/jmse11030652. The problem, HPCPO, is the cutting path of hull parts with partial cutting.
 //!
-//! 1. `model.rs`: the segments of all contours, cut in any order and either way, eqs (1) and (2).
-//! 2. `chromosome.rs`, `crossover.rs`, `filling.rs`: eq. (3), mutation, migration, PSX, RSX and ISX (section 4.3).
-//! 3. `agent.rs`: state, actions, rewards, Q-table, eqs (5) to (11). `genetic.rs`: the generations of `rlsga` and `sga`.
-//! 4. `swarm.rs`, `rules.rs`: `hull-pso`, `ofa`, `woa` on random keys (section 5.2).
+//! 1. `model.rs`: the segments of all contours, which are cut in any order and direction, eqs (1) and (2).
+//! 2. `chromosome.rs`, `crossover.rs`, `filling.rs`: eq. (3), mutation, migration, and the crossovers PSX, RSX and ISX
+//!    (section 4.3).
+//! 3. `agent.rs`: states, actions, rewards and Q-table, eqs (5) to (11). `genetic.rs`: the generations of `rlsga` and
+//!    `sga`.
+//! 4. `key_search.rs`, `rules.rs`: `hull-pso`, `ofa` and `woa` on random keys (section 5.2).
 //! 5. `decode.rs`, `nested.rs`, `holes.rs`: from a chromosome to a plan.
 //!
-//! Deviations: fitness is scaled in (6) (`scaled_fitness`), ways turn with their runs in RSX (the paper is silent), and where
-//! a sheet has holes or ranks, the fitness is that of the repaired path (the paper has none).
+//! Deviations: eq. (6) uses scaled fitness (`scaled_fitness`); RSX reverses the cutting directions of a run, about which
+//! the paper says nothing; where a sheet has holes or ranks, which the paper has not, the fitness is that of the repaired
+//! path.
 
 mod agent;
 mod chromosome;
 mod crossover;
 mod decode;
 mod filling;
-mod flock;
 mod genetic;
 mod holes;
+mod key_methods;
+mod key_search;
+mod members;
 mod model;
 mod nested;
 mod rlsga;
 mod rules;
 mod settings;
-mod swarm;
-mod swarms;
 #[cfg(test)]
 mod tests;
 
+pub use key_methods::{HullPso, Ofa, Woa};
 pub use rlsga::{Rlsga, Sga};
 pub use settings::{HullSettings, OperatorRates};
-pub use swarms::{HullPso, Ofa, Woa};

@@ -1,42 +1,44 @@
-//! The model of partial cutting: contours in segments, cut in any order and either way (section 3.2 of the paper).
+//! The model of partial cutting: contours are divided into segments, which are cut in any order and direction (section 3.2
+//! of the paper).
 //!
-//! A segment lies between two nodes of a contour that follow each other. Where a contour may not be left, its segments
-//! stand for one: it is cut whole when the first of them has its turn, from where that one begins. Of an open contour
-//! there is one segment.
+//! A segment lies between two consecutive nodes of a contour. Where a contour may not be left, the first of its segments in
+//! the order represents all of it, and the contour is cut whole from the start of that segment. An open contour has one
+//! segment.
 
 use super::super::legs::Legs;
 use crate::problem::{ItemId, NodeId, Problem};
 
-/// A segment and the way it is cut: twice its index, one more against the stored direction.
+/// A segment and its cutting direction: twice its index, plus one if it is cut against the stored direction.
 pub(super) type Gene = u32;
 
-/// No gene.
+/// A place without a gene.
 pub(super) const BLANK: Gene = Gene::MAX;
 
-/// A visit: from where a contour is entered to where it is left; the same node twice: all of it in one visit.
+/// A visit, from the node where a contour is entered to the node where it is left. If both are the same, the visit cuts the
+/// whole contour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Visit {
     pub(super) enter: NodeId,
     pub(super) leave: NodeId,
 }
 
-/// Segments of a problem.
+/// The segments of a problem.
 pub(super) struct Model<'p> {
     pub(super) legs: Legs<'p>,
-    /// By gene: what is cut.
+    /// For each gene, the nodes between which it cuts.
     cuts: Vec<Visit>,
-    /// By item: may be left and resumed.
+    /// For each item, whether it may be left and resumed.
     split: Vec<bool>,
-    /// By item: its first segment.
+    /// For each item, its first segment.
     first: Vec<u32>,
-    /// Segments of each contour, the l_m of the paper.
+    /// Number of segments of each contour, the l_m of the paper.
     pub(super) sizes: Vec<u32>,
-    /// There are contours cut whole: a gene may then stand for nothing.
+    /// Whether some contours are cut whole, so that some of their genes cut nothing.
     mixed: bool,
 }
 
 impl<'p> Model<'p> {
-    /// `whole`: no contour is left, whatever the machine allows.
+    /// If `whole` is set, no contour is left unfinished, whatever the machine allows.
     pub(super) fn new(legs: Legs<'p>, whole: bool) -> Self {
         let problem = legs.problem();
         let (mut cuts, mut split) = (Vec::new(), Vec::new());
@@ -68,17 +70,17 @@ impl<'p> Model<'p> {
         self.legs.problem()
     }
 
-    /// How many segments there are, the N of the paper.
+    /// Number of segments, the N of the paper.
     pub(super) fn segments(&self) -> usize {
         self.cuts.len() / 2
     }
 
-    /// What a gene cuts.
+    /// The visit of a gene.
     pub(super) fn cut(&self, gene: Gene) -> Visit {
         self.cuts[gene as usize]
     }
 
-    /// The gene that goes on from where a gene ends without an air move, if its contour may be left.
+    /// The gene that continues from the end of a gene without an air move; `None` if its contour may not be left.
     pub(super) fn goes_on(&self, gene: Gene) -> Option<Gene> {
         let item = self.item(self.cut(gene).enter) as usize;
         let (first, count) = (self.first[item], u32::try_from(self.problem().items[item].nodes.len()).ok()?);
@@ -97,18 +99,18 @@ impl<'p> Model<'p> {
         self.split[item as usize]
     }
 
-    /// The way between two visits; `None` before the first and after the last.
+    /// Length of the air move between two visits; `None` is before the first or after the last.
     pub(super) fn gap(&self, from: Option<NodeId>, to: Option<NodeId>) -> f64 {
         match (from, to) {
             (Some(from), Some(to)) => self.legs.leg(from, to),
-            (None, Some(to)) => self.legs.out(to),
-            // A table closes the cycle elsewhere.
-            (Some(from), None) if self.problem().table().is_none() => self.legs.back(from, from),
+            (None, Some(to)) => self.legs.from_home(to),
+            // With a table of costs, the cycle is closed elsewhere.
+            (Some(from), None) if self.problem().table().is_none() => self.legs.to_end(from, from),
             _ => 0.0,
         }
     }
 
-    /// The visits of a chromosome in its own order, contours that are not left at their first gene.
+    /// The visits of a chromosome in its order. A contour that may not be left is visited at its first gene only.
     pub(super) fn visits(&self, genes: &[Gene]) -> Vec<Visit> {
         let mut done = vec![false; if self.mixed { self.split.len() } else { 0 }];
         let cuts = genes.iter().map(|&g| self.cut(g));
@@ -119,10 +121,10 @@ impl<'p> Model<'p> {
         .collect()
     }
 
-    /// Empty travel, eq. (1): from the origin over all gaps and back.
+    /// Empty travel, eq. (1): from the origin through all air moves and back.
     pub(super) fn travel(&self, visits: &[Visit]) -> f64 {
         let (Some(first), Some(last)) = (visits.first(), visits.last()) else { return 0.0 };
         let gaps: f64 = visits.windows(2).map(|w| self.legs.leg(w[0].leave, w[1].enter)).sum();
-        self.legs.out(first.enter) + gaps + self.legs.back(last.leave, first.enter)
+        self.legs.from_home(first.enter) + gaps + self.legs.to_end(last.leave, first.enter)
     }
 }

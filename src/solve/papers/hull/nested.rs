@@ -1,65 +1,67 @@
-//! Any chromosome as visits that nest: how a plan of partial cutting comes from the paper's model.
+//! Converts any chromosome to visits that nest, which a plan with partial cutting needs.
 //!
-//! In a plan, a contour that is left is resumed where it was left and in its stored direction, and what is cut in between
-//! lies in between wholly. The model knows nothing of that: it cuts segments in any order and either way. But air moves and
-//! segments of a chromosome are one closed walk, and every contour is a loop by itself, so every node meets an even number of
-//! air moves. Any walk over the same moves and segments is as long (Hierholzer, Math. Annalen 6 (1873)): the head follows air
-//! moves; when it first comes to a contour it goes round it, and at each node from which air moves are left it first follows
-//! those, until they bring it back there. Where it comes to a contour already begun, it passes: the plan goes straight on
-//! from there, so its travel is that of the chromosome, or less.
+//! In a plan, a contour that is left is resumed where it was left, in its stored direction, and everything cut in between
+//! is finished in between. The paper's model has no such rule: it cuts segments in any order and direction. However, the
+//! air moves and segments of a chromosome form a closed walk, and every contour is a loop, so every node is the end of an
+//! even number of air moves. Any walk over the same moves and segments has the same length (Hierholzer, Math. Annalen 6
+//! (1873)).
 //!
-//! Contours cut whole are beads on the air moves between the others. The walk sets out by the first air move of the
-//! chromosome, and so ends by the last one, which may be one that is not travelled.
+//! The head therefore follows the air moves. When it first reaches a contour it cuts around it, and at each node with
+//! unused air moves it follows those first, until they return to the node. When it reaches a contour that it has already
+//! begun, it passes on directly, so that the travel is that of the chromosome or less.
+//!
+//! Contours that are cut whole are attached to the air moves between the others ("beads"). The walk starts with the first
+//! air move of the chromosome and so ends with the last one, which may be the return home that is not travelled.
 
 use super::model::{Model, Visit};
 use crate::problem::NodeId;
 
-/// The visits of a walk, nested. They begin and end where those given do.
+/// The same walk as visits that nest. It starts and ends where the given visits do.
 pub(super) fn nested(model: &Model, visits: &[Visit]) -> Vec<Visit> {
-    Walk::new(model, visits).visits()
+    EulerWalk::new(model, visits).visits()
 }
 
-/// An air move between two vertices, with the contours cut whole on the way.
-struct Move {
+/// An air move between two vertices, with the contours that are cut whole on the way.
+struct AirMove {
     ends: [u32; 2],
     beads: std::ops::Range<usize>,
     used: bool,
 }
 
-/// What the head is about.
-enum Frame {
-    /// Air moves that come back to where they began: a stretch of [`Walk::trails`].
+/// What the head is doing; frames are stacked.
+enum StackFrame {
+    /// Following air moves that return to where they began: a range of [`EulerWalk::trails`].
     Trail(std::ops::Range<usize>),
-    /// Going round a contour.
+    /// Cutting around a contour.
     Round {
-        /// Where it was entered.
+        /// The node where it was entered.
         entry: NodeId,
-        /// Where the visit under way began.
+        /// The node where the current visit began.
         from: NodeId,
-        /// Nodes gone by since the entry.
+        /// Number of nodes passed since the entry.
         gone: u32,
-        /// Visits there were before it was left for others.
+        /// Number of visits before the contour was left for others.
         left: Option<usize>,
     },
 }
 
-struct Walk<'m, 'p> {
+struct EulerWalk<'m, 'p> {
     model: &'m Model<'p>,
-    /// Contours cut whole, in the order of the chromosome.
+    /// Contours that are cut whole, in the order of the chromosome.
     beads: Vec<Visit>,
-    moves: Vec<Move>,
-    /// Moves by vertex: the nodes, then home.
+    moves: Vec<AirMove>,
+    /// Air moves by vertex; the vertices are the nodes, then home.
     at: Vec<u32>,
-    /// Where the unused ones of each vertex begin, and where its own end.
+    /// For each vertex, the first unused move in `at`, and the end of its moves.
     next: Vec<u32>,
     end: Vec<u32>,
-    /// Moves in a row, each with whether it is gone backwards.
+    /// Sequences of air moves, each with whether it is followed backwards.
     trails: Vec<(u32, bool)>,
     begun: Vec<bool>,
     out: Vec<Visit>,
 }
 
-impl<'m, 'p> Walk<'m, 'p> {
+impl<'m, 'p> EulerWalk<'m, 'p> {
     fn new(model: &'m Model<'p>, visits: &[Visit]) -> Self {
         let problem = model.problem();
         let home = u32::try_from(problem.nodes.len()).unwrap_or(u32::MAX);
@@ -71,12 +73,12 @@ impl<'m, 'p> Walk<'m, 'p> {
                 continue;
             }
             if here != visit.enter || beads.len() > first {
-                moves.push(Move { ends: [here, visit.enter], beads: first..beads.len(), used: false });
+                moves.push(AirMove { ends: [here, visit.enter], beads: first..beads.len(), used: false });
                 first = beads.len();
             }
             here = visit.leave;
         }
-        moves.push(Move { ends: [here, home], beads: first..beads.len(), used: false });
+        moves.push(AirMove { ends: [here, home], beads: first..beads.len(), used: false });
         let mut end = vec![0; problem.nodes.len() + 1];
         for m in &moves {
             m.ends.iter().for_each(|&v| end[v as usize] += 1);
@@ -86,7 +88,7 @@ impl<'m, 'p> Walk<'m, 'p> {
             sum += *count;
             *count = sum;
         }
-        // Filled from behind, so that moves stand in their order.
+        // Filled from the back, so that the moves of a vertex are in their original order.
         let (mut next, mut at) = (end.clone(), vec![0; 2 * moves.len()]);
         let mut id = u32::try_from(moves.len()).unwrap_or(u32::MAX);
         for m in moves.iter().rev() {
@@ -100,7 +102,7 @@ impl<'m, 'p> Walk<'m, 'p> {
         Self { model, beads, moves, at, next, end, trails: Vec::new(), begun, out: Vec::new() }
     }
 
-    /// The next unused move at a vertex.
+    /// The next unused air move of a vertex.
     fn unused(&mut self, vertex: u32) -> Option<u32> {
         let v = vertex as usize;
         while self.next[v] < self.end[v] {
@@ -113,9 +115,9 @@ impl<'m, 'p> Walk<'m, 'p> {
         None
     }
 
-    /// Air moves from a vertex until there are none left where they come to, which is the same vertex: none if there are
-    /// none at all.
-    fn trail(&mut self, vertex: u32) -> Option<Frame> {
+    /// Follows unused air moves from a vertex until none is left, which is at the same vertex; `None` if there are none at
+    /// all.
+    fn trail(&mut self, vertex: u32) -> Option<StackFrame> {
         let (first, mut here) = (self.trails.len(), vertex);
         while let Some(id) = self.unused(here) {
             let m = &mut self.moves[id as usize];
@@ -124,30 +126,37 @@ impl<'m, 'p> Walk<'m, 'p> {
             here = if back { m.ends[0] } else { m.ends[1] };
             self.trails.push((id, back));
         }
-        (self.trails.len() > first).then_some(Frame::Trail(first..self.trails.len()))
+        (self.trails.len() > first).then_some(StackFrame::Trail(first..self.trails.len()))
     }
 
     fn visits(mut self) -> Vec<Visit> {
         let home = u32::try_from(self.model.problem().nodes.len()).unwrap_or(u32::MAX);
-        let mut frames: Vec<Frame> = self.trail(home).into_iter().collect();
+        let mut frames: Vec<StackFrame> = self.trail(home).into_iter().collect();
         while let Some(frame) = frames.pop() {
             match frame {
-                Frame::Trail(mut rest) => {
+                StackFrame::Trail(mut rest) => {
                     if let Some(step) = rest.next() {
-                        frames.push(Frame::Trail(rest));
+                        frames.push(StackFrame::Trail(rest));
                         let entry = self.go(self.trails[step]);
-                        frames.extend(entry.map(|n| Frame::Round { entry: n, from: n, gone: 1, left: None }));
+                        frames.extend(entry.map(|n| StackFrame::Round {
+                            entry: n,
+                            from: n,
+                            gone: 1,
+                            left: None,
+                        }));
                     }
                 }
-                Frame::Round { entry, from, gone, left } => self.round(&mut frames, entry, from, gone, left),
+                StackFrame::Round { entry, from, gone, left } => {
+                    self.round(&mut frames, entry, from, gone, left)
+                }
             }
         }
         self.out
     }
 
-    /// Goes along a move: the node it comes to, if that begins a contour.
+    /// Follows an air move. Returns the node it leads to, if that begins a contour.
     fn go(&mut self, (id, back): (u32, bool)) -> Option<NodeId> {
-        let Move { ends, beads, .. } = &self.moves[id as usize];
+        let AirMove { ends, beads, .. } = &self.moves[id as usize];
         let beads = &self.beads[beads.clone()];
         if back {
             let twin = |v: &Visit| self.model.problem().nodes[v.enter as usize].twin;
@@ -160,10 +169,10 @@ impl<'m, 'p> Walk<'m, 'p> {
         (!std::mem::replace(&mut self.begun[item], true)).then_some(to)
     }
 
-    /// From the node a contour is at to the next one from which air moves are left.
+    /// Cuts from the current node of a contour to the next node with unused air moves.
     fn round(
         &mut self,
-        frames: &mut Vec<Frame>,
+        frames: &mut Vec<StackFrame>,
         entry: NodeId,
         mut from: NodeId,
         gone: u32,
@@ -174,7 +183,7 @@ impl<'m, 'p> Walk<'m, 'p> {
         let node = |gone: u32| first + (entry - first + gone) % count;
         let mut gone = gone;
         if let Some(left) = left {
-            // Back where it was left: for nothing, if nothing was cut.
+            // Back at the node where it was left: if nothing was cut in between, the contour was not left at all.
             if self.out.len() == left + 1 {
                 self.out.pop();
             } else {
@@ -185,7 +194,7 @@ impl<'m, 'p> Walk<'m, 'p> {
         while gone < count {
             let here = node(gone);
             if let Some(trail) = self.trail(here) {
-                frames.push(Frame::Round { entry, from, gone, left: Some(self.out.len()) });
+                frames.push(StackFrame::Round { entry, from, gone, left: Some(self.out.len()) });
                 frames.push(trail);
                 self.out.push(Visit { enter: from, leave: here });
                 return;

@@ -1,11 +1,11 @@
-//! The parameters of `rlsga` and `sga`, as methods.
+//! The methods `rlsga` and `sga` and their parameters.
 
 use super::agent::Learning;
 use super::decode::Decoder;
 use super::genetic::{Breeding, Genetic};
 use super::settings::{HullSettings, OperatorRates};
 use crate::problem::Problem;
-use crate::solve::papers::lead::Running;
+use crate::solve::papers::piecewise::PiecewiseSearch;
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 
@@ -24,11 +24,12 @@ pub struct Rlsga {
     pub rates: OperatorRates,
     /// Learning rate alpha of eq. (11).
     pub alpha: f64,
-    /// Discount gamma of eq. (11).
+    /// Discount factor gamma of eq. (11).
     pub gamma: f64,
     /// Probability epsilon of a random action.
     pub epsilon: f64,
-    /// Fitness in eq. (6) divided by its mean, so that the state does not hang on the unit of length. The paper: no.
+    /// Whether eq. (6) uses fitness divided by its mean, so that the state does not depend on the unit of length. The paper
+    /// does not scale it.
     pub scaled_fitness: bool,
 }
 
@@ -59,11 +60,11 @@ impl Solver for Rlsga {
         let learning = Learning { alpha: self.alpha, gamma: self.gamma, epsilon: self.epsilon };
         let breeding = Breeding { rates: self.rates, scaled_fitness: self.scaled_fitness };
         let decoder = Decoder::new(problem, self.settings.measure);
-        Box::new(Running(Genetic::new(decoder, self.settings, breeding, Some(learning), seed)))
+        Box::new(PiecewiseSearch(Genetic::new(decoder, self.settings, breeding, Some(learning), seed)))
     }
 }
 
-/// The same without learning: a random crossover in each generation (section 5.2).
+/// RLSGA without learning: each generation uses a random crossover (section 5.2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Sga {
     /// Parameters of every method for hull parts.
@@ -87,6 +88,6 @@ impl Solver for Sga {
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
         let breeding = Breeding { rates: self.rates, scaled_fitness: Rlsga::default().scaled_fitness };
         let decoder = Decoder::new(problem, self.settings.measure);
-        Box::new(Running(Genetic::new(decoder, self.settings, breeding, None, seed)))
+        Box::new(PiecewiseSearch(Genetic::new(decoder, self.settings, breeding, None, seed)))
     }
 }

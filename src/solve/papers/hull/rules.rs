@@ -1,21 +1,21 @@
-//! How the members of a flock move: particle swarm, optimal foraging, whales.
+//! How the members of a population move: particle swarm, optimal foraging, and whales.
 //!
-//! The papers behind them are named, not repeated, in section 5.2; these are their plain forms.
+//! Section 5.2 names the methods but does not describe them; these are their plain forms.
 
-use super::flock::Flock;
+use super::members::Members;
 use crate::geometry::math;
 use crate::order::{real, sort_by};
 use crate::solve::rng::{Draw, Rng};
 use std::f64::consts::TAU;
 
-/// Moves the members of a flock.
-pub(super) trait Rule {
-    /// At the beginning of a generation.
-    fn begin(&mut self, _flock: &Flock) {}
-    /// Where a member goes, with a part `done` of all generations done.
-    fn trial(&mut self, flock: &Flock, member: usize, done: f64, rng: &mut Rng) -> Vec<f32>;
-    /// Whether it goes there, by the lengths before and after; generations count from 1.
-    fn takes(&mut self, _before: f64, _after: f64, _generation: f64, _dice: &mut Rng) -> bool {
+/// A rule by which members move.
+pub(super) trait MoveRule {
+    /// Prepares a generation.
+    fn begin(&mut self, _flock: &Members) {}
+    /// The keys that a member may move to. `done` is the fraction of the generations that are done.
+    fn trial(&mut self, members: &Members, member: usize, done: f64, rng: &mut Rng) -> Vec<f32>;
+    /// Whether the member moves there, given its lengths before and after. Generations are counted from 1.
+    fn accepts(&mut self, _before: f64, _after: f64, _generation: f64, _dice: &mut Rng) -> bool {
         true
     }
 }
@@ -25,7 +25,7 @@ fn key(x: f64) -> f32 {
     x as f32
 }
 
-/// Particle swarm optimisation: velocity from inertia, the member's own best and the best of all.
+/// Particle swarm optimisation: the velocity combines inertia, the member's own best and the best of all.
 pub(super) struct Particles {
     inertia: f64,
     own: f64,
@@ -42,18 +42,18 @@ impl Particles {
     }
 }
 
-impl Rule for Particles {
-    fn trial(&mut self, flock: &Flock, member: usize, _done: f64, rng: &mut Rng) -> Vec<f32> {
-        let here = &flock.keys[member];
+impl MoveRule for Particles {
+    fn trial(&mut self, members: &Members, member: usize, _done: f64, rng: &mut Rng) -> Vec<f32> {
+        let here = &members.keys[member];
         if self.bests.len() == member {
             self.velocities.push(vec![0.0; here.len()]);
             self.bests.push(here.clone());
-            self.lengths.push(flock.lengths[member]);
-        } else if flock.lengths[member] < self.lengths[member] {
-            self.lengths[member] = flock.lengths[member];
+            self.lengths.push(members.lengths[member]);
+        } else if members.lengths[member] < self.lengths[member] {
+            self.lengths[member] = members.lengths[member];
             self.bests[member].copy_from_slice(here);
         }
-        let pulls = self.bests[member].iter().zip(&flock.best);
+        let pulls = self.bests[member].iter().zip(&members.best);
         let moved = self.velocities[member].iter_mut().zip(here).zip(pulls).map(|((v, &x), (&own, &all))| {
             let [to_own, to_all] = [own, all].map(|p| f64::from(p) - f64::from(x));
             let pull = self.own * rng.uniform() * to_own + self.all * rng.uniform() * to_all;
@@ -64,14 +64,14 @@ impl Rule for Particles {
     }
 }
 
-/// Optimal foraging (Zhu & Zhang, Applied Soft Computing 51 (2017)): each member moves along its difference to a better
-/// one, the best along that to the worst, by k times the difference of two random numbers; what it finds is taken by the
-/// rule of prey choice, which allows the less for the worse the later.
+/// Optimal foraging (Zhu & Zhang, Applied Soft Computing 51 (2017)). Each member moves along its difference to a better
+/// one, and the best along its difference to the worst, by k times the difference of two random numbers. The rule of prey
+/// choice accepts the result; it accepts longer paths less often in later generations.
 pub(super) struct Foragers {
     /// k = from - fall t / t_max.
     from: f64,
     fall: f64,
-    /// Members, the best first, and the place of each.
+    /// Members in ascending order of length, and the position of each member in that order.
     order: Vec<usize>,
     places: Vec<usize>,
 }
@@ -82,20 +82,20 @@ impl Foragers {
     }
 }
 
-impl Rule for Foragers {
-    fn begin(&mut self, flock: &Flock) {
-        self.order = (0..flock.keys.len()).collect();
-        sort_by(&mut self.order, |&m| [real(flock.lengths[m]), 0, 0]);
+impl MoveRule for Foragers {
+    fn begin(&mut self, members: &Members) {
+        self.order = (0..members.keys.len()).collect();
+        sort_by(&mut self.order, |&m| [real(members.lengths[m]), 0, 0]);
         self.places = vec![0; self.order.len()];
         self.order.iter().enumerate().for_each(|(place, &m)| self.places[m] = place);
     }
 
-    fn trial(&mut self, flock: &Flock, member: usize, done: f64, rng: &mut Rng) -> Vec<f32> {
+    fn trial(&mut self, members: &Members, member: usize, done: f64, rng: &mut Rng) -> Vec<f32> {
         let place = self.places[member];
         let other = if place == 0 { self.order.len() - 1 } else { rng.below(place) };
-        let other = &flock.keys[self.order[other]];
+        let other = &members.keys[self.order[other]];
         let k = self.from - self.fall * done;
-        let moved = flock.keys[member].iter().zip(other).map(|(&x, &o)| {
+        let moved = members.keys[member].iter().zip(other).map(|(&x, &o)| {
             let change = f64::from(o) - f64::from(x);
             let back = rng.uniform();
             key(f64::from(x) - k * back * change + k * rng.uniform() * change)
@@ -103,37 +103,37 @@ impl Rule for Foragers {
         moved.collect()
     }
 
-    fn takes(&mut self, before: f64, after: f64, generation: f64, rng: &mut Rng) -> bool {
+    fn accepts(&mut self, before: f64, after: f64, generation: f64, rng: &mut Rng) -> bool {
         let prey = rng.uniform();
         prey * after / (1.0 + (generation + 1.0) * prey) < before / generation
     }
 }
 
-/// Whales (Mirjalili & Lewis, Advances in Engineering Software 95 (2016)): half of the time a spiral around the best, else
-/// towards the best, or around a random member while |A| is at least 1.
+/// Whale optimisation (Mirjalili & Lewis, Advances in Engineering Software 95 (2016)). Half of the moves are a spiral
+/// around the best; the others lead towards the best, or around a random member while |A| is at least 1.
 pub(super) struct Whales {
-    /// A falls from here to `least`.
+    /// A falls from `reach` to `least`.
     pub(super) reach: f64,
     pub(super) least: f64,
-    /// Weight C of the prey. Mirjalili draws it from [0, 2] each time; the paper has 1.
+    /// Weight C of the prey. Mirjalili draws it from [0, 2] each time; the paper uses 1.
     pub(super) weight: f64,
     /// Shape b of the spiral.
     pub(super) spiral: f64,
 }
 
-impl Rule for Whales {
-    fn trial(&mut self, flock: &Flock, member: usize, done: f64, rng: &mut Rng) -> Vec<f32> {
-        let here = &flock.keys[member];
+impl MoveRule for Whales {
+    fn trial(&mut self, members: &Members, member: usize, done: f64, rng: &mut Rng) -> Vec<f32> {
+        let here = &members.keys[member];
         if rng.uniform() >= 0.5 {
             let l = 2.0 * rng.uniform() - 1.0;
             let turn = math::exp(self.spiral * l) * math::cos(TAU * l);
             let around =
                 |(&x, &b): (&f32, &f32)| key((f64::from(b) - f64::from(x)).abs() * turn + f64::from(b));
-            return here.iter().zip(&flock.best).map(around).collect();
+            return here.iter().zip(&members.best).map(around).collect();
         }
         let falling = self.reach - (self.reach - self.least) * done;
         let a = 2.0 * falling * rng.uniform() - falling;
-        let prey = if a.abs() < 1.0 { &flock.best } else { &flock.keys[rng.below(flock.keys.len())] };
+        let prey = if a.abs() < 1.0 { &members.best } else { &members.keys[rng.below(members.keys.len())] };
         let towards = |(&x, &p): (&f32, &f32)| {
             key(f64::from(p) - a * (self.weight * f64::from(p) - f64::from(x)).abs())
         };
@@ -144,10 +144,11 @@ impl Rule for Whales {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solve::rng::seeded;
 
-    fn flock() -> Flock {
+    fn members() -> Members {
         let keys = vec![vec![0.2, 0.4], vec![0.6, 0.9], vec![0.5, 0.5]];
-        Flock { best: keys[1].clone(), keys, lengths: vec![5.0, 3.0, 4.0], shortest: 3.0 }
+        Members { best: keys[1].clone(), keys, lengths: vec![5.0, 3.0, 4.0], shortest: 3.0 }
     }
 
     fn close(found: &[f32], wanted: [f64; 2]) {
@@ -160,16 +161,16 @@ mod tests {
     #[test]
     fn particles_by_hand() {
         let mut rule = Particles::new(0.3, 0.5, 0.5);
-        // No velocity yet, its own best where it is: only the best of all pulls.
-        let found = rule.trial(&flock(), 0, 0.0, &mut crate::solve::rng::seeded(9));
-        let mut rng = crate::solve::rng::seeded(9);
+        // There is no velocity yet, and the member is at its own best: only the best of all attracts it.
+        let found = rule.trial(&members(), 0, 0.0, &mut seeded(9));
+        let mut rng = seeded(9);
         let [_, a, _, b] = [(); 4].map(|()| rng.uniform());
         close(&found, [0.2 + 0.5 * a * 0.4, 0.4 + 0.5 * b * 0.5]);
-        // Then inertia, and a pull back to its own best, as it got worse.
-        let mut moved = flock();
+        // Now inertia acts, and its own best attracts it, because its path became longer.
+        let mut moved = members();
         (moved.keys[0], moved.lengths[0]) = (found.clone(), 6.0);
         let again = rule.trial(&moved, 0, 0.0, &mut rng);
-        let mut rng = crate::solve::rng::seeded(9);
+        let mut rng = seeded(9);
         (0..4).for_each(|_| {
             rng.uniform();
         });
@@ -182,17 +183,17 @@ mod tests {
     #[test]
     fn foragers_by_hand() {
         let mut rule = Foragers::new(0.9, 0.5);
-        rule.begin(&flock());
+        rule.begin(&members());
         assert_eq!(rule.order, [1, 2, 0]);
-        // The best moves along the difference to the worst, at half time by k = 0.65.
-        let found = rule.trial(&flock(), 1, 0.5, &mut crate::solve::rng::seeded(4));
-        let mut rng = crate::solve::rng::seeded(4);
+        // The best moves along the difference to the worst, halfway through with k = 0.65.
+        let found = rule.trial(&members(), 1, 0.5, &mut seeded(4));
+        let mut rng = seeded(4);
         let [a, b, c, d] = [(); 4].map(|()| rng.uniform());
         close(&found, [0.6 + 0.65 * (b - a) * (0.2 - 0.6), 0.9 + 0.65 * (d - c) * (0.4 - 0.9)]);
-        // What is shorter is always taken; what is longer by half never in generation 1000.
-        let mut rng = crate::solve::rng::seeded(5);
-        assert!((0..500).all(|_| rule.takes(2.0, 2.0, 7.0, &mut rng)));
-        let taken = (0..500).filter(|_| rule.takes(2.0, 3.0, 1000.0, &mut rng)).count();
+        // A shorter path is always accepted; one that is longer by half hardly ever in generation 1000.
+        let mut rng = seeded(5);
+        assert!((0..500).all(|_| rule.accepts(2.0, 2.0, 7.0, &mut rng)));
+        let taken = (0..500).filter(|_| rule.accepts(2.0, 3.0, 1000.0, &mut rng)).count();
         assert!(taken < 10, "{taken}");
     }
 
@@ -201,9 +202,9 @@ mod tests {
         let mut rule = Whales { reach: 2.0, least: 0.0, weight: 1.0, spiral: 1.0 };
         let mut kinds = [0; 2];
         for seed in 0..60 {
-            // At the end A is 0: the prey itself, or the spiral.
-            let found = rule.trial(&flock(), 0, 1.0, &mut crate::solve::rng::seeded(seed));
-            let mut rng = crate::solve::rng::seeded(seed);
+            // At the end A is 0, so the member moves to the prey itself or spirals around it.
+            let found = rule.trial(&members(), 0, 1.0, &mut seeded(seed));
+            let mut rng = seeded(seed);
             let spiral = rng.uniform() >= 0.5;
             let l = 2.0 * rng.uniform() - 1.0;
             let turn = if spiral { math::exp(l) * math::cos(TAU * l) } else { 0.0 };

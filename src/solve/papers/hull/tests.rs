@@ -1,4 +1,4 @@
-//! Codes and operators by hand and by brute force.
+//! Codes and operators, checked by hand and by brute force.
 
 use super::chromosome::{Chromosome, genes, keys};
 use super::crossover::{OPERATORS, Operator, Torn, cross};
@@ -27,7 +27,7 @@ fn model(problem: &Problem) -> Model<'_> {
     Model::new(Legs::new(problem, Measure::Euclidean), false)
 }
 
-/// Visits of every contour go on from one another round it once, and those of different contours nest.
+/// Checks that the visits of every contour join and go around it once, and that visits of different contours nest.
 fn assert_nested(problem: &Problem, path: &[Visit]) {
     let item = |n: NodeId| problem.nodes[n as usize].item;
     let mut open: Vec<(u32, NodeId, NodeId)> = Vec::new();
@@ -66,10 +66,10 @@ fn any_chromosome_nests_with_no_more_travel() {
     assert!(same > 200, "{same}");
 }
 
-/// A random walk over the same moves and segments: the same multigraph, gone through in another order and other ways.
+/// A random walk over the same moves and segments: the same multigraph, traversed in another order and direction.
 fn shuffled(model: &Model, path: &[Gene], rng: &mut Rng) -> Vec<Gene> {
     const HOME: NodeId = NodeId::MAX;
-    // Edges: air moves, and segments with their gene.
+    // Edges: air moves, and segments with their genes.
     let mut edges: Vec<(NodeId, NodeId, Option<Gene>)> = Vec::new();
     let mut here = HOME;
     for &gene in path {
@@ -82,7 +82,7 @@ fn shuffled(model: &Model, path: &[Gene], rng: &mut Rng) -> Vec<Gene> {
     }
     let (Some(&first), Some(last)) = (edges.first(), path.last()) else { return Vec::new() };
     edges.push((model.cut(*last).leave, HOME, None));
-    // Hierholzer from the first move on, each time by a random edge.
+    // Hierholzer's algorithm from the first move on, choosing edges at random.
     let mut used = vec![false; edges.len()];
     used[0] = true;
     let mut tour = vec![first];
@@ -105,13 +105,13 @@ fn shuffled(model: &Model, path: &[Gene], rng: &mut Rng) -> Vec<Gene> {
             tour.insert(insert, step);
             insert += 1;
         }
-        // Once more from the same place, until nothing is left there.
+        // Stays at the same position until it has no unused edges.
         at += usize::from(insert == at + 1);
     }
     tour.into_iter().filter_map(|e| e.2).collect()
 }
 
-/// A tree of contours: each is entered at its first node and left for others at later ones, one for each.
+/// A tree of contours: each is entered at its first node and left for at most one other at each later node.
 fn tree(model: &Model, contours: &mut Vec<u32>, rng: &mut Rng, out: &mut Vec<Gene>) {
     let Some(item) = contours.pop() else { return };
     let nodes = model.problem().items[item as usize].nodes.clone();
@@ -150,7 +150,7 @@ fn a_path_of_nested_visits_keeps_its_travel_however_its_moves_are_gone() {
 
 #[test]
 fn contours_cut_whole_are_taken_along_either_way() {
-    // Contours 0 and 1 may be left; 2 is an open one, 3 closed and cut whole.
+    // Contours 0 and 1 may be left; 2 is open, 3 is closed and cut whole.
     let corners: [&[[f64; 2]]; 4] = [
         &[[0., 1.], [9., 1.], [5., 5.]],
         &[[0., 7.], [3., 9.]],
@@ -181,7 +181,7 @@ fn chromosome(paths: &[&[Gene]]) -> Chromosome {
     Chromosome::new(paths.concat(), &sizes)
 }
 
-/// Segments of the paper count from 1; a minus is against the stored direction.
+/// The paper counts segments from 1; a minus sign means against the stored direction.
 fn coded(paths: &[&[i32]]) -> Chromosome {
     let code = |&s: &i32| 2 * (s.unsigned_abs() - 1) + u32::from(s < 0);
     let paths: Vec<Vec<Gene>> = paths.iter().map(|p| p.iter().map(code).collect()).collect();
@@ -192,7 +192,8 @@ fn cross_often(by: Operator, parents: [&Chromosome; 2], sizes: &[u32]) -> Vec<[T
     (0..400).map(|seed| cross(by, parents, sizes, &mut seeded(seed))).collect()
 }
 
-/// Figure 6 in words: chromosome 1 receives {5, 2} from chromosome 2; 2 then stands twice, and the one outside is blanked.
+/// Figure 6 in words: chromosome 1 receives {5, 2} from chromosome 2. 2 then occurs twice, and the one outside the run is
+/// blanked.
 #[test]
 fn received_codes_stay_and_their_doubles_are_blanked() {
     let one = coded(&[&[1, 4, 3], &[2, 6, 5]]);
@@ -200,7 +201,7 @@ fn received_codes_stay_and_their_doubles_are_blanked() {
     let wanted = |torn: &[Torn; 2]| torn[0].chromosome.genes[..3] == coded(&[&[1, 5, 2]]).genes[..];
     let all = cross_often(Operator::Positive, [&one, &two], &[3, 3]);
     let [a, b] = all.iter().find(|t| wanted(t) && t[0].chromosome.genes[3] == BLANK).unwrap();
-    // On path 2 a run changed places, too: here 5 or 6 of it went away or stands outside as a double.
+    // A run of path 2 was exchanged as well: 5 or 6 of it was given away or occurs twice.
     assert_eq!(a.chromosome.genes[3], BLANK, "2 outside is blanked");
     for torn in [a, b] {
         let blanks = torn.chromosome.genes.iter().filter(|&&g| g == BLANK).count();
@@ -216,7 +217,8 @@ fn received_codes_stay_and_their_doubles_are_blanked() {
 fn the_three_crossovers_give_runs_as_they_say() {
     let one = coded(&[&[1, 2, 3, 4, 5]]);
     let two = coded(&[&[-3, -2, -1, -5, -4]]);
-    // What side 0 holds of side 1, which is all against the stored direction; reversed, all along it again.
+    // The runs that side 0 received from side 1, where every segment is cut against the stored direction; RSX turns them
+    // back.
     let runs = |by| -> BTreeSet<(usize, Vec<Gene>)> {
         let all = cross_often(by, [&one, &two], &[5]);
         let own: Vec<Vec<Gene>> = all.into_iter().map(|[t, _]| t.chromosome.genes).collect();
@@ -228,14 +230,14 @@ fn the_three_crossovers_give_runs_as_they_say() {
         };
         own.iter().filter_map(run).collect()
     };
-    // PSX: places 1 and 2 are 2's own, -2 -1; RSX: turned round, 1 2; ISX: also those of other places of 2.
+    // PSX: places 1 and 2 get -2 -1 of chromosome 2; RSX: reversed, 1 2; ISX: also runs from other places of chromosome 2.
     let psx = runs(Operator::Positive);
     assert!(psx.contains(&(1, vec![3, 1])));
     assert!(psx.iter().all(|(at, run)| two.genes[*at..*at + run.len()] == run[..]));
     assert!(runs(Operator::Reverse).contains(&(1, vec![0, 2])));
     let isx = runs(Operator::Intersect);
     assert!(isx.is_superset(&psx) || isx.contains(&(1, vec![3, 1])));
-    // Of one length, both paths give their own places; with a longer one, any of its places.
+    // Paths of equal length exchange the same places; a longer one gives any of its places.
     let short = coded(&[&[1], &[2, 3, 4, 5]]);
     let given: BTreeSet<Gene> =
         cross_often(Operator::Intersect, [&short, &coded(&[&[5, 4, 3], &[2, 1]])], &[2, 3])
@@ -284,7 +286,7 @@ fn crossovers_bring_paths_back_to_their_lengths_and_keep_every_segment() {
 
 #[test]
 fn blanks_take_first_what_goes_on_and_then_what_adds_least() {
-    // Two squares; genes 0, 2, 4, 6 go round the first, 8 to 14 round the second.
+    // Two squares: genes 0, 2, 4, 6 go around the first, 8 to 14 around the second.
     let squares: [&[[f64; 2]]; 2] =
         [&[[0., 0.], [1., 0.], [1., 1.], [0., 1.]], &[[9., 0.], [10., 0.], [10., 1.], [9., 1.]]];
     let problem = sheet(&squares, true);
@@ -296,9 +298,9 @@ fn blanks_take_first_what_goes_on_and_then_what_adds_least() {
         filling.full().unwrap().genes
     };
     assert_eq!(fill(&[0, BLANK, 4, 6, 8, 10, BLANK, 14], &[1, 6]), [0, 2, 4, 6, 8, 10, 12, 14]);
-    // From behind: what leads to 4 is 2.
+    // From the end: 2 leads to 4.
     assert_eq!(fill(&[BLANK, BLANK, 4, 6, 8, 10, 12, 14], &[0, 1]), [0, 2, 4, 6, 8, 10, 12, 14]);
-    // Neither beside 0 nor beside 8 goes on: 4 and 6 stand where nothing fits 7 but the end, along its way.
+    // Nothing continues from 6, but 14 leads to 8.
     let genes = fill(&[0, 2, 4, 6, BLANK, 8, 10, 12], &[7]);
     assert_eq!(genes, [0, 2, 4, 6, 14, 8, 10, 12], "it leads to the one behind");
     let genes = fill(&[12, 0, 2, 4, BLANK, 8, 10, BLANK], &[3, 7]);

@@ -1,9 +1,9 @@
-//! Local search for the methods of papers: 2-opt and Or-opt over the items near to each other, then the best entries
-//! for the order that stands. It knows no precedence: what it comes to is repaired like every other order.
+//! Local search for the published methods: 2-opt and Or-opt over near items, then the best entries for the order found. It
+//! ignores precedence; its result is repaired like every other order.
 
-mod choose;
+mod entry_choice;
+mod local_search;
 mod near;
-mod polish;
 
-pub(super) use choose::Choose;
-pub(super) use polish::{Ground, Polish};
+pub(super) use entry_choice::EntryChoice;
+pub(super) use local_search::{LocalSearch, SearchSpace};

@@ -1,13 +1,14 @@
-//! `k-pso`: a swarm sown by groups. The method Qu & Du compare with (their reference 43, Feng 2021) is not given in their
-//! paper, so this is its plainest form: items are put in k groups as k-means does, the groups are ordered by going always
-//! to the nearest, each is toured inside by going always to the nearest, and the swarm moves on from there as the
-//! standard one does. Every particle begins with another group.
+//! `k-pso`: a particle swarm that is initialised by groups. Qu & Du compare with this method (their reference 43, Feng
+//! 2021) but do not describe it, so this is its plainest form. Items are divided into k groups as by k-means. The groups
+//! are ordered by nearest neighbour, the items within a group as well, and from there the swarm moves like the standard
+//! one. Every particle starts with a different group.
 //!
-//! The centre of a group is that of its items from which the ways to the others are shortest, as a table of costs has no
-//! places of which there would be a mean; an item stands for its first node. k is the root of the number of items.
+//! A table of costs has no coordinates of which a mean could be taken. Therefore the centre of a group is the item from
+//! which the sum of lengths to the other items is least, where the first node represents an item. k is the square root of
+//! the number of items.
 
-use super::flock::Flock;
-use super::pso::{Plain, Pso};
+use super::particles::Swarm;
+use super::pso::{Pso, StandardGuide};
 use super::run::{Guide, Run};
 use super::settings::{SwarmSettings, Weights};
 use crate::problem::{ItemId, NodeId, Problem};
@@ -25,14 +26,14 @@ pub struct KPso {
     /// Constant weights.
     #[serde(flatten)]
     pub weights: Weights,
-    /// Times that items are put to the nearest centre and centres found anew, at most.
+    /// Largest number of k-means rounds, in which items join the nearest centre and centres are computed again.
     pub grouping: u32,
 }
 
 impl Default for KPso {
     fn default() -> Self {
         let Pso { settings, weights } = Pso::default();
-        // Groups of points in a plane hardly change after that many.
+        // Groups of points in a plane hardly change after 20 rounds.
         let grouping = 20;
         Self { settings, weights, grouping }
     }
@@ -52,13 +53,13 @@ impl Solver for KPso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let plain = Plain::new(self.weights);
+        let plain = StandardGuide::new(self.weights);
         let groups = Groups { left: self.grouping, ..Groups::default() };
         Run::start(
             problem,
             seed,
             &self.settings,
-            Grouped {
+            GroupGuide {
                 plain,
                 groups,
                 particle: 0,
@@ -71,55 +72,56 @@ impl Solver for KPso {
     }
 }
 
-/// The groups, and the swarm at work.
-struct Grouped {
-    plain: Plain,
+/// The groups and the swarm.
+struct GroupGuide {
+    plain: StandardGuide,
     groups: Groups,
-    /// The particle being sown, whether it was begun with, its tour so far and the groups still to come, the next last.
+    /// The particle being initialised, whether its tour has been started, the tour, and the groups still to visit (the last
+    /// is next).
     particle: usize,
     begun: bool,
     tour: Vec<NodeId>,
     order: Vec<usize>,
-    /// Items of the group being toured.
+    /// Items of the current group that are not yet in the tour.
     left: Vec<ItemId>,
 }
 
-/// Items in groups.
+/// The division of items into groups.
 #[derive(Default)]
 struct Groups {
     centres: Vec<ItemId>,
     members: Vec<Vec<ItemId>>,
-    /// By place among the items: its group, as far as they are put to groups.
+    /// For each position among the items, its group, as far as items are assigned.
     group: Vec<usize>,
-    /// By group: the item with the shortest ways to the others so far.
+    /// For each group, the least sum of lengths to its other items so far, and the item it belongs to.
     middle: Vec<(f64, ItemId)>,
-    /// The next item whose ways to the others of its group are summed.
+    /// Position of the next item whose lengths to its group are summed.
     next: usize,
-    /// Rounds left.
+    /// Rounds that are left.
     left: u32,
 }
 
 impl Groups {
-    /// Way between items, by their first nodes.
-    fn way(flock: &Flock, a: ItemId, b: ItemId) -> f64 {
-        let legs = &flock.worth.ground.legs;
+    /// Length between the first nodes of two items.
+    fn way(swarm: &Swarm, a: ItemId, b: ItemId) -> f64 {
+        let legs = &swarm.evaluator.space.legs;
         let first = |i: ItemId| legs.problem().items[i as usize].nodes.start;
         legs.leg(first(a), first(b))
     }
 
-    /// A piece of the grouping; nothing when the groups stand.
-    fn piece(&mut self, flock: &mut Flock) -> Option<u64> {
-        let items = flock.worth.keys.items();
+    /// Does a piece of the grouping; `None` when the groups are final.
+    fn piece(&mut self, swarm: &mut Swarm) -> Option<u64> {
+        let items = swarm.evaluator.keys.items();
         if self.centres.is_empty() {
             let mut left = items.to_vec();
             while self.centres.len() * self.centres.len() < items.len() {
-                self.centres.push(left.swap_remove(flock.rng.below(left.len())));
+                self.centres.push(left.swap_remove(swarm.rng.below(left.len())));
             }
             self.begin();
             return Some(items.len() as u64);
         }
         if let Some(&item) = items.get(self.group.len()) {
-            let ways = self.centres.iter().map(|&c| Self::way(flock, c, item)).enumerate();
+            let ways = self.centres.iter().map(|&c| Self::way(swarm, c, item)).enumerate();
             let nearest = ways.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |w| w.0);
             self.members[nearest].push(item);
             self.group.push(nearest);
@@ -130,14 +132,14 @@ impl Groups {
         }
         if let Some(&item) = items.get(self.next) {
             let group = self.group[self.next];
-            let sum: f64 = self.members[group].iter().map(|&m| Self::way(flock, item, m)).sum();
+            let sum: f64 = self.members[group].iter().map(|&m| Self::way(swarm, item, m)).sum();
             if sum < self.middle[group].0 {
                 self.middle[group] = (sum, item);
             }
             self.next += 1;
             return Some(self.members[group].len() as u64);
         }
-        // A group may have lost all its items: its centre stays.
+        // A group may have lost all its items; then its centre stays.
         let found =
             self.middle.iter().zip(&self.centres).map(|(m, &c)| if m.0.is_finite() { m.1 } else { c });
         let centres: Vec<ItemId> = found.collect();
@@ -149,7 +151,7 @@ impl Groups {
         Some(items.len() as u64)
     }
 
-    /// All items are to be put to groups.
+    /// Starts a round: no item is assigned.
     fn begin(&mut self) {
         self.members = vec![Vec::new(); self.centres.len()];
         self.middle = vec![(f64::INFINITY, 0); self.centres.len()];
@@ -157,14 +159,14 @@ impl Groups {
         self.next = 0;
     }
 
-    /// The groups in order, from one on always to the nearest.
-    fn order(&self, flock: &Flock, first: usize) -> Vec<usize> {
+    /// The order of the groups by nearest neighbour, starting with `first`.
+    fn order(&self, swarm: &Swarm, first: usize) -> Vec<usize> {
         let mut left: Vec<usize> = (0..self.centres.len()).filter(|&g| g != first).collect();
         let mut order = vec![first];
         let mut here = first;
         while !left.is_empty() {
             let ways =
-                left.iter().map(|&g| Self::way(flock, self.centres[here], self.centres[g])).enumerate();
+                left.iter().map(|&g| Self::way(swarm, self.centres[here], self.centres[g])).enumerate();
             let k = ways.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |w| w.0);
             here = left.swap_remove(k);
             order.push(here);
@@ -173,37 +175,37 @@ impl Groups {
     }
 }
 
-impl Guide for Grouped {
-    fn sow(&mut self, flock: &mut Flock) -> Option<u64> {
-        if let Some(priced) = self.groups.piece(flock) {
+impl Guide for GroupGuide {
+    fn initialise(&mut self, swarm: &mut Swarm) -> Option<u64> {
+        if let Some(priced) = self.groups.piece(swarm) {
             return Some(priced);
         }
-        if self.particle == flock.particles.len() {
+        if self.particle == swarm.particles.len() {
             return None;
         }
-        let worth = &flock.worth;
-        let (legs, problem) = (&worth.ground.legs, worth.ground.legs.problem());
+        let evaluator = &swarm.evaluator;
+        let (legs, problem) = (&evaluator.space.legs, evaluator.space.legs.problem());
         if !self.begun {
             self.begun = true;
-            self.order = self.groups.order(flock, self.particle % self.groups.centres.len());
+            self.order = self.groups.order(swarm, self.particle % self.groups.centres.len());
             self.order.reverse();
-            self.tour.extend(worth.keys.pinned);
+            self.tour.extend(evaluator.keys.pinned);
             return Some((self.order.len() * self.order.len()) as u64);
         }
         if self.left.is_empty()
             && let Some(group) = self.order.pop()
         {
-            let pinned = worth.keys.pinned.map(|n| problem.nodes[n as usize].item);
+            let pinned = evaluator.keys.pinned.map(|n| problem.nodes[n as usize].item);
             let members = self.groups.members[group].iter().copied();
             self.left = members.filter(|&i| Some(i) != pinned).collect();
             return Some(1 + self.left.len() as u64);
         }
-        // Inside a group, always to the nearest node.
+        // Within a group, the nearest node is next.
         let mut priced = 0;
         let mut best: Option<(f64, NodeId, usize)> = None;
         for (k, &item) in self.left.iter().enumerate() {
             for node in problem.items[item as usize].nodes.clone() {
-                let way = self.tour.last().map_or_else(|| legs.out(node), |&from| legs.leg(from, node));
+                let way = self.tour.last().map_or_else(|| legs.from_home(node), |&from| legs.leg(from, node));
                 priced += 1;
                 if best.is_none_or(|b| way < b.0) {
                     best = Some((way, node, k));
@@ -219,13 +221,13 @@ impl Guide for Grouped {
         if let Some(at) = tour.iter().position(|&n| Some(problem.nodes[n as usize].item) == problem.start()) {
             tour.rotate_left(at);
         }
-        flock.draw(self.particle, Some(&tour));
+        swarm.draw(self.particle, Some(&tour));
         self.particle += 1;
         self.begun = false;
         Some(tour.len() as u64)
     }
 
-    fn drive(&mut self, flock: &mut Flock, particle: usize, keys: Range<usize>) {
-        self.plain.drive(flock, particle, keys);
+    fn move_keys(&mut self, swarm: &mut Swarm, particle: usize, keys: Range<usize>) {
+        self.plain.move_keys(swarm, particle, keys);
     }
 }

@@ -1,11 +1,11 @@
-//! LPSPSO: P. Qu, F. Du, "Improved Particle Swarm Optimization for Laser Cutting Path Planning", IEEE Access 11 (2023),
-//! doi 10.1109/ACCESS.2023.3236006.
+//! LPSPSO: P. Qu, F. Du, "Improved Particle Swarm Optimization for Laser Cutting Path Planning", IEEE Access 11 (2023), doi
+//! 10.1109/ACCESS.2023.3236006.
 //!
-//! A swarm sown by the improved proximity method (`proximity.rs`), judged by the prospect-regret value (`prospect.rs`),
-//! moved by (19) and (20) with inertia (16), learning factors (17) and a chaotic number (18) that change from iteration
-//! to iteration, or sent on Levy flights (21)-(24) when the threshold (25)-(27) says so (`rules.rs`).
+//! The improved proximity method initialises the swarm (`proximity.rs`), and the prospect-regret value compares its paths
+//! (`prospect.rs`). In each iteration the particles move by (19) and (20), with the inertia (16), the learning factors (17)
+//! and the chaotic number (18); or they make Levy flights (21)-(24) if the threshold (25)-(27) is passed (`rules.rs`).
 
-use super::flock::Flock;
+use super::particles::Swarm;
 use super::prospect::{Outcomes, Prospect};
 use super::proximity::Proximity;
 use super::rules::{Levy, add_distances, inertia, kappa, learning, singer, tau};
@@ -24,14 +24,14 @@ pub struct Lpspso {
     /// Parameters of every swarm method.
     #[serde(flatten)]
     pub settings: SwarmSettings,
-    /// Steps of all walks of the proximity method together: the paper walks from every feature point; on large sheets
-    /// that takes hours, so fewer are tried, evenly spread.
+    /// Largest number of steps of all tours that the proximity method constructs. The paper starts a tour at every feature
+    /// point, which takes hours on large sheets; here evenly spaced points are used if there are too many.
     pub proximity_steps: u64,
-    /// Greatest inertia, eq. (16).
+    /// Largest inertia, eq. (16).
     pub inertia_most: f64,
-    /// Least inertia, eq. (16).
+    /// Smallest inertia, eq. (16).
     pub inertia_least: f64,
-    /// Base of the power, eq. (16); not given in the paper.
+    /// Base of the power in eq. (16); the paper does not give it.
     pub inertia_base: f64,
     /// a of the learning factors, eq. (17).
     pub learning_a: f64,
@@ -39,28 +39,29 @@ pub struct Lpspso {
     pub learning_b: f64,
     /// mu of the Singer map, eq. (18).
     pub singer_mu: f64,
-    /// Its first number.
+    /// First value of the Singer map.
     pub singer_start: f64,
     /// Exponent beta of Levy steps, eqs (23) and (24).
     pub levy_beta: f64,
-    /// Size alpha of Levy steps, eq. (21), not given in the paper: in places of the order. With 0.4 a tenth of the keys
-    /// move by a place or more.
+    /// Size alpha of Levy steps, eq. (21), in positions of the order. The paper does not give it. With 0.4, a tenth of the
+    /// keys move by a position or more.
     pub levy_step: f64,
-    /// A flight that ends at a longer path is taken back. The paper does not say; without, flights are a random walk.
+    /// Whether a flight that ends at a longer path is undone. The paper does not say; without this, flights are a random
+    /// walk.
     pub flights_must_gain: bool,
-    /// Iterations without a better path after which the chaotic number is drawn once more, step 7.
+    /// Number of iterations without a better path after which the chaotic number is drawn once more, step 7.
     pub patience: u32,
     /// Exponent of gains, eq. (5).
     pub alpha: f64,
     /// Exponent of losses, eq. (5).
     pub beta: f64,
-    /// How much more losses count than gains, eq. (5).
+    /// Factor by which losses count more than gains, eq. (5).
     pub gamma: f64,
     /// Exponent of the weight of gains, eq. (6).
     pub delta: f64,
     /// Exponent of the weight of losses, eq. (7).
     pub phi: f64,
-    /// Regret avoidance, eqs (11) and (12); the paper has the letter of eq. (7) for it.
+    /// Regret avoidance, eqs (11) and (12); the paper uses the symbol of eq. (7) for it.
     pub avoidance: f64,
 }
 
@@ -97,56 +98,56 @@ impl Solver for Lpspso {
             title: "LPSPSO",
             about: "Particle swarm with Levy flights, a power function for its inertia and a Singer map.",
             source: Some(
-                "P. Qu, F. Du, Improved Particle Swarm Optimization for Laser Cutting Path Planning, IEEE Access 11 \
+                "P. Qu, F. Du, Improved Particle LpspsoGuide Optimization for Laser Cutting Path Planning, IEEE Access 11 \
                  (2023), doi 10.1109/ACCESS.2023.3236006",
             ),
         }
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        Run::start(problem, seed, &self.settings, Swarm::new(self.clone()))
+        Run::start(problem, seed, &self.settings, LpspsoGuide::new(self.clone()))
     }
 }
 
-/// The method at work.
-struct Swarm {
+/// The rules of the method and their current values.
+struct LpspsoGuide {
     by: Lpspso,
     proximity: Option<Proximity>,
-    /// Particles that have their keys.
-    sown: usize,
+    /// Number of particles that have their keys.
+    initialised: usize,
     levy: Levy,
-    /// Size of a Levy step, in shares of the range of a key.
+    /// Size of a Levy step, as a fraction of the range of a key.
     alpha: f64,
     chaos: f64,
-    /// Sums of the distances (25), as far as they are added up.
+    /// Sums of the distances in eq. (25), as far as they are computed.
     distances: Vec<f64>,
     row: usize,
     kappa: f64,
     tau: f64,
-    /// This round is a flight; where its particles came from.
+    /// Whether this round is a flight, and where its particles came from.
     flight: bool,
     before: Vec<Origin>,
-    /// Weights of this round for the particle being moved.
+    /// Weights of the particle that is being moved.
     pull: Weights,
     learning: (f64, f64),
-    /// Rounds without a better path.
+    /// Number of rounds without a better path.
     idle: u32,
-    /// Prospect-regret value of the best path, and of the mean.
+    /// Prospect-regret value of the best path.
     z: f64,
 }
 
-/// Where a particle was before a flight.
+/// State of a particle before a flight.
 struct Origin {
     keys: Vec<f64>,
     value: f64,
     tour: Vec<NodeId>,
 }
 
-impl Swarm {
+impl LpspsoGuide {
     fn new(by: Lpspso) -> Self {
         Self {
             proximity: None,
-            sown: 0,
+            initialised: 0,
             levy: Levy::new(by.levy_beta),
             alpha: 0.0,
             chaos: by.singer_start,
@@ -164,8 +165,8 @@ impl Swarm {
         }
     }
 
-    /// Whether the swarm stands still too early, step 7. Then the parameters of step 4 are drawn anew; all but the chaotic
-    /// number are functions of t, so it is that.
+    /// Step 7: if the swarm stagnates, the parameters of step 4 are drawn again. All of them except the chaotic number are
+    /// functions of t, so only that number changes.
     fn stir(&mut self) {
         if self.idle >= self.by.patience && self.kappa < self.tau {
             self.idle = 0;
@@ -174,45 +175,45 @@ impl Swarm {
     }
 }
 
-impl Guide for Swarm {
-    fn sow(&mut self, flock: &mut Flock) -> Option<u64> {
-        let count = flock.particles.len();
-        let worth = &flock.worth;
-        let (legs, keys) = (&worth.ground.legs, &worth.keys);
+impl Guide for LpspsoGuide {
+    fn initialise(&mut self, swarm: &mut Swarm) -> Option<u64> {
+        let count = swarm.particles.len();
+        let evaluator = &swarm.evaluator;
+        let (legs, keys) = (&evaluator.space.legs, &evaluator.keys);
         let most = self.by.proximity_steps;
         let proximity = self.proximity.get_or_insert_with(|| Proximity::new(legs, keys, count, most));
-        if let Some(priced) = proximity.piece(legs, keys, &flock.all) {
+        if let Some(priced) = proximity.piece(legs, keys, &swarm.all) {
             if let Some(path) = proximity.shorter() {
-                flock.found = Some(path);
+                swarm.found = Some(path);
             }
             return Some(priced);
         }
-        // With fewer points than particles the paths go round; velocities tell particles apart.
-        if self.sown < count {
+        // If there are fewer paths than particles, several particles get the same path and differ by their velocities.
+        if self.initialised < count {
             let path = std::mem::take(&mut proximity.paths[0]);
-            flock.draw(self.sown, Some(&path.1));
+            swarm.draw(self.initialised, Some(&path.1));
             proximity.paths.rotate_left(1);
             if let Some(last) = proximity.paths.last_mut() {
                 *last = path;
             }
-            self.sown += 1;
-            return Some(flock.worth.keys.count() as u64);
+            self.initialised += 1;
+            return Some(swarm.evaluator.keys.count() as u64);
         }
         self.proximity = None;
-        self.alpha = self.by.levy_step / flock.worth.keys.items().len() as f64;
+        self.alpha = self.by.levy_step / swarm.evaluator.keys.items().len() as f64;
         None
     }
 
-    /// Step 3: by the prospect-regret value.
-    fn judge(&mut self, flock: &mut Flock) {
-        for (p, before) in flock.particles.iter_mut().zip(self.before.drain(..)) {
+    /// Step 3: compares paths by the prospect-regret value.
+    fn update_bests(&mut self, swarm: &mut Swarm) {
+        for (p, before) in swarm.particles.iter_mut().zip(self.before.drain(..)) {
             if p.value > before.value {
                 (p.keys, p.value, p.tour) = (before.keys, before.value, before.tour);
             }
         }
-        let now: Vec<f64> = flock.particles.iter().map(|p| p.value).collect();
-        let begun = flock.round > 0;
-        let kept: Vec<f64> = flock.particles.iter().filter(|_| begun).map(|p| p.best_value).collect();
+        let now: Vec<f64> = swarm.particles.iter().map(|p| p.value).collect();
+        let begun = swarm.round > 0;
+        let kept: Vec<f64> = swarm.particles.iter().filter(|_| begun).map(|p| p.best_value).collect();
         let by = &self.by;
         let prospect = Prospect {
             alpha: by.alpha,
@@ -223,21 +224,21 @@ impl Guide for Swarm {
             avoidance: by.avoidance,
         };
         let outcomes = Outcomes::new(prospect, &now, &kept);
-        let led = flock.particles[flock.leader].best_value;
-        flock.remember(|new, old| outcomes.value(new) > outcomes.value(old));
-        let leads = flock.particles[flock.leader].best_value;
+        let led = swarm.particles[swarm.leader].best_value;
+        swarm.remember(|new, old| outcomes.value(new) > outcomes.value(old));
+        let leads = swarm.particles[swarm.leader].best_value;
         self.idle = if begun && leads >= led { self.idle + 1 } else { 0 };
         self.z = outcomes.value(leads);
     }
 
-    /// Steps 4 and 5: the parameters, and the distances between particles, a row of them at a time.
-    fn prepare(&mut self, flock: &mut Flock) -> Option<u64> {
-        let count = flock.particles.len();
+    /// Steps 4 and 5: the parameters, and the distances between particles, one row of them at a time.
+    fn prepare_round(&mut self, swarm: &mut Swarm) -> Option<u64> {
+        let count = swarm.particles.len();
         if self.row == 0 {
             self.distances = vec![0.0; count];
         }
         if self.row + 1 < count {
-            let (here, others) = flock.particles[self.row..].split_first()?;
+            let (here, others) = swarm.particles[self.row..].split_first()?;
             add_distances(
                 &mut self.distances,
                 self.row,
@@ -245,11 +246,11 @@ impl Guide for Swarm {
                 others.iter().map(|o| o.keys.as_slice()),
             );
             self.row += 1;
-            // Sixteen keys compared cost about as much as a leg priced.
+            // Comparing 16 keys takes about as long as pricing a leg.
             return Some((others.len() * here.keys.len() / 16) as u64);
         }
         self.row = 0;
-        let share = flock.share();
+        let share = swarm.share();
         self.kappa = kappa(&self.distances);
         self.tau = tau(share);
         self.stir();
@@ -262,21 +263,21 @@ impl Guide for Swarm {
         None
     }
 
-    /// Step 6.
-    fn drive(&mut self, flock: &mut Flock, i: usize, keys: Range<usize>) {
+    /// Step 6: moves the particles.
+    fn move_keys(&mut self, swarm: &mut Swarm, i: usize, keys: Range<usize>) {
         if keys.start == 0 {
-            self.pull.own = self.learning.0 * flock.rng.uniform();
+            self.pull.own = self.learning.0 * swarm.rng.uniform();
             if self.flight && self.by.flights_must_gain {
-                let p = &flock.particles[i];
+                let p = &swarm.particles[i];
                 self.before.push(Origin { keys: p.keys.clone(), value: p.value, tour: p.tour.clone() });
             }
         }
         if !self.flight {
             let pull = self.pull;
-            return flock.pull(i, keys, |_| pull);
+            return swarm.pull(i, keys, |_| pull);
         }
-        for key in &mut flock.particles[i].keys[keys] {
-            *key = (*key + self.alpha * self.levy.step(&mut flock.rng)).clamp(0.0, 1.0);
+        for key in &mut swarm.particles[i].keys[keys] {
+            *key = (*key + self.alpha * self.levy.step(&mut swarm.rng)).clamp(0.0, 1.0);
         }
     }
 

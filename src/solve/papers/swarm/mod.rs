@@ -1,16 +1,16 @@
-//! LPSPSO of Qu & Du and the three swarms it is compared with.
+//! LPSPSO of Qu & Du, and the three swarms that they compare it with.
 
 mod aco_pso;
-mod flock;
+mod evaluator;
 mod k_pso;
 mod lpspso;
+mod particles;
 mod prospect;
 mod proximity;
 mod pso;
 mod rules;
 mod run;
 mod settings;
-mod worth;
 
 pub use aco_pso::AcoPso;
 pub use k_pso::KPso;

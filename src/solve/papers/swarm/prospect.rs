@@ -1,39 +1,41 @@
-//! The comprehensive prospect-regret value, Qu & Du eqs (4)-(13): how good a path is for somebody who minds losses more
-//! than gains and regrets what could have been.
+//! The comprehensive prospect-regret value, Qu & Du eqs (4)-(13). It rates a path as a person would who minds losses more
+//! than gains and regrets missed opportunities.
 //!
-//! The paper leaves open what its attributes, probabilities and reference are. Here an outcome is a path's length, as
-//! probable as any other of the swarm; the reference E is the swarm's mean in this iteration; shorter is a gain. A length
-//! is an interval of no width, so the distance (4) is the difference. Of V+ (8) and V- (9) a path has one that is not 0;
-//! equations (11) and (12) print V+ in both, which would make all losses equal: here it is the one the path has.
+//! The paper does not define its attributes, probabilities and reference. Here an outcome is the length of a path, all
+//! outcomes of the swarm are equally probable, the reference E is the mean of the swarm in this iteration, and shorter is a
+//! gain. A length is an interval of width 0, so the distance (4) is the difference. A path has either a V+ (8) or a V- (9)
+//! that is not 0. Equations (11) and (12) both print V+, which would make all losses equal; here each path's own value is
+//! used.
 //!
-//! Within one swarm a shorter path never has a smaller value. So comparing by Z and by length is the same, and what the
-//! value adds is a number to look at; the paper's column of it (table 3, CPRV) cannot be had from this or any reading.
+//! Within one swarm a shorter path never has a smaller value, so comparing by Z gives the same result as comparing by
+//! length. The value is only a number to look at. The values that the paper prints (table 3, CPRV) cannot be reproduced by
+//! this or any other interpretation.
 
 use crate::geometry::math;
 
-/// The coefficients.
+/// The coefficients of the value.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Prospect {
-    /// Exponents of gains and losses, and how much more losses count, eq. (5).
+    /// Exponents of gains and losses, and the factor by which losses count more, eq. (5).
     pub(super) alpha: f64,
     pub(super) beta: f64,
     pub(super) gamma: f64,
     /// Exponents of the weights of gains (6) and losses (7).
     pub(super) delta: f64,
     pub(super) phi: f64,
-    /// Regret avoidance, (11) and (12).
+    /// Regret avoidance, eqs (11) and (12).
     pub(super) avoidance: f64,
 }
 
-/// The outcomes of an iteration, by which a length has a value.
+/// The outcomes of an iteration, with which a length is rated.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Outcomes {
     by: Prospect,
     /// The reference E.
     mean: f64,
-    /// Weights of a gain and of a loss.
+    /// Decision weights of a gain and of a loss.
     weights: (f64, f64),
-    /// The least and the greatest prospect value there is: V-(min) and V+(max).
+    /// The smallest and the largest prospect value: V-(min) and V+(max).
     least: f64,
     most: f64,
 }
@@ -45,7 +47,7 @@ fn weight(p: f64, exponent: f64) -> f64 {
 }
 
 impl Outcomes {
-    /// Of the lengths of a swarm now; `kept`: other lengths that are compared with them, the best of each particle.
+    /// The outcomes for the current lengths of a swarm. `kept` are further lengths to be rated: the best of each particle.
     pub(super) fn new(by: Prospect, now: &[f64], kept: &[f64]) -> Self {
         let count = now.len().max(1) as f64;
         let mean = now.iter().sum::<f64>() / count;
@@ -69,7 +71,7 @@ impl Outcomes {
         }
     }
 
-    /// Z of a length, eqs (10)-(13).
+    /// The value Z of a length, eqs (10)-(13).
     pub(super) fn value(&self, length: f64) -> f64 {
         let span = self.most - self.least;
         if span <= 0.0 {
@@ -92,7 +94,7 @@ pub(super) mod tests {
 
     #[test]
     fn weights_of_equations_6_and_7() {
-        // One half: 0.5^d / (2 0.5^d)^(1/d).
+        // For 0.5: 0.5^d / (2 0.5^d)^(1/d).
         assert!((weight(0.5, 0.61) - 0.420_639_354).abs() < 1e-9);
         assert!((weight(0.5, 0.69) - 0.453_987_550).abs() < 1e-9);
         assert!((weight(1.0, 0.61) - 1.0).abs() < 1e-12);
@@ -100,12 +102,12 @@ pub(super) mod tests {
 
     #[test]
     fn two_paths_by_hand() {
-        // Lengths 90 and 110: E = 100, one gain and one loss of 10 each, so V+(max) and V-(min) are theirs.
+        // Lengths 90 and 110: E = 100, one gain and one loss of 10 each, so these are V+(max) and V-(min).
         let z = Outcomes::new(PRINTED, &[90.0, 110.0], &[]);
         // The shorter: regret 1 - e^-0.69, joy 0. The longer: regret 0, joy 1 - e^0.69.
         assert!((z.value(90.0) - 0.498_423_93).abs() < 1e-7);
         assert!((z.value(110.0) + 0.993_715_53).abs() < 1e-7);
-        // The mean has neither: its place between them is loss / (gain + loss).
+        // The mean is neither a gain nor a loss: its relative position is loss / (gain + loss).
         let (gain, loss) = (weight(0.5, 0.61), 2.25 * weight(0.5, 0.69));
         let place = loss / (gain + loss);
         let wanted = 2.0 - math::exp(-0.69 * place) - math::exp(0.69 * (1.0 - place));

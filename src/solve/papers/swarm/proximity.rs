@@ -1,30 +1,30 @@
-//! The improved proximity method, Qu & Du section II.B: from every feature point in turn, always to the nearest feature
-//! point of a contour not yet visited; the shortest path is kept, with the way d0 from the origin (eq. (3)).
+//! The improved proximity method, Qu & Du section II.B: a nearest-neighbour tour from every feature point. The shortest
+//! path is kept, including the distance d0 from the origin (eq. (3)).
 //!
-//! Steps 1-3 are [`Walk`], steps 4 and 5 are here. A fixed start is kept in front of every path; the points in turn then
-//! come second. A cycle given by a table is turned until it begins where the table says. Ties in step 5 are all kept, and
-//! as the swarm needs many paths, so are the next shortest.
+//! Steps 1 to 3 are [`NearestNeighbour`]; steps 4 and 5 are here. A fixed start comes first in every path, and the feature
+//! points second. A cycle given by a table is rotated until it starts at the item that the table names. All ties of step 5
+//! are kept, and so are the next shortest paths, because the swarm needs many.
 
 use super::super::keys::Keys;
-use super::super::left::{Left, Walk};
 use super::super::legs::Legs;
+use super::super::unvisited::{NearestNeighbour, Unvisited};
 use crate::problem::NodeId;
 
 /// The method under way.
 pub(super) struct Proximity {
-    /// Points still to start from, the next one last.
+    /// Feature points at which tours are still to be started; the last is next.
     starts: Vec<NodeId>,
-    walk: Option<Walk>,
-    /// Paths with their lengths, the shortest first; equals in the order of their starts.
+    walk: Option<NearestNeighbour>,
+    /// The paths found with their lengths, the shortest first. Equal lengths stay in the order of their starting points.
     pub(super) paths: Vec<(f64, Vec<NodeId>)>,
     keep: usize,
-    /// The shortest is new.
+    /// Whether the shortest path is new.
     fresh: bool,
 }
 
 impl Proximity {
-    /// Keeps that many paths. `most`: steps of all walks together at most; with more points than that allows, some evenly
-    /// spread over them are taken, but never fewer than `keep`.
+    /// `keep` is the number of paths to keep, `most` the largest number of steps of all tours together. If there are more
+    /// feature points than that allows, evenly spaced ones are used, at least `keep` of them.
     pub(super) fn new(legs: &Legs, keys: &Keys, keep: usize, most: u64) -> Self {
         let problem = legs.problem();
         let fixed = keys.pinned.map(|n| problem.nodes[n as usize].item);
@@ -39,14 +39,14 @@ impl Proximity {
         Self { starts, walk: None, paths: Vec::new(), keep, fresh: false }
     }
 
-    /// The shortest path so far, if it was not told yet.
+    /// The shortest path so far, if it was not returned before.
     pub(super) fn shorter(&mut self) -> Option<Vec<NodeId>> {
         let fresh = std::mem::replace(&mut self.fresh, false);
         self.paths.first().filter(|_| fresh).map(|p| p.1.clone())
     }
 
-    /// The next step; its price, or nothing when all paths are walked.
-    pub(super) fn piece(&mut self, legs: &Legs, keys: &Keys, all: &Left) -> Option<u64> {
+    /// Does the next step and returns its cost, or `None` when all tours are complete.
+    pub(super) fn piece(&mut self, legs: &Legs, keys: &Keys, all: &Unvisited) -> Option<u64> {
         let problem = legs.problem();
         let Some(walk) = &mut self.walk else {
             let start = self.starts.pop()?;
@@ -54,7 +54,7 @@ impl Proximity {
             if let Some(fixed) = keys.pinned.filter(|&f| f != start) {
                 begun.insert(0, fixed);
             }
-            self.walk = Some(Walk::new(all.clone(), problem, &begun));
+            self.walk = Some(NearestNeighbour::new(all.clone(), problem, &begun));
             return Some(problem.nodes.len() as u64);
         };
         if let Some(priced) = walk.step(legs) {
@@ -65,7 +65,7 @@ impl Proximity {
         if let Some(at) = path.iter().position(|&n| Some(problem.nodes[n as usize].item) == problem.start()) {
             path.rotate_left(at);
         }
-        let (length, cost) = (legs.around(&path), path.len() as u64);
+        let (length, cost) = (legs.tour_length(&path), path.len() as u64);
         let place = self.paths.partition_point(|p| p.0 <= length);
         self.fresh |= place == 0;
         self.paths.insert(place, (length, path));
@@ -81,7 +81,7 @@ mod tests {
     use crate::solve::papers::Measure;
     use crate::solve::papers::test_sheet::sheet;
 
-    /// The worked example, table 2: feature points of seven contours.
+    /// The feature points of seven contours: the worked example, table 2.
     const SEVEN: [&[[f64; 2]]; 7] = [
         &[[5.0, 84.6], [100.7, 5.0], [150.0, 53.6], [93.4, 174.0]],
         &[[56.1, 69.8], [108.4, 70.3], [87.6, 116.5]],
@@ -129,7 +129,7 @@ mod tests {
     fn paths(problem: &Problem, first: Option<NodeId>, most: u64) -> Vec<(f64, Vec<NodeId>)> {
         let (legs, keys) = (Legs::new(problem, Measure::Euclidean), Keys::new(problem, first));
         let mut proximity = Proximity::new(&legs, &keys, 3, most);
-        let all = Left::all(problem);
+        let all = Unvisited::all(problem);
         while proximity.piece(&legs, &keys, &all).is_some() {}
         proximity.paths
     }
@@ -137,22 +137,22 @@ mod tests {
     #[test]
     fn the_worked_example_of_seven_contours() {
         let problem = problem(&SEVEN);
-        // From S12: the paper's path S12 S22 S31 S48 S62 S71 S51, printed as 709.1, 709.509 by its coordinates.
+        // From S12, the paper's path is S12 S22 S31 S48 S62 S71 S51. It prints 709.1; the coordinates give 709.509.
         let fixed = paths(&problem, Some(1), u64::MAX);
         assert_eq!(fixed[0].1, [1, 5, 7, 19, 26, 34, 21]);
         assert!((fixed[0].0 - 709.509_075_257_584).abs() < 1e-9);
-        // From any point the shortest begins at S22, by brute force; the next is the paper's.
+        // Over all starting points the shortest path begins at S22, by brute force; the paper's path is the second.
         let free = paths(&problem, None, u64::MAX);
         assert_eq!(free[0].1, [5, 2, 7, 19, 26, 34, 21]);
         assert!((free[0].0 - 682.285_405_481_085).abs() < 1e-9);
         assert_eq!(free[1], fixed[0]);
-        // With no steps to spare there are still as many walks as paths are kept.
+        // Even with no steps to spare, as many tours are constructed as paths are kept.
         assert_eq!(paths(&problem, None, 0).len(), 3);
     }
 
     #[test]
     fn ties_are_all_kept_in_the_order_of_their_starts() {
-        // Two points as far from the origin: both starts give the same length.
+        // Two points at the same distance from the origin: both starts give the same length.
         let problem = problem(&[&[[3.0, 4.0]], &[[4.0, 3.0]]]);
         let both = paths(&problem, None, u64::MAX);
         assert_eq!(both.iter().map(|p| p.1.as_slice()).collect::<Vec<_>>(), [[0, 1], [1, 0]]);

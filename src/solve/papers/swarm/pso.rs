@@ -1,8 +1,8 @@
-//! `pso`: the standard particle swarm that Qu & Du start from, eqs (14) and (15), on random keys: constant weights, even
-//! random numbers, no flights, lengths as they are. Their parameters are not in the paper; these are the constricted
-//! swarm's (Clerc & Kennedy, IEEE Transactions on Evolutionary Computation 6, 2002).
+//! `pso`: the standard particle swarm on random keys, eqs (14) and (15), from which Qu & Du start: constant weights,
+//! uniform random numbers, no flights, and comparison by length. The paper does not give their parameters; these are those
+//! of the constricted swarm (Clerc & Kennedy, IEEE Transactions on Evolutionary Computation 6, 2002).
 
-use super::flock::Flock;
+use super::particles::Swarm;
 use super::run::{Guide, Run};
 use super::settings::{SwarmSettings, Weights};
 use crate::problem::Problem;
@@ -42,38 +42,41 @@ impl Solver for Pso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        Run::start(problem, seed, &self.settings, Plain::new(self.weights))
+        Run::start(problem, seed, &self.settings, StandardGuide::new(self.weights))
     }
 }
 
-/// The standard swarm at work; the others move as it does.
-pub(super) struct Plain {
+/// The rules of the standard swarm, which the other methods use as well.
+pub(super) struct StandardGuide {
     weights: Weights,
-    /// Particles that have their keys.
-    sown: usize,
+    /// Number of particles that have their keys.
+    initialised: usize,
 }
 
-impl Plain {
-    /// A swarm that is not sown yet.
+impl StandardGuide {
+    /// A swarm that is not initialised yet.
     pub(super) fn new(weights: Weights) -> Self {
-        Self { weights, sown: 0 }
+        Self { weights, initialised: 0 }
     }
 }
 
-impl Guide for Plain {
-    fn sow(&mut self, flock: &mut Flock) -> Option<u64> {
-        if self.sown == flock.particles.len() {
+impl Guide for StandardGuide {
+    fn initialise(&mut self, swarm: &mut Swarm) -> Option<u64> {
+        if self.initialised == swarm.particles.len() {
             return None;
         }
-        flock.draw(self.sown, None);
-        self.sown += 1;
-        Some(flock.worth.keys.count() as u64)
+        swarm.draw(self.initialised, None);
+        self.initialised += 1;
+        Some(swarm.evaluator.keys.count() as u64)
     }
 
-    fn drive(&mut self, flock: &mut Flock, particle: usize, keys: Range<usize>) {
-        let Weights { inertia, own, swarm } = self.weights;
-        let draw =
-            |rng: &mut Rng| Weights { inertia, own: own * rng.uniform(), swarm: swarm * rng.uniform() };
-        flock.pull(particle, keys, draw);
+    fn move_keys(&mut self, swarm: &mut Swarm, particle: usize, keys: Range<usize>) {
+        let weights = self.weights;
+        let draw = |rng: &mut Rng| Weights {
+            own: weights.own * rng.uniform(),
+            swarm: weights.swarm * rng.uniform(),
+            ..weights
+        };
+        swarm.pull(particle, keys, draw);
     }
 }

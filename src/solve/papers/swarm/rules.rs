@@ -1,10 +1,10 @@
-//! The rules by which LPSPSO's numbers change from iteration to iteration: Qu & Du, equations (16)-(18), (23)-(27).
+//! How the parameters of LPSPSO change from iteration to iteration: Qu & Du, equations (16)-(18) and (23)-(27).
 
 use crate::geometry::math;
 use crate::solve::rng::{Draw, Rng};
 
-/// Inertia weight, eq. (16): between the mean of its bounds and the upper one, as a power of `base`, falling with the
-/// share of the iterations done.
+/// Inertia weight, eq. (16). It falls from `most` towards the mean of `least` and `most`, as a power of `base`; `share` is
+/// the fraction of the iterations done.
 pub(super) fn inertia(share: f64, base: f64, least: f64, most: f64) -> f64 {
     (most + least) / 2.0 + math::pow(base, -share) * (most - least) / 2.0
 }
@@ -15,39 +15,39 @@ pub(super) fn learning(share: f64, a: f64, b: f64) -> (f64, f64) {
     (own, b - own)
 }
 
-/// The next number of the Singer map, eq. (18). The map stays inside (0, 1) for its mu of 0.9 to 1.08; what rounding or
-/// another mu takes out is put back to the edge.
+/// The next number of the Singer map, eq. (18). The map stays inside (0, 1) for mu from 0.9 to 1.08. Numbers that leave it
+/// by rounding, or for another mu, are clamped.
 pub(super) fn singer(x: f64, mu: f64) -> f64 {
     const EDGE: f64 = 1e-9;
     (mu * (7.86 * x - 23.3 * x * x + 28.75 * x * x * x - 13.3 * x * x * x * x)).clamp(EDGE, 1.0 - EDGE)
 }
 
-/// Levy steps, eqs (23) and (24), by Mantegna's rule.
+/// Levy steps, eqs (23) and (24), by Mantegna's algorithm.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Levy {
     beta: f64,
-    /// Spread of the numerator.
+    /// Standard deviation of the numerator.
     pub(super) sigma: f64,
 }
 
 impl Levy {
-    /// With exponent beta in (1, 2].
+    /// Levy steps with the exponent beta in (1, 2].
     pub(super) fn new(beta: f64) -> Self {
         let above = math::gamma(1.0 + beta) * math::sin(std::f64::consts::PI * beta / 2.0);
         let below = math::gamma((1.0 + beta) / 2.0) * beta * math::pow(2.0, (beta - 1.0) / 2.0);
-        // At 2 the sine is 0, up to rounding.
+        // For beta = 2 the sine is 0, up to rounding.
         Self { beta, sigma: math::pow((above / below).max(0.0), 1.0 / beta) }
     }
 
-    /// One step.
+    /// Draws a step.
     pub(super) fn step(&self, rng: &mut Rng) -> f64 {
         let (mu, nu) = (self.sigma * rng.standard_normal(), rng.standard_normal());
-        // A denominator of 0 would be a step without end.
+        // A denominator of 0 would give an infinite step.
         mu / math::pow(nu.abs().max(f64::MIN_POSITIVE), 1.0 / self.beta)
     }
 }
 
-/// Adds to the mean distances of eq. (25) those of the particle of `row` to the ones `behind` it, for both.
+/// Adds the distances between the particle of `row` and those `behind` it to the mean distances of eq. (25) of both.
 pub(super) fn add_distances<'a>(
     distances: &mut [f64],
     row: usize,
@@ -63,8 +63,8 @@ pub(super) fn add_distances<'a>(
     }
 }
 
-/// The threshold of the Levy flight, eq. (26), from the mean distance (25) of each particle to the others. A swarm
-/// without any spread is as close as can be: 1.
+/// The value kappa of eq. (26), from the mean distance (25) of each particle to the others; 1 if all mean distances are
+/// equal.
 pub(super) fn kappa(distances: &[f64]) -> f64 {
     let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
     let most = distances.iter().copied().fold(0.0, f64::max);
@@ -72,7 +72,7 @@ pub(super) fn kappa(distances: &[f64]) -> f64 {
     if most > least { (mean - least) / (most - least) } else { 1.0 }
 }
 
-/// What the threshold is compared with, eq. (27).
+/// The threshold tau for kappa, eq. (27).
 pub(super) fn tau(share: f64) -> f64 {
     math::exp(-share)
 }
@@ -80,6 +80,7 @@ pub(super) fn tau(share: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solve::rng::seeded;
 
     fn near(a: f64, b: f64) {
         assert!((a - b).abs() < 1e-9, "{a} {b}");
@@ -87,7 +88,7 @@ mod tests {
 
     #[test]
     fn inertia_of_equation_16() {
-        // By hand, 0.675 + 0.275 x^-t/T: at the start 0.95; at the end with x = e 0.675 + 0.275 / 2.718281828.
+        // By hand, 0.675 + 0.275 x^-t/T: 0.95 at the start; at the end, for x = e, 0.675 + 0.275 / 2.718281828.
         near(inertia(0.0, std::f64::consts::E, 0.4, 0.95), 0.95);
         near(inertia(1.0, std::f64::consts::E, 0.4, 0.95), 0.776_166_846_0);
         // With base 4, half way: 0.675 + 0.275 / 2.
@@ -104,7 +105,7 @@ mod tests {
 
     #[test]
     fn mean_distances_of_equation_25_and_their_threshold() {
-        // 5 from the first to the second and on to the third, 8 from the first to the third.
+        // Distances: 5 from the first to the second, 5 from the second to the third, 8 from the first to the third.
         let keys: [&[f64]; 3] = [&[0.0, 0.0], &[3.0, 4.0], &[0.0, 8.0]];
         let mut distances = [0.0; 3];
         for row in 0..2 {
@@ -130,11 +131,11 @@ mod tests {
 
     #[test]
     fn levy_steps_of_equations_23_and_24() {
-        // Known for beta 1.5: 0.6966; for beta 1 the rule is Gamma(2) sin(pi/2) / (Gamma(1) 1 2^0) = 1.
+        // Known values: 0.6966 for beta = 1.5; for beta = 1, Gamma(2) sin(pi/2) / (Gamma(1) 1 2^0) = 1.
         assert!((Levy::new(1.5).sigma - 0.6966).abs() < 5e-5);
         near(Levy::new(1.0).sigma, 1.0);
-        // The tail: about 0.4 x^-1.5 of the steps are longer than x.
-        let mut rng = crate::solve::rng::seeded(1);
+        // The tail: a fraction of about 0.4 x^-1.5 of the steps are longer than x.
+        let mut rng = seeded(1);
         let levy = Levy::new(1.5);
         let steps: Vec<f64> = (0..100_000).map(|_| levy.step(&mut rng).abs()).collect();
         for x in [10.0, 20.0] {

@@ -1,41 +1,41 @@
-//! A swarm method under way: the rows of pieces that all of them share. What differs is a [`Guide`]'s: where the swarm is
-//! sown, and how it moves.
+//! The search that all swarm methods share, in pieces of work. A [`Guide`] defines what differs: how the swarm is
+//! initialised and how it moves.
 
 use super::super::keys::Keys;
-use super::super::lead::{Lead, Pieces, Running, solution};
-use super::super::left::Left;
 use super::super::legs::Legs;
-use super::flock::{Flock, Particle};
+use super::super::piecewise::{Piecewise, PiecewiseSearch, Progress, solution};
+use super::super::unvisited::Unvisited;
+use super::evaluator::{Evaluation, Evaluator};
+use super::particles::{Particle, Swarm};
 use super::settings::SwarmSettings;
-use super::worth::{Valued, Worth};
 use crate::problem::{NodeId, Problem};
 use crate::solve::Search;
 use crate::solve::rng::seeded;
 use crate::solve::{Curve, Insight};
 use std::ops::Range;
 
-/// Keys moved in one piece: with two normal numbers for each, half a millisecond.
+/// Number of keys moved in one piece: half a millisecond, with two normal random numbers for each.
 const KEYS: usize = 4096;
 
-/// What makes a method of a swarm. Every function works one piece and tells its price.
+/// The rules of a swarm method. Functions that return an `Option` do one piece of work and return its cost in moves.
 pub(super) trait Guide {
-    /// Whether it asks for near items also without local search.
-    fn looks_around(&self) -> bool {
+    /// Whether near items are needed even without local search.
+    fn needs_neighbours(&self) -> bool {
         false
     }
-    /// Sows the swarm; nothing when every particle has its keys.
-    fn sow(&mut self, flock: &mut Flock) -> Option<u64>;
-    /// All particles are valued: their bests are to be remembered.
-    fn judge(&mut self, flock: &mut Flock) {
-        flock.remember(|new, old| new < old);
+    /// Initialises the swarm; `None` when every particle has its keys.
+    fn initialise(&mut self, swarm: &mut Swarm) -> Option<u64>;
+    /// Updates the best positions, when all particles are evaluated.
+    fn update_bests(&mut self, swarm: &mut Swarm) {
+        swarm.remember(|new, old| new < old);
     }
-    /// Before a round's moves; nothing when all is prepared.
-    fn prepare(&mut self, _flock: &mut Flock) -> Option<u64> {
+    /// Prepares the moves of a round; `None` when everything is prepared.
+    fn prepare_round(&mut self, _flock: &mut Swarm) -> Option<u64> {
         None
     }
     /// Moves some keys of a particle.
-    fn drive(&mut self, flock: &mut Flock, particle: usize, keys: Range<usize>);
-    /// Numbers for charts.
+    fn move_keys(&mut self, swarm: &mut Swarm, particle: usize, keys: Range<usize>);
+    /// Values for charts.
     fn curves(&self) -> Vec<Curve> {
         Vec::new()
     }
@@ -43,23 +43,23 @@ pub(super) trait Guide {
 
 enum Stage {
     Near,
-    Sow,
-    /// A particle's value, begun or not.
+    Initialise,
+    /// Evaluates a particle; the flag says whether its evaluation has begun.
     Value(usize, bool),
-    Judge,
+    UpdateBests,
     Prepare,
-    /// A particle, from a key on.
-    Drive(usize, usize),
+    /// Moves a particle, from this key on.
+    MoveKeys(usize, usize),
     Over,
 }
 
-/// A swarm method under way.
+/// The search of a swarm method.
 pub(super) struct Run<'p, G> {
-    flock: Flock<'p>,
+    swarm: Swarm<'p>,
     guide: G,
     stage: Stage,
-    lead: Lead,
-    /// Length of what stands until the first path is found.
+    progress: Progress,
+    /// Length of the initial path, which is reported until the method finds one.
     first: f64,
 }
 
@@ -72,11 +72,11 @@ impl<'p, G: Guide + 'p> Run<'p, G> {
         guide: G,
     ) -> Box<dyn Search + 'p> {
         let keys = Keys::new(problem, settings.first);
-        let worth = Worth::new(Legs::new(problem, settings.measure), keys, settings.local_search);
-        let near = settings.local_search || guide.looks_around();
-        let count = if worth.keys.items().is_empty() { 0 } else { settings.particles.max(1) as usize };
-        let flock = Flock {
-            all: Left::all(problem),
+        let evaluator = Evaluator::new(Legs::new(problem, settings.measure), keys, settings.local_search);
+        let near = settings.local_search || guide.needs_neighbours();
+        let count = if evaluator.keys.items().is_empty() { 0 } else { settings.particles.max(1) as usize };
+        let swarm = Swarm {
+            all: Unvisited::all(problem),
             rng: seeded(seed),
             particles: vec![Particle::default(); count],
             leader: 0,
@@ -84,103 +84,107 @@ impl<'p, G: Guide + 'p> Run<'p, G> {
             rounds: settings.rounds,
             fastest: settings.fastest,
             found: None,
-            worth,
+            evaluator,
         };
         let stage = if count == 0 {
             Stage::Over
         } else if near {
             Stage::Near
         } else {
-            Stage::Sow
+            Stage::Initialise
         };
-        // Until the first path is found: items as they are numbered, each at its middle node. It is not the method's, so
-        // whatever the method finds replaces it.
-        let tour = flock.worth.allowed(&flock.worth.keys.tour(&vec![0.5; flock.worth.keys.count()]));
-        let lead = Lead::new(solution(problem, &tour), f64::INFINITY);
-        let first = flock.worth.ground.legs.around(&tour);
-        Box::new(Running(Self { flock, guide, stage, lead, first }))
+        // Until the method finds a path, the best is the order in which items are numbered, each entered at its middle
+        // node. It is not a result of the method, so any path that the method finds replaces it.
+        let tour =
+            swarm.evaluator.allowed(&swarm.evaluator.keys.tour(&vec![0.5; swarm.evaluator.keys.count()]));
+        let progress = Progress::new(solution(problem, &tour), f64::INFINITY);
+        let first = swarm.evaluator.space.legs.tour_length(&tour);
+        Box::new(PiecewiseSearch(Self { swarm, guide, stage, progress, first }))
     }
 
-    /// Looks at an allowed tour.
+    /// Offers a feasible tour as the best.
     fn see(&mut self, tour: &[NodeId], length: f64) {
-        let problem = self.flock.worth.ground.legs.problem();
-        self.lead.take(length, || solution(problem, tour));
+        let problem = self.swarm.evaluator.space.legs.problem();
+        self.progress.take(length, || solution(problem, tour));
     }
 
-    /// What a particle turned out to be worth.
-    fn valued(&mut self, i: usize, valued: Valued) {
-        self.see(&valued.allowed, valued.value);
-        let particle = &mut self.flock.particles[i];
-        self.flock.worth.keep(&valued.tour, &mut particle.keys);
-        (particle.value, particle.tour) = (valued.value, valued.tour);
+    /// Stores the result of evaluating a particle.
+    fn evaluated(&mut self, i: usize, evaluation: Evaluation) {
+        self.see(&evaluation.allowed, evaluation.value);
+        let particle = &mut self.swarm.particles[i];
+        self.swarm.evaluator.keep(&evaluation.tour, &mut particle.keys);
+        (particle.value, particle.tour) = (evaluation.value, evaluation.tour);
         self.stage =
-            if i + 1 < self.flock.particles.len() { Stage::Value(i + 1, false) } else { Stage::Judge };
+            if i + 1 < self.swarm.particles.len() { Stage::Value(i + 1, false) } else { Stage::UpdateBests };
     }
 }
 
-impl<'p, G: Guide + 'p> Pieces for Run<'p, G> {
-    fn lead(&self) -> &Lead {
-        &self.lead
+impl<'p, G: Guide + 'p> Piecewise for Run<'p, G> {
+    fn progress(&self) -> &Progress {
+        &self.progress
     }
 
-    fn lead_mut(&mut self) -> &mut Lead {
-        &mut self.lead
+    fn progress_mut(&mut self) -> &mut Progress {
+        &mut self.progress
     }
 
     fn piece(&mut self) -> Option<u64> {
         match self.stage {
             Stage::Near => {
-                let ground = &mut self.flock.worth.ground;
-                let priced = ground.near.piece(&ground.legs, &self.flock.all);
+                let space = &mut self.swarm.evaluator.space;
+                let priced = space.near.piece(&space.legs, &self.swarm.all);
                 if priced.is_none() {
-                    self.stage = Stage::Sow;
+                    self.stage = Stage::Initialise;
                 }
                 Some(priced.unwrap_or(1))
             }
-            Stage::Sow => {
-                let priced = self.guide.sow(&mut self.flock);
+            Stage::Initialise => {
+                let priced = self.guide.initialise(&mut self.swarm);
                 if priced.is_none() {
                     self.stage = Stage::Value(0, false);
                 }
-                if let Some(path) = self.flock.found.take() {
-                    let allowed = self.flock.worth.allowed(&path);
-                    let value = self.flock.worth.ground.legs.around(&allowed);
+                if let Some(path) = self.swarm.found.take() {
+                    let allowed = self.swarm.evaluator.allowed(&path);
+                    let value = self.swarm.evaluator.space.legs.tour_length(&allowed);
                     self.see(&allowed, value);
                 }
                 Some(priced.unwrap_or(1))
             }
             Stage::Value(i, begun) => {
-                let Flock { worth, particles, .. } = &mut self.flock;
-                let (priced, valued) =
-                    if begun { worth.piece() } else { worth.begin(&particles[i].keys, &particles[i].tour) };
+                let Swarm { evaluator, particles, .. } = &mut self.swarm;
+                let (priced, evaluation) = if begun {
+                    evaluator.piece()
+                } else {
+                    evaluator.begin(&particles[i].keys, &particles[i].tour)
+                };
                 self.stage = Stage::Value(i, true);
-                if let Some(valued) = valued {
-                    self.valued(i, valued);
+                if let Some(evaluation) = evaluation {
+                    self.evaluated(i, evaluation);
                 }
                 Some(priced)
             }
-            Stage::Judge => {
-                self.guide.judge(&mut self.flock);
-                self.flock.round += 1;
-                let over = self.flock.round > self.flock.rounds;
+            Stage::UpdateBests => {
+                self.guide.update_bests(&mut self.swarm);
+                self.swarm.round += 1;
+                let over = self.swarm.round > self.swarm.rounds;
                 self.stage = if over { Stage::Over } else { Stage::Prepare };
-                Some(self.flock.particles.len() as u64)
+                Some(self.swarm.particles.len() as u64)
             }
             Stage::Prepare => {
-                let priced = self.guide.prepare(&mut self.flock);
+                let priced = self.guide.prepare_round(&mut self.swarm);
                 if priced.is_none() {
-                    self.stage = Stage::Drive(0, 0);
+                    self.stage = Stage::MoveKeys(0, 0);
                 }
                 Some(priced.unwrap_or(1))
             }
-            Stage::Drive(i, from) => {
-                let count = self.flock.worth.keys.count();
+            Stage::MoveKeys(i, from) => {
+                let count = self.swarm.evaluator.keys.count();
                 let to = count.min(from + KEYS);
-                self.guide.drive(&mut self.flock, i, from..to);
+                self.guide.move_keys(&mut self.swarm, i, from..to);
                 self.stage = if to < count {
-                    Stage::Drive(i, to)
-                } else if i + 1 < self.flock.particles.len() {
-                    Stage::Drive(i + 1, 0)
+                    Stage::MoveKeys(i, to)
+                } else if i + 1 < self.swarm.particles.len() {
+                    Stage::MoveKeys(i + 1, 0)
                 } else {
                     Stage::Value(0, false)
                 };
@@ -194,11 +198,11 @@ impl<'p, G: Guide + 'p> Pieces for Run<'p, G> {
         let mut curves = vec![
             Curve {
                 name: "shortest (G)",
-                value: if self.lead.length.is_finite() { self.lead.length } else { self.first },
+                value: if self.progress.length.is_finite() { self.progress.length } else { self.first },
             },
-            Curve { name: "mean of the swarm", value: self.flock.mean() },
+            Curve { name: "mean of the swarm", value: self.swarm.mean() },
         ];
         curves.extend(self.guide.curves());
-        Insight { round: self.flock.round.into(), curves, ..Insight::default() }
+        Insight { round: self.swarm.round.into(), curves, ..Insight::default() }
     }
 }

@@ -24,7 +24,7 @@ pub struct SwarmSettings {
 }
 
 impl SwarmSettings {
-    /// The settings of the paper, with this largest velocity, which the paper does not give.
+    /// The settings of the paper. It does not give the largest velocity.
     pub(super) const fn with_fastest(fastest: f64) -> Self {
         let measure = Measure::Euclidean;
         Self { particles: 50, rounds: 600, measure, local_search: true, first: None, fastest }

@@ -1,19 +1,20 @@
-//! The cheapest connection from one partition to another: what the arborescence chooses from.
+//! The cheapest connections between partitions, from which the arborescence is chosen.
 //!
-//! The paper: "a simple preprocessing phase identifying the cheapest connection between two partitions". So it is the air
-//! there and back alone; a pre-cut, and what a ring saves where it is broken, are left to the moves after it. With both
-//! counted, the arborescence gives back the tree it was made from sooner, and rounds come to a halt at worse paths.
+//! The paper describes "a simple preprocessing phase identifying the cheapest connection between two partitions". So a
+//! connection costs only the air moves there and back. The pre-cut, and what is saved where the ring of a partition is
+//! opened, are left to the later moves. With both included, the arborescence reproduces the previous tree sooner, and the
+//! rounds stagnate at worse paths.
 //!
-//! The paper compares all nodes of two partitions. Here a node is compared with its near nodes in other partitions, and
-//! each partition besides with home and with its parent node, so that the root reaches all of them.
+//! The paper compares all nodes of two partitions. Here a node is compared with its near nodes in other partitions. Each
+//! partition is also compared with home and with its parent node, so that the root reaches all of them.
 
 use super::edmonds::Arc;
 use super::forest::{Forest, ROOT};
-use super::ground::Ground;
+use super::graph::Graph;
 use crate::problem::NodeId;
 use rustc_hash::FxHashMap;
 
-/// A connection: from a node of the parent partition (none: home) to one of the child.
+/// A connection from a node of the parent partition (`None`: home) to a node of the child.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Connection {
     pub(super) arc: Arc,
@@ -21,11 +22,11 @@ pub(super) struct Connection {
     pub(super) to: NodeId,
 }
 
-/// The cheapest connections found, one for a pair of partitions.
+/// The cheapest connection found for each pair of partitions.
 #[derive(Default)]
 pub(super) struct Connections {
     pub(super) all: Vec<Connection>,
-    /// Where that of a pair stands. Only looked up, never gone through.
+    /// Index of the connection of a pair. The map is only used for lookups, never iterated.
     known: FxHashMap<(u32, u32), usize>,
 }
 
@@ -40,8 +41,8 @@ impl Connections {
         }
     }
 
-    /// Looks for connections to a partition; how many were priced.
-    pub(super) fn look(&mut self, g: &Ground, forest: &Forest, route: u32) -> u64 {
+    /// Finds connections to a partition. Returns the number of them that were priced.
+    pub(super) fn look(&mut self, g: &Graph, forest: &Forest, route: u32) -> u64 {
         if route == ROOT {
             return 0;
         }
@@ -61,7 +62,7 @@ impl Connections {
         priced
     }
 
-    fn price(&mut self, g: &Ground, forest: &Forest, from: Option<NodeId>, to: NodeId) {
+    fn price(&mut self, g: &Graph, forest: &Forest, from: Option<NodeId>, to: NodeId) {
         let (parent, out, home) = match from {
             None => (ROOT, g.problem.home, g.problem.home),
             Some(node) => (forest.route_of(g.item(node)), g.exit(node), g.entry(node)),
@@ -73,9 +74,9 @@ impl Connections {
     }
 }
 
-/// Whether a connection may arrive at a node of a partition: its contour is entered there; or it can be, and then what
-/// else the partition has hangs at its old entry.
-fn may_arrive(g: &Ground, forest: &Forest, to: NodeId) -> bool {
+/// Whether a connection may lead to a node of a partition: either its contour is entered there, or it can be entered there
+/// and the rest of the partition can be attached to its old entry.
+fn may_arrive(g: &Graph, forest: &Forest, to: NodeId) -> bool {
     let item = g.item(to);
     let alone = forest.items(forest.route_of(item)).len() == 1;
     forest.entry(item) == to || (forest.may_enter(to) && (alone || g.may_leave(item)))

@@ -1,11 +1,11 @@
-//! The least arborescence: of a directed graph with a root, the cheapest arcs by which the root reaches every vertex
-//! (Chu and Liu, Science Sinica 14 (1965); Edmonds, J. Res. NBS 71B (1967)).
+//! Minimum arborescence: the cheapest arcs of a directed graph by which a root reaches every vertex (Chu and Liu, Science
+//! Sinica 14 (1965); Edmonds, J. Res. NBS 71B (1967)).
 //!
-//! Every vertex takes its cheapest arc. Where these run in a circle, the circle becomes one vertex, the arcs into it
-//! cheaper by what the circle's own arc to the same vertex costs, and so on until there is no circle. Then circles are
-//! opened again, the last first: the arc chosen into each takes the place of one of its own.
+//! Every vertex takes its cheapest incoming arc. Where these arcs form a cycle, the cycle is contracted to one vertex, and
+//! each arc into the cycle becomes cheaper by the cost of the cycle's own arc to the same vertex. This repeats until there
+//! is no cycle. Then the cycles are expanded again, the last first: the arc chosen into each replaces one of its own.
 
-/// From one vertex to another.
+/// An arc of a directed graph.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Arc {
     pub(super) from: usize,
@@ -13,17 +13,17 @@ pub(super) struct Arc {
     pub(super) cost: f64,
 }
 
-/// One level of shrinking.
+/// One level of contraction.
 struct Level {
-    /// Arcs of this level, each with its index one level up.
+    /// Arcs of this level, each with its index in the level below.
     arcs: Vec<(Arc, usize)>,
-    /// The cheapest arc into each vertex, by its index in `arcs`.
+    /// Index in `arcs` of the cheapest arc into each vertex.
     cheapest: Vec<Option<usize>>,
-    /// The vertex of the next level for each of this one.
+    /// For each vertex of this level, the vertex of the next level that contains it.
     into: Vec<usize>,
 }
 
-/// The arcs chosen, one into each vertex but the root, by their indices; `None` when some vertex cannot be reached.
+/// The indices of the chosen arcs, one into each vertex except the root; `None` if some vertex cannot be reached.
 pub(super) fn arborescence(vertices: usize, root: usize, arcs: &[Arc]) -> Option<Vec<usize>> {
     let (mut count, mut root) = (vertices, root);
     let mut arcs: Vec<(Arc, usize)> = arcs.iter().copied().zip(0..).collect();
@@ -65,7 +65,7 @@ pub(super) fn arborescence(vertices: usize, root: usize, arcs: &[Arc]) -> Option
     }
 }
 
-/// Vertices of the next level, each circle of cheapest arcs one; and how many there are.
+/// The vertices of the next level, where each cycle of cheapest arcs becomes one; and their number.
 fn shrunk(cheapest: &[Option<usize>], arcs: &[(Arc, usize)], count: usize) -> (Vec<usize>, usize) {
     const NEW: usize = usize::MAX;
     let (mut into, mut seen, mut next) = (vec![NEW; count], vec![NEW; count], 0);
@@ -78,7 +78,7 @@ fn shrunk(cheapest: &[Option<usize>], arcs: &[(Arc, usize)], count: usize) -> (V
                 None => break,
             }
         }
-        // Back at a vertex of this very walk that has no number yet: a circle.
+        // The walk has returned to one of its own vertices that has no number yet: a cycle.
         if seen[v] == start && into[v] == NEW && cheapest[v].is_some() {
             let mut w = v;
             loop {
@@ -100,13 +100,13 @@ fn shrunk(cheapest: &[Option<usize>], arcs: &[(Arc, usize)], count: usize) -> (V
     (into, next)
 }
 
-/// Circles opened again, the last first: indices of the first level's arcs.
+/// Expands the cycles, the last first. Returns indices of arcs of the first level.
 fn opened(levels: &[Level]) -> Vec<usize> {
     let Some((last, rest)) = levels.split_last() else { return Vec::new() };
     let mut chosen: Vec<usize> = last.cheapest.iter().flatten().copied().collect();
     let mut above = last;
     for level in rest.iter().rev() {
-        // In this level's numbers.
+        // As indices of this level.
         let mut own: Vec<usize> = chosen.iter().map(|&k| above.arcs[k].1).collect();
         let mut entered = vec![false; level.cheapest.len()];
         own.iter().for_each(|&k| entered[level.arcs[k].0.to] = true);
@@ -128,7 +128,7 @@ mod tests {
     use super::*;
     use crate::solve::rng::{Draw, seeded};
 
-    /// The cheapest choice of an arc into each vertex by which the root reaches all, by trying every one.
+    /// The cost of the cheapest arborescence, by trying all.
     fn brute(vertices: usize, root: usize, arcs: &[Arc]) -> Option<f64> {
         let mut choices: Vec<Vec<Option<&Arc>>> = vec![vec![None; vertices]];
         for v in (0..vertices).filter(|&v| v != root) {
@@ -186,7 +186,8 @@ mod tests {
     #[test]
     fn a_circle_within_a_circle_is_opened_where_it_is_cheapest() {
         let arc = |from, to, cost| Arc { from, to, cost };
-        // 1 and 2 point at each other, both with 3; the root reaches 3 cheaply, but then 1 and 2 cost more.
+        // 1 and 2 point at each other, and both form a cycle with 3. The root reaches 3 cheaply, but then 1 and 2 cost
+        // more.
         let arcs =
             [arc(1, 2, 1.0), arc(2, 1, 1.0), arc(2, 3, 2.0), arc(3, 1, 2.0), arc(0, 3, 8.0), arc(0, 2, 9.0)];
         // 0 to 3 (8), 3 to 1 (2), 1 to 2 (1): 11; or 0 to 2 (9), 2 to 1 (1), 2 to 3 (2): 12.

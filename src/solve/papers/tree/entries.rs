@@ -1,8 +1,8 @@
-//! Entries of a route: for its order, the best node of every contour at once, by dynamic programming from layer to layer.
+//! Chooses the best node of every contour of a route for a fixed order, by dynamic programming.
 
 use super::forest::Forest;
-use super::ground::Ground;
-use super::walk::keeps_precedence;
+use super::graph::Graph;
+use super::visits::keeps_precedence;
 use crate::problem::NodeId;
 use crate::solve::epsilon::EPSILON;
 use glam::DVec2;
@@ -20,13 +20,13 @@ pub(super) fn orders(contours: usize) -> &'static [&'static [usize]] {
     }
 }
 
-/// The cheapest nodes for layers passed in order between two places, and what they cost.
+/// The cheapest nodes for layers that are visited in order between two points, and their cost.
 pub(super) fn cheapest(
-    g: &Ground,
+    g: &Graph,
     layers: &[Vec<NodeId>],
     (from, to): (DVec2, Option<DVec2>),
 ) -> (f64, Vec<NodeId>) {
-    // Least seconds to each node of the last layer, and where from.
+    // Least seconds to each node of the last layer, and the node of the layer before.
     let mut costs: Vec<f64> = Vec::new();
     let mut came: Vec<Vec<usize>> = Vec::with_capacity(layers.len());
     for (k, layer) in layers.iter().enumerate() {
@@ -61,16 +61,17 @@ pub(super) fn cheapest(
     (cost, nodes)
 }
 
-/// Chooses the entries of a route anew; with `keep`, only as precedence allows: where several partitions hang from a
-/// contour, another entry turns the order in which they are cut. Says whether something was gained, and counts its work.
-pub(super) fn improve(g: &Ground, forest: &mut Forest, route: u32, keep: bool) -> (bool, u64) {
+/// Chooses the entries of a route. If `keep` is set, only precedence-keeping ones: where several partitions are attached to
+/// a contour, another entry changes the order in which they are cut. Returns whether seconds were saved, and the work in
+/// moves.
+pub(super) fn improve(g: &Graph, forest: &mut Forest, route: u32, keep: bool) -> (bool, u64) {
     let mut work = 1;
-    // Free to turn first; if that breaks precedence, those that would turn something stay as they are.
+    // First all entries may change; if that violates precedence, contours with several partitions keep theirs.
     for frozen in [false, true].into_iter().take(1 + usize::from(keep)) {
         let layers: Vec<Vec<NodeId>> = forest
             .items(route)
             .iter()
-            .map(|&i| match frozen && forest.kids(i) > 1 {
+            .map(|&i| match frozen && forest.children(i) > 1 {
                 true => vec![forest.entry(i)],
                 false => g.nodes(i).filter(|&n| forest.may_enter(n)).collect(),
             })

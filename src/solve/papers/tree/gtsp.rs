@@ -1,36 +1,37 @@
-//! A partition as a generalized travelling salesman problem: its order and entries anew, its parent node fixed.
+//! A partition as a generalized travelling salesman problem (GTSP): its order and entries are solved again while its parent
+//! node stays fixed.
 //!
-//! The paper transforms it by Noon and Bean (1991) into an asymmetric one and has LKH (Helsgaun 2000) solve that. Here
-//! the partition is a problem of its own, home at its parent node, and the moves of our default search solve it: Or-opt,
-//! 2-opt, Or-3opt with re-entry over neighbour lists, kicked and annealed (`tour_tree`). Up to three contours are tried in
-//! every order. Precedence is left out, as in the paper.
+//! The paper transforms the GTSP by Noon and Bean (1991) into an asymmetric travelling salesman problem and solves that
+//! with LKH (Helsgaun 2000). Here the partition becomes a problem of its own, with its parent node as home, and the default
+//! search solves it: Or-opt, 2-opt and Or-3opt with other entries over neighbour lists, with kicks and annealing
+//! (`tour_tree`). For up to three contours all orders are tried. Precedence is ignored, as in the paper.
 
 use super::entries::{MOST_ORDERED, cheapest, orders};
 use super::forest::Forest;
-use super::ground::Ground;
+use super::graph::Graph;
 use crate::problem::{Groups, Item, ItemId, Node, NodeId, Problem};
 use crate::solve::epsilon::EPSILON;
 use crate::solve::tour_tree::TourTree;
 use crate::solve::{Running, Solution, Solver, Status, Stop};
 
-/// Moves to a piece: about a millisecond.
+/// Number of moves in one piece: about a millisecond.
 const SLICE: u64 = 1_000;
 
-/// The work on one partition.
+/// The search on one partition.
 pub(super) struct Gtsp {
     route: u32,
     running: Running,
-    /// The contour and nodes that each contour and node of the smaller problem stands for.
+    /// The contour and node that each contour and node of the smaller problem represents.
     items: Vec<ItemId>,
     nodes: Vec<NodeId>,
     left: u64,
 }
 
 impl Gtsp {
-    /// Begins with a partition, for so many moves a contour; nothing is left to do for small ones, which are solved at
-    /// once. `moves` counts what that took.
+    /// Starts with a partition; `each` is the number of moves for each contour. Small partitions are solved at once and
+    /// return `None`. The work is added to `moves`.
     pub(super) fn new(
-        g: &Ground,
+        g: &Graph,
         forest: &mut Forest,
         route: u32,
         (seed, each): (u64, u64),
@@ -38,7 +39,7 @@ impl Gtsp {
     ) -> Option<Self> {
         let items = forest.items(route).to_vec();
         if items.len() <= MOST_ORDERED {
-            *moves += few(g, forest, route);
+            *moves += best_of_all_orders(g, forest, route);
             return None;
         }
         let mut nodes = Vec::new();
@@ -59,7 +60,7 @@ impl Gtsp {
             let all = g.nodes(item);
             for node in all.clone().filter(|&n| forest.may_enter(n)) {
                 let own = &g.problem.nodes[node as usize];
-                // Two ends stand side by side, as nothing hangs there.
+                // The two ends of an open contour are adjacent, because nothing is attached to them.
                 let twin = count(&nodes) + own.twin - node;
                 if forest.entry(item) == node {
                     stops.push(count(&nodes));
@@ -82,12 +83,12 @@ impl Gtsp {
         Some(Self { route, running, items, nodes, left })
     }
 
-    /// The partition.
+    /// The partition that is solved.
     pub(super) fn route(&self) -> u32 {
         self.route
     }
 
-    /// Works on; what that cost in moves, or nothing at the end.
+    /// Continues. Returns the cost in moves, or `None` at the end.
     pub(super) fn piece(&mut self) -> Option<u64> {
         let work = SLICE.min(self.left);
         self.left -= work;
@@ -95,8 +96,8 @@ impl Gtsp {
         (work > 0 && step.status == Status::Running).then_some(work)
     }
 
-    /// Puts the order and entries found into the partition, if they are better.
-    pub(super) fn take(&self, g: &Ground, forest: &mut Forest) {
+    /// Applies the order and entries found, if they are better.
+    pub(super) fn take(&self, g: &Graph, forest: &mut Forest) {
         let found: Vec<NodeId> = self
             .running
             .borrow_dependent()
@@ -110,8 +111,8 @@ impl Gtsp {
     }
 }
 
-/// A route by the nodes of its contours, if it is better so.
-fn set(g: &Ground, forest: &mut Forest, route: u32, nodes: &[NodeId]) {
+/// Sets the order and entries of a route by its nodes, if that is better.
+fn set(g: &Graph, forest: &mut Forest, route: u32, nodes: &[NodeId]) {
     let before = forest.route_seconds(g, route);
     let old: Vec<NodeId> = forest.items(route).iter().map(|&i| forest.entry(i)).collect();
     forest.order(g, route, nodes);
@@ -120,8 +121,8 @@ fn set(g: &Ground, forest: &mut Forest, route: u32, nodes: &[NodeId]) {
     }
 }
 
-/// Every order of a few contours, with the best entries of each; how many orders.
-fn few(g: &Ground, forest: &mut Forest, route: u32) -> u64 {
+/// Tries every order of a few contours with the best entries of each. Returns the cost in moves.
+fn best_of_all_orders(g: &Graph, forest: &mut Forest, route: u32) -> u64 {
     let orders = orders(forest.items(route).len());
     let layer = |&k: &usize| g.nodes(forest.items(route)[k]).filter(|&n| forest.may_enter(n)).collect();
     let tried = orders.iter().map(|order| {
@@ -131,6 +132,6 @@ fn few(g: &Ground, forest: &mut Forest, route: u32) -> u64 {
     if let Some((_, nodes)) = tried.reduce(|a, b| if b.0 < a.0 { b } else { a }) {
         set(g, forest, route, &nodes);
     }
-    // A handful of entries each way for every pair of neighbours.
+    // A handful of entries for every pair of neighbours.
     100 * orders.len() as u64
 }

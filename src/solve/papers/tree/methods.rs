@@ -1,11 +1,11 @@
 //! The three methods of the paper as solvers.
 
-use super::frame::Frame;
-use super::ground::Ground;
-use super::params::PartitionTree;
+use super::framework::Framework;
+use super::graph::Graph;
+use super::parameters::PartitionTree;
 use super::single::Single;
 use crate::problem::Problem;
-use crate::solve::papers::lead::Running;
+use crate::solve::papers::piecewise::PiecewiseSearch;
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 
@@ -24,10 +24,10 @@ impl Solver for PartitionTree {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        if Ground::is_one_tree(problem) {
-            Box::new(Running(Frame::new(problem, *self, seed)))
+        if Graph::is_one_tree(problem) {
+            Box::new(PiecewiseSearch(Framework::new(problem, *self, seed)))
         } else {
-            Box::new(Running(Single::new(problem, seed, self.gtsp_moves)))
+            Box::new(PiecewiseSearch(Single::new(problem, seed, self.gtsp_moves)))
         }
     }
 }
@@ -48,18 +48,18 @@ impl Solver for Pfr {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        if Ground::is_one_tree(problem) {
-            Box::new(Running(Frame::construction(problem)))
+        if Graph::is_one_tree(problem) {
+            Box::new(PiecewiseSearch(Framework::construction(problem)))
         } else {
-            Box::new(Running(Single::new(problem, seed, 0)))
+            Box::new(PiecewiseSearch(Single::new(problem, seed, 0)))
         }
     }
 }
 
-/// All contours in one partition, each cut in one go: what CAM programs make.
+/// All contours in one partition, each cut whole: the kind of path that CAM programs make.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GtspLk {
-    /// Moves of the search, a contour.
+    /// Number of moves of the search for each contour.
     pub gtsp_moves: u64,
 }
 
@@ -81,6 +81,6 @@ impl Solver for GtspLk {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        Box::new(Running(Single::new(problem, seed, self.gtsp_moves)))
+        Box::new(PiecewiseSearch(Single::new(problem, seed, self.gtsp_moves)))
     }
 }

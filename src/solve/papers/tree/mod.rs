@@ -1,52 +1,55 @@
-//! Dewil, Vansteenwegen, Cattrysse, Laguna & Vossen (2014): the partition-tree, for plate in which a piercing costs seconds.
+//! The partition-tree of Dewil, Vansteenwegen, Cattrysse, Laguna & Vossen (2014), for plate in which a piercing takes
+//! seconds.
 //!
-//! Contours are in **partitions**: routes, each of which hangs at a node of a contour in its parent partition, where that
-//! contour is left (a pre-cut) and resumed; the root's hangs at home. A path is a partitioning, a rooted directed spanning
-//! tree between partitions, and a generalized travelling salesman tour within each. What is minimised is seconds of air
-//! moves, pre-cuts and what entries cost by their place; piercing and cutting are the same for every path.
+//! Contours are divided into **partitions**. Each partition is a route that is attached to a node of a contour in its
+//! parent partition. That contour is left at the node, with a pre-cut, and resumed after the route. The root is attached to
+//! home. So a path consists of a partitioning, a rooted directed spanning tree between partitions, and a generalized
+//! travelling salesman tour (GTSP) within each. The method minimises the seconds of air moves, pre-cuts and entries;
+//! piercing and cutting times are the same for every path.
 //!
-//! The steps of section 4, and where they stand:
-//! 1. (a) Initial partitions: the construction heuristic `pfr.rs`; or one partition; or each contour its own. (b) GTSP of
-//!    partitions without precedence, `gtsp.rs`. (c) Repartition with precedence, `repartition.rs`.
-//! 2. Cheapest connections (`connect.rs`) and the least arborescence of them (`edmonds.rs`).
-//! 3. Its resolution, cases (a) to (d), `resolve.rs`.
+//! The steps of section 4 and their files:
+//! 1. (a) Initial partitions: the construction heuristic `pfr.rs`, or one partition, or one for each contour. (b) GTSP of
+//!    partitions without precedence, `gtsp.rs`. (c) Repartitioning with precedence, `repartition.rs`.
+//! 2. Cheapest connections (`connect.rs`) and their minimum arborescence (`edmonds.rs`).
+//! 3. Rebuilding the tree from it, cases (a) to (d), `resolve.rs`.
 //! 4. GTSP in every partition.
-//! 5. Repartition without precedence: `partitions.rs` (a partition hung up elsewhere; merged with single children and hung
-//!    up elsewhere) and `sequences.rs` (a sub-sequence becomes a partition; goes into another).
-//! 6. Back to 2, until 10 rounds brought no gain.
-//! 7. Restored feasibility, `repair.rs`.
-//! 8. Improved entries, `entries.rs`, and repartition with precedence.
-//! 9. The path, `walk.rs`.
+//! 5. Repartitioning without precedence: `partitions.rs` (a partition is attached elsewhere, or merged with single children
+//!    first) and `sequences.rs` (a sub-sequence becomes a partition or moves to another).
+//! 6. Back to step 2, until 10 rounds in a row brought no improvement.
+//! 7. Restoring feasibility, `repair.rs`.
+//! 8. Improving entries, `entries.rs`, and repartitioning with precedence.
+//! 9. The path, `visits.rs`.
 //!
-//! # Where this differs from the paper
-//! * LKH on the problem transformed by Noon and Bean is not here: the moves of our default search solve the partition
-//!   (`gtsp.rs`), and a partition that has not changed since is not solved again.
-//! * Nodes are the entries of [`Problem`](crate::problem::Problem): ends of elements and even places between them.
-//! * Moves and connections are looked for among near nodes (`ground.rs`), not among all; sub-sequences are of 50 contours at
-//!   most.
-//! * Where a partition is hung up elsewhere, its ring may be broken elsewhere too, and a single contour be entered
-//!   elsewhere: the paper does not say that they are not.
-//! * The paper's PFr is told in four sentences; how we read them stands in `pfr.rs`.
-//! * Contours are run in their stored direction. With several partitions on one contour the direction may matter for
+//! # Differences from the paper
+//! * The paper solves the GTSP with LKH on the problem transformed by Noon and Bean. Here the moves of our default search
+//!   solve it (`gtsp.rs`), and a partition that has not changed is not solved again.
+//! * Nodes are the entries of [`Problem`](crate::problem::Problem): ends of elements and evenly spaced places between them.
+//! * Moves and connections are searched among near nodes (`graph.rs`), not among all. Sub-sequences have at most 50
+//!   contours.
+//! * When a partition is attached elsewhere, its ring may be opened elsewhere too, and a single contour may be entered
+//!   elsewhere. The paper does not exclude this.
+//! * The paper describes PFr in four sentences; `pfr.rs` states how they were interpreted.
+//! * Contours are cut in their stored direction. With several partitions on one contour the direction may matter for
 //!   precedence (footnote 4); the moves that keep precedence check the whole path.
-//! * A contour that is moved in the repair leaves what hung from it in its old place.
-//! * The best path is the best allowed one at the ends of construction, step 1 and step 8: with PFr to start from, never
-//!   worse than PFr. The value at the very end is a curve of its own.
-//! * Contours without pre-cuts (marks, open cuts, groups with common cuts, machines that leave nothing) are no parents but
-//!   beside their entry. Ranks, groups, pairs and tables of costs: see `single.rs`.
+//! * A contour that is moved by the repair leaves everything attached to it in its old place.
+//! * The best path is the best feasible one after the construction, step 1 and step 8. With PFr as the start it is never
+//!   worse than PFr. The value at the end is a separate curve.
+//! * Contours without pre-cuts (marks, open cuts, groups with common cuts, machines that do not leave contours) can be
+//!   parents only next to their entry. For ranks, groups, pairs and tables of costs see `single.rs`.
 //!
 //! [`GtspLk`] is one partition alone, [`Pfr`] the construction.
 
 mod connect;
+mod drawn_partitions;
 mod edmonds;
 mod entries;
 mod forest;
-mod frame;
-mod ground;
+mod framework;
+mod graph;
 mod gtsp;
 mod methods;
 mod moves;
-mod params;
+mod parameters;
 mod partitions;
 mod pfr;
 mod repair;
@@ -57,9 +60,8 @@ mod single;
 mod stage;
 #[cfg(test)]
 mod tests;
-mod told;
-mod walk;
+mod visits;
 
 pub use methods::{GtspLk, Pfr};
-pub use params::{InitialPartitions, InitialTours, PartitionTree};
+pub use parameters::{InitialPartitions, InitialTours, PartitionTree};
 pub use repartition::RepartitionMoves;

@@ -1,34 +1,34 @@
-//! Moves of repartitioning: what they change in the tree.
+//! The moves of repartitioning, and how they change the tree.
 
 use super::forest::{Forest, NONE};
-use super::ground::Ground;
+use super::graph::Graph;
 use crate::problem::NodeId;
 use std::ops::Range;
 
 /// A change of the tree.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Move {
-    /// A partition hangs at another node; its ring is broken before a place.
+pub(super) enum TreeMove {
+    /// Attaches a partition to another node and opens its ring before a position.
     Reattach { route: u32, first: usize, node: NodeId, enter: Option<NodeId> },
-    /// Partitions of one contour each, every one the child of the one before, become one at a node: in the order of these
-    /// nodes, at which their contours are entered.
+    /// Merges partitions of one contour each, every one the child of the one before, into one partition attached to a node.
+    /// Its contours are entered at `nodes`, in that order.
     Merge { route: u32, nodes: Vec<NodeId>, node: NodeId },
-    /// Contours of a route become a partition at a node.
+    /// Makes contours of a route a partition attached to a node.
     Own { route: u32, places: Range<usize>, node: NodeId, enter: Option<NodeId> },
-    /// Contours of a route go into a gap, before a place.
+    /// Moves contours of a route into a gap, before a position.
     Into { route: u32, places: Range<usize>, to: u32, pos: usize, enter: Option<NodeId> },
 }
 
-/// Moves that gain, with how many seconds; and how many were priced.
+/// Moves that save time, with the seconds they save; and the number of moves priced.
 #[derive(Default)]
-pub(super) struct Found {
-    pub(super) moves: Vec<(f64, Move)>,
+pub(super) struct GainfulMoves {
+    pub(super) moves: Vec<(f64, TreeMove)>,
     pub(super) priced: u64,
 }
 
-impl Move {
-    /// Makes it.
-    pub(super) fn apply(&self, g: &Ground, forest: &mut Forest) {
+impl TreeMove {
+    /// Applies the move.
+    pub(super) fn apply(&self, g: &Graph, forest: &mut Forest) {
         match *self {
             Self::Reattach { route, first, node, enter } => {
                 forest.unhang(g, route);

@@ -1,18 +1,19 @@
-//! The first set of repartitioning moves: a partition is hung up elsewhere; a partition of one contour with a child of one
-//! contour (and a child of that one) is merged with it and hung up elsewhere, or at the same node (figure 6).
+//! The first set of repartitioning moves. A partition is attached elsewhere. A partition of one contour is merged with a
+//! child of one contour (and a child of that one), and attached elsewhere or at the same node (figure 6).
 
 use super::entries::{cheapest, orders};
 use super::forest::Forest;
-use super::ground::Ground;
-use super::moves::{Found, Move};
+use super::graph::Graph;
+use super::moves::{GainfulMoves, TreeMove};
 use crate::problem::{ItemId, NodeId};
 use crate::solve::epsilon::EPSILON;
 
-/// Near nodes of each node of a merged partition at which it is tried to hang.
+/// Number of near nodes of each node of a merged partition that are tried as its parent.
 const NEAR: usize = 4;
 
-/// Moves of the partition of a contour; where it is hung up anew, the contour is its first or its last.
-pub(super) fn look(g: &Ground, forest: &Forest, item: ItemId, found: &mut Found) {
+/// Moves of the partition of a contour. Where the partition is attached elsewhere, the contour becomes its first or its
+/// last.
+pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut GainfulMoves) {
     let route = forest.route_of(item);
     let Some(at) = forest.at(route) else { return };
     let items = forest.items(route);
@@ -20,7 +21,7 @@ pub(super) fn look(g: &Ground, forest: &Forest, item: ItemId, found: &mut Found)
     let all = 0..count;
     let node = |k: usize| forest.entry(items[k % count]);
     let ring = |first: usize, at: NodeId| {
-        // Broken before `first`.
+        // The ring is opened before `first`.
         let inside = if count > 1 {
             g.leg(node(count - 1), node(0)) - g.leg(node(first + count - 1), node(first))
         } else {
@@ -32,7 +33,7 @@ pub(super) fn look(g: &Ground, forest: &Forest, item: ItemId, found: &mut Found)
     let mut offer = |gain: f64, first: usize, to: NodeId, enter: Option<NodeId>| {
         found.priced += 1;
         if gain > EPSILON && forest.is_free(g, to) && !forest.hangs_from(g, g.item(to), route, &all) {
-            found.moves.push((gain, Move::Reattach { route, first, node: to, enter }));
+            found.moves.push((gain, TreeMove::Reattach { route, first, node: to, enter }));
         }
     };
     if count == 1 {
@@ -55,14 +56,14 @@ pub(super) fn look(g: &Ground, forest: &Forest, item: ItemId, found: &mut Found)
     }
 }
 
-/// Children of a contour that are of one contour each.
-fn single_children(g: &Ground, forest: &Forest, item: ItemId) -> Vec<ItemId> {
+/// Children of a contour that consist of one contour each.
+fn single_children(g: &Graph, forest: &Forest, item: ItemId) -> Vec<ItemId> {
     let singles = |n| forest.child(n).filter(|&r| forest.items(r).len() == 1);
     g.nodes(item).filter_map(singles).map(|r| forest.items(r)[0]).collect()
 }
 
-/// Mergers of a partition of one contour with its child, and with its grandchild.
-fn merges(g: &Ground, forest: &Forest, item: ItemId, found: &mut Found) {
+/// Finds mergers of a partition of one contour with its child, and with its grandchild.
+fn merges(g: &Graph, forest: &Forest, item: ItemId, found: &mut GainfulMoves) {
     for child in single_children(g, forest, item) {
         merge(g, forest, &[item, child], found);
         for grandchild in single_children(g, forest, child) {
@@ -71,11 +72,11 @@ fn merges(g: &Ground, forest: &Forest, item: ItemId, found: &mut Found) {
     }
 }
 
-/// The best merger of these, each the only contour of the child of the one before.
-fn merge(g: &Ground, forest: &Forest, items: &[ItemId], found: &mut Found) {
+/// Finds the best merger of these contours, each the only one of a child of the one before.
+fn merge(g: &Graph, forest: &Forest, items: &[ItemId], found: &mut GainfulMoves) {
     let route = forest.route_of(items[0]);
     let now: f64 = items.iter().map(|&i| forest.route_seconds(g, forest.route_of(i))).sum();
-    // Nodes at which they hang from each other become free.
+    // Nodes to which they are attached become free.
     let freed = |n: NodeId| items[1..].iter().any(|&i| forest.at(forest.route_of(i)) == Some(n));
     let layer =
         |i: ItemId| -> Vec<NodeId> { g.nodes(i).filter(|&n| forest.may_enter(n) || freed(n)).collect() };
@@ -102,6 +103,6 @@ fn merge(g: &Ground, forest: &Forest, items: &[ItemId], found: &mut Found) {
         }
     }
     if let Some((gain, nodes, node)) = best {
-        found.moves.push((gain, Move::Merge { route, nodes, node }));
+        found.moves.push((gain, TreeMove::Merge { route, nodes, node }));
     }
 }

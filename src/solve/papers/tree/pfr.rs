@@ -1,51 +1,53 @@
-//! The construction heuristic PFr, as section 2 of the paper tells it (its own paper, Dewil et al. 2014, has more variants).
+//! The construction heuristic PFr, as described in section 2 of the paper. Its own paper, Dewil et al. 2014, has more
+//! variants.
 //!
-//! The outermost contours come first: each time the one nearest to the partial path goes in where and with which entry that
-//! costs least, between two contours of a route, or as a partition of its own at a node of a contour that is left for it.
-//! Then backwards over the path: at the end of a contour, what lies directly inside it goes in likewise, before that end.
+//! The outermost contours come first. In each step the one nearest to the partial path is inserted at the place and with
+//! the entry that cost least: between two contours of a route, or as a partition attached to a node of a contour, which is
+//! left there. Then the path is followed backwards: at the end of each contour, the contours directly inside it are
+//! inserted in the same way, before that end.
 //!
 //! The paper says "closest to the current partial path i.e. an insertion location, an entry point and an exit point are
-//! selected"; we read it as nearest insertion: the nearest by a single air move, then its cheapest place.
+//! selected". We interpret this as nearest insertion: the contour nearest by a single air move, at its cheapest place.
 
 use super::forest::{Forest, ROOT};
-use super::ground::Ground;
-use super::walk::{finished, times};
+use super::graph::Graph;
+use super::visits::{finished, times};
 use crate::problem::{ItemId, NodeId};
 use glam::DVec2;
 
-/// A place of a path where a contour may go in.
+/// A place of a path where a contour may be inserted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Slot {
-    /// Of a route, before a place.
+    /// In a route, before a position.
     Gap { route: u32, pos: usize },
-    /// A node at which nothing hangs.
+    /// At a node to which nothing is attached.
     Node(NodeId),
 }
 
-/// A slot with what it costs to come there and to go on.
+/// A slot, with the points before and after it.
 struct Offer {
     slot: Slot,
     from: DVec2,
     to: Option<DVec2>,
-    /// Seconds that do not depend on what goes in: the pre-cut, less the air move that falls away.
+    /// Seconds that do not depend on the inserted contour: the pre-cut, minus the air move that is saved.
     base: f64,
 }
 
-/// The heuristic at work: every piece inserts one contour.
+/// The construction under way; every piece of work inserts one contour.
 pub(super) struct Pfr {
     pub(super) forest: Forest,
-    /// To be inserted now.
+    /// Contours to be inserted now.
     waiting: Vec<ItemId>,
-    /// Seconds from each contour that waits to the nearest place of the path.
+    /// For each waiting contour, the seconds to the nearest place of the path.
     nearest: Vec<f64>,
-    /// The contour whose insides go in now; `None`: the outermost ones do.
+    /// The contour whose inner contours are being inserted; `None` while the outermost ones are.
     outer: Option<ItemId>,
-    /// Contours of the path that were finished behind this place have their insides.
+    /// Contours of the path that end after this position have their inner contours.
     behind: Option<usize>,
 }
 
 impl Pfr {
-    pub(super) fn new(g: &Ground) -> Self {
+    pub(super) fn new(g: &Graph) -> Self {
         let mut pfr = Self {
             forest: Forest::new(g),
             waiting: Vec::new(),
@@ -64,8 +66,8 @@ impl Pfr {
         pfr
     }
 
-    /// Inserts the next contour; what that cost in moves, or nothing when all are in.
-    pub(super) fn piece(&mut self, g: &Ground) -> Option<u64> {
+    /// Inserts the next contour. Returns the cost in moves, or `None` when all are inserted.
+    pub(super) fn piece(&mut self, g: &Graph) -> Option<u64> {
         let mut spent = 0;
         while self.waiting.is_empty() {
             spent += self.descend(g)?;
@@ -90,8 +92,8 @@ impl Pfr {
         self.nearest[self.waiting[k] as usize]
     }
 
-    /// The last contour of the path whose insides are not in is the next; nothing at the start of the path.
-    fn descend(&mut self, g: &Ground) -> Option<u64> {
+    /// Continues with the last contour of the path whose inner contours are missing; `None` at the start of the path.
+    fn descend(&mut self, g: &Graph) -> Option<u64> {
         let ends = finished(g, &self.forest);
         let mut order = vec![None; ends.len()];
         for (item, &end) in (0..).zip(&ends) {
@@ -99,7 +101,7 @@ impl Pfr {
                 *place = Some(item);
             }
         }
-        // What went in since lies before the contour it is inside of.
+        // Contours inserted since then come before the contour around them.
         let from = self.outer.map_or(order.len(), |o| ends[o as usize] as usize);
         let place = (0..self.behind.map_or(order.len(), |_| from)).rev();
         let next = place.filter_map(|k| order[k]).find(|&i| !g.inner[i as usize].is_empty())?;
@@ -121,8 +123,8 @@ impl Pfr {
     }
 }
 
-/// Puts a contour that is out where it costs least, before another one ends; how many places were priced.
-pub(super) fn insert(g: &Ground, forest: &mut Forest, item: ItemId, outer: Option<ItemId>) -> u64 {
+/// Inserts an unassigned contour at the cheapest place before the end of `outer`. Returns the number of places priced.
+pub(super) fn insert(g: &Graph, forest: &mut Forest, item: ItemId, outer: Option<ItemId>) -> u64 {
     let offers = offers(g, forest, outer);
     let mut best: Option<(f64, usize, NodeId)> = None;
     for node in g.nodes(item) {
@@ -141,8 +143,8 @@ pub(super) fn insert(g: &Ground, forest: &mut Forest, item: ItemId, outer: Optio
     (offers.len() * g.nodes(item).len()) as u64
 }
 
-/// Puts contours that are out into a slot.
-pub(super) fn put(g: &Ground, forest: &mut Forest, slot: Slot, items: Vec<ItemId>) {
+/// Inserts unassigned contours into a slot.
+pub(super) fn put(g: &Graph, forest: &mut Forest, slot: Slot, items: Vec<ItemId>) {
     match slot {
         Slot::Gap { route, pos } => forest.splice(route, pos, items),
         Slot::Node(node) => {
@@ -152,8 +154,8 @@ pub(super) fn put(g: &Ground, forest: &mut Forest, slot: Slot, items: Vec<ItemId
     }
 }
 
-/// Every slot of the path, or those before the end of a contour.
-fn offers(g: &Ground, forest: &Forest, outer: Option<ItemId>) -> Vec<Offer> {
+/// All slots of the path, or those before the end of a contour.
+fn offers(g: &Graph, forest: &Forest, outer: Option<ItemId>) -> Vec<Offer> {
     let until = outer.map(|outer| {
         let (passed, ends) = times(g, forest);
         (ends[outer as usize], passed, ends)

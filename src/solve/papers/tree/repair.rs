@@ -1,15 +1,14 @@
-//! Restoring feasibility (section 4.6): a contour that is finished before something inside it is moved behind the last of
-//! what lies inside it, whole. What hung from it stays where it is, in the contour's old place, in the order in which it was
-//! cut.
+//! Restores feasibility (section 4.6). A contour that is finished before something inside it is moved, as a whole, to after
+//! the last contour inside it. What was attached to it stays in its old place, in the order in which it was cut.
 
 use super::forest::Forest;
-use super::ground::Ground;
-use super::walk::finished;
+use super::graph::Graph;
+use super::visits::finished;
 use crate::problem::{ItemId, NodeId};
 
-/// Repairs the contours from the innermost outwards, so that each is moved once at most; how many were moved, and what the
-/// work cost.
-pub(super) fn repair(g: &Ground, forest: &mut Forest) -> (Vec<ItemId>, u64) {
+/// Repairs the contours from the innermost outwards, so that each is moved at most once. Returns the moved contours and the
+/// work in moves.
+pub(super) fn repair(g: &Graph, forest: &mut Forest) -> (Vec<ItemId>, u64) {
     let mut moved = Vec::new();
     let mut work = 1;
     for &outer in &g.inwards {
@@ -27,8 +26,8 @@ pub(super) fn repair(g: &Ground, forest: &mut Forest) -> (Vec<ItemId>, u64) {
     (moved, work)
 }
 
-/// Moves a contour behind another one.
-fn shift(g: &Ground, forest: &mut Forest, item: ItemId, behind: ItemId) {
+/// Moves a contour to after another one.
+fn shift(g: &Graph, forest: &mut Forest, item: ItemId, behind: ItemId) {
     let nodes = g.nodes(item);
     let entry = forest.entry(item);
     let count = nodes.end - nodes.start;

@@ -1,24 +1,25 @@
-//! From an arborescence back to a partition-tree (section 4.4, figure 5). Every connection, from the root outwards, is one
-//! of four cases, by whether its nodes are the ones where their contours are entered:
+//! Rebuilds the partition-tree from an arborescence (section 4.4, figure 5). Connections are resolved from the root
+//! outwards. There are four cases, which depend on whether the nodes of the connection are the entries of their contours:
 //!
-//! * (a) the child's is, the parent's is not: the child hangs at the parent's node.
-//! * (b) neither is: the contour of the child's node leaves its partition and becomes one of its own that hangs at the
-//!   parent's node, entered at the connection node; the rest hangs at its old entry.
-//! * (c) the parent's is, the child's is not: the contour goes into the parent partition beside the parent's contour; the
-//!   rest hangs at its old entry.
-//! * (d) both are: the partitions become one.
+//! * (a) Only the child's node is an entry: the child is attached to the parent's node.
+//! * (b) Neither is an entry: the contour of the child's node becomes a partition of its own, attached to the parent's node
+//!   and entered at the connection's node; the rest is attached to its old entry.
+//! * (c) Only the parent's node is an entry: the contour is inserted into the parent partition next to the parent's
+//!   contour; the rest is attached to its old entry.
+//! * (d) Both are entries: the partitions are merged.
 //!
-//! Where two partitions would hang at one node, they become one. A ring goes in broken before or behind the connection
-//! node's contour, whichever costs less. Home counts as a contour entered at home.
+//! Two partitions at one node are merged. The ring of the inserted partition is opened before or after the contour of the
+//! connection, whichever costs less. Home counts as a contour that is entered at home.
 
 use super::connect::Connection;
 use super::forest::{Forest, ROOT};
-use super::ground::Ground;
+use super::graph::Graph;
 use crate::problem::{ItemId, NodeId};
 use std::collections::VecDeque;
 
-/// Hangs up all partitions by these connections: one to each of those in use, which the root reaches.
-pub(super) fn resolve(g: &Ground, forest: &mut Forest, chosen: &[Connection]) {
+/// Attaches all partitions by these connections. There is one connection to each partition in use, and the root reaches all
+/// of them.
+pub(super) fn resolve(g: &Graph, forest: &mut Forest, chosen: &[Connection]) {
     let mut from: Vec<Vec<&Connection>> = vec![Vec::new(); forest.routes.len()];
     for connection in chosen {
         from[connection.arc.from].push(connection);
@@ -36,15 +37,15 @@ pub(super) fn resolve(g: &Ground, forest: &mut Forest, chosen: &[Connection]) {
     }
 }
 
-/// Hangs up the partition of `to`, which hangs nowhere, at `from`.
-pub(super) fn connect(g: &Ground, forest: &mut Forest, from: Option<NodeId>, to: NodeId) {
+/// Attaches the partition of `to`, which is not attached, at `from`.
+pub(super) fn connect(g: &Graph, forest: &mut Forest, from: Option<NodeId>, to: NodeId) {
     let item = g.item(to);
     let route = forest.route_of(item);
     let entered = forest.entry(item);
     forest.rotate(route, forest.pos(item));
     let mut items = forest.take(g, route, 0..forest.items(route).len());
     if entered == to {
-        // Broken before the contour, unless behind it costs less.
+        // The ring is opened before the contour, unless opening it after the contour costs less.
         let mut last = items.clone();
         last.rotate_left(1);
         items = if cost(g, forest, from, &last) < cost(g, forest, from, &items) { last } else { items };
@@ -60,11 +61,11 @@ pub(super) fn connect(g: &Ground, forest: &mut Forest, from: Option<NodeId>, to:
     }
 }
 
-/// Where contours may go in at a node: places of a route, or the node itself.
-fn gaps(g: &Ground, forest: &Forest, from: Option<NodeId>) -> Option<(u32, [usize; 2])> {
+/// The route and positions where contours may be inserted at a node; `None` if they are attached to the node itself.
+fn gaps(g: &Graph, forest: &Forest, from: Option<NodeId>) -> Option<(u32, [usize; 2])> {
     match from {
         None => Some((ROOT, [0, forest.items(ROOT).len()])),
-        // What may not be left, and was entered elsewhere since, is no parent but beside its entry.
+        // A contour that may not be left, and whose entry has changed since, can only be a parent next to its entry.
         Some(node) if forest.entry(g.item(node)) == node || !g.may_leave(g.item(node)) => {
             let pos = forest.pos(g.item(node));
             Some((forest.route_of(g.item(node)), [pos, pos + 1]))
@@ -73,8 +74,8 @@ fn gaps(g: &Ground, forest: &Forest, from: Option<NodeId>) -> Option<(u32, [usiz
     }
 }
 
-/// Puts contours that are out in at a node.
-fn place(g: &Ground, forest: &mut Forest, from: Option<NodeId>, items: Vec<ItemId>) {
+/// Inserts unassigned contours at a node.
+fn place(g: &Graph, forest: &mut Forest, from: Option<NodeId>, items: Vec<ItemId>) {
     match (gaps(g, forest, from), from) {
         (Some((route, places)), _) => {
             let more = |pos| added(g, forest, route, pos, &items);
@@ -89,8 +90,8 @@ fn place(g: &Ground, forest: &mut Forest, from: Option<NodeId>, items: Vec<ItemI
     }
 }
 
-/// Air that contours at a node take on the way to the first and from the last, at the least.
-fn cost(g: &Ground, forest: &Forest, from: Option<NodeId>, items: &[ItemId]) -> f64 {
+/// Seconds of the air moves to the first contour and from the last, at the cheapest of the places at a node.
+fn cost(g: &Graph, forest: &Forest, from: Option<NodeId>, items: &[ItemId]) -> f64 {
     match (gaps(g, forest, from), from) {
         (Some((route, places)), _) => {
             places.into_iter().map(|pos| added(g, forest, route, pos, items)).fold(f64::INFINITY, f64::min)
@@ -100,17 +101,17 @@ fn cost(g: &Ground, forest: &Forest, from: Option<NodeId>, items: &[ItemId]) -> 
     }
 }
 
-/// Air more with contours in a gap.
-fn added(g: &Ground, forest: &Forest, route: u32, pos: usize, items: &[ItemId]) -> f64 {
+/// Additional seconds of air moves with contours in a gap.
+fn added(g: &Graph, forest: &Forest, route: u32, pos: usize, items: &[ItemId]) -> f64 {
     let (from, to) = (forest.before(g, route, pos), forest.after(g, route, pos));
     ends(g, forest, items, from, to) - to.map_or(0.0, |to| g.air(from, to))
 }
 
-/// Air to the first of some contours and from the last.
-fn ends(g: &Ground, forest: &Forest, items: &[ItemId], from: glam::DVec2, to: Option<glam::DVec2>) -> f64 {
+/// Seconds of the air moves to the first contour and from the last.
+fn ends(g: &Graph, forest: &Forest, items: &[ItemId], from: glam::DVec2, to: Option<glam::DVec2>) -> f64 {
     let (Some(&first), Some(&last)) = (items.first(), items.last()) else { return 0.0 };
     let home = to.map_or(0.0, |to| g.air(g.exit(forest.entry(last)), to));
-    // What closes the ring of these contours falls away where it is broken.
+    // The leg that closed the ring of these contours is saved.
     let ring = g.leg(forest.entry(last), forest.entry(first));
     g.air(from, g.entry(forest.entry(first))) + home - if items.len() > 1 { ring } else { 0.0 }
 }

@@ -1,30 +1,31 @@
-//! The second set of repartitioning moves: a sub-sequence of a partition becomes a partition of its own, or goes into
-//! another partition or another gap of its own (figure 7). Never turned round, as in the paper; a single contour may be
+//! The second set of repartitioning moves. A sub-sequence of a partition becomes a partition of its own, or moves to
+//! another partition or to another gap of its own (figure 7). As in the paper it is never reversed. A single contour may be
 //! entered elsewhere.
 
 use super::forest::{Forest, ROOT};
-use super::ground::Ground;
-use super::moves::{Found, Move};
+use super::graph::Graph;
+use super::moves::{GainfulMoves, TreeMove};
 use crate::problem::{ItemId, NodeId};
 use crate::solve::epsilon::EPSILON;
 use std::ops::Range;
 
-/// Contours of a sub-sequence at most: longer ones gain next to nothing on large sheets, and the work grows with them.
+/// Largest number of contours in a sub-sequence. Longer ones save next to nothing on large sheets, and the work grows with
+/// their length.
 const LONGEST: usize = 50;
 
-/// Contours of a route that may move, and what that saves where they are.
+/// Contours of a route that may move, and the seconds saved by removing them.
 struct Piece {
     route: u32,
     places: Range<usize>,
-    /// The nodes where the first is entered and the last.
+    /// The nodes where the first and the last contour are entered.
     ends: [NodeId; 2],
-    /// Where the single contour is entered, if not as it is now.
+    /// The new entry of a single contour, if it changes.
     enter: Option<NodeId>,
     saved: f64,
 }
 
-/// Moves of sub-sequences that begin or end with a contour.
-pub(super) fn look(g: &Ground, forest: &Forest, item: ItemId, found: &mut Found) {
+/// Finds moves of the sub-sequences that begin or end with a contour.
+pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut GainfulMoves) {
     let (route, pos) = (forest.route_of(item), forest.pos(item));
     let count = forest.items(route).len();
     for end in pos + 1..=count.min(pos + LONGEST) {
@@ -43,7 +44,7 @@ pub(super) fn look(g: &Ground, forest: &Forest, item: ItemId, found: &mut Found)
     }
 }
 
-fn piece(g: &Ground, forest: &Forest, route: u32, places: Range<usize>) -> Piece {
+fn piece(g: &Graph, forest: &Forest, route: u32, places: Range<usize>) -> Piece {
     let node = |k: usize| forest.entry(forest.items(route)[k]);
     let ends = [node(places.start), node(places.end - 1)];
     let (from, to) = (forest.before(g, route, places.start), forest.after(g, route, places.end));
@@ -55,25 +56,25 @@ fn piece(g: &Ground, forest: &Forest, route: u32, places: Range<usize>) -> Piece
     Piece { route, places, ends, enter: None, saved }
 }
 
-/// Moves of a piece to the near nodes of one of its ends.
-fn offer(g: &Ground, forest: &Forest, piece: &Piece, end: NodeId, found: &mut Found) {
+/// Finds moves of a sub-sequence to the near nodes of one of its ends.
+fn offer(g: &Graph, forest: &Forest, piece: &Piece, end: NodeId, found: &mut GainfulMoves) {
     let [first, last] = piece.ends;
     let whole = piece.places.len() == forest.items(piece.route).len();
     for &near in g.near(end) {
         let t = g.item(near);
         let hangs = || forest.hangs_from(g, t, piece.route, &piece.places);
-        // As a partition of its own; a whole one is hung up elsewhere by the first set.
+        // As a partition of its own. Whole partitions are moved by the first set.
         found.priced += 1;
         let cost = g.charge(near) + g.leg(near, first) + g.leg(last, near);
         if piece.saved - cost > EPSILON && !whole && forest.is_free(g, near) && !hangs() {
             let (route, places, enter) = (piece.route, piece.places.clone(), piece.enter);
-            found.moves.push((piece.saved - cost, Move::Own { route, places, node: near, enter }));
+            found.moves.push((piece.saved - cost, TreeMove::Own { route, places, node: near, enter }));
         }
         let (to, at) = (forest.route_of(t), forest.pos(t));
         for pos in [at, at + 1] {
             let own = to == piece.route && (piece.places.start..=piece.places.end).contains(&pos);
             if own {
-                // In its own gap a contour could only turn: the entries of a route are chosen all together.
+                // In its own gap only the entry of a contour could change, and the entries of a route are chosen together.
                 continue;
             }
             found.priced += 1;
@@ -82,7 +83,7 @@ fn offer(g: &Ground, forest: &Forest, piece: &Piece, end: NodeId, found: &mut Fo
             let gain = piece.saved - g.air(from, g.entry(first)) - on;
             if gain > EPSILON && !(whole && piece.route == ROOT) && !hangs() {
                 let (route, places, enter) = (piece.route, piece.places.clone(), piece.enter);
-                found.moves.push((gain, Move::Into { route, places, to, pos, enter }));
+                found.moves.push((gain, TreeMove::Into { route, places, to, pos, enter }));
             }
         }
     }

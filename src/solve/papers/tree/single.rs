@@ -1,14 +1,15 @@
-//! One partition of all contours, each cut in one go: a GTSP tour found with precedence left out, then repaired.
+//! One partition of all contours, each cut whole: a GTSP tour that ignores precedence and is then repaired.
 //!
-//! What is inside goes to just before what is around it, in the paper's other direction as it were: CAM programs cut holes
-//! first. Then the entries are chosen anew. Ranks, groups, pairs and tables of costs, which the paper does not know, are
-//! kept by the same repair; on problems with these all three methods are this one, `pfr` with the nearest-next path.
+//! Inner contours are moved to just before the contour around them, not outer ones back as in the paper, because CAM
+//! programs cut holes first. Then the entries are chosen again. The same repair keeps ranks, groups, pairs and tables of
+//! costs, which the paper does not have. On problems with these, all three methods run this search, `pfr` with the
+//! nearest-neighbour path.
 
 use super::forest::{Forest, ROOT};
-use super::ground::Ground;
-use super::{entries, walk};
+use super::graph::Graph;
+use super::{entries, visits};
 use crate::problem::{Groups, Item, NodeId, Problem};
-use crate::solve::papers::lead::{Lead, Pieces, solution};
+use crate::solve::papers::piecewise::{Piecewise, Progress, solution};
 use crate::solve::papers::repair::Repair;
 use crate::solve::tour_tree::TourTree;
 use crate::solve::{Curve, Insight};
@@ -16,7 +17,7 @@ use crate::solve::{Search, Solution, Solver, greedy};
 
 type Searching<'p> = Box<dyn Search + 'p>;
 
-// The search borrows the problem; both live as long as the method.
+// The search borrows the problem, so both are stored together.
 self_cell::self_cell!(
     struct Relaxed {
         owner: Problem,
@@ -25,7 +26,7 @@ self_cell::self_cell!(
     }
 );
 
-/// Moves to a piece: about a millisecond.
+/// Number of moves in one piece: about a millisecond.
 const SLICE: u64 = 1_000;
 
 pub(super) struct Single<'p> {
@@ -33,11 +34,11 @@ pub(super) struct Single<'p> {
     relaxed: Relaxed,
     left: u64,
     repaired: bool,
-    lead: Lead,
+    progress: Progress,
 }
 
 impl<'p> Single<'p> {
-    /// Begins, for so many moves a contour.
+    /// Starts the search with `each` moves for each contour.
     pub(super) fn new(problem: &'p Problem, seed: u64, each: u64) -> Self {
         let free = |item: &Item| Item { before: None, rank: 0, leave: None, track: None, ..item.clone() };
         let relaxed = Problem {
@@ -51,11 +52,11 @@ impl<'p> Single<'p> {
             table: problem.table.clone(),
         };
         let relaxed = Relaxed::new(relaxed, |p| TourTree.start(p, seed, None));
-        let lead = Lead::new(greedy(problem), f64::INFINITY);
-        Self { problem, relaxed, left: each * problem.items.len() as u64, repaired: each == 0, lead }
+        let progress = Progress::new(greedy(problem), f64::INFINITY);
+        Self { problem, relaxed, left: each * problem.items.len() as u64, repaired: each == 0, progress }
     }
 
-    /// The tour found, made an allowed one.
+    /// Repairs the tour that was found.
     fn repair(&mut self) {
         let found: &Solution = self.relaxed.borrow_dependent().best();
         let nodes: Vec<NodeId> = found.stops.iter().map(|s| s.node).collect();
@@ -63,24 +64,24 @@ impl<'p> Single<'p> {
         let repaired = if self.problem.table().is_some() {
             solution(self.problem, &nodes)
         } else {
-            let g = Ground::new(self.problem);
+            let g = Graph::new(self.problem);
             let mut forest = Forest::new(&g);
             forest.splice(ROOT, 0, nodes.iter().map(|&n| g.item(n)).collect());
             forest.order(&g, ROOT, &nodes);
             entries::improve(&g, &mut forest, ROOT, false);
-            walk::solution(&g, &forest)
+            visits::solution(&g, &forest)
         };
-        self.lead.take(repaired.cost, || repaired);
+        self.progress.take(repaired.cost, || repaired);
     }
 }
 
-impl Pieces for Single<'_> {
-    fn lead(&self) -> &Lead {
-        &self.lead
+impl Piecewise for Single<'_> {
+    fn progress(&self) -> &Progress {
+        &self.progress
     }
 
-    fn lead_mut(&mut self) -> &mut Lead {
-        &mut self.lead
+    fn progress_mut(&mut self) -> &mut Progress {
+        &mut self.progress
     }
 
     fn piece(&mut self) -> Option<u64> {
@@ -99,7 +100,7 @@ impl Pieces for Single<'_> {
     fn insight(&self) -> Insight {
         let relaxed = self.relaxed.borrow_dependent().best().cost;
         let value = |name, value| Curve { name, value };
-        let best = self.lead.solution().cost;
+        let best = self.progress.solution().cost;
         let curves = vec![value("tour with precedence left out, s", relaxed), value("path, s", best)];
         Insight { curves, ..Insight::default() }
     }

@@ -1,35 +1,35 @@
-//! What the frame does, one after the other.
+//! The stages of the framework.
 
 use super::connect::Connections;
 use super::gtsp::Gtsp;
 use super::pfr::Pfr;
 
-/// What is done next.
+/// The next work to do.
 pub(super) enum Stage {
-    /// Near nodes, contour by contour.
+    /// Finds near nodes, contour by contour.
     Near,
-    /// The construction heuristic (1a).
+    /// Runs the construction heuristic (1a).
     Construct(Box<Pfr>),
-    /// GTSP of partitions (1b, 4): those still to be solved, and the one under way.
+    /// Solves the GTSP of partitions (1b, 4): the remaining ones, and the current one.
     Gtsp {
         routes: Vec<u32>,
         now: Option<Box<Gtsp>>,
         then: After,
     },
-    /// Repartition (1c, 5, 8): the contour looked at next, and how many were in a row without gain.
+    /// Repartitions (1c, 5, 8): the next contour, and the number of contours in a row without improvement.
     Repartition {
         next: usize,
         idle: usize,
         then: After,
     },
-    /// Connections between partitions, those of the next one; then arborescence and resolution (2, 3).
+    /// Finds connections to the remaining partitions, then chooses the arborescence and rebuilds the tree (2, 3).
     Connect {
         routes: Vec<u32>,
         found: Box<Connections>,
     },
-    /// Restored feasibility (7).
+    /// Restores feasibility (7).
     Repair,
-    /// Entries of the routes chosen anew (8).
+    /// Chooses the entries of the remaining routes (8).
     Entries {
         routes: Vec<u32>,
         then: After,
@@ -37,13 +37,13 @@ pub(super) enum Stage {
     End,
 }
 
-/// What a stage is for.
+/// The purpose of a stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum After {
-    /// The initial partitions; precedence is kept.
+    /// Improves the initial partitions and keeps precedence.
     Initial,
-    /// A round of the frame; precedence is left out.
+    /// Is part of a round and ignores precedence.
     Round,
-    /// The repaired path; precedence is kept.
+    /// Improves the repaired path and keeps precedence.
     Final,
 }

@@ -1,30 +1,31 @@
-//! The methods against the optimum of small problems, by trying everything: every order, entry and place to leave.
+//! The methods compared with the optimum of small problems. The optimum is found by trying every order, every entry and
+//! every place to leave a contour.
 
-use super::super::walk::keeps_precedence;
+use super::super::visits::keeps_precedence;
 use super::super::{GtspLk, InitialPartitions, PartitionTree, Pfr};
-use super::super::{ground::Ground, pfr};
-use super::{ground, near, random, sheet};
+use super::super::{graph::Graph, pfr};
+use super::{graph, near, random, sheet};
 use crate::geometry::DVec2;
 use crate::problem::{NodeId, Problem};
 use crate::solve::rng::seeded;
 use crate::solve::{Solution, Solver, Status, exact};
 
-/// What the head is about, outermost first.
+/// What the head is in the middle of, outermost first.
 #[derive(Clone)]
 enum Open {
-    /// A route: where it started; whether something of it is done.
+    /// A route: its parent node, and whether some of it is cut.
     Route(Option<NodeId>, bool),
-    /// A contour: entry, and nodes gone by.
+    /// A contour: its entry, and the number of nodes passed.
     Contour(NodeId, u32),
 }
 
 struct Search<'p> {
-    g: Ground<'p>,
+    g: Graph<'p>,
     best: f64,
 }
 
 impl Search<'_> {
-    /// Goes on from a place in every way.
+    /// Continues from a point in every possible way.
     fn go(&mut self, open: &mut Vec<Open>, done: &mut Vec<u8>, head: DVec2, cost: f64) {
         if cost >= self.best {
             return;
@@ -84,7 +85,7 @@ impl Search<'_> {
 }
 
 fn optimum(problem: &Problem) -> f64 {
-    let mut search = Search { g: ground(problem), best: f64::INFINITY };
+    let mut search = Search { g: graph(problem), best: f64::INFINITY };
     let mut done = vec![0; problem.items.len()];
     search.go(&mut vec![Open::Route(None, false)], &mut done, problem.home, 0.0);
     search.best
@@ -130,7 +131,7 @@ fn no_method_is_below_the_optimum_and_the_tree_is_often_at_it() {
 
 #[test]
 fn pfr_leaves_a_contour_where_that_is_cheaper() {
-    // 1 is 2 right of the upper end of 0; 2 is inside 1.
+    // 1 is 2 mm to the right of the upper end of 0; 2 lies inside 1.
     let mut problem = sheet(&[&[[0.0, 0.0], [0.0, 10.0]], &[[2.0, 10.0], [2.0, 20.0]], &[[2.0, 12.0]]]);
     problem.items[2].before = Some(1);
     // 2 right and back, and on the way round 1 at (2,10), where it ends: 2 up to (2,12) first.
@@ -138,7 +139,7 @@ fn pfr_leaves_a_contour_where_that_is_cheaper() {
     let path: Vec<(u32, f64)> = found.stops.iter().map(|s| (s.node, s.until)).collect();
     assert_eq!(path, [(0, 1.0), (4, 0.0), (2, 0.0), (1, 0.0)]);
     near(found.cost, 104.0_f64.sqrt().min(148.0_f64.sqrt().min(8.0_f64.sqrt())) + 2.0 + 2.0 + 1.0);
-    // Where leaving costs more than it saves, home is left for it.
+    // If leaving costs more than it saves, the contours are cut whole.
     problem.items[0].leave = Some(100.0);
     let whole = run(&Pfr {}, &problem);
     assert_eq!(whole.stops.len(), 3);
@@ -150,7 +151,7 @@ fn pfr_keeps_precedence_on_deep_nestings() {
     let mut rng = seeded(12);
     for _ in 0..20 {
         let problem = random(30, 4, &mut rng);
-        let g = ground(&problem);
+        let g = graph(&problem);
         let mut construction = pfr::Pfr::new(&g);
         while construction.piece(&g).is_some() {
             assert!(keeps_precedence(&g, &construction.forest), "at every moment");

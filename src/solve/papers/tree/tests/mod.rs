@@ -1,11 +1,11 @@
-//! Pieces of the partition-tree by hand and by brute force.
+//! Parts of the partition-tree method, checked by hand and by brute force.
 
 mod exact;
 mod moves;
 mod resolution;
 
 use super::forest::{Forest, ROOT};
-use super::ground::Ground;
+use super::graph::Graph;
 use crate::problem::{NodeId, Problem};
 use crate::solve::papers::test_sheet;
 use crate::solve::rng::{Draw, Rng};
@@ -18,7 +18,7 @@ fn sheet(contours: &[&[[f64; 2]]]) -> Problem {
     test_sheet::sheet(contours, Some(PRE_CUT), "length")
 }
 
-/// Random contours of that many corners each, some inside others, some that may not be left, one now and then open.
+/// Random contours with this number of corners. Some lie inside others, some may not be left, and a few are open.
 fn random(contours: usize, corners: usize, rng: &mut Rng) -> Problem {
     let mut place = || [rng.uniform() * 100.0, rng.uniform() * 100.0];
     let all: Vec<Vec<[f64; 2]>> = (0..contours).map(|_| (0..corners).map(|_| place()).collect()).collect();
@@ -26,7 +26,7 @@ fn random(contours: usize, corners: usize, rng: &mut Rng) -> Problem {
     problem.closed = rng.below(2) == 0;
     for k in 0..contours {
         let item = &mut problem.items[k];
-        // What is around has a lower number: no circles.
+        // Outer contours have lower numbers, so that there are no cycles.
         item.before = (k > 0 && rng.below(3) == 0).then(|| u32::try_from(rng.below(k)).unwrap());
         item.leave = (rng.below(4) > 0).then(|| rng.uniform() * 20.0);
         if corners == 2 && rng.below(4) == 0 {
@@ -41,15 +41,15 @@ fn random(contours: usize, corners: usize, rng: &mut Rng) -> Problem {
     problem
 }
 
-/// All near nodes listed.
-fn ground(problem: &Problem) -> Ground<'_> {
-    let mut g = Ground::new(problem);
+/// The graph with all near nodes.
+fn graph(problem: &Problem) -> Graph<'_> {
+    let mut g = Graph::new(problem);
     while g.list_near().is_some() {}
     g
 }
 
 /// A random tree: every contour in a random gap or at a random free node.
-fn random_forest(g: &Ground, rng: &mut Rng) -> Forest {
+fn random_forest(g: &Graph, rng: &mut Rng) -> Forest {
     let mut forest = Forest::new(g);
     for (item, k) in (0..).zip(0..g.problem.items.len()) {
         let nodes = g.nodes(item);

@@ -1,20 +1,20 @@
-//! Repartitioning: every move gains what it says, each kind by hand, precedence is kept.
+//! Repartitioning: every move saves what it claims, each kind is checked by hand, and precedence is kept.
 
 use super::super::forest::{Forest, ROOT};
-use super::super::ground::Ground;
-use super::super::moves::{Found, Move};
+use super::super::graph::Graph;
+use super::super::moves::{GainfulMoves, TreeMove};
 use super::super::repartition::{RepartitionMoves, improve};
-use super::super::walk::{keeps_precedence, solution};
+use super::super::visits::{keeps_precedence, solution};
 use super::super::{
     connect::Connections, edmonds::arborescence, partitions, repair::repair, resolve::resolve, sequences,
 };
-use super::{PRE_CUT, ground, near, random, random_forest, sheet};
+use super::{PRE_CUT, graph, near, random, random_forest, sheet};
 use crate::problem::NodeId;
 use crate::solve::rng::seeded;
 use std::mem::discriminant;
 
-fn found(g: &Ground, forest: &Forest) -> Vec<(f64, Move)> {
-    let mut found = Found::default();
+fn found(g: &Graph, forest: &Forest) -> Vec<(f64, TreeMove)> {
+    let mut found = GainfulMoves::default();
     for item in (0..).take(g.problem.items.len()) {
         partitions::look(g, forest, item, &mut found);
         sequences::look(g, forest, item, &mut found);
@@ -28,7 +28,7 @@ fn every_move_gains_what_it_says_and_leaves_a_tree() {
     let mut kinds = Vec::new();
     for round in 0..60 {
         let problem = random(3 + round % 9, 2 + round % 3, &mut rng);
-        let g = ground(&problem);
+        let g = graph(&problem);
         let forest = random_forest(&g, &mut rng);
         for (gain, change) in found(&g, &forest) {
             let mut next = forest.clone();
@@ -50,7 +50,7 @@ fn near_nodes_are_the_nearest_two_of_each_contour() {
     let mut rng = seeded(2);
     for round in 0..20 {
         let problem = random(4 + 3 * round, 2 + round % 4, &mut rng);
-        let g = ground(&problem);
+        let g = graph(&problem);
         for (id, node) in (0..).zip(&problem.nodes) {
             let seconds = |n: NodeId| g.air(node.exit, g.entry(n)).min(g.air(node.entry, g.entry(n)));
             let mut all: Vec<(f64, NodeId)> = (0..)
@@ -76,7 +76,7 @@ fn with_precedence_no_move_breaks_it() {
     let (mut made, mut broken) = (0, 0);
     for round in 0..40 {
         let problem = random(4 + round % 12, 3, &mut rng);
-        let g = ground(&problem);
+        let g = graph(&problem);
         for keep in [true, false] {
             let mut forest = random_forest(&g, &mut rng);
             repair(&g, &mut forest);
@@ -98,7 +98,7 @@ fn resolving_any_tree_leaves_a_tree() {
     let mut rng = seeded(6);
     for round in 0..80 {
         let problem = random(2 + round % 15, 2 + round % 4, &mut rng);
-        let g = ground(&problem);
+        let g = graph(&problem);
         let mut forest = random_forest(&g, &mut rng);
         let mut connections = Connections::default();
         let routes: Vec<u32> = forest.used().collect();
@@ -116,7 +116,7 @@ fn resolving_any_tree_leaves_a_tree() {
     }
 }
 
-/// Four tall contours beside each other, 2 apart: (0|2|4|6, 0) to (0|2|4|6, 10).
+/// Four tall contours next to each other, 2 mm apart: (0|2|4|6, 0) to (0|2|4|6, 10).
 fn tall() -> crate::problem::Problem {
     sheet(&[
         &[[0.0, 0.0], [0.0, 10.0]],
@@ -127,7 +127,7 @@ fn tall() -> crate::problem::Problem {
 }
 
 /// The best move of a kind, and the tree after it.
-fn best(g: &Ground, forest: &Forest, kind: fn(&Move) -> bool) -> (f64, Forest) {
+fn best(g: &Graph, forest: &Forest, kind: fn(&TreeMove) -> bool) -> (f64, Forest) {
     let moves = found(g, forest);
     let (gain, change) = moves.iter().filter(|m| kind(&m.1)).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
     let mut next = forest.clone();
@@ -138,14 +138,14 @@ fn best(g: &Ground, forest: &Forest, kind: fn(&Move) -> bool) -> (f64, Forest) {
 #[test]
 fn a_partition_is_hung_up_where_it_is_near() {
     let problem = tall();
-    let g = ground(&problem);
+    let g = graph(&problem);
     let mut forest = Forest::new(&g);
     forest.splice(ROOT, 0, vec![0, 1, 2]);
     let route = forest.open(vec![3]);
-    // 6 away, entered above as it hangs above.
+    // 6 mm away, attached above and entered above.
     forest.enter(3, 7);
     forest.hang(&g, route, 1);
-    let (gain, next) = best(&g, &forest, |m| matches!(m, Move::Reattach { .. }));
+    let (gain, next) = best(&g, &forest, |m| matches!(m, TreeMove::Reattach { .. }));
     near(gain, 2.0 * 6.0 - 2.0 * 2.0);
     assert_eq!(next.at(next.route_of(3)), Some(5));
 }
@@ -153,10 +153,10 @@ fn a_partition_is_hung_up_where_it_is_near() {
 #[test]
 fn a_chain_of_single_contours_becomes_one_partition() {
     let problem = tall();
-    let g = ground(&problem);
+    let g = graph(&problem);
     let mut forest = Forest::new(&g);
     forest.splice(ROOT, 0, vec![0]);
-    // 1 hangs at 0, 2 at 1, 3 at 2: each entered above or below by turns, as far as can be.
+    // 1 is attached to 0, 2 to 1, 3 to 2. They are entered alternately above and below, as far apart as possible.
     for (item, at, enter) in [(1, 1, 2), (2, 3, 4), (3, 5, 6)] {
         forest.enter(item, enter);
         let route = forest.open(vec![item]);
@@ -164,7 +164,7 @@ fn a_chain_of_single_contours_becomes_one_partition() {
     }
     let leg = |x: f64| 2.0 * (x * x + 100.0).sqrt();
     near(forest.seconds(&g), 3.0 * leg(2.0) + 3.0 * PRE_CUT);
-    let (gain, next) = best(&g, &forest, |m| matches!(m, Move::Merge { nodes, .. } if nodes.len() == 3));
+    let (gain, next) = best(&g, &forest, |m| matches!(m, TreeMove::Merge { nodes, .. } if nodes.len() == 3));
     // All three in one row above, from (0,10) to (6,10) and back, one pre-cut.
     near(next.seconds(&g), 12.0 + PRE_CUT);
     near(gain, 3.0 * leg(2.0) + 2.0 * PRE_CUT - 12.0);
@@ -174,7 +174,7 @@ fn a_chain_of_single_contours_becomes_one_partition() {
 #[test]
 fn a_sub_sequence_becomes_a_partition() {
     let problem = tall();
-    let g = ground(&problem);
+    let g = graph(&problem);
     let mut forest = Forest::new(&g);
     forest.splice(ROOT, 0, vec![0, 1, 2, 3]);
     for (item, enter) in [(1, 3), (2, 5)] {
@@ -183,8 +183,8 @@ fn a_sub_sequence_becomes_a_partition() {
     // 0 to (2,10), (4,10), (6,0), home.
     let slant = 104.0_f64.sqrt();
     near(forest.seconds(&g), 2.0 * slant + 2.0 + 6.0);
-    let (gain, next) = best(&g, &forest, |m| matches!(m, Move::Own { places, .. } if places.len() == 2));
-    // Both hang above, at (0,10): 2, 2, 4; below 6 and 6.
+    let (gain, next) = best(&g, &forest, |m| matches!(m, TreeMove::Own { places, .. } if places.len() == 2));
+    // Both are attached above, at (0,10): 2, 2 and 4; below, 6 and 6.
     near(next.seconds(&g), 8.0 + PRE_CUT + 12.0);
     near(gain, 2.0 * slant + 8.0 - 20.0 - PRE_CUT);
     assert_eq!(next.items(next.route_of(1)), [1, 2]);
@@ -193,7 +193,7 @@ fn a_sub_sequence_becomes_a_partition() {
 #[test]
 fn a_sub_sequence_goes_into_another_partition() {
     let problem = tall();
-    let g = ground(&problem);
+    let g = graph(&problem);
     let mut forest = Forest::new(&g);
     forest.splice(ROOT, 0, vec![0, 2]);
     forest.enter(2, 5);
@@ -203,8 +203,8 @@ fn a_sub_sequence_goes_into_another_partition() {
     forest.hang(&g, route, 1);
     let before = forest.seconds(&g);
     near(before, 2.0 * 116.0_f64.sqrt() + 12.0 + PRE_CUT);
-    let (gain, next) = best(&g, &forest, |m| matches!(m, Move::Into { .. }));
-    // The second of the root goes between the two above, or behind them, which is as far: the root is 0 alone.
+    let (gain, next) = best(&g, &forest, |m| matches!(m, TreeMove::Into { .. }));
+    // The second contour of the root moves between the two above, or after them, which is as far. The root is then 0 alone.
     assert_eq!((next.items(ROOT), next.items(route).len(), next.route_of(2)), (&[0][..], 3, route));
     near(gain, 2.0 * 116.0_f64.sqrt());
     near(next.seconds(&g), 12.0 + PRE_CUT);

@@ -1,15 +1,15 @@
-//! The four cases of figure 5, mergers at one node, and the repair, each by hand.
+//! The four cases of figure 5, mergers at one node, and the repair, each checked by hand.
 
+use super::super::drawn_partitions::partitions;
 use super::super::forest::{Forest, ROOT};
-use super::super::ground::Ground;
+use super::super::graph::Graph;
 use super::super::repair::repair;
 use super::super::resolve::connect;
-use super::super::told::partitions;
-use super::super::walk::{finished, keeps_precedence, solution};
-use super::{PRE_CUT, ground, near, sheet};
+use super::super::visits::{finished, keeps_precedence, solution};
+use super::{PRE_CUT, graph, near, sheet};
 use crate::problem::Problem;
 
-/// Contours of two nodes: A from (0,0) to (0,10), where B begins 5 and C 10 further right; D is left of A.
+/// Contours with two nodes: A from (0,0) to (0,10); B starts 5 mm and C 10 mm further right; D is left of A.
 fn contours() -> Problem {
     sheet(&[
         &[[0.0, 0.0], [0.0, 10.0]],
@@ -28,15 +28,15 @@ const B0: u32 = 2;
 const B1: u32 = 3;
 const D0: u32 = 6;
 
-/// The root with A, entered at A0, and B and C a partition that hangs nowhere, entered at B0 and C0.
-fn loose(g: &Ground) -> Forest {
+/// The root with A, entered at A0, and an unattached partition of B and C, entered at B0 and C0.
+fn loose(g: &Graph) -> Forest {
     let mut forest = Forest::new(g);
     forest.splice(ROOT, 0, vec![A]);
     forest.open(vec![B, C]);
     forest
 }
 
-fn seconds(g: &Ground, forest: &Forest) -> f64 {
+fn seconds(g: &Graph, forest: &Forest) -> f64 {
     let path = solution(g, forest);
     near(path.cost, forest.seconds(g));
     path.cost
@@ -45,7 +45,7 @@ fn seconds(g: &Ground, forest: &Forest) -> f64 {
 #[test]
 fn case_a_hangs_the_child_at_the_parents_node() {
     let problem = contours();
-    let g = ground(&problem);
+    let g = graph(&problem);
     let mut forest = loose(&g);
     connect(&g, &mut forest, Some(A1), B0);
     assert_eq!(forest.at(forest.route_of(B)), Some(A1));
@@ -57,7 +57,7 @@ fn case_a_hangs_the_child_at_the_parents_node() {
 #[test]
 fn case_b_makes_the_connection_contour_a_partition_between() {
     let problem = contours();
-    let g = ground(&problem);
+    let g = graph(&problem);
     let mut forest = loose(&g);
     connect(&g, &mut forest, Some(A1), B1);
     assert_eq!((forest.entry(B), forest.at(forest.route_of(B))), (B1, Some(A1)));
@@ -72,7 +72,7 @@ fn case_b_makes_the_connection_contour_a_partition_between() {
 #[test]
 fn case_c_puts_the_connection_contour_beside_the_parents() {
     let problem = contours();
-    let g = ground(&problem);
+    let g = graph(&problem);
     let mut forest = loose(&g);
     connect(&g, &mut forest, Some(A0), B1);
     assert_eq!((forest.items(ROOT), forest.entry(B)), (&[A, B][..], B1));
@@ -84,7 +84,7 @@ fn case_c_puts_the_connection_contour_beside_the_parents() {
 #[test]
 fn case_d_makes_both_one() {
     let problem = contours();
-    let g = ground(&problem);
+    let g = graph(&problem);
     // Home counts as a contour entered at home.
     for from in [Some(A0), None] {
         let mut forest = loose(&g);
@@ -98,7 +98,7 @@ fn case_d_makes_both_one() {
 #[test]
 fn children_at_one_node_become_one() {
     let problem = contours();
-    let g = ground(&problem);
+    let g = graph(&problem);
     let mut forest = loose(&g);
     connect(&g, &mut forest, Some(A1), B0);
     forest.open(vec![D]);
@@ -111,12 +111,12 @@ fn children_at_one_node_become_one() {
 #[test]
 fn a_contour_finished_too_early_goes_behind_what_is_inside_it() {
     let mut problem = contours();
-    // D is inside A, A inside B.
+    // D lies inside A, and A inside B.
     problem.items[D as usize].before = Some(A);
     problem.items[A as usize].before = Some(B);
-    let g = ground(&problem);
+    let g = graph(&problem);
     let mut forest = Forest::new(&g);
-    // B first, left for A, which is left for C; D last.
+    // B comes first and is left for A, which is left for C; D comes last.
     forest.splice(ROOT, 0, vec![B, D]);
     let route = forest.open(vec![A]);
     forest.hang(&g, route, B1);
@@ -124,7 +124,7 @@ fn a_contour_finished_too_early_goes_behind_what_is_inside_it() {
     forest.hang(&g, route, A1);
     assert!(!keeps_precedence(&g, &forest));
     let (moved, _) = repair(&g, &mut forest);
-    // A goes behind D, and C takes its place; then B goes behind A, and C its place.
+    // A moves to after D, and C takes its place; then B moves to after A, and C takes its place.
     assert_eq!((moved, forest.items(ROOT)), (vec![A, B], &[C, D, A, B][..]));
     assert!(keeps_precedence(&g, &forest) && forest.is_sound(&g));
     assert_eq!(finished(&g, &forest), [2, 3, 0, 1]);

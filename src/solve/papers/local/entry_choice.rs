@@ -1,25 +1,25 @@
-//! The best entries for an order: layer by layer, the least way to each node of an item (dynamic programming).
+//! The best node to enter each item for a fixed order of items, by dynamic programming from item to item.
 
 use super::super::legs::Legs;
 use crate::problem::NodeId;
 
-/// Legs priced in one piece: well under a millisecond.
+/// Number of legs priced in one piece: well under a millisecond.
 const PIECE: u64 = 20_000;
 
-/// The search for the best entries of an order, under way.
-pub(in super::super) struct Choose {
+/// The dynamic programme for one order, under way.
+pub(in super::super) struct EntryChoice {
     tour: Vec<NodeId>,
-    /// The first node stays as it is.
+    /// Whether the first node is fixed.
     held: bool,
-    /// Least ways to the nodes of the item now reached.
+    /// Length of the shortest way to each node of the current item.
     ways: Vec<f64>,
-    /// By item in the order: for each of its nodes the one before it, counted from its item's first.
+    /// For each item in the order and each of its nodes, the best node before it, counted from the first node of that item.
     before: Vec<Vec<u32>>,
 }
 
-impl Choose {
-    /// For an order, given as a tour; `held`: its first node is not to change. With a table of costs it must be, as the
-    /// way back goes there.
+impl EntryChoice {
+    /// Starts with an order, given as a tour. `held` fixes its first node; a table of costs requires that, because the
+    /// cycle returns to that node.
     pub(in super::super) fn new(tour: Vec<NodeId>, held: bool) -> Self {
         Self { tour, held, ways: Vec::new(), before: Vec::new() }
     }
@@ -33,7 +33,7 @@ impl Choose {
         problem.items[problem.nodes[node as usize].item as usize].nodes.clone()
     }
 
-    /// Works on; how many legs were priced, or nothing when the entries are chosen.
+    /// Continues. Returns the number of legs priced, or `None` when the entries are chosen.
     pub(in super::super) fn piece(&mut self, legs: &Legs) -> Option<u64> {
         let first = *self.tour.first()?;
         let mut priced = 0;
@@ -41,7 +41,7 @@ impl Choose {
             let place = self.before.len();
             let nodes = self.nodes(legs, place);
             if place == 0 {
-                self.ways = nodes.clone().map(|n| legs.out(n)).collect();
+                self.ways = nodes.clone().map(|n| legs.from_home(n)).collect();
                 self.before.push(Vec::new());
                 continue;
             }
@@ -68,7 +68,7 @@ impl Choose {
         let last = self.tour.len() - 1;
         let mut least = (f64::INFINITY, 0);
         for ((node, way), k) in self.nodes(legs, last).zip(&self.ways).zip(0_u32..) {
-            let cost = way + legs.back(node, first);
+            let cost = way + legs.to_end(node, first);
             if cost < least.0 {
                 least = (cost, k);
             }
@@ -82,7 +82,7 @@ impl Choose {
         None
     }
 
-    /// The tour.
+    /// The tour with the chosen entries.
     pub(in super::super) fn tour(&mut self) -> Vec<NodeId> {
         std::mem::take(&mut self.tour)
     }

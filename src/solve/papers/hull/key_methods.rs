@@ -1,14 +1,14 @@
-//! The parameters of `hull-pso`, `ofa` and `woa`, as methods (section 5.2).
+//! The methods `hull-pso`, `ofa` and `woa` and their parameters (section 5.2).
 
+use super::key_search::KeySearch;
 use super::rlsga::SOURCE;
 use super::rules::{Foragers, Particles, Whales};
 use super::settings::HullSettings;
-use super::swarm::Swarm;
 use crate::problem::Problem;
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 
-/// Particle swarm optimisation on the segments' random keys.
+/// Particle swarm optimisation on the random keys of the segments.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HullPso {
     /// Parameters of every method for hull parts.
@@ -41,19 +41,19 @@ impl Solver for HullPso {
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
         let rule = Particles::new(self.inertia, self.own, self.all);
-        Swarm::start(problem, rule, self.settings, seed)
+        KeySearch::start(problem, rule, self.settings, seed)
     }
 }
 
-/// The optimal foraging algorithm on the segments' random keys.
+/// The optimal foraging algorithm on the random keys of the segments.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ofa {
     /// Parameters of every method for hull parts.
     #[serde(flatten)]
     pub settings: HullSettings,
-    /// k at the beginning.
+    /// The scaling factor k at the start.
     pub k: f64,
-    /// What k loses until the end.
+    /// Amount by which k falls until the end.
     pub k_fall: f64,
 }
 
@@ -75,19 +75,19 @@ impl Solver for Ofa {
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
         let rule = Foragers::new(self.k, self.k_fall);
-        Swarm::start(problem, rule, self.settings, seed)
+        KeySearch::start(problem, rule, self.settings, seed)
     }
 }
 
-/// The whale optimisation algorithm on the segments' random keys.
+/// The whale optimisation algorithm on the random keys of the segments.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Woa {
     /// Parameters of every method for hull parts.
     #[serde(flatten)]
     pub settings: HullSettings,
-    /// A at the beginning.
+    /// The coefficient A at the start.
     pub a: f64,
-    /// A_min, at the end.
+    /// The coefficient A at the end, A_min.
     pub a_min: f64,
     /// Weight C of the prey.
     pub c: f64,
@@ -113,6 +113,6 @@ impl Solver for Woa {
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
         let rule = Whales { reach: self.a, least: self.a_min, weight: self.c, spiral: self.b };
-        Swarm::start(problem, rule, self.settings, seed)
+        KeySearch::start(problem, rule, self.settings, seed)
     }
 }

@@ -1,14 +1,14 @@
-//! The partitions of a path, for whoever draws them.
+//! The partitions of a path, for drawing them.
 
 use crate::problem::Problem;
 use crate::solve::{Parent, Partitions};
 use crate::solve::{Solution, Stop};
 
-/// Every place at which a contour is left makes a partition of what is cut until it is resumed.
+/// The partitions of a path: where a contour is left, everything cut until it is resumed is a partition.
 pub(super) fn partitions(problem: &Problem, path: &Solution) -> Partitions {
     let mut of = vec![-1; problem.items.len()];
     let mut parents: Vec<Parent> = Vec::new();
-    // Contours under way, each with where it was begun.
+    // Unfinished contours, each with the place where it was begun.
     let mut open: Vec<(u32, f64)> = Vec::new();
     let mut route = 0;
     for stop in &path.stops {
@@ -28,7 +28,7 @@ pub(super) fn partitions(problem: &Problem, path: &Solution) -> Partitions {
     Partitions { of, parents }
 }
 
-/// Whether a visit is the last of a contour begun there.
+/// Whether a visit is the last one of a contour that was begun at that place.
 #[expect(clippy::float_cmp, reason = "visits of a contour join bit for bit")]
 fn ends(stop: &Stop, begun: f64) -> bool {
     stop.until == begun

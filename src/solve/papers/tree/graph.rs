@@ -1,30 +1,31 @@
-//! What the method sees of a problem: seconds between nodes, charges, near nodes, what lies in what.
+//! The nodes of a problem as the method needs them: seconds between nodes, costs of leaving contours, near nodes, and
+//! nesting.
 
 use crate::geometry::{Aabb, Buckets};
 use crate::machine::AirTime;
 use crate::problem::{ItemId, NodeId, Problem};
 use glam::DVec2;
 
-/// Near nodes of a node: with two to an item these are the nearest five contours or more, which hold all but a few
-/// edges of good planar tours.
+/// Number of near nodes of a node. With two per contour these cover the nearest six contours or more, which contain all but
+/// a few edges of good planar tours.
 const NEAR: usize = 12;
-/// Near nodes of the same contour: one may be its entry, where nothing can hang.
+/// Largest number of near nodes of the same contour. One may be its entry, to which nothing can be attached.
 const SAME: usize = 2;
 
-/// A problem, ready to be priced.
-pub(super) struct Ground<'p> {
+/// The nodes of a problem with their costs and neighbours.
+pub(super) struct Graph<'p> {
     pub(super) problem: &'p Problem,
     air: AirTime,
-    /// Near nodes by node; filled item by item.
+    /// Near nodes by node, filled contour by contour.
     near: Vec<Vec<NodeId>>,
     buckets: Buckets,
-    /// What lies in each contour.
+    /// The contours directly inside each contour.
     pub(super) inner: Vec<Vec<ItemId>>,
-    /// Contours by the depth at which they lie, the deepest first; those with something in them only.
+    /// Contours that contain others, the most deeply nested first.
     pub(super) inwards: Vec<ItemId>,
 }
 
-impl<'p> Ground<'p> {
+impl<'p> Graph<'p> {
     pub(super) fn new(problem: &'p Problem) -> Self {
         let bounds = problem.nodes.iter().fold(Aabb::EMPTY, |b, n| b.with(n.entry));
         let mut buckets = Buckets::new(bounds, problem.nodes.len());
@@ -46,7 +47,7 @@ impl<'p> Ground<'p> {
         Self { problem, air: AirTime::new(&problem.machine), near: Vec::new(), buckets, inner, inwards }
     }
 
-    /// Whether the paper's model covers a problem: precedence by nesting, and nothing else.
+    /// Whether the paper's model covers a problem: precedence comes from nesting only.
     pub(super) fn is_one_tree(problem: &Problem) -> bool {
         problem.table().is_none()
             && problem.pairs.is_empty()
@@ -54,12 +55,12 @@ impl<'p> Ground<'p> {
             && problem.items.iter().all(|i| i.rank == problem.items[0].rank)
     }
 
-    /// Where the head arrives.
+    /// The point where the head arrives.
     pub(super) fn entry(&self, node: NodeId) -> DVec2 {
         self.problem.nodes[node as usize].entry
     }
 
-    /// Where it leaves.
+    /// The point where the head leaves.
     pub(super) fn exit(&self, node: NodeId) -> DVec2 {
         self.problem.nodes[node as usize].exit
     }
@@ -72,17 +73,17 @@ impl<'p> Ground<'p> {
         self.problem.items[item as usize].nodes.clone()
     }
 
-    /// Seconds between two places.
+    /// Seconds of an air move between two points.
     pub(super) fn air(&self, from: DVec2, to: DVec2) -> f64 {
         self.air.seconds(from, to)
     }
 
-    /// From leaving at one node to entering at the next.
+    /// Seconds from the exit of one node to the entry of the next.
     pub(super) fn leg(&self, from: NodeId, to: NodeId) -> f64 {
         self.air.seconds(self.exit(from), self.entry(to))
     }
 
-    /// Seconds an entry costs by its place.
+    /// Seconds that an entry costs by its place.
     pub(super) fn extra(&self, node: NodeId) -> f64 {
         let n = &self.problem.nodes[node as usize];
         self.problem.items[n.item as usize].extra(node, n.along)
@@ -93,23 +94,23 @@ impl<'p> Ground<'p> {
         self.problem.items[item as usize].leave.is_some()
     }
 
-    /// Seconds of leaving a contour at a node and resuming it there: the pre-cut, and what its place costs.
+    /// Seconds of leaving a contour at a node and resuming it there: the pre-cut, and the cost of the place.
     pub(super) fn charge(&self, node: NodeId) -> f64 {
         self.problem.items[self.item(node) as usize].resume() + self.extra(node)
     }
 
-    /// Nodes of other contours near to one, the nearest first.
+    /// Near nodes of other contours, the nearest first.
     pub(super) fn near(&self, node: NodeId) -> &[NodeId] {
         self.near.get(node as usize).map_or(&[], Vec::as_slice)
     }
 
-    /// Looks for the near nodes of the next contour; how many nodes were priced, or nothing when all are found.
+    /// Finds the near nodes of the next contour. Returns the number of nodes priced, or `None` when all are found.
     pub(super) fn list_near(&mut self) -> Option<u64> {
         let first = self.problem.nodes.get(self.near.len())?.item;
         let mut priced = 1;
         while let Some(node) = self.problem.nodes.get(self.near.len()).filter(|n| n.item == first) {
             let mut found = Vec::with_capacity(NEAR + 1);
-            // What is left elsewhere than it is entered has neighbours at both ends.
+            // A contour that is left at another point than it is entered (an open one) has neighbours at both.
             for place in [node.exit, node.entry].into_iter().take(1 + usize::from(node.exit != node.entry)) {
                 priced += self.find_near(&mut found, first, place);
             }
@@ -118,7 +119,7 @@ impl<'p> Ground<'p> {
         Some(priced)
     }
 
-    /// Nodes of contours other than that one near to a place; how many were priced.
+    /// Finds nodes of other contours near a point. Returns the number of nodes priced.
     fn find_near(&self, found: &mut Vec<(f64, NodeId)>, own: ItemId, place: DVec2) -> u64 {
         let mut priced = 0;
         for r in 0..self.buckets.rings(place) {
@@ -134,7 +135,7 @@ impl<'p> Ground<'p> {
         priced
     }
 
-    /// Keeps the nearest in order, a few of each contour.
+    /// Inserts a node into the sorted list, which holds a few nodes of each contour.
     fn keep(&self, found: &mut Vec<(f64, NodeId)>, new: (f64, NodeId)) {
         if found.get(NEAR - 1).is_some_and(|last| *last <= new) {
             return;

@@ -1,66 +1,66 @@
 //! The path of a partition-tree: its visits in order, when each contour is finished, and whether precedence is kept.
 //!
-//! A contour is run from its entry in its stored direction; at each node where a partition hangs the head leaves it for
-//! that one, comes back and resumes.
+//! A contour is cut from its entry in its stored direction. At each node with a partition the head leaves the contour, cuts
+//! the partition, returns and resumes.
 
 use super::forest::{Forest, ROOT};
-use super::ground::Ground;
+use super::graph::Graph;
 use crate::problem::{ItemId, NodeId};
 use crate::solve::{Solution, Stop};
 
-/// Part of a contour, or all of it.
+/// A part of a contour, or all of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Visit {
     /// Its contour.
     pub(super) item: ItemId,
-    /// From this node ...
+    /// The node where it begins.
     pub(super) from: NodeId,
-    /// ... to this one; the same: once round.
+    /// The node where it ends; the same as `from` if the visit goes once around.
     pub(super) to: NodeId,
-    /// It is the contour's last.
+    /// Whether it is the contour's last visit.
     pub(super) closes: bool,
 }
 
-enum Frame {
-    /// A partition, from a place on.
+enum StackFrame {
+    /// A partition, from this position on.
     Route(u32, usize),
-    /// A contour left for a partition: where, and how many nodes it has gone by since its entry.
+    /// A contour that was left for a partition: the node, and the number of nodes passed since its entry.
     Contour { item: ItemId, from: NodeId, gone: u32 },
 }
 
-/// Calls back for every visit in order.
-pub(super) fn walk(g: &Ground, forest: &Forest, mut visit: impl FnMut(Visit)) {
-    let mut frames = vec![Frame::Route(ROOT, 0)];
+/// Calls `visit` for every visit in order.
+pub(super) fn for_each_visit(g: &Graph, forest: &Forest, mut visit: impl FnMut(Visit)) {
+    let mut frames = vec![StackFrame::Route(ROOT, 0)];
     while let Some(frame) = frames.pop() {
         let (item, from, gone) = match frame {
-            Frame::Route(route, k) => {
+            StackFrame::Route(route, k) => {
                 let Some(&item) = forest.items(route).get(k) else { continue };
-                frames.push(Frame::Route(route, k + 1));
+                frames.push(StackFrame::Route(route, k + 1));
                 (item, forest.entry(item), 1)
             }
-            Frame::Contour { item, from, gone } => (item, from, gone),
+            StackFrame::Contour { item, from, gone } => (item, from, gone),
         };
         let entry = forest.entry(item);
         let nodes = g.nodes(item);
-        let count = if forest.kids(item) == 0 { 0 } else { nodes.end - nodes.start };
+        let count = if forest.children(item) == 0 { 0 } else { nodes.end - nodes.start };
         let node = |gone: u32| nodes.start + (entry - nodes.start + gone) % count;
         let next = (gone..count).find_map(|k| forest.child(node(k)).map(|route| (k, node(k), route)));
         match next {
             Some((k, to, route)) => {
                 visit(Visit { item, from, to, closes: false });
-                frames.push(Frame::Contour { item, from: to, gone: k + 1 });
-                frames.push(Frame::Route(route, 0));
+                frames.push(StackFrame::Contour { item, from: to, gone: k + 1 });
+                frames.push(StackFrame::Route(route, 0));
             }
             None => visit(Visit { item, from, to: entry, closes: true }),
         }
     }
 }
 
-/// When each contour is finished: how many are before it.
-pub(super) fn finished(g: &Ground, forest: &Forest) -> Vec<u32> {
+/// For each contour, the number of contours finished before it.
+pub(super) fn finished(g: &Graph, forest: &Forest) -> Vec<u32> {
     let mut at = vec![u32::MAX; g.problem.items.len()];
     let mut count = 0;
-    walk(g, forest, |v| {
+    for_each_visit(g, forest, |v| {
         if v.closes {
             at[v.item as usize] = count;
             count += 1;
@@ -69,8 +69,8 @@ pub(super) fn finished(g: &Ground, forest: &Forest) -> Vec<u32> {
     at
 }
 
-/// Whether everything is finished before what is around it.
-pub(super) fn keeps_precedence(g: &Ground, forest: &Forest) -> bool {
+/// Whether every contour is finished before the one around it.
+pub(super) fn keeps_precedence(g: &Graph, forest: &Forest) -> bool {
     if g.inwards.is_empty() {
         return true;
     }
@@ -80,21 +80,23 @@ pub(super) fn keeps_precedence(g: &Ground, forest: &Forest) -> bool {
     })
 }
 
-/// The path.
-pub(super) fn solution(g: &Ground, forest: &Forest) -> Solution {
+/// The path as a solution.
+pub(super) fn solution(g: &Graph, forest: &Forest) -> Solution {
     let mut stops = Vec::with_capacity(g.problem.items.len());
     let along = |node: NodeId| g.problem.nodes[node as usize].along;
-    walk(g, forest, |v| stops.push(Stop { node: v.from, along: along(v.from), until: along(v.to) }));
+    for_each_visit(g, forest, |v| {
+        stops.push(Stop { node: v.from, along: along(v.from), until: along(v.to) })
+    });
     Solution::new(g.problem, stops)
 }
 
-/// How many contours are finished when the head passes each node for the first time after the contour's entry: what is
-/// hung there would be cut then. And the same for each contour's end, as [`finished`].
-pub(super) fn times(g: &Ground, forest: &Forest) -> (Vec<u32>, Vec<u32>) {
+/// For each node, the number of contours finished when the head first passes it after the contour's entry, which is when a
+/// partition attached to it would be cut. The second list is that of [`finished`].
+pub(super) fn times(g: &Graph, forest: &Forest) -> (Vec<u32>, Vec<u32>) {
     let mut passed = vec![0; g.problem.nodes.len()];
     let mut ends = vec![u32::MAX; g.problem.items.len()];
     let mut count = 0;
-    walk(g, forest, |v| {
+    for_each_visit(g, forest, |v| {
         let nodes = g.nodes(v.item);
         let mut node = v.from;
         loop {

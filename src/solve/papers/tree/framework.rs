@@ -1,52 +1,52 @@
-//! The frame, steps 1 to 9 of section 4, one piece of work after the other.
+//! The improvement framework, steps 1 to 9 of section 4, in pieces of work.
 
 use super::connect::Connections;
+use super::drawn_partitions::partitions;
 use super::edmonds::{Arc, arborescence};
 use super::entries;
 use super::forest::{Forest, ROOT};
-use super::ground::Ground;
+use super::graph::Graph;
 use super::gtsp::Gtsp;
-use super::params::{InitialPartitions, InitialTours, PartitionTree};
+use super::parameters::{InitialPartitions, InitialTours, PartitionTree};
 use super::pfr::Pfr;
 use super::repair::repair;
 use super::repartition;
 use super::resolve::resolve;
 use super::stage::{After, Stage};
-use super::told::partitions;
-use super::walk::{keeps_precedence, solution, walk};
+use super::visits::{for_each_visit, keeps_precedence, solution};
 use crate::problem::{ItemId, NodeId, Problem};
 use crate::solve::epsilon::EPSILON;
 use crate::solve::greedy;
-use crate::solve::papers::lead::{Lead, Pieces};
+use crate::solve::papers::piecewise::{Piecewise, Progress};
 use crate::solve::{Curve, Insight};
 use rustc_hash::FxHashSet;
 
-pub(super) struct Frame<'p> {
-    g: Ground<'p>,
+pub(super) struct Framework<'p> {
+    g: Graph<'p>,
     parameters: PartitionTree,
     seed: u64,
-    /// The construction is all there is.
+    /// Whether only the construction heuristic runs.
     only_construction: bool,
     forest: Forest,
     stage: Stage,
-    /// Partitions as the GTSP left them, by parent node and entries: solved again only when they have changed. Only
-    /// looked up, never gone through.
+    /// Partitions after their GTSP was solved, by parent node and entries, so that only changed ones are solved again. The
+    /// set is only used for lookups, never iterated.
     solved: FxHashSet<Vec<NodeId>>,
     round: u32,
     idle: u32,
-    /// The best of the rounds, precedence left out.
+    /// The best result of a round, which ignores precedence, and its seconds.
     best: Option<(f64, Forest)>,
-    /// The value of the path at the end of the frame, before and after its entries were improved.
+    /// Seconds of the final path, before and after its entries were improved.
     repaired: Option<f64>,
     ended: Option<f64>,
-    lead: Lead,
+    progress: Progress,
 }
 
-impl<'p> Frame<'p> {
+impl<'p> Framework<'p> {
     pub(super) fn new(problem: &'p Problem, parameters: PartitionTree, seed: u64) -> Self {
-        let g = Ground::new(problem);
+        let g = Graph::new(problem);
         let forest = Forest::new(&g);
-        let lead = Lead::new(greedy(problem), f64::INFINITY);
+        let progress = Progress::new(greedy(problem), f64::INFINITY);
         Self {
             g,
             parameters,
@@ -60,11 +60,11 @@ impl<'p> Frame<'p> {
             best: None,
             repaired: None,
             ended: None,
-            lead,
+            progress,
         }
     }
 
-    /// PFr alone.
+    /// The construction heuristic PFr alone.
     pub(super) fn construction(problem: &'p Problem) -> Self {
         let mut frame = Self::new(problem, PartitionTree::default(), 0);
         frame.only_construction = true;
@@ -72,7 +72,7 @@ impl<'p> Frame<'p> {
         frame
     }
 
-    /// The initial partitions, when no construction is needed.
+    /// Builds the initial partitions, or starts the construction.
     fn begin(&mut self) -> Stage {
         let path = greedy(self.g.problem);
         let nodes: Vec<NodeId> = path.stops.iter().map(|s| s.node).collect();
@@ -88,7 +88,7 @@ impl<'p> Frame<'p> {
                 for (k, &node) in nodes.iter().enumerate() {
                     let own = vec![items[k]];
                     self.forest.enter(items[k], node);
-                    // The first contour is the root's: without one home would be a partition of nothing.
+                    // The first contour goes into the root, which may not be empty.
                     if k == 0 {
                         self.forest.splice(ROOT, 0, own);
                     } else {
@@ -100,15 +100,15 @@ impl<'p> Frame<'p> {
         }
     }
 
-    /// Takes the path over, if it is allowed and better.
+    /// Offers the current path as the best, if it is feasible.
     fn take(&mut self) {
         if keeps_precedence(&self.g, &self.forest) {
             let seconds = self.forest.seconds(&self.g);
-            self.lead.take(seconds, || solution(&self.g, &self.forest));
+            self.progress.take(seconds, || solution(&self.g, &self.forest));
         }
     }
 
-    /// Partitions whose GTSP is solved, the last first.
+    /// The stage that solves the GTSP of the partitions, the last first.
     fn gtsp(&mut self, then: After) -> Stage {
         let free = |f: &Forest, r: u32| {
             then == After::Round || self.parameters.first == InitialTours::All || self.is_free(f, r)
@@ -120,7 +120,8 @@ impl<'p> Frame<'p> {
         Stage::Gtsp { routes, now: None, then }
     }
 
-    /// Whether no contour of a partition, or of what hangs from it, has to come before another one of these.
+    /// Whether precedence is free in a partition: none of its contours, or of those attached to them, must come before
+    /// another one of these.
     fn is_free(&self, forest: &Forest, route: u32) -> bool {
         if self.g.inwards.is_empty() {
             return true;
@@ -141,10 +142,10 @@ impl<'p> Frame<'p> {
         Stage::Connect { routes, found: Box::default() }
     }
 
-    /// Steps 2 and 3.
+    /// Steps 2 and 3: chooses the connections and rebuilds the tree.
     fn resolve(&mut self, found: &Connections) -> u64 {
         let arcs: Vec<Arc> = found.all.iter().map(|c| c.arc).collect();
-        // Numbers of routes that are not in use are vertices that nothing needs to reach.
+        // Unused routes have no vertex, since nothing needs to reach them.
         let used: Vec<usize> = self.forest.used().map(|r| r as usize).collect();
         let mut number = vec![usize::MAX; self.forest.routes.len()];
         used.iter().zip(0..).for_each(|(&r, n)| number[r] = n);
@@ -157,7 +158,7 @@ impl<'p> Frame<'p> {
         (10 * arcs.len() + self.g.problem.items.len()) as u64
     }
 
-    /// The end of a round.
+    /// Ends a round.
     fn count(&mut self) -> Stage {
         self.round += 1;
         let seconds = self.forest.seconds(&self.g);
@@ -174,17 +175,17 @@ impl<'p> Frame<'p> {
         Stage::Entries { routes: self.forest.used().collect(), then }
     }
 
-    /// How a partition is known again.
+    /// The key of a partition in `solved`.
     fn key(&self, route: u32) -> Vec<NodeId> {
         let at = self.forest.at(route).unwrap_or(NodeId::MAX);
         std::iter::once(at).chain(self.forest.items(route).iter().map(|&i| self.forest.entry(i))).collect()
     }
 
-    /// What comes when GTSP or repartition are done.
+    /// The stage after a GTSP or repartitioning stage.
     fn after(&mut self, then: After, repartitioned: bool) -> Stage {
         match (then, repartitioned) {
             (After::Initial, false) => {
-                // Only what the GTSP of all partitions breaks is to be repaired here.
+                // Only solving the GTSP of all partitions violates precedence here.
                 let (moved, _) = repair(&self.g, &mut self.forest);
                 if moved.is_empty() { Self::repartition(then) } else { self.entries(then) }
             }
@@ -203,13 +204,13 @@ impl<'p> Frame<'p> {
     }
 }
 
-impl Pieces for Frame<'_> {
-    fn lead(&self) -> &Lead {
-        &self.lead
+impl Piecewise for Framework<'_> {
+    fn progress(&self) -> &Progress {
+        &self.progress
     }
 
-    fn lead_mut(&mut self) -> &mut Lead {
-        &mut self.lead
+    fn progress_mut(&mut self) -> &mut Progress {
+        &mut self.progress
     }
 
     fn piece(&mut self) -> Option<u64> {
@@ -299,7 +300,7 @@ impl Pieces for Frame<'_> {
         let now = self.forest.seconds(&self.g);
         let free = self.best.as_ref().map_or(now, |b| b.0);
         let mut pre_cuts = 0_u32;
-        walk(&self.g, &self.forest, |v| pre_cuts += u32::from(!v.closes));
+        for_each_visit(&self.g, &self.forest, |v| pre_cuts += u32::from(!v.closes));
         let depth = self.forest.used().map(|r| self.forest.depth(&self.g, r)).max().unwrap_or(0);
         let value = |name, value| Curve { name, value };
         let count = u32::try_from(self.forest.used().count()).unwrap_or(u32::MAX);
@@ -312,7 +313,7 @@ impl Pieces for Frame<'_> {
             value("depth", depth.into()),
             value("pre-cuts", pre_cuts.into()),
         ];
-        let partitions = Some(partitions(self.g.problem, self.lead.solution()));
+        let partitions = Some(partitions(self.g.problem, self.progress.solution()));
         Insight { round: self.round.into(), curves, grid: None, partitions }
     }
 }

@@ -1,41 +1,42 @@
-//! A flock of random keys: what `hull-pso`, `ofa` and `woa` have in common.
+//! The search on random keys that `hull-pso`, `ofa` and `woa` share.
 //!
-//! These methods move points, so a chromosome is written as keys in [0, 1]: one a segment for its turn, one for its way
-//! (`chromosome.rs`). The paper says no more than that they solve the same model from the same first population. Keys
-//! may leave the range: only their order counts, and on which side of a half they are. Two pieces a member: it moves and is decoded; it is priced and takes its new place.
+//! These methods move points, so a chromosome is represented by keys in [0, 1]: one for the turn of each segment and one
+//! for its direction (`chromosome.rs`). The paper only says that they solve the same model from the same first population.
+//! Keys may leave the range, because only their order counts, and whether they are at least a half. Each member takes two
+//! pieces of work: in the first it moves and is decoded, in the second it is priced and accepted or not.
 
 use super::chromosome::{genes, keys};
 use super::decode::Decoder;
-use super::flock::Flock;
+use super::members::Members;
 use super::model::Gene;
-use super::rules::Rule;
+use super::rules::MoveRule;
 use super::settings::HullSettings;
 use crate::problem::Problem;
-use crate::solve::papers::lead::{Lead, Pieces, Running};
+use crate::solve::papers::piecewise::{Piecewise, PiecewiseSearch, Progress};
 use crate::solve::rng::{Rng, seeded};
 use crate::solve::{Curve, Insight, Search};
 
-/// Keys in memory at most, 128 MB. A rule holds three of each member's at most: on 10,000 contours of 8 nodes, a flock of
-/// 200 is cut to 69.
+/// Largest number of keys in memory: 128 MB. A rule stores at most three sets of keys for each member; for 10,000 contours
+/// of 8 nodes a population of 200 is reduced to 69.
 const MOST_KEYS: usize = 1 << 25;
 
-/// A flock under a rule.
-pub(super) struct Swarm<'p, R> {
+/// A population that moves by a rule.
+pub(super) struct KeySearch<'p, R> {
     decoder: Decoder<'p>,
     rule: R,
-    flock: Flock,
+    members: Members,
     population: usize,
     generations: u32,
     generation: u32,
-    /// Who is next.
+    /// Index of the next member.
     member: usize,
-    /// Where a member goes, and what that stands for.
+    /// The keys that a member may move to, and the genes they represent.
     trial: Option<(Vec<f32>, Vec<Gene>)>,
     rng: Rng,
-    lead: Lead,
+    progress: Progress,
 }
 
-impl<'p, R: Rule + 'p> Swarm<'p, R> {
+impl<'p, R: MoveRule + 'p> KeySearch<'p, R> {
     /// Starts a search by a rule.
     pub(super) fn start(
         problem: &'p Problem,
@@ -44,11 +45,11 @@ impl<'p, R: Rule + 'p> Swarm<'p, R> {
         seed: u64,
     ) -> Box<dyn Search + 'p> {
         let decoder = Decoder::new(problem, settings.measure);
-        Box::new(Running(Self::new(decoder, rule, settings, seed)))
+        Box::new(PiecewiseSearch(Self::new(decoder, rule, settings, seed)))
     }
 }
 
-impl<'p, R: Rule> Swarm<'p, R> {
+impl<'p, R: MoveRule> KeySearch<'p, R> {
     fn new(decoder: Decoder<'p>, rule: R, settings: HullSettings, seed: u64) -> Self {
         let HullSettings { population, generations, .. } = settings;
         let segments = decoder.model.segments();
@@ -57,32 +58,33 @@ impl<'p, R: Rule> Swarm<'p, R> {
         let first = keys(&decoder.model, &mut rng);
         let codes = genes(&decoder.model, &first);
         let (length, visits) = decoder.price(&codes);
-        let lead = Lead::new(decoder.solution(visits), length);
-        let flock = Flock { best: first.clone(), keys: vec![first], lengths: vec![length], shortest: length };
+        let progress = Progress::new(decoder.solution(visits), length);
+        let members =
+            Members { best: first.clone(), keys: vec![first], lengths: vec![length], shortest: length };
         let population = (population as usize).min(fitting).max(2);
         let (generation, member, trial) = (0, 0, None);
-        Self { decoder, rule, flock, population, generations, generation, member, trial, rng, lead }
+        Self { decoder, rule, members, population, generations, generation, member, trial, rng, progress }
     }
 
-    /// Prices a trial, and takes it to the best if it is.
+    /// Prices a trial, and updates the best.
     fn price(&mut self, keys: &[f32], codes: &[Gene]) -> f64 {
         let (length, visits) = self.decoder.price(codes);
-        if length < self.flock.shortest {
-            self.flock.shortest = length;
-            self.flock.best.copy_from_slice(keys);
-            self.lead.take(length, || self.decoder.solution(visits));
+        if length < self.members.shortest {
+            self.members.shortest = length;
+            self.members.best.copy_from_slice(keys);
+            self.progress.take(length, || self.decoder.solution(visits));
         }
         length
     }
 }
 
-impl<R: Rule> Pieces for Swarm<'_, R> {
-    fn lead(&self) -> &Lead {
-        &self.lead
+impl<R: MoveRule> Piecewise for KeySearch<'_, R> {
+    fn progress(&self) -> &Progress {
+        &self.progress
     }
 
-    fn lead_mut(&mut self) -> &mut Lead {
-        &mut self.lead
+    fn progress_mut(&mut self) -> &mut Progress {
+        &mut self.progress
     }
 
     fn piece(&mut self) -> Option<u64> {
@@ -90,17 +92,17 @@ impl<R: Rule> Pieces for Swarm<'_, R> {
         if segments == 0 || self.generation >= self.generations {
             return None;
         }
-        let founding = self.flock.keys.len() < self.population;
+        let founding = self.members.keys.len() < self.population;
         let round = f64::from(self.generation) + 1.0;
         let Some((trial, codes)) = self.trial.take() else {
             let trial = if founding {
                 keys(&self.decoder.model, &mut self.rng)
             } else {
                 if self.member == 0 {
-                    self.rule.begin(&self.flock);
+                    self.rule.begin(&self.members);
                 }
                 let done = f64::from(self.generation) / f64::from(self.generations);
-                self.rule.trial(&self.flock, self.member, done, &mut self.rng)
+                self.rule.trial(&self.members, self.member, done, &mut self.rng)
             };
             let codes = genes(&self.decoder.model, &trial);
             self.trial = Some((trial, codes));
@@ -108,14 +110,14 @@ impl<R: Rule> Pieces for Swarm<'_, R> {
         };
         let length = self.price(&trial, &codes);
         if founding {
-            self.flock.keys.push(trial);
-            self.flock.lengths.push(length);
+            self.members.keys.push(trial);
+            self.members.lengths.push(length);
             return Some(segments as u64);
         }
         let member = self.member;
-        if self.rule.takes(self.flock.lengths[member], length, round, &mut self.rng) {
-            self.flock.keys[member] = trial;
-            self.flock.lengths[member] = length;
+        if self.rule.accepts(self.members.lengths[member], length, round, &mut self.rng) {
+            self.members.keys[member] = trial;
+            self.members.lengths[member] = length;
         }
         self.member = (member + 1) % self.population;
         self.generation += u32::from(self.member == 0);
@@ -123,11 +125,13 @@ impl<R: Rule> Pieces for Swarm<'_, R> {
     }
 
     fn insight(&self) -> Insight {
-        let lengths = &self.flock.lengths;
+        let lengths = &self.members.lengths;
         let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
         let curve = |name, value| Curve { name, value };
-        let curves =
-            vec![curve("shortest empty travel TL", self.lead.length), curve("mean empty travel TL", mean)];
+        let curves = vec![
+            curve("shortest empty travel TL", self.progress.length),
+            curve("mean empty travel TL", mean),
+        ];
         Insight { round: self.generation.into(), curves, ..Insight::default() }
     }
 }

@@ -1,19 +1,20 @@
-//! What is not yet visited, and the nearest of it: nodes in a grid, or in a list where a table gives the costs.
+//! The nodes not yet visited by a tour, and which of them is nearest. Nodes are in a grid, or in a list where a table gives
+//! the costs.
 
 use super::legs::Legs;
 use crate::geometry::{Aabb, Buckets};
 use crate::problem::{ItemId, NodeId, Problem};
 
-/// Nodes of items not yet visited.
+/// Nodes of the items not yet visited.
 #[derive(Clone)]
-pub(super) enum Left {
-    /// By place.
+pub(super) enum Unvisited {
+    /// By coordinates.
     Grid(Buckets),
-    /// With a table there are no places.
+    /// In the order of their indices: nodes of a table of costs have no coordinates.
     List(Vec<NodeId>),
 }
 
-impl Left {
+impl Unvisited {
     /// All nodes of a problem.
     pub(super) fn all(problem: &Problem) -> Self {
         if problem.table().is_some() {
@@ -27,7 +28,7 @@ impl Left {
         Self::Grid(grid)
     }
 
-    /// Takes out an item.
+    /// Removes the nodes of an item.
     pub(super) fn visit(&mut self, problem: &Problem, item: ItemId) {
         match self {
             Self::List(nodes) => nodes.retain(|&n| problem.nodes[n as usize].item != item),
@@ -39,13 +40,14 @@ impl Left {
         }
     }
 
-    /// The nearest node after one, or after home; of equals the lower. And how many were priced.
+    /// The nearest node after `from`, or after home. Of equally near nodes the one with the lower index is returned. The
+    /// second value is the number of legs priced.
     pub(super) fn nearest(&self, legs: &Legs, from: Option<NodeId>) -> (Option<NodeId>, u64) {
         let mut best: Option<(f64, NodeId)> = None;
         let mut priced = 0;
         let mut price = |node: NodeId, best: &mut Option<(f64, NodeId)>| {
             priced += 1;
-            let cost = from.map_or_else(|| legs.out(node), |from| legs.leg(from, node));
+            let cost = from.map_or_else(|| legs.from_home(node), |from| legs.leg(from, node));
             if best.is_none_or(|b| (cost, node) < b) {
                 *best = Some((cost, node));
             }
@@ -56,7 +58,7 @@ impl Left {
                 let problem = legs.problem();
                 let head = from.map_or(problem.home, |n| problem.nodes[n as usize].exit);
                 for r in 0..grid.rings(head) {
-                    let least = legs.at_least(grid.distance_of_ring(r));
+                    let least = legs.lower_bound(grid.distance_of_ring(r));
                     if best.is_some_and(|(cost, _)| least > cost) {
                         break;
                     }
@@ -68,18 +70,18 @@ impl Left {
     }
 }
 
-/// A tour made by always going to the nearest node left.
-pub(super) struct Walk {
-    left: Left,
-    /// By item: not in the tour.
+/// A nearest-neighbour tour under construction.
+pub(super) struct NearestNeighbour {
+    left: Unvisited,
+    /// For each item, whether it is not yet in the tour.
     open: Vec<bool>,
-    /// So far.
+    /// The tour so far.
     pub(super) tour: Vec<NodeId>,
 }
 
-impl Walk {
-    /// Begins with these nodes.
-    pub(super) fn new(mut left: Left, problem: &Problem, begun: &[NodeId]) -> Self {
+impl NearestNeighbour {
+    /// Starts a tour with these nodes.
+    pub(super) fn new(mut left: Unvisited, problem: &Problem, begun: &[NodeId]) -> Self {
         let mut open = vec![true; problem.items.len()];
         for &node in begun {
             let item = problem.nodes[node as usize].item;
@@ -89,7 +91,7 @@ impl Walk {
         Self { left, open, tour: begun.to_vec() }
     }
 
-    /// Goes to the nearest node left; how many were priced, or nothing when none is left.
+    /// Appends the nearest unvisited node. Returns the number of legs priced, or `None` when the tour is complete.
     pub(super) fn step(&mut self, legs: &Legs) -> Option<u64> {
         let (node, priced) = self.left.nearest(legs, self.tour.last().copied());
         self.go(legs.problem(), node?);
@@ -101,7 +103,7 @@ impl Walk {
         self.open[item as usize]
     }
 
-    /// Goes to that node.
+    /// Appends a node.
     pub(super) fn go(&mut self, problem: &Problem, node: NodeId) {
         let item = problem.nodes[node as usize].item;
         self.left.visit(problem, item);

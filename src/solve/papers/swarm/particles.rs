@@ -1,10 +1,10 @@
-//! A swarm: particles with their keys, velocities and bests, and the rules (14) and (15) by which they move, as they are
-//! meant: the printed v^{t+1} on the right of (14) is v^t, the second attraction is to the best of all, and (15) gives
-//! x^{t+1}.
+//! A swarm of particles with their keys, velocities and best positions, and the equations (14) and (15) by which they move.
+//! The equations are misprinted and used as they are meant: v^{t+1} on the right of (14) is v^t, the second term attracts
+//! to the best position of the swarm, and (15) gives x^{t+1}.
 
-use super::super::left::Left;
+use super::super::unvisited::Unvisited;
+use super::evaluator::Evaluator;
 use super::settings::Weights;
-use super::worth::Worth;
 use crate::problem::NodeId;
 use crate::solve::rng::{Draw, Rng};
 use std::ops::Range;
@@ -12,58 +12,58 @@ use std::ops::Range;
 /// A particle.
 #[derive(Clone, Default)]
 pub(super) struct Particle {
-    /// Position.
+    /// Current position.
     pub(super) keys: Vec<f64>,
     pub(super) velocity: Vec<f64>,
-    /// Length of its tour now.
+    /// Length of its current tour.
     pub(super) value: f64,
-    /// Its tour now.
+    /// Its current tour.
     pub(super) tour: Vec<NodeId>,
-    /// Its own best position, and how long that tour is.
+    /// Its own best position, and the length of that tour.
     pub(super) best: Vec<f64>,
     pub(super) best_value: f64,
 }
 
-/// A swarm on a problem.
-pub(super) struct Flock<'p> {
-    pub(super) worth: Worth<'p>,
-    /// All nodes, to walk among.
-    pub(super) all: Left,
+/// A swarm that searches a problem.
+pub(super) struct Swarm<'p> {
+    pub(super) evaluator: Evaluator<'p>,
+    /// All nodes, for constructing tours.
+    pub(super) all: Unvisited,
     pub(super) rng: Rng,
     pub(super) particles: Vec<Particle>,
-    /// The particle whose best is the best of all.
+    /// Index of the particle with the best position of the swarm.
     pub(super) leader: usize,
-    /// Iterations done and to do.
+    /// Number of the current iteration, and of all iterations.
     pub(super) round: u32,
     pub(super) rounds: u32,
     /// Largest velocity.
     pub(super) fastest: f64,
-    /// A path that is worth a look before the swarm is sown.
+    /// A path found during the initialisation that may be the best so far.
     pub(super) found: Option<Vec<NodeId>>,
 }
 
-impl Flock<'_> {
-    /// Share of the iterations done, t/tmax.
+impl Swarm<'_> {
+    /// Fraction of the iterations done, t/tmax.
     pub(super) fn share(&self) -> f64 {
         f64::from(self.round) / f64::from(self.rounds.max(1))
     }
 
-    /// Draws a particle's velocity anew, and its position too when there is no tour to stand for.
+    /// Gives a particle a random velocity, and the position of a tour, or a random position if there is none.
     pub(super) fn draw(&mut self, i: usize, tour: Option<&[NodeId]>) {
-        let count = self.worth.keys.count();
-        let Self { particles, rng, fastest, worth, .. } = self;
+        let count = self.evaluator.keys.count();
+        let Self { particles, rng, fastest, evaluator, .. } = self;
         let particle = &mut particles[i];
         particle.velocity = (0..count).map(|_| *fastest * (2.0 * rng.uniform() - 1.0)).collect();
         match tour {
             Some(tour) => {
                 particle.keys.resize(count, 0.5);
-                worth.keys.set(tour, &mut particle.keys);
+                evaluator.keys.set(tour, &mut particle.keys);
             }
             None => particle.keys = (0..count).map(|_| rng.uniform()).collect(),
         }
     }
 
-    /// Eqs (14) and (15) for some keys of a particle. `pull` gives the weights, key by key.
+    /// Applies eqs (14) and (15) to some keys of a particle. `pull` gives the weights for each key.
     pub(super) fn pull(&mut self, i: usize, range: Range<usize>, mut pull: impl FnMut(&mut Rng) -> Weights) {
         for k in range {
             let by = pull(&mut self.rng);
@@ -76,7 +76,7 @@ impl Flock<'_> {
         }
     }
 
-    /// Keeps what is better than a particle's best by `better` (new, old), and finds the leader.
+    /// Updates the best position of each particle, and the leader. `better` compares a new length with an old one.
     pub(super) fn remember(&mut self, better: impl Fn(f64, f64) -> bool) {
         for p in &mut self.particles {
             if p.best.is_empty() || better(p.value, p.best_value) {
@@ -91,7 +91,7 @@ impl Flock<'_> {
         }
     }
 
-    /// Mean length of the tours now.
+    /// Mean length of the current tours.
     pub(super) fn mean(&self) -> f64 {
         self.particles.iter().map(|p| p.value).sum::<f64>() / self.particles.len().max(1) as f64
     }
