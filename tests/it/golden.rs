@@ -31,7 +31,7 @@ fn cases() -> Vec<Case> {
 /// Plans a case in slices of `work` moves.
 fn planned(case: &Case, work: u64) -> String {
     let jobs: Vec<Job> = (0..case.plan.workers.unwrap_or(1)).map(|member| started(case, member)).collect();
-    crate::testkit::crew::planned(jobs, work).output(OutputKind::Json).unwrap()
+    crate::testkit::multi_search::planned(jobs, work).output(OutputKind::Json).unwrap()
 }
 
 fn started(case: &Case, member: u32) -> Job {
@@ -86,7 +86,8 @@ fn quotes_of_real_drawings_have_the_hashes_expected() {
         let bytes = fs::read(at("fixtures/dxf-dev").join(name)).unwrap();
         let mut job = Job::load(bytes, name, &LoadOptions::default()).unwrap();
         job.start(&plan).unwrap();
-        let planned = crate::testkit::crew::planned(vec![job], u64::MAX).output(OutputKind::Json).unwrap();
+        let planned =
+            crate::testkit::multi_search::planned(vec![job], u64::MAX).output(OutputKind::Json).unwrap();
         (name.clone(), quote(&planned, &material).unwrap().hash)
     };
     let hashes: BTreeMap<String, String> = expected.hashes.keys().map(hash).collect();

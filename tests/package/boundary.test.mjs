@@ -166,14 +166,14 @@ describe('a callback that throws', () => {
 
 function watched(told) {
   const workers = [];
-  const start = (heard, died) => {
+  const start = (onMessage, onDeath) => {
     const worker = new Worker(new URL('node-worker.js', SDK));
     workers.push(worker);
     worker.on('message', (message) => {
       told.push(message.type);
-      heard(message);
+      onMessage(message);
     });
-    worker.on('exit', () => died('The planner ended unexpectedly.'));
+    worker.on('exit', () => onDeath('The planner ended unexpectedly.'));
     return { post: (m) => worker.postMessage(m), close: () => void worker.terminate() };
   };
   return { start, workers };
@@ -215,8 +215,8 @@ describe('a worker that dies while it starts', () => {
   for (const ms of [0, 20, 50, 100, 200]) {
     it(`after ${ms} ms is started once more, and the file is planned`, async (t) => {
       const { start, workers } = watched([]);
-      const dying = (heard, died) => {
-        const line = start(heard, died);
+      const dying = (onMessage, onDeath) => {
+        const line = start(onMessage, onDeath);
         if (workers.length === 1) kill(workers[0], ms);
         return line;
       };
@@ -229,8 +229,8 @@ describe('a worker that dies while it starts', () => {
 
   it('twice is told in one sentence, and the pool goes on', async (t) => {
     const { start, workers } = watched([]);
-    const dying = (heard, died) => {
-      const line = start(heard, died);
+    const dying = (onMessage, onDeath) => {
+      const line = start(onMessage, onDeath);
       if (workers.length <= 2) kill(workers.at(-1), 0);
       return line;
     };

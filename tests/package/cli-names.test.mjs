@@ -153,14 +153,14 @@ describe('--watch', () => {
 
     writeFileSync(drawing, 'AC1032\0\0');
     await until(() => said.includes('stale'));
-    assert.match(said, /^kerfway: \S+a\.dxf: This is a DWG[^\n]*\nkerfway: \S+a\.dxf was not planned\. \S+out\/a\.json on the disk is of an earlier drawing, and stale\.\n$/);
+    assert.match(said, /^kerfway: \S+a\.dxf: This is a DWG[^\n]*\nkerfway: \S+a\.dxf was not planned\. \S+out\/a\.json on the disk is from an earlier drawing, and stale\.\n$/);
     assert.equal(contours(), 1);
 
     said = '';
     rmSync(drawing);
     await until(() => said.includes('gone'));
     await wait(1000);
-    assert.match(said, /^kerfway: \S+a\.dxf is gone\. \S+out\/a\.json on the disk is of an earlier drawing, and stale\. It is planned again when it comes back\.\n$/);
+    assert.match(said, /^kerfway: \S+a\.dxf is gone\. \S+out\/a\.json on the disk is from an earlier drawing, and stale\. It is planned again when it comes back\.\n$/);
 
     said = '';
     writeFileSync(drawing, dxf(square(0, 0, 10), circle(50, 50, 5)));

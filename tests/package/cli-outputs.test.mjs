@@ -284,7 +284,7 @@ describe('--watch', () => {
     const empty = fill(at);
     writeFileSync(drawing, contours(100));
     await until(() => said.includes('stale'));
-    assert.match(said, /a\.nc cannot be written: the disk is full\. No file was changed\..*\n.*a\.dxf was not planned\. \S+a\.nc on the disk is of an earlier drawing, and stale\./);
+    assert.match(said, /a\.nc cannot be written: the disk is full\. No file was changed\..*\n.*a\.dxf was not planned\. \S+a\.nc on the disk is from an earlier drawing, and stale\./);
     assert.equal(readFileSync(program, 'utf8'), old);
     assert.deepEqual(readdirSync(at).sort(), ['a.nc', 'filler']);
     empty();

@@ -145,7 +145,7 @@ describe('kerfway', () => {
   });
 
   const wrong = [
-    [[], /Say what to do/],
+    [[], /Name a command/],
     [['draw'], /no command draw/],
     [['plan'], /Name a DXF file/],
     [['help', 'draw'], /no command draw/],
@@ -167,7 +167,7 @@ describe('kerfway', () => {
     [['plan', fixture(KEYBOARD), '--method', 'luck'], /--method luck: choose one of/],
     [['plan', 'a.dxf', '--no-return=1'], /--no-return takes no value/],
     [['inspect', 'a.dxf', '--seed', '1'], /no option --seed/],
-    [['methods', 'all'], /methods takes no more words/],
+    [['methods', 'all'], /methods takes no arguments/],
     [['solve'], /Name a \.tsp, \.gtsp or \.pcglns file/],
     [['solve', 'a.tsp', '--machine', 'x'], /no option --machine/],
   ];

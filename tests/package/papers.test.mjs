@@ -61,7 +61,7 @@ describe('methods from papers', () => {
     const refused = (options) => planner.plan({ moves: 10, seed: 1, ...options }).done.then(() => 'planned', (e) => e.message);
     assert.match(await refused({ method: 'rlsga', parameters: { populace: 12 } }), /^The method has no parameter "populace"/);
     assert.match(await refused({ method: 'nobody' }), /^There is no method named "nobody"/);
-    assert.match(await refused({ method: 'rlsga', workers: 2 }), /work alone/);
+    assert.match(await refused({ method: 'rlsga', workers: 2 }), /use one worker/);
     assert.match(await refused({ parameters: { population: 12 } }), /^Only methods from papers have parameters/);
   });
 
@@ -85,6 +85,6 @@ describe('methods from papers', () => {
     assert.deepEqual([method, JSON.parse(parameters)], ['lpspso', { particles: 9, local_search: false }]);
     assert.match((await kerfway('methods')).stdout, /rlsga .*alpha=0\.9/);
     const wrong = await kerfway(...words, '--set', 'particles');
-    assert.deepEqual([wrong.code, wrong.stderr.split('\n')[0]], [2, 'kerfway: --set particles: write NAME=VALUE; kerfway methods tells the names.']);
+    assert.deepEqual([wrong.code, wrong.stderr.split('\n')[0]], [2, 'kerfway: --set particles: write NAME=VALUE; kerfway methods lists the names.']);
   });
 });

@@ -219,7 +219,7 @@ describe('output', () => {
     await assert.rejects(fresh.output('gcode'), /No drawing is loaded/);
     await fresh.load(PLATE, 'plate.dxf');
     await assert.rejects(fresh.output('gcode'), /no plan yet/);
-    await assert.rejects(fresh.continue({ moves: 5 }).done, /no plan to go on with/);
+    await assert.rejects(fresh.continue({ moves: 5 }).done, /no plan to continue/);
     fresh.close();
   });
 });

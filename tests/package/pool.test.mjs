@@ -18,11 +18,11 @@ const LONG = { seconds: 60, seed: 4 };
 /** A pool whose workers the test can kill. */
 function fragile(t, size) {
   const workers = [];
-  const start = (heard, died) => {
+  const start = (onMessage, onDeath) => {
     const worker = new Worker(new URL('node-worker.js', SDK));
     workers.push(worker);
-    worker.on('message', heard);
-    worker.on('exit', () => died('The planner ended unexpectedly.'));
+    worker.on('message', onMessage);
+    worker.on('exit', () => onDeath('The planner ended unexpectedly.'));
     return { post: (m) => worker.postMessage(m), close: () => void worker.terminate() };
   };
   const pool = poolOf(() => Planner.open({ module, start }), size);

@@ -12,22 +12,22 @@ const SDK = new URL('../../dist/sdk/', import.meta.url);
 const module = new WebAssembly.Module(await readFile(new URL('pkg/kerfway_bg.wasm', SDK)));
 
 /** A planner on real worker threads, `most` in all, that the test can kill or make deaf. */
-async function fragile(t, patience, most = Infinity) {
+async function fragile(t, silenceLimits, most = Infinity) {
   const control = { workers: [], replaced: [], deaf: false };
-  const start = (heard, died) => {
+  const start = (onMessage, onDeath) => {
     if (control.workers.length >= most) {
-      setImmediate(() => died('There is no memory for another.'));
+      setImmediate(() => onDeath('There is no memory for another.'));
       return { post: () => {}, close: () => {} };
     }
     const worker = new Worker(new URL('node-worker.js', SDK));
     control.workers.push(worker);
-    worker.on('message', (message) => control.deaf || heard(message));
-    worker.on('error', (error) => died(`The planner broke down (${error.message}).`));
-    worker.on('exit', () => died('The planner ended unexpectedly.'));
+    worker.on('message', (message) => control.deaf || onMessage(message));
+    worker.on('error', (error) => onDeath(`The planner broke down (${error.message}).`));
+    worker.on('exit', () => onDeath('The planner ended unexpectedly.'));
     return { post: (m) => worker.postMessage(m), close: () => void worker.terminate() };
   };
   const onReplaced = (message) => control.replaced.push(message);
-  control.planner = await Planner.open({ module, start, onReplaced, patience });
+  control.planner = await Planner.open({ module, start, onReplaced, silenceLimits });
   t.after(() => control.planner.close());
   return control;
 }
@@ -110,8 +110,8 @@ describe('a worker that no longer answers', () => {
 
 describe('a worker that does not start', () => {
   it('is told in one sentence', async () => {
-    const start = (_, died) => {
-      setImmediate(() => died('The planner broke down (its script did not load).'));
+    const start = (_, onDeath) => {
+      setImmediate(() => onDeath('The planner broke down (its script did not load).'));
       return { post: () => {}, close: () => {} };
     };
     await assert.rejects(Planner.open({ module, start }), /^Error: The planner could not be started\./);

@@ -16,13 +16,13 @@
 
 pub mod by_hand;
 pub mod compare;
-pub mod crew;
 pub mod drawings;
 pub mod dxf_text;
 pub mod gcode;
 pub mod grbl_arc;
 pub mod grbl_planner;
 pub mod methods;
+pub mod multi_search;
 pub mod mutate;
 pub mod outlines;
 pub mod paths;

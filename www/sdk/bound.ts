@@ -1,8 +1,8 @@
-/** The lower bound of a job in its sums. */
+/** Puts a lower bound of the job's time into the summary of a plan. */
 
 import type { Summary } from './protocol.js';
 
-/** The sums with a bound that is at least as good as theirs; what is above the total by rounding is the total. */
+/** The summary with the better of its own bound and `bound`, in seconds. A bound that rounding has put above the total becomes the total. */
 export function bounded(summary: Summary, bound: number): Summary {
   const lower_bound = Math.min(Math.max(bound, summary.lower_bound), summary.total_time);
   if (lower_bound <= 0) return summary;

@@ -1,20 +1,20 @@
 /**
- * Values of callers against the tables of their fields (`fields.ts`), before a worker sees them. A misspelt name, a wrong
- * type or a number out of its range is refused with one sentence that names the field. The core checks again by the same
- * tables: see `src/fields`.
+ * Checks options and other objects of callers against tables of their fields (`fields.ts`), before a worker gets them. A
+ * misspelt name, a wrong type or a number out of range is refused with one sentence that names the field. The core checks
+ * again with the same tables: see `src/fields`.
  */
 
-/** The numbers a field may hold, with the reason for the limits. */
+/** The numbers that a field may have, with the reason for the limits. */
 export interface Range {
   least: number;
   most: number;
-  /** Zero is allowed besides. */
+  /** Whether 0 is allowed as well. */
   or_zero: boolean;
   unit: string;
   why: string;
 }
 
-/** What a value may be. Callbacks and signals are there in JavaScript only. */
+/** The type of a value. Callbacks and signals exist in JavaScript only. */
 export type Kind =
   | 'flag'
   | 'text'
@@ -36,7 +36,7 @@ export interface Field {
   nullable: boolean;
 }
 
-/** The fields of an object, with the words for its sentences. */
+/** The fields of an object, with the words that error sentences use. */
 export interface Shape {
   owner: string;
   item: string;
@@ -44,15 +44,15 @@ export interface Shape {
   fields: readonly Field[];
 }
 
-/** A field that may be left out. */
+/** A field that may be absent. */
 export const optional = (name: string, kind: Kind): Field => ({ name, kind, required: false, nullable: false });
 
-/** Throws one sentence unless `value` is an object with the right fields. A field that is undefined is not given. */
+/** Throws one sentence unless `value` is an object with the right fields. A field that is undefined counts as absent. */
 export function check(shape: Shape, value: unknown): void {
   checkObject(shape, '', shape.fields, value);
 }
 
-/** Throws one sentence unless `value` is of this kind; `what` begins it: `The option`. */
+/** Throws one sentence unless `value` is of this kind. `what` begins the sentence, for example `The option`. */
 export function checkOne(what: string, name: string, kind: Kind, value: unknown): void {
   checkValue({ owner: what, item: '', value: what, fields: [] }, name, { kind, nullable: false }, value);
 }
@@ -87,7 +87,7 @@ function checkValue(shape: Shape, path: string, { kind, nullable }: Pick<Field, 
   } else if (kind === 'callback') {
     if (typeof value !== 'function') throw fail('Give a function.');
   } else if (kind === 'signal') {
-    // By its members: a signal may come from another frame or context.
+    // Recognised by its members, because a signal may come from another frame or context.
     if (!isRecord(value) || typeof value['aborted'] !== 'boolean' || typeof value['addEventListener'] !== 'function') throw fail('Give the signal of an AbortController.');
   } else if ('choice' in kind) {
     if (!kind.choice.includes(value as string)) throw fail(`Choose one of: ${kind.choice.join(', ')}.`);
@@ -110,7 +110,7 @@ function checkValue(shape: Shape, path: string, { kind, nullable }: Pick<Field, 
   }
 }
 
-/** Numbers, texts and flags by name: which there are, the method knows. */
+/** Numbers, texts and flags by name. Their names are checked by the method. */
 function checkParameters(shape: Shape, path: string, value: unknown): void {
   if (!isRecord(value)) throw refused(shape, path, value, 'Give an object with the parameters that differ from their defaults.');
   for (const [name, given] of Object.entries(value)) {
@@ -139,10 +139,10 @@ function unknown(shape: Shape, prefix: string, name: string, fields: readonly Fi
   return new TypeError(`${shape.owner} has no ${shape.item} "${prefix}${clean(name)}". ${hint}`);
 }
 
-/** Characters of a text shown in a sentence: enough to recognise it. */
+/** The number of characters of a text that a sentence shows, enough to recognise it. */
 const SHOWN = 40;
 
-/** A caller's text for a sentence: short, and without characters that a terminal obeys. */
+/** Prepares a caller's text for a sentence: shortened, and without control characters, which a terminal would obey. */
 function clean(text: string): string {
   const short = text.length > SHOWN ? `${text.slice(0, SHOWN)}…` : text;
   return short.replace(/[\u0000-\u001f\u007f-\u009f]/g, '\ufffd');
@@ -164,10 +164,10 @@ function isList(value: unknown): value is ArrayLike<unknown> {
   return Array.isArray(value) || (ArrayBuffer.isView(value) && 'length' in value);
 }
 
-/** Longest name that is compared: a bound on the work for hostile ones. */
+/** The number of characters that are compared, which bounds the work for hostile names. */
 const LONGEST = 64;
 
-/** The name among `known` that somebody probably meant: see `src/fields/nearest.rs`. */
+/** The name among `known` that was probably meant: see `src/fields/nearest.rs`. */
 export function nearest(name: string, known: readonly string[]): string | null {
   const key = (text: string) => text.replace(/[_ -]/g, '').slice(0, LONGEST).toLowerCase();
   const wanted = key(name);
@@ -180,7 +180,7 @@ export function nearest(name: string, known: readonly string[]): string | null {
   return best.near;
 }
 
-/** Characters to insert, remove, replace or exchange with their neighbour (optimal string alignment). */
+/** The optimal string alignment distance: how many characters to insert, delete, replace or swap with the next one. */
 function distance(a: string, b: string): number {
   let before: number[] = [];
   let last = Array.from({ length: b.length + 1 }, (_, k) => k);

@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** The command line; its commands and options: see `cli/commands.ts`. Exit 0 done, 1 unusable input, 2 wrong usage. */
+/** The command line. `cli/commands.ts` lists its commands and options. Exit codes: 0 done, 1 unusable input, 2 wrong usage. */
 
 import { COMMANDS, commandsInWords, type Command } from './cli/commands.js';
 import { completion } from './cli/completion.js';
@@ -15,7 +15,7 @@ import { solve } from './cli/solve.js';
 const RUNS = new Map(Object.entries({ plan, inspect, quote, methods, solve, completion }));
 
 async function main([command, ...rest]: string[]): Promise<void> {
-  if (command === undefined) throw new WrongUse(`Say what to do: kerfway ${commandsInWords()}.`);
+  if (command === undefined) throw new WrongUse(`Name a command: kerfway ${commandsInWords()}.`);
   if (command === '--help' || command === '-h' || command === 'help') {
     const [about] = rest;
     await print(about === undefined ? overview() : manual(about, known(about)));
@@ -34,7 +34,7 @@ function known(name: string): Command {
   return command;
 }
 
-// Other errors reach whoever writes.
+// Errors other than EPIPE are reported by the call that writes.
 process.stdout.on('error', (error: NodeJS.ErrnoException) => {
   if (error.code === 'EPIPE') readerLeft();
 });

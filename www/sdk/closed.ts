@@ -1,11 +1,11 @@
-/** What is rejected because a planner or pool was closed. */
+/** Rejections because a planner or pool was closed. */
 
-/** The planner or pool was closed by its owner, who need not hear of it again. */
+/** The planner or pool was closed by its owner, who knows about it. */
 export class ClosedError extends Error {}
 
 /**
- * What the work comes to. When nobody waits for it, a failure counts as unhandled and ends a Node process, as it should; but
- * not when the reason is a close.
+ * The result of the work. If nobody waits for it, a failure counts as unhandled and ends a Node process, as it should. A
+ * `ClosedError` never counts as unhandled.
  */
 export function quietAtClose<T>(work: () => Promise<T>): Promise<T> {
   const done: Promise<T> = (async () => {

@@ -1,23 +1,23 @@
-/** What an entry point exports, the same on every host: they differ in how the wasm is read and how a worker starts. */
+/** What every entry point exports. Entry points differ only in how they read the wasm and start a worker. */
 
-import { functionsOn, type Functions } from './functions.js';
-import { lendingNew } from './lend.js';
-import type { StartWorker } from './line.js';
-import { opener } from './opener.js';
+import { createFunctions, type Functions } from './functions.js';
 import type { Planner, PlannerOptions } from './planner.js';
+import { plannerFactory } from './planner-factory.js';
 import { poolOf, type Pool, type PoolOptions } from './pool.js';
+import { withNewPlanner } from './with-planner.js';
+import type { StartWorker } from './worker-connection.js';
 
 export interface Entry extends Functions {
   createPlanner(options?: PlannerOptions): Promise<Planner>;
   createPool(options?: PoolOptions): Pool;
 }
 
-/** `processors`: what a pool works on at once when nobody says. */
+/** The functions of an entry point. `processors` gives the default size of a pool. */
 export function entry(read: () => Promise<WebAssembly.Module>, start: StartWorker, processors: () => number): Entry {
-  const createPlanner = opener(read, start);
+  const createPlanner = plannerFactory(read, start);
   return {
     createPlanner,
     createPool: ({ size = processors(), queue } = {}) => poolOf(createPlanner, size, queue),
-    ...functionsOn(lendingNew(createPlanner)),
+    ...createFunctions(withNewPlanner(createPlanner)),
   };
 }

@@ -1,57 +1,58 @@
 /**
- * The package in four functions: `inspect`, `plan`, `quote` and `render`. Each borrows a planner for one drawing; who lends it
- * (a new one for every call, or a pool) is decided elsewhere. A browser and Node differ in nothing here.
+ * The four functions of the package: `inspect`, `plan`, `quote` and `render`. Each uses a planner for one drawing. A
+ * `WithPlanner` provides it: a new one for every call, or one of a pool. Browsers and Node share this code.
  */
 
-import { News } from './news.js';
 import { quietAtClose } from './closed.js';
 import { checkOptions, planning, reading } from './options.js';
 import type { InspectOptions, PlanJobOptions, PlanningOptions, QuoteOptions, RenderOptions, Source } from './options.js';
 import type { Started } from './plan-handle.js';
 import type { Planner } from './planner.js';
+import { ProgressStream } from './progress-stream.js';
 import type { Quote } from './quote.js';
 import type { BestPath, DoneReason, Loaded, OutputKind, Progress, Summary } from './protocol.js';
 
-/** Lends a planner for some work. Rejects with the reason of the signal as soon as it aborts. */
-export type Lend = <T>(work: (planner: Planner) => Promise<T>, signal?: AbortSignal) => Promise<T>;
+/** Runs some work on a planner. Rejects with the reason of the signal as soon as it aborts. */
+export type WithPlanner = <T>(work: (planner: Planner) => Promise<T>, signal?: AbortSignal) => Promise<T>;
 
-/** What was written: text, or the bytes of a picture. */
+/** The outputs by kind: text, or the bytes of a PNG. */
 export type Outputs<K extends OutputKind> = { [Kind in K]: Kind extends 'png' ? Uint8Array : string };
 
-/** What a plan came to. Plain data: it can be kept, sent to another thread, or rendered later. */
+/** The result of a plan. It is plain data: it can be stored, sent to another thread, or rendered later. */
 export interface Planned<K extends OutputKind = never> extends Started {
+  /** Why the search ended. */
   reason: DoneReason;
-  /** What the drawing holds. */
+  /** The contents of the drawing. */
   loaded: Loaded;
-  /** Sums of the best plan found. */
+  /** Times and lengths of the best plan. */
   summary: Summary;
-  /** Its path. */
+  /** The path of the best plan. */
   path: BestPath;
-  /** Moves the search did. */
+  /** Number of moves that the search made. */
   moves: number;
-  /** Seconds the search took. */
+  /** Seconds that the search took. */
   seconds: number;
-  /** What was asked for in the option `outputs`. */
+  /** The outputs that the option `outputs` requested. */
   outputs: Outputs<K>;
-  /** How it was read and planned, as asked. */
+  /** The options of reading and planning that were given. */
   options: PlanningOptions;
 }
 
 /**
- * A plan under way: a promise of what it comes to, and meanwhile news for `for await`. Leaving the loop by `break`
- * stops the search, as `stop` does: the promise then resolves with the best found so far.
+ * A running plan: a promise of its result, and until then an iterable of its progress for `for await`. Leaving the loop
+ * with `break` stops the search, as `stop` does: the promise then resolves with the best plan found so far.
  */
 export interface PlanRun<K extends OutputKind = never> extends Promise<Planned<K>>, AsyncIterable<Progress> {
-  /** Ends the search and keeps the best found. To throw everything away, abort the signal. */
+  /** Ends the search and keeps the best plan. To discard everything, abort the signal. */
   stop(): void;
 }
 
-/** The functions, on planners that are lent. */
+/** The functions of the package, which a pool has too. */
 export interface Functions {
-  /** What a drawing holds: contours, parts, layers, units, findings. Rejects with one sentence when it is unusable. */
+  /** Describes a drawing: contours, parts, layers, units, findings. Rejects with one sentence when it is unusable. */
   inspect(source: Source, options?: InspectOptions): Promise<Loaded>;
   /**
-   * Plans a drawing for the seconds or moves given (10 seconds when neither is). Rejects with one sentence when the
+   * Plans a drawing within a budget of seconds or moves (10 seconds by default). Rejects with one sentence when the
    * drawing or an option is unusable, and with the signal's reason when it aborts.
    *
    *     const { summary, outputs } = await plan(bytes, { machine: 'co2-100w', seconds: 5, outputs: ['gcode'] });
@@ -62,44 +63,45 @@ export interface Functions {
    */
   plan<K extends OutputKind = never>(source: Source, options?: PlanJobOptions<K>): PlanRun<K>;
   /**
-   * Plans a drawing and reports what a quote needs of it. With `moves` and `seed` its hash is the same everywhere: a server
-   * confirms by it what a browser said. Prices stay with the caller.
+   * Plans a drawing and reports what a quote needs. With `moves` and `seed` the hash of the report is the same everywhere,
+   * so a server can confirm the report of a browser. The report has no prices: those are up to the caller.
    */
   quote(source: Source, options?: QuoteOptions): Promise<Quote>;
   /**
-   * Writes a finished plan of the same drawing in another form. The plan JSON, which tells of the search itself, is
+   * Writes a finished plan of the same drawing in another format. The plan JSON describes the search itself and is
    * written by `plan` only.
    */
   render<K extends Exclude<OutputKind, 'json'>>(source: Source, planned: Omit<Planned, 'outputs'>, kind: K, options?: RenderOptions): Promise<Outputs<K>[K]>;
 }
 
+/** Name of a drawing that is given without one. */
 const NAME = 'drawing.dxf';
 
-export function functionsOn(lend: Lend): Functions {
+export function createFunctions(withPlanner: WithPlanner): Functions {
   return {
     inspect(source, options = {}) {
       return quietAtClose(async () => {
         checkOptions(options, 'inspect');
-        return lend(async (planner) => planner.load(await bytesOf(source), options.name ?? NAME, reading(options)), options.signal);
+        return withPlanner(async (planner) => planner.load(await bytesOf(source), options.name ?? NAME, reading(options)), options.signal);
       });
     },
 
     plan(source, options = {}) {
       let stop: (() => void) | null = null;
       let stopped = false;
-      const halt = () => {
+      const stopSearch = () => {
         stopped = true;
         stop?.();
       };
-      const news = new News(halt);
-      const tell = (progress: Progress) => {
-        news.tell(progress);
+      const stream = new ProgressStream(stopSearch);
+      const report = (progress: Progress) => {
+        stream.push(progress);
         return options.onProgress?.(progress);
       };
       const work = async (planner: Planner) => {
         const loaded = await planner.load(await bytesOf(source), options.name ?? NAME, reading(options));
         await options.onLoaded?.(loaded);
-        const handle = planner.plan(planning(options), tell);
+        const handle = planner.plan(planning(options), report);
         stop = () => handle.stop();
         if (stopped) stop();
         const { progress, ...rest } = await handle.done;
@@ -111,16 +113,16 @@ export function functionsOn(lend: Lend): Functions {
       const run = async () => {
         try {
           checkOptions(options, 'plan');
-          const planned = await lend(work, options.signal);
-          news.end();
+          const planned = await withPlanner(work, options.signal);
+          stream.end();
           return planned;
         } catch (error) {
-          news.end({ error });
+          stream.end({ error });
           throw error;
         }
       };
       const done = quietAtClose(run);
-      return Object.assign(done, { stop: halt, [Symbol.asyncIterator]: () => read(done, news) });
+      return Object.assign(done, { stop: stopSearch, [Symbol.asyncIterator]: () => read(done, stream) });
     },
 
     quote(source, options = {}) {
@@ -131,7 +133,7 @@ export function functionsOn(lend: Lend): Functions {
       };
       return quietAtClose(async () => {
         checkOptions(options, 'quote');
-        return lend(work, options.signal);
+        return withPlanner(work, options.signal);
       });
     },
 
@@ -146,16 +148,16 @@ export function functionsOn(lend: Lend): Functions {
       };
       return quietAtClose(async () => {
         checkOptions(given, 'render');
-        return lend(work, given.signal);
+        return withPlanner(work, given.signal);
       });
     },
   };
 }
 
-// Who reads the news hears of a failure there; a promise nobody waits for must then not count as unhandled.
-function read(done: Promise<unknown>, news: News): AsyncIterator<Progress> {
+// A reader gets a failure from the stream, so the promise, which it need not await, must not count as unhandled.
+function read(done: Promise<unknown>, stream: ProgressStream): AsyncIterator<Progress> {
   done.catch(() => {});
-  return news[Symbol.asyncIterator]();
+  return stream[Symbol.asyncIterator]();
 }
 
 async function bytesOf(source: Source): Promise<ArrayBuffer | Uint8Array> {

@@ -1,5 +1,5 @@
 /**
- * The compiled planner inside JavaScript, for pages that are one file or may not fetch: pass it to `createPlanner`.
+ * The wasm file of the planner inside JavaScript, for pages that are a single file or may not fetch. Pass it to `createPlanner`.
  *
  *     import { wasm } from 'kerfway/inline';
  *     const planner = await createPlanner({ wasm: wasm() });

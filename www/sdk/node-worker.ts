@@ -5,7 +5,7 @@ import { parentPort } from 'node:worker_threads';
 import type { ToWorker } from './protocol.js';
 import { type Host, Session } from './session.js';
 
-/** A module of wasm, with its file read. */
+/** Reads and compiles the wasm file of a module that wasm-bindgen wrote. */
 async function ready<M extends { initSync(wasm: { module: BufferSource }): unknown }>(name: string, loading: Promise<M>): Promise<M> {
   const module = await loading;
   module.initSync({ module: await readFile(new URL(`./pkg/${name}_bg.wasm`, import.meta.url)) });

@@ -1,6 +1,6 @@
 /**
- * Kerfway by `require`, under Node: the same modules as by `import`, in the same instances. Node 20.19, 22.12 and later
- * can require them as they are; this entry is there for tools that look for CommonJS and for its types.
+ * Kerfway for `require` in Node: the same instances of the same modules as with `import`. Node 20.19, 22.12 and later can
+ * require ES modules directly; this entry is for tools that look for CommonJS, and for its types.
  */
 
 import kerfway = require('./node.js');

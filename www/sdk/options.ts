@@ -1,6 +1,6 @@
 /**
- * The options of `inspect`, `plan`, `quote` and `render`: how the drawing is read and how it is planned, side by side in one
- * object, and told apart here by name.
+ * The options of `inspect`, `plan`, `quote` and `render`. Options of reading and of planning are in one object; this file
+ * separates them by name and checks them.
  */
 
 import { check, checkOne, optional, type Field, type Range, type Shape } from './check.js';
@@ -8,52 +8,52 @@ import { SHAPES } from './fields.js';
 import type { Material } from './quote.js';
 import type { Loaded, LoadOptions, OutputKind, PlanOptions, Progress } from './protocol.js';
 
-/** Seconds of a search that is given neither seconds nor moves. */
+/** The default budget in seconds, when neither seconds nor moves are given. */
 export const DEFAULT_SECONDS = 10;
 
 /** A drawing's bytes. */
 export type Bytes = ArrayBuffer | Uint8Array;
 
-/** A drawing's bytes, or what reads them when it is their turn: a pool then holds no more files than it works on. */
+/** A drawing's bytes, or a function that reads them when its turn comes, so that a pool holds no more files than it works on. */
 export type Source = Bytes | (() => Bytes | Promise<Bytes>);
 
-/** What every job may be told. */
+/** Options of every function that reads a drawing. */
 export interface JobOptions {
-  /** The file's name, told in reports and outputs. Default `drawing.dxf`. */
+  /** The file's name in reports and outputs. Default `drawing.dxf`. */
   name?: string;
-  /** Aborts: the promise rejects at once with the signal's reason (an `AbortError`), and nothing is kept. */
+  /** Aborts the job: the promise rejects at once with the signal's reason (an `AbortError`), and nothing is kept. */
   signal?: AbortSignal;
 }
 
 /** Options of `inspect`. */
 export interface InspectOptions extends LoadOptions, JobOptions {}
 
-/** Everything that decides a plan. */
+/** All options that affect a plan. */
 export interface PlanningOptions extends LoadOptions, PlanOptions {}
 
 /** Options of `plan`. */
 export interface PlanJobOptions<K extends OutputKind = never> extends PlanningOptions, JobOptions {
-  /** Told what the drawing holds, before the search begins. */
+  /** Called with the contents of the drawing, before the search begins. */
   onLoaded?: (loaded: Loaded) => void;
-  /** Told of every improvement, and four times a second without one. */
+  /** Called on every improvement, and four times a second without one. */
   onProgress?: (progress: Progress) => void;
-  /** What is written of the finished plan, as `outputs` of the result. Default: nothing. */
+  /** The formats in which the finished plan is written, as `outputs` of the result. Default: none. */
   outputs?: readonly K[];
 }
 
 /** Options of `quote`. */
 export interface QuoteOptions extends PlanningOptions, JobOptions {
-  /** What the sheet is made of: with thickness and density the parts are weighed. */
+  /** The material of the sheet. With thickness and density the report has the weight of the parts. */
   material?: Material;
-  /** Told of every improvement, and four times a second without one. */
+  /** Called on every improvement, and four times a second without one. */
   onProgress?: (progress: Progress) => void;
 }
 
 /** Options of `render`. */
 export interface RenderOptions {
-  /** Of a PNG, pixels across. Default 1600. */
+  /** The width of a PNG in pixels. Default 1600. */
   width?: number;
-  /** Aborts, as in `JobOptions`. */
+  /** Aborts the job, as in `JobOptions`. */
   signal?: AbortSignal;
 }
 
@@ -61,15 +61,15 @@ const { reading: READING, planning: PLANNING, material: MATERIAL } = SHAPES;
 
 const shapeOf = (owner: string, ...fields: Field[]): Shape => ({ owner, item: 'option', value: 'The option', fields });
 
-/** The place of a worker among others is not for callers. */
+/** The options of planning without `member`, which only `MultiSearch` sets. */
 const PLANNING_OPTIONS = PLANNING.fields.filter(({ name }) => name !== 'member');
 const JOB = [optional('name', 'text'), optional('signal', 'signal')];
-/** What a plan can be written as. */
+/** The formats in which a plan can be written. */
 export const OUTPUTS: readonly OutputKind[] = ['gcode', 'svg', 'dxf', 'json', 'png'];
-/** Pixels across a picture. */
+/** The width of a picture. */
 const WIDTH: Range = { least: 64, most: 8192, or_zero: false, unit: 'pixels', why: 'smaller ones show nothing, larger ones take a gigabyte' };
 
-/** What each function may be told. */
+/** The options of each function. */
 const KNOWN = {
   load: READING,
   reload: READING,
@@ -85,27 +85,27 @@ const KNOWN = {
   material: MATERIAL,
 } satisfies Record<string, Shape>;
 
-/** The options of reading among those of a job. */
+/** Selects the options of reading. */
 export function reading(options: LoadOptions): LoadOptions {
   return picked(options, READING.fields);
 }
 
-/** The options of planning among those of a job. */
+/** Selects the options of planning. */
 export function planning(options: PlanOptions): PlanOptions {
   return picked(options, PLANNING_OPTIONS);
 }
 
-/** Throws one sentence unless these are options that the function knows, each of its kind and in its range. */
+/** Throws one sentence unless the function knows these options, and each has the right type and is in range. */
 export function checkOptions(options: object, kind: keyof typeof KNOWN): void {
   check(KNOWN[kind], options);
 }
 
-/** Throws one sentence unless this is a machine profile, or the name of a machine. */
+/** Throws one sentence unless this is a machine profile or the name of a preset. */
 export function checkMachine(machine: unknown): void {
   check(KNOWN.planning, { machine });
 }
 
-/** Throws one sentence unless this is what a plan can be written as, so wide. */
+/** Throws one sentence unless this is an output format, and a width that a picture can have. */
 export function checkOutput(kind: unknown, width: unknown): void {
   checkOne('The option', 'kind', { choice: OUTPUTS }, kind);
   checkOptions({ width }, 'render');
@@ -113,7 +113,7 @@ export function checkOutput(kind: unknown, width: unknown): void {
 
 /** Throws one sentence unless these are the bytes of a file and its name. */
 export function checkFile(bytes: unknown, name: unknown): void {
-  // By their tag: a buffer may come from another frame or context.
+  // Recognised by its tag, because a buffer may come from another frame or context.
   const is = Object.prototype.toString.call(bytes);
   if (is !== '[object ArrayBuffer]' && is !== '[object SharedArrayBuffer]' && !ArrayBuffer.isView(bytes)) {
     throw new TypeError('The drawing is not given as bytes. Give an ArrayBuffer or a Uint8Array.');

@@ -1,43 +1,46 @@
-/** A plan under way, as its caller holds it, and what is known of it. */
+/** A running plan: the handle that its caller has, and its state in the planner. */
 
 import { bounded } from './bound.js';
 import { ClosedError } from './closed.js';
 import type { Baselines, Beam, BestPath, DoneReason, Finding, FromWorker, Geometry, PlanOptions, Progress } from './protocol.js';
 
-/** What a plan started with. */
+/** What is known when a plan starts. */
 export interface Started {
+  /** The seed of the search. */
   seed: number;
+  /** The name of the method. */
   method: string;
+  /** The plans without a search. */
   baselines: Baselines;
-  /** What is worth knowing of the drawing on this machine, besides what `load` told. */
+  /** Findings about the drawing on this machine, in addition to those of `load`. */
   findings: Finding[];
-  /** The lines of the beam, where the machine has a kerf width. */
+  /** The contours as the beam follows them, if the machine has a kerf width. */
   beam: Beam | null;
-  /** What is cut once for two parts: stretches of contours that share cuts. Null where nobody has looked for them. */
+  /** The common cuts: stretches of contours that are cut once for two parts. Null when they were not searched for. */
   common: Geometry | null;
 }
 
-/** What a plan came to; `progress.path` is always set. */
+/** The result of a plan; `progress.path` is always set. */
 export interface PlanResult extends Started {
   reason: DoneReason;
   progress: Progress;
 }
 
-/** A plan under way. */
+/** A running plan. */
 export interface PlanHandle {
-  /** Resolves when the search begins, with the job as it would run without it. */
+  /** Resolves when the search begins. */
   readonly started: Promise<Started>;
-  /** Resolves when the plan ends, however it does; rejects with one sentence when there can be none. */
+  /** Resolves when the plan ends for any reason; rejects with one sentence when the drawing cannot be planned. */
   readonly done: Promise<PlanResult>;
   /** Pauses the search; the best plan so far is kept. */
   pause(): void;
   /** Continues a paused search. */
   resume(): void;
-  /** Ends the plan at once; the best found is kept. */
+  /** Ends the plan at once; the best plan so far is kept. */
   stop(): void;
 }
 
-/** The messages that concern a plan. */
+/** The messages about a plan. */
 export type PlanMessage = Extract<FromWorker, { type: 'started' | 'progress' | 'bound' | 'done' | 'failed' }>;
 
 /** A plan from its start to its end. */
@@ -46,7 +49,7 @@ export class RunningPlan {
   paused = false;
   ended = false;
   begun: Started | null = null;
-  /** The best path told so far: what a new worker starts from. */
+  /** The best path reported so far, from which a new worker starts. */
   path: BestPath | null = null;
 
   private last: Progress | null = null;
@@ -59,24 +62,24 @@ export class RunningPlan {
     private readonly onProgress: (progress: Progress) => unknown,
     private readonly post: (message: { type: 'pause' | 'resume' | 'stop' }) => void,
   ) {
-    // Whoever waits for the end alone hears of a failure there.
+    // A caller that only waits for `done` gets a failure there, so it must not count as unhandled here.
     this.started.promise.catch(() => {});
     this.handle = {
       started: this.started.promise,
       done: this.done.promise,
-      pause: () => this.steer('pause'),
-      resume: () => this.steer('resume'),
-      stop: () => this.steer('stop'),
+      pause: () => this.request('pause'),
+      resume: () => this.request('resume'),
+      stop: () => this.request('stop'),
     };
   }
 
-  /** Goes on where another plan ended. */
+  /** Continues from where another plan ended. */
   follow(before: RunningPlan): void {
     this.path = before.path;
     if (before.begun !== null) this.begin(before.begun);
   }
 
-  hear(message: PlanMessage): void {
+  receive(message: PlanMessage): void {
     if (this.ended) return;
     switch (message.type) {
       case 'started':
@@ -101,7 +104,7 @@ export class RunningPlan {
     }
   }
 
-  /** The worker is gone: what was told is what there is. */
+  /** The worker is gone: the plan ends with the best path reported so far, or fails if there is none. */
   interrupt(reason: Error): void {
     if (this.path === null) this.fail(reason);
     else this.end('replaced');
@@ -114,10 +117,10 @@ export class RunningPlan {
     this.done.reject(reason);
   }
 
-  // A callback that throws, or rejects when it is asynchronous, fails its own plan; the worker need not go on with it.
+  // A callback that throws (or rejects, when it is asynchronous) fails its own plan, and the search stops.
   private report(progress: Progress): void {
     const fail = (error: unknown) => {
-      this.steer('stop');
+      this.request('stop');
       if (!this.ended) this.fail(error);
     };
     try {
@@ -144,7 +147,7 @@ export class RunningPlan {
     this.done.resolve({ ...this.begun, reason, progress: { ...this.last, path: this.path } });
   }
 
-  private steer(type: 'pause' | 'resume' | 'stop'): void {
+  private request(type: 'pause' | 'resume' | 'stop'): void {
     if (this.ended) return;
     this.paused = type === 'pause';
     this.post({ type });

@@ -1,17 +1,16 @@
 /**
- * The planner as a page or a program sees it: load a drawing, plan it, watch it improve, write it out. The work runs
- * in a worker. One that dies or hangs is replaced: the drawing is loaded again and the best plan found is put back, so
- * nothing that was reached is lost.
+ * The class `Planner`: loads a drawing, plans it, reports the progress, writes outputs. The work is done in a worker. A
+ * worker that dies or hangs is replaced: the drawing is loaded again and the best plan is restored, so no result is lost.
  */
 
-import { FINAL, type Answers } from './answers.js';
 import { ClosedError, quietAtClose } from './closed.js';
-import { Crew, type Drawing } from './crew.js';
-import { Line, PATIENCE, type StartWorker } from './line.js';
+import { MultiSearch, type Drawing } from './multi-search.js';
 import { checkFile, checkOptions, checkOutput } from './options.js';
 import { RunningPlan, type PlanHandle, type PlanMessage } from './plan-handle.js';
 import type { Material, Quote } from './quote.js';
+import { FINAL, type Responses } from './responses.js';
 import { checkSize } from './size.js';
+import { type SILENCE_LIMITS, type StartWorker, WorkerConnection } from './worker-connection.js';
 import type {
   Budget,
   FromWorker,
@@ -26,26 +25,26 @@ import type {
   ToWorker,
 } from './protocol.js';
 
-/** How a planner is made. */
+/** Options of `createPlanner`. */
 export interface PlannerOptions {
-  /** The compiled planner, or its bytes; otherwise it is read from beside this module. */
+  /** The compiled planner or its bytes. Default: the wasm file next to this module. */
   wasm?: WebAssembly.Module | BufferSource;
-  /** Told in one sentence when a worker had to be replaced. */
+  /** Called with one sentence when a worker had to be replaced. */
   onReplaced?: (message: string) => void;
 }
 
-/** What a planner is made of. */
+/** What a planner needs. */
 export interface Parts {
   module: WebAssembly.Module;
   start: StartWorker;
   onReplaced?: ((message: string) => void) | undefined;
   /** Seconds after which a silent worker counts as hung. */
-  patience?: typeof PATIENCE;
+  silenceLimits?: typeof SILENCE_LIMITS;
 }
 
 const CLOSED = 'The planner was closed.';
 
-/** Times that a worker is started before it counts as one that cannot be. */
+/** How often a worker is started before the planner gives up: memory may be short for a moment only. */
 const STARTS = 2;
 
 interface Request {
@@ -53,51 +52,51 @@ interface Request {
   reject: (error: Error) => void;
 }
 
-/** One worker that keeps a drawing and the plan of it. Make one with `createPlanner`, close it when done. */
+/** A worker that keeps a drawing and its plan. Make one with `createPlanner`, and close it when done. */
 export class Planner {
-  /** The methods there are, the default first. */
+  /** The available methods, the default first. */
   methods: readonly MethodInfo[] = [];
-  /** The machines there are, the default first. */
+  /** The machine presets, the default first. */
   machines: readonly MachineProfile[] = [];
-  /** Why the worker had to be replaced, the last time it had to. */
+  /** Why the worker was last replaced; `null` if it never was. */
   replaced: string | null = null;
 
-  private line!: Line;
+  private connection!: WorkerConnection;
   private lastId = 0;
   private readonly requests = new Map<number, Request>();
-  /** Plans under way: one, and for a moment the one it takes the place of. */
+  /** Running plans: one, and for a moment also the one that it replaces. */
   private readonly plans = new Map<number, RunningPlan>();
   /** The drawing in the worker. */
   private drawing: Drawing | null = null;
-  /** The last plan, under way or ended. */
+  /** The last plan, running or ended. */
   private current: RunningPlan | null = null;
-  /** Messages wait for this: a worker that is there, with the drawing in it. */
+  /** Messages wait for this: it resolves when the worker has started and has read the drawing. */
   private ready: Promise<void> = Promise.resolve();
-  /** Waits for the worker that is starting. */
-  private greeting: { resolve: () => void; reject: (error: Error) => void } | null = null;
+  /** Settles the promise of `startWorker` while a worker starts. */
+  private starting: { resolve: () => void; reject: (error: Error) => void } | null = null;
   private restoring = false;
   private closed = false;
 
-  /** The workers that help with a plan. */
-  private readonly crew: Crew;
+  /** The other searches of a plan with several workers. */
+  private readonly others: MultiSearch;
 
   private constructor(private readonly parts: Parts) {
-    this.crew = new Crew({
+    this.others = new MultiSearch({
       ...parts,
-      toFirst: (message) => this.line.post(message),
-      tell: (message) => this.tell(message),
+      toFirst: (message) => this.connection.post(message),
+      report: (message) => this.report(message),
     });
   }
 
-  /** A planner whose worker is ready. */
+  /** Opens a planner, and resolves when its worker is ready. */
   static async open(parts: Parts): Promise<Planner> {
     const planner = new Planner(parts);
-    planner.ready = planner.openLine();
+    planner.ready = planner.connect();
     await planner.ready;
     return planner;
   }
 
-  /** Reads a DXF file. A plan under way ends. Rejects with one sentence when the file or an option is unusable. */
+  /** Reads a DXF file. A running plan ends. Rejects with one sentence when the file or an option is unusable. */
   load(bytes: ArrayBuffer | Uint8Array, name: string, options: LoadOptions = {}): Promise<Loaded> {
     return quietAtClose(async () => {
       checkFile(bytes, name);
@@ -112,7 +111,7 @@ export class Planner {
     });
   }
 
-  /** Reads the same file with other options. A plan under way ends. */
+  /** Reads the same file with other options. A running plan ends. */
   reload(options: LoadOptions): Promise<Loaded> {
     return quietAtClose(async () => {
       checkOptions(options, 'reload');
@@ -124,7 +123,7 @@ export class Planner {
     });
   }
 
-  /** The methods of published papers, with their parameters: loaded when first asked for. */
+  /** The methods of published papers, with their parameters. They are in a wasm file of their own, which the first call loads. */
   paperMethods(): Promise<PaperMethod[]> {
     return quietAtClose(async () => {
       await this.ready;
@@ -133,25 +132,25 @@ export class Planner {
   }
 
   /**
-   * Plans the loaded drawing. One plan runs at a time; one under way ends. A callback that throws ends its plan, which rejects
-   * with what was thrown.
+   * Plans the loaded drawing. One plan runs at a time: a running plan ends. If the callback throws, its plan ends and rejects
+   * with that error.
    */
   plan(options: PlanOptions = {}, onProgress: (progress: Progress) => unknown = () => {}): PlanHandle {
     const plan = this.newPlan(options, onProgress);
     return this.begin(plan, { type: 'plan', id: plan.id, options }, () => checkOptions(options, 'planning'));
   }
 
-  /** Goes on with the last plan, for another budget. */
+  /** Continues the last plan for another budget. */
   continue(budget: Budget, onProgress: (progress: Progress) => unknown = () => {}): PlanHandle {
     const plan = this.newPlan({ ...this.current?.options, ...budget }, onProgress);
     return this.begin(plan, { type: 'continue', id: plan.id, budget }, () => {
       checkOptions(budget, 'continue');
       if (this.current !== null) plan.follow(this.current);
-      this.crew.again(plan.id, budget);
+      this.others.continue(plan.id, budget);
     });
   }
 
-  /** The best plan so far, checked and written out; `width` is that of the picture, in pixels. */
+  /** Checks the best plan so far and writes it in one of the formats. `width` is the width of a PNG in pixels. */
   output(kind: 'png', width?: number): Promise<Uint8Array>;
   output(kind: Exclude<OutputKind, 'png'>): Promise<string>;
   output(kind: OutputKind, width?: number): Promise<string | Uint8Array>;
@@ -164,7 +163,7 @@ export class Planner {
     });
   }
 
-  /** The report of a quote of the best plan so far, checked like an output. */
+  /** The quote report of the best plan so far, which is checked as for an output. */
   quote(material: Material = {}): Promise<Quote> {
     return quietAtClose(async () => {
       checkOptions(material, 'material');
@@ -173,15 +172,15 @@ export class Planner {
     });
   }
 
-  /** Ends the worker; whatever was under way is rejected. */
+  /** Ends the worker. Requests and plans that are running are rejected. */
   close(): void {
     this.closed = true;
-    this.crew.close();
-    this.line.close();
+    this.others.close();
+    this.connection.close();
     const reason = new ClosedError(CLOSED);
-    // Whoever waits for a worker that is still starting waits no longer.
+    // Calls that wait for a worker that is still starting are rejected too.
     this.ready.catch(() => {});
-    this.greeting?.reject(reason);
+    this.starting?.reject(reason);
     this.abandon(reason);
   }
 
@@ -189,11 +188,11 @@ export class Planner {
     const id = ++this.lastId;
     return new RunningPlan(id, options, onProgress, (message) => {
       this.whenReady(message);
-      if (this.crew.works(id)) this.crew.post(message);
+      if (this.others.runs(id)) this.others.post(message);
     });
   }
 
-  // A plan that `prepare` refuses fails, and leaves the one under way alone.
+  // If `prepare` refuses the plan, the plan fails and a running one goes on.
   private begin(plan: RunningPlan, message: ToWorker, prepare: () => void): PlanHandle {
     try {
       if (this.closed) throw new ClosedError(CLOSED);
@@ -210,25 +209,24 @@ export class Planner {
 
   private whenReady(message: ToWorker): void {
     const post = () => {
-      this.line.post(message);
-      this.attend();
+      this.connection.post(message);
+      this.updateExpectation();
     };
     this.ready.then(post).catch((error: Error) => this.abandon(error));
   }
 
-  private ask<K extends keyof Answers>(message: (id: number) => ToWorker): Promise<Answers[K]> {
+  private ask<K extends keyof Responses>(message: (id: number) => ToWorker): Promise<Responses[K]> {
     return new Promise((resolve, reject) => {
       if (this.closed) return reject(new ClosedError(CLOSED));
       const id = ++this.lastId;
-      this.line.post(message(id));
+      this.connection.post(message(id));
       this.requests.set(id, { resolve, reject });
-      this.attend();
+      this.updateExpectation();
     });
   }
 
-  // A worker that dies before it has greeted is tried again: memory that is short for a moment, or a machine that goes to
-  // sleep, ends one that is starting.
-  private async openLine(): Promise<void> {
+  // A worker that dies while it starts is started again: memory may be short for a moment, or the machine goes to sleep.
+  private async connect(): Promise<void> {
     for (let left = STARTS; ; ) {
       left -= 1;
       try {
@@ -242,28 +240,28 @@ export class Planner {
 
   private startWorker(): Promise<void> {
     return new Promise((resolve, reject) => {
-      this.greeting = { resolve, reject };
-      const { start, module, patience } = this.parts;
-      this.line = new Line(start, module, (m) => this.hear(m), (why) => this.lost(why), patience);
-      this.line.expect('working');
+      this.starting = { resolve, reject };
+      const { start, module, silenceLimits } = this.parts;
+      this.connection = new WorkerConnection(start, module, (m) => this.receive(m), (why) => this.lost(why), silenceLimits);
+      this.connection.expect('working');
     });
   }
 
   private lost(why: string): void {
-    if (this.greeting === null) void this.replace(why);
-    else this.greeting.reject(new Error(why));
+    if (this.starting === null) void this.replace(why);
+    else this.starting.reject(new Error(why));
   }
 
-  private hear(message: FromWorker): void {
+  private receive(message: FromWorker): void {
     if (message.type === 'ready') {
       this.methods = message.methods;
       this.machines = message.machines;
-      this.greeting?.resolve();
-      this.greeting = null;
+      this.starting?.resolve();
+      this.starting = null;
     } else if ('id' in message) {
       this.deliver(message);
     }
-    this.attend();
+    this.updateExpectation();
   }
 
   private deliver(message: Extract<FromWorker, { id: number }>): void {
@@ -272,10 +270,10 @@ export class Planner {
     if (plan !== undefined) {
       const { workers = 1 } = plan.options;
       if (message.type === 'started' && workers > 1 && this.drawing !== null) {
-        this.crew.begin(plan.id, { ...plan.options, seed: message.seed }, this.drawing);
+        this.others.begin(plan.id, { ...plan.options, seed: message.seed }, this.drawing);
       }
-      if (this.crew.works(plan.id)) this.crew.hear(0, message);
-      else this.tell(message as PlanMessage);
+      if (this.others.runs(plan.id)) this.others.receive(0, message);
+      else this.report(message as PlanMessage);
     } else if (request !== undefined && FINAL.has(message.type)) {
       this.requests.delete(message.id);
       if (message.type === 'failed') request.reject(new Error(message.message));
@@ -283,25 +281,25 @@ export class Planner {
     }
   }
 
-  private tell(message: PlanMessage): void {
+  private report(message: PlanMessage): void {
     const plan = this.plans.get(message.id);
-    plan?.hear(message);
+    plan?.receive(message);
     if (plan?.ended === true) this.plans.delete(message.id);
-    this.attend();
+    this.updateExpectation();
   }
 
-  // Judges the silence of the worker by what it has to do.
-  private attend(): void {
+  // Tells the connection what the worker is doing now, which decides how long it may stay silent.
+  private updateExpectation(): void {
     const plans = [...this.plans.values()].filter((p) => !p.paused);
-    // One of several may wait for the others without a word.
-    const talks = (p: RunningPlan) => p.begun !== null && !this.crew.works(p.id);
-    const searching = plans.length > 0 && plans.every(talks) && this.requests.size === 0;
+    // One of several searches sends nothing while it waits for the others.
+    const sendsProgress = (p: RunningPlan) => p.begun !== null && !this.others.runs(p.id);
+    const searching = plans.length > 0 && plans.every(sendsProgress) && this.requests.size === 0;
     const busy = plans.length > 0 || this.requests.size > 0;
-    this.line.expect(searching ? 'searching' : busy ? 'working' : 'idle');
+    this.connection.expect(searching ? 'searching' : busy ? 'working' : 'idle');
   }
 
-  // A worker died. What it was reading is not read again: it may be what killed it. What was there before comes back,
-  // once: a worker that dies of that is replaced by an empty one.
+  // A worker died. A drawing that it was reading is not read again, because it may have caused the death. The drawing from
+  // before is restored once: if the new worker dies of that, it is replaced by one without a drawing.
   private async replace(why: string): Promise<void> {
     const kept = this.restoring ? null : this.drawing;
     this.replaced = why;
@@ -309,17 +307,17 @@ export class Planner {
     this.abandon(new Error(message));
     const plan = kept === null ? null : this.current;
     [this.drawing, this.current] = [null, null];
-    this.ready = this.openLine().then(() => (kept === null ? undefined : this.restore(kept, plan)));
-    // Whoever asks for something later hears that it could not be started.
-    const there = await this.ready.then(() => true, () => false);
-    if (there) this.tellReplaced(message);
+    this.ready = this.connect().then(() => (kept === null ? undefined : this.restore(kept, plan)));
+    // If the worker could not be started, later calls reject with the reason.
+    const started = await this.ready.then(() => true, () => false);
+    if (started) this.reportReplacement(message);
   }
 
-  // It is told aside from any call, so what it throws has nowhere to go.
-  private tellReplaced(message: string): void {
+  // This callback belongs to no call, so there is nobody to pass its errors to.
+  private reportReplacement(message: string): void {
     try {
-      const told: unknown = this.parts.onReplaced?.(message);
-      if (told instanceof Promise) told.catch(() => {});
+      const returned: unknown = this.parts.onReplaced?.(message);
+      if (returned instanceof Promise) returned.catch(() => {});
     } catch {}
   }
 
@@ -339,7 +337,7 @@ export class Planner {
   }
 
   private abandon(reason: Error): void {
-    this.crew.end();
+    this.others.end();
     for (const request of this.requests.values()) request.reject(reason);
     for (const plan of this.plans.values()) plan.interrupt(reason);
     this.requests.clear();
@@ -347,7 +345,7 @@ export class Planner {
   }
 }
 
-/** The caller may go on using its bytes, and a worker that is replaced needs them again. */
+/** A copy of the bytes: the caller may change its own, and a new worker needs them again. */
 function ownCopy(bytes: ArrayBuffer | Uint8Array): ArrayBuffer {
   return new Uint8Array(bytes).slice().buffer;
 }

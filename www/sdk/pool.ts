@@ -1,69 +1,69 @@
 /**
- * A pool of planners for many files: so many are worked on at once, the others wait their turn. A worker that dies loses
- * nothing: its file is tried again from the start, once, by a new one; with the same seed and moves that gives the
- * same plan. Planners serve one file after the other, so what is held is no more than the pool's size in drawings.
+ * A pool of planners for many files: a fixed number of files are worked on at once, and the others wait their turn. When
+ * a worker dies, its file is tried once more from the start by a new worker; with the same seed and moves that gives the
+ * same plan. Each planner serves one file after the other, so the pool holds no more drawings than its size.
  */
 
 import { ClosedError } from './closed.js';
-import { functionsOn, type Functions, type Lend } from './functions.js';
-import { abortable } from './lend.js';
+import { createFunctions, type Functions, type WithPlanner } from './functions.js';
 import type { Planner } from './planner.js';
+import { abortable } from './with-planner.js';
 
-/** How large a pool is. */
+/** The size of a pool and of its queue. */
 export interface PoolOptions {
-  /** Files worked on at once, each in a worker of its own. Default: the processors there are. */
+  /** How many files are worked on at once, each in a worker of its own. Default: the number of processors. */
   size?: number;
-  /** Files that may wait besides before `room` lets its caller wait, too. Default: as many as are worked on. */
+  /** How many files may wait before `room` makes its caller wait too. Default: the same as `size`. */
   queue?: number;
 }
 
 /**
- * `inspect`, `plan`, `quote` and `render` by the pool's workers: each call waits its turn. To go through more files than fit
- * into memory, hand over what reads a file (`() => readFile(path)`), or wait for `room` before each. A file whose worker
- * died is planned anew, and its news begin anew.
+ * `inspect`, `plan`, `quote` and `render` on the pool's workers. Each call waits its turn. To process more files than fit
+ * into memory, pass a function that reads the file (`() => readFile(path)`), or wait for `room` before each call. When a
+ * worker dies, its file is planned again from the start, and its progress starts again too.
  */
 export interface Pool extends Functions {
-  /** Calls that wait for their turn: a server may refuse more when there are many. */
+  /** The number of calls that wait for their turn. A server may refuse more when it is large. */
   readonly waiting: number;
-  /** Resolves when there is room for one more file: all that wait are then at most the pool's `queue`. */
+  /** Resolves when there is room for one more file, so that at most `queue` calls wait. */
   room(): Promise<void>;
-  /** Ends the workers; what is under way or waits is rejected. An open pool keeps a process alive. */
+  /** Ends the workers. Calls that run or wait are rejected. An open pool keeps a Node process alive. */
   close(): void;
 }
 
 const CLOSED = 'The pool was closed.';
 
-/** Tries of a file whose worker died. */
+/** How often a file is tried when its worker dies: one death may be chance, a second one is probably due to the file. */
 const TRIES = 2;
 
-/** A call that waits. */
-interface Turn {
-  come: () => void;
-  refuse: (error: Error) => void;
+/** A call that waits for its turn. */
+interface QueuedCall {
+  start: () => void;
+  reject: (error: Error) => void;
 }
 
-/** A pool of planners, each of its own worker, that `open` gives. */
+/** A pool of planners that `open` creates, each with a worker of its own. */
 export function poolOf(open: () => Promise<Planner>, size: number, queue: number = size): Pool {
-  counted('size', size, 1);
-  counted('queue', queue, 0);
-  const benches = new Benches(open, size);
+  checkCount('size', size, 1);
+  checkCount('queue', queue, 0);
+  const planners = new PlannerQueue(open, size);
   const room = async () => {
-    while (benches.load >= size + queue) await benches.change();
+    while (planners.load >= size + queue) await planners.change();
   };
   return {
-    ...functionsOn(benches.lend),
+    ...createFunctions(planners.withPlanner),
     get waiting() {
-      return benches.waiting;
+      return planners.waiting;
     },
     room,
-    close: () => benches.close(),
+    close: () => planners.close(),
   };
 }
 
-/** Where the planners of a pool sit, and who waits for one. */
-class Benches {
+/** The planners of a pool, and the queue of calls that wait for one. */
+class PlannerQueue {
   private working = 0;
-  private readonly turns: Turn[] = [];
+  private readonly queue: QueuedCall[] = [];
   private readonly idle: Planner[] = [];
   private readonly all = new Set<Planner>();
   private watchers: (() => void)[] = [];
@@ -75,77 +75,79 @@ class Benches {
   ) {}
 
   get waiting(): number {
-    return this.turns.length;
+    return this.queue.length;
   }
 
-  /** Files that are worked on or wait. */
+  /** The number of calls that run or wait. */
   get load(): number {
-    return this.working + this.turns.length;
+    return this.working + this.queue.length;
   }
 
-  /** Resolves when a file is done with. */
+  /** Resolves when a call ends or leaves the queue. */
   change(): Promise<void> {
     return new Promise((resolve) => this.watchers.push(resolve));
   }
 
-  readonly lend: Lend = async (work, signal) => {
+  readonly withPlanner: WithPlanner = async (work, signal) => {
     await this.turn(signal);
     try {
-      const result = await this.tried(work, signal);
-      // What a planner had when it was closed is not the whole of what was asked.
+      const result = await this.runWithRetries(work, signal);
+      // The result of a planner that was closed meanwhile may be incomplete.
       if (this.closed) throw new ClosedError(CLOSED);
       return result;
     } catch (error) {
       throw this.closed ? new ClosedError(CLOSED) : error;
     } finally {
       this.working -= 1;
-      this.turns.shift()?.come();
-      this.tellChange();
+      this.queue.shift()?.start();
+      this.notify();
     }
   };
 
   close(): void {
     this.closed = true;
     for (const planner of this.all) planner.close();
-    for (const turn of this.turns.splice(0)) turn.refuse(new ClosedError(CLOSED));
-    this.tellChange();
+    for (const call of this.queue.splice(0)) call.reject(new ClosedError(CLOSED));
+    this.notify();
   }
 
+  /** Waits until fewer calls than the pool's size are running, and counts this one. */
   private async turn(signal: AbortSignal | undefined): Promise<void> {
     signal?.throwIfAborted();
     if (this.closed) throw new ClosedError(CLOSED);
-    if (this.working >= this.size) {
-      const turn: Turn = { come: () => {}, refuse: () => {} };
-      const come = new Promise<void>((resolve, reject) => {
-        turn.come = () => {
-          // Taken here and not by the one who waits: between the two nobody may slip in.
-          this.working += 1;
-          resolve();
-        };
-        turn.refuse = reject;
-      });
-      this.turns.push(turn);
-      try {
-        return await abortable(come, signal);
-      } catch (error) {
-        this.leave(turn);
-        throw error;
-      }
+    if (this.working < this.size) {
+      this.working += 1;
+      return;
     }
-    this.working += 1;
+    const call: QueuedCall = { start: () => {}, reject: () => {} };
+    const started = new Promise<void>((resolve, reject) => {
+      call.start = () => {
+        // Counted here and not after the promise has resolved: no other call may come in between.
+        this.working += 1;
+        resolve();
+      };
+      call.reject = reject;
+    });
+    this.queue.push(call);
+    try {
+      await abortable(started, signal);
+    } catch (error) {
+      this.leaveQueue(call);
+      throw error;
+    }
   }
 
-  private leave(turn: Turn): void {
-    const at = this.turns.indexOf(turn);
-    if (at >= 0) this.turns.splice(at, 1);
-    this.tellChange();
+  private leaveQueue(call: QueuedCall): void {
+    const index = this.queue.indexOf(call);
+    if (index >= 0) this.queue.splice(index, 1);
+    this.notify();
   }
 
-  private async tried<T>(work: (planner: Planner) => Promise<T>, signal: AbortSignal | undefined): Promise<T> {
+  private async runWithRetries<T>(work: (planner: Planner) => Promise<T>, signal: AbortSignal | undefined): Promise<T> {
     let why = '';
     for (let k = 0; k < TRIES; k++) {
-      // Not again one that was idle: what killed a worker may have killed those beside it, and not be told yet.
-      const planner = await (k === 0 ? this.seated() : this.opened());
+      // A retry always gets a new planner: what killed the first may have killed idle ones too, without their having said so yet.
+      const planner = await (k === 0 ? this.idleOrNew() : this.openPlanner());
       try {
         const result = await abortable(work(planner), signal);
         if (planner.replaced === null) {
@@ -154,7 +156,7 @@ class Benches {
         }
       } catch (error) {
         if (planner.replaced === null || signal?.aborted === true) {
-          // An aborted planner is still at work.
+          // After an abort the planner is still busy, so it cannot serve another file.
           if (signal?.aborted === true) this.dismiss(planner);
           else this.idle.push(planner);
           throw error;
@@ -166,16 +168,16 @@ class Benches {
     throw new Error(`${why} It was tried ${TRIES} times; this file may need more memory than there is.`);
   }
 
-  // An idle planner whose worker died meanwhile is of no use: it is busy starting another.
-  private async seated(): Promise<Planner> {
+  // An idle planner whose worker has died is not used: it is busy starting another worker.
+  private async idleOrNew(): Promise<Planner> {
     for (let planner = this.idle.pop(); planner !== undefined; planner = this.idle.pop()) {
       if (planner.replaced === null) return planner;
       this.dismiss(planner);
     }
-    return this.opened();
+    return this.openPlanner();
   }
 
-  private async opened(): Promise<Planner> {
+  private async openPlanner(): Promise<Planner> {
     const planner = await this.open();
     this.all.add(planner);
     if (this.closed) this.dismiss(planner);
@@ -187,11 +189,11 @@ class Benches {
     planner.close();
   }
 
-  private tellChange(): void {
+  private notify(): void {
     for (const resolve of this.watchers.splice(0)) resolve();
   }
 }
 
-function counted(name: string, count: number, least: number): void {
+function checkCount(name: string, count: number, least: number): void {
   if (!Number.isInteger(count) || count < least) throw new RangeError(`The pool's ${name} is ${count}. Give a whole number from ${least} on.`);
 }

@@ -1,58 +1,58 @@
 /**
- * The worker protocol and the data that crosses it: one file, typed, used by the worker, the package and the page.
+ * The messages between the package and its workers, and the types of the data in them.
  *
  * Units: mm, s, rad. Geometry and paths travel as transferable typed arrays; options and reports as plain objects.
  */
 
 import type { Material, Quote } from './quote.js';
 
-/** Units a drawing may be in. */
+/** The unit of a drawing. */
 export type Unit = 'in' | 'ft' | 'yd' | 'mil' | 'microinch' | 'um' | 'mm' | 'cm' | 'dm' | 'm';
-/** What is done with a contour or layer. */
+/** How the machine processes a contour or layer. */
 export type Operation = 'cut' | 'mark' | 'ignore';
-/** How much a finding matters: worth knowing; left out, changed or guessed, so look at it; cannot be cut as drawn. */
+/** The severity of a finding. Info: worth knowing. Warning: something was skipped, changed or guessed, so check it. Error: it cannot be cut as drawn. */
 export type Severity = 'info' | 'warning' | 'error';
 
-/** How a drawing is read and arranged. Everything is optional; nothing given means: header or guess, all layers cut. */
+/** How a drawing is read. All options are optional; by default all layers are cut. */
 export interface LoadOptions {
-  /** Units given by the person; otherwise the file's header or a guess. */
+  /** The unit of the drawing. Default: the unit in the file's header, or a guess. */
   units?: Unit;
-  /** Largest distance between a spline or ellipse and its lines and arcs, mm. Default 0.005. */
+  /** Largest distance between a spline or ellipse and the lines and arcs that replace it, mm. Default 0.005. */
   tolerance?: number;
-  /** Keep entities that were read through a break in the file. Default false. */
+  /** Whether to keep entities in a damaged place of the file. Default false. */
   keepDamaged?: boolean;
-  /** Ends nearer than this are joined, mm. Default 0.05. */
+  /** End points that are closer than this are joined, mm. Default 0.05. */
   joinTolerance?: number;
-  /** What is done with each layer, by name; the order of the list is the order by layer. */
+  /** The operation of each layer, by name. Their order is that of `orderByLayer`. */
   layers?: { name: string; operation: Operation }[];
-  /** Work layer after layer. Default false. */
+  /** Whether to process one layer after the other. Default false. */
   orderByLayer?: boolean;
-  /** Leave out the lone border around everything. Default false. */
+  /** Whether to ignore a single border around everything. Default false. */
   ignoreOutline?: boolean;
-  /** Work a part wholly, with all that lies in its holes, before the next one. Default false. */
+  /** Whether to finish each part, with everything in its holes, before the next one. Default false. */
   partByPart?: boolean;
   /**
-   * Contours that share cuts are pierced once and cut as a whole, where the machine makes pre-cuts. `best` (default): on
-   * the best way through them that is found; `insertion`: on that of the element insertion heuristic of Dewil et al.;
-   * `off`: every contour by itself, what two share with one of them.
+   * How contours with common cuts are cut on a machine that makes pre-cuts. `best` (default): pierced once and cut
+   * together on the best path through them that is found; `insertion`: on the path of the element insertion heuristic of
+   * Dewil et al.; `off`: each contour separately, and a common cut with one of its contours.
    */
   commonCuts?: CommonCuts;
-  /** Contours worked before all others, by id; what lies inside them, too. */
+  /** Ids of contours to process before all others, with everything inside them. */
   first?: number[];
-  /** Contours worked after all others, by id; what lies around them, too. */
+  /** Ids of contours to process after all others, with the contours around them. */
   last?: number[];
   /**
-   * Contours left out, by id: not cut, but told among the contours (to be ignored), so that the others keep their ids, and
-   * shown with what is ignored. What was a hole in one is a part by itself; a side that one shared with another contour is cut
-   * with that one.
+   * Ids of contours to skip. They stay in the list of contours with the operation `ignore`, so that the others keep their
+   * ids. A hole in a skipped contour becomes a part of its own. A side that a skipped contour shares with another contour
+   * is cut with the other one.
    */
   exclude?: number[];
 }
 
-/** What is done with cuts that contours share. */
+/** How contours with common cuts are cut. */
 export type CommonCuts = 'best' | 'insertion' | 'off';
 
-/** What a finding is about. Later versions may add codes. */
+/** The kind of a finding. Later versions may add codes. */
 export type FindingCode =
   | 'unsupported-entity' | 'damaged-entity' | 'resynchronised' | 'truncated' | 'bad-number' | 'invalid-geometry' | 'missing-block' | 'cyclic-block'
   | 'hidden-entity' | 'units-guessed' | 'units-doubtful' | 'encoding' | 'projected' | 'outline-taken'
@@ -60,7 +60,7 @@ export type FindingCode =
   | 'open-contour' | 'several-layers' | 'sheet-outline' | 'layer-suggestion' | 'layer-ignored' | 'contour-excluded' | 'layer-unknown'
   | 'kerf-not-applied' | 'far-from-origin' | 'not-all-checked' | 'more';
 
-/** Something a person should know about the drawing, with its place. */
+/** Something that a person should know about the drawing, with its position. */
 export interface Finding {
   code: FindingCode;
   severity: Severity;
@@ -71,19 +71,19 @@ export interface Finding {
   count: number;
 }
 
-/** A layer of the drawing, and what is done with it. */
+/** A layer of the drawing and its operation. */
 export interface LayerUse {
   name: string;
   /** AutoCAD colour index. */
   color: number;
   operation: Operation;
-  /** What its name suggests, where that differs. */
+  /** The operation that its name suggests, if that is another one. */
   suggestion: Operation | null;
   rank: number;
   contours: number;
 }
 
-/** The units a drawing was read in, and why. */
+/** The unit in which a drawing was read, and why. */
 export interface UnitsTaken {
   unit: Unit;
   source: 'header' | 'guessed' | 'given';
@@ -91,12 +91,12 @@ export interface UnitsTaken {
   doubtful: boolean;
 }
 
-/** A contour: mm and mm2. */
+/** A contour. Lengths are in mm, areas in mm2. */
 export interface ContourInfo {
   id: number;
   closed: boolean;
   layer: string;
-  /** `ignore`: left out by itself, by `exclude` or as the border. */
+  /** `ignore`: skipped by the option `exclude`, or as the border. */
   operation: Operation;
   /** The contour around it. */
   inside: number | null;
@@ -104,38 +104,38 @@ export interface ContourInfo {
   area: number;
 }
 
-/** Elements of contours. */
+/** The lines and arcs of contours. */
 export interface Geometry {
-  /** Seven numbers an element: x0, y0, x1, y1, centre x, centre y, sweep (0: a line). */
+  /** Seven numbers per element: x0, y0, x1, y1, centre x, centre y, sweep angle (0 for a line). */
   segments: Float64Array;
-  /** Element index at which each contour starts; one more at the end. */
+  /** The index of each contour's first element, and the number of elements at the end. */
   offsets: Uint32Array;
 }
 
-/** What a drawing turned out to hold. */
+/** The contents of a drawing. */
 export interface Loaded {
   name: string;
   sha256: string;
   version: string | null;
   units: UnitsTaken;
-  /** Entities of model space by kind. */
+  /** Entities of model space, counted by kind. */
   entities: { kind: string; count: number; supported: boolean }[];
   layers: LayerUse[];
   contours: ContourInfo[];
-  /** Part of each contour (index into parts), parts as outer contour, holes, and the part around. */
+  /** The parts: the outer contour, the holes, and the index of the part around it. */
   parts: { outer: number; holes: number[]; inside: number | null }[];
-  /** The contour that looks like the sheet's border. */
+  /** The contour that seems to be the sheet's border. */
   outline: number | null;
   /** xmin, ymin, xmax, ymax in mm. */
   bounds: [number, number, number, number];
   findings: Finding[];
-  /** Contours, by id. */
+  /** The lines and arcs of the contours, by id. */
   geometry: Geometry;
-  /** Shown, not cut: one entry a chain, with its layer index. First ignored layers, then contours left out, by id. */
+  /** Chains that are shown but not cut, each with the index of its layer: first those of ignored layers, then skipped contours by id. */
   ignored: { geometry: Geometry; layers: Uint32Array };
 }
 
-/** A machine with a material on it; see `machine/profile.rs`. */
+/** A machine set up for a material; see `machine/profile.rs`. */
 export interface MachineProfile {
   version: 1;
   name: string;
@@ -149,17 +149,17 @@ export interface MachineProfile {
   junction_deviation: number | null;
   pierce_time: number;
   /**
-   * Seconds of a pre-cut: a contour may be left unfinished wherever one is made, and resumed there without piercing.
-   * 0: left free of charge; null or nothing: contours are cut in one go.
+   * The time of a pre-cut, s. A cut may stop where a pre-cut is made and resume there later without piercing. 0: cuts may
+   * be interrupted at no cost. Null or absent: every contour is cut without interruption.
    */
   pre_cut_time?: number | null;
-  /** How far a pre-cut reaches into the contour, mm: cut there and back within `pre_cut_time`. Default 0. */
+  /** The length of a pre-cut along the contour, mm. `pre_cut_time` includes the way there and back. Default 0. */
   pre_cut_length?: number;
-  /** Cuts pause for `time` seconds in corners of less than `angle` rad; null or nothing: nowhere. */
+  /** The beam pauses for `time` seconds in corners of less than `angle` rad. Null or absent: no pauses. */
   sharp_corner?: { angle: number; time: number } | null;
   /**
-   * How wide the beam cuts, mm, from 0.02 to 10. Contours are then outlines of parts and holes, and the beam follows them half
-   * of this aside. 0 or nothing: it follows the lines drawn.
+   * The width of the cut, mm, from 0.02 to 10. Contours are then the outlines of parts and holes, and the beam follows them
+   * offset by half the kerf width. 0 or absent: the beam follows the drawn lines.
    */
   kerf_width?: number;
   beam_on_delay: number;
@@ -169,57 +169,58 @@ export interface MachineProfile {
 }
 
 /**
- * The contours as they are cut where these are not the lines drawn, by id: those of `Loaded` keep their ids, further pieces of
- * contours of which others cut the rest come after them. A contour of which others cut everything is there with the operation
- * `ignore`. Areas are those of what is made.
+ * The contours as the beam follows them, by id. Contours of `Loaded` keep their ids. A contour of which other contours
+ * cut a part may fall into several pieces, which come after them; one that others cut entirely has the operation
+ * `ignore`. Areas are those of the finished parts.
  */
 export interface Beam {
   contours: ContourInfo[];
   geometry: Geometry;
 }
 
-/** When a plan stops; with both, whichever comes first. */
+/** When a plan ends. If both are given, the first to be reached ends it. */
 export interface Budget {
   /** After this many seconds of work. */
   seconds?: number;
-  /** After this many moves: the same seed and moves give the same bytes everywhere. */
+  /** After this many moves. The same seed and number of moves give the same bytes everywhere. */
   moves?: number;
 }
 
 /** How a drawing is planned. */
 export interface PlanOptions extends Budget {
-  /** A preset's name or a whole profile. Default `co2-100w`. */
+  /** The name of a preset, or a profile. Default `co2-100w`. */
   machine?: string | MachineProfile;
-  /** A method's name. Default: the first of `methods()`. */
+  /** The name of a method. Default: the first of `Planner.methods`. */
   method?: string;
-  /** Parameters of a method from a paper, those that differ from its defaults: see `Planner.paperMethods`. */
+  /** Parameters of a method from a paper that differ from their defaults: see `Planner.paperMethods`. */
   parameters?: Record<string, unknown>;
-  /** Decides every random choice. Default: invented, and told in the result. */
+  /** The seed of all random choices. Default: a random seed, which the result contains. */
   seed?: number;
   /** A path to start from. */
   warm?: WarmPath;
   /**
-   * Searches side by side, each in a worker of its own and on random numbers of its own, that hand the best path on
-   * at fixed counts of moves; a budget in moves is that of each. Default 1; the same number gives the same bytes.
+   * The number of parallel searches, each in a worker of its own with its own random numbers. They exchange the best path
+   * at fixed numbers of moves, so the same number of workers gives the same bytes. A budget in moves applies to each
+   * search. Default 1.
    */
   workers?: number;
 }
 
-/** As much of a path as a search needs to start from it. */
+/** The part of a path that a search needs to start from it. */
 export type WarmPath = Pick<BestPath, 'contours' | 'along' | 'reversed'> & Partial<Pick<BestPath, 'until'>>;
 
-/** What a worker is told of its place among others: which of the random streams of the seed is its own. */
+/** The number of a worker among several, which selects its stream of random numbers. */
 export interface Membership {
   member?: number;
 }
 
-/** A plan as the core is told of it. */
+/** The options of a plan as the core gets them. */
 export interface StartOptions extends Omit<PlanOptions, 'parameters'>, Membership {
-  /** JSON text. It says that the method is a paper's, which works beside the planner. */
+  /** The parameters as JSON text, set for methods from papers only. */
   parameters?: string;
 }
 
-/** What a plan adds up to, mm and s; see `plan/model.rs`. */
+/** Times and lengths of a plan, in s and mm; see `plan/model.rs`. */
 export interface Summary {
   contours: number;
   open_contours: number;
@@ -239,42 +240,42 @@ export interface Summary {
   bounds: [number, number, number, number];
 }
 
-/** The order of the head, for drawing: stop k cuts `contours[k]`, or a stretch of it. */
+/** The path of the head as a sequence of stops: stop k cuts `contours[k]`, or a stretch of it. */
 export interface BestPath {
   contours: Uint32Array;
   /** Entry x, y and exit x, y of each stop. */
   points: Float64Array;
   /** Arc length from the contour's stored start to the entry, mm. */
   along: Float64Array;
-  /** The same to where the stop ends; equal: all of the contour. One that is left unfinished has several stops. */
+  /** Arc length from the stored start to where the stop ends, mm. Equal to `along`: the whole contour. A contour that is cut in several stretches has several stops. */
   until: Float64Array;
-  /** 1 where a stop runs its contour against the stored direction. */
+  /** 1 if the stop follows its contour against the stored direction. */
   reversed: Uint8Array;
-  /** Seconds from the start of the job at which each stop's cut begins and ends: 2 a stop. */
+  /** When the cut of each stop begins and ends, in seconds from the start of the job: two numbers per stop. */
   times: Float64Array;
-  /** Where pre-cuts are made: x, y each. */
+  /** The positions of pre-cuts: x and y of each. */
   preCuts: Float64Array;
-  /** Sharp corners in which a cut pauses: x, y each. */
+  /** The sharp corners in which the beam pauses: x and y of each. */
   pauses: Float64Array;
 }
 
-/** How a search stands. */
+/** The progress of a search. */
 export interface Progress {
-  /** Moves the search has done. */
+  /** The number of moves that the search has made. */
   moves: number;
-  /** Seconds since the search began (of work, pauses left out). */
+  /** Seconds of search, without pauses. */
   seconds: number;
-  /** Moves a second, of late. */
+  /** Recent moves per second. */
   rate: number;
-  /** Sums of the best plan so far. */
+  /** Times and lengths of the best plan so far. */
   summary: Summary;
-  /** Set when the best changed since the last message. */
+  /** The path of the best plan, if it has changed since the last message. */
   path: BestPath | null;
-  /** What makes a method from a paper special, as it stands now. */
+  /** The internal state of a method from a paper. */
   insight?: Insight;
 }
 
-/** A method of planning. */
+/** A planning method. */
 export interface MethodInfo {
   name: string;
   title: string;
@@ -284,61 +285,61 @@ export interface MethodInfo {
 
 /** A method from a published paper. */
 export interface PaperMethod extends MethodInfo {
-  /** What may be set of it, with the defaults: the paper's values where it gives them. */
+  /** The parameters with their defaults, which are the paper's values if it gives them. */
   parameters: Record<string, unknown>;
 }
 
-/** Numbers of a method from a paper at one time; see `solve/papers/insight.rs`. */
+/** The internal state of a method from a paper at one time; see `solve/papers/insight.rs`. */
 export interface Insight {
-  /** Iterations or generations done. */
+  /** The number of iterations or generations so far. */
   round: number;
-  /** Values now, to be drawn against the round. */
+  /** Current values, to be plotted against the round. */
   curves: { name: string; value: number }[];
-  /** A table of numbers, such as a Q-table; `at`: the one last used. */
+  /** A table of numbers, such as a Q-table. `at` is the index of the entry that was used last. */
   grid: { name: string; rows: string[]; columns: string[]; values: number[]; at: number | null } | null;
   /**
-   * The partitions of the best path, of methods that make them: the partition of each contour (0: home's), and where each but
-   * home's hangs, a place on a contour that is left for it, mm.
+   * The partitions of the best path, if the method uses them: the partition of each contour (0 is that of home), and the
+   * contour and point (mm) from which each other partition is entered.
    */
   partitions: { of: number[]; parents: { contour: number; at: [number, number] }[] } | null;
 }
 
-/** How the job would run without a search. */
+/** Plans without a search, for comparison. */
 export interface Baselines {
-  /** As drawn: drawing order, first point of each contour. */
+  /** The contours in the order of the drawing, each from its first point. */
   drawing: Summary;
-  /** Always the nearest allowed contour. */
+  /** The nearest allowed contour next. */
   greedy: Summary;
 }
 
-/** What came of a slice of work, as the core tells the worker. */
+/** The result of a slice of search, as the core returns it. */
 export interface Slice {
-  /** Moves done in it. */
+  /** The number of moves made. */
   done: number;
-  /** The best changed in it. */
+  /** Whether the best plan has changed. */
   improved: boolean;
   end: 'running' | 'budget' | 'exhausted';
-  /** Seconds that no plan takes less than; 0 before anything is proven. */
+  /** A lower bound of the time of any plan, s; 0 before one is proven. */
   bound: number;
 }
 
-/** What a plan can be written as. */
+/** The format of an output. */
 export type OutputKind = 'gcode' | 'svg' | 'dxf' | 'json' | 'png';
 
-/** Why a plan ended; `replaced`: its worker died, what it had told is kept. */
+/** Why a plan ended. `replaced`: its worker died, and the best plan that it had reported is kept. */
 export type DoneReason = 'budget' | 'stopped' | 'exhausted' | 'replaced';
 
-/** Messages to a worker; whoever uses the functions needs none of them. */
+/** Messages to a worker. Callers of the functions do not need them. */
 export type ToWorker =
-  /** Comes first: the compiled planner, shared by all workers. */
+  /** The first message: the compiled planner, which all workers share. */
   | { type: 'init'; planner: WebAssembly.Module }
   | { type: 'load'; id: number; bytes: ArrayBuffer; name: string; options: LoadOptions }
-  /** Reads the bytes of the last load again with other options. */
+  /** Reads the bytes of the last `load` again with other options. */
   | { type: 'reload'; id: number; options: LoadOptions }
   | { type: 'plan'; id: number; options: PlanOptions & Membership }
-  /** Goes on with the plan that is done, for another budget. */
+  /** Continues the finished plan for another budget. */
   | { type: 'continue'; id: number; budget: Budget }
-  /** All have met: goes on, from a better path if there is one. After the end it is taken over and told in `done`. */
+  /** Ends an exchange between searches: continues from `path` if it is faster. After the end of a search, it takes over the path and answers with `done`. */
   | { type: 'meet'; id: number; path: WarmPath | null }
   | { type: 'pause' }
   | { type: 'resume' }
@@ -347,13 +348,13 @@ export type ToWorker =
   | { type: 'quote'; id: number; material: Material }
   | { type: 'output'; id: number; kind: OutputKind; width?: number };
 
-/** Messages of a worker. */
+/** Messages from a worker. */
 export type FromWorker =
   | { type: 'ready'; methods: MethodInfo[]; machines: MachineProfile[] }
   | { type: 'loaded'; id: number; loaded: Loaded }
   | { type: 'started'; id: number; seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry | null }
   | { type: 'progress'; id: number; progress: Progress }
-  /** One of several searches has come to where they meet, and waits. */
+  /** One of several searches has reached an exchange and waits for the others. */
   | { type: 'meeting'; id: number; progress: Progress }
   | { type: 'bound'; id: number; lowerBound: number }
   | { type: 'done'; id: number; reason: DoneReason; progress: Progress }
@@ -362,5 +363,5 @@ export type FromWorker =
   | { type: 'output'; id: number; kind: OutputKind; data: string | Uint8Array }
   /** One sentence for people. */
   | { type: 'failed'; id: number; message: string }
-  /** The planner died and this worker is of no more use: one sentence for people. */
+  /** The planner has crashed and this worker cannot be used any more: one sentence for people. */
   | { type: 'broken'; message: string };

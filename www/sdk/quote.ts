@@ -2,22 +2,22 @@
 
 import type { FindingCode, MachineProfile, Severity, Unit } from './protocol.js';
 
-/** What the sheet is made of. */
+/** The material of the sheet. */
 export interface Material {
-  /** For people. */
+  /** A name, which is only shown. */
   name?: string;
-  /** mm. */
+  /** The thickness in mm. */
   thickness?: number;
-  /** g/cm3: mild steel 7.85, aluminium 2.70, acrylic 1.19. */
+  /** The density in g/cm3: mild steel 7.85, aluminium 2.70, acrylic 1.19. */
   density?: number;
 }
 
-/** What a price needs to know of a job; every field is told in docs/quote.md. */
+/** What a price depends on. docs/quote.md describes every field. */
 export interface Quote {
   schema: 'kerfway.quote/1';
   /**
-   * SHA-256 over the whole report (this field empty): the same for the same drawing, options, seed and moves, natively,
-   * under Node and in every browser. A server that plans again with `moves` confirms what a browser said by it.
+   * SHA-256 of the whole report with this field empty. The same drawing, options, seed and moves give the same hash
+   * natively, in Node and in every browser. A server that plans again with `moves` can confirm the report of a browser.
    */
   hash: string;
   input: { sha256: string; name: string; units: Unit; units_source: 'header' | 'guessed' | 'given' };
@@ -27,7 +27,7 @@ export interface Quote {
   method: string;
   parameters: string | null;
   seed: number;
-  /** Moves the search did. */
+  /** The number of moves that the search made. */
   moves: number;
   workers: number | null;
   material: { name: string | null; thickness: number | null; density: number | null };
@@ -38,17 +38,17 @@ export interface Quote {
   pre_cuts: number;
   layers: { layer: string; operation: 'cut' | 'mark'; contours: number; open: number; length: number }[];
   part_count: number;
-  /** Same parts together, the largest first; mirrored ones are the same. Figures are those of one. */
+  /** Groups of equal parts, the largest part first. Mirrored parts are equal. The figures are those of one part. */
   parts: { count: number; net_area: number; cut_length: number; holes: number; contours: number[] }[];
-  /** xmin, ymin, xmax, ymax of all that is worked. */
+  /** xmin, ymin, xmax, ymax of everything that is cut or marked. */
   bounds: [number, number, number, number];
   net_area: number;
   box_area: number;
-  /** When thickness and density are given. */
+  /** The weight of the parts in g, if thickness and density are given. */
   weight: number | null;
-  /** The hole of the least width: a circle's diameter, a slot's width. */
+  /** The narrowest hole: a circle's diameter, a slot's width. */
   smallest_hole: { contour: number; width: number; over_thickness: number | null } | null;
-  /** Where two cuts of one part come nearest to each other. */
+  /** The narrowest web: where two cuts of one part are closest to each other. */
   narrowest_web: { contours: [number, number]; width: number; at: [number, number]; over_thickness: number | null } | null;
   defects: { code: FindingCode; severity: Severity; count: number }[];
   confidence: { level: 'high' | 'medium' | 'low'; reasons: string[] };

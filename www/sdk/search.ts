@@ -1,6 +1,6 @@
 /**
- * Runs the search of a job in slices of about 20 ms and lets messages in between, so that pause and stop take effect
- * at once. Reports every improvement, at most one a frame, and never loses the last.
+ * Runs the search of a job in slices of about 20 ms. Messages are handled between slices, so that pause and stop take
+ * effect at once. Improvements are reported at most once per frame, and the last one is always reported.
  */
 
 import { bounded } from './bound.js';
@@ -8,7 +8,7 @@ import type { Job } from './pkg/kerfway.js';
 import type { Budget, DoneReason, Progress, Slice, Summary, WarmPath } from './protocol.js';
 import { stepFor } from './slice.js';
 
-/** What a search tells. */
+/** Receives the messages of a search. */
 export interface Listener {
   progress(message: { id: number; progress: Progress }): void;
   done(message: { id: number; reason: DoneReason; progress: Progress }): void;
@@ -17,65 +17,68 @@ export interface Listener {
   failed(id: number, error: unknown): void;
 }
 
-/** Long enough that calls into wasm and messages cost nothing beside it, short enough that stop is at once. */
+/** Length of a slice: long enough that calls into wasm and messages cost nothing in comparison, short enough for an immediate stop. */
 const SLICE_MS = 20;
-/** A path is posted at most this often: a page draws no more than 60 frames a second, and eyes follow fewer. */
+/** Shortest time between two paths. A page draws at most 60 frames a second, and eyes follow fewer. */
 const FRAME_MS = 30;
-/** Without improvements a number still moves: the moves done, four times a second. */
-const PULSE_MS = 250;
-/** Work put into telling of improvements is at most a fifth of the whole: on large sheets a path takes longer. */
-const TELLING_SHARE = 4;
-/** Moves of the very first slice, before anything is known of their speed. */
+/** Longest time between two reports, so that the number of moves keeps changing while there is no improvement. */
+const QUIET_MS = 250;
+/** After a report the search runs at least this many times as long, so that reports take a fifth of the time at most: the path of a large sheet takes long to copy. */
+const SEARCH_PER_REPORT = 4;
+/** Moves of the first slice, whose speed is not known yet. */
 const FIRST_WORK = 256;
-/** The most moves asked for at once: fits the 32 bits of the call. */
+/** Most moves of one call: the argument has 32 bits. */
 const MOST_WORK = 1e9;
 /**
- * Moves at which several searches meet: first after so many, a third of a second's worth, then as often as they double,
- * as the cycles of the search do, and from the second on after so many each, some five seconds' worth.
+ * Numbers of moves at which several searches exchange their paths. The first exchange is after `first` moves (about a
+ * third of a second). Then the number doubles, like the cycles of the search, until exchanges are `interval` moves apart
+ * (about five seconds).
  */
-const MEETINGS = { first: 2 ** 20, apart: 2 ** 24 };
+const EXCHANGES = { first: 2 ** 20, interval: 2 ** 24 };
 
 export class Search {
   private id = -1;
   private work = FIRST_WORK;
   private scheduled = false;
   private state: 'running' | 'paused' | 'ended' = 'ended';
-  /** Moves at which the others are met; none when alone. */
+  /** Number of moves of the next exchange with the other searches; infinite when there are none. */
   private meetAt = Infinity;
-  /** When it came to where they meet; it waits. */
+  /** Since when this search waits for the others, in milliseconds of the clock; `null` while it runs. */
   private waitingSince: number | null = null;
-  /** Milliseconds of work, pauses left out. */
+  /** Milliseconds of work, without pauses. */
   private worked = 0;
-  /** When this budget is used up, on the same clock. */
+  /** The value of `worked` at which the budget is used up. */
   private until = Infinity;
+  /** Moves per second. */
   private rate = 0;
-  private untold = true;
+  /** Whether the best path has not been reported yet. */
+  private unreported = true;
   private summary: Summary | null = null;
   private bound = 0;
-  private tellAfter = 0;
-  private pulseAt = 0;
+  private reportAfter = 0;
+  private reportBy = 0;
 
   constructor(
     private readonly job: Job,
     private readonly listener: Listener,
     workers = 1,
   ) {
-    if (workers > 1) this.meetAt = MEETINGS.first;
+    if (workers > 1) this.meetAt = EXCHANGES.first;
   }
 
-  /** Starts on a budget; every message bears this id. */
+  /** Starts the search with a budget. All messages carry this id. */
   run(id: number, budget: Budget): void {
     this.id = id;
     this.until = this.worked + (budget.seconds ?? Infinity) * 1000;
     this.state = 'running';
-    this.tell();
+    this.report();
     this.schedule();
   }
 
-  /** Goes on after the end, for another budget. */
+  /** Continues a search that has ended, with another budget. */
   extend(id: number, budget: Budget): void {
     this.job.extend(budget);
-    this.untold = true;
+    this.unreported = true;
     this.run(id, budget);
   }
 
@@ -93,19 +96,19 @@ export class Search {
     if (this.state !== 'ended') this.end('stopped');
   }
 
-  /** Goes on after a meeting; after the end, takes the path over and tells it. */
+  /** Continues after an exchange, from `path` if that is faster. After the end, takes over the path and reports it. */
   meet(path: WarmPath | null): void {
-    if (path !== null) this.untold = this.job.offer(path) || this.untold;
+    if (path !== null) this.unreported = this.job.offer(path) || this.unreported;
     if (this.state === 'ended') return this.end('stopped');
     if (this.waitingSince === null) return;
-    // Seconds are granted by the clock: waiting counts.
+    // A budget in seconds is one of the clock, so waiting counts.
     this.worked += performance.now() - this.waitingSince;
     this.waitingSince = null;
-    this.meetAt += Math.min(this.meetAt, MEETINGS.apart);
+    this.meetAt += Math.min(this.meetAt, EXCHANGES.interval);
     this.schedule();
   }
 
-  // One slice waits at most, also when a pause and a resume come before it has its turn.
+  // At most one slice is scheduled, even if a pause and a resume come before it runs.
   private schedule(): void {
     if (this.scheduled) return;
     this.scheduled = true;
@@ -140,67 +143,67 @@ export class Search {
     }
   }
 
-  // After a slice: it ends, waits for the others, tells, or just goes on.
+  // After a slice: ends, waits for the other searches, reports, or just continues.
   private proceed(end: Slice['end'], atMeeting: boolean): void {
     if (this.state !== 'running') return;
     if (end !== 'running') return this.end(end);
     if (this.worked >= this.until) return this.end('budget');
     if (atMeeting) return this.wait();
     const now = performance.now();
-    if ((this.untold && now >= this.tellAfter) || now >= this.pulseAt) this.tell();
+    if ((this.unreported && now >= this.reportAfter) || now >= this.reportBy) this.report();
     this.schedule();
   }
 
   private wait(): void {
     this.waitingSince = performance.now();
-    this.untold = true;
+    this.unreported = true;
     this.listener.meeting({ id: this.id, progress: this.progress() });
   }
 
   private account(done: number, improved: boolean, ms: number): void {
     this.worked += ms;
-    this.untold ||= improved;
+    this.unreported ||= improved;
     const pace = done / Math.max(ms, 0.05);
-    // Of late: an average over the last dozen slices.
+    // A moving average over about twelve slices.
     this.rate += (pace * 1000 - this.rate) * (this.rate === 0 ? 1 : 1 / 12);
     const fitting = (pace * SLICE_MS) / this.work;
     this.work = Math.min(Math.max(this.work * Math.min(Math.max(fitting, 0.25), 4), 1), MOST_WORK);
   }
 
-  // The last message always holds the path, told before or not: whoever waits for the end alone has all of it.
+  // The last message always contains the path, even if it was reported before: a caller may wait for the end alone.
   private end(reason: DoneReason): void {
     this.state = 'ended';
     this.waitingSince = null;
-    this.untold = true;
+    this.unreported = true;
     this.listener.done({ id: this.id, reason, progress: this.progress() });
   }
 
-  private tell(): void {
+  private report(): void {
     const start = performance.now();
     this.listener.progress({ id: this.id, progress: this.progress() });
     const end = performance.now();
     this.worked += end - start;
-    this.tellAfter = end + Math.max(FRAME_MS, TELLING_SHARE * (end - start));
-    this.pulseAt = end + PULSE_MS;
+    this.reportAfter = end + Math.max(FRAME_MS, SEARCH_PER_REPORT * (end - start));
+    this.reportBy = end + QUIET_MS;
   }
 
   private progress(): Progress {
     let [path, summary]: [Progress['path'], Summary | null] = [null, this.summary];
-    if (this.untold || summary === null) {
+    if (this.unreported || summary === null) {
       ({ path, summary } = this.job.best());
       this.summary = summary;
-      this.untold = false;
+      this.unreported = false;
     }
     const insight = this.job.insight();
     const seconds = this.worked / 1000;
-    const all = { moves: this.job.moves(), seconds, rate: this.rate, summary: bounded(summary, this.bound), path };
-    return insight === null ? all : { ...all, insight };
+    const progress = { moves: this.job.moves(), seconds, rate: this.rate, summary: bounded(summary, this.bound), path };
+    return insight === null ? progress : { ...progress, insight };
   }
 }
 
 /**
- * Runs `next` after waiting messages have been let in. Not by `setTimeout`, which browsers hold back to 4 ms when
- * nested; not by a message channel under Node, where one port can starve another.
+ * Runs `next` after pending messages have been handled. Browsers delay nested calls of `setTimeout` to 4 ms, so it is not
+ * used; in Node a message channel is not used either, because one port can starve another there.
  */
 const later: (next: () => void) => void =
   typeof setImmediate === 'function'

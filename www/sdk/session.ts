@@ -1,6 +1,6 @@
 /**
- * The worker's side of the protocol: one drawing, one plan at a time. It knows neither Web Workers nor worker threads;
- * a `Host` sends its messages and finds the PNG renderer.
+ * The worker's side of the protocol: one drawing and one plan at a time. It works in Web Workers and in worker threads: a
+ * `Host` sends its messages and loads the other wasm files.
  */
 
 import * as planner from './pkg/kerfway.js';
@@ -10,32 +10,32 @@ import type { FromWorker, LoadOptions, Membership, OutputKind, PlanOptions, ToWo
 import type { Material, Quote } from './quote.js';
 import { Search } from './search.js';
 
-/** The planner with the methods of papers and benchmark instances: it does all that `kerfway.wasm` does, and more. */
+/** The planner with the methods of papers and benchmark instances. It can do everything that `kerfway.wasm` can. */
 type Research = typeof import('./pkg/kerfway_research.js');
 type Png = typeof import('./pkg/kerfway_png.js');
 
-/** What a session needs of the place it runs in. */
+/** What a session needs from the platform it runs on. */
 export interface Host {
   post(message: FromWorker, transfer?: ArrayBuffer[]): void;
-  /** The research build, loaded when a method of a paper is first asked for. */
+  /** Loads the research build, when a method from a paper is first used. */
   research(): Promise<Research>;
-  /** The PNG renderer, loaded when first asked for. */
+  /** Loads the PNG renderer, when it is first used. */
   png(): Promise<Png>;
 }
 
-/** Pixels across when nobody says how wide a picture should be. */
+/** Default width of a picture, in pixels. */
 const PNG_WIDTH = 1600;
 
-/** Answers messages, each `load`, `plan` and `output` with one final message of the same id. */
+/** Handles messages. Each request is answered by one final message with the same id. */
 export class Session {
   private job: Job | null = null;
   private search: Search | null = null;
-  /** The build at work. */
+  /** The build that runs the job. */
   private build: typeof planner | Research = planner;
   private png: Png | null = null;
   /** How the drawing was loaded, for loading it again in the research build. */
   private source: { name: string; options: LoadOptions } = { name: '', options: {} };
-  /** Messages that come in while the research build is loaded. */
+  /** Messages that have arrived while the research build is being loaded; `null` when it is not. */
   private held: ToWorker[] | null = null;
 
   constructor(private readonly host: Host) {}
@@ -65,14 +65,14 @@ export class Session {
         this.job = null;
         this.source = { name: message.name, options: given(message.options) };
         this.job = new this.build.Job(new Uint8Array(message.bytes), message.name, this.source.options);
-        this.tellLoaded(message.id);
+        this.postLoaded(message.id);
         return;
       case 'reload':
         this.search?.stop();
         this.search = null;
         this.loaded().reload(given(message.options));
         this.source.options = given(message.options);
-        this.tellLoaded(message.id);
+        this.postLoaded(message.id);
         return;
       case 'plan':
         this.search?.stop();
@@ -81,7 +81,7 @@ export class Session {
         else this.plan(message.id, message.options);
         return;
       case 'continue':
-        if (this.search === null) throw new Error('There is no plan to go on with. Start one first.');
+        if (this.search === null) throw new Error('There is no plan to continue. Start one first.');
         this.search.stop();
         this.search.extend(message.id, message.budget);
         return;
@@ -114,7 +114,7 @@ export class Session {
     return this.job;
   }
 
-  private tellLoaded(id: number): void {
+  private postLoaded(id: number): void {
     const job = this.loaded();
     const loaded = { ...job.report(), geometry: job.geometry(), ignored: job.ignored() };
     const arrays = [loaded.geometry, loaded.ignored.geometry].flatMap((g) => [g.segments, g.offsets]);
@@ -149,7 +149,7 @@ export class Session {
     const { method, parameters, ...others } = given(options);
     const isPaper = method !== undefined && !this.build.methods().some((m) => m.name === method);
     if (!isPaper && parameters !== undefined) throw new Error('Only methods from papers have parameters.');
-    if (isPaper && (options.workers ?? 1) > 1) throw new Error('Methods from papers work alone: leave out the number of workers.');
+    if (isPaper && (options.workers ?? 1) > 1) throw new Error('Methods from papers use one worker: omit the number of workers.');
     const text = isPaper ? JSON.stringify(parameters ?? {}) : undefined;
     const started = job.start({ ...others, ...given({ method, parameters: text }), ...budget, seed });
     const lines = [started.common, started.beam?.geometry].filter((g) => g !== null && g !== undefined);
@@ -164,7 +164,7 @@ export class Session {
     this.search.run(id, { ...options, ...budget });
   }
 
-  // What is loaded or written first: the answer goes out when it is there.
+  // Sends an answer that takes time to make, because a wasm file may have to be loaded first.
   private async reply(id: number, make: () => Promise<[FromWorker, ArrayBuffer[]?]>): Promise<void> {
     try {
       this.host.post(...(await make()));
@@ -189,8 +189,8 @@ export class Session {
     return [{ type: 'output', id, kind, data }, buffers([data])];
   }
 
-  // Errors of ours carry one sentence for people. Anything that comes from the wasm machine itself (a trap, memory
-  // that ran out) has left the instance unusable.
+  // Our own errors have one sentence for people. An error of the wasm engine itself (a trap, or no memory left) leaves
+  // the instance unusable.
   private fail(id: number, error: unknown): void {
     if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) {
       this.search = null;
@@ -202,7 +202,7 @@ export class Session {
   }
 }
 
-/** What the panic that ended an instance said. An instance that ended otherwise may not answer. */
+/** The message of the panic that ended an instance. An instance that ended for another reason may not answer. */
 function panicOf(build: { lastPanic(): string | undefined }): string | undefined {
   try {
     return build.lastPanic();
@@ -211,7 +211,7 @@ function panicOf(build: { lastPanic(): string | undefined }): string | undefined
   }
 }
 
-/** Options without those that are `undefined`: to the core they are not given. */
+/** The options without those that are `undefined`, which the core would not take for absent. */
 function given<T extends object>(options: T): T {
   return Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined)) as T;
 }

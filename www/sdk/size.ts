@@ -1,9 +1,9 @@
 /**
- * The largest file that is read. Whoever reads a file asks here first, so that a file that is too large costs no memory.
+ * The limit on the size of a file. It is checked before a file is read, so that a file that is too large costs no memory.
  * The number is that of `Limits` in `src/dxf/drawing.rs`; a Rust test compares the two.
  */
 
-/** Bytes of the largest file that can be read. */
+/** The size of the largest file that can be read, in bytes. */
 export const MAX_BYTES = 256 * 2 ** 20;
 
 /** Why a file of this size is refused, in one sentence for people; `null` when it can be read. */
@@ -11,12 +11,12 @@ export function tooLarge(bytes: number): string | null {
   return bytes <= MAX_BYTES ? null : refusal(`${megabytes(bytes)} MB`);
 }
 
-/** Why a stream is refused that has not ended after that many bytes. */
+/** Why a stream that has not ended after `MAX_BYTES` is refused, in one sentence. */
 export function endless(): string {
   return refusal(`more than ${megabytes(MAX_BYTES)} MB`);
 }
 
-/** Throws that sentence. */
+/** Throws the sentence of `tooLarge` when a file of this size cannot be read. */
 export function checkSize(bytes: number): void {
   const sentence = tooLarge(bytes);
   if (sentence !== null) throw new Error(sentence);
@@ -26,7 +26,7 @@ function refusal(size: string): string {
   return `The file has ${size}; up to ${megabytes(MAX_BYTES)} MB can be read. Delete what is not to be cut, or split the drawing.`;
 }
 
-// Rounded up: what is past the limit must not read like the limit.
+// Rounded up, so that a size just above the limit does not look like the limit itself.
 function megabytes(bytes: number): number {
   return Math.ceil(bytes / 2 ** 20);
 }

@@ -1,15 +1,15 @@
-/** A slice of a job's search, held to a time by looking at the clock several times on the way. */
+/** Runs a slice of a job's search and keeps it to a time limit by checking the clock several times. */
 
 import type { Job } from './pkg/kerfway.js';
 import type { Slice } from './protocol.js';
 
 /**
- * Pieces a slice is done in, with a look at the clock after each: moves of some methods differ in what they cost, from one
- * stage to the next by more than tenfold, and a slice measured by the last stage must not run on for ten times as long.
+ * A slice is done in this many pieces, and the clock is checked after each. In some methods a move costs more than ten
+ * times as much in one stage as in the stage before; a slice whose size fits the earlier stage must not take ten times as long.
  */
 const PIECES = 16;
 
-/** Works for at most `work` moves and about `ms` milliseconds. */
+/** Searches for at most `work` moves and about `ms` milliseconds. */
 export function stepFor(job: Pick<Job, 'step'>, work: number, ms: number): Slice {
   const until = performance.now() + ms;
   const piece = Math.max(Math.ceil(work / PIECES), 1);

@@ -1,4 +1,4 @@
-/** What both entry points, `index.ts` and `node.ts`, export beside their functions. */
+/** What both entry points, `index.ts` and `node.ts`, export besides their functions. */
 
 export { Planner, type PlannerOptions } from './planner.js';
 export type { PlanHandle, PlanResult, Started } from './plan-handle.js';

@@ -1,15 +1,15 @@
 /** Starting workers in a browser. */
 
-import type { StartWorker } from './line.js';
+import type { StartWorker } from './worker-connection.js';
 
-/** Workers as `create` makes them. */
+/** Starts the workers that `create` makes. */
 export function webWorkers(create: () => Worker): StartWorker {
-  return (heard, died) => {
+  return (onMessage, onDeath) => {
     const worker = create();
-    worker.onmessage = (event) => heard(event.data);
-    worker.onmessageerror = () => died('The planner sent something that cannot be read.');
-    // What was thrown stands in the browser's console; people are told what it means for them.
-    worker.onerror = (event) => died(`The planner broke down${event.message ? '' : ' (its script did not load)'}.`);
+    worker.onmessage = (event) => onMessage(event.data);
+    worker.onmessageerror = () => onDeath('The planner sent a message that cannot be read.');
+    // The browser's console shows the error itself; the sentence says what it means.
+    worker.onerror = (event) => onDeath(`The planner broke down${event.message ? '' : ' (its script did not load)'}.`);
     return { post: (message) => worker.postMessage(message), close: () => worker.terminate() };
   };
 }

@@ -1,4 +1,4 @@
-/** The contours of a drawing that are cut or marked: those left out one by one stay in the list, for their ids. */
+/** The contours of a drawing that are cut or marked. Contours that the option `exclude` names stay in `contours`, because an id is an index into it. */
 
 import type { ContourInfo, Loaded } from './protocol.js';
 

@@ -3,7 +3,7 @@
 import type { ToWorker } from './protocol.js';
 import { type Host, Session } from './session.js';
 
-/** What is used of a dedicated worker's global scope, whose types clash with those of a page. */
+/** The part of a dedicated worker's global scope that is used here. TypeScript's own types of it clash with those of a page. */
 interface WorkerScope {
   postMessage(message: unknown, transfer: ArrayBuffer[]): void;
   onmessage: (event: MessageEvent<ToWorker>) => void;
@@ -11,7 +11,7 @@ interface WorkerScope {
 
 const scope = self as unknown as WorkerScope;
 
-/** A module of wasm, with its file fetched. */
+/** Fetches and compiles the wasm file of a module that wasm-bindgen wrote. */
 async function ready<M extends { default(): Promise<unknown> }>(loading: Promise<M>): Promise<M> {
   const module = await loading;
   await module.default();

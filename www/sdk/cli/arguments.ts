@@ -1,4 +1,4 @@
-/** From words to options. Whatever cannot be understood is wrong usage and says what would be right. */
+/** Parses the arguments of a command. Wrong usage is refused with a sentence that says what would be right. */
 
 import { parseArgs } from 'node:util';
 import type { LoadOptions, Operation } from '../protocol.js';
@@ -7,13 +7,13 @@ import { WrongUse } from './io.js';
 
 type Values = Record<string, string | boolean | string[] | undefined>;
 
-/** Parsed words: files, or patterns of them, and the options given. */
+/** Parsed arguments: files or patterns, and options. */
 export interface Words {
   words: string[];
   values: Values;
 }
 
-/** The words of a command, one at least, by its options. */
+/** Parses the arguments of a command, of which at least one is not an option. */
 export function parsed(command: string, args: string[], what = 'a DXF file'): Words {
   const options = Object.fromEntries(
     Object.entries(optionsOf(command)).map(([name, { value, repeat }]) => [
@@ -35,9 +35,9 @@ export function parsed(command: string, args: string[], what = 'a DXF file'): Wo
   }
 }
 
-/** The only word of a command that takes no more. */
+/** The argument of a command that takes exactly one. */
 export function oneWord({ words: [word = '', second] }: Words): string {
-  if (second !== undefined) throw new WrongUse(`One at a time: ${second} is one too many.`);
+  if (second !== undefined) throw new WrongUse(`Only one is allowed: ${second} is one too many.`);
   return word;
 }
 
@@ -59,18 +59,18 @@ export function loadOptions(values: Values): LoadOptions {
 }
 
 function layerChoice(word: string): { name: string; operation: Operation } {
-  // The last equals sign: a layer's name may hold others.
+  // The last equals sign separates, because a layer's name may contain others.
   const at = word.lastIndexOf('=');
   if (at < 1) throw new WrongUse(`--layer ${word}: write NAME=cut, NAME=mark or NAME=ignore.`);
   return { name: word.slice(0, at), operation: oneOf('--layer', word.slice(at + 1), OPERATIONS) };
 }
 
-/** NAME=VALUE of every --set: numbers, true and false as such, anything else as text. */
+/** The NAME=VALUE pairs of all --set: numbers, true and false are converted, any other value is text. */
 export function parameters(values: Values): Record<string, unknown> | undefined {
   const given = (values['set'] as string[] | undefined) ?? [];
   const pairs = given.map((word) => {
     const at = word.indexOf('=');
-    if (at < 1) throw new WrongUse(`--set ${word}: write NAME=VALUE; kerfway methods tells the names.`);
+    if (at < 1) throw new WrongUse(`--set ${word}: write NAME=VALUE; kerfway methods lists the names.`);
     const value = word.slice(at + 1);
     return [word.slice(0, at), /^(true|false|-?\d+(\.\d+)?(e-?\d+)?)$/.test(value) ? (JSON.parse(value) as unknown) : value];
   });
@@ -81,7 +81,7 @@ export function text(values: Values, name: string): string | undefined {
   return values[name] as string | undefined;
 }
 
-/** A whole number from 0 on, as far as JavaScript counts. */
+/** A whole number from 0 to the largest that JavaScript represents exactly. */
 export function whole(values: Values, name: string): number | undefined {
   const word = text(values, name);
   return word === undefined ? undefined : wholeNumber(name, word);

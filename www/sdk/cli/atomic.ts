@@ -1,9 +1,9 @@
 /**
- * Output files that are replaced whole or not at all. A program of G-code that ends in the middle can leave the beam on, so no output
- * is ever written in place: its bytes go to a temporary file in the same folder and are flushed to the disk, then that file takes
- * the name. Outputs of one drawing are all prepared before the first is renamed, so a failure leaves all files as they were.
+ * Writes output files atomically. A G-code program that ends in the middle can leave the beam on, so no file is written in
+ * place: the bytes go to a temporary file in the same folder, are flushed to the disk, and then the file is renamed. All
+ * outputs of a drawing are prepared before the first is renamed, so a failure leaves all files as they were.
  *
- * Files are written by synchronous calls, so that a signal is handled before or after, when the temporary files are known.
+ * Files are written by synchronous calls, so that a signal is handled before or after, when all temporary files are known.
  */
 
 import {
@@ -17,20 +17,20 @@ import { temporaryBeside, turn, withTemporaries } from './temporary.js';
 /** Permission bits of a file's mode, and those of setuid, setgid and the sticky bit. */
 const PERMISSIONS = 0o7777n;
 
-/** Something to write, and the name the person gave it. */
+/** Data to write, and the file name that the person gave. */
 export interface Writing {
   out: string;
   data: string | Uint8Array;
 }
 
-/** A temporary file that holds an output. */
+/** A temporary file that contains an output. */
 interface Prepared {
   out: string;
   target: Target;
   temporary: string;
 }
 
-/** Writes all of these, or changes no file and throws a sentence that says so. */
+/** Writes all outputs, or changes no file and throws a sentence that says so. */
 export async function writeAll(writings: readonly Writing[]): Promise<void> {
   const streams: Writing[] = [];
   const prepared: Prepared[] = [];
@@ -47,7 +47,7 @@ export async function writeAll(writings: readonly Writing[]): Promise<void> {
         out = stream.out;
         await send(out, stream.data);
       }
-      // A signal that came meanwhile ends the program here, while the old files are all there.
+      // A pending signal ends the program here, before any file has been replaced.
       await turn();
       rename(prepared, (current) => (out = current));
     } catch (error) {
@@ -57,14 +57,14 @@ export async function writeAll(writings: readonly Writing[]): Promise<void> {
 }
 
 function prepare({ path, stat }: Target, data: string | Uint8Array): string {
-  // A file that is protected against writing could be replaced all the same, as that is a matter of its folder.
+  // A read-only file is refused here: renaming would replace it, because that depends on the permissions of the folder only.
   if (stat !== null) accessSync(path, constants.W_OK);
   const temporary = temporaryBeside(path);
-  // What was private must not be readable by others for a moment.
+  // The data of a private file must never be readable by others, not even for a moment.
   const file = openSync(temporary, 'wx', stat === null ? 0o666 : 0o600);
   try {
     writeWhole(file, typeof data === 'string' ? Buffer.from(data) : data);
-    if (stat !== null) resemble(file, stat);
+    if (stat !== null) copyOwnership(file, stat);
     fsyncSync(file);
   } finally {
     closeSync(file);
@@ -76,20 +76,20 @@ function writeWhole(file: number, bytes: Uint8Array): void {
   for (let at = 0; at < bytes.length; ) at += writeSync(file, bytes, at);
 }
 
-/** Gives a file the owner and the permissions of the one it takes the place of. */
-function resemble(file: number, { uid, gid, mode }: BigIntStats): void {
+/** Gives a file the owner and the permissions of the file that it replaces. */
+function copyOwnership(file: number, { uid, gid, mode }: BigIntStats): void {
   const own = fstatSync(file, { bigint: true });
   if (own.uid !== uid || own.gid !== gid) {
     try {
       fchownSync(file, Number(uid), Number(gid));
     } catch {
-      // Only an administrator may give files away.
+      // Only an administrator may change the owner of a file.
     }
   }
   fchmodSync(file, Number(mode & PERMISSIONS));
 }
 
-// A file that cannot be renamed is rare by now: it is protected, or a folder took its name. What was renamed before it goes back.
+// A rename seldom fails at this point: the file is protected, or a folder has its name now. The renames before it are undone.
 function rename(all: readonly Prepared[], at: (out: string) => void): void {
   const undo: (() => void)[] = [];
   try {
@@ -106,7 +106,7 @@ function rename(all: readonly Prepared[], at: (out: string) => void): void {
   for (const folder of new Set(all.map(({ target }) => dirname(target.path)))) flushFolder(folder);
 }
 
-/** A second name for a file; `null` where the disk knows no such thing. */
+/** Gives a file a second name; `null` on disks without hard links. */
 function linked(path: string): string | null {
   const name = temporaryBeside(path);
   try {
@@ -117,7 +117,7 @@ function linked(path: string): string | null {
   }
 }
 
-/** Makes new names last through a loss of power, where the system lets folders be flushed. */
+/** Flushes a folder, so that new names survive a loss of power, on systems that allow it. */
 function flushFolder(folder: string): void {
   try {
     const open = openSync(folder, 'r');
@@ -127,6 +127,6 @@ function flushFolder(folder: string): void {
       closeSync(open);
     }
   } catch {
-    // Windows and some shares do not: they keep names by themselves.
+    // Windows and some network shares do not allow it, and keep names without it.
   }
 }

@@ -1,4 +1,4 @@
-/** A command over its files, one after the other. */
+/** Runs a command for each of its files, one after the other. */
 
 import type { Words } from './arguments.js';
 import { Destinations, type Output } from './destinations.js';
@@ -8,36 +8,36 @@ import { Report, type Column } from './report.js';
 import { complain } from './safe-text.js';
 import { watch } from './watch.js';
 
-/** Which of how many files one is. */
+/** The position of a file among all. */
 export interface Place {
   index: number;
   of: number;
 }
 
-/** What a command writes, and the columns of its table after that of the file. */
-export interface Asked<Kind extends string = string> {
+/** The outputs of a command, and the columns of its table after the file name. */
+export interface Requested<Kind extends string = string> {
   outputs: readonly Output<Kind>[];
   columns: readonly Column[];
-  /** Files that are read besides the drawings. */
+  /** Files that are read in addition to the drawings. */
   inputs?: readonly string[];
 }
 
-/** Where what comes of files goes: outputs, and what people read. */
+/** Where the results of files go: to output files, and to the report for people. */
 export interface Outlet {
   write: Destinations['write'];
-  tell: Report['tell'];
+  report: Report['add'];
 }
 
-/** What is done with one file. */
+/** Processes one file. */
 export type Work = (file: string, place: Place, to: Outlet) => Promise<void>;
 
-/** A file that is unusable is reported in a sentence and makes the exit code 1; the others are done all the same. */
-export async function eachFile({ words, values }: Words, { outputs, columns, inputs = [] }: Asked, work: Work): Promise<void> {
+/** Processes all files. An unusable file is reported in a sentence and sets the exit code 1; the others are processed anyway. */
+export async function eachFile({ words, values }: Words, { outputs, columns, inputs = [] }: Requested, work: Work): Promise<void> {
   const destinations = new Destinations(outputs, inputs);
   const report = new Report(destinations.piped, columns);
   const to: Outlet = {
     write: (file, written) => destinations.write(file, written),
-    tell: (place, lines, cells) => report.tell(place, lines, cells),
+    report: (place, lines, cells) => report.add(place, lines, cells),
   };
   const round = async (files: readonly string[], all: readonly string[]): Promise<string[]> => {
     destinations.begin(all);

@@ -1,24 +1,23 @@
 /**
- * Every command of the command line with its options, in one table: words are parsed by it, help is written from it, and
- * shells complete by it.
+ * The table of all commands and their options. Parsing of arguments, help texts and shell completion use it.
  */
 
 import type { CommonCuts, Operation, Unit } from '../protocol.js';
 
-/** What is done with cuts that contours share. */
+/** How contours with common cuts are cut. */
 export const COMMON_CUTS: readonly CommonCuts[] = ['best', 'insertion', 'off'];
 export const UNITS: readonly Unit[] = ['mm', 'cm', 'dm', 'm', 'um', 'in', 'ft', 'yd', 'mil', 'microinch'];
 export const OPERATIONS: readonly Operation[] = ['cut', 'mark', 'ignore'];
 export const SHELLS = ['bash', 'zsh', 'fish'] as const;
 
-/** What completes a value: a list, or names that the planner knows. */
+/** The completions of a value: a list, or the names that the planner knows. */
 export type Choices = readonly string[] | 'machines' | 'methods';
 
 export interface Option {
   about: string;
-  /** What its value is called; none: it is a switch. */
+  /** The name of its value; absent for a flag. */
   value?: string;
-  /** It may be given more than once. */
+  /** Whether it may be given more than once. */
   repeat?: true;
   choices?: Choices;
 }
@@ -27,59 +26,59 @@ export type Options = Readonly<Record<string, Option>>;
 
 export interface Command {
   about: string;
-  /** What follows the command's name. */
+  /** The arguments after the command's name. */
   words: string;
   /** A paragraph of help. */
   text: string;
-  /** By heading. */
+  /** The options, by heading. */
   options: Readonly<Record<string, Options>>;
-  /** A command line and what it does. */
+  /** Example command lines, each with a description. */
   examples: readonly (readonly [string, string])[];
-  /** What completes its words; without: files. */
+  /** The completions of its arguments; files by default. */
   choices?: Choices;
 }
 
 const READING: Options = {
-  units: { value: 'UNIT', about: 'when the file says nothing or lies', choices: UNITS },
-  layer: { value: `NAME=${OPERATIONS.join('|')}`, about: 'what to do with a layer', repeat: true },
-  'order-by-layer': { about: 'layer after layer, in the order of --layer' },
-  'part-by-part': { about: 'a part wholly, with all in its holes, before the next' },
-  'common-cuts': { value: 'HOW', about: 'contours that share cuts: as one, on the best way or that of a heuristic, or not', choices: COMMON_CUTS },
-  first: { value: 'ID', about: 'a contour before all others', repeat: true },
-  last: { value: 'ID', about: 'a contour after all others', repeat: true },
-  exclude: { value: 'ID', about: 'a contour not cut; the others keep their ids', repeat: true },
+  units: { value: 'UNIT', about: 'the unit, if the file does not state it or states a wrong one', choices: UNITS },
+  layer: { value: `NAME=${OPERATIONS.join('|')}`, about: 'the operation of a layer', repeat: true },
+  'order-by-layer': { about: 'process one layer after the other, in the order of --layer' },
+  'part-by-part': { about: 'finish each part, with everything in its holes, before the next' },
+  'common-cuts': { value: 'HOW', about: 'how to cut contours with common cuts: together, on the best path or that of a heuristic, or separately', choices: COMMON_CUTS },
+  first: { value: 'ID', about: 'process a contour before all others', repeat: true },
+  last: { value: 'ID', about: 'process a contour after all others', repeat: true },
+  exclude: { value: 'ID', about: 'skip a contour; the others keep their ids', repeat: true },
 };
 
 const PLANNING: Options = {
-  machine: { value: 'NAME|FILE', about: "a preset's name, or a machine profile as JSON (default co2-100w)", choices: 'machines' },
-  method: { value: 'NAME', about: 'see kerfway methods', choices: 'methods' },
+  machine: { value: 'NAME|FILE', about: "the name of a preset, or a JSON file with a machine profile (default co2-100w)", choices: 'machines' },
+  method: { value: 'NAME', about: 'the planning method: see kerfway methods', choices: 'methods' },
   set: { value: 'NAME=VALUE', about: 'a parameter of a method from a paper', repeat: true },
   seconds: { value: 'S', about: 'how long to search each drawing (default 10)' },
-  moves: { value: 'N', about: 'how many moves to search: the same result everywhere' },
-  workers: { value: 'N', about: 'searches side by side that share the best path (default 1)' },
-  seed: { value: 'N', about: 'decides every random choice' },
-  'no-return': { about: 'stay where the last cut ends' },
+  moves: { value: 'N', about: 'how many moves to search, which gives the same result everywhere' },
+  workers: { value: 'N', about: 'parallel searches that share the best path (default 1)' },
+  seed: { value: 'N', about: 'the seed of all random choices' },
+  'no-return': { about: 'stay at the end of the last cut instead of returning home' },
 };
 
-const WATCHING: Options = { watch: { about: 'do it again whenever a file changes; Ctrl+C ends' } };
+const WATCHING: Options = { watch: { about: 'run again whenever a file changes; Ctrl+C ends' } };
 
 const MANY =
-  'Several drawings may be named, by patterns, too (*, ?, [ab], **; quoted where the shell knows them not). OUT is then a ' +
-  'folder, ending in /, with one file for each drawing, or - for JSON, one document a line. One that is unusable is told in a ' +
-  'sentence; the others are done all the same.';
+  'Several drawings may be named, also by patterns (*, ?, [ab], **; in quotes if the shell does not expand them). OUT is then ' +
+  'a folder, ending in /, with one file for each drawing, or - for JSON with one document per line. An unusable drawing is ' +
+  'reported in a sentence; the others are processed anyway.';
 
 export const COMMANDS: Readonly<Record<string, Command>> = {
   plan: {
     about: 'plan the path and write it',
     words: 'FILE.dxf...',
-    text: `Plans the path of the laser through each drawing and writes what is asked for. ${MANY} Ctrl+C ends a search and keeps what it found.`,
+    text: `Plans the path of the laser for each drawing and writes the requested outputs. ${MANY} Ctrl+C ends a search and keeps its result.`,
     options: {
       'Outputs; - is standard output': {
         gcode: { value: 'OUT', about: 'G-code for the machine' },
         json: { value: 'OUT', about: 'the plan (kerfway.plan/1)' },
-        svg: { value: 'OUT', about: 'picture with order and direction' },
+        svg: { value: 'OUT', about: 'a picture with order and direction' },
         dxf: { value: 'OUT', about: 'contours in cutting order' },
-        png: { value: 'OUT', about: 'picture as pixels' },
+        png: { value: 'OUT', about: 'a picture in pixels' },
       },
       'How to plan': PLANNING,
       'How to read': READING,
@@ -93,23 +92,23 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
     ],
   },
   inspect: {
-    about: 'tell what the drawing holds, without planning',
+    about: 'describe the drawing, without planning',
     words: 'FILE.dxf...',
-    text: `Tells contours, parts, layers, units and findings of each drawing. ${MANY}`,
+    text: `Lists contours, parts, layers, units and findings of each drawing. ${MANY}`,
     options: { Output: { json: { value: 'OUT', about: 'the whole report' } }, 'How to read': READING, 'When': WATCHING },
     examples: [
-      ['kerfway inspect plate.dxf', 'what a drawing holds, in words'],
-      ["kerfway inspect '*.dxf' --json - | jq .findings", 'findings of many, for a program'],
+      ['kerfway inspect plate.dxf', 'the contents of a drawing, as text'],
+      ["kerfway inspect '*.dxf' --json - | jq .findings", 'the findings of many drawings, for a program'],
     ],
   },
   quote: {
-    about: 'plan, and tell what a shop asks before it names a price',
+    about: 'plan, and report what a price depends on',
     words: 'FILE.dxf...',
-    text: `Tells lengths, times, areas, weight, identical parts and what may be wrong with each drawing, with a hash that confirms it. ${MANY}`,
+    text: `Reports lengths, times, areas, weight, identical parts and possible defects of each drawing, with a hash that confirms the report. ${MANY}`,
     options: {
       'The sheet': {
-        material: { value: 'NAME', about: 'for people' },
-        thickness: { value: 'MM', about: 'of the sheet' },
+        material: { value: 'NAME', about: 'its name, which is only shown' },
+        thickness: { value: 'MM', about: 'the thickness of the sheet' },
         density: { value: 'G', about: 'g/cm3: mild steel 7.85, aluminium 2.70, acrylic 1.19' },
       },
       Output: { json: { value: 'OUT', about: 'the report (kerfway.quote/1)' } },
@@ -118,12 +117,12 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       'When': WATCHING,
     },
     examples: [
-      ['kerfway quote plate.dxf --thickness 3 --density 7.85', 'figures and weight, in words'],
-      ["kerfway quote 'orders/*.dxf' --moves 100000 --seed 1 --json quotes/", 'reports whose hashes another machine confirms'],
+      ['kerfway quote plate.dxf --thickness 3 --density 7.85', 'figures and weight, as text'],
+      ["kerfway quote 'orders/*.dxf' --moves 100000 --seed 1 --json quotes/", 'reports whose hashes another computer can confirm'],
     ],
   },
   methods: {
-    about: 'list the methods of planning',
+    about: 'list the planning methods',
     words: '',
     text: 'Lists the methods with their sources, and the parameters of those from papers.',
     options: {},
@@ -132,7 +131,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
   solve: {
     about: 'solve a benchmark instance: .tsp, .gtsp or .pcglns',
     words: 'FILE',
-    text: 'Solves an instance of TSPLIB, GTSPLIB or PCGTSP by the default method.',
+    text: 'Solves an instance of TSPLIB, GTSPLIB or PCGTSP with the default method.',
     options: {
       'How to solve': {
         seconds: PLANNING['seconds'] as Option,
@@ -144,9 +143,9 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
     examples: [['kerfway solve 107ali535.gtsp --seconds 10', 'the best tour found in ten seconds']],
   },
   completion: {
-    about: 'write what completes these words in a shell',
+    about: 'write a script for shell completion',
     words: SHELLS.join('|'),
-    text: 'Writes the script that has a shell complete commands, options, machines and methods.',
+    text: 'Writes a script that makes a shell complete commands, options, machines and methods.',
     options: {},
     examples: [
       ['source <(kerfway completion bash)', 'in ~/.bashrc'],

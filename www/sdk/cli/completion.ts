@@ -1,6 +1,6 @@
 /**
- * `kerfway completion`: scripts by which bash, zsh and fish complete commands, options and their values. They are written
- * from the table of commands; names of machines and methods are those there are now.
+ * `kerfway completion`: scripts that make bash, zsh and fish complete commands, options and their values. They are made
+ * from the table of commands and from the current names of machines and methods.
  */
 
 import { createPlanner } from '../node.js';
@@ -8,19 +8,19 @@ import { oneWord, oneOf, parsed } from './arguments.js';
 import { COMMANDS, optionsOf, SHELLS, type Choices, type Command, type Option } from './commands.js';
 import { print } from './io.js';
 
-/** An option of a command with what completes its value. */
+/** An option of a command with the completions of its value. */
 interface Completed extends Option {
   name: string;
-  /** Empty: files. */
+  /** The completions; an empty list means files. */
   values: readonly string[];
 }
 
-/** A command with what completes its words. */
+/** A command with the completions of its arguments. */
 interface Completing {
   name: string;
   about: string;
   options: readonly Completed[];
-  /** Empty: files. */
+  /** The completions; an empty list means files. */
   values: readonly string[];
 }
 
@@ -47,7 +47,7 @@ const SCRIPTS: Record<(typeof SHELLS)[number], (commands: readonly Completing[])
 
 const flags = ({ options }: Completing) => options.map((o) => `--${o.name}`).join(' ');
 
-// Where the function offers nothing, `-o default` has bash complete files.
+// If the function offers nothing, `-o default` makes bash complete files.
 function bash(commands: readonly Completing[]): string {
   const offer = (words: string) => `COMPREPLY=($(compgen -W '${words}' -- "$word"))`;
   const values = commands.flatMap((c) => c.options.filter((o) => o.values.length > 0).map((o) => `    '${c.name} --${o.name}') ${offer(o.values.join(' '))}; return ;;`));
@@ -81,7 +81,7 @@ function zsh(commands: readonly Completing[]): string {
 # Completes kerfway in zsh.
 _kerfway() {
   local -a commands
-  commands=(${commands.map((c) => `'${c.name}:${quoted(c.about)}'`).join(' ')} 'help:tell the options of a command')
+  commands=(${commands.map((c) => `'${c.name}:${quoted(c.about)}'`).join(' ')} 'help:show the options of a command')
   if (( CURRENT == 2 )); then _describe command commands; return; fi
   local command=$words[2]
   shift words; (( CURRENT-- ))

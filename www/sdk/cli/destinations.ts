@@ -1,6 +1,6 @@
 /**
- * Where outputs go: one file for one drawing; a folder, or lines of JSON on standard output, for several. No output may be a file that
- * is read, or one that another output is written to: that is found before anything is planned.
+ * Where outputs go: one drawing has one file for each output; several drawings need a folder, or write lines of JSON to
+ * standard output. An output must not be a file that is read, or the file of another output; this is checked before planning.
  */
 
 import { mkdirSync } from 'node:fs';
@@ -10,19 +10,19 @@ import { writeAll } from './atomic.js';
 import { Unusable, WrongUse } from './io.js';
 import { identityOf, identityOfInput, lookAt, STANDARD_OUTPUT } from './target.js';
 
-/** An output that is asked for. */
+/** A requested output. */
 export interface Output<Kind extends string = string> {
   kind: Kind;
   out: string;
 }
 
-/** What is written for one of them. */
+/** The data of an output. */
 export interface Written {
   output: Output;
   data: string | Uint8Array;
 }
 
-/** Those of these kinds that the words ask for. */
+/** The outputs of these kinds that the arguments request. */
 export function outputsOf<Kind extends string>({ values }: Words, kinds: readonly Kind[]): Output<Kind>[] {
   return kinds.flatMap((kind) => {
     const out = text(values, kind);
@@ -33,7 +33,7 @@ export function outputsOf<Kind extends string>({ values }: Words, kinds: readonl
 const ENDINGS: Record<string, string> = { gcode: '.nc', json: '.json', svg: '.svg', dxf: '.dxf', png: '.png' };
 
 export class Destinations {
-  /** `inputs`: files that are read besides drawings. */
+  /** `inputs`: files that are read in addition to the drawings. */
   constructor(
     private readonly outputs: readonly Output[],
     private readonly inputs: readonly string[] = [],
@@ -44,12 +44,12 @@ export class Destinations {
     }
   }
 
-  /** True when standard output is for a program: what people read goes to the other one. */
+  /** Whether standard output has data for a program. Text for people then goes to standard error. */
   get piped(): boolean {
     return this.outputs.some((o) => o.out === STANDARD_OUTPUT);
   }
 
-  /** Refuses what cannot hold the outputs of all these drawings, before any is planned. */
+  /** Checks that the outputs of all these drawings can be written, before any is planned. */
   begin(files: readonly string[]): void {
     if (files.length > 1) {
       for (const { kind, out } of this.outputs) {
@@ -60,15 +60,15 @@ export class Destinations {
     this.refuseClashes(files);
   }
 
-  /** Writes what was made of one drawing: all of it, or nothing. */
+  /** Writes all outputs of a drawing, or none of them. */
   async write(file: string, written: readonly Written[]): Promise<void> {
-    // Links may have been changed while it was planned.
+    // Links may have changed during planning.
     this.refuseClashes([file]);
     for (const { output: { out } } of written) if (out !== STANDARD_OUTPUT && isFolder(out)) makeFolder(out);
     await writeAll(written.map(({ output, data }) => ({ out: placeOf(output, file), data })));
   }
 
-  /** Files that are there from an earlier plan of this drawing. */
+  /** Output files that exist from an earlier plan of this drawing. */
   existing(file: string): string[] {
     const places = this.outputs.filter(({ out }) => out !== STANDARD_OUTPUT).map((output) => placeOf(output, file));
     return places.filter((place) => lookAt(place)?.isFile() === true);
@@ -77,7 +77,7 @@ export class Destinations {
   private refuseClashes(files: readonly string[]): void {
     const taken = new Map<string | null, string>();
     for (const input of [...files, ...this.inputs]) taken.set(identityOfInput(input), `${input}, which is read`);
-    // JSON of all drawings goes to one standard output.
+    // The JSON of all drawings goes to the same standard output.
     const standard = this.outputs.find(({ out }) => out === STANDARD_OUTPUT);
     const places = this.outputs.filter((output) => output !== standard).flatMap((output) => files.map((file) => ({ output, file })));
     for (const { output, file } of standard === undefined ? places : [{ output: standard, file: '' }, ...places]) {
@@ -100,7 +100,7 @@ function makeFolder(folder: string): void {
   try {
     mkdirSync(folder, { recursive: true });
   } catch {
-    throw new Unusable(`${folder} cannot be made: there is no place for that folder. Name another folder.`);
+    throw new Unusable(`${folder} cannot be made: the system does not allow this folder. Name another folder.`);
   }
 }
 

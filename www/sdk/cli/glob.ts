@@ -1,6 +1,6 @@
 /**
- * Patterns of file names, for shells that know none and for patterns in quotes: `*` and `?` within a name, `[ab]` one of
- * these, `**` folders at any depth. Names that begin with a dot must be asked for.
+ * Patterns of file names, for shells that do not expand them and for patterns in quotes: `*` and `?` within a name, `[ab]`
+ * for one of these characters, `**` for folders at any depth. Names that begin with a dot match only patterns that do too.
  */
 
 import { existsSync, readdirSync } from 'node:fs';
@@ -8,7 +8,7 @@ import { join } from 'node:path';
 
 const MAGIC = /[*?[]/;
 
-/** The files these words name, sorted within each pattern, each once. What matches nothing stays as it is. */
+/** The files that these arguments name, sorted within each pattern, without duplicates. A pattern that matches nothing is kept as it is. */
 export function filesOf(words: readonly string[]): string[] {
   const named = words.flatMap((word) => {
     if (!MAGIC.test(word) || existsSync(word)) return [word];
@@ -19,9 +19,9 @@ export function filesOf(words: readonly string[]): string[] {
 }
 
 function matches(pattern: string): string[] {
-  // On Windows people write backslashes; elsewhere they are part of a name.
+  // On Windows a backslash separates folders; elsewhere it is part of a name.
   const names = (process.platform === 'win32' ? pattern.replaceAll('\\', '/') : pattern).split('/');
-  // What comes before the first pattern is a folder as it stands: /, ../.., C:/.
+  // The folder before the first pattern is used as it is: /, ../.., C:/.
   const first = names.findIndex((name) => MAGIC.test(name));
   const found = new Set<string>();
   walk(first === 0 ? '' : `${names.slice(0, first).join('/')}/`, names.slice(first), found);
@@ -47,7 +47,7 @@ function entries(folder: string) {
   try {
     return readdirSync(folder === '' ? '.' : folder, { withFileTypes: true });
   } catch {
-    // Not a folder, or not ours to read: it holds nothing that matches.
+    // Something that is not a folder, or not readable, has no matching entries.
     return [];
   }
 }

@@ -1,4 +1,4 @@
-/** What the command line says about itself: in short, and of each command as a manual page does. */
+/** The help texts: an overview of the commands, and a manual page for each. */
 
 import { readFile } from 'node:fs/promises';
 import { COMMANDS, type Command, type Options } from './commands.js';
@@ -13,7 +13,7 @@ export function overview(): string {
   return [
     'Kerfway plans the path of a laser cutter.\n',
     ...inColumns(rows, ''),
-    `\nkerfway help COMMAND tells its options, with examples. Most often:\n\n  ${example?.[0]}\n`,
+    `\nkerfway help COMMAND shows its options, with examples. The most common use:\n\n  ${example?.[0]}\n`,
     `${EXIT}\n`,
   ].join('\n');
 }
@@ -56,7 +56,7 @@ function wrapped(text: string, width: number): string[] {
   return lines;
 }
 
-/** Version of this package. */
+/** The version of this package. */
 export async function version(): Promise<string> {
   const file = await readFile(new URL('../../../package.json', import.meta.url), 'utf8');
   return (JSON.parse(file) as { version: string }).version;

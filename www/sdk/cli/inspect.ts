@@ -1,4 +1,4 @@
-/** `kerfway inspect`: what drawings hold, in words or as JSON. */
+/** `kerfway inspect`: describes drawings, as text or as JSON. */
 
 import { basename } from 'node:path';
 import { createPlanner } from '../node.js';
@@ -22,8 +22,8 @@ export async function inspect(args: string[]): Promise<void> {
       const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), options));
       const data = `${JSON.stringify(report(loaded))}\n`;
       await to.write(file, outputs.map((output) => ({ output, data })));
-      // Whoever reads the report of one drawing by a program needs no second one.
-      if (!piped || place.of > 1) await to.tell(place, () => told(loaded), () => row(file, loaded));
+      // When a program reads the report of a single drawing, no second report is needed.
+      if (!piped || place.of > 1) await to.report(place, () => lines(loaded), () => row(file, loaded));
     });
   } finally {
     planner.close();
@@ -49,7 +49,7 @@ function row(file: string, loaded: Loaded): string[] {
   ];
 }
 
-/** Contours without their geometry, and the sums people ask for first. */
+/** The contents of a drawing without geometry, with the most important totals first. */
 function report({ geometry: _, ignored, ...loaded }: Loaded): object {
   const contours = worked(loaded);
   const closed = contours.filter((c) => c.closed).length;
@@ -67,7 +67,7 @@ function lengthOf({ contours }: Pick<Loaded, 'contours'>, operation: string): nu
   return contours.filter((c) => c.operation === operation).reduce((sum, c) => sum + c.length, 0);
 }
 
-function told(loaded: Loaded): string[] {
+function lines(loaded: Loaded): string[] {
   const { units, parts, layers, entities, findings } = loaded;
   const contours = worked(loaded);
   const open = contours.filter((c) => !c.closed).length;
@@ -87,7 +87,7 @@ function told(loaded: Loaded): string[] {
 }
 
 function suggested(operation: string | null): string {
-  return operation === null ? '' : `; by its name rather ${operation}`;
+  return operation === null ? '' : `; its name suggests ${operation}`;
 }
 
 function finding({ severity, code, message, layer, handle, at, count }: Finding): string {

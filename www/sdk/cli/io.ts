@@ -1,4 +1,4 @@
-/** Files in, streams out, and the two ways a command can fail. Output files: see `atomic.ts`. */
+/** Reads files, writes streams, and defines the two ways in which a command can fail. `atomic.ts` writes output files. */
 
 import { open, writeFile, type FileHandle } from 'node:fs/promises';
 import { endless, MAX_BYTES, tooLarge } from '../size.js';
@@ -6,13 +6,13 @@ import { visibleText } from './safe-text.js';
 import { STANDARD_OUTPUT } from './target.js';
 import { writing } from './temporary.js';
 
-/** The input cannot be used: exit 1. One sentence: what, where, what to do. */
+/** The input cannot be used (exit code 1). The message is one sentence: what, where, what to do. */
 export class Unusable extends Error {}
 
-/** The command line cannot be understood: exit 2. */
+/** The arguments cannot be understood (exit code 2). */
 export class WrongUse extends Error {}
 
-/** Why the system refuses, and what to do about it when a file is written. */
+/** Why the system refuses a file, and what to do about it if it is an output. */
 interface Cause {
   why: string;
   remedy: string;
@@ -38,14 +38,14 @@ const CAUSES: Record<string, Cause> = {
   EFBIG: { why: 'the file would be larger than the system allows', remedy: 'Raise the limit (ulimit -f), or name a place on another disk.' },
 };
 
-/** What an error of the system means. A file that is written need not be there before, but its folder must. */
+/** Explains an error of the system. An output file need not exist before, but its folder must. */
 function cause(error: unknown, doing: 'read' | 'write'): Cause {
   const code = (error as NodeJS.ErrnoException).code ?? '';
   const known = CAUSES[doing === 'write' && code === 'ENOENT' ? 'ENOTDIR' : code];
   return known ?? { why: `the system says ${code || String(error)}`, remedy: ELSEWHERE };
 }
 
-/** The bytes of a file, of which no more than can be used are read. */
+/** Reads a file. A file above the size limit is not read to its end. */
 export async function bytesOf(file: string): Promise<Uint8Array> {
   let handle: FileHandle | undefined;
   try {
@@ -53,7 +53,7 @@ export async function bytesOf(file: string): Promise<Uint8Array> {
     const stat = await handle.stat();
     const refused = tooLarge(stat.size);
     if (refused !== null) throw new Unusable(`${file}: ${refused}`);
-    // Pipes and devices have no size before they are read, and neither have the files of /proc.
+    // Pipes, devices and the files of /proc have no size before they are read.
     if (stat.isFile() && stat.size > 0) return await handle.readFile();
     const bytes = await upToLimit(handle);
     if (bytes === null) throw new Unusable(`${file}: ${endless()}`);
@@ -66,7 +66,7 @@ export async function bytesOf(file: string): Promise<Uint8Array> {
   }
 }
 
-/** What comes until the end of a stream; `null` when that is too much. */
+/** Reads a stream to its end; `null` if it is longer than the size limit. */
 async function upToLimit(handle: FileHandle): Promise<Uint8Array | null> {
   const chunks: Uint8Array[] = [];
   let length = 0;
@@ -87,7 +87,7 @@ export async function print(text: string): Promise<void> {
   }
 }
 
-/** Writes to standard output for `-`, else to a device, a pipe or the like. Fails with the system's error. */
+/** Writes to standard output (`-`), or to a device, a pipe or the like. Fails with the system's error. */
 export async function send(out: string, data: string | Uint8Array): Promise<void> {
   if (out !== STANDARD_OUTPUT) return writeFile(out, data);
   if (process.stdout.destroyed) return readerLeft();
@@ -100,18 +100,18 @@ export async function send(out: string, data: string | Uint8Array): Promise<void
   });
 }
 
-/** Why an output could not be written; `kept` says what became of the files. */
+/** The failure of an output that could not be written. `kept` is a sentence about the state of the files. */
 export function unwritable(out: string, error: unknown, kept = ''): Unusable {
   const { why, remedy } = cause(error, 'write');
   return new Unusable(`${out === STANDARD_OUTPUT ? 'Standard output' : out} cannot be written: ${why}. ${kept}${remedy}`);
 }
 
-/** Whoever reads our output may stop reading (`| head`): that is no failure, and ends the program when no file is being written. */
+/** Handles a reader of standard output that has closed it (`| head`). This is not a failure, and ends the program unless a file is being written. */
 export function readerLeft(): void {
   if (!writing()) process.exit();
 }
 
-/** Errors of the planner are about the input. */
+/** Awaits work of the planner, whose errors are about the input. */
 export async function usable<T>(file: string, work: Promise<T>): Promise<T> {
   try {
     return await work;

@@ -1,10 +1,10 @@
-/** `kerfway methods`: what there is to plan with. */
+/** `kerfway methods`: lists the planning methods. */
 
 import { createPlanner } from '../node.js';
 import { print, WrongUse } from './io.js';
 
 export async function methods(args: string[]): Promise<void> {
-  if (args.length > 0) throw new WrongUse(`methods takes no more words, not ${args[0]}.`);
+  if (args.length > 0) throw new WrongUse(`methods takes no arguments, not ${args[0]}.`);
   const planner = await createPlanner();
   const papers = await planner.paperMethods();
   planner.close();

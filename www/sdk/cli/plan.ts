@@ -1,4 +1,4 @@
-/** `kerfway plan`: drawings planned and written out. */
+/** `kerfway plan`: plans drawings and writes the outputs. */
 
 import { basename } from 'node:path';
 import type { PlanResult } from '../node.js';
@@ -19,7 +19,7 @@ export async function plan(args: string[]): Promise<void> {
     const written: Written[] = [];
     for (const output of outputs) written.push({ output, data: await usable(file, planner.output(output.kind)) });
     await to.write(file, written);
-    await to.tell(place, () => told(file, loaded, result, options), () => row(file, loaded, result));
+    await to.report(place, () => lines(file, loaded, result, options), () => row(file, loaded, result));
   });
 }
 
@@ -40,18 +40,18 @@ function row(file: string, loaded: Loaded, { progress: { summary: s }, baselines
     duration(s.total_time),
     duration(baselines.drawing.total_time),
     s.gap === null ? '' : s.gap <= PROVEN ? 'proven' : percent(s.gap),
-    String(worthTelling(loaded)),
+    String(notableFindings(loaded)),
   ];
 }
 
-/** A path this near to what is proven is optimal: what is left is rounding. */
+/** A gap below this is rounding: the path is optimal. */
 const PROVEN = 1e-9;
 
-function told(file: string, loaded: Loaded, result: PlanResult, { machine, workers = 1 }: PlanOptions): string[] {
+function lines(file: string, loaded: Loaded, result: PlanResult, { machine, workers = 1 }: PlanOptions): string[] {
   const { summary: s, moves, seconds } = result.progress;
   const { drawing, greedy } = result.baselines;
-  const findings = worthTelling(loaded);
-  const lines = [
+  const findings = notableFindings(loaded);
+  const text = [
     `${basename(file)}: ${plural(s.contours, 'contour')} (${s.open_contours} open), ${plural(s.parts, 'part')}, ` +
       `${meters(s.cut_length)} to cut`,
     `Job        ${duration(s.total_time)}: cut ${duration(s.cut_time)}, air ${duration(s.air_time)} ` +
@@ -62,12 +62,12 @@ function told(file: string, loaded: Loaded, result: PlanResult, { machine, worke
       `machine ${(machine as MachineProfile).name}`,
   ];
   if (s.gap !== null) {
-    lines.push(`Optimum    ${s.gap <= PROVEN ? 'this is it: proven' : `at least ${duration(s.lower_bound)}: this is at most ${percent(s.gap)} above`}`);
+    text.push(`Optimum    ${s.gap <= PROVEN ? 'this path is proven optimal' : `at least ${duration(s.lower_bound)}: this path takes at most ${percent(s.gap)} longer`}`);
   }
-  if (findings > 0) lines.push(`Findings   ${findings}: kerfway inspect ${file} tells them`);
-  return lines;
+  if (findings > 0) text.push(`Findings   ${findings}: kerfway inspect ${file} lists them`);
+  return text;
 }
 
-function worthTelling({ findings }: Loaded): number {
+function notableFindings({ findings }: Loaded): number {
   return findings.filter((f) => f.severity !== 'info').length;
 }

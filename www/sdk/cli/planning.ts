@@ -1,17 +1,17 @@
-/** What `plan` and `quote` share: drawings planned one after the other by one planner. */
+/** The common part of `plan` and `quote`: plans drawings one after the other with one planner. */
 
 import { basename } from 'node:path';
 import { checkMachine, checkOptions } from '../options.js';
 import { createPlanner, type Planner, type PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, PlanOptions } from '../protocol.js';
 import { loadOptions, oneOf, parameters, seconds, text, whole, type Words } from './arguments.js';
-import { eachFile, type Asked, type Outlet, type Place } from './batch.js';
+import { eachFile, type Requested, type Outlet, type Place } from './batch.js';
 import { bytesOf, Unusable, usable, WrongUse } from './io.js';
 import { progressLine } from './progress.js';
 
 const DEFAULT_MACHINE = 'co2-100w';
 
-/** A drawing that is planned. */
+/** A planned drawing. */
 export interface PlannedFile {
   file: string;
   place: Place;
@@ -21,20 +21,20 @@ export interface PlannedFile {
   options: PlanOptions;
 }
 
-/** Plans the files named, and hands each to whoever writes of it. */
-export async function planFiles(given: Words, asked: Asked, write: (planned: PlannedFile, to: Outlet) => Promise<void>): Promise<void> {
+/** Plans all files and passes each result to `write`. */
+export async function planFiles(given: Words, requested: Requested, write: (planned: PlannedFile, to: Outlet) => Promise<void>): Promise<void> {
   const { values } = given;
   const load = loadOptions(values);
   const [moves, workers, seed] = ['moves', 'workers', 'seed'].map((name) => whole(values, name));
   const budget = { seconds: seconds(values), moves, workers, seed };
-  used(() => checkOptions(budget, 'planning'), WrongUse, '');
+  checked(() => checkOptions(budget, 'planning'), WrongUse, '');
   const planner = await createPlanner();
   try {
     const options: PlanOptions = { ...budget, ...(await choices(given, planner)) };
     const profile = profileFile(given, planner);
-    await eachFile(given, { ...asked, inputs: profile === null ? [] : [profile] }, async (file, place, to) => {
+    await eachFile(given, { ...requested, inputs: profile === null ? [] : [profile] }, async (file, place, to) => {
       const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), load));
-      // A misspelt layer changes what is cut, so it is told at once and not only by `inspect`.
+      // A misspelt layer changes what is cut, so it is reported here and not only by `inspect`.
       for (const { message } of loaded.findings.filter((f) => f.code === 'layer-unknown')) {
         process.stderr.write(`kerfway: ${basename(file)}: ${message}\n`);
       }
@@ -61,21 +61,21 @@ async function choices({ values }: Words, planner: Planner): Promise<PlanOptions
   return options;
 }
 
-/** The file of the machine's profile; `null` when it is a preset. */
+/** The file with the machine profile; `null` for a preset. */
 function profileFile({ values }: Words, { machines }: Planner): string | null {
   const word = text(values, 'machine');
   return word === undefined || machines.some((m) => m.name === word) ? null : word;
 }
 
-/** A preset by its name; anything that looks like a file is one. */
+/** The preset with this name, or the profile in the file with this name. */
 async function machineOf(word: string, { machines }: Planner): Promise<MachineProfile> {
   const preset = machines.find((m) => m.name === word);
   if (preset !== undefined) return preset;
   if (!/[./\\]/.test(word)) return Promise.reject(unknownMachine(word, machines));
   const content = json(word, await bytesOf(word)) as MachineProfile | { schema: string; profile: MachineProfile } | null;
-  // What the page exports says its schema around the profile.
+  // A profile that the page has exported is wrapped in an object with its schema.
   const profile = content !== null && typeof content === 'object' && 'profile' in content ? content.profile : content;
-  used(() => checkMachine(profile), Unusable, `${word}: `);
+  checked(() => checkMachine(profile), Unusable, `${word}: `);
   return profile as MachineProfile;
 }
 
@@ -87,10 +87,10 @@ function json(word: string, bytes: Uint8Array): unknown {
   }
 }
 
-/** Does what may refuse something in a sentence, as a failure of this kind. */
-function used(what: () => void, Failure: typeof Unusable | typeof WrongUse, where: string): void {
+/** Runs a check and turns its error into a failure of the command line. */
+function checked(check: () => void, Failure: typeof Unusable | typeof WrongUse, where: string): void {
   try {
-    what();
+    check();
   } catch (error) {
     throw new Failure(`${where}${(error as Error).message}`);
   }
@@ -106,7 +106,7 @@ async function searched(planner: Planner, options: PlanOptions, file: string, pl
   const plan = planner.plan(options, (progress) => {
     if (show) process.stderr.write(`\r\x1b[K${progressLine(progress, options, basename(file), place)}`);
   });
-  // Once ends the search and keeps what it found; twice ends the program.
+  // The first Ctrl+C ends the search and keeps its result; the second ends the program.
   const stop = () => plan.stop();
   process.once('SIGINT', stop);
   try {

@@ -1,4 +1,4 @@
-/** The line on a terminal that tells of a search: how far it is, what it found, how far from the best, how long it takes. */
+/** The progress line on a terminal: how far the search is, the time of the job, the gap to the lower bound, the time left. */
 
 import { DEFAULT_SECONDS } from '../options.js';
 import type { PlanOptions, Progress } from '../protocol.js';
@@ -8,7 +8,7 @@ import { duration, percent } from './words.js';
 
 const BAR = 16;
 
-/** What is told of a search now; `name` only where there are several files. */
+/** The progress line. The file is named only if there are several. */
 export function progressLine({ seconds, moves, rate, summary }: Progress, budget: PlanOptions, file: string, { index, of }: Place): string {
   const left = secondsLeft({ seconds, moves, rate }, budget);
   const done = left === null ? 0 : seconds / Math.max(seconds + left, Number.MIN_VALUE);
@@ -24,7 +24,7 @@ export function progressLine({ seconds, moves, rate, summary }: Progress, budget
   ].filter(Boolean).join('  ');
 }
 
-/** By the sooner of both budgets, that in moves being each worker's; null while nobody knows how fast it goes. */
+/** Seconds until the first of the budgets ends; one in moves applies to each worker. Null while the speed is unknown. */
 function secondsLeft({ seconds, moves, rate }: Pick<Progress, 'seconds' | 'moves' | 'rate'>, budget: PlanOptions): number | null {
   const bySeconds = budget.seconds ?? (budget.moves === undefined ? DEFAULT_SECONDS : undefined);
   const ends = [

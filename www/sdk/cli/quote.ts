@@ -1,4 +1,4 @@
-/** `kerfway quote`: what a shop asks of a job before it names a price. */
+/** `kerfway quote`: reports what a price depends on. */
 
 import type { Material, Quote } from '../quote.js';
 import { parsed, positive, text, type Words } from './arguments.js';
@@ -16,11 +16,11 @@ export async function quote(args: string[]): Promise<void> {
   await planFiles(given, { outputs, columns: COLUMNS }, async ({ file, place, planner }, to) => {
     const quoted = await usable(file, planner.quote(material));
     await to.write(file, outputs.map((output) => {
-      // One document a line where several follow each other.
+      // Several documents on standard output have one line each.
       const indent = place.of > 1 && output.out === STANDARD_OUTPUT ? 0 : 2;
       return { output, data: `${JSON.stringify(quoted, null, indent)}\n` };
     }));
-    await to.tell(place, () => told(quoted), () => row(file, quoted));
+    await to.report(place, () => lines(quoted), () => row(file, quoted));
   });
 }
 
@@ -35,7 +35,7 @@ const COLUMNS: readonly Column[] = [
   { title: 'Hash', width: 12 },
 ];
 
-/** Digits of a hash that tell one report from another in a table; the whole of it is in the report. */
+/** The number of digits of a hash in the table, enough to compare reports; the report has all of them. */
 const SHORT = 12;
 
 function row(file: string, q: Quote): string[] {
@@ -55,19 +55,19 @@ function materialOf({ values }: Words): Material {
   return material;
 }
 
-function told(q: Quote): string[] {
+function lines(q: Quote): string[] {
   const { times: t, bounds: [x0, y0, x1, y1] } = q;
   const against = (ratio: number | null) => (ratio === null ? '' : ` (${ratio.toFixed(2)} of the thickness)`);
   const weight = q.weight === null ? '' : `, ${grams(q.weight)}`;
-  const lines = [
+  const text = [
     `${q.input.name}: ${plural(q.part_count, 'part')}, ${q.parts.length} different${weight}`,
     `Job        ${duration(t.total)}: cut ${duration(t.cut)}, air ${duration(t.air)}, pierce ${duration(t.pierce)} (${q.pierces})`,
     `Size       ${(x1 - x0).toFixed(1)} x ${(y1 - y0).toFixed(1)} mm, ${area(q.box_area)}; parts ${area(q.net_area)}`,
     ...q.layers.map((l) => `Layer      ${l.layer}: ${l.operation} ${meters(l.length)}, ${plural(l.contours, 'contour')}${l.open > 0 ? `, ${l.open} open` : ''}`),
     ...q.parts.map((p) => `Part       ${p.count} x ${area(p.net_area)}, ${meters(p.cut_length)} to cut, ${plural(p.holes, 'hole')}`),
   ];
-  if (q.smallest_hole !== null) lines.push(`Narrowest  hole ${millimetres(q.smallest_hole.width)}${against(q.smallest_hole.over_thickness)}`);
-  if (q.narrowest_web !== null) lines.push(`           web ${millimetres(q.narrowest_web.width)}${against(q.narrowest_web.over_thickness)}`);
-  lines.push(`Confidence ${q.confidence.level}`, ...q.confidence.reasons.map((r) => `           ${r}`), `Hash       ${q.hash}`);
-  return lines;
+  if (q.smallest_hole !== null) text.push(`Narrowest  hole ${millimetres(q.smallest_hole.width)}${against(q.smallest_hole.over_thickness)}`);
+  if (q.narrowest_web !== null) text.push(`           web ${millimetres(q.narrowest_web.width)}${against(q.narrowest_web.over_thickness)}`);
+  text.push(`Confidence ${q.confidence.level}`, ...q.confidence.reasons.map((r) => `           ${r}`), `Hash       ${q.hash}`);
+  return text;
 }

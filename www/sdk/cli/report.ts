@@ -1,14 +1,14 @@
-/** What people read of a command: all about one file, or a table with a row for each of several as it is done. */
+/** The report of a command for people: the details of a single file, or a table with a row for each of several files. */
 
 import type { Place } from './batch.js';
 import { print } from './io.js';
 import { visible } from './safe-text.js';
 
-/** Columns after that of the file. */
+/** A column of the table, after that of the file name. */
 export interface Column {
   title: string;
   width: number;
-  /** Numbers stand to the right. */
+  /** Whether the cells are aligned to the right, as numbers are. */
   right?: true;
 }
 
@@ -16,7 +16,7 @@ export class Report {
   private columns: readonly Column[] = [];
   private headed = false;
 
-  /** `piped`: standard output is for a program, so people read the other one. */
+  /** `piped`: standard output has data for a program, so the report goes to standard error. */
   constructor(
     private readonly piped: boolean,
     private readonly others: readonly Column[],
@@ -26,7 +26,7 @@ export class Report {
     this.columns = [{ title: 'File', width: Math.max(4, ...files.map((f) => visible(f).length)) }, ...this.others];
   }
 
-  async tell({ of }: Place, lines: () => readonly string[], cells: () => readonly string[]): Promise<void> {
+  async add({ of }: Place, lines: () => readonly string[], cells: () => readonly string[]): Promise<void> {
     if (of === 1) return say(lines(), this.piped);
     if (!this.headed) await say([this.row(this.columns.map((c) => c.title))], this.piped);
     this.headed = true;
@@ -40,7 +40,7 @@ export class Report {
   }
 }
 
-/** Prints lines for people; on standard error where standard output is for a program. */
+/** Prints lines for people, on standard error if standard output has data for a program. */
 export async function say(lines: readonly string[], piped: boolean): Promise<void> {
   const text = lines.map((line) => `${visible(line)}\n`).join('');
   if (piped) process.stderr.write(text);

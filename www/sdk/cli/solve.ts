@@ -1,4 +1,4 @@
-/** `kerfway solve`: a benchmark instance (TSPLIB, GTSPLIB, PCGTSP) solved by the default method. */
+/** `kerfway solve`: solves a benchmark instance (TSPLIB, GTSPLIB, PCGTSP) with the default method. */
 
 import { readFile } from 'node:fs/promises';
 import { basename } from 'node:path';
@@ -8,10 +8,10 @@ import { Destinations, outputsOf } from './destinations.js';
 import { bytesOf, Unusable } from './io.js';
 import { say } from './report.js';
 
-/** Moves between two looks at the clock: a few milliseconds. */
+/** Moves between two checks of the clock, which take a few milliseconds. */
 const SLICE = 20_000;
 
-/** What is written for `--json`. */
+/** The document that `--json` writes. */
 interface Solved {
   name: string;
   length: number;

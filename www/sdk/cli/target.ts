@@ -1,28 +1,28 @@
-/** Where an output goes in the end: behind all links, and compared with other files by what they are instead of by name. */
+/** The file that an output name leads to: follows links, and compares files by their identity instead of their names. */
 
 import { fstatSync, lstatSync, readlinkSync, realpathSync, statSync, type BigIntStats, type Stats } from 'node:fs';
 import { basename, dirname, isAbsolute, join, resolve, sep } from 'node:path';
 
-/** The name of standard output. */
+/** The name of standard output on the command line. */
 export const STANDARD_OUTPUT = '-';
 
-/** As many links in a row as Linux follows. */
+/** The most links in a row: the same number as in Linux. */
 const MOST_LINKS = 40;
 
-/** Open files of a process by their numbers: `/dev/stdout` leads to one. */
+/** Paths of open file descriptors, such as the one that `/dev/stdout` leads to. */
 const DESCRIPTOR = /^(\/proc\/.*\/fd|\/dev\/fd)\/[^/]+$/;
 
-/** A file that is there, or is to be made. */
+/** A file that exists or will be made. */
 export interface Target {
   /** Its path, without links. */
   path: string;
-  /** What is there; `null`: nothing yet. */
+  /** The existing file; `null` if there is none. */
   stat: BigIntStats | null;
-  /** It can be replaced by another file; otherwise it is a device, a pipe or the like, and is written directly. */
+  /** Whether another file can replace it. Devices, pipes and the like cannot be replaced and are written directly. */
   replaceable: boolean;
 }
 
-/** Follows a name to its end. Throws the system's error for links that lead in circles and folders that may not be seen. */
+/** Follows the links of a name. Throws the system's error for links in a circle and for folders without permission. */
 export function targetOf(name: string): Target {
   const path = followed(name);
   const stat = statSync(path, { bigint: true, throwIfNoEntry: false }) ?? null;
@@ -30,8 +30,9 @@ export function targetOf(name: string): Target {
 }
 
 /**
- * What two names of one output have in common. Files that are there are told by device and inode, which see through links of both kinds and
- * through upper and lower case; others by their path without links. `null` for what may be named twice: terminals and `/dev/null`.
+ * A text that is equal for all names of the same file. Existing files are identified by device and inode, which is
+ * independent of links of both kinds and of upper and lower case; other files by their path without links. `null` for
+ * terminals and `/dev/null`, which several outputs may use.
  */
 export function identityOf(name: string): string | null {
   try {
@@ -39,17 +40,17 @@ export function identityOf(name: string): string | null {
     if (stat === null || stat.ino === 0n) return path;
     return stat.isCharacterDevice() ? null : `${stat.dev}:${stat.ino}`;
   } catch {
-    // What cannot be followed cannot be read or written either: that is reported when it is tried.
+    // A name that cannot be followed cannot be read or written either; the attempt reports it.
     return resolve(name);
   }
 }
 
-/** The same of an input; `null` for streams, which nothing can be written over. */
+/** The same for an input; `null` for streams, which an output cannot overwrite. */
 export function identityOfInput(name: string): string | null {
   return lookAt(name)?.isFile() === false ? null : identityOf(name);
 }
 
-/** What is there under a name; `null` when nothing is, or nothing that may be seen. */
+/** The file with this name; `null` if there is none, or if it must not be seen. */
 export function lookAt(name: string): Stats | null {
   try {
     return statSync(name);
@@ -58,8 +59,8 @@ export function lookAt(name: string): Stats | null {
   }
 }
 
-// A link that leads nowhere yet has no real path, so links are followed one by one. The system resolves the folders: `..` behind
-// a link is not what it looks like.
+// A dangling link has no real path, so links are followed one by one. The system resolves the folders, because `..` after
+// a link is not the folder that the text suggests.
 function followed(name: string): string {
   let path = name;
   for (let links = 0; links < MOST_LINKS; links++) {
@@ -71,7 +72,7 @@ function followed(name: string): string {
   return realpathSync.native(name);
 }
 
-// Of a folder that is yet to be made, the part that is there.
+// For a folder that does not exist yet, resolves the part that exists.
 function realFolder(folder: string): string {
   try {
     return realpathSync.native(folder);

@@ -1,6 +1,6 @@
 /**
- * Temporary files, removed whatever happens: when the program ends, and when a signal ends it. Only a signal that no program can
- * handle (SIGKILL) leaves them behind.
+ * Temporary files. They are removed when the program ends, even if a signal ends it. Only SIGKILL, which no program can
+ * handle, leaves them behind.
  */
 
 import { randomBytes } from 'node:crypto';
@@ -9,23 +9,23 @@ import { dirname, join } from 'node:path';
 
 const SIGNALS = ['SIGINT', 'SIGTERM', 'SIGHUP'] as const;
 
-/** Those there may be now. */
+/** The temporary files that may exist now. */
 const files = new Set<string>();
 let active = false;
 
-/** True while outputs are being written. */
+/** Whether outputs are being written. */
 export function writing(): boolean {
   return active;
 }
 
-/** A new name beside a file, hidden and not matched by patterns of drawings. */
+/** A new name in the folder of a file. It is hidden and does not match patterns of drawings. */
 export function temporaryBeside(path: string): string {
   const name = join(dirname(path), `.kerfway-${randomBytes(8).toString('hex')}.tmp`);
   files.add(name);
   return name;
 }
 
-/** Does some work that makes temporary files; none is left after it. */
+/** Runs work that makes temporary files, and removes those that are left. */
 export async function withTemporaries(work: () => Promise<void>): Promise<void> {
   active = true;
   listen();
@@ -33,14 +33,14 @@ export async function withTemporaries(work: () => Promise<void>): Promise<void> 
     await work();
   } finally {
     removeAll();
-    // A signal that came during the work must still find its listener.
+    // A signal that arrived during the work is handled before the listeners are removed.
     await turn();
     active = false;
     unlisten();
   }
 }
 
-/** Waits until signals that came meanwhile have been handled: the first turn may be the rest of the present one. */
+/** Waits until pending signals have been handled. Two turns of the event loop: the first may be the rest of the current one. */
 export async function turn(): Promise<void> {
   for (let k = 0; k < 2; k++) await new Promise((resume) => setImmediate(resume));
 }
@@ -50,7 +50,7 @@ function removeAll(): void {
     try {
       rmSync(file, { force: true });
     } catch {
-      // A folder that was taken away took the file with it.
+      // The folder was removed, and the file with it.
     }
   }
   files.clear();

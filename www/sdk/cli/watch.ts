@@ -1,4 +1,4 @@
-/** `--watch`: a command over its files again whenever one changes. */
+/** `--watch`: runs a command for a file again whenever it changes. */
 
 import { setTimeout as wait } from 'node:timers/promises';
 import { filesOf } from './glob.js';
@@ -6,35 +6,35 @@ import { WrongUse } from './io.js';
 import { complain } from './safe-text.js';
 import { lookAt } from './target.js';
 
-/** What is done with the files. */
+/** How the files are processed. */
 export interface Watched {
-  /** Works on some of all files; returns those that failed, which it has reported. */
+  /** Processes some of all files; returns those that failed, which it has reported. */
   round(files: readonly string[], all: readonly string[]): Promise<readonly string[]>;
-  /** Outputs on the disk that were made of a file. */
+  /** The existing outputs of a file. */
   existing(file: string): readonly string[];
 }
 
-/** Milliseconds between two looks at the files: soon enough for an eye, and nothing for a disk. */
-const LOOK = 250;
+/** Milliseconds between two checks of the files: fast enough for a person, and little work for a disk. */
+const INTERVAL = 250;
 
-/** How a file looks that is not there. */
+/** The version of a file that does not exist. */
 const GONE = '';
 
 /**
- * Looks again and again instead of being told: that works on every system and share, for files that are replaced, and for
- * patterns that match a new one. What two looks see the same is taken: a file is then not in the middle of being written, and one that
- * is gone is not in the middle of being replaced.
+ * Checks the files repeatedly instead of using notifications: that works on every system and network share, for files that
+ * are replaced, and for patterns that match a new file. A change counts when two checks in a row see the same, so that a
+ * file is not read while it is being written, and does not count as gone while it is being replaced.
  */
 export async function watch(words: readonly string[], { round, existing }: Watched): Promise<never> {
-  /** How each file looked when it was last worked on. */
+  /** The version of each file when it was last processed. */
   const done = new Map<string, string>();
   let before = new Map<string, string>();
   for (let first = true; ; first = false) {
     const files = filesOf(words);
-    const now = new Map([...done.keys(), ...files].map((file) => [file, lookOf(file)]));
+    const now = new Map([...done.keys(), ...files].map((file) => [file, versionOf(file)]));
     const settled = [...now.keys()].filter((file) => done.get(file) !== now.get(file) && (first || now.get(file) === before.get(file)));
     before = now;
-    // At the beginning a file that is not there is reported like any that cannot be read.
+    // In the first round a missing file is reported like any file that cannot be read.
     const changed = files.filter((file) => settled.includes(file) && (first || now.get(file) !== GONE));
     for (const file of settled.filter((file) => done.has(file) && now.get(file) === GONE)) {
       complain(`${file} is gone.${stale(existing(file))} It is planned again when it comes back.`);
@@ -47,11 +47,11 @@ export async function watch(words: readonly string[], { round, existing }: Watch
       }
       if (process.stderr.isTTY) process.stderr.write('Watching; Ctrl+C ends.\n');
     }
-    await wait(LOOK);
+    await wait(INTERVAL);
   }
 }
 
-// A new file may clash with others; that ends nothing that is under way.
+// The outputs of a new file may clash with others. After the first round that is reported, and watching continues.
 async function attempt(work: () => Promise<readonly string[]>, first: boolean): Promise<readonly string[]> {
   try {
     return await work();
@@ -64,10 +64,10 @@ async function attempt(work: () => Promise<readonly string[]>, first: boolean): 
 
 function stale(outputs: readonly string[]): string {
   if (outputs.length === 0) return '';
-  return ` ${outputs.join(', ')} on the disk ${outputs.length === 1 ? 'is' : 'are'} of an earlier drawing, and stale.`;
+  return ` ${outputs.join(', ')} on the disk ${outputs.length === 1 ? 'is' : 'are'} from an earlier drawing, and stale.`;
 }
 
-function lookOf(file: string): string {
+function versionOf(file: string): string {
   const stat = lookAt(file);
   return stat === null ? GONE : `${stat.mtimeMs} ${stat.size}`;
 }

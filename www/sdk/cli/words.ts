@@ -1,18 +1,18 @@
-/** Numbers as people read them. */
+/** Formats numbers for people. */
 
 /** A length given in mm, in metres. */
 export function meters(mm: number): string {
   return `${(mm / 1000).toFixed(3)} m`;
 }
 
-/** Seconds, with minutes beyond two of them. */
+/** A time given in seconds; from two minutes on in minutes and seconds. */
 export function duration(s: number): string {
   if (s < 120) return `${s.toFixed(1)} s`;
   const minutes = Math.floor(Math.round(s) / 60);
   return `${minutes} min ${String(Math.round(s) - 60 * minutes).padStart(2, '0')} s`;
 }
 
-/** A share, in per cent: two digits below one. */
+/** A ratio in per cent, with two decimals below one per cent. */
 export function percent(share: number): string {
   return `${(100 * share).toFixed(share < 0.01 ? 2 : 1)} %`;
 }
@@ -31,12 +31,12 @@ export function millimetres(mm: number): string {
   return `${mm.toFixed(2)} mm`;
 }
 
-/** An area given in mm2; from a hand's size on in square metres. */
+/** An area given in mm2; from 100 cm2 on in square metres. */
 export function area(mm2: number): string {
   return mm2 < 1e4 ? `${mm2.toFixed(0)} mm²` : `${(mm2 / 1e6).toFixed(4)} m²`;
 }
 
-/** A weight given in grams; from a kilogram on in those. */
+/** A weight given in grams; from a kilogram on in kilograms. */
 export function grams(g: number): string {
   return g < 1000 ? `${g.toFixed(0)} g` : `${(g / 1000).toFixed(2)} kg`;
 }

@@ -1,4 +1,4 @@
-/** Makes the elements known, once, on planners that `createPlanner` opens. */
+/** Registers the custom elements once. Their planners are opened by `createPlanner`. */
 
 import type { Planner } from '../planner.js';
 import { DrawingElement } from './drawing.js';

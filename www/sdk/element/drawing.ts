@@ -1,69 +1,69 @@
 /**
- * What the elements have in common: a drawing is dropped, chosen or handed over, planned in a worker while its path is shown,
- * and what comes of it is told to the host. Each element says what is made of the finished plan.
+ * The base class of the elements. A drawing is dropped, chosen or passed by the host; it is planned in a worker while its
+ * path is shown, and the result is dispatched as an event. Each element decides what the result is.
  */
 
 import { plural } from '../cli/words.js';
-import { functionsOn, type Functions, type Planned, type PlanRun } from '../functions.js';
-import { abortable } from '../lend.js';
+import { createFunctions, type Functions, type Planned, type PlanRun } from '../functions.js';
 import type { PlanJobOptions, PlanningOptions, Source } from '../options.js';
 import type { Planner } from '../planner.js';
 import type { Loaded, MachineProfile, MethodInfo, OutputKind, Progress } from '../protocol.js';
 import { checkSize } from '../size.js';
+import { abortable } from '../with-planner.js';
 import { worked } from '../worked.js';
 import { attributed } from './options.js';
 import { Picture } from './picture.js';
 
-/** What the events of an element carry as `detail`; `Result` is what it makes. They do not bubble. */
+/** The events of an element with their `detail`. They do not bubble. */
 export interface DrawingEvents<Result> {
-  /** The planner is there. */
+  /** The planner has started. */
   ready: CustomEvent<{ machines: readonly MachineProfile[]; methods: readonly MethodInfo[] }>;
   progress: CustomEvent<Progress>;
   result: CustomEvent<Result>;
-  /** One sentence for people; it is shown, too. */
+  /** One sentence for people, which the element shows as well. */
   error: CustomEvent<{ message: string }>;
 }
 
-/** What an element is at; also its attribute `state`. */
+/** The state of an element, which is also its attribute `state`. */
 export type ElementState = 'empty' | 'reading' | 'planning' | 'done' | 'failed';
 
-// Where there is no page (a server that renders one), the module can be imported all the same.
+// On a server, where there is no `HTMLElement`, the module can still be imported.
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 
-/** What `<kerfway-planner>` and `<kerfway-quote>` have in common; `Result` is what they make, `K` what is written of the plan. */
+/** The base class of `<kerfway-planner>` and `<kerfway-quote>`. `K` are the outputs that an element needs to make its `Result`. */
 export abstract class DrawingElement<Result, K extends OutputKind> extends Base {
-  /** Where planners come from: see `define.ts`. */
+  /** Opens the planner of an element; `define.ts` sets it. */
   static createPlanner: () => Promise<Planner>;
 
-  /** Options of reading and planning besides the attributes, which they override. */
+  /** Options of reading and planning. They override the attributes. */
   options: PlanningOptions = {};
-  /** What the drawing holds, once it is read. */
+  /** The contents of the drawing, once it has been read. */
   loaded: Loaded | null = null;
-  /** What came of the last drawing. */
+  /** The result of the last drawing. */
   result: Result | null = null;
 
   protected source: Source | null = null;
-  /** Of the plan under way or the last one: a new one aborts it. */
+  /** The running or last plan, which a new one aborts. */
   private job: { control: AbortController; stop: () => void } | null = null;
   private planner: Promise<Planner> | null = null;
-  /** The planner that holds the finished plan; an element that was taken out of its page meanwhile has another one. */
+  /** The planner that has the finished plan. An element that was removed from its page and put back has another one. */
   private holder: Promise<Planner> | null = null;
-  /** Those of the planner, the default first. */
+  /** The machine presets, the default first. */
   private machines: readonly MachineProfile[] = [];
   private readonly root: ShadowRoot;
   private readonly picture: Picture;
 
-  constructor(furnish: (root: ShadowRoot) => void) {
+  constructor(fill: (root: ShadowRoot) => void) {
     super();
     this.root = this.attachShadow({ mode: 'open' });
-    furnish(this.root);
+    fill(this.root);
     this.picture = new Picture(this.piece('contours'), this.piece('path'));
     this.root.addEventListener('click', (event) => this.press((event.target as HTMLElement).dataset['does']));
     this.input.addEventListener('change', () => this.take(this.input.files));
     for (const type of ['dragover', 'dragleave', 'drop'] as const) this.addEventListener(type, (event) => this.drag(event));
   }
 
-  /** What it is at. */
+  /** The state of the element. */
   get state(): ElementState {
     return (this.getAttribute('state') ?? 'empty') as ElementState;
   }
@@ -90,7 +90,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     this.planner = null;
   }
 
-  /** Reads and plans a drawing, as if it had been dropped. Resolves with what comes of it; rejects when it fails or another is opened. */
+  /** Reads and plans a drawing, as if it had been dropped. Resolves with the result; rejects when it fails or another drawing is opened. */
   async open(source: Source, name = 'drawing.dxf'): Promise<Result> {
     this.job?.control.abort();
     const control = new AbortController();
@@ -124,22 +124,22 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     }
   }
 
-  /** Ends the plan under way and keeps the best found. */
+  /** Ends the running search and keeps the best plan. */
   stop(): void {
     this.job?.stop();
   }
 
   protected abstract plan(source: Source, options: PlanJobOptions): PlanRun<K>;
-  /** What the host is told of a finished plan. */
+  /** Makes the result from a finished plan. */
   protected abstract made(planned: Planned<K>, signal: AbortSignal): Promise<Result>;
-  /** The line below the picture, while it is planned and after. */
+  /** The line of text below the picture, during the search and after it. */
   protected abstract inWords(plan: Progress | Planned<K>): string;
-  /** A file's name and text of what is taken away. */
+  /** The file to download: the ending of its name, and its text. */
   protected abstract file(): { ending: string; text: string } | null;
 
-  // All on one planner, which is kept: a new drawing ends the plan before.
+  // All drawings use the same planner, so a new drawing ends the previous plan.
   protected functions(): Functions {
-    return functionsOn(async (work, signal) => abortable(this.opened().then(work), signal));
+    return createFunctions(async (work, signal) => abortable(this.opened().then(work), signal));
   }
 
   protected opened(): Promise<Planner> {
@@ -156,7 +156,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     this.tell('result', result);
   }
 
-  /** Whether the finished plan can still be asked. */
+  /** Whether the planner still has the finished plan. */
   protected get held(): boolean {
     return this.state === 'done' && this.holder !== null && this.holder === this.planner;
   }
@@ -167,7 +167,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     this.tell('error', { message });
   }
 
-  // What can be seen and pressed follows from the state alone.
+  // The state alone decides which pieces are visible.
   protected become(state: ElementState, numbers: string): void {
     this.setAttribute('state', state);
     this.piece('numbers').textContent = numbers;
@@ -210,7 +210,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
   private take(files: FileList | null): void {
     const file = files?.[0];
     if (file === undefined) return;
-    // What comes of it is shown, and told by events.
+    // Results and errors are shown and dispatched as events, so the promise is not needed.
     const read = async () => {
       checkSize(file.size);
       return file.arrayBuffer();
@@ -226,7 +226,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     link.href = URL.createObjectURL(new Blob([file.text], { type: 'text/plain' }));
     link.download = `${this.loaded?.name.replace(/\.dxf$/i, '')}${file.ending}`;
     link.click();
-    // The browser has taken it by then.
+    // A minute later the browser has read the file.
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
   }
 

@@ -1,4 +1,4 @@
-/** The report of a quote as rows for people. */
+/** The rows of a quote that `<kerfway-quote>` shows. */
 
 import { area, duration, grams, meters, millimetres, plural, size } from '../cli/words.js';
 import type { Quote } from '../quote.js';

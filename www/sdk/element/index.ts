@@ -1,23 +1,25 @@
 /**
- * Elements for a host's page. `<kerfway-planner>`: a place to drop a drawing that plans it, shows the path as it gets faster, and hands G-code out.
+ * Custom elements for a host's page. `<kerfway-planner>` takes a drawing by drag and drop, plans it, shows the path while it gets faster, and offers
+ * the G-code for download.
  *
  *     <script type="module" src="kerfway/dist/sdk/element/index.js"></script>
  *     <kerfway-planner machine="co2-100w" seconds="5"></kerfway-planner>
  *
- * Attributes: `machine`, `method`, `units`, `seconds`, `moves`, `seed`, `workers`, as in the options of `plan`; what is no text
- * (layers, a machine of one's own) goes into the property `options`. Both are read when a drawing is opened.
- * State, for styles: the attribute `state`, one of `empty`, `reading`, `planning`, `done`, `failed`.
- * Parts: `stage`, `contours`, `path`, `drop`, `bar`, `numbers`, `message`, `button` with `choose`, `stop`, `download`, `again`.
- * Properties for CSS: `--kerfway-text`, `-surface`, `-sheet`, `-line`, `-edge`, `-contour`, `-accent`, `-on-accent`, `-error`, `-radius`,
+ * Attributes: `machine`, `method`, `units`, `seconds`, `moves`, `seed`, `workers`, with the meaning of the options of `plan`. Other options
+ * (layers, a machine profile) are set by the property `options`. Both are read when a drawing is opened.
+ * State, for style rules: the attribute `state` is one of `empty`, `reading`, `planning`, `done`, `failed`.
+ * CSS parts: `stage`, `contours`, `path`, `drop`, `bar`, `numbers`, `message`, `button` with `choose`, `stop`, `download`, `again`.
+ * CSS properties: `--kerfway-text`, `-surface`, `-sheet`, `-line`, `-edge`, `-contour`, `-accent`, `-on-accent`, `-error`, `-radius`,
  * `-font`; light or dark follows `color-scheme`.
  *
- * `<kerfway-quote>`: the same for whoever wants a price: it shows the figures of a quote, and hands the report out.
+ * `<kerfway-quote>` does the same for a price: it shows the figures of a quote and offers the report for download.
  *
  *     <kerfway-quote machine="co2-100w" thickness="3" density="7.85"></kerfway-quote>
  *
- * Besides: attributes `material`, `thickness` (mm), `density` (g/cm3), or the property `material`; the property `price`, a function
- * of the report that says the price in words; parts `report`, `term`, `figure`, `price`. Its `result` is the report (`Quote`), told anew
- * when the material changes. Without `seconds` or `moves` it plans 100,000 moves of seed 1, which a server can do again.
+ * In addition it has the attributes `material`, `thickness` (mm) and `density` (g/cm3), or the property `material`; the property `price`, a
+ * function of the report that returns the price in words; and the parts `report`, `term`, `figure`, `price`. Its `result` is the report
+ * (`Quote`); the event `result` is dispatched again when the material changes. Without `seconds` or `moves` it plans 100,000 moves with
+ * seed 1, which a server can repeat.
  *
  * @module kerfway/element
  */

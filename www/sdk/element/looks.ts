@@ -1,4 +1,4 @@
-/** What the elements are made of and look like, before a host changes their parts and properties. */
+/** The content and style sheets of the elements. A host changes them by CSS parts and properties. */
 
 const CSS = `
 :host {
@@ -41,7 +41,7 @@ button {
 button:focus-visible { outline: 2px solid var(--kerfway-accent, light-dark(#2f4fdb, #93a8ff)); outline-offset: 2px; }
 `;
 
-/** A report is as long as it is: the element grows with it. */
+/** Additional styles of `<kerfway-quote>`, whose height grows with the report. */
 const REPORT = `
 :host { height: auto; grid-template-rows: 240px auto auto; }
 [part=price] { margin: 0; padding: 12px 12px 0; font-size: 1.5em; font-weight: 600; }
@@ -70,16 +70,16 @@ const bar = (download: string) => `
 <input type="file" accept=".dxf" hidden>
 `;
 
-export function furnishPlanner(root: ShadowRoot): void {
-  furnish(root, CSS, STAGE + bar('Download G-code'));
+export function fillPlanner(root: ShadowRoot): void {
+  fill(root, CSS, STAGE + bar('Download G-code'));
 }
 
-export function furnishQuote(root: ShadowRoot): void {
-  furnish(root, CSS + REPORT, `${STAGE}<div><p part="price" role="status"></p><dl part="report"></dl></div>${bar('Download the report')}`);
+export function fillQuote(root: ShadowRoot): void {
+  fill(root, CSS + REPORT, `${STAGE}<div><p part="price" role="status"></p><dl part="report"></dl></div>${bar('Download the report')}`);
 }
 
-/** Fills a shadow root. A constructed style sheet is allowed by every Content-Security-Policy; a style element is not. */
-function furnish(root: ShadowRoot, css: string, body: string): void {
+/** Fills a shadow root. It uses a constructed style sheet, because a Content-Security-Policy may forbid style elements. */
+function fill(root: ShadowRoot, css: string, body: string): void {
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(css);
   root.adoptedStyleSheets = [sheet];

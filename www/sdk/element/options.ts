@@ -1,17 +1,17 @@
-/** The attributes of the elements as options of a plan. */
+/** Reads the options of a plan from the attributes of an element. */
 
 import type { PlanningOptions } from '../options.js';
 import type { Unit } from '../protocol.js';
 
-/** Options that are numbers in attributes. */
+/** Attributes that are numbers. */
 const NUMBERS = ['seconds', 'moves', 'seed', 'workers'] as const;
 
-/** The number that an attribute says. Text that is none becomes NaN, which the planner refuses by its name. */
+/** The number in an attribute. Other text gives NaN, which the planner refuses with a sentence that names the option. */
 export function numberIn(text: string): number {
   return text.trim() === '' ? NaN : Number(text);
 }
 
-/** What the element's attributes say. */
+/** The options that the element's attributes give. */
 export function attributed(element: Element): PlanningOptions {
   const options: PlanningOptions = {};
   const [machine, method, units] = ['machine', 'method', 'units'].map((name) => element.getAttribute(name));

@@ -1,42 +1,43 @@
 /**
- * The picture of a drawing and its path: contours on one canvas, drawn once for each size, and the head's way through
- * the air with the entries on another above it. Colours are those the canvases have by CSS.
+ * The picture of a drawing and its path. The contours are on one canvas, which is drawn once for each size; travel moves
+ * and entry points are on another canvas above it. CSS sets the colours of both.
  */
 
 import type { BestPath, Geometry, Loaded } from '../protocol.js';
 
-/** Where the head comes from, and whether it goes back. */
+/** The machine's home, and whether the head returns there. */
 export interface Home {
   home: [number, number];
   return_home: boolean;
 }
 
-/** Numbers of an element of a contour; see `Geometry`. */
+/** Numbers per element of a contour; see `Geometry`. */
 const STRIDE = 7;
-/** Pixels around the drawing. */
+/** The margin around the drawing, in pixels. */
 const MARGIN = 12;
-/** Entries are dots of this radius in pixels, and left out where more of them would be a smear. */
+/** The radius of the dot at an entry point, in pixels. */
 const DOT = 2;
+/** Paths with more stops have no dots: they would cover the drawing. */
 const MOST_DOTS = 2000;
 
 export class Picture {
   private sheet: { cut: Path2D; ignored: Path2D; bounds: Loaded['bounds'] } | null = null;
   private path: BestPath | null = null;
   private home: Home | null = null;
-  private asked = false;
+  private frameRequested = false;
   private readonly resized: ResizeObserver;
 
   constructor(
     private readonly contours: HTMLCanvasElement,
-    private readonly way: HTMLCanvasElement,
+    private readonly travel: HTMLCanvasElement,
   ) {
     this.resized = new ResizeObserver(() => {
       this.drawContours();
-      this.drawWay();
+      this.drawPath();
     });
   }
 
-  /** Follows the size of the canvases from now on. */
+  /** Redraws when the size of the canvases changes. */
   watch(): void {
     this.resized.observe(this.contours);
   }
@@ -45,23 +46,23 @@ export class Picture {
     this.resized.disconnect();
   }
 
-  /** Another drawing, without a path yet; `null`: none. */
+  /** Shows another drawing without a path, or nothing for `null`. */
   show(loaded: Loaded | null, home: Home | null): void {
     this.sheet = loaded && { cut: traced(loaded.geometry, (id) => loaded.contours[id]?.operation !== 'ignore'), ignored: traced(loaded.ignored.geometry), bounds: loaded.bounds };
     this.home = home;
     this.path = null;
     this.drawContours();
-    this.drawWay();
+    this.drawPath();
   }
 
-  /** The path changed: drawn at the next frame. */
+  /** Shows another path at the next frame. */
   follow(path: BestPath): void {
     this.path = path;
-    if (this.asked) return;
-    this.asked = true;
+    if (this.frameRequested) return;
+    this.frameRequested = true;
     requestAnimationFrame(() => {
-      this.asked = false;
-      this.drawWay();
+      this.frameRequested = false;
+      this.drawPath();
     });
   }
 
@@ -77,9 +78,9 @@ export class Picture {
     context.stroke(sheet.ignored);
   }
 
-  private drawWay(): void {
+  private drawPath(): void {
     const { path, home } = this;
-    const pen = this.pen(this.way);
+    const pen = this.pen(this.travel);
     if (pen === null || path === null) return;
     const { context, scale, ratio } = pen;
     const p = path.points;
@@ -106,7 +107,7 @@ export class Picture {
     context.fill();
   }
 
-  // An empty canvas of the size it has on screen, drawn on in mm with y upwards.
+  // Clears a canvas, gives it its size on the screen, and sets up coordinates in mm with y upwards.
   private pen(canvas: HTMLCanvasElement): { context: CanvasRenderingContext2D; scale: number; ratio: number } | null {
     const ratio = globalThis.devicePixelRatio;
     canvas.width = Math.round(canvas.clientWidth * ratio);

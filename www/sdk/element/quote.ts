@@ -1,22 +1,22 @@
-/** The element that `<kerfway-quote>` is; how it is used: see `index.ts`. */
+/** The class of the element `<kerfway-quote>`. See `index.ts` for its use. */
 
 import { duration } from '../cli/words.js';
 import type { Planned, PlanRun } from '../functions.js';
-import { abortable } from '../lend.js';
 import type { PlanJobOptions, Source } from '../options.js';
 import type { Progress } from '../protocol.js';
 import type { Material, Quote } from '../quote.js';
+import { abortable } from '../with-planner.js';
 import { DrawingElement, type DrawingEvents } from './drawing.js';
 import { facts } from './facts.js';
-import { furnishQuote } from './looks.js';
+import { fillQuote } from './looks.js';
 import { numberIn } from './options.js';
 
 /** Events of `<kerfway-quote>`; the result is the report. */
 export type QuoteEvents = DrawingEvents<Quote>;
 
 /**
- * What is searched when nobody says: counted in moves and from one seed, so that a server which plans again confirms the
- * report by its hash. It takes about a second.
+ * The default budget. It is given in moves and with a seed, so that a server that plans again can confirm the hash of the
+ * report. It takes about a second.
  */
 const BUDGET = { moves: 100_000, seed: 1 } as const;
 
@@ -27,30 +27,30 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
   /** @internal The browser reads it. */
   static readonly observedAttributes: readonly string[] = MATERIAL;
 
-  /** What the host asks for the job, in words; shown above the figures. Called for every report. */
+  /** A function of the host that returns the price in words, which is shown above the figures. It is called for every report. */
   price: ((quote: Quote) => string | Promise<string>) | null = null;
 
   private sheet: Material | null = null;
-  /** Counts reports: what comes of an earlier one is of no interest. */
-  private asked = 0;
+  /** The number of reports requested so far. The results of earlier requests are dropped. */
+  private requested = 0;
 
   constructor() {
-    super(furnishQuote);
+    super(fillQuote);
   }
 
-  /** What the sheet is made of: what is set here, or else what the attributes say. Another one makes a new report of the same plan. */
+  /** The material of the sheet: the one set here, or else that of the attributes. Setting it makes a new report of the same plan. */
   get material(): Material {
     return this.sheet ?? attributedMaterial(this);
   }
 
   set material(material: Material | null) {
     this.sheet = material;
-    this.again();
+    this.reportAgain();
   }
 
   /** @internal The browser calls it. */
   attributeChangedCallback(): void {
-    if (this.sheet === null) this.again();
+    if (this.sheet === null) this.reportAgain();
   }
 
   protected plan(source: Source, options: PlanJobOptions): PlanRun {
@@ -72,28 +72,28 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
     return this.result === null ? null : { ending: '.quote.json', text: `${JSON.stringify(this.result, null, 2)}\n` };
   }
 
-  // A plan that is done is not searched again for another sheet.
-  private again(): void {
+  // Reports the finished plan again for another material, without a new search.
+  private reportAgain(): void {
     if (this.state !== 'done') return;
     if (!this.held && this.source !== null) {
       this.open(this.source, this.loaded?.name).catch(() => {});
       return;
     }
-    const asked = this.asked;
+    const number = this.requested;
     this.reported().then(
       (quote) => this.finish(quote, `Job ${duration(quote.times.total)}`),
       (error: Error) => {
-        if (asked + 1 === this.asked) this.fail(error);
+        if (number + 1 === this.requested) this.fail(error);
       },
     );
   }
 
   private async reported(signal?: AbortSignal): Promise<Quote> {
-    const asked = (this.asked += 1);
+    const number = (this.requested += 1);
     const planner = await this.opened();
     const quote = await abortable(planner.quote(this.material), signal);
     const price = await abortable(Promise.resolve(this.price?.(quote) ?? ''), signal);
-    if (asked !== this.asked) throw new DOMException('Another report was asked for.', 'AbortError');
+    if (number !== this.requested) throw new DOMException('Another report was requested.', 'AbortError');
     this.piece('price').textContent = price;
     this.piece('report').replaceChildren(...facts(quote).flatMap(([term, figure]) => [piece('dt', 'term', term), piece('dd', 'figure', figure)]));
     return quote;

@@ -8,7 +8,7 @@
  *     frame.setOptions({ machine: 'co2-100w', seconds: 5 });
  *     const { outputs } = await frame.open(await file.arrayBuffer(), file.name);
  *
- * Only messages of that frame, from the origin of its address, are heard, and only that origin is told anything.
+ * Only messages from that frame and from the origin of its address are accepted, and messages are sent to that origin only.
  *
  * @module kerfway/frame
  */
@@ -20,62 +20,62 @@ import { MARK, type FromFrame, type Kind, type Marked, type Pace, type ToFrame }
 
 export type { Kind, Pace } from './messages.js';
 
-/** What the frame tells, of drawings that the host opens and of those that a person drops. */
+/** Callbacks for drawings that the host opens and for those that a person drops into the frame. */
 export interface FrameListener {
-  /** The planner in the frame is ready: its machines and methods. */
+  /** The planner in the frame has started; it has these machines and methods. */
   onReady?: (planner: { machines: readonly MachineProfile[]; methods: readonly MethodInfo[] }) => void;
-  /** A plan is under way: its figures so far. */
+  /** The search reports its progress. */
   onProgress?: (progress: Pace) => void;
   /** A plan has ended. */
   onResult?: (result: Planned<'gcode'>) => void;
-  /** One sentence for people; the frame shows it, too. */
+  /** Something failed: one sentence for people, which the frame shows as well. */
   onError?: (message: string) => void;
 }
 
-/** A host's hold of its frame. */
+/** The connection of a host to its frame. */
 export interface FrameConnection {
-  /** How drawings are read and planned from now on, those a person drops, too. Throws one sentence when an option is unusable. */
+  /** Sets how drawings are read and planned, including those that a person drops. Throws one sentence when an option is unusable. */
   setOptions(options: PlanningOptions): void;
-  /** Plans a drawing in the frame. Rejects with one sentence when it is unusable or another is opened. */
+  /** Plans a drawing in the frame. Rejects with one sentence when it is unusable or another drawing is opened. */
   open(bytes: ArrayBuffer, name: string): Promise<Planned<'gcode'>>;
-  /** Ends the plan under way and keeps the best found. */
+  /** Ends the running search and keeps the best plan. */
   stop(): void;
-  /** The finished plan in another form: text, or the bytes of a PNG. */
+  /** Writes the finished plan in another format: as text, or as the bytes of a PNG. */
   render(kind: Kind, options?: { width?: number }): Promise<string | Uint8Array>;
-  /** Hears no more; what waits for an answer is rejected. */
+  /** Ends the connection. Calls that wait for an answer are rejected. */
   disconnect(): void;
 }
 
-interface Question {
+interface Request {
   resolve: (value: never) => void;
   reject: (error: Error) => void;
 }
 
-/** Connects to a frame page whose address is set, loaded already or not. What is said before it is ready reaches it when it is. */
+/** Connects to a frame whose address is set; it need not be loaded yet. Messages that are sent before it is ready are delivered later. */
 export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener = {}): FrameConnection {
   const { origin } = new URL(iframe.src, location.href);
-  const questions = new Map<number, Question>();
+  const requests = new Map<number, Request>();
   let lastId = 0;
-  /** Said before the frame was ready; `null` afterwards. */
+  /** Messages for a frame that is not ready yet; `null` afterwards. */
   let early: ToFrame[] | null = [];
 
   const post = (message: ToFrame) => iframe.contentWindow?.postMessage({ ...message, kerfway: MARK }, origin);
-  const say = (message: ToFrame) => {
+  const send = (message: ToFrame) => {
     if (early === null) post(message);
     else early.push(message);
   };
   const ask = <T>(message: (id: number) => ToFrame): Promise<T> =>
     new Promise((resolve, reject) => {
       const id = ++lastId;
-      questions.set(id, { resolve, reject });
-      say(message(id));
+      requests.set(id, { resolve, reject });
+      send(message(id));
     });
-  const settle = (id: number, how: (question: Question) => void) => {
-    const question = questions.get(id);
-    questions.delete(id);
-    if (question !== undefined) how(question);
+  const settle = (id: number, how: (request: Request) => void) => {
+    const request = requests.get(id);
+    requests.delete(id);
+    if (request !== undefined) how(request);
   };
-  const hear = (message: FromFrame) => {
+  const receive = (message: FromFrame) => {
     switch (message.type) {
       case 'ready': {
         const first = early;
@@ -97,9 +97,9 @@ export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener 
     }
   };
   const listen = (event: MessageEvent<Marked<FromFrame> | null>) => {
-    if (event.source === iframe.contentWindow && event.origin === origin && event.data?.kerfway === MARK) hear(event.data);
+    if (event.source === iframe.contentWindow && event.origin === origin && event.data?.kerfway === MARK) receive(event.data);
   };
-  // Whoever is in the frame by now may hear that: it says nothing.
+  // The page in the frame may be another one by now. This message may go to any origin, because it contains nothing.
   const greet = () => iframe.contentWindow?.postMessage({ type: 'hello', kerfway: MARK }, '*');
 
   window.addEventListener('message', listen);
@@ -108,16 +108,16 @@ export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener 
   return {
     setOptions: (options) => {
       checkOptions(options, 'readingAndPlanning');
-      say({ type: 'options', options });
+      send({ type: 'options', options });
     },
     open: (bytes, name) => ask((id) => ({ type: 'open', id, bytes, name })),
-    stop: () => say({ type: 'stop' }),
+    stop: () => send({ type: 'stop' }),
     render: (kind, { width } = {}) => ask((id) => ({ type: 'render', id, kind, width: width ?? null })),
     disconnect: () => {
       window.removeEventListener('message', listen);
       iframe.removeEventListener('load', greet);
-      for (const { reject } of questions.values()) reject(new Error('The frame was disconnected.'));
-      questions.clear();
+      for (const { reject } of requests.values()) reject(new Error('The frame was disconnected.'));
+      requests.clear();
     },
   };
 }

@@ -1,27 +1,27 @@
 /**
- * What the frame page and its host tell each other. Every message is marked, numbered where it wants an answer, and read
- * with suspicion: a message that is not exactly one of these is none.
+ * The messages between the frame page and its host. Every message has a mark, and requests have a number. Messages to the
+ * frame are checked strictly: anything that is not exactly one of these is ignored.
  */
 
 import type { Planned } from '../functions.js';
 import type { PlanningOptions } from '../options.js';
 import type { MachineProfile, MethodInfo, OutputKind, Progress } from '../protocol.js';
 
-/** Version of these messages. */
+/** The version of these messages. */
 export const MARK = 1;
 
-/** What may be rendered for a host. */
+/** The formats that a host may request. */
 export const KINDS = ['gcode', 'svg', 'dxf', 'png'] as const satisfies readonly OutputKind[];
-/** What a frame can render. */
+/** A format in which a frame can render a plan. */
 export type Kind = (typeof KINDS)[number];
 
-/** Numbers of a plan under way. */
+/** The figures of a running plan. */
 export type Pace = Pick<Progress, 'moves' | 'seconds' | 'rate' | 'summary'>;
 
 export type ToFrame =
-  /** Asks for `ready`, if the planner is ready already. */
+  /** Asks the frame to send `ready` again if its planner has started. */
   | { type: 'hello' }
-  /** How drawings are read and planned from now on, those a person drops, too. */
+  /** Sets how drawings are read and planned, including those that a person drops. */
   | { type: 'options'; options: PlanningOptions }
   | { type: 'open'; id: number; bytes: ArrayBuffer; name: string }
   | { type: 'stop' }
@@ -36,15 +36,15 @@ export type FromFrame =
   | { type: 'answer'; id: number; value: unknown }
   | { type: 'refused'; id: number; message: string };
 
-/** A message as it is posted. */
+/** A message with its mark, as it is posted. */
 export type Marked<M> = M & { kerfway: typeof MARK };
 
-/** Pixels across the widest picture. */
+/** The largest width of a picture, in pixels. */
 const WIDEST = 8192;
-/** The characters a file's name may have. */
+/** The largest number of characters of a file's name. */
 const LONGEST_NAME = 255;
 
-/** The message to the frame that `data` is; `null`: it is none. */
+/** Reads `data` as a message to the frame; `null` if it is not exactly one of them. */
 export function messageToFrame(data: unknown): ToFrame | null {
   if (!isRecord(data) || data['kerfway'] !== MARK) return null;
   const { type, id, bytes, name, options, kind, width } = data;
@@ -72,7 +72,7 @@ const isName = (value: unknown): value is string => typeof value === 'string' &&
 const isKind = (value: unknown): value is Kind => KINDS.some((kind) => kind === value);
 const isWidth = (value: unknown): value is number => typeof value === 'number' && Number.isInteger(value) && value > 0 && value <= WIDEST;
 
-/** The origin a host states: exactly one, of the web. */
+/** Reads the origin of a host: a single http or https origin, otherwise `null`. */
 export function originOf(text: string | null): string | null {
   if (text === null || !URL.canParse(text)) return null;
   const { origin, protocol } = new URL(text);

@@ -1,7 +1,7 @@
 /**
  * The frame page (`frame.html?host=https://shop.example`): `<kerfway-planner>` and a bridge to the page around it. The
- * bridge hears only the parent window, only from the origin stated in `host`, and speaks to no other. Without a `host`
- * there is no bridge. A drawing that a person drops is told to that origin alone.
+ * bridge exchanges messages only with the parent window, and only while that has the origin given as `host`. Without a
+ * `host` there is no bridge. The results of a drawing that a person drops go to that origin alone.
  */
 
 import type { KerfwayPlanner, PlannerEvents } from '../element/index.js';
@@ -15,42 +15,42 @@ const host = originOf(new URLSearchParams(location.search).get('host'));
 if (host !== null && window.parent !== window) bridge(host);
 
 function bridge(origin: string): void {
-  const tell = (message: FromFrame) => window.parent.postMessage({ ...message, kerfway: MARK }, origin);
+  const send = (message: FromFrame) => window.parent.postMessage({ ...message, kerfway: MARK }, origin);
   let ready: FromFrame | null = null;
 
-  const on = <K extends keyof PlannerEvents>(type: K, does: (detail: PlannerEvents[K]['detail']) => void) =>
-    planner.addEventListener(type as string, (event) => does((event as PlannerEvents[K]).detail));
+  const on = <K extends keyof PlannerEvents>(type: K, handle: (detail: PlannerEvents[K]['detail']) => void) =>
+    planner.addEventListener(type as string, (event) => handle((event as PlannerEvents[K]).detail));
 
   on('ready', (detail) => {
     ready = { type: 'ready', ...detail };
-    tell(ready);
+    send(ready);
   });
-  on('progress', ({ moves, seconds, rate, summary }) => tell({ type: 'progress', progress: { moves, seconds, rate, summary } }));
-  on('result', (result) => tell({ type: 'result', result }));
-  on('error', ({ message }) => tell({ type: 'error', message }));
+  on('progress', ({ moves, seconds, rate, summary }) => send({ type: 'progress', progress: { moves, seconds, rate, summary } }));
+  on('result', (result) => send({ type: 'result', result }));
+  on('error', ({ message }) => send({ type: 'error', message }));
 
   const answer = (id: number, work: Promise<unknown>) => {
     work.then(
-      (value) => tell({ type: 'answer', id, value }),
-      (error: Error) => tell({ type: 'refused', id, message: error.message }),
+      (value) => send({ type: 'answer', id, value }),
+      (error: Error) => send({ type: 'refused', id, message: error.message }),
     );
   };
-  // Options that cannot be used are refused here: a person who drops a file later could not know why it fails.
-  const choose = (options: PlanningOptions) => {
+  // Unusable options are refused here, because a person who drops a file later could not know why it fails.
+  const setOptions = (options: PlanningOptions) => {
     try {
       checkOptions(options, 'readingAndPlanning');
       planner.options = options;
     } catch (error) {
-      tell({ type: 'error', message: (error as Error).message });
+      send({ type: 'error', message: (error as Error).message });
     }
   };
-  const obey = (message: ToFrame) => {
+  const receive = (message: ToFrame) => {
     switch (message.type) {
       case 'hello':
-        if (ready !== null) tell(ready);
+        if (ready !== null) send(ready);
         return;
       case 'options':
-        choose(message.options);
+        setOptions(message.options);
         return;
       case 'open':
         answer(message.id, planner.open(message.bytes, message.name));
@@ -67,6 +67,6 @@ function bridge(origin: string): void {
   window.addEventListener('message', (event) => {
     if (event.source !== window.parent || event.origin !== origin) return;
     const message = messageToFrame(event.data);
-    if (message !== null) obey(message);
+    if (message !== null) receive(message);
   });
 }

@@ -1,4 +1,4 @@
-/** Files that the bundler puts into the script. */
+/** Files that the bundler includes in the script. */
 
 declare module '*.wasm' {
   const bytes: Uint8Array<ArrayBuffer>;

@@ -1,7 +1,7 @@
 /**
- * Kerfway in one file for a script tag, wasm and worker included: `Kerfway.plan` and the rest of the package's functions,
- * `<kerfway-planner>` and `<kerfway-quote>`. It works from a file on disk, too. Its worker is made of text: a Content-Security-Policy must
- * say `worker-src blob:`.
+ * Kerfway in a single file for a script tag, including wasm and worker: `Kerfway.plan` and the other functions of the package,
+ * `<kerfway-planner>` and `<kerfway-quote>`. It also works from a file on disk. Its worker is started from a blob, so a
+ * Content-Security-Policy must allow `worker-src blob:`.
  *
  *     <script src="kerfway.global.js"></script>
  *     <kerfway-planner seconds="5"></kerfway-planner>

@@ -1,4 +1,4 @@
-/** The planner in a worker made of text: the core is inside; the PNG renderer and the methods of papers, which would double it, are not. */
+/** The worker of the single-file build. It contains the core, but not the PNG renderer and the methods from papers, which would double its size. */
 
 import type { FromWorker, ToWorker } from '../protocol.js';
 import { Session } from '../session.js';

@@ -1,9 +1,9 @@
-/** What requests to a worker are answered with. */
+/** Which message of a worker answers which request. */
 
 import type { FromWorker } from './protocol.js';
 
-/** The answers to requests, by what was asked. */
-export interface Answers {
+/** The response to each kind of request. */
+export interface Responses {
   load: Extract<FromWorker, { type: 'loaded' }>;
   output: Extract<FromWorker, { type: 'output' }>;
   papers: Extract<FromWorker, { type: 'papers' }>;
@@ -11,5 +11,5 @@ export interface Answers {
   restore: Extract<FromWorker, { type: 'done' }>;
 }
 
-/** The messages that answer a request for good. */
+/** The types of messages that settle a request. */
 export const FINAL: ReadonlySet<string> = new Set(['loaded', 'output', 'papers', 'quote', 'done', 'failed']);

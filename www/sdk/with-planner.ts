@@ -1,10 +1,10 @@
-/** Lending planners, one new one for every call; and what a lender does about signals. */
+/** Runs work on a planner that is opened for it, and waits for work until a signal aborts. */
 
-import type { Lend } from './functions.js';
+import type { WithPlanner } from './functions.js';
 import type { Planner } from './planner.js';
 
-/** A lender that opens a planner for each piece of work and closes it after. */
-export function lendingNew(open: () => Promise<Planner>): Lend {
+/** Opens a new planner for each piece of work and closes it afterwards. */
+export function withNewPlanner(open: () => Promise<Planner>): WithPlanner {
   return async (work, signal) => {
     signal?.throwIfAborted();
     const planner = await open();
@@ -16,7 +16,7 @@ export function lendingNew(open: () => Promise<Planner>): Lend {
   };
 }
 
-/** What the work comes to, or a rejection with the signal's reason as soon as it aborts; the work itself goes on. */
+/** The result of the work, or a rejection with the signal's reason as soon as it aborts. The work itself continues. */
 export async function abortable<T>(work: Promise<T>, signal: AbortSignal | undefined): Promise<T> {
   if (signal === undefined) return work;
   let abort!: () => void;
@@ -25,7 +25,7 @@ export async function abortable<T>(work: Promise<T>, signal: AbortSignal | undef
     if (signal.aborted) abort();
     signal.addEventListener('abort', abort);
   });
-  // What becomes of it after an abort is of no interest any more.
+  // After an abort nobody waits for the work: its failure must not count as unhandled.
   work.catch(() => {});
   try {
     return await Promise.race([work, aborted]);

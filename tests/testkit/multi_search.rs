@@ -1,13 +1,14 @@
-//! Several searches of one plan, as `www/sdk/crew.ts` has them: they meet at fixed counts of moves, and go on from the
-//! best path. The same seed, moves and number of workers give the same bytes here and there.
+//! Several searches of one plan, as in `www/sdk/multi-search.ts`: at fixed numbers of moves they exchange their paths and
+//! continue from the best one. The same seed, moves and number of workers give the same bytes here and there.
 
 use kerfway::job::{BestPath, Job, SliceEnd, Warm};
 
-/// Moves at which they meet: as in `www/sdk/search.ts`.
+/// Moves before the first exchange, as in `www/sdk/search.ts`.
 const FIRST: u64 = 1 << 20;
-const APART: u64 = 1 << 24;
+/// Most moves between two exchanges, as in `www/sdk/search.ts`.
+const INTERVAL: u64 = 1 << 24;
 
-/// Runs jobs whose plans were started to the end of their budgets in moves; gives the first, with the best path of all.
+/// Runs started jobs until their budgets in moves are used up. Returns the first job, which has the best path of all.
 pub fn planned(mut jobs: Vec<Job>, work: u64) -> Job {
     let mut meet_at = if jobs.len() > 1 { FIRST } else { u64::MAX };
     let mut waiting: Vec<usize> = (0..jobs.len()).collect();
@@ -21,14 +22,14 @@ pub fn planned(mut jobs: Vec<Job>, work: u64) -> Job {
             end == SliceEnd::Running
         });
         share(&mut jobs, &waiting);
-        meet_at = meet_at.saturating_add(meet_at.min(APART));
+        meet_at = meet_at.saturating_add(meet_at.min(INTERVAL));
     }
     let all: Vec<usize> = (0..jobs.len()).collect();
     share(&mut jobs, &all);
     jobs.swap_remove(0)
 }
 
-/// Offers the best path among some to all of them; of equals, the lowest number's.
+/// Offers the best path of these jobs to all of them; on a tie, that of the job with the lowest index.
 fn share(jobs: &mut [Job], among: &[usize]) {
     let total = |k: usize| jobs[k].plan().unwrap().summary.total_time;
     let Some(best) = among.iter().copied().reduce(|a, b| if total(b) < total(a) { b } else { a }) else {

@@ -1,23 +1,23 @@
 /**
- * News of a plan for those who read it with `for await`. A reader that is slower than the search misses steps between
- * but never the latest: what has not been read yet is merged into one, so a slow reader costs no memory.
+ * The progress of a plan for readers that use `for await`. A reader that is slower than the search skips steps but always
+ * gets the latest: unread progress is merged into one item, so a slow reader costs no memory.
  */
 
 import type { Progress } from './protocol.js';
 
-export class News implements AsyncIterable<Progress> {
+export class ProgressStream implements AsyncIterable<Progress> {
   private readonly readers = new Set<Reader>();
   private over = false;
   private failure: { error: unknown } | null = null;
 
-  /** `left`: a reader has had enough (`break`). */
-  constructor(private readonly left: () => void) {}
+  /** `onLeave` is called when a reader leaves its loop early (`break`). */
+  constructor(private readonly onLeave: () => void) {}
 
-  tell(progress: Progress): void {
-    for (const reader of this.readers) reader.tell(progress);
+  push(progress: Progress): void {
+    for (const reader of this.readers) reader.push(progress);
   }
 
-  /** No more will come. */
+  /** Ends the stream, with the error if the plan failed. */
   end(failure: { error: unknown } | null = null): void {
     this.over = true;
     this.failure = failure;
@@ -25,11 +25,11 @@ export class News implements AsyncIterable<Progress> {
     this.readers.clear();
   }
 
-  /** A reader of what comes from now on; after the end, it ends at once, or throws what the plan failed with. */
+  /** A reader of the progress from now on. After the end it ends at once, or throws the error of the plan. */
   [Symbol.asyncIterator](): AsyncIterator<Progress, undefined> {
     const reader = new Reader(() => {
       this.readers.delete(reader);
-      this.left();
+      this.onLeave();
     });
     if (this.over) reader.end(this.failure);
     else this.readers.add(reader);
@@ -38,15 +38,15 @@ export class News implements AsyncIterable<Progress> {
 }
 
 class Reader implements AsyncIterator<Progress, undefined> {
-  /** Told, not read yet. */
-  private latest: Progress | null = null;
+  /** Progress that has not been read yet. */
+  private unread: Progress | null = null;
   private ended: { failure: { error: unknown } | null } | null = null;
   private waiting: (() => void)[] = [];
 
-  constructor(private readonly leave: () => void) {}
+  constructor(private readonly onLeave: () => void) {}
 
-  tell(progress: Progress): void {
-    this.latest = { ...progress, path: progress.path ?? this.latest?.path ?? null };
+  push(progress: Progress): void {
+    this.unread = { ...progress, path: progress.path ?? this.unread?.path ?? null };
     this.wake();
   }
 
@@ -56,21 +56,21 @@ class Reader implements AsyncIterator<Progress, undefined> {
   }
 
   async next(): Promise<IteratorResult<Progress, undefined>> {
-    while (this.latest === null && this.ended === null) await new Promise<void>((resolve) => this.waiting.push(resolve));
-    const value = this.latest;
-    this.latest = null;
+    while (this.unread === null && this.ended === null) await new Promise<void>((resolve) => this.waiting.push(resolve));
+    const value = this.unread;
+    this.unread = null;
     if (value !== null) return { done: false, value };
     const failure = this.ended?.failure ?? null;
-    // Thrown once: after that the reader has ended.
+    // The error is thrown once; after that the reader has ended.
     this.ended = { failure: null };
     if (failure !== null) throw failure.error;
     return { done: true, value: undefined };
   }
 
   async return(): Promise<IteratorResult<Progress, undefined>> {
-    if (this.ended === null) this.leave();
+    if (this.ended === null) this.onLeave();
     this.ended = { failure: null };
-    this.latest = null;
+    this.unread = null;
     this.wake();
     return { done: true, value: undefined };
   }
