@@ -38,10 +38,6 @@ test('10,000 contours pan and zoom while planning without a frame over 50 ms', a
 test('nothing is fetched after the page has loaded', async (t) => {
   const { page, requests, url } = await openPage(t);
   await phase(page, 'planning');
-  // What proves the bound comes when the sample is a million moves on: on a busy machine that may be long after all else.
-  const proving = () => requests.some((r) => r.includes('kerfway_lab_bg'));
-  for (let k = 0; k < 600 && !proving(); k++) await page.waitForTimeout(50);
-  assert.ok(proving(), 'the bound of the sample is worked on');
   await page.waitForLoadState('networkidle');
   assert.ok(requests.every((r) => r.startsWith(url)), 'everything comes from the page’s own folder');
   requests.length = 0;
