@@ -86,7 +86,8 @@ describe('a file of 400 MB', () => {
     const pool = createPool({ size: 1 });
     await refused(pool.inspect(bytes));
     pool.close();
-    assert.ok(process.memoryUsage().arrayBuffers - before < 2 ** 20);
+    // A planner reads its wasm file, a few megabytes; a copy of the bytes would be hundreds.
+    assert.ok(process.memoryUsage().arrayBuffers - before < LARGE / 20);
     assert.ok(process.resourceUsage().maxRSS < LARGE / 1024, `${process.resourceUsage().maxRSS} kB`);
   });
 });
