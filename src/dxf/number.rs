@@ -102,8 +102,8 @@ mod tests {
         // The smallest and the largest doubles.
         let extreme = "5e-324 2.4703282292062327e-324 2.4703282292062328e-324 2.2250738585072011e-308 1e-400 -0 \
             1.7976931348623157e308 1.7976931348623158e308 1.7976931348623159e308";
-        let odd = "1.e5 .5e1 -.5 +7. . -. e5 1e 1e+ --1 1e5.0 1_0 00012.50";
-        extreme.split(' ').chain(odd.split(' ')).for_each(same);
+        let unusual = "1.e5 .5e1 -.5 +7. . -. e5 1e 1e+ --1 1e5.0 1_0 00012.50";
+        extreme.split(' ').chain(unusual.split(' ')).for_each(same);
     }
 
     #[test]

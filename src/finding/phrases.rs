@@ -114,7 +114,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_and_many_and_the_whole_drawing() {
+    fn singular_plural_and_the_whole_drawing() {
         assert_eq!(
             Code::UnsupportedEntity.in_words(45),
             "45 texts or other objects without an outline were skipped"

@@ -1,13 +1,13 @@
-//! Points by place, in square cells: searched outwards ring by ring, filled and emptied as a construction goes.
+//! Points in square cells, searched outwards ring by ring. Points are inserted and removed while a tour is constructed.
 
 use super::aabb::Aabb;
 use super::cells::Cells;
 use glam::DVec2;
 
-/// Points to a cell, on average: a ring of 8 cells then holds the nearest few contours.
+/// Average number of points per cell; a ring of 8 cells then contains the nearest few contours.
 const POINTS_PER_CELL: f64 = 8.0;
 
-/// A grid of points, each with a number.
+/// A grid of points with ids.
 #[derive(Clone, Debug)]
 pub struct Buckets {
     grid: Cells,
@@ -21,13 +21,13 @@ impl Buckets {
         Self { cells: vec![Vec::new(); grid.columns * grid.rows], grid }
     }
 
-    /// Puts a point in at its place.
+    /// Inserts a point.
     pub fn insert(&mut self, id: u32, place: DVec2) {
         let cell = self.grid.cell(place);
         self.cells[cell.1 * self.grid.columns + cell.0].push(id);
     }
 
-    /// Takes a point out; `place` is where it was put in.
+    /// Removes a point; `place` is the position it was inserted at.
     pub fn remove(&mut self, id: u32, place: DVec2) {
         let cell = self.grid.cell(place);
         let list = &mut self.cells[cell.1 * self.grid.columns + cell.0];
@@ -36,12 +36,12 @@ impl Buckets {
         }
     }
 
-    /// How many rings around `place` it takes to see every cell.
+    /// Number of rings around `place` that cover every cell.
     pub fn rings(&self, place: DVec2) -> usize {
         self.grid.rings(place)
     }
 
-    /// Whatever lies in ring `r` or beyond is at least this far from the place along x or along y, mm.
+    /// Least distance along x or along y, mm, of any place in ring `r` or beyond.
     pub fn distance_of_ring(&self, r: usize) -> f64 {
         self.grid.distance_of_ring(r)
     }
@@ -75,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn rings_hold_every_node_once_and_as_far_as_they_say() {
+    fn rings_contain_every_point_once_at_their_distance() {
         let places: Vec<DVec2> =
             (0..700).map(|k| DVec2::new(f64::from(k * 37 % 101), f64::from(k * 53 % 47))).collect();
         let b = filled(places.iter().fold(Aabb::EMPTY, |b, p| b.with(*p)), &places);

@@ -45,7 +45,7 @@ pub struct Job {
     drawing: Drawing,
     sheet: Sheet,
     /// The sheet with the lines of the beam, where the machine of the run has a kerf width.
-    worked: Option<Sheet>,
+    beam_sheet: Option<Sheet>,
     run: Option<Run>,
 }
 
@@ -65,7 +65,7 @@ impl Job {
             sheet_options,
             drawing,
             sheet,
-            worked: None,
+            beam_sheet: None,
             run: None,
         })
     }
@@ -118,21 +118,21 @@ impl Job {
         &self.sheet
     }
 
-    /// The contours as the plan has them: those arranged, or the lines of the beam beside them where the machine has a kerf
-    /// width.
-    pub fn worked(&self) -> &Sheet {
-        self.worked.as_ref().unwrap_or(&self.sheet)
+    /// The sheet whose contours the beam follows, as in the plan. It is the sheet as built, or for a machine with a kerf width
+    /// the sheet with offset lines.
+    pub fn beam_sheet(&self) -> &Sheet {
+        self.beam_sheet.as_ref().unwrap_or(&self.sheet)
     }
 
     /// The lines of the beam, where they are not those drawn: contours by id, and their geometry.
     pub fn beside(&self) -> Option<(Vec<ContourInfo<'_>>, Geometry)> {
-        let sheet = self.worked.as_ref()?;
+        let sheet = self.beam_sheet.as_ref()?;
         Some((report::contours(sheet), Geometry::of(sheet.contours.iter().map(|c| &c.path))))
     }
 
     /// What the plan cuts once for two parts: stretches of contours of pierce groups.
     pub fn common_cuts(&self) -> Geometry {
-        let groups = self.worked().pierce_groups();
+        let groups = self.beam_sheet().pierce_groups();
         let paths: Vec<_> = groups.iter().flat_map(|g| g.between_parts().map(|e| g.path(e))).collect();
         Geometry::of(paths.iter())
     }
@@ -145,8 +145,8 @@ impl Job {
         options.check()?;
         let machine = options.machine.profile()?;
         self.drop_run();
-        let mut findings = self.make_up_for(machine.kerf_width);
-        let mut run = Run::start(self.worked(), machine, options)?;
+        let mut findings = self.compensate(machine.kerf_width);
+        let mut run = Run::start(self.beam_sheet(), machine, options)?;
         findings.append(&mut run.findings);
         run.findings = findings;
         Ok(self.run.insert(run))
@@ -154,16 +154,16 @@ impl Job {
 
     fn drop_run(&mut self) {
         self.run = None;
-        self.worked = None;
+        self.beam_sheet = None;
     }
 
     /// Offsets the lines by half the kerf; returns the findings of doing so.
-    fn make_up_for(&mut self, kerf: f64) -> Vec<Finding> {
+    fn compensate(&mut self, kerf: f64) -> Vec<Finding> {
         if kerf <= 0.0 {
             return Vec::new();
         }
         let (sheet, found) = sheet::compensated(&self.drawing, &self.sheet, &self.sheet_options, kerf);
-        self.worked = Some(sheet);
+        self.beam_sheet = Some(sheet);
         found
     }
 

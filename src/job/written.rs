@@ -38,8 +38,8 @@ impl Job {
     /// The best plan so far, checked.
     pub fn plan(&self) -> Result<Plan, JobError> {
         let run = self.run()?;
-        let plan = run.plan(self.worked());
-        match plan::check(self.worked(), &run.machine, &plan) {
+        let plan = run.plan(self.beam_sheet());
+        match plan::check(self.beam_sheet(), &run.machine, &plan) {
             Ok(()) => Ok(plan),
             Err(violations) => {
                 let first = violations.first().map(ToString::to_string).unwrap_or_default();
@@ -53,13 +53,13 @@ impl Job {
         let plan = self.plan()?;
         let run = self.run()?;
         Ok(match kind {
-            OutputKind::Gcode => output::gcode(&plan, self.worked(), &run.machine, &self.name)?,
-            OutputKind::Svg => output::svg(&plan, self.worked(), &run.machine),
-            OutputKind::Dxf => output::dxf(&plan, self.worked()),
+            OutputKind::Gcode => output::gcode(&plan, self.beam_sheet(), &run.machine, &self.name)?,
+            OutputKind::Svg => output::svg(&plan, self.beam_sheet(), &run.machine),
+            OutputKind::Dxf => output::dxf(&plan, self.beam_sheet()),
             OutputKind::Json => output::json(&Document {
                 input: Input { name: &self.name, sha256: &self.sha256 },
                 drawing: &self.drawing,
-                sheet: self.worked(),
+                sheet: self.beam_sheet(),
                 read: &self.read_options,
                 arrange: &self.sheet_options,
                 machine: &run.machine,

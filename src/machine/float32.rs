@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn spacing_is_that_of_the_next_float() {
+    fn spacing_is_the_distance_to_the_next_float() {
         for v in [1.0_f32, 999.999, 4096.0, 131_071.99, 131_072.0, 1e6] {
             let next = f32::from_bits(v.to_bits() + 1) - v;
             assert!((spacing(f64::from(v)) - f64::from(next)).abs() < 1e-12, "{v}");

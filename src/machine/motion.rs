@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn straight_is_bound_by_one_axis_each_for_speed_and_acceleration() {
+    fn straight_moves_may_have_different_limiting_axes_for_speed_and_acceleration() {
         // Along (3, 4)/5, y limits the speed (200 / 0.8 = 250 < 300 / 0.6) and x the acceleration (600 / 0.6 = 1000).
         let p = machine(Travel::Straight, [300.0, 200.0], Some([600.0, 2000.0]));
         let (d, v, a) = (500.0, 250.0, 1000.0);
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn per_axis_takes_the_slower_axis() {
+    fn per_axis_moves_take_the_time_of_the_slower_axis() {
         let p = machine(Travel::PerAxis, [100.0, 100.0], Some([1000.0, 100.0]));
         // x alone takes 1.1 s; y alone takes 2 sqrt(30 / 100) = 1.095 s, and 1.1 s just above 30.25 mm.
         near(seconds(&p, 100.0, 30.0), 1.1);

@@ -208,7 +208,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn presets_are_valid_named_once_and_found() {
+    fn presets_are_valid_and_found_by_unique_names() {
         let all = presets();
         assert_eq!(all[0].name, "co2-100w");
         for p in &all {
@@ -220,36 +220,37 @@ mod tests {
     }
 
     #[test]
-    fn faults_are_named() {
-        let says = |change: fn(&mut Profile)| {
+    fn errors_name_the_field() {
+        let message = |change: fn(&mut Profile)| {
             let mut p = co2_100w();
             change(&mut p);
             p.validate().unwrap_err().to_string()
         };
         assert_eq!(
-            says(|p| p.mark.power = 1.5),
+            message(|p| p.mark.power = 1.5),
             "The machine's field \"mark.power\" is 1.5. Give a number from 0 to 1: it is a fraction of full power."
         );
         assert!(
-            says(|p| p.rapid.speed[1] = 0.0).starts_with("The machine's field \"rapid.speed[1]\" is 0. Give")
+            message(|p| p.rapid.speed[1] = 0.0)
+                .starts_with("The machine's field \"rapid.speed[1]\" is 0. Give")
         );
-        assert!(says(|p| p.cut.accel = Some(f64::NAN)).contains("\"cut.accel\" is NaN. Give"));
-        assert!(says(|p| p.home[0] = f64::INFINITY).contains("\"home[0]\" is Infinity. Give"));
-        assert!(says(|p| p.pierce_time = -0.1).contains("\"pierce_time\" is -0.1. Give"));
-        assert!(says(|p| p.pre_cut_time = Some(-1.0)).contains("\"pre_cut_time\" is -1. Give"));
-        assert!(says(|p| p.max_s = 1e300).contains("\"max_s\" is 1e300. Give"));
-        assert!(says(|p| p.version = 2).contains("\"version\" is 2. Give 1: this Kerfway reads"));
+        assert!(message(|p| p.cut.accel = Some(f64::NAN)).contains("\"cut.accel\" is NaN. Give"));
+        assert!(message(|p| p.home[0] = f64::INFINITY).contains("\"home[0]\" is Infinity. Give"));
+        assert!(message(|p| p.pierce_time = -0.1).contains("\"pierce_time\" is -0.1. Give"));
+        assert!(message(|p| p.pre_cut_time = Some(-1.0)).contains("\"pre_cut_time\" is -1. Give"));
+        assert!(message(|p| p.max_s = 1e300).contains("\"max_s\" is 1e300. Give"));
+        assert!(message(|p| p.version = 2).contains("\"version\" is 2. Give 1: this Kerfway reads"));
     }
 
     #[test]
-    fn profiles_written_before_pre_cuts_cut_in_one_go() {
+    fn profiles_without_pre_cut_fields_cut_in_one_go() {
         let text = serde_json::to_string(&co2_100w()).unwrap().replace("\"pre_cut_time\":null,", "");
         assert!(!text.contains("pre_cut"));
         assert_eq!(serde_json::from_str::<Profile>(&text).unwrap(), co2_100w());
     }
 
     #[test]
-    fn profiles_survive_json() {
+    fn profiles_round_trip_through_json() {
         for p in presets() {
             let text = serde_json::to_string(&p).unwrap();
             assert_eq!(serde_json::from_str::<Profile>(&text).unwrap(), p);

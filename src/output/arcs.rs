@@ -58,7 +58,7 @@ mod tests {
     }
 
     #[test]
-    fn sagitta_of_a_half_turn_is_the_radius_and_of_a_small_sweep_keeps_its_digits() {
+    fn sagitta_of_a_half_turn_is_the_radius_and_is_accurate_for_small_sweeps() {
         assert!((sagitta(&Arc::from_angles(DVec2::ZERO, 5.0, 0.0, PI)) - 5.0).abs() < 1e-12);
         let flat = sagitta(&Arc::from_angles(DVec2::ZERO, 1e5, 0.0, 1e-6));
         assert!((flat / 1.25e-8 - 1.0).abs() < 1e-6, "{flat}");

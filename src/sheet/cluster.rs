@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn points_within_half_a_radius_are_together_and_far_ones_apart() {
+    fn points_within_half_a_radius_share_a_cluster_and_far_ones_do_not() {
         let mut points = Vec::new();
         for i in 0..50 {
             let p = DVec2::new(f64::from(i) * 0.37 - 5.0, f64::from(i) * 0.11);

@@ -140,7 +140,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn whole_words_count_and_parts_of_words_do_not() {
+    fn only_whole_words_count() {
         for name in [
             "SHEET",
             "sheet-1",

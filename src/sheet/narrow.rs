@@ -4,12 +4,10 @@
 //! count. The search has two steps, because nearly all contours are far wider than a beam:
 //!
 //! 1. **A bound from area and perimeter.** The inradius r of a simple closed curve satisfies A + pi r^2 <= P r
-//! (Bonnesen;
-//!    R. Osserman, "Bonnesen-style isoperimetric inequalities", Amer. Math. Monthly 86, 1979, theorem 1), so it is at
+//!    (Bonnesen; R. Osserman, "Bonnesen-style isoperimetric inequalities", Amer. Math. Monthly 86, 1979, theorem 1), so it is at
 //!    least (P - sqrt(P^2 - 4 pi A)) / 2 pi. Circles and straight slots with round ends reach this bound.
 //! 2. **Tangent circles.** Contours below the bound are sampled: at each place, the largest circle that touches the
-//! line
-//!    from within is reduced until it crosses no element.
+//!    line from within is reduced until it crosses no element.
 
 use super::findings;
 use super::model::{Contour, Operation};
@@ -141,7 +139,8 @@ fn tangent_circle(
     let mut radius = cap;
     for _ in 0..MAX_SHRINKS {
         let center = from + inward * radius;
-        let mut nearest = (radius - 0.5 * ROUNDING).max(0.0).powi(2);
+        let within = (radius - 0.5 * ROUNDING).max(0.0);
+        let mut nearest = within * within;
         let mut touched = None;
         index.visit(Aabb::of(center).grown(radius), |k| {
             *budget = budget.saturating_sub(1);
@@ -179,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn widths_are_those_of_the_largest_circle_inside() {
+    fn width_is_the_diameter_of_the_largest_inner_circle() {
         let slot = polygon(&[(0.0, 0.0), (5.0, 0.0), (5.0, 0.05), (0.0, 0.05)]);
         for path in [&slot, &slot.reversed()] {
             assert!((width(path, 0.1).unwrap() - 0.05).abs() < 1e-6);

@@ -61,7 +61,7 @@ mod tests {
         let (mut rng, mut raw) = (seeded(7), seeded(7));
         for n in 1..1000 {
             let high = raw.next_u64() >> 32;
-            assert_eq!(rng.below(n) as u64, high * n as u64 >> 32);
+            assert_eq!(rng.below(n) as u64, (high * n as u64) >> 32);
             let bits = raw.next_u64();
             assert_eq!(rng.uniform().to_bits(), ((bits >> 11) as f64 / (1_u64 << 53) as f64).to_bits());
         }

@@ -159,7 +159,7 @@ impl Job {
     /// The best path so far and what it adds up to.
     #[wasm_bindgen(unchecked_return_type = "{ path: BestPath; summary: Summary }")]
     pub fn best(&self) -> Result<JsValue, JsError> {
-        let (best, plan) = BestPath::of(self.0.run()?, self.0.worked());
+        let (best, plan) = BestPath::of(self.0.run()?, self.0.beam_sheet());
         object(&[("path", path(&best)?), ("summary", plain(&plan.summary)?)])
     }
 

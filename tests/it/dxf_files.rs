@@ -361,6 +361,6 @@ fn a_misspelt_section_is_read_and_told() {
         assert_eq!((shapes(&drawing), &drawing.units), (shapes(&sound), &sound.units), "section {right}");
         let [finding] = &drawing.findings[..] else { panic!("{:?}", drawing.findings) };
         assert_eq!(finding.code, Code::Resynchronised);
-        assert!(finding.message.starts_with("The word SUCTION stands where SECTION must"), "{finding:?}");
+        assert!(finding.message.starts_with("The word SUCTION is in the place of SECTION"), "{finding:?}");
     }
 }

@@ -125,7 +125,7 @@ fn real_drawings() {
             }
             // Checked.
             job.plan().unwrap_or_else(|e| panic!("{name}, {kerf_width} mm: {e}"));
-            let tally = examine(job.worked(), kerf_width, &name);
+            let tally = examine(job.beam_sheet(), kerf_width, &name);
             let told = &job.run().unwrap().findings;
             let kept =
                 told.iter().filter(|f| f.code == Code::KerfNotApplied && f.severity == Severity::Warning);
@@ -181,7 +181,7 @@ fn lines_are_those_of_another_program() {
             let machine = Profile { kerf_width: 2.0 * half, ..preset("co2-100w").unwrap() };
             let machine = MachineChoice::Profile(Box::new(machine));
             job.start(&PlanOptions { machine, ..PlanOptions::default() }).unwrap();
-            for c in &job.worked().contours {
+            for c in &job.beam_sheet().contours {
                 let (Some(drawn), true) = (&c.drawn, c.path.closed) else { continue };
                 // To the right of the way it runs.
                 let theirs = polyline(drawn).parallel_offset(-half);

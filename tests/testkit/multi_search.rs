@@ -35,7 +35,7 @@ fn share(jobs: &mut [Job], among: &[usize]) {
     let Some(best) = among.iter().copied().reduce(|a, b| if total(b) < total(a) { b } else { a }) else {
         return;
     };
-    let (path, _) = BestPath::of(jobs[best].run().unwrap(), jobs[best].worked());
+    let (path, _) = BestPath::of(jobs[best].run().unwrap(), jobs[best].beam_sheet());
     let BestPath { contours, along, until, reversed, .. } = path;
     let warm = Warm { contours, along, until, reversed };
     for &k in among.iter().filter(|&&k| k != best) {

@@ -85,10 +85,10 @@ fn unpaired_coordinates(record: &Record<'_>) -> (bool, bool) {
     (orphan, whole && (0..9).any(|p| x[p] > y[p]))
 }
 
-/// Whether the entity states a number of groups `holds` in group `says` that differs from the actual number.
-fn differs(record: &Record<'_>, says: i32, holds: i32) -> bool {
-    let says = record.int(says).unwrap_or(0);
-    says > 0 && usize::try_from(says).ok() != Some(record.count(holds))
+/// Whether the entity states a number in group `count_code` that differs from its number of groups `counted_code`.
+fn differs(record: &Record<'_>, count_code: i32, counted_code: i32) -> bool {
+    let stated = record.int(count_code).unwrap_or(0);
+    stated > 0 && usize::try_from(stated).ok() != Some(record.count(counted_code))
 }
 
 /// Whether the last entity of a file without an end mark has all the groups it needs.

@@ -116,7 +116,7 @@ impl<'a> Reader<'a> {
             }
         }
         file.recognised = true;
-        let message = "The word {} stands where SECTION must: what follows is read as the section it names.";
+        let message = "The word {} is in the place of SECTION: what follows is read as the section it names.";
         file.notes
             .push(Note { name: record.name, ..Note::new(Code::Resynchronised, Severity::Warning, message) });
         true

@@ -113,7 +113,7 @@ fn extra_seconds_match_the_path_re_cut_to_start_there() {
 /// At GRBL's defaults the head takes a right angle at 7 mm/s and the sides at 35 mm/s, so a stop at a corner costs a
 /// fraction of one on a side.
 #[test]
-fn a_sharp_corner_costs_next_to_nothing_and_the_middle_of_a_side_a_stop() {
+fn a_stop_is_cheap_at_a_sharp_corner_and_expensive_in_the_middle_of_a_side() {
     let profile = presets().swap_remove(0);
     let (_, square) = shapes().swap_remove(0);
     let run = ClosedRun::new(&profile, false, &square.segments).unwrap();

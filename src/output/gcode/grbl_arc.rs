@@ -45,7 +45,7 @@ mod tests {
     use crate::geometry::DVec2;
 
     #[test]
-    fn only_arcs_that_the_controller_runs_as_they_are_meant_are_safe() {
+    fn only_arcs_that_the_controller_runs_correctly_are_safe() {
         let half_turn = |at: f64, radius: f64| {
             let from = DVec2::new(at, 0.0);
             is_safe(from, from + DVec2::X * 2.0 * radius, DVec2::X * radius)

@@ -72,7 +72,7 @@ mod tests {
     }
 
     #[test]
-    fn the_sheet_fills_the_width_inside_the_rim() {
+    fn the_sheet_fills_the_width_inside_the_margin() {
         let f = frame(50.0, 40.0, 1000);
         assert_eq!((f.width, f.height), (1000, 808));
         assert_eq!(f.place(DVec2::new(0.0, 40.0)), (20.0, 20.0));

@@ -134,6 +134,16 @@ impl Walk<'_> {
     }
 }
 
+/// Whether a run begins with what was cut ahead.
+pub(super) fn leads(run: &Path, ahead: &Path) -> bool {
+    let length = ahead.length();
+    let slack = SAME + run.segments.iter().map(rounding).sum::<f64>();
+    [0.0, 0.5, 1.0].into_iter().filter(|_| length > 0.0).all(|t| {
+        let places = run.at(t * length).zip(ahead.at(t * length));
+        length <= run.length() + slack && places.is_some_and(|(a, b)| a.distance(b) <= slack)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -259,14 +269,4 @@ mod tests {
         assert!(follows(&circle, &turned(0.0, 3.0)).is_err());
         assert!(follows(&circle, &turned(1.0, 3.0)).is_err());
     }
-}
-
-/// Whether a run begins with what was cut ahead.
-pub(super) fn leads(run: &Path, ahead: &Path) -> bool {
-    let length = ahead.length();
-    let slack = SAME + run.segments.iter().map(rounding).sum::<f64>();
-    [0.0, 0.5, 1.0].into_iter().filter(|_| length > 0.0).all(|t| {
-        let places = run.at(t * length).zip(ahead.at(t * length));
-        length <= run.length() + slack && places.is_some_and(|(a, b)| a.distance(b) <= slack)
-    })
 }

@@ -5,7 +5,7 @@ use super::super::element::{Chains, ROUNDING};
 use crate::geometry::DVec2;
 use crate::order::{Key, sort_by};
 
-/// Stands for no end.
+/// No end, as the partner of a free end.
 pub(super) const NONE: u32 = u32::MAX;
 
 /// The ends of all chains. Chain `c` starts at end `2 c` and ends at end `2 c + 1`.

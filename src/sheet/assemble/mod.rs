@@ -1,13 +1,11 @@
 //! Assembly: joins chains end to end into contours, best match first.
 //!
 //! 1. **Points** ([`junctions`]). Ends within rounding of each other are one point. If exactly two ends meet, they are
-//! joined.
-//!    At a *branch*, where more than two meet, chains that return to the point are closed first. Then chains that
-//!    continue are paired before those that lead nowhere, those of one layer before others, the straightest first.
+//!    joined. At a *branch*, where more than two meet, chains that return to the point are closed first. Then chains
+//!    that continue are paired before those that lead nowhere, those of one layer before others, the straightest first.
 //!    The remaining ends stay open, so all length is still cut.
 //! 2. **Gaps** ([`gaps`]). Free ends are joined across gaps up to the tolerance, globally in order of ascending
-//! distance.
-//!    Ties are decided by the same layer, then by the straighter continuation.
+//!    distance. Ties are decided by the same layer, then by the straighter continuation.
 //! 3. **Trace** ([`trace`]). Joined chains become paths whose elements meet bit for bit.
 //!
 //! An end that touches the middle of another contour is not joined to it. The work is bounded for any drawing: points

@@ -144,11 +144,11 @@ fn unite_on_one(spans: &[Span], least: f64, period: Option<f64>, kept: &mut [Rem
     for span in spans {
         let &Span { element, from, to, .. } = span;
         // A short element must not count as covered merely because it is shorter than the tolerance.
-        let crumb = least.min((to - from) * 0.25);
+        let min_length = least.min((to - from) * 0.25);
         let turn = period.unwrap_or(f64::INFINITY);
         let second_turn = (to > turn).then(|| cover.within(0.0, to - turn)).into_iter().flatten();
         let covered = cover.within(from, to.min(turn)).chain(second_turn.map(|(a, b)| (a + turn, b + turn)));
-        let left = rest(from, to, covered, crumb);
+        let left = rest(from, to, covered, min_length);
         let is_copy = || {
             let near = originals.range(Key(from - least)..=Key(from + least)).take(MAX_COPY_TESTS);
             near.into_iter().any(|(_, end)| (end - to).abs() <= least)

@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn intervals_unite_and_the_rest_is_what_they_leave() {
+    fn intervals_merge_and_rest_is_the_uncovered_part() {
         let mut c = Cover::default();
         c.add(0.0, 1.0);
         c.add(4.0, 5.0);
@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn touching_is_no_overlap_and_crumbs_are_no_rest() {
+    fn touching_intervals_do_not_overlap_and_short_rests_are_dropped() {
         assert_eq!(rest(0.0, 10.0, [(0.0, 0.005)].into_iter(), 0.01), [(0.0, 10.0)]);
         assert_eq!(rest(0.0, 10.0, [(0.005, 9.995)].into_iter(), 0.01), []);
     }

@@ -105,11 +105,11 @@ fn explode(source: Source, lines: &[Line], findings: &mut Findings) -> (Vec<Elem
 }
 
 /// Marks the only run of a shape as closed when the shape is marked so or its ends are one point.
-fn close(run: &mut Run, elements: &mut [Element], said: bool) {
+fn close(run: &mut Run, elements: &mut [Element], marked_closed: bool) {
     let many = run.elements.len() > 1;
     let [first, .., last] = &mut elements[run.elements.clone()] else { return };
     let gap = last.segment.end().distance(first.segment.start());
-    if many && gap <= if said { ROUNDING } else { 0.0 } {
+    if many && gap <= if marked_closed { ROUNDING } else { 0.0 } {
         first.segment = with_start(first.segment, last.segment.end());
         run.closed = true;
     }
@@ -167,7 +167,7 @@ fn rebuild(elements: &[Element], runs: &[Run], kept: &[Remainder], tolerance: f6
         let mut chains = broken(&elements[range.clone()], &kept[range.clone()], run.closed);
         let mut rest_of = None;
         if run.closed && !chains.is_empty() {
-            chains = parted(chains, tolerance);
+            chains = divided(chains, tolerance);
             rest_of = u32::try_from(out.outlines.len()).ok();
             out.outlines.push(Path::new(elements[range].iter().map(|e| e.segment).collect(), true));
         }
@@ -225,7 +225,7 @@ fn broken(elements: &[Element], kept: &[Remainder], closed: bool) -> Vec<Vec<Ele
 
 /// Divides the chains of a closed run at the corners that their open ends touch. A spike in an outline, drawn out and
 /// back along one line, loses its way back. Divided at its foot, the outline can close without it.
-fn parted(chains: Vec<Vec<Element>>, tolerance: f64) -> Vec<Vec<Element>> {
+fn divided(chains: Vec<Vec<Element>>, tolerance: f64) -> Vec<Vec<Element>> {
     let mut points: Vec<DVec2> = Vec::new();
     for chain in &chains {
         points.extend(chain.iter().map(|e| e.segment.start()));

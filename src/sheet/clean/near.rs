@@ -162,8 +162,8 @@ fn shared(loser: &Piece, winner: &Piece, tolerance: f64) -> Vec<Shared> {
 /// Removes the stretches from a piece, and from the remainder of its element.
 fn take(piece: &mut Piece, shared: &[Shared], is_copy: bool, tolerance: f64, kept: &mut [Remainder]) {
     let length = piece.segment.length();
-    let crumb = tolerance.min(0.25 * length);
-    let left = rest(0.0, length, shared.iter().map(|s| (s.from, s.to)), crumb);
+    let min_length = tolerance.min(0.25 * length);
+    let left = rest(0.0, length, shared.iter().map(|s| (s.from, s.to)), min_length);
     if matches!(left[..], [(a, b)] if a <= 0.0 && b >= length) {
         return;
     }

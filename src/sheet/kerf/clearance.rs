@@ -139,7 +139,7 @@ mod tests {
 
     /// Compares with the smallest distance between many places.
     #[test]
-    fn distances_are_those_of_the_nearest_places() {
+    fn distance_equals_that_of_the_nearest_sampled_places() {
         let p = DVec2::new;
         let arc = |c: DVec2, r: f64, from: f64, sweep: f64| Segment::Arc(Arc::from_angles(c, r, from, sweep));
         let all = [

@@ -64,8 +64,9 @@ pub(super) fn keeps_drawn_line(drawing: &Drawing, contour: &Contour, reason: Rea
 pub(super) fn open_contours(starts: &[DVec2]) -> Option<Finding> {
     let at = *starts.first()?;
     let which = plural(starts.len(), "open contour keeps its", "open contours keep their");
-    let message =
-        format!("{which} drawn line: nobody knows on which side the part lies, so no kerf is made up for.");
+    let message = format!(
+        "{which} drawn line: it is unclear on which side the part lies, so the kerf is not compensated."
+    );
     Some(Finding::new(Code::KerfNotApplied, Severity::Info, message).at(at).times(count(starts.len())))
 }
 

@@ -5,11 +5,9 @@
 //! counter-clockwise and holes clockwise, so the waste is always on the right, and one rule serves both.
 //!
 //! 1. **Clearance** ([`clearance`]). Two contours keep their drawn lines if the waste between them is narrower than the
-//! kerf
-//!    or if they share sides as drawn, because no line between them would leave both whole.
-//! 2. **Offset** ([`offset`]). The other contours are offset one by one. Corners stay sharp where there is clearance, so
-//! parts
-//!    that lie one kerf apart have one line in the middle between them, up to the corners where four of them meet.
+//!    kerf, or if they share sides as drawn, because no line between them would leave both whole.
+//! 2. **Offset** ([`offset`]). The other contours are offset one by one. Corners stay sharp where there is room, so
+//!    parts that lie one kerf apart have one line in the middle between them, up to the corners where four of them meet.
 //! 3. **Shared lines** (the cleaning and joining of this stage). Lines that now coincide are cut once.
 //!
 //! Contours keep their ids, nesting, parts and areas, which refer to the part as drawn. If a contour is left in several

@@ -38,7 +38,7 @@ pub(super) fn offset(outline: &Path, by: f64, free: impl Fn(&Segment) -> bool) -
     let drawn = BoxIndex::new(outline.segments.iter().map(Segment::bounds));
     let raw = raw::pieces(outline, by, &drawn, &free);
     let mut look = (NEIGHBOURS_PER_ELEMENT * raw.len()).max(MIN_NEIGHBOURS);
-    let mut stretches = parted(&raw, &mut look).ok_or(start)?;
+    let mut stretches = divided(&raw, &mut look).ok_or(start)?;
     let mut is_clear = |p: DVec2| {
         let mut clear = true;
         drawn.visit(Aabb::of(p).grown(by), |j| {
@@ -62,7 +62,7 @@ pub(super) fn offset(outline: &Path, by: f64, free: impl Fn(&Segment) -> bool) -
 }
 
 /// The raw pieces, divided where they meet. `None` when there are too many elements to visit.
-fn parted(raw: &[Raw], look: &mut usize) -> Option<Vec<Raw>> {
+fn divided(raw: &[Raw], look: &mut usize) -> Option<Vec<Raw>> {
     let boxes: Vec<Aabb> = raw.iter().map(|r| r.segment.bounds().grown(MEETING_DISTANCE)).collect();
     let index = BoxIndex::new(boxes.iter().copied());
     let mut cuts: Vec<Vec<(f64, DVec2)>> = vec![Vec::new(); raw.len()];

@@ -78,8 +78,8 @@ pub(super) fn pieces(
 fn beside(s: &Segment, by: f64) -> Option<Segment> {
     match *s {
         Segment::Line(l) => {
-            let aside = s.tangent(0.0).perp() * -by;
-            Some(Segment::line(l.start + aside, l.end + aside))
+            let offset = s.tangent(0.0).perp() * -by;
+            Some(Segment::line(l.start + offset, l.end + offset))
         }
         Segment::Arc(a) => {
             let to = |p: DVec2| {

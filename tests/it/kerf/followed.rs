@@ -33,7 +33,7 @@ fn the_program_keeps_half_a_kerf_from_every_outline() {
 fn the_checker_finds_a_beam_on_the_outline_or_beyond_it() {
     let parts = [rectangle([10.0, 20.0, 30.0, 15.0]), rectangle([15.0, 25.0, 8.0, 6.0])];
     let job = kerfed(&parts);
-    let (sheet, plan) = (job.worked(), job.plan().unwrap());
+    let (sheet, plan) = (job.beam_sheet(), job.plan().unwrap());
     let violations = |sheet: &Sheet, kerf: f64| check(sheet, &machine(kerf), &plan).err().unwrap_or_default();
     let kerf = |v: &[Violation]| v.iter().any(|v| matches!(v, Violation::Kerf { .. }));
     assert!(violations(sheet, KERF).is_empty());

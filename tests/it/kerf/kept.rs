@@ -42,14 +42,14 @@ fn what_is_too_narrow_keeps_its_line_and_is_told() {
     let found = told(&job);
     assert_eq!(found.len(), 3, "{found:?}");
     for ((f, id), outline) in found.iter().zip([1, 2, 3]).zip([slit, dumbbell, slotted]) {
-        let c = &job.worked().contours[id];
+        let c = &job.beam_sheet().contours[id];
         assert_eq!((&c.path, &c.drawn), (&job.sheet().contours[id].path, &None));
         assert!(f.message.contains("narrower here than the kerf of 0.4 mm"), "{}", f.message);
         let at = f.at.unwrap();
         let near = outline.iter().map(|p| p.distance(at)).fold(f64::INFINITY, f64::min);
         assert!(near < 20.0, "{at}");
     }
-    assert!(job.worked().contours[0].drawn.is_some(), "the others are moved");
+    assert!(job.beam_sheet().contours[0].drawn.is_some(), "the others are moved");
 }
 
 #[test]
@@ -64,7 +64,7 @@ fn parts_with_less_than_a_kerf_between_them_keep_their_lines() {
         let found = told(&job);
         assert_eq!(found.len(), 2, "{found:?}");
         assert!(found.iter().any(|f| f.message.contains(words)), "{found:?}");
-        let moved: Vec<bool> = job.worked().contours.iter().map(|c| c.drawn.is_some()).collect();
+        let moved: Vec<bool> = job.beam_sheet().contours.iter().map(|c| c.drawn.is_some()).collect();
         assert_eq!(moved, [false, false, true]);
     }
     // A web is no waste: a hole may be as near to the edge as it likes.
@@ -87,7 +87,7 @@ fn open_contours_and_marks_keep_their_lines() {
     let machine = MachineChoice::Profile(Box::new(machine(KERF)));
     job.start(&PlanOptions { machine, ..PlanOptions::default() }).unwrap();
     job.plan().unwrap();
-    let moved: Vec<bool> = job.worked().contours.iter().map(|c| c.drawn.is_some()).collect();
+    let moved: Vec<bool> = job.beam_sheet().contours.iter().map(|c| c.drawn.is_some()).collect();
     assert_eq!(moved, [true, false, false, false]);
     let found = told(&job);
     assert_eq!((found.len(), found[0].count), (1, 2));
@@ -121,7 +121,7 @@ fn the_border_of_the_sheet_is_to_be_left_out() {
         let machine = MachineChoice::Profile(Box::new(machine(KERF)));
         job.start(&PlanOptions { machine, ..PlanOptions::default() }).unwrap();
         job.plan().unwrap();
-        let side = |id: usize| job.worked().contours[id].boundary().unwrap().bounds().size().x;
+        let side = |id: usize| job.beam_sheet().contours[id].boundary().unwrap().bounds().size().x;
         let found = &job.run().unwrap().findings;
         let told =
             found.iter().any(|f| f.code == Code::SheetOutline && f.message.contains("smaller by a kerf"));

@@ -16,7 +16,7 @@ fn moved_turned_and_mirrored_drawings_give_the_same_lines() {
         let all: Vec<Vec<DVec2>> = outlines.iter().map(|o| o.iter().map(|p| f(*p)).collect()).collect();
         let job = kerfed(&all);
         assert!(told(&job).is_empty());
-        (job.worked().groups[0].faces, job.plan().unwrap().summary.cut_length)
+        (job.beam_sheet().groups[0].faces, job.plan().unwrap().summary.cut_length)
     };
     let wanted = length(&|p| p);
     let (sin, cos) = 0.3_f64.sin_cos();
@@ -61,7 +61,7 @@ fn outlines_of_all_kinds_are_moved_or_told() {
         let kerf = 0.05 + 2.0 * rng.range(0.0, 1.0) * rng.range(0.0, 1.0);
         // Checked, place by place.
         let job = started(bulged(&slices, &[]), machine(kerf));
-        let closed = job.worked().contours.iter().filter(|c| c.boundary().is_some());
+        let closed = job.beam_sheet().contours.iter().filter(|c| c.boundary().is_some());
         let (some, none): (Vec<_>, Vec<_>) = closed.partition(|c| c.drawn.is_some());
         assert_eq!(told(&job).iter().filter(|f| f.severity == Severity::Warning).count(), none.len());
         for c in &some {
@@ -91,7 +91,7 @@ fn dense_outlines_end_in_time() {
         [DVec2::new(x + 0.01, 50.0), DVec2::new(x, 0.0)]
     }));
     let job = started(drawing(&[star, comb]), machine(5.0));
-    assert!(job.worked().contours.iter().all(|c| c.drawn.is_none()));
+    assert!(job.beam_sheet().contours.iter().all(|c| c.drawn.is_none()));
     // A guard against what never ends, not a target: alone it takes 9 s, beside two builds 25.
     assert!(began.elapsed().as_secs() < 120, "{:?}", began.elapsed());
 }

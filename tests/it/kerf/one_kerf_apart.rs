@@ -19,8 +19,8 @@ fn a_grid_one_kerf_apart_is_a_grid_of_lines() {
             let plan = job.plan().unwrap();
             assert!((plan.summary.cut_length - union).abs() < 1e-6, "{m} x {n}: {}", plan.summary.cut_length);
             assert_eq!(plan.summary.parts as usize, m * n);
-            assert_eq!(job.worked().groups.len(), 1, "{m} x {n}");
-            assert_eq!(job.worked().groups[0].faces as usize, m * n + 1);
+            assert_eq!(job.beam_sheet().groups.len(), 1, "{m} x {n}");
+            assert_eq!(job.beam_sheet().groups[0].faces as usize, m * n + 1);
             if grouped {
                 assert_eq!(plan.summary.pierces, 1, "{m} x {n}");
             }
@@ -58,7 +58,10 @@ fn bricks_one_kerf_apart_have_t_junctions() {
     let plan = job.plan().unwrap();
     let union = 4.0 * 3.0 * w + 2.0 * 0.5 * w + 12.0 * h;
     assert!((plan.summary.cut_length - union).abs() < 1e-6, "{} {union}", plan.summary.cut_length);
-    assert_eq!((job.worked().groups.len(), job.worked().groups[0].faces, plan.summary.pierces), (1, 10, 1));
+    assert_eq!(
+        (job.beam_sheet().groups.len(), job.beam_sheet().groups[0].faces, plan.summary.pierces),
+        (1, 10, 1)
+    );
     assert_eq!(plan.summary.parts, 9);
 }
 
@@ -79,7 +82,7 @@ fn arcs_one_kerf_apart_are_one() {
     let plan = job.plan().unwrap();
     let wanted = 4.0 * 60.4 - 8.0 * 5.2 + 2.0 * PI * 5.2 + 2.0 * PI * (10.0 - 0.5 * KERF);
     assert!((plan.summary.cut_length - wanted).abs() < 1e-6, "{} {wanted}", plan.summary.cut_length);
-    assert_eq!(job.worked().parts.len(), 2);
+    assert_eq!(job.beam_sheet().parts.len(), 2);
     let saved: Vec<_> =
         job.run().unwrap().findings.iter().filter(|f| f.code == Code::OverlapRemoved).collect();
     assert!(saved[0].message.contains("61.575 mm"), "{saved:?}");
@@ -100,7 +103,7 @@ fn contours_keep_their_ids() {
         job.start(&PlanOptions { machine, ..PlanOptions::default() }).unwrap();
         job.run_mut().unwrap().step(1_000);
         let plan = job.plan().unwrap();
-        let (drawn, worked) = (job.sheet(), job.worked());
+        let (drawn, worked) = (job.sheet(), job.beam_sheet());
         for (a, b) in drawn.contours.iter().zip(&worked.contours) {
             assert_eq!((Some(&a.path), a.layer, a.depth), (b.drawn.as_ref(), b.layer, b.depth));
             assert!(close(a.area, b.area));
@@ -113,7 +116,7 @@ fn contours_keep_their_ids() {
     // Between two others, drawn last: above and below something is left.
     let row = [0.0, 20.8, 10.4].map(|x| rectangle([x, 0.0, 10.0, 5.0]));
     let job = kerfed(&row);
-    let worked = job.worked();
+    let worked = job.beam_sheet();
     assert_eq!((job.sheet().contours.len(), worked.contours.len()), (3, 4));
     assert_eq!(worked.contours.iter().map(|c| c.path.closed).collect::<Vec<_>>(), [true, true, false, false]);
     assert!(close(worked.contours[2].area, 50.0) && close(worked.contours[3].area, 0.0));

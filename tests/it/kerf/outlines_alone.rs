@@ -10,21 +10,21 @@ use std::f64::consts::PI;
 #[test]
 fn without_a_kerf_the_drawing_is_the_path() {
     let job = started(drawing(&[rectangle([0.0, 0.0, 10.0, 5.0])]), machine(0.0));
-    assert_eq!(job.worked().contours, job.sheet().contours);
+    assert_eq!(job.beam_sheet().contours, job.sheet().contours);
     assert!(job.beside().is_none());
 }
 
 #[test]
 fn squares_grow_and_holes_shrink_by_half_a_kerf() {
     let job = kerfed(&[rectangle([10.0, 20.0, 30.0, 15.0]), rectangle([15.0, 25.0, 8.0, 6.0])]);
-    let [outer, hole] = &job.worked().contours[..] else { panic!() };
+    let [outer, hole] = &job.beam_sheet().contours[..] else { panic!() };
     assert_eq!(points(&outer.path), [[9.8, 19.8], [9.8, 35.2], [40.2, 19.8], [40.2, 35.2]]);
     assert_eq!(points(&hole.path), [[15.2, 25.2], [15.2, 30.8], [22.8, 25.2], [22.8, 30.8]]);
     assert!(close(outer.length, 2.0 * (30.4 + 15.4)) && close(hole.length, 2.0 * (7.6 + 5.6)));
     assert!(close(outer.path.area(), 30.4 * 15.4) && close(hole.path.area(), -7.6 * 5.6));
     // What is made is as drawn.
     assert!(close(outer.area, 450.0) && close(hole.area, 48.0));
-    assert_eq!((hole.inside, job.worked().parts.clone()), (Some(0), job.sheet().parts.clone()));
+    assert_eq!((hole.inside, job.beam_sheet().parts.clone()), (Some(0), job.sheet().parts.clone()));
     let plan = job.plan().unwrap();
     assert!(close(plan.summary.cut_length, 91.6 + 26.4));
     assert_eq!(told(&job), Vec::<&Finding>::new());
@@ -35,7 +35,7 @@ fn circles_stay_circles() {
     let job =
         started(bulged(&[], &[[50.0, 40.0, 10.0], [50.0, 40.0, 4.0], [80.0, 40.0, 0.3]]), machine(KERF));
     let radii: Vec<f64> = job
-        .worked()
+        .beam_sheet()
         .contours
         .iter()
         .map(|c| match c.path.segments[..] {
@@ -44,7 +44,7 @@ fn circles_stay_circles() {
         })
         .collect();
     assert!(radii.iter().zip([10.2, 3.8, 0.5]).all(|(a, b)| close(*a, b)), "{radii:?}");
-    assert!(close(job.worked().contours[1].length, 2.0 * PI * 3.8));
+    assert!(close(job.beam_sheet().contours[1].length, 2.0 * PI * 3.8));
 }
 
 #[test]
@@ -54,8 +54,8 @@ fn rounded_rectangles_keep_their_arcs() {
     let length = |w: f64, h: f64, r: f64| 2.0 * (w + h) - 8.0 * r + 2.0 * PI * r;
     let area = |w: f64, h: f64, r: f64| w * h - (4.0 - PI) * r * r;
     for (c, [w, h, r], sign) in [
-        (&job.worked().contours[0], [40.4, 30.4, 5.2], 1.0),
-        (&job.worked().contours[1], [19.6, 7.6, 1.8], -1.0),
+        (&job.beam_sheet().contours[0], [40.4, 30.4, 5.2], 1.0),
+        (&job.beam_sheet().contours[1], [19.6, 7.6, 1.8], -1.0),
     ] {
         assert_eq!(c.path.segments.len(), 8);
         assert!(close(c.length, length(w, h, r)), "{} {}", c.length, length(w, h, r));
@@ -74,7 +74,7 @@ fn an_l_has_a_corner_inside() {
     let l: Vec<DVec2> = [(0.0, 0.0), (30.0, 0.0), (30.0, 10.0), (10.0, 10.0), (10.0, 40.0), (0.0, 40.0)]
         .map(|(x, y)| DVec2::new(x, y))
         .to_vec();
-    let c = &kerfed(&[l]).worked().contours[0].clone();
+    let c = &kerfed(&[l]).beam_sheet().contours[0].clone();
     let wanted = [[-0.2, -0.2], [-0.2, 40.2], [10.2, 10.2], [10.2, 40.2], [30.2, -0.2], [30.2, 10.2]];
     assert_eq!(points(&c.path), wanted);
     // As long as the box around it.
@@ -92,7 +92,7 @@ fn sharp_corners_are_rounded_beyond_the_limit() {
             DVec2::new(50.0, -50.0 * half.tan()),
             DVec2::new(50.0, 50.0 * half.tan()),
         ];
-        let c = &kerfed(&[outline]).worked().contours[0].clone();
+        let c = &kerfed(&[outline]).beam_sheet().contours[0].clone();
         let arcs = c.path.segments.iter().filter(|s| matches!(s, Segment::Arc(_))).count();
         assert_eq!(arcs, rounds, "{degrees}");
         let tip = c.bounds.min.x;
