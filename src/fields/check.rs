@@ -1,19 +1,19 @@
-//! A value against the table of its fields.
+//! Checks a value against the table of its fields.
 
 use super::nearest::nearest;
 use super::table::{Field, Kind, Range, Shape};
 use super::value::{COUNTS, Value, shown};
 
 impl Shape {
-    /// Whether a value is an object with the right fields.
+    /// Checks that a value is an object with the right fields.
     ///
     /// # Errors
-    /// One sentence about the first field that is wrong.
+    /// One sentence about the first wrong field.
     pub fn check(&self, value: &Value) -> Result<(), String> {
         self.object("", self.fields, value)
     }
 
-    /// The fields of an object; `prefix` is the path to it, with its dot.
+    /// Checks the fields of an object. `prefix` is the path to it, including its dot.
     fn object(&self, prefix: &str, fields: &[Field], value: &Value) -> Result<(), String> {
         let Value::Object(given) = value else {
             return Err(match prefix.strip_suffix('.') {
@@ -82,13 +82,13 @@ fn is_whole(n: f64) -> bool {
     n.abs() <= COUNTS && n.fract().abs() <= 0.0
 }
 
-/// The sentence for a number out of its range. `what` begins it: `The machine's field`.
+/// The sentence for a number that is out of its range. It begins with `what`, for example `The machine's field`.
 pub fn out_of_range(what: &str, name: &str, n: f64, range: &Range) -> String {
     let rule = number_rule(range, false, false);
     format!("{what} \"{name}\" is {}. {rule}", Value::Number(n))
 }
 
-/// What a number must be.
+/// The second half of the sentence: which numbers are allowed.
 fn number_rule(range: &Range, whole: bool, nullable: bool) -> String {
     let Range { least, most, or_zero, unit, why } = *range;
     let what = if whole { "a whole number" } else { "a number" };

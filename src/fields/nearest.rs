@@ -2,8 +2,8 @@
 
 use super::value::shown;
 
-/// The name among `known` that is nearest to `name`, when it is near enough to be a slip: at most a third of its
-/// characters differ, or two. Case, hyphens and underscores count for nothing.
+/// The name among `known` that is nearest to `name`, if it is close enough to be a misspelling: at most two characters, or
+/// a third of them, differ. Case, hyphens and underscores are ignored.
 pub fn nearest<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
     let name = key(name);
     let near = |other: &&str| {
@@ -12,7 +12,7 @@ pub fn nearest<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Opti
     };
     let most = (name.len() / 3).max(2).min(name.len().saturating_sub(1));
     let all = known.into_iter().filter_map(|other| near(&other).map(|d| (d, other)));
-    // The first of equals, so that the answer does not depend on anything but the order of the table.
+    // Of equally near names the first is used, so that the answer depends only on the order of the table.
     let best = all.reduce(|best, other| if other.0 < best.0 { other } else { best });
     best.filter(|(d, _)| *d <= most).map(|(_, other)| other)
 }
@@ -24,7 +24,8 @@ pub fn no_such(what: &str, name: &str, known: &[&str]) -> String {
     format!("There is no {what} named \"{name}\".{hint} Choose one of: {}.", known.join(", "))
 }
 
-/// Longest name looked at, in characters: far above any field's name, and a bound on the work for hostile ones.
+/// Largest number of characters that are compared: far more than any field's name, and a limit on the work for hostile
+/// input.
 const LONGEST: usize = 64;
 
 fn key(name: &str) -> Vec<char> {
@@ -32,7 +33,8 @@ fn key(name: &str) -> Vec<char> {
     letters.take(LONGEST).map(|c| c.to_ascii_lowercase()).collect()
 }
 
-/// Characters to insert, remove, replace or exchange with their neighbour (optimal string alignment).
+/// Number of insertions, deletions, substitutions and transpositions of neighbours between two names (optimal string
+/// alignment).
 fn distance(a: &[char], b: &[char]) -> usize {
     let mut before: Vec<usize> = Vec::new();
     let mut last: Vec<usize> = (0..=b.len()).collect();

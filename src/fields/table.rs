@@ -1,15 +1,15 @@
-//! What fields an object may have: tables as data, which TypeScript has, too.
+//! Tables of the fields that an object may have. They are data, so that TypeScript has the same tables.
 
 use serde::Serialize;
 
-/// The fields of an object, with the words for its sentences.
+/// The fields of an object, with the words for messages about them.
 #[derive(Debug, Serialize)]
 pub struct Shape {
-    /// Begins the sentences about missing and unknown fields: `The machine`.
+    /// Begins messages about missing and unknown fields, for example `The machine`.
     pub owner: &'static str,
-    /// What a field is called: `field` or `option`.
+    /// The word for a field: `field` or `option`.
     pub item: &'static str,
-    /// Begins the sentences about values: `The machine's field`.
+    /// Begins messages about values, for example `The machine's field`.
     pub value: &'static str,
     /// The fields.
     pub fields: &'static [Field],
@@ -20,15 +20,15 @@ pub struct Shape {
 pub struct Field {
     /// Its name.
     pub name: &'static str,
-    /// What it may hold.
+    /// The type of its value.
     pub kind: Kind,
-    /// It must be given.
+    /// Whether it must be given.
     pub required: bool,
-    /// It may be null.
+    /// Whether it may be null.
     pub nullable: bool,
 }
 
-/// What a value may be.
+/// The type of a value.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Kind {
@@ -42,31 +42,31 @@ pub enum Kind {
     Number(Range),
     /// A whole number.
     Whole(Range),
-    /// Two values in a list.
+    /// A list of two values.
     Pair(&'static Kind),
-    /// Any number of values in a list.
+    /// A list of any length.
     List(&'static Kind),
     /// An object with these fields.
     Object(&'static [Field]),
-    /// The name of something, or the thing itself.
+    /// The name of something, or the object itself.
     NameOr(&'static Shape),
-    /// Parameters of a method: the method checks them. A JSON text in the core; an object of numbers, texts and flags in
-    /// JavaScript.
+    /// Parameters of a method, which the method checks: a JSON text in the core, and an object of numbers, texts and flags
+    /// in JavaScript.
     Parameters,
 }
 
-/// The numbers a field may hold, with the reason for the limits.
+/// The numbers that a field accepts, with the reason for the limits.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Range {
-    /// The smallest.
+    /// Smallest number.
     pub least: f64,
-    /// The largest.
+    /// Largest number.
     pub most: f64,
-    /// Zero is allowed besides.
+    /// Whether zero is accepted as well.
     pub or_zero: bool,
-    /// Unit for people; empty: none.
+    /// The unit as shown to people; empty if there is none.
     pub unit: &'static str,
-    /// Why it has these limits, to follow a colon.
+    /// The reason for the limits, as it follows a colon.
     pub why: &'static str,
 }
 
@@ -76,19 +76,19 @@ impl Range {
         Self { least, most, or_zero: false, unit, why }
     }
 
-    /// The same with zero.
+    /// The same range, which accepts zero as well.
     pub const fn or_zero(self) -> Self {
         Self { or_zero: true, ..self }
     }
 
-    /// Whether a number is within. NaN and the infinities never are.
+    /// Whether a number is accepted. NaN and infinity never are.
     pub fn holds(&self, n: f64) -> bool {
         (self.least..=self.most).contains(&n) || (self.or_zero && n.abs().total_cmp(&0.0).is_eq())
     }
 }
 
 impl Field {
-    /// A field that may be left out.
+    /// A field that may be omitted.
     pub const fn optional(name: &'static str, kind: Kind) -> Self {
         Self { name, kind, required: false, nullable: false }
     }
@@ -98,7 +98,7 @@ impl Field {
         Self { name, kind, required: true, nullable: false }
     }
 
-    /// A field that may be left out or null: both mean none.
+    /// A field that may be omitted or null, which mean the same.
     pub const fn nullable(name: &'static str, kind: Kind) -> Self {
         Self { name, kind, required: false, nullable: true }
     }

@@ -1,4 +1,4 @@
-//! A value as it arrives, before its kind is known. Unlike JSON it can hold NaN, so that it can be refused by name.
+//! A value from a caller before its type is known. Unlike JSON it can hold NaN, so that the message can name it.
 
 use serde::de::value::{MapDeserializer, SeqDeserializer};
 use serde::de::{DeserializeSeed, Deserializer, EnumAccess, IntoDeserializer, MapAccess, SeqAccess, Visitor};
@@ -12,25 +12,25 @@ pub enum Value {
     Null,
     /// True or false.
     Flag(bool),
-    /// Any number, finite or not.
+    /// A number, finite or not.
     Number(f64),
     /// Text.
     Text(String),
     /// A list.
     List(Vec<Value>),
-    /// Fields in the order given.
+    /// Fields, in the order given.
     Object(Vec<(String, Value)>),
-    /// Something that is no data, with its kind: `a function`.
+    /// Something that is not data, described by its kind: `a function`.
     Other(&'static str),
 }
 
 /// Largest whole number that `f64` counts to without gaps, 2^53 - 1.
 pub(super) const COUNTS: f64 = 9_007_199_254_740_991.0;
 
-/// Characters of a text shown in a sentence: enough to recognise it.
+/// Number of characters of a text shown in a message: enough to recognise it.
 const SHOWN: usize = 40;
 
-/// A caller's text for a sentence: short, and without characters that a terminal obeys.
+/// A caller's text for a message, shortened and without control characters, which a terminal might act on.
 pub(super) fn shown(text: &str) -> String {
     let clean = |c: char| if c.is_control() { '\u{fffd}' } else { c };
     let mut short: String = text.chars().take(SHOWN).map(clean).collect();
@@ -48,7 +48,7 @@ impl fmt::Display for Value {
             Self::Number(n) if n.is_infinite() => {
                 f.write_str(if *n > 0.0 { "Infinity" } else { "-Infinity" })
             }
-            // As JavaScript switches to powers of ten: 300 digits help nobody.
+            // Like JavaScript, uses powers of ten for very large and very small numbers.
             Self::Number(n) if n.abs() >= 1e21 || (n.abs() < 1e-6 && *n != 0.0) => write!(f, "{n:e}"),
             Self::Number(n) => write!(f, "{n}"),
             Self::Text(text) => write!(f, "\"{}\"", shown(text)),
@@ -113,7 +113,7 @@ impl<'de> Deserialize<'de> for Value {
     }
 }
 
-/// Why a checked value could not be read all the same.
+/// The error type of serde's deserializers for plain values.
 type Error = serde::de::value::Error;
 
 impl<'de> Deserializer<'de> for Value {
@@ -137,7 +137,7 @@ impl<'de> Deserializer<'de> for Value {
         }
     }
 
-    // The sign of a zero is kept where a field is no count.
+    // Keeps the sign of zero, which a whole number loses.
     fn deserialize_f64<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {
         match self {
             Self::Number(n) => visitor.visit_f64(n),
@@ -178,7 +178,7 @@ impl IntoDeserializer<'_> for Value {
     }
 }
 
-/// A choice without data.
+/// A variant without data.
 struct Word(String);
 
 impl<'de> EnumAccess<'de> for Word {

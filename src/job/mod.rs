@@ -1,34 +1,33 @@
-//! One drawing through the whole flow: what the wasm bindings, native tests and benches hold on to.
+//! One drawing through the whole flow, for the wasm bindings, native tests and benches.
 //!
-//! A [`Job`] owns the bytes of one file and everything made of them. It can be loaded again with other options
-//! without the bytes being sent again, planned, planned again, and written out. A search runs in slices of moves:
-//! the caller, who has a clock and a person to listen to, says how many each time. Slices of any size give the same
-//! bytes.
+//! A [`Job`] owns the bytes of one file and everything made from them. It can be loaded again with other options without
+//! sending the bytes again, planned several times, and written out. A search runs in slices of moves. The caller, who has a
+//! clock and a user to listen to, decides how many moves each slice has. Slices of any size give the same bytes.
 
+mod best_path;
+mod common_cuts;
 mod error;
+mod option_fields;
 mod options;
-mod path;
+mod outputs;
 mod problem_of;
 mod ranges;
 mod report;
 mod run;
-mod shapes;
-mod shared;
 #[cfg(feature = "research")]
 mod solving;
-mod warm;
-mod written;
+mod warm_path;
 
+pub use best_path::BestPath;
 pub use error::JobError;
 pub use options::{Budget, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
-pub use path::BestPath;
+pub use outputs::OutputKind;
 pub use problem_of::problem_of;
 pub use report::{Baselines, ContourInfo, Geometry, Loaded};
 pub use run::{Run, Slice, SliceEnd};
 #[cfg(feature = "research")]
 pub use solving::Solving;
-pub use warm::Warm;
-pub use written::OutputKind;
+pub use warm_path::WarmPath;
 
 use crate::dxf::{self, Drawing, ReadOptions};
 use crate::finding::Finding;
@@ -44,7 +43,7 @@ pub struct Job {
     sheet_options: SheetOptions,
     drawing: Drawing,
     sheet: Sheet,
-    /// The sheet with the lines of the beam, where the machine of the run has a kerf width.
+    /// The sheet with the paths of the beam, if the machine of the run has a kerf width.
     beam_sheet: Option<Sheet>,
     run: Option<Run>,
 }
@@ -55,7 +54,7 @@ impl Job {
         let read_options = options.read_options()?;
         let sheet_options = options.sheet_options()?;
         let drawing = dxf::read(&bytes, &read_options)?;
-        let sheet = built(&drawing, &sheet_options)?;
+        let sheet = build_sheet(&drawing, &sheet_options)?;
         let sha256 = Sha256::digest(&bytes).iter().map(|b| format!("{b:02x}")).collect();
         Ok(Self {
             name: name.to_owned(),
@@ -70,16 +69,16 @@ impl Job {
         })
     }
 
-    /// The same file with other options; the file is read again only when they concern its reading. A plan under way
-    /// is dropped. After an error everything is as before.
+    /// Applies other options to the same file. The file is read again only if they concern its reading. The current plan is
+    /// dropped. After an error nothing has changed.
     pub fn reload(&mut self, options: &LoadOptions) -> Result<(), JobError> {
         let read_options = options.read_options()?;
         let sheet_options = options.sheet_options()?;
         if read_options == self.read_options {
-            self.sheet = built(&self.drawing, &sheet_options)?;
+            self.sheet = build_sheet(&self.drawing, &sheet_options)?;
         } else {
             let drawing = dxf::read(&self.bytes, &read_options)?;
-            self.sheet = built(&drawing, &sheet_options)?;
+            self.sheet = build_sheet(&drawing, &sheet_options)?;
             self.drawing = drawing;
             self.read_options = read_options;
         }
@@ -93,17 +92,17 @@ impl Job {
         &self.bytes
     }
 
-    /// What the drawing holds.
+    /// A report on the content of the drawing.
     pub fn report(&self) -> Loaded<'_> {
         report::loaded(&self.name, &self.sha256, &self.drawing, &self.sheet)
     }
 
-    /// The contours, by id.
+    /// The geometry of the contours, by id.
     pub fn geometry(&self) -> Geometry {
         Geometry::of(self.sheet.contours.iter().map(|c| &c.path))
     }
 
-    /// What is shown but not cut.
+    /// The geometry of what is shown but not cut.
     pub fn ignored(&self) -> Geometry {
         Geometry::of(self.sheet.ignored.iter().map(|i| &i.path))
     }
@@ -113,31 +112,31 @@ impl Job {
         &self.drawing
     }
 
-    /// The contours as arranged.
+    /// The sheet as drawn.
     pub fn sheet(&self) -> &Sheet {
         &self.sheet
     }
 
-    /// The sheet whose contours the beam follows, as in the plan. It is the sheet as built, or for a machine with a kerf width
-    /// the sheet with offset lines.
+    /// The sheet as it is cut: as drawn, or with the paths of the beam, offset by half the kerf, if the machine has a kerf
+    /// width.
     pub fn beam_sheet(&self) -> &Sheet {
         self.beam_sheet.as_ref().unwrap_or(&self.sheet)
     }
 
-    /// The lines of the beam, where they are not those drawn: contours by id, and their geometry.
-    pub fn beside(&self) -> Option<(Vec<ContourInfo<'_>>, Geometry)> {
+    /// The paths of the beam if they differ from the drawing: contours by id, and their geometry.
+    pub fn beam_paths(&self) -> Option<(Vec<ContourInfo<'_>>, Geometry)> {
         let sheet = self.beam_sheet.as_ref()?;
         Some((report::contours(sheet), Geometry::of(sheet.contours.iter().map(|c| &c.path))))
     }
 
-    /// What the plan cuts once for two parts: stretches of contours of pierce groups.
+    /// The stretches of pierce groups that are cut once for two parts.
     pub fn common_cuts(&self) -> Geometry {
         let groups = self.beam_sheet().pierce_groups();
         let paths: Vec<_> = groups.iter().flat_map(|g| g.between_parts().map(|e| g.path(e))).collect();
         Geometry::of(paths.iter())
     }
 
-    /// Starts a plan; one under way is dropped.
+    /// Starts a plan. The current one is dropped.
     pub fn start(&mut self, options: &PlanOptions) -> Result<&Run, JobError> {
         if !self.sheet.contours.iter().any(Contour::is_processed) {
             return Err(JobError::NothingToCut(self.why_empty()));
@@ -157,7 +156,7 @@ impl Job {
         self.beam_sheet = None;
     }
 
-    /// Offsets the lines by half the kerf; returns the findings of doing so.
+    /// Offsets the cuts by half the kerf and returns the findings.
     fn compensate(&mut self, kerf: f64) -> Vec<Finding> {
         if kerf <= 0.0 {
             return Vec::new();
@@ -167,12 +166,12 @@ impl Job {
         found
     }
 
-    /// The plan under way or done.
+    /// The current plan.
     pub fn run(&self) -> Result<&Run, JobError> {
         self.run.as_ref().ok_or(JobError::NoPlan)
     }
 
-    /// The same, to go on with it.
+    /// The current plan, for continuing its search.
     pub fn run_mut(&mut self) -> Result<&mut Run, JobError> {
         self.run.as_mut().ok_or(JobError::NoPlan)
     }
@@ -181,19 +180,19 @@ impl Job {
         if self.sheet.ignored.is_empty() {
             "the drawing holds no outlines."
         } else {
-            "everything in the drawing is left out. Set a layer to cut or mark, or take a contour back."
+            "everything in the drawing is skipped. Set a layer to cut or mark, or include a contour."
         }
     }
 }
 
-fn built(drawing: &Drawing, options: &SheetOptions) -> Result<Sheet, JobError> {
+fn build_sheet(drawing: &Drawing, options: &SheetOptions) -> Result<Sheet, JobError> {
     let sheet = sheet::build(drawing, options);
     let count = sheet.contours.len();
     let lists = [&options.first, &options.last, &options.exclude];
     match lists.into_iter().flatten().find(|&&id| id as usize >= count) {
         None => Ok(sheet),
         Some(id) => Err(JobError::Options(format!(
-            "Contour {id} was to be worked first or last, or left out, but there are only {count}, counted from 0."
+            "Contour {id} is listed as first, last or excluded, but there are only {count} contours, counted from 0."
         ))),
     }
 }

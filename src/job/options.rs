@@ -1,10 +1,10 @@
-//! What a caller may ask for: how a drawing is read and arranged, and how it is planned.
+//! The options of a caller: how a drawing is read and arranged, and how it is planned.
 //!
-//! The structs mirror `www/sdk/protocol.ts` (camel case there); what is left out takes the default. What their fields may
-//! hold is in `shapes.rs` and `ranges.rs`.
+//! The structs mirror `www/sdk/protocol.ts`, where names are in camel case. Missing options take their defaults.
+//! `option_fields.rs` lists the fields and `ranges.rs` the ranges of their numbers.
 
 use super::ranges::{JOIN_TOLERANCE, SECONDS, TOLERANCE, WORKERS};
-use super::{JobError, Warm};
+use super::{JobError, WarmPath};
 use crate::dxf::{ReadOptions, TextDecoder, Unit};
 use crate::fields::{Range, no_such, out_of_range};
 use crate::machine::{self, Profile};
@@ -14,13 +14,13 @@ use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::fmt;
 
-/// What is done with one layer.
+/// The operation for one layer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LayerChoice {
-    /// Its name.
+    /// Name of the layer.
     pub name: String,
-    /// Cut, mark or leave out.
+    /// Cut, mark or ignore.
     pub operation: Operation,
 }
 
@@ -28,31 +28,31 @@ pub struct LayerChoice {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 pub struct LoadOptions {
-    /// Units given by the person; otherwise header or guess.
+    /// Units given by the user; `None` takes them from the header or guesses.
     pub units: Option<Unit>,
-    /// Largest distance between a spline or ellipse and its lines and arcs, mm.
+    /// Largest distance between a spline or ellipse and the lines and arcs that replace it, mm.
     pub tolerance: f64,
-    /// Keep entities that were read through a break in the file.
+    /// Whether entities are kept that were read across a defect in the file.
     pub keep_damaged: bool,
-    /// Ends nearer than this are joined, mm.
+    /// Largest distance between ends that are joined, mm.
     pub join_tolerance: f64,
-    /// What is done with each layer; the order of the list is the order by layer.
+    /// Operations by layer; the order of the list is the order for `order_by_layer`.
     pub layers: Vec<LayerChoice>,
-    /// Work layer after layer.
+    /// Whether layers are cut one after the other.
     pub order_by_layer: bool,
-    /// Leave out the lone border around everything.
+    /// Whether a single border around everything is ignored.
     pub ignore_outline: bool,
-    /// Work a part wholly, with all that lies in its holes, before the next one.
+    /// Whether a part is finished, with everything inside its holes, before the next one.
     pub part_by_part: bool,
-    /// Whether contours that share cuts are cut as one, where the machine makes pre-cuts.
+    /// Whether contours that share cuts are cut as one, on machines that make pre-cuts.
     pub common_cuts: CommonCuts,
-    /// Contours worked before all others, by id.
+    /// Contours that are cut before all others, by id.
     pub first: Vec<u32>,
-    /// Contours worked after all others, by id.
+    /// Contours that are cut after all others, by id.
     pub last: Vec<u32>,
-    /// Contours left out, by id.
+    /// Contours that are skipped, by id.
     pub exclude: Vec<u32>,
-    /// Reads names in code pages of several bytes a character. No option of the caller: the bindings set it.
+    /// Decodes text in multi-byte code pages. It is not an option of the caller; the bindings set it.
     #[serde(skip)]
     pub decoder: TextDecoder,
 }
@@ -79,7 +79,7 @@ impl Default for LoadOptions {
 }
 
 impl LoadOptions {
-    /// For the reader.
+    /// The options of the DXF reader.
     pub fn read_options(&self) -> Result<ReadOptions, JobError> {
         within("tolerance", self.tolerance, &TOLERANCE)?;
         Ok(ReadOptions {
@@ -91,7 +91,7 @@ impl LoadOptions {
         })
     }
 
-    /// For the sheet.
+    /// The options of the sheet.
     pub fn sheet_options(&self) -> Result<SheetOptions, JobError> {
         within("joinTolerance", self.join_tolerance, &JOIN_TOLERANCE)?;
         Ok(SheetOptions {
@@ -116,13 +116,13 @@ fn within(name: &str, n: f64, range: &Range) -> Result<(), JobError> {
     Err(JobError::Options(out_of_range("The option", name, n, range)))
 }
 
-/// A preset by name, or a whole profile.
+/// The name of a preset machine, or a whole profile.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum MachineChoice {
     /// Name of a preset.
     Preset(String),
-    /// Everything given.
+    /// A profile.
     Profile(Box<Profile>),
 }
 
@@ -157,7 +157,7 @@ impl Default for MachineChoice {
 }
 
 impl MachineChoice {
-    /// The profile meant, if it can be planned with.
+    /// The profile, if it is valid.
     pub fn profile(&self) -> Result<Profile, JobError> {
         match self {
             Self::Profile(p) => {
@@ -173,14 +173,14 @@ impl MachineChoice {
     }
 }
 
-/// When to stop. The core counts moves itself; seconds are the caller's, who has a clock, and only told on.
+/// When to stop. The search counts moves itself. Seconds are passed on to the caller, who has a clock.
 #[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Budget {
-    /// Seconds of work.
+    /// Seconds of search.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seconds: Option<f64>,
-    /// Moves of the search: the same seed and moves give the same bytes everywhere.
+    /// Moves of the search. The same seed and moves give the same bytes everywhere.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moves: Option<u64>,
 }
@@ -191,40 +191,40 @@ pub struct Budget {
 pub struct PlanOptions {
     /// The machine.
     pub machine: MachineChoice,
-    /// A method's name; the first of [`crate::solve::methods`] when left out.
+    /// Name of a method; `None` selects the first of [`crate::solve::methods`].
     pub method: Option<String>,
-    /// Parameters of a method from a paper: a JSON object with those that differ from the defaults. In a build without
-    /// these methods they say that its code is elsewhere: what it finds is handed over by [`super::Run::offer`].
+    /// Parameters of a published method, as a JSON object with the values that differ from its defaults.
     pub parameters: Option<String>,
-    /// Decides every random choice.
+    /// Seed of all random choices.
     pub seed: u64,
     /// A path to start from.
-    pub warm: Option<Warm>,
-    /// When to stop: seconds of work.
+    pub warm: Option<WarmPath>,
+    /// When to stop, in seconds of search.
     pub seconds: Option<f64>,
-    /// When to stop: moves of the search.
+    /// When to stop, in moves of the search.
     pub moves: Option<u64>,
-    /// Searches side by side that hand on the best path at fixed counts of moves; `None`: one.
+    /// Number of searches that run in parallel and exchange the best path at fixed numbers of moves; `None` is one.
     pub workers: Option<u32>,
-    /// Which of them this is: each draws on random numbers of its own, the first on those of the seed itself.
+    /// Index of this search among them. Each has its own stream of random numbers; the first one has the stream of the seed
+    /// itself.
     pub member: u32,
 }
 
 impl PlanOptions {
-    /// Whether the numbers are in their ranges: callers in Rust fill the struct themselves.
+    /// Checks the ranges of numbers, because callers in Rust fill the struct directly.
     pub(super) fn check(&self) -> Result<(), JobError> {
         self.seconds.map_or(Ok(()), |s| within("seconds", s, &SECONDS))
     }
 
-    /// Searches side by side.
+    /// Number of parallel searches.
     pub fn workers(&self) -> Result<u32, JobError> {
         let workers = self.workers.unwrap_or(1);
         within("workers", workers.into(), &WORKERS).map(|()| workers)
     }
 
-    /// What decides the random choices of this member: far apart for neighbouring seeds and members.
+    /// Seed of this search. Neighbouring seeds and members give very different values.
     pub(super) fn stream(&self) -> u64 {
-        // The odd constant of Weyl sequences, 2^64 / golden ratio: multiples of it are spread evenly over 64 bits.
+        // The constant of Weyl sequences, 2^64 / golden ratio, made odd: its multiples are spread evenly over 64 bits.
         self.seed ^ u64::from(self.member).wrapping_mul(0x9E37_79B9_7F4A_7C15)
     }
 

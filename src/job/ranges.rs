@@ -2,7 +2,7 @@
 
 use crate::fields::Range;
 
-/// Largest whole number that crosses to JavaScript exactly.
+/// Largest whole number that JavaScript represents exactly.
 pub(super) const COUNT: Range = Range::new(0.0, 9_007_199_254_740_991.0, "", "JavaScript counts no further");
 pub(super) const TOLERANCE: Range = Range::new(
     1e-6,

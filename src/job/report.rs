@@ -1,7 +1,7 @@
-//! What a job tells its caller: the loaded drawing as a report and as flat arrays.
+//! What a job reports to its caller: the loaded drawing, as a report and as flat arrays.
 //!
-//! Reports are plain data for serde; geometry is numbers in a row, which cross into JavaScript as typed arrays
-//! thirty times faster than as objects.
+//! Reports are plain data for serde. Geometry is flat arrays of numbers, which reach JavaScript as typed arrays thirty
+//! times faster than as objects.
 
 use crate::dxf::{Drawing, EntityKindCount, Units};
 use crate::finding::Finding;
@@ -13,36 +13,36 @@ use serde::Serialize;
 /// A contour, for lists.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ContourInfo<'a> {
-    /// Its index, which is its name everywhere.
+    /// Its index, which identifies it everywhere.
     pub id: u32,
-    /// Comes back to its start.
+    /// Whether it returns to its start.
     pub closed: bool,
-    /// Layer it is on.
+    /// Name of its layer.
     pub layer: &'a str,
     /// Cut or mark.
     pub operation: Operation,
-    /// The contour around it.
+    /// The contour directly around it.
     pub inside: Option<u32>,
-    /// mm.
+    /// Length, mm.
     pub length: f64,
-    /// mm2.
+    /// Area, mm².
     pub area: f64,
 }
 
-/// What a drawing turned out to hold, without its geometry.
+/// The content of a drawing, without its geometry.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Loaded<'a> {
-    /// Of the file.
+    /// Name of the file.
     pub name: &'a str,
-    /// Of the bytes, in hexadecimal.
+    /// SHA-256 of its bytes, in hexadecimal.
     pub sha256: &'a str,
-    /// $ACADVER.
+    /// Version of the file, `$ACADVER`.
     pub version: Option<&'a str>,
-    /// Units taken, and why.
+    /// The units used, and where they come from.
     pub units: &'a Units,
-    /// Entities of model space by kind.
+    /// Number of entities in model space, by kind.
     pub entities: &'a [EntityKindCount],
-    /// Layers with what is done with them.
+    /// Layers and their operations.
     pub layers: &'a [LayerUse],
     /// Contours by id.
     pub contours: Vec<ContourInfo<'a>>,
@@ -50,9 +50,9 @@ pub struct Loaded<'a> {
     pub parts: &'a [Part],
     /// The contour that looks like the border of the sheet.
     pub outline: Option<u32>,
-    /// Box around all contours, mm: xmin, ymin, xmax, ymax; zeros when there are none.
+    /// Bounding box of all contours, mm: xmin, ymin, xmax, ymax; zeros if there are none.
     pub bounds: [f64; 4],
-    /// Of the reader, then of the sheet.
+    /// Findings of the reader, then of the sheet.
     pub findings: Vec<&'a Finding>,
 }
 
@@ -100,26 +100,26 @@ fn contour_info<'a>(id: u32, contour: &Contour, sheet: &'a Sheet) -> ContourInfo
     }
 }
 
-/// How the job would run without a search.
+/// The job without a search, for comparison.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Baselines {
-    /// As drawn.
+    /// In the order of the drawing.
     pub drawing: Summary,
-    /// Always the nearest allowed contour.
+    /// By nearest neighbour.
     pub greedy: Summary,
 }
 
-/// Chains of elements as numbers in a row.
+/// Paths as flat arrays.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Geometry {
-    /// Seven numbers an element: start, end, centre, sweep in rad (0: a line, whose centre is 0, 0).
+    /// Seven numbers for each element: start, end, centre, and sweep in rad. A line has sweep 0 and centre 0, 0.
     pub segments: Vec<f64>,
-    /// The element at which each chain starts; one more at the end.
+    /// Index of the first element of each path, and the number of elements at the end.
     pub offsets: Vec<u32>,
 }
 
 impl Geometry {
-    /// The arrays of some chains.
+    /// The arrays for some paths.
     pub fn of<'a>(paths: impl Iterator<Item = &'a Path>) -> Self {
         let mut g = Self { segments: Vec::new(), offsets: vec![0] };
         let mut elements = 0u32;

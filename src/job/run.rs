@@ -1,7 +1,7 @@
-//! A plan under way: the problem, the search that works on it, its budget and what it has found.
+//! A plan and the search for it: the problem, the search, its budget and its result.
 
 use super::options::{Budget, PlanOptions};
-use super::{Baselines, JobError, Warm, problem_of, shared, warm};
+use super::{Baselines, JobError, WarmPath, common_cuts, problem_of, warm_path};
 use crate::finding::Finding;
 use crate::machine::Profile;
 use crate::plan::{self, LowerBound, Plan};
@@ -9,12 +9,12 @@ use crate::problem::{Item, Problem};
 use crate::sheet::Sheet;
 use crate::solve::{self, Insight, Running, Solution, Status, Telemetry};
 
-/// Moves before the lower bound is begun: the first paths come first. A second of search on large sheets; on small ones
-/// the best path is found by then and only the proof is left.
+/// Number of moves before work on the lower bound starts, so that the first paths come first. On large sheets this is about
+/// a second of search; on small ones the best path is usually found by then and only the proof is missing.
 const BOUND_FROM: u64 = 1_000_000;
-/// Moves between two slices of work on it, and that work: a fifth or so of the time, and no slice long enough to be felt.
-/// Counted in moves, so that a budget in moves gives the same bound however it is sliced. Once half of all moves have
-/// found nothing better the rest is proof: more of the time is the bound's.
+/// Number of moves between two slices of work on the bound, and the work of a slice: about a fifth of the time, in slices
+/// too short to be felt. It is counted in moves, so that a budget in moves gives the same bound however it is sliced. When
+/// the second half of all moves has found nothing better, the larger amount is used.
 const BOUND_EVERY: u64 = 100_000;
 const BOUND_WORK: [u32; 2] = [4_000_000, 16_000_000];
 
@@ -22,54 +22,54 @@ const BOUND_WORK: [u32; 2] = [4_000_000, 16_000_000];
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SliceEnd {
-    /// Its work is done; more may help.
+    /// The requested moves are done; more may help.
     Running,
-    /// All the moves of the budget are done.
+    /// All moves of the budget are done.
     Budget,
-    /// The method can gain nothing more.
+    /// The method cannot improve the plan any more.
     Exhausted,
 }
 
-/// What came of a slice of work.
+/// The result of a slice of work.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Slice {
-    /// Moves done in it.
+    /// Number of moves done.
     pub done: u64,
-    /// The best plan changed in it.
+    /// Whether the best plan changed.
     pub improved: bool,
     /// Why it ended.
     pub end: SliceEnd,
-    /// Seconds that no plan takes less than, as in [`Run::bound`].
+    /// Lower bound of the total time of every plan in seconds, as in [`Run::bound`].
     pub bound: f64,
 }
 
-/// A plan under way or done.
+/// A plan and the search for it.
 pub struct Run {
-    /// The machine it is for.
+    /// The machine.
     pub machine: Profile,
-    /// Name of the method at work.
+    /// Name of the method.
     pub method: String,
-    /// Its parameters, as they were given.
+    /// Its parameters, as given.
     pub parameters: Option<String>,
-    /// What decides its random choices.
+    /// Seed of its random choices.
     pub seed: u64,
     /// When it stops.
     pub budget: Budget,
-    /// Searches side by side, this one among them.
+    /// Number of parallel searches, including this one.
     pub workers: u32,
-    /// How the job would run without it.
+    /// The job without a search.
     pub baselines: Baselines,
-    /// What is worth knowing of the sheet on this machine.
+    /// Findings on this sheet and machine.
     pub findings: Vec<Finding>,
-    /// Moves worked off so far, as the search counts what it was given: its telemetry may run ahead by the last move's
-    /// candidates.
+    /// Moves done so far, as requested from the search. Its telemetry may count a few more, because the last move may price
+    /// several candidates.
     pub moves: u64,
     running: Running,
-    /// Works on a lower bound of what the search minimises; `None` until it is first due.
+    /// Computes a lower bound of what the search minimises; `None` until it starts.
     prover: Option<LowerBound>,
-    /// Whether this search works on the bound: one search of several is enough.
+    /// Whether this search works on the bound. Of parallel searches only one does.
     proves: bool,
-    /// Moves at which work on it goes on.
+    /// Number of moves at which work on the bound continues.
     bound_at: u64,
 }
 
@@ -80,14 +80,14 @@ impl Run {
         let method = solve::named(name, parameters).map_err(JobError::Options)?;
         let problem = problem_of(sheet, &machine);
         let summary = |s: &Solution| plan::from_solution(sheet, &problem, s).summary;
-        let findings = shared::findings(sheet, &problem);
+        let findings = common_cuts::findings(sheet, &problem);
         let greedy = solve::greedy(&problem);
         let baselines = Baselines {
             drawing: summary(&solve::in_order(&problem, sheet.drawing_order())),
             greedy: summary(&greedy),
         };
         let (workers, stream) = (options.workers()?, options.stream());
-        let warm = options.warm.as_ref().map(|w| warm::solution(w, &problem)).transpose()?;
+        let warm = options.warm.as_ref().map(|w| warm_path::solution(w, &problem)).transpose()?;
         // A published method builds its first path itself.
         let first = if method.is_published() { warm } else { Some(warm.unwrap_or(greedy)) };
         let running = Running::new(problem, |p| method.start(p, stream, first.as_ref()));
@@ -108,13 +108,13 @@ impl Run {
         })
     }
 
-    /// Works for at most `work` moves, and never past the budget.
+    /// Does at most `work` moves, and never more than the budget.
     pub fn step(&mut self, work: u64) -> Slice {
         let left = self.budget.moves.map_or(u64::MAX, |all| all.saturating_sub(self.moves));
         if left == 0 {
             return Slice { done: 0, improved: false, end: SliceEnd::Budget, bound: self.bound() };
         }
-        // Never past the moves at which the bound is due, so that slices of any size prove the same.
+        // Stops where work on the bound is due, so that slices of any size give the same bound.
         let work = work.min(left).min(self.bound_at.saturating_sub(self.moves).max(1));
         let step = self.running.with_dependent_mut(|_, search| search.step(work));
         self.moves = self.moves.saturating_add(step.done);
@@ -130,7 +130,7 @@ impl Run {
         Slice { done: step.done, improved: step.improved, end, bound: self.bound() }
     }
 
-    /// Works on the bound, harder while the search finds nothing better.
+    /// Works on the bound, with more effort while the search finds nothing better.
     fn prove(&mut self) {
         if !self.proves {
             return;
@@ -141,25 +141,25 @@ impl Run {
         self.prover.get_or_insert_with(|| LowerBound::new(problem)).improve(work, best);
     }
 
-    /// Takes over a path found by another search, if it is better: true when it did.
-    pub fn offer(&mut self, path: &Warm) -> Result<bool, JobError> {
-        let found = warm::solution(path, self.problem())?;
+    /// Takes over a path found by another search if it is better. Returns whether it did.
+    pub fn offer(&mut self, path: &WarmPath) -> Result<bool, JobError> {
+        let found = warm_path::solution(path, self.problem())?;
         self.running.with_dependent_mut(|_, search| search.offer(&found));
         Ok(self.best().cost.total_cmp(&found.cost).is_eq())
     }
 
-    /// Grants another budget on top of what is done.
+    /// Grants another budget in addition to what is done.
     pub fn extend(&mut self, more: Budget) {
         let moves = more.moves.map(|m| self.moves.saturating_add(m));
         self.budget = Budget { seconds: more.seconds, moves };
     }
 
-    /// Numbers of the search.
+    /// Statistics of the search.
     pub fn telemetry(&self) -> Telemetry {
         self.running.borrow_dependent().telemetry()
     }
 
-    /// What makes a published method special, as it stands now; `None` for other methods.
+    /// Insight into a published method; `None` for other methods.
     pub fn insight(&self) -> Option<Insight> {
         self.running.borrow_dependent().insight()
     }
@@ -174,16 +174,16 @@ impl Run {
         self.running.borrow_dependent().best()
     }
 
-    /// The best solution so far as moves of the head, with times.
+    /// The best solution so far as a plan.
     pub fn plan(&self, sheet: &Sheet) -> Plan {
         let mut plan = plan::from_solution(sheet, self.problem(), self.best());
         plan.summary.set_bound(self.bound());
         plan
     }
 
-    /// Seconds that no plan takes less than: what is proven of travel, and what every plan pays; 0 before anything is.
-    /// The proof knows no sharp corners: where it takes less to leave a contour in one than to wait there, every one of them
-    /// may save that.
+    /// Lower bound of the total time of every plan in seconds: the bound of the search plus the fixed times; 0 until there
+    /// is one. The bound ignores sharp corners. Where leaving a contour in a corner takes less time than a pause, every
+    /// corner may save the difference, which is subtracted.
     pub fn bound(&self) -> f64 {
         let saved =
             |i: &Item| i.run.as_ref().map_or(0.0, |run| run.sharp_corners() as f64) * (-i.resume()).max(0.0);

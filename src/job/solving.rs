@@ -1,4 +1,4 @@
-//! A benchmark instance under way: the instance, the search that works on it, and the check of its tour.
+//! Solving a benchmark instance: the instance, its search, and the check of the tour.
 
 use crate::plan::LowerBound;
 use crate::problem::{self, Fault, Instance, InstanceError};
@@ -6,7 +6,7 @@ use crate::solve::{self, Search, Status};
 
 type Searching<'p> = Box<dyn Search + 'p>;
 
-// The search borrows the instance; both live as long as the run.
+// The search borrows the instance, so both are stored together.
 self_cell::self_cell!(
     struct Running {
         owner: Instance,
@@ -15,13 +15,13 @@ self_cell::self_cell!(
     }
 );
 
-/// Moves between two turns of the lower bound, and its work in each: about a fifth of the time. Counted in moves, so
+/// Number of moves between two turns of the lower bound, which take about a fifth of the time. It is counted in moves, so
 /// that a budget in moves gives the same bound however it is sliced.
 const BOUND_EVERY: u64 = 200_000;
-/// See [`BOUND_EVERY`].
+/// Work on the lower bound in each turn.
 const BOUND_WORK: u32 = 1_000_000;
 
-/// The default method on an instance, and the lower bound beside it.
+/// The default method on an instance, with its lower bound.
 pub struct Solving {
     running: Running,
     bound: LowerBound,
@@ -36,19 +36,19 @@ impl Solving {
     /// What the file lacks or contradicts.
     pub fn start(bytes: &[u8], seed: u64) -> Result<Self, InstanceError> {
         let instance = problem::instance(bytes)?;
-        // The registry lists the default method first.
+        // The default method is the first in the list.
         let running = Running::new(instance, |i| solve::methods()[0].start(&i.problem, seed, None));
         let bound = LowerBound::new(&running.borrow_owner().problem);
         Ok(Self { running, bound, bound_at: BOUND_EVERY, moves: 0 })
     }
 
-    /// What the file calls the instance.
+    /// The name of the instance, as given in the file.
     pub fn name(&self) -> &str {
         &self.running.borrow_owner().name
     }
 
-    /// Works for at most `work` moves; false when nothing more can be gained: the tour is proven the shortest, or the
-    /// method is at its end.
+    /// Does at most `work` moves. Returns false when nothing can be improved any more: the tour is proven optimal, or the
+    /// method has ended.
     pub fn step(&mut self, work: u64) -> bool {
         let work = work.min(self.bound_at - self.moves);
         let step = self.running.with_dependent_mut(|_, search| search.step(work));
@@ -61,12 +61,12 @@ impl Solving {
         step.status == Status::Running && self.lower_bound().is_none_or(|bound| bound < cost)
     }
 
-    /// What no tour is shorter than; where all costs are whole numbers, so is it. `None` where edges are fixed: what
-    /// these earn in the table makes the bound of the table's problem no bound of a length.
+    /// Lower bound of the length of every tour, rounded up where all costs are whole numbers. `None` if edges are fixed:
+    /// the table rewards them, so the bound of its problem is no bound of a length.
     pub fn lower_bound(&self) -> Option<f64> {
         let instance = self.running.borrow_owner();
         let bound = self.bound.value();
-        // A hair less, so that rounding does not lift a bound over a whole number.
+        // Slightly less, so that rounding does not lift the bound over a whole number.
         let whole = |bound: f64| if instance.is_whole() { (bound - 1e-6).ceil().max(0.0) } else { bound };
         (!instance.has_fixed_edges()).then(|| whole(bound))
     }
@@ -82,7 +82,7 @@ impl Solving {
         self.running.borrow_owner().tour(stops.iter().map(|s| s.node))
     }
 
-    /// Its length, added up anew.
+    /// The length of the best tour, computed again from the file's data.
     ///
     /// # Errors
     /// What is wrong with the tour: a fault of this program.

@@ -1,7 +1,7 @@
-//! Bindings to JavaScript, and nothing else: options and reports as plain objects, geometry as typed arrays.
+//! Bindings to JavaScript and nothing else: options and reports are plain objects, geometry is typed arrays.
 //!
-//! The types of the objects are those of `www/sdk/protocol.ts`. A panic aborts the instance and leaves it unusable;
-//! whoever holds it asks [`last_panic`] for the reason and replaces the worker it runs in.
+//! The types of the objects are in `www/sdk/protocol.ts`. A panic aborts the instance and leaves it unusable. The worker
+//! that runs it then reads the reason from [`last_panic`] and is replaced.
 
 mod panic;
 #[cfg(feature = "planner")]

@@ -1,4 +1,4 @@
-//! What a panic said, in the console and for the caller's error message.
+//! The message of a panic, for the console and for the caller's error.
 
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
@@ -18,7 +18,7 @@ pub fn start() {
     }));
 }
 
-/// The message and the place of the panic that ended this instance, if one did.
+/// The message and location of the panic that ended this instance, if there was one.
 #[wasm_bindgen(js_name = lastPanic)]
 pub fn last_panic() -> Option<String> {
     LAST.take()

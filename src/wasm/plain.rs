@@ -1,4 +1,4 @@
-//! Reports and objects for JavaScript.
+//! Plain objects for JavaScript.
 
 use js_sys::{Object, Reflect};
 use serde::Serialize;

@@ -1,4 +1,4 @@
-//! The planner for JavaScript: one drawing through the whole flow. See [`crate::job`].
+//! The planner for JavaScript: one drawing through the whole flow, see [`crate::job`].
 
 use super::plain::{object, plain};
 use super::text::decode;
@@ -15,35 +15,35 @@ const TYPES: &str = "import type {
   WarmPath,
 } from '../protocol.js';";
 
-/// The methods there are, the default first.
+/// All methods, the default first.
 #[wasm_bindgen(unchecked_return_type = "MethodInfo[]")]
 pub fn methods() -> Result<JsValue, JsError> {
     plain(&solve::methods().iter().map(|m| m.info()).collect::<Vec<_>>())
 }
 
-/// The machines there are.
+/// All preset machines.
 #[wasm_bindgen(unchecked_return_type = "MachineProfile[]")]
 pub fn machines() -> Result<JsValue, JsError> {
     plain(&machine::presets())
 }
 
-/// A seed for those who give none, from the platform's source of randomness. It is reported with the result, so that
-/// the plan can be made again.
+/// A seed for callers who give none, from the platform's random numbers. It is part of the result, so that the plan can be
+/// computed again.
 #[wasm_bindgen(js_name = randomSeed)]
 pub fn random_seed() -> Result<u32, JsError> {
     getrandom::u32()
         .map_err(|e| JsError::new(&format!("This platform gives no random numbers: {e}. Give a seed.")))
 }
 
-/// The lines of the beam where they are not those drawn, and what is cut once for two parts.
+/// The paths of the beam if they differ from the drawing, and the common cuts.
 fn lines(job: &job::Job) -> Result<[JsValue; 2], JsError> {
     let beam = job
-        .beside()
+        .beam_paths()
         .map(|(contours, lines)| object(&[("contours", plain(&contours)?), ("geometry", geometry(&lines)?)]));
     Ok([beam.transpose()?.unwrap_or(JsValue::NULL), geometry(&job.common_cuts())?])
 }
 
-/// How to read and arrange, with the platform's text decoder.
+/// The options for reading, with the platform's text decoder.
 fn load_options_of(value: &JsValue) -> Result<LoadOptions, JsError> {
     let given: LoadOptions = options(value)?;
     Ok(LoadOptions { decoder: TextDecoder(decode), ..given })
@@ -66,7 +66,7 @@ impl Job {
         Ok(Job(job::Job::load(file, &name, &load_options_of(&load_options)?)?))
     }
 
-    /// The same file with other options.
+    /// Applies other options to the same file.
     pub fn reload(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "LoadOptions")] load_options: JsValue,
@@ -79,19 +79,19 @@ impl Job {
         self.0.bytes().to_vec()
     }
 
-    /// What the drawing holds.
+    /// A report on the content of the drawing.
     #[wasm_bindgen(unchecked_return_type = "Omit<Loaded, 'geometry' | 'ignored'>")]
     pub fn report(&self) -> Result<JsValue, JsError> {
         plain(&self.0.report())
     }
 
-    /// The contours, by id.
+    /// The geometry of the contours, by id.
     #[wasm_bindgen(unchecked_return_type = "Geometry")]
     pub fn geometry(&self) -> Result<JsValue, JsError> {
         geometry(&self.0.geometry())
     }
 
-    /// What is shown but not cut, with the layer of each chain.
+    /// The geometry of what is shown but not cut, with the layer of each path.
     #[wasm_bindgen(unchecked_return_type = "Loaded['ignored']")]
     pub fn ignored(&self) -> Result<JsValue, JsError> {
         let layers: Vec<u32> = self.0.sheet().ignored.iter().map(|i| i.layer).collect();
@@ -101,7 +101,7 @@ impl Job {
         ])
     }
 
-    /// Starts a plan; one under way is dropped.
+    /// Starts a plan. The current one is dropped.
     #[wasm_bindgen(
         unchecked_return_type = "{ seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry | null }"
     )]
@@ -122,13 +122,13 @@ impl Job {
         ])
     }
 
-    /// Works for at most `work` moves, and never past the budget.
+    /// Does at most `work` moves, and never more than the budget.
     #[wasm_bindgen(unchecked_return_type = "Slice")]
     pub fn step(&mut self, work: u32) -> Result<JsValue, JsError> {
         plain(&self.0.run_mut()?.step(work.into()))
     }
 
-    /// Grants another budget on top of what is done.
+    /// Grants another budget in addition to what is done.
     pub fn extend(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Budget")] more: JsValue,
@@ -137,7 +137,7 @@ impl Job {
         Ok(())
     }
 
-    /// Takes over a path found by another search, if it is better: true when it was.
+    /// Takes over a path found by another search if it is better. Returns whether it did.
     pub fn offer(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "WarmPath")] path: JsValue,
@@ -145,7 +145,7 @@ impl Job {
         Ok(self.0.run_mut()?.offer(&handed(&path)?)?)
     }
 
-    /// What makes a published method special, as it stands now; `null` for other methods.
+    /// Insight into a published method; `null` for other methods.
     #[wasm_bindgen(unchecked_return_type = "Insight | null")]
     pub fn insight(&self) -> Result<JsValue, JsError> {
         self.0.run()?.insight().map_or(Ok(JsValue::NULL), |insight| plain(&insight))
@@ -156,14 +156,14 @@ impl Job {
         Ok(self.0.run()?.moves as f64)
     }
 
-    /// The best path so far and what it adds up to.
+    /// The best path so far and its summary.
     #[wasm_bindgen(unchecked_return_type = "{ path: BestPath; summary: Summary }")]
     pub fn best(&self) -> Result<JsValue, JsError> {
         let (best, plan) = BestPath::of(self.0.run()?, self.0.beam_sheet());
         object(&[("path", path(&best)?), ("summary", plain(&plan.summary)?)])
     }
 
-    /// The best plan so far, checked and written out.
+    /// The best plan so far, checked and written in a format.
     pub fn output(
         &self,
         #[wasm_bindgen(unchecked_param_type = "string")] kind: JsValue,

@@ -3,7 +3,7 @@
 use crate::output::png;
 use wasm_bindgen::prelude::*;
 
-/// The plan in `plan_json` (`kerfway.plan/1`) as the bytes of a PNG file `width` px wide (64 to 8192).
+/// Renders the plan in `plan_json` (`kerfway.plan/1`) as a PNG file that is `width` px wide (64 to 8192).
 #[wasm_bindgen(js_name = renderPng)]
 pub fn render_png(plan_json: &str, width: u32) -> Result<Vec<u8>, JsError> {
     png::render(plan_json, width).map_err(|e| JsError::new(&e))

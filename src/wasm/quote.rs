@@ -1,4 +1,4 @@
-//! The report of a quote for JavaScript.
+//! Quotes for JavaScript.
 
 use super::plain::plain;
 use crate::fields;

@@ -1,4 +1,4 @@
-//! Published methods and benchmark instances for JavaScript: what the research build has beyond the planner.
+//! Published methods and benchmark instances for JavaScript, which only the research build contains.
 
 use super::plain::plain;
 use crate::job;
@@ -31,17 +31,17 @@ impl Solving {
         Ok(Solving(job::Solving::start(bytes, seed as u64)?))
     }
 
-    /// What the file calls the instance.
+    /// The name of the instance, as given in the file.
     pub fn name(&self) -> String {
         self.0.name().to_owned()
     }
 
-    /// Works for at most `work` moves; false when nothing more can be gained.
+    /// Does at most `work` moves. Returns false when nothing can be improved any more.
     pub fn step(&mut self, work: u32) -> bool {
         self.0.step(work.into())
     }
 
-    /// The length that no tour is shorter than, if it is known.
+    /// Lower bound of the length of every tour, if there is one.
     #[wasm_bindgen(js_name = lowerBound)]
     pub fn lower_bound(&self) -> Option<f64> {
         self.0.lower_bound()
@@ -57,7 +57,7 @@ impl Solving {
         self.0.tour()
     }
 
-    /// The length of the best tour, added up again once the tour has passed its check.
+    /// The length of the best tour, computed again after the tour has passed its check.
     pub fn length(&self) -> Result<f64, JsError> {
         Ok(self.0.length()?)
     }

@@ -16,7 +16,7 @@
 use crate::testkit::outlines::covers;
 use crate::testkit::plates::{grid, pinwheel, rectangle, thick};
 use kerfway::geometry::DVec2;
-use kerfway::job::{BestPath, Job, OutputKind, Warm};
+use kerfway::job::{BestPath, Job, OutputKind, WarmPath};
 use kerfway::plan::{self, Move, Plan, Violation};
 use kerfway::sheet::{CommonCuts, Sheet};
 
@@ -35,7 +35,7 @@ fn bricks() -> Vec<Vec<DVec2>> {
     (0..3).flat_map(row).collect()
 }
 
-fn job(outlines: &[Vec<DVec2>], common_cuts: CommonCuts, warm: Option<Warm>) -> Job {
+fn job(outlines: &[Vec<DVec2>], common_cuts: CommonCuts, warm: Option<WarmPath>) -> Job {
     crate::testkit::plates::job(outlines, common_cuts, thick(), warm)
 }
 
@@ -206,7 +206,7 @@ fn a_best_path_is_taken_up_again() {
         assert!(path.times.windows(2).all(|t| t[0] <= t[1] + 1e-9));
         assert!(*path.times.last().unwrap() <= plan.summary.total_time);
         let BestPath { contours, along, until, reversed, .. } = path;
-        let second = job(&outlines, CommonCuts::Best, Some(Warm { contours, along, until, reversed }));
+        let second = job(&outlines, CommonCuts::Best, Some(WarmPath { contours, along, until, reversed }));
         assert!((second.run().unwrap().best().cost - cost).abs() < 1e-9);
     }
 }

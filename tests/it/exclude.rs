@@ -153,7 +153,7 @@ fn what_is_not_there_or_leaves_nothing_is_refused_in_a_sentence() {
     let told = text(&LoadOptions { exclude: vec![1, 8], ..LoadOptions::default() });
     assert_eq!(
         told,
-        "Contour 8 was to be worked first or last, or left out, but there are only 8, counted from 0."
+        "Contour 8 is listed as first, last or excluded, but there are only 8 contours, counted from 0."
     );
     let mut none = job(&entities(), &(0..8).collect::<Vec<_>>());
     assert!(matches!(none.start(&PlanOptions::default()), Err(JobError::NothingToCut(_))));

@@ -93,7 +93,7 @@ fn a_pin_on_a_contour_that_is_not_there_is_refused() {
     let load = |last: u32| LoadOptions { last: vec![last], ..LoadOptions::default() };
     let told = Job::load(bytes.clone(), "a.dxf", &load(4000)).err().unwrap().to_string();
     assert!(
-        told.starts_with("Contour 4000 was to be worked first or last, or left out, but there are only "),
+        told.starts_with("Contour 4000 is listed as first, last or excluded, but there are only "),
         "{told}"
     );
     let mut job = Job::load(bytes, "a.dxf", &LoadOptions::default()).unwrap();

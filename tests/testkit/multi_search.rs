@@ -1,7 +1,7 @@
 //! Several searches of one plan, as in `www/sdk/multi-search.ts`: at fixed numbers of moves they exchange their paths and
 //! continue from the best one. The same seed, moves and number of workers give the same bytes here and there.
 
-use kerfway::job::{BestPath, Job, SliceEnd, Warm};
+use kerfway::job::{BestPath, Job, SliceEnd, WarmPath};
 
 /// Moves before the first exchange, as in `www/sdk/search.ts`.
 const FIRST: u64 = 1 << 20;
@@ -37,7 +37,7 @@ fn share(jobs: &mut [Job], among: &[usize]) {
     };
     let (path, _) = BestPath::of(jobs[best].run().unwrap(), jobs[best].beam_sheet());
     let BestPath { contours, along, until, reversed, .. } = path;
-    let warm = Warm { contours, along, until, reversed };
+    let warm = WarmPath { contours, along, until, reversed };
     for &k in among.iter().filter(|&&k| k != best) {
         jobs[k].run_mut().unwrap().offer(&warm).unwrap();
     }

@@ -2,7 +2,7 @@
 
 use crate::testkit::outlines::drawing;
 use kerfway::geometry::DVec2;
-use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions, Warm};
+use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions, WarmPath};
 use kerfway::machine::{Profile, preset};
 use kerfway::sheet::CommonCuts;
 
@@ -39,7 +39,7 @@ pub(crate) fn job(
     outlines: &[Vec<DVec2>],
     common_cuts: CommonCuts,
     machine: Profile,
-    warm: Option<Warm>,
+    warm: Option<WarmPath>,
 ) -> Job {
     let load = LoadOptions { common_cuts, ..LoadOptions::default() };
     let mut job = Job::load(drawing(outlines), "grid.dxf", &load).unwrap();

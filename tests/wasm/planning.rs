@@ -66,7 +66,7 @@ fn a_better_path_is_taken_over_and_a_path_of_another_drawing_refused() {
     assert_eq!(total(&long), total(&short));
     let mut other = load(&circle("ANSI_1252", b"0"), r#"{"units":"mm"}"#).ok().unwrap();
     assert!(other.start(js("{}")).is_ok());
-    assert!(sentence(other.offer(path)).contains("not one of this drawing"));
+    assert!(sentence(other.offer(path)).contains("does not fit this drawing"));
     assert!(sentence(other.offer(js("{}"))).ends_with('.'));
 }
 

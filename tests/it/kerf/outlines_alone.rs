@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 fn without_a_kerf_the_drawing_is_the_path() {
     let job = started(drawing(&[rectangle([0.0, 0.0, 10.0, 5.0])]), machine(0.0));
     assert_eq!(job.beam_sheet().contours, job.sheet().contours);
-    assert!(job.beside().is_none());
+    assert!(job.beam_paths().is_none());
 }
 
 #[test]

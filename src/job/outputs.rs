@@ -1,20 +1,20 @@
-//! The best plan of a job, written out. Nothing is written that does not pass the independent checker.
+//! Writes the best plan of a job. A plan that does not pass the independent checker is never written.
 
 use super::{Job, JobError};
 use crate::output::{self, Budget, Document, Input};
 use crate::plan::{self, Plan};
 use std::str::FromStr;
 
-/// What can be written. Pictures are made of the JSON, by the PNG renderer.
+/// The kinds of output. Pictures are made from the JSON by the PNG renderer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OutputKind {
-    /// For the machine.
+    /// G-code for the machine.
     Gcode,
-    /// For looking at.
+    /// A picture of the path.
     Svg,
-    /// Contours in cutting order, entry first.
+    /// A drawing of the contours in cutting order, each starting at its entry.
     Dxf,
-    /// `kerfway.plan/1`.
+    /// The plan document, `kerfway.plan/1`.
     Json,
 }
 
@@ -35,7 +35,7 @@ impl FromStr for OutputKind {
 }
 
 impl Job {
-    /// The best plan so far, checked.
+    /// The best plan so far, after it passed the checker.
     pub fn plan(&self) -> Result<Plan, JobError> {
         let run = self.run()?;
         let plan = run.plan(self.beam_sheet());
@@ -48,7 +48,7 @@ impl Job {
         }
     }
 
-    /// The best plan so far, checked and written out.
+    /// The best plan so far, checked and written in a format.
     pub fn output(&self, kind: OutputKind) -> Result<String, JobError> {
         let plan = self.plan()?;
         let run = self.run()?;

@@ -1,5 +1,4 @@
-//! The fields of the options, as callers write them. The struct of each is in `options.rs`, the ranges of numbers are in
-//! `ranges.rs`.
+//! The fields of the options, as callers write them. `options.rs` has the structs, and `ranges.rs` the ranges of numbers.
 
 use super::options::{Budget, LoadOptions, PlanOptions};
 use super::ranges::{ALONG, COUNT, ID, JOIN_TOLERANCE, MEMBER, REVERSED, SECONDS, TOLERANCE, WORKERS};
@@ -60,7 +59,7 @@ impl Shaped for PlanOptions {
     };
 }
 
-/// A path to start from. Those that a plan gave have more fields, which a search does not need.
+/// A path to start from. A path taken from a plan has more fields, which a search does not need.
 const WARM: &[Field] = &[
     Field::required("contours", IDS),
     Field::required("along", LENGTHS),

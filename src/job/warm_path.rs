@@ -1,30 +1,30 @@
-//! A path that comes from outside, to start a search from: what a worker had found before it was replaced.
+//! A path from outside to start a search from: one that another search found, or a worker before it was replaced.
 
 use super::JobError;
 use crate::problem::{Item, Problem, Span};
 use crate::solve::{Solution, Stop};
 use serde::{Deserialize, Serialize};
 
-/// The order of contours, where each is entered and which way it is run; as in [`super::BestPath`].
+/// The order of the contours, where each is entered and in which direction it is cut, as in [`super::BestPath`].
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
-pub struct Warm {
+pub struct WarmPath {
     /// Contour of each stop.
     pub contours: Vec<u32>,
     /// Arc length from the contour's stored start to the entry, mm.
     pub along: Vec<f64>,
-    /// The same to where the stop ends; left out: every stop is all of its contour.
+    /// Arc length from the stored start to where the stop ends, mm. If it is empty, every stop cuts the whole contour.
     #[serde(default)]
     pub until: Vec<f64>,
-    /// 1 where a stop runs its contour against the stored direction.
+    /// 1 where a stop cuts its contour against the stored direction.
     pub reversed: Vec<u8>,
 }
 
-/// Entries nearer to each other than this are one, mm. Paths come back bit for bit; this leaves room for those that
-/// were written down with six digits, and is far below the distance of two entries.
+/// Largest distance between entries that count as the same, mm. Paths return bit for bit; this allows those written with
+/// six digits, and is far below the distance of two entries.
 const SAME_PLACE: f64 = 1e-6;
 
-/// The stops a path names, when it visits every contour of the problem once, in an allowed order.
-pub(super) fn solution(warm: &Warm, problem: &Problem) -> Result<Solution, JobError> {
+/// The stops of a path, if it visits every contour of the problem once, in a feasible order.
+pub(super) fn solution(warm: &WarmPath, problem: &Problem) -> Result<Solution, JobError> {
     let places =
         warm.along.iter().enumerate().map(|(k, &along)| (along, *warm.until.get(k).unwrap_or(&along)));
     let all: Vec<Visit> = warm
@@ -43,18 +43,23 @@ pub(super) fn solution(warm: &Warm, problem: &Problem) -> Result<Solution, JobEr
     let mut rest = all.as_slice();
     let stops = std::iter::from_fn(|| {
         let (visit, after) = rest.split_first()?;
-        let through = through(problem, &groups, rest);
-        rest = through.map_or(after, |(_, visits)| rest.get(visits..).unwrap_or_default());
-        Some(through.map_or_else(|| stop(problem, visit), |(stop, _)| Some(stop)))
+        let group = group_stop(problem, &groups, rest);
+        rest = group.map_or(after, |(_, visits)| rest.get(visits..).unwrap_or_default());
+        Some(group.map_or_else(|| stop(problem, visit), |(stop, _)| Some(stop)))
     });
     stops
         .collect::<Option<Vec<Stop>>>()
-        .filter(|stops| allowed(stops, problem))
+        .filter(|stops| is_feasible(stops, problem))
         .map(|stops| Solution::new(problem, stops))
-        .ok_or_else(|| JobError::Options("The path to start from is not one of this drawing.".into()))
+        .ok_or_else(|| {
+            JobError::Options(
+                "The path to start from does not fit this drawing and these options. Start without it."
+                    .into(),
+            )
+        })
 }
 
-/// What a path says of one stop.
+/// One stop of the path.
 #[derive(Clone, Copy)]
 struct Visit {
     contour: u32,
@@ -63,8 +68,8 @@ struct Visit {
     reversed: bool,
 }
 
-/// The stop at a pierce group of which these visits begin with the stretches, and how many they are.
-fn through(problem: &Problem, groups: &[&Item], visits: &[Visit]) -> Option<(Stop, usize)> {
+/// The stop at the pierce group whose stretches these visits begin with, and the number of stretches.
+fn group_stop(problem: &Problem, groups: &[&Item], visits: &[Visit]) -> Option<(Stop, usize)> {
     let is = |v: &Visit, s: &Span| {
         let places = (v.along - s.along).abs().max((v.until - s.until).abs());
         v.contour == s.contour && v.reversed == s.reversed && places <= SAME_PLACE
@@ -79,10 +84,10 @@ fn through(problem: &Problem, groups: &[&Item], visits: &[Visit]) -> Option<(Sto
     })
 }
 
-/// The stop from one place to another: anywhere along a track, otherwise at nodes.
+/// The stop between two places: anywhere along a track, otherwise at nodes.
 fn stop(problem: &Problem, visit: &Visit) -> Option<Stop> {
     let Visit { contour, along, until, reversed } = *visit;
-    // A pierce group is found by its stretches only.
+    // A pierce group is recognised by its stretches only.
     let item = problem.items.get(contour as usize).filter(|i| !i.is_pierce_group())?;
     let at = |along: f64| {
         let mut stops = item.nodes.clone().map(|node| Stop::at(problem, node));
@@ -98,17 +103,18 @@ fn stop(problem: &Problem, visit: &Visit) -> Option<Stop> {
     Some(Stop { until: at(until)?.along, ..at(along)? })
 }
 
-/// A contour under way: where it was begun and where it was left.
+/// An unfinished contour: where it was begun, and where it was left.
 struct Open {
     item: usize,
     start: f64,
     left: f64,
 }
 
-/// Every item that can be visited is, once round; none is finished before what lies inside it or begun before what has
-/// a lower rank; what is left unfinished may be, is resumed where it was left, and visits nest.
+/// Whether a path is feasible: every item that can be visited is visited, once around; nothing is finished before what lies
+/// inside it or begun before a lower rank; only contours that may be left are, they are resumed where they were left, and
+/// visits nest.
 #[expect(clippy::float_cmp, reason = "visits of a contour join bit for bit")]
-fn allowed(stops: &[Stop], problem: &Problem) -> bool {
+fn is_feasible(stops: &[Stop], problem: &Problem) -> bool {
     let mut finished = vec![None; problem.items.len()];
     let mut open: Vec<Open> = Vec::new();
     let mut rank = 0;
@@ -124,7 +130,7 @@ fn allowed(stops: &[Stop], problem: &Problem) -> bool {
         if stop.until == start {
             finished[item] = Some(k);
         } else {
-            // Places in the order of a round from the start.
+            // Orders places by their position on a round from the start.
             let order = |place: f64| (place < start, place);
             if problem.items[item].leave.is_none() || order(stop.until) <= order(stop.along) {
                 return false;
@@ -148,7 +154,7 @@ mod tests {
     use crate::machine;
     use crate::problem::{Groups, Item, Node};
 
-    /// Three items with two entries each, the first inside the last.
+    /// Three items with two entries each; the first lies inside the last.
     fn problem() -> Problem {
         let entry = |item, x: f64, along| Node {
             item,
@@ -177,8 +183,8 @@ mod tests {
         }
     }
 
-    fn warm(contours: &[u32], along: &[f64]) -> Warm {
-        Warm {
+    fn warm(contours: &[u32], along: &[f64]) -> WarmPath {
+        WarmPath {
             contours: contours.to_vec(),
             along: along.to_vec(),
             until: vec![],
@@ -186,16 +192,16 @@ mod tests {
         }
     }
 
-    /// What is wrong, contours, and where each visit begins and ends.
+    /// The fault, the contours, and where each visit begins and ends.
     type Refused<'a> = (&'a str, &'a [u32], &'a [(f64, f64)]);
 
-    /// The same with the outer contour left at places 10 and resumed, where that is allowed.
+    /// The same problem, where the outer contour may be left at the cost `leave`.
     fn left(contours: &[u32], places: &[(f64, f64)], leave: Option<f64>) -> Result<Solution, JobError> {
         let mut problem = problem();
         problem.items[2].leave = leave;
         let (along, until) = places.iter().copied().unzip();
         let reversed = vec![0; contours.len()];
-        solution(&Warm { contours: contours.to_vec(), along, until, reversed }, &problem)
+        solution(&WarmPath { contours: contours.to_vec(), along, until, reversed }, &problem)
     }
 
     #[test]
@@ -203,7 +209,7 @@ mod tests {
         let places = [(0.0, 10.0), (0.0, 0.0), (0.0, 0.0), (10.0, 0.0)];
         let order = [2, 0, 1, 2];
         let found = left(&order, &places, Some(4.0)).unwrap();
-        // From home at 0 to 2, along to 2.5, back to 0, to 1, to 2.5, along to 2: air, and the charge.
+        // From home at 0 to 2, along to 2.5, back to 0, to 1, to 2.5, along to 2: air moves, plus the cost of leaving.
         assert!((found.cost - (2.0 + 2.5 + 1.0 + 1.5 + 4.0)).abs() < 1e-12, "{}", found.cost);
         assert!(left(&order, &places, None).is_err(), "where nothing may be left");
         let refused: [Refused; 5] = [

@@ -1,4 +1,4 @@
-//! The best path as numbers in a row, for drawing it: stop k cuts `contours[k]`, or a stretch of it.
+//! The best path as flat arrays, for drawing it. Stop k cuts contour `contours[k]`, or a stretch of it.
 
 use super::Run;
 use crate::geometry::Segment;
@@ -7,7 +7,7 @@ use crate::plan::{Move, Plan};
 use crate::problem::{Span, Stroke, SubPath};
 use crate::sheet::Sheet;
 
-/// The order of the head.
+/// The path of the head.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct BestPath {
     /// Contour of each stop.
@@ -16,30 +16,31 @@ pub struct BestPath {
     pub points: Vec<f64>,
     /// Arc length from the contour's stored start to the entry, mm.
     pub along: Vec<f64>,
-    /// The same to where the stop ends; equal: all of the contour. One that is left unfinished has several stops.
+    /// Arc length from the stored start to where the stop ends, mm. If it equals `along`, the stop cuts the whole contour;
+    /// a contour that is left unfinished has several stops.
     pub until: Vec<f64>,
-    /// 1 where a stop runs its contour against the stored direction.
+    /// 1 where a stop cuts its contour against the stored direction.
     pub reversed: Vec<u8>,
-    /// Seconds from the start of the job at which each stop's beam goes on along its contour, and off.
+    /// Seconds from the start of the job at which each stop starts and stops cutting.
     pub times: Vec<f64>,
-    /// Where pre-cuts are made: x, y each, mm.
+    /// Positions of pre-cuts: x, y each, mm.
     pub pre_cuts: Vec<f64>,
-    /// Sharp corners in which a cut pauses: x, y each, mm.
+    /// Sharp corners where a cut pauses: x, y each, mm.
     pub pauses: Vec<f64>,
 }
 
 impl BestPath {
-    /// The best path of a run, and the plan it comes from.
+    /// The best path of a run, and its plan.
     pub fn of(run: &Run, sheet: &Sheet) -> (Self, Plan) {
         let plan = run.plan(sheet);
         let problem = run.problem();
         let mut path = Self::default();
-        // Lengths of the stretches of each cut.
+        // For each cut, the lengths of its stretches.
         let mut parts: Vec<Vec<f64>> = Vec::new();
         for stop in &run.best().stops {
             let node = &problem.nodes[stop.node as usize];
-            if let Some(way) = problem.items.get(node.item as usize).and_then(|i| i.path(stop.node)) {
-                path.through(way, sheet, &mut parts);
+            if let Some(sub_path) = problem.items.get(node.item as usize).and_then(|i| i.path(stop.node)) {
+                path.add_group(sub_path, sheet, &mut parts);
                 continue;
             }
             let (entry, exit) = stop.ends(problem).unwrap_or((node.entry, node.exit));
@@ -61,19 +62,19 @@ impl BestPath {
         (path, plan)
     }
 
-    /// A pierce group: a stop for each stretch of a contour.
-    fn through(&mut self, way: &SubPath, sheet: &Sheet, parts: &mut Vec<Vec<f64>>) {
-        let cuts = way
+    /// Adds a path through a pierce group: one stop for each stretch of a contour.
+    fn add_group(&mut self, sub_path: &SubPath, sheet: &Sheet, parts: &mut Vec<Vec<f64>>) {
+        let cuts = sub_path
             .strokes
             .iter()
             .filter_map(|s| if let Stroke::Cut { spans, .. } = s { Some(spans) } else { None });
         for spans in cuts {
             parts.push(spans.iter().map(|s| s.length).collect());
-            self.along_spans(spans, sheet);
+            self.add_spans(spans, sheet);
         }
     }
 
-    fn along_spans(&mut self, spans: &[Span], sheet: &Sheet) {
+    fn add_spans(&mut self, spans: &[Span], sheet: &Sheet) {
         for span in spans {
             let at = |along: f64| {
                 sheet.contours.get(span.contour as usize).and_then(|c| c.path.at(along)).unwrap_or_default()
@@ -88,12 +89,11 @@ impl BestPath {
     }
 }
 
-/// When the beam is on along each contour: two numbers a stop, seconds from the start of the job; in a run through a
-/// pierce group every stretch has its part of the run's seconds by its length. The same sums as
-/// [`crate::plan::evaluate`], kept as they run.
+/// Start and end of cutting for each stop, in seconds from the start of the job. In a run through a pierce group, the
+/// seconds are divided among the stretches by their length. These are the partial sums of [`crate::plan::evaluate`].
 fn cutting_times(plan: &Plan, machine: &Profile, parts: &[Vec<f64>]) -> Vec<f64> {
     let air = AirTime::new(machine);
-    // When each run begins and ends, pauses in sharp corners on the way.
+    // Start and end of each run, including pauses in sharp corners.
     let mut runs: Vec<[f64; 2]> = Vec::with_capacity(parts.len());
     let mut goes_on = false;
     let (mut now, mut head) = (0.0, machine.home());

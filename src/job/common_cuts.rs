@@ -1,10 +1,10 @@
-//! What cutting pierce groups as one saves, in words.
+//! Findings on common cuts: what is saved by cutting a pierce group as one.
 
 use crate::finding::{Code, Finding, Severity};
 use crate::problem::{Item, Problem};
 use crate::sheet::{PierceGroup, Sheet};
 
-/// One finding for each group that the problem of a sheet cuts as one.
+/// One finding for each pierce group that is cut as one.
 pub(super) fn findings(sheet: &Sheet, problem: &Problem) -> Vec<Finding> {
     let joined = |g: &&PierceGroup| {
         let first = g.contours.first().and_then(|&c| problem.items.get(c as usize));
