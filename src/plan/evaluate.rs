@@ -1,19 +1,20 @@
-//! What a list of moves adds up to on a machine, from the moves alone.
+//! Adds up a list of moves on a machine, from the moves alone.
 
 use super::model::{Move, Summary};
 use crate::geometry::{Aabb, DVec2, Segment};
 use crate::machine::{AirTime, Profile, cut_time};
 
-/// Sums over moves that start at the machine's home. `parts`, bound and gap are not in the moves: 0 and `None`.
+/// The sums over moves that start at the machine's home. The moves do not contain the number of parts or a lower bound, so
+/// `parts` is 0 and there is no gap.
 ///
-/// Every cut and mark is charged the beam delays, every pierce the pierce time; both are in `pierce_time`. A contour
-/// that is cut in several goes counts once.
+/// Every cut and mark is charged the beam delays, and every piercing the pierce time; both are in `pierce_time`. A contour
+/// that is cut in several stretches counts once.
 pub fn evaluate(moves: &[Move], machine: &Profile) -> Summary {
     let air = AirTime::new(machine);
     let mut sum = Summary::default();
     let mut bounds = Aabb::EMPTY;
     let mut head = machine.home();
-    // First and last place of each contour worked.
+    // First and last point of each contour.
     let mut worked: Vec<Option<(DVec2, DVec2)>> = Vec::new();
     for step in moves {
         match step {

@@ -1,4 +1,4 @@
-//! From an order of nodes to what the head does: air, pierce, cut, and so on, then home.
+//! Converts a solution to moves of the head: air, pierce, cut, and so on, then home.
 
 use super::evaluate::evaluate;
 use super::model::{Move, Plan};
@@ -8,15 +8,16 @@ use crate::problem::{Problem, Stroke, SubPath};
 use crate::sheet::{Operation, Sheet};
 use crate::solve::{Solution, Stop};
 
-/// The moves of a solution, with their sums. `solution` is one of `problem`, `problem` one of `sheet`.
+/// The plan of a solution. `solution` must belong to `problem`, and `problem` to `sheet`.
 ///
-/// Cuts are pierced, marks are not. A contour that is left unfinished gets a pre-cut where it is left, if the machine
-/// charges for them, and is resumed without piercing. A cut pauses in sharp corners. There is no air move where the head is in place already.
+/// Cuts are pierced; marks are not. A contour that is left unfinished gets a pre-cut where it is left, if the machine
+/// charges for pre-cuts, and is resumed without piercing. A cut pauses in sharp corners. There is no air move if the head
+/// is already in place.
 pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> Plan {
     let mut moves = Vec::with_capacity(3 * solution.stops.len() + 1);
     let mut head = problem.home;
     let pre_cuts = problem.machine.makes_pre_cuts();
-    // Where each contour was begun.
+    // For each contour, the place where it was begun.
     let mut begun: Vec<Option<f64>> = vec![None; sheet.contours.len()];
     for stop in &solution.stops {
         let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
@@ -57,7 +58,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
     }
     let mut summary = evaluate(&moves, &problem.machine);
     summary.parts = u32::try_from(sheet.parts.len()).unwrap_or(u32::MAX);
-    // A run through a group tells only of its own ends.
+    // A run through a pierce group shows only its own ends, so open contours are counted on the sheet.
     if !sheet.pierce_groups().is_empty() {
         let open = sheet.contours.iter().filter(|c| c.is_processed() && !c.path.closed);
         summary.open_contours = u32::try_from(open.count()).unwrap_or(u32::MAX);
@@ -65,7 +66,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
     Plan { moves, summary }
 }
 
-/// What the head does in a pierce group, once it is there.
+/// The moves in a pierce group, once the head has reached it.
 fn through(moves: &mut Vec<Move>, machine: &Profile, way: &SubPath) {
     let mut head = way.ends[0];
     for stroke in &way.strokes {
@@ -85,7 +86,7 @@ fn through(moves: &mut Vec<Move>, machine: &Profile, way: &SubPath) {
     }
 }
 
-/// Cuts along elements, of contours that `whose` tells, with a macro in each sharp corner.
+/// Cuts along elements, with a macro in each sharp corner. `whose` gives the contour of each element.
 fn cut(moves: &mut Vec<Move>, machine: &Profile, path: &[Segment], whose: impl Fn(usize) -> u32) {
     let mut done = 0;
     for run in machine.runs(path) {
@@ -111,7 +112,7 @@ fn go(moves: &mut Vec<Move>, head: &mut DVec2, to: DVec2) {
     }
 }
 
-/// The elements of a visit; one that is all of its contour may run it back.
+/// The elements of a visit. A visit of a whole contour may run against its direction.
 fn path_of(path: &Path, stop: &Stop, reversed: bool) -> Vec<Segment> {
     if !stop.is_whole() {
         return path.between(stop.along, stop.until);

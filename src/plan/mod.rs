@@ -1,4 +1,4 @@
-//! The plan: moves with times, evaluated and checked.
+//! The plan: moves with their times, and the checker.
 
 mod checker;
 mod evaluate;

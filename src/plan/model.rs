@@ -1,87 +1,89 @@
-//! The plan as data: what the head does, in order, and what it adds up to.
+//! The plan as data: the moves of the head in order, and their sums.
 
 use crate::geometry::{DVec2, Segment};
 
-/// One thing the head does. It starts where the last one ended, the first at home.
+/// One move of the head. It starts where the previous one ended; the first starts at home.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Move {
-    /// Beam off, straight or per axis as the machine moves.
+    /// Moves with the beam off, straight or per axis as the machine does.
     Air {
-        /// Where to, mm.
+        /// End point, mm.
         to: DVec2,
     },
-    /// Piercing at the spot.
+    /// Pierces at the current point.
     Pierce,
-    /// Beam on at the end of a cut that leaves its contour unfinished: a bit cut ahead, so that the contour is resumed
-    /// from within it without piercing.
+    /// Leaves a contour unfinished. The beam cuts a short stretch ahead, so that the contour can be resumed from within it
+    /// without piercing.
     PreCut {
         /// The contour's id.
         contour: u32,
-        /// Where to, mm.
+        /// Point where the contour is left, mm.
         to: DVec2,
-        /// What is cut ahead from there, before the head comes back dark; empty where pre-cuts have no length.
+        /// The stretch cut ahead from there, after which the head returns with the beam off; empty if pre-cuts have no
+        /// length.
         ahead: Vec<Segment>,
     },
-    /// A pause in a sharp corner, beam off; the next move goes on with the cut.
+    /// Pauses in a sharp corner with the beam off; the next move continues the cut.
     Macro {
         /// The contour's id.
         contour: u32,
-        /// The corner, mm.
+        /// Position of the corner, mm.
         at: DVec2,
     },
-    /// Beam on along a contour, or a stretch of it: a contour left unfinished goes on in a later cut from where this one
+    /// Cuts along a contour, or a stretch of it. A contour that is left unfinished continues in a later cut where this one
     /// ended.
     Cut {
-        /// The contour's id; of a pierce group, the one it begins on.
+        /// The contour's id; in a pierce group, the contour on which the cut begins.
         contour: u32,
-        /// Other contours of a pierce group that it runs along, in order.
+        /// Other contours of a pierce group that the cut runs along, in order.
         with: Vec<u32>,
-        /// Its elements from where it is entered or resumed, in the direction of travel.
+        /// Its elements from the place where it is entered or resumed, in the direction of travel.
         path: Vec<Segment>,
-        /// Marks instead of cutting through.
+        /// Whether the contour is marked instead of cut through.
         mark: bool,
     },
 }
 
-/// What a plan adds up to. Lengths mm, times s.
+/// The sums of a plan. Lengths are in mm, times in s.
 #[derive(Clone, Debug, PartialEq, Default, serde::Serialize)]
 pub struct Summary {
-    /// Contours worked.
+    /// Number of contours cut or marked.
     pub contours: u32,
-    /// Of them open.
+    /// Number of open contours among them.
     pub open_contours: u32,
-    /// Parts.
+    /// Number of parts.
     pub parts: u32,
-    /// Piercings.
+    /// Number of piercings.
     pub pierces: u32,
-    /// Pre-cuts.
+    /// Number of pre-cuts.
     pub pre_cuts: u32,
     /// Length of cuts and marks.
     pub cut_length: f64,
     /// Length of air moves.
     pub air_length: f64,
-    /// Seconds along contours, by look-ahead over corners and acceleration.
+    /// Time along contours, by look-ahead over corners and acceleration.
     pub cut_time: f64,
-    /// Seconds of air moves.
+    /// Time of air moves.
     pub air_time: f64,
-    /// Seconds of piercing, with beam delays.
+    /// Time of piercing, including beam delays.
     pub pierce_time: f64,
-    /// Seconds of pre-cuts.
+    /// Time of pre-cuts.
     pub pre_cut_time: f64,
-    /// Seconds of sharp-corner macros.
+    /// Time of pauses in sharp corners.
     pub macro_time: f64,
-    /// All of it.
+    /// Total time.
     pub total_time: f64,
-    /// Total no plan can be under, s; 0 when not computed.
+    /// Lower bound of the total time of every plan; 0 if not computed.
     pub lower_bound: f64,
     /// (total - bound) / bound; `None` when there is no bound.
     pub gap: Option<f64>,
-    /// Box of everything worked: xmin, ymin, xmax, ymax.
+    /// Bounding box of everything cut or marked: xmin, ymin, xmax, ymax.
     pub bounds: [f64; 4],
 }
 
 impl Summary {
-    /// Takes in a lower bound of the total, s; 0: none. One above it is off by rounding: the plan is optimal.
+    /// Sets the lower bound of the total time in seconds; 0 means none. A bound above the total is due to rounding, so the
+    /// plan is optimal.
     pub fn set_bound(&mut self, bound: f64) {
         if bound > 0.0 {
             self.lower_bound = bound.min(self.total_time);
@@ -90,11 +92,11 @@ impl Summary {
     }
 }
 
-/// Moves and what they add up to.
+/// Moves and their sums.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// In order.
+    /// The moves in order.
     pub moves: Vec<Move>,
-    /// Sums.
+    /// Their sums.
     pub summary: Summary,
 }

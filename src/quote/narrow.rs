@@ -1,9 +1,10 @@
-//! The narrowest web: where two cuts of one part come nearest to each other, the material between them is thinnest.
+//! The narrowest web: the place where two cuts of a part are closest to each other and the material between them is
+//! thinnest.
 
 use super::shape::Shape;
 use crate::geometry::{Aabb, BoxIndex, DVec2};
 
-/// Two contours and how near they come.
+/// Two contours and the distance between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Web {
     pub(super) contours: [usize; 2],
@@ -11,7 +12,7 @@ pub(super) struct Web {
     pub(super) at: DVec2,
 }
 
-/// The narrowest web between any two of these contours, none where they cross.
+/// The narrowest web between any two of these contours; its width is 0 where they cross.
 pub(super) fn between(shapes: &[Shape], contours: &[usize]) -> Option<Web> {
     let chords: Vec<(usize, [DVec2; 2])> = contours
         .iter()
@@ -38,7 +39,7 @@ pub(super) fn between(shapes: &[Shape], contours: &[usize]) -> Option<Web> {
     best
 }
 
-/// An upper bound of the web, from first points alone.
+/// An upper bound of the width, from the first points of contours.
 fn nearest_ends(shapes: &[Shape], contours: &[usize]) -> f64 {
     let firsts: Vec<DVec2> =
         contours.iter().filter_map(|&id| shapes.get(id)?.points.first().copied()).collect();
@@ -46,7 +47,7 @@ fn nearest_ends(shapes: &[Shape], contours: &[usize]) -> f64 {
     if some.is_finite() { some } else { 0.0 }
 }
 
-/// Distance of two chords, and a place in the middle of it; 0 where they cross.
+/// Distance of two chords and the point halfway between them; 0 where they cross.
 fn apart([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> (f64, DVec2) {
     let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
     if side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0 {
@@ -71,7 +72,7 @@ mod tests {
     #[test]
     fn between_two_circles_and_by_brute_force() {
         let mut shapes = Vec::new();
-        // A row of circles of radius 1, 3 mm apart; the last two nearer.
+        // A row of circles of radius 1, 3 mm apart; the last two are closer.
         for k in 0..30 {
             let x = f64::from(k) * 3.0 - if k == 29 { 0.4 } else { 0.0 };
             let mut shape = Shape::default();

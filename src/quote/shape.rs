@@ -1,21 +1,21 @@
-//! A contour's line as points, near enough to measure widths.
+//! A contour as a polyline that is fine enough to measure widths.
 
 use crate::geometry::{DVec2, Segment, math};
 use crate::order::{real, sort_by};
 
-/// Arcs are measured by chords that stay this near, mm: a tenth of what lasers cut to.
+/// Largest distance between an arc and its chords, mm: a tenth of the precision of laser cutting.
 pub(super) const FINE: f64 = 0.01;
-/// Chords of one arc at most: those of a full circle of 20 m radius at that distance.
+/// Largest number of chords of an arc: those of a full circle of 20 m radius at that distance.
 const MOST: f64 = 1024.0;
 
-/// Points along a contour, in order; stretches follow each other as they are cut.
+/// Points along a contour, in order. Stretches follow each other as they are cut.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Shape {
     pub(super) points: Vec<DVec2>,
 }
 
 impl Shape {
-    /// Another stretch of it.
+    /// Adds another stretch.
     pub(super) fn add(&mut self, path: &[Segment]) {
         self.points.extend(path.first().map(Segment::start));
         for segment in path {
@@ -40,8 +40,8 @@ impl Shape {
         self.points.windows(2).map(|w| [w[0], w[1]]).filter(|[a, b]| a != b)
     }
 
-    /// Width of the narrowest gap between two parallel lines that hold it, mm: the diameter of a circle, the smaller
-    /// side of a rectangle. By calipers around its hull.
+    /// Width of the narrowest strip between two parallel lines that contains the contour, mm: the diameter of a circle, the
+    /// shorter side of a rectangle. It is found by rotating calipers around the convex hull.
     pub(super) fn width(&self) -> f64 {
         let hull = hull(&self.points);
         let n = hull.len();
@@ -53,7 +53,7 @@ impl Shape {
         for k in 0..n {
             let (a, edge) = (hull[k], hull[(k + 1) % n] - hull[k]);
             let away = |i: usize| edge.perp_dot(hull[i % n] - a);
-            // The farthest corner goes around the hull once, as the edge does.
+            // While the edge goes around the hull once, so does the farthest corner.
             while away(far + 1) > away(far) {
                 far += 1;
             }
@@ -62,8 +62,8 @@ impl Shape {
         least
     }
 
-    /// Area, centroid and the two principal second moments of a closed line, all but the centroid the same however it
-    /// is turned or mirrored.
+    /// Area, centroid and the two principal second moments of the enclosed area. All except the centroid stay the same when
+    /// it is rotated or mirrored.
     pub(super) fn moments(&self) -> Moments {
         let Some(&o) = self.points.first() else { return Moments::default() };
         let (mut area, mut first, mut xx, mut yy, mut xy) = (0.0, DVec2::ZERO, 0.0, 0.0, 0.0);
@@ -102,7 +102,7 @@ fn hull(points: &[DVec2]) -> Vec<DVec2> {
     sort_by(&mut sorted, |p| [real(p.x + 0.0), real(p.y + 0.0), 0]);
     sorted.dedup();
     let mut hull: Vec<DVec2> = Vec::new();
-    // Below from left to right, then above and back; each starts where the other ended.
+    // The lower chain from left to right, then the upper one back; each starts where the other ended.
     for back in [false, true] {
         if back {
             sorted.reverse();

@@ -1,27 +1,27 @@
-//! Whether a cut runs along its contour: from anywhere, either way round, exactly once and wholly.
+//! Checks that a cut follows its contour: from any start, in either direction, exactly once and completely.
 //!
-//! The cut is walked along the contour: its first point is looked for on every element, and from each place where
-//! it lies the walk is tried in both directions, cut element by cut element, compared at five points each. A walk
-//! never turns back, so when its length is the contour's, each place has been passed once.
+//! The first point of the cut is located on the elements of the contour. From each place where it lies, the cut is followed
+//! in both directions, element by element, and compared at five points of each. A walk never turns back, so if its length
+//! is that of the contour, it has passed each place once.
 
 use super::tolerance::{SAME, rounding};
 use crate::geometry::{DVec2, Path, Segment};
 
-/// How a cut fails to be its contour.
+/// Why a cut does not follow its contour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Fault {
-    /// It leaves the contour about here.
+    /// It leaves the contour near this point.
     Strays(DVec2),
-    /// It ends too early or runs on.
+    /// It ends too early or continues too far.
     Length {
-        /// mm cut.
+        /// Length cut, mm.
         worked: f64,
-        /// mm there are.
+        /// Length of the contour, mm.
         length: f64,
     },
 }
 
-/// Follows `cut` along `contour`.
+/// Checks that `cut` follows `contour`.
 pub(super) fn follows(contour: &Path, cut: &[Segment]) -> Result<(), Fault> {
     let elements: Vec<Element> =
         contour.segments.iter().filter(|s| s.length() > 0.0).map(Element::new).collect();
@@ -61,10 +61,10 @@ pub(super) fn follows(contour: &Path, cut: &[Segment]) -> Result<(), Fault> {
 struct Element<'s> {
     shape: &'s Segment,
     length: f64,
-    /// How far places on it may be off by right, mm: by rounding, and by as much as its ends are off its own circle,
-    /// as ends that were joined over a gap are.
+    /// Largest deviation of points on it that is not a fault, mm: rounding, plus the distance of its ends from its own
+    /// circle, which joining over a gap causes.
     slack: f64,
-    /// A full circle: a piece may run on past its start.
+    /// Whether it is a full circle, whose start a piece may pass.
     circle: bool,
 }
 
@@ -80,16 +80,16 @@ impl<'s> Element<'s> {
     }
 }
 
-/// A place on the contour, going one way.
+/// A place on the contour, with a direction.
 struct Walk<'e> {
     elements: &'e [Element<'e>],
     closed: bool,
     index: usize,
-    /// mm along the element.
+    /// Position along the element, mm.
     at: f64,
-    /// 1 with the contour, -1 against it.
+    /// 1 along the contour, -1 against it.
     direction: f64,
-    /// mm walked.
+    /// Length followed so far, mm.
     worked: f64,
 }
 
@@ -105,7 +105,7 @@ impl Walk<'_> {
             for t in [0.0, 0.25, 0.5, 0.75, 1.0] {
                 let there = (self.at + self.direction * t * length) / element.length;
                 let there = if element.circle { there.rem_euclid(1.0) } else { there };
-                // A place past the element's end is compared with that end.
+                // A place beyond the element's end is compared with that end.
                 if element.shape.at(there).distance(piece.at(t)) > SAME + element.slack {
                     return Err(Fault::Strays(piece.at(t)));
                 }
@@ -119,7 +119,7 @@ impl Walk<'_> {
         Ok(())
     }
 
-    /// At the end of an element: on to the next; `None` at the end of an open contour.
+    /// Continues from the end of an element to the next; `None` at the end of an open contour.
     fn enter_next(&mut self) -> Option<()> {
         let element = &self.elements[self.index];
         let last = self.elements.len() - 1;
@@ -134,7 +134,7 @@ impl Walk<'_> {
     }
 }
 
-/// Whether a run begins with what was cut ahead.
+/// Whether a run begins with the stretch that was cut ahead.
 pub(super) fn leads(run: &Path, ahead: &Path) -> bool {
     let length = ahead.length();
     let slack = SAME + run.segments.iter().map(rounding).sum::<f64>();
@@ -185,7 +185,7 @@ mod tests {
         assert!(
             matches!(follows(&slot(), &twice), Err(Fault::Length { worked, .. }) if worked > length * 1.9)
         );
-        // Out and back over half of it has the right length and is not the contour.
+        // Half of the contour there and back has the right length but does not follow it.
         let half = slot().starting_at(0.0).segments[..2].to_vec();
         let back: Vec<Segment> = half.iter().rev().map(Segment::reversed).collect();
         let there_and_back: Vec<Segment> = half.into_iter().chain(back).collect();
@@ -213,8 +213,8 @@ mod tests {
         assert!(matches!(follows(&open, &open.segments[1..]), Err(Fault::Length { .. })));
     }
 
-    /// A lens of two flat arcs between two points, and a contour of several: bulges from nearly straight to round,
-    /// as fuzzing found them at 6e5 mm.
+    /// Lens of two flat arcs between two points. Bulges range from nearly straight to round, at coordinates where fuzzing
+    /// found faults (6e5 mm).
     fn lens(corner: DVec2, chord: DVec2, bulge: f64) -> Path {
         let (a, b) = (corner, corner + chord);
         let arc = |from, to| Segment::Arc(Arc::from_bulge(from, to, bulge).unwrap());
@@ -240,7 +240,7 @@ mod tests {
 
     #[test]
     fn faults_at_large_coordinates_are_told() {
-        // Radius 26 m: rounding may be 9 nm.
+        // With a radius of 26 m, rounding may reach 9 nm.
         let path = lens(DVec2::new(6e5, -3e5), DVec2::new(-310.0, 77.0), 3e-3);
         let cut = path.starting_at(100.0).segments;
         let moved = |by: DVec2| -> Vec<Segment> {

@@ -1,8 +1,9 @@
-//! Pierce groups: every shared cut once, nothing cut that has fallen out, pre-cuts where they are needed.
+//! Checks pierce groups: every shared cut is cut once, nothing is cut after it has fallen out, and pre-cuts are where they
+//! are needed.
 //!
-//! The beam is followed from element to element. What is held is found anew after every element, outwards in: an area
-//! hangs on the sheet as long as a row of elements not yet cut leads from it to the area around the group. (Those who
-//! plan look at the order backwards instead.)
+//! The beam is followed from element to element. After every element, the areas that are still held are found again from
+//! the outside in: an area is held as long as a chain of uncut elements connects it to the area around the group. (The
+//! planner looks at the order backwards instead.)
 
 use super::coverage::leads;
 use super::tolerance::{SAME, rounding};
@@ -11,27 +12,27 @@ use crate::geometry::{DVec2, Path, Segment, winding_number};
 use crate::machine::Profile;
 use crate::sheet::{PierceGroup, Sheet};
 
-/// One group at work.
+/// The state of a group.
 struct Work<'s> {
     group: &'s PierceGroup,
     paths: Vec<Path>,
     cut: Vec<bool>,
-    /// Pre-cuts made: contour and node.
+    /// Pre-cuts made, as contour and node.
     ahead: Vec<(u32, u32)>,
-    /// By area: the move that cut it free.
+    /// For each area, the move that cut it free.
     free: Vec<Option<usize>>,
 }
 
-/// The groups of a sheet as they are worked.
+/// The pierce groups of a sheet and their states.
 pub(super) struct Groups<'s> {
     sheet: &'s Sheet,
     work: Vec<Work<'s>>,
-    /// By contour.
+    /// For each contour, its group.
     of: Vec<Option<usize>>,
 }
 
 impl<'s> Groups<'s> {
-    /// None where the machine makes no pre-cuts: contours are then cut by themselves.
+    /// If the machine makes no pre-cuts there are no groups: every contour is cut by itself.
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
         let mut of = vec![None; sheet.contours.len()];
         let mut work = Vec::new();
@@ -57,12 +58,12 @@ impl<'s> Groups<'s> {
         self.of.get(contour as usize).is_some_and(Option::is_some)
     }
 
-    /// Whether two contours are of one group.
+    /// Whether two contours belong to the same group.
     pub(super) fn same(&self, a: u32, b: u32) -> bool {
         self.holds(a) && self.of.get(a as usize) == self.of.get(b as usize)
     }
 
-    /// A pre-cut into a contour where the head is: whether something of it begins there and is not cut yet.
+    /// Follows a pre-cut. Returns whether an uncut element of the contour begins where the head is.
     pub(super) fn pre_cut(&mut self, contour: u32, head: DVec2, ahead: &[Segment]) -> bool {
         let Some(work) = self.of.get(contour as usize).copied().flatten().and_then(|g| self.work.get_mut(g))
         else {
@@ -80,7 +81,7 @@ impl<'s> Groups<'s> {
         fits
     }
 
-    /// A run of the beam. `ready`: it was pierced, or goes on from where the beam just was.
+    /// Follows a cut. `ready` means that it was pierced, or continues where the beam just was.
     pub(super) fn cut(
         &mut self,
         step: usize,
@@ -123,12 +124,12 @@ impl<'s> Groups<'s> {
             first = false;
         }
         if named != contours {
-            found.push(Violation::Beam { step, what: "runs along other contours than it says" });
+            found.push(Violation::Beam { step, what: "runs along other contours than it names" });
         }
     }
 
-    /// After the last move: everything cut; what lies in an area, before that was cut free. `ends`: the move at which a
-    /// contour was last cut.
+    /// After the last move: everything is cut, and what lies inside an area was cut before the area was cut free. `ends`
+    /// gives the move at which a contour was last cut.
     pub(super) fn finish(&self, ends: impl Fn(u32) -> Option<usize>, found: &mut Vec<Violation>) {
         for work in &self.work {
             for (e, path) in
@@ -145,7 +146,7 @@ impl<'s> Groups<'s> {
                 if work.group.contours.contains(&inner) {
                     continue;
                 }
-                // Ends may lie on the outline.
+                // The middle is used because the ends may lie on the outline.
                 let (Some(at), Some(end)) = (contour.path.at(0.5 * contour.path.length()), ends(inner))
                 else {
                     continue;
@@ -167,7 +168,7 @@ impl Work<'_> {
         (0..).zip(&self.group.nodes).find(|n| n.1.distance(at) <= SAME).map(|n| n.0)
     }
 
-    /// The element, not cut yet, that a run follows from so far along it, and the nodes it comes from and to.
+    /// The uncut element that a run follows from the position `gone` on, and the nodes from which and to which it leads.
     fn next(&self, run: &Path, gone: f64) -> Option<(usize, u32, u32)> {
         (0..self.paths.len())
             .filter(|&e| !self.cut[e])
@@ -193,7 +194,7 @@ impl Work<'_> {
         })
     }
 
-    /// Areas that hang on the sheet by what is not cut yet.
+    /// The areas that uncut elements connect to the sheet.
     fn held(&self) -> Vec<bool> {
         let mut held = vec![false; self.group.faces as usize];
         let mut queue = vec![0_u32];
@@ -211,12 +212,12 @@ impl Work<'_> {
         held
     }
 
-    /// Whether an element parts an area that hangs on the sheet still.
+    /// Whether one of the areas beside an element is still held.
     fn is_held(&self, e: usize) -> bool {
         self.group.elements[e].faces.iter().any(|&f| self.free[f as usize].is_none())
     }
 
-    /// Whether an area that ends at a node has been cut free.
+    /// Whether an area at a node has been cut free.
     fn is_loose(&self, node: u32) -> bool {
         let mut elements = self.group.elements.iter().filter(|e| e.ends.contains(&node));
         elements.any(|e| e.faces.iter().any(|&f| self.free[f as usize].is_some()))
@@ -232,13 +233,13 @@ impl Work<'_> {
         }
     }
 
-    /// Whether a place lies in an area, not on its outline.
+    /// Whether a point lies inside an area and not on its outline.
     fn holds(&self, face: u32, at: DVec2) -> bool {
         let boundary = self.boundary(face);
         winding_number(&boundary, at) != 0 && boundary.iter().all(|s| s.nearest(at).1 > SAME * SAME)
     }
 
-    /// The elements around an area, with it on their left, in no order.
+    /// The elements around an area, with the area on their left, in no particular order.
     fn boundary(&self, face: u32) -> Vec<Segment> {
         let mut segments = Vec::new();
         for (e, path) in self.group.elements.iter().zip(&self.paths) {

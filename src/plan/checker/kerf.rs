@@ -1,8 +1,8 @@
-//! Whether parts come out as drawn: the beam half a kerf beside their outlines, in the waste.
+//! Checks that parts come out as drawn: the beam runs half a kerf beside their outlines, in the waste.
 //!
-//! Looked at place by place along the cuts, whatever made the lines. Nearer to an outline than half a kerf something of the
-//! part is gone; farther away something is left on it, as in the corners, where the line turns sharply; on the other side
-//! the part is lost.
+//! Points along the cuts are checked, however the cuts were made. Where the beam is nearer to an outline than half a kerf,
+//! some of the part is lost. Where it is farther away some material remains, as happens in sharp corners. On the wrong
+//! side, the part is lost.
 
 use super::violation::Violation;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, winding};
@@ -10,13 +10,13 @@ use crate::machine::Profile;
 use crate::plan::model::{Move, Plan};
 use crate::sheet::Sheet;
 
-/// Lines within this of each other are one, mm: the tolerance of copies, of which one is cut for all.
+/// Distance within which two lines count as one, mm: the tolerance for duplicates, of which one is cut for all.
 const ONE: f64 = 0.01;
-/// Corners reach as far as this from those drawn, in halves of the kerf.
+/// Largest distance of corners from the drawn ones, in multiples of half the kerf.
 const CORNER: f64 = 4.0;
-/// Where each element of a cut is looked at.
+/// Positions on each element of a cut that are checked.
 const PLACES: [f64; 3] = [0.0, 0.37, 0.74];
-/// How many elements of a contour are asked on which side they lie; each looks at all of its outline.
+/// Number of elements of a contour that are checked for the side they are on. Each check visits the whole outline.
 const SIDES: usize = 8;
 
 /// An outline as drawn.
@@ -27,7 +27,7 @@ struct Outline<'s> {
 }
 
 impl Outline<'_> {
-    /// Its distance from a place, where that is no more than `reach`.
+    /// Its distance from a point, if it is at most `reach`.
     fn distance(&self, p: DVec2, reach: f64) -> Option<f64> {
         let mut least: Option<f64> = None;
         self.index.visit(Aabb::of(p).grown(reach), |k| {
@@ -39,7 +39,7 @@ impl Outline<'_> {
     }
 }
 
-/// Looks at all cuts of contours that stand for drawn outlines.
+/// Checks all cuts of contours that represent drawn outlines.
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     let half = 0.5 * machine.kerf_width;
     let outlines: Vec<Option<Outline>> = sheet
@@ -67,7 +67,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     }
 }
 
-/// The contour that a place on its cut is wrong for. Of several that are cut in one run it is beside one.
+/// The contour for which a point of the cut is wrong. If a run cuts several contours, the point must be beside one of them.
 fn fault(named: &[(u32, &Outline)], at: DVec2, half: f64, side: bool) -> Option<u32> {
     let near: Vec<_> =
         named.iter().filter_map(|(c, o)| Some((*c, o, o.distance(at, CORNER * half + ONE)?))).collect();

@@ -1,7 +1,7 @@
-//! Sharp corners: a pause in each that is cut through, and nowhere else.
+//! Checks sharp corners: there is a pause in each one that is cut through, and nowhere else.
 //!
-//! The runs of the beam before and after a pause are one cut to everybody else who looks at the plan: they are put
-//! together here. The angle in a corner is found by arc tangent (those who plan compare cosines).
+//! The cuts before and after a pause are joined here, because all other checks treat them as one cut. Angles are computed
+//! by arc tangent (the planner compares cosines).
 
 use super::groups::Groups;
 use super::tolerance::JOIN;
@@ -12,7 +12,7 @@ use crate::plan::model::Move;
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
-/// The moves of a plan with their places in it; cuts that only a pause in a sharp corner interrupts are one move.
+/// The moves of a plan with their indices, where cuts that are only interrupted by a pause in a sharp corner are one move.
 pub(super) fn joined<'p>(
     moves: &'p [Move],
     machine: &Profile,
@@ -76,7 +76,7 @@ pub(super) fn joined<'p>(
     out
 }
 
-/// The angle between two elements, seen from where they meet: pi is straight on.
+/// The angle between two elements where they meet: pi is straight.
 fn angle(a: &Segment, b: &Segment) -> f64 {
     let (back, on) = (-a.tangent(1.0), b.tangent(0.0));
     // Elements without a length have no direction.
@@ -86,7 +86,7 @@ fn angle(a: &Segment, b: &Segment) -> f64 {
     math::atan2(back.perp_dot(on), back.dot(on)).abs()
 }
 
-/// Whether a cut may go on along a contour.
+/// Whether a cut may continue along a contour.
 fn goes_on(before: &Move, next: u32, groups: &Groups) -> bool {
     matches!(before, Move::Cut { contour, mark: false, .. } if *contour == next || groups.same(*contour, next))
 }

@@ -1,9 +1,9 @@
-//! Whether a plan does what the sheet asks for: checked from the moves and the geometry alone.
+//! Checks from the moves and the geometry alone that a plan does what the sheet requires.
 //!
-//! The checker trusts nobody. It shares no code with the solvers nor with the making of a plan; it finds out by
-//! itself what lies inside what (`nesting.rs`), follows every cut along its contour (`coverage.rs`), sees whether
-//! parts come out as drawn (`kerf.rs`) and adds lengths and times up again with a trapezoid formula of its own (`sums.rs`). What it does share is geometry (points and
-//! lengths of elements) and the look-ahead along a contour, which has its own oracle.
+//! The checker shares no code with the solvers or with the conversion of solutions to plans. It determines itself which
+//! contour lies inside which (`nesting.rs`), follows every cut along its contour (`coverage.rs`), checks that parts come
+//! out as drawn (`kerf.rs`), and adds up lengths and times with its own formula for trapezoidal motion (`sums.rs`). It does
+//! share the geometry (points and lengths of elements) and the look-ahead along a contour, which has its own oracle.
 
 mod coverage;
 mod groups;
@@ -26,12 +26,12 @@ use groups::Groups;
 use tolerance::{JOIN, SAME};
 use visits::Visits;
 
-/// Checks that every contour is worked exactly once and wholly, in one go or as the machine allows, inner ones finished
-/// before outer ones, by rank, with moves joined end to end from home (and back, if the machine goes back), piercing and
-/// pre-cuts where they belong, and sums that add up.
+/// Checks that every contour is cut or marked completely and exactly once, in one go or as the machine allows; that inner
+/// contours are finished before outer ones, and ranks are kept; that moves are joined from home (and back, if the machine
+/// returns); that piercings and pre-cuts are where they belong; and that the sums are right.
 ///
 /// # Errors
-/// All violations found, in order of the moves where they have one.
+/// All violations; those of moves are in the order of the moves.
 pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Violation>> {
     let mut found = Vec::new();
     let mut visits = Visits::new(sheet, machine);
@@ -46,7 +46,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     if found.is_empty() { Ok(()) } else { Err(found) }
 }
 
-/// Pre-cuts reach ahead from where the head is, no farther than the machine cuts ahead, and nowhere if it does not.
+/// Checks that pre-cuts start where the head is and have the length of the machine's pre-cuts.
 fn pre_cuts(machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     for (step, m) in plan.moves.iter().enumerate() {
         let Move::PreCut { to, ahead, .. } = m else { continue };
@@ -55,15 +55,13 @@ fn pre_cuts(machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
         let short =
             length <= machine.pre_cut_length + SAME && (length > 0.0) == (machine.pre_cut_length > 0.0);
         if !short || joined.is_none() {
-            found.push(Violation::Beam {
-                step,
-                what: "makes a pre-cut of another length than the machine does",
-            });
+            found.push(Violation::Beam { step, what: "makes a pre-cut of a wrong length" });
         }
     }
 }
 
-/// Follows the head: joined, finite, the beam on only along contours and after piercing, home at the end.
+/// Follows the head: moves are joined and finite, the beam is on only along contours and after piercing, and the path ends
+/// at home.
 fn follow(
     visits: &mut Visits,
     groups: &mut Groups,
@@ -74,7 +72,7 @@ fn follow(
 ) {
     let mut head = machine.home();
     let mut pierced = false;
-    // The contour of the move before, if that was a cut.
+    // The contour of the previous move, if that was a cut.
     let mut just_cut = None;
     for (step, m) in macros::joined(&plan.moves, machine, groups, found) {
         let before = just_cut.take();
@@ -113,7 +111,7 @@ fn follow(
                         what: "makes a pre-cut where it leaves nothing unfinished",
                     });
                 }
-                // The head comes back: the time it takes is a charge.
+                // The head returns; the time this takes is part of the pre-cut's charge.
                 let gap = to.distance(head);
                 let joined = gap <= JOIN;
                 if !joined {

@@ -1,4 +1,4 @@
-//! What lies inside what, found again from the geometry: by winding numbers, exact for arcs.
+//! Determines again from the geometry which contour lies inside which: by winding numbers, which are exact for arcs.
 
 use super::tolerance::{SAME, rounding};
 use crate::geometry::{Aabb, DVec2, Path, Segment, math};
@@ -6,13 +6,13 @@ use crate::sheet::{Contour, Operation, Sheet};
 use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};
 use std::f64::consts::TAU;
 
-/// Points of a contour that are looked at: enough to see one that sticks out where two contours cross.
+/// Number of points of a contour that are checked: enough to find one outside where two contours cross.
 const SAMPLES: usize = 16;
 
-/// Every pair of a contour (first) and a closed cut contour that it lies inside of (second), at any depth.
+/// All pairs of a contour (first) and a closed cut contour that it lies inside of (second), at any depth.
 ///
-/// Inside means: of sample points spread over the contour none outside, and at least one inside and not on the
-/// outline. So copies lie in neither, and what crosses an outline does not lie inside it.
+/// A contour lies inside another if none of the sample points spread over it is outside, and at least one is inside and not
+/// on the outline. So duplicates lie inside neither, and a contour that crosses an outline does not lie inside it.
 pub(super) fn pairs(sheet: &Sheet) -> Vec<(u32, u32)> {
     let outers: Vec<u32> = (0..)
         .zip(&sheet.contours)
@@ -52,7 +52,7 @@ fn lies_inside(contour: &Contour, bounds: Aabb, outer: &Path) -> bool {
     }
     let segments = &contour.path.segments;
     let stride = segments.len().div_ceil(SAMPLES / 2).max(1);
-    // Of few elements, a circle say, more points each.
+    // Contours of few elements, such as circles, are checked at more points on each.
     let each = u32::try_from(SAMPLES.div_ceil(segments.len().max(1))).unwrap_or(1).max(2);
     let mut some_inside = false;
     for segment in segments.iter().step_by(stride) {
@@ -76,13 +76,13 @@ fn on(path: &Path, point: DVec2) -> bool {
     })
 }
 
-/// How often a closed path winds around a point that is not on it.
+/// The winding number of a closed path around a point that is not on it.
 fn winding(path: &Path, point: DVec2) -> f64 {
     (path.segments.iter().map(|s| angle_seen(s, point)).sum::<f64>() / TAU).round()
 }
 
-/// The signed angle that an element covers as seen from a point: that of its chord, and a whole turn more where the
-/// point lies between chord and arc.
+/// The signed angle that an element covers as seen from a point: that of its chord, plus a full turn if the point lies
+/// between chord and arc.
 fn angle_seen(segment: &Segment, point: DVec2) -> f64 {
     let (from, to) = (segment.start() - point, segment.end() - point);
     let chord = math::turn(from, to);
@@ -92,11 +92,11 @@ fn angle_seen(segment: &Segment, point: DVec2) -> f64 {
     if arc.is_circle() {
         return if in_disc { whole } else { 0.0 };
     }
-    // A counter-clockwise arc runs on the right of its chord.
+    // A counter-clockwise arc lies to the right of its chord.
     let right = -(arc.end - arc.start).perp_dot(point - arc.start);
     let side = if arc.ccw() { right } else { -right };
     if side == 0.0 && in_disc {
-        // On the chord: half a turn, the way the arc goes.
+        // On the chord the angle is half a turn in the direction of the arc.
         chord.abs().copysign(whole)
     } else if side > 0.0 && in_disc {
         chord + whole
@@ -111,8 +111,8 @@ mod tests {
     use crate::geometry::Arc;
     use std::f64::consts::PI;
 
-    /// A disc with a bite: three quarters of a circle of radius 2 around the origin, closed by two lines at right
-    /// angles through the point (0.5, 0.5).
+    /// A disc with a notch: three quarters of a circle of radius 2 around the origin, closed by two perpendicular lines
+    /// through the point (0.5, 0.5).
     fn bitten(ccw: bool) -> Path {
         let arc = Arc::from_angles(DVec2::ZERO, 2.0, PI / 2.0, 1.5 * PI);
         let notch = DVec2::new(0.5, 0.5);
@@ -131,7 +131,7 @@ mod tests {
                 if on(&path, p) {
                     continue;
                 }
-                // Outside the three-quarter disc, or in the quarter and beyond both lines.
+                // Outside the three-quarter disc, or in the fourth quarter beyond both lines.
                 let quarter = p.x > 0.0 && p.y > 0.0;
                 let under = (p.x - 0.5) * 1.5 + (p.y - 0.5) * 0.5 < 0.0
                     || (p.y - 0.5) * 1.5 + (p.x - 0.5) * 0.5 < 0.0;

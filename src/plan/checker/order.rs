@@ -1,4 +1,4 @@
-//! Whether contours are worked in an allowed order: inner before outer, by layer, marks before cuts.
+//! Checks the order of contours: inner before outer, by layer, and marks before cuts.
 
 use super::groups::Groups;
 use super::nesting;
@@ -6,9 +6,9 @@ use super::violation::Violation;
 use super::visits::Visits;
 use crate::sheet::{Operation, Pin, Sheet};
 
-/// `visits`: when each contour is worked. Within a pierce group what is held is followed element by element (`groups.rs`).
+/// `visits` knows when each contour is cut. Within a pierce group, `groups.rs` follows element by element what is held.
 pub(super) fn check(sheet: &Sheet, visits: &Visits, groups: &Groups, found: &mut Vec<Violation>) {
-    // By pin first, then by layer, then marks before cuts.
+    // By pinning first, then by layer, then marks before cuts.
     let own: Vec<(Pin, u32, bool)> = sheet
         .contours
         .iter()
@@ -20,7 +20,7 @@ pub(super) fn check(sheet: &Sheet, visits: &Visits, groups: &Groups, found: &mut
     let mut rank = own.clone();
     for (inner, outer) in nesting::pairs(sheet) {
         let (i, o) = (inner as usize, outer as usize);
-        // An outer contour waits for what is inside it, whatever its layer.
+        // An outer contour waits for what lies inside it, whatever its layer.
         rank[o] = rank[o].max(own[i]);
         if let (Some(inside), Some(around)) = (visits.ends(inner), visits.ends(outer))
             && around < inside
@@ -44,8 +44,8 @@ pub(super) fn check(sheet: &Sheet, visits: &Visits, groups: &Groups, found: &mut
     }
 }
 
-/// Whether everything of a part that has one rank, with what lies in its holes, is worked with nothing of that rank in
-/// between.
+/// Checks that all contours of a part that have the same rank, including those inside its holes, are cut with nothing else
+/// of that rank in between.
 fn part_by_part<R: Copy + PartialEq>(sheet: &Sheet, visits: &Visits, rank: &[R], found: &mut Vec<Violation>) {
     let mut parts: Vec<Vec<u32>> = vec![Vec::new(); sheet.contours.len()];
     for (part, p) in (0..).zip(&sheet.parts) {
@@ -54,7 +54,7 @@ fn part_by_part<R: Copy + PartialEq>(sheet: &Sheet, visits: &Visits, rank: &[R],
             parts[*contour as usize] = std::iter::successors(Some(part), around).collect();
         }
     }
-    // Of each part, where its last contour so far stands among those of its rank.
+    // For each part, the position of its last contour so far among those of its rank.
     let mut last: Vec<Option<(usize, u32)>> = vec![None; sheet.parts.len()];
     for (k, &contour) in visits.order.iter().enumerate() {
         for &part in &parts[contour as usize] {

@@ -1,7 +1,7 @@
-//! Lengths, counts and times added up again.
+//! Adds up lengths, counts and times again.
 //!
-//! The trapezoid of an air move stands here a second time on purpose, in the plain form of the textbooks: speed,
-//! acceleration, distance. A slip in `machine/motion.rs` would otherwise pass unseen.
+//! The trapezoidal motion of an air move is computed here a second time on purpose, in the plain form of textbooks: speed,
+//! acceleration, distance. Otherwise an error in `machine/motion.rs` would not be noticed.
 
 use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
@@ -11,7 +11,7 @@ use crate::order::sort_by;
 use crate::plan::model::{Move, Plan};
 use crate::sheet::Sheet;
 
-/// Sums agree within this part of their size: thousands of additions in another order.
+/// Relative difference within which sums agree: thousands of additions in another order.
 const RELATIVE: f64 = 1e-9;
 
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
@@ -48,7 +48,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let pierce_seconds = f64::from(pierces) * machine.pierce_time + f64::from(cuts) * delays;
     let pre_cut_seconds = f64::from(pre_cuts) * machine.pre_cut_time.unwrap_or(0.0);
     let macro_seconds = machine.macro_time() * f64::from(macros);
-    // A contour cut in several goes counts once.
+    // A contour that is cut in several stretches counts once.
     sort_by(&mut worked, |&c| [c.into(), 0, 0]);
     worked.dedup();
     let is_open = |c: &&u32| sheet.contours.get(**c as usize).is_some_and(|c| !c.path.closed);
@@ -75,7 +75,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         let names = ["the least x", "the least y", "the greatest x", "the greatest y"];
         let all = [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y];
         for ((what, says), place) in names.into_iter().zip(s.bounds).zip(all) {
-            // Places, not sums: an arc that is entered on its way has its box from another end.
+            // Coordinates are not sums. An arc that is entered in its middle has its bounding box computed from other ends.
             let agrees = (says - place).abs() <= SAME + slack;
             if !agrees {
                 found.push(Violation::Sum { what, says, found: place });
@@ -87,7 +87,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         sums.push(("the gap", s.gap.unwrap_or(f64::NAN), (total - s.lower_bound) / s.lower_bound));
     }
     for (what, says, adds_up) in sums {
-        // Written so that a number that is none is a violation too.
+        // Written so that NaN is a violation too.
         let agrees = (says - adds_up).abs() <= RELATIVE * (1.0 + adds_up.abs());
         if !agrees {
             found.push(Violation::Sum { what, says, found: adds_up });
@@ -95,13 +95,13 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     }
 }
 
-/// A contour's path; that in its group where the machine cuts groups as one.
+/// The path of a contour; where the machine cuts groups as one, its path in the group.
 fn path_of<'s>(sheet: &'s Sheet, machine: &Profile, contour: u32) -> Option<&'s Path> {
     let joined = sheet.cut_as_one(machine.makes_pre_cuts()).iter().find_map(|g| g.path_of(contour));
     joined.or_else(|| sheet.contours.get(contour as usize).map(|c| &c.path))
 }
 
-/// Seconds of an air move along `way`, mm.
+/// Seconds of an air move along the vector `way`, mm.
 fn air_time(machine: &Profile, way: DVec2) -> f64 {
     let [vx, vy] = machine.rapid.speed;
     let [ax, ay] = machine.rapid.accel.unwrap_or([f64::INFINITY; 2]);
@@ -117,7 +117,7 @@ fn air_time(machine: &Profile, way: DVec2) -> f64 {
     }
 }
 
-/// Seconds over `distance` from rest to rest with top speed `v` and acceleration `a`.
+/// Seconds for `distance` from rest to rest with top speed `v` and acceleration `a`.
 fn trapezoid(distance: f64, v: f64, a: f64) -> f64 {
     let to_reach_speed = v * v / (2.0 * a);
     if distance < 2.0 * to_reach_speed {

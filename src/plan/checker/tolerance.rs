@@ -1,17 +1,18 @@
-//! How near places have to be to count as one.
+//! Tolerances for comparing positions.
 
 use crate::geometry::Segment;
 
-/// Moves are joined within this, mm: far below any machine's step, far above the last bits of a coordinate.
+/// Largest gap between joined moves, mm: far below the step of any machine, far above rounding errors of a coordinate.
 pub(super) const JOIN: f64 = 1e-9;
-/// Places on a contour agree within this and [`rounding`], mm: far below what a laser resolves.
+/// Positions on a contour agree within this plus [`rounding`], mm: far below the resolution of a laser.
 pub(super) const SAME: f64 = 1e-6;
-/// Roundings a place may have gone through: the plan turns a point (two products and a sum for each coordinate) and
-/// takes an angle times a radius for a length, the checker does both again; three dozen in all, here with room.
+/// Number of roundings that a position may have undergone. The plan rotates a point (two products and a sum for each
+/// coordinate) and multiplies an angle by a radius for a length, and the checker does both again; that is three dozen in
+/// all, with a margin here.
 const ROUNDINGS: f64 = 64.0;
 
-/// How far rounding may carry a place on an element, mm: each rounding by up to the machine epsilon of the largest
-/// number met, which is a coordinate or, on a nearly straight arc, the radius. 9 nm at 600 m.
+/// Largest effect of rounding on a position on an element, mm. Each rounding is at most the machine epsilon times the
+/// largest number involved, which is a coordinate or, on a nearly straight arc, the radius. At 600 m this is 9 nm.
 pub(super) fn rounding(element: &Segment) -> f64 {
     let ends = element.start().abs().max(element.end().abs()).max_element();
     let radius = if let Segment::Arc(a) = element { a.radius() } else { 0.0 };

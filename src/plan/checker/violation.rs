@@ -1,8 +1,8 @@
-//! What can be wrong with a plan.
+//! The faults that a plan may have.
 
 use crate::geometry::DVec2;
 
-/// One thing that is wrong with a plan. `step` is the index of the move, `contour` the contour's id.
+/// A fault of a plan. `step` is the index of the move, `contour` the id of the contour.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Violation {
@@ -12,7 +12,7 @@ pub enum Violation {
         /// Which move.
         step: usize,
     },
-    /// The beam jumps: a cut does not start where the head is.
+    /// A move does not start where the head is.
     #[error("move {step} starts {gap} mm away from where the head is")]
     NotJoined {
         /// Which move.
@@ -20,7 +20,7 @@ pub enum Violation {
         /// How far, mm.
         gap: f64,
     },
-    /// A sharp corner is cut through without a pause.
+    /// A sharp corner is cut without a pause.
     #[error("move {step} cuts contour {contour} through the sharp corner at {at} without a pause")]
     NoMacro {
         /// Which move.
@@ -30,15 +30,15 @@ pub enum Violation {
         /// The corner, mm.
         at: DVec2,
     },
-    /// Piercing and cutting do not go together.
+    /// Piercing and cutting do not fit together.
     #[error("move {step}: the head {what}")]
     Beam {
         /// Which move.
         step: usize,
-        /// What it does.
+        /// What the head does wrong.
         what: &'static str,
     },
-    /// Marked though to be cut, or the other way round.
+    /// A contour is marked instead of cut, or cut instead of marked.
     #[error(
         "move {step}: contour {contour} is marked where it should be cut, or cut where it should be marked"
     )]
@@ -48,132 +48,134 @@ pub enum Violation {
         /// Which contour.
         contour: u32,
     },
-    /// A contour the sheet does not hold.
-    #[error("move {step} works contour {contour}, which the sheet does not hold")]
+    /// The sheet has no such contour.
+    #[error("move {step} cuts contour {contour}, which the sheet does not have")]
     Unknown {
         /// Which move.
         step: usize,
         /// Which contour.
         contour: u32,
     },
-    /// Worked more than once.
-    #[error("move {step} works contour {contour} again")]
+    /// A contour is cut more than once.
+    #[error("move {step} cuts contour {contour} a second time")]
     Again {
         /// Which move.
         step: usize,
         /// Which contour.
         contour: u32,
     },
-    /// Left unfinished and resumed where that is not allowed.
-    #[error("move {step} goes on with contour {contour}, which is to be worked in one go")]
+    /// A contour is left unfinished and resumed where that is not allowed.
+    #[error("move {step} continues contour {contour}, which must be cut in one go")]
     Left {
         /// Which move.
         step: usize,
         /// Which contour.
         contour: u32,
     },
-    /// Resumed while what was begun after it is unfinished.
-    #[error("move {step} goes on with contour {contour} before contour {inner}, begun after it, is finished")]
+    /// A contour is resumed while one that was begun after it is unfinished.
+    #[error(
+        "move {step} continues contour {contour} before contour {inner}, which was begun after it, is finished"
+    )]
     Crossed {
         /// Which move.
         step: usize,
         /// Which contour.
         contour: u32,
-        /// The one that is unfinished.
+        /// The unfinished contour.
         inner: u32,
     },
-    /// Never worked.
-    #[error("contour {contour} is not worked")]
+    /// A contour is never cut.
+    #[error("contour {contour} is not cut")]
     Missing {
         /// Which contour.
         contour: u32,
     },
-    /// The cut leaves its contour.
+    /// A cut leaves its contour.
     #[error("move {step} leaves contour {contour} near {at}")]
     Strays {
         /// Which move.
         step: usize,
         /// Which contour.
         contour: u32,
-        /// About where, mm.
+        /// Approximate position, mm.
         at: DVec2,
     },
-    /// The beam takes something of a part, leaves something on it, or runs on the wrong side of its outline.
+    /// The beam removes something of a part, leaves material on it, or runs on the wrong side of its outline.
     #[error("move {step} does not keep half a kerf from the drawn outline of contour {contour} at {at}")]
     Kerf {
         /// Which move.
         step: usize,
         /// Which contour.
         contour: u32,
-        /// The place, mm.
+        /// Position, mm.
         at: DVec2,
     },
-    /// Less or more of the contour is worked than there is.
-    #[error("move {step} works {worked} mm of contour {contour}, which is {length} mm long")]
+    /// Less or more than the whole contour is cut.
+    #[error("move {step} cuts {worked} mm of contour {contour}, which is {length} mm long")]
     Partly {
         /// Which move.
         step: usize,
         /// Which contour.
         contour: u32,
-        /// Length worked, mm.
+        /// Length cut, mm.
         worked: f64,
-        /// Length there is, mm.
+        /// Length of the contour, mm.
         length: f64,
     },
-    /// An outer contour is finished before something inside it.
+    /// An outer contour is finished before a contour inside it.
     #[error("contour {outer} is finished before contour {inner} inside it")]
     CutFree {
         /// The outer contour.
         outer: u32,
-        /// What lies inside it.
+        /// The contour inside it.
         inner: u32,
     },
-    /// Cut after the area it lies in has fallen out.
-    #[error("move {step} cuts contour {contour} where everything around it is cut free already")]
+    /// A contour is cut after the area that contains it has fallen out.
+    #[error("move {step} cuts contour {contour} after everything around it was cut free")]
     Fallen {
         /// Which move.
         step: usize,
         /// Which contour.
         contour: u32,
     },
-    /// Resumed, or cut up to what is cut free, without a pre-cut there.
-    #[error("move {step} cuts contour {contour} from or to a place where it needed a pre-cut")]
+    /// A contour is resumed, or cut up to an area that is free, without a pre-cut there.
+    #[error("move {step} cuts contour {contour} from or to a place that needs a pre-cut")]
     NoPreCut {
         /// Which move.
         step: usize,
         /// Which contour.
         contour: u32,
     },
-    /// The order by layer, or marks before cuts, is not kept.
-    #[error("contour {later} should have been worked before contour {earlier}")]
+    /// The order by layer, or of marks before cuts, is not kept.
+    #[error("contour {later} should have been cut before contour {earlier}")]
     Rank {
-        /// Worked first.
+        /// The contour that was cut first.
         earlier: u32,
-        /// Worked after it, against its rank.
+        /// The contour that should have been cut before it.
         later: u32,
     },
-    /// Part by part, a part was left and taken up again.
-    #[error("contour {contour} of part {part} is not worked together with the rest of the part")]
+    /// With parts cut one by one, a part was left and continued later.
+    #[error("contour {contour} of part {part} is not cut together with the rest of the part")]
     Torn {
         /// Which part.
         part: u32,
-        /// The contour at which it is taken up again.
+        /// The contour at which it is continued.
         contour: u32,
     },
-    /// Ends elsewhere than at home.
+    /// The path does not end at home.
     #[error("the head ends {left} mm away from home")]
     NotHome {
-        /// How far, mm.
+        /// Distance from home, mm.
         left: f64,
     },
-    /// A sum that does not add up.
-    #[error("the plan says {what} is {says}, its moves add up to {found}")]
+    /// A sum is wrong.
+    #[error("the plan states {what} as {says}, but its moves add up to {found}")]
     Sum {
         /// Which sum.
         what: &'static str,
-        /// By the plan.
+        /// Value in the plan.
         says: f64,
-        /// Added up again.
+        /// Value added up again.
         found: f64,
     },
 }

@@ -1,7 +1,7 @@
-//! Which contours are worked when: in one go or, where the machine allows it, left unfinished and resumed.
+//! Checks when each contour is cut: in one go or, where the machine allows it, left unfinished and resumed.
 //!
-//! The cuts of a contour, in order, are followed as one: each must go on from where the one before it ended, and
-//! together they must be the contour, once. What is worked between two cuts of a contour is worked wholly between them.
+//! The cuts of a contour are followed in order as one. Each must continue where the previous one ended, and together they
+//! must be the contour, once. What is begun between two cuts of a contour is also finished between them.
 
 use super::coverage::{Fault, follows, leads};
 use super::groups::Groups;
@@ -11,27 +11,27 @@ use crate::geometry::{Path, Segment};
 use crate::machine::Profile;
 use crate::sheet::{Operation, Sheet};
 
-/// What has been done to one contour.
+/// The state of one contour.
 #[derive(Clone, Default)]
 struct Work {
-    /// Index of its first and last move.
+    /// Indices of its first and last move.
     steps: Option<(usize, usize)>,
-    /// Everything cut of it, mm in all.
+    /// Everything cut of it so far, and its length in mm.
     path: Vec<Segment>,
     length: f64,
-    /// May be resumed without piercing.
+    /// Whether it may be resumed without piercing.
     ready: bool,
-    /// What was cut ahead of what is left.
+    /// The stretch of the remaining contour that was cut ahead.
     ahead: Vec<Segment>,
 }
 
-/// The contours of a sheet as they are worked.
+/// The contours of a sheet and their states.
 pub(super) struct Visits<'s> {
     sheet: &'s Sheet,
-    /// What a pre-cut costs; `None`: nothing may be left.
+    /// Cost of a pre-cut; `None` if nothing may be left unfinished.
     pre_cut: Option<f64>,
     work: Vec<Work>,
-    /// Begun and not finished, the outermost first.
+    /// Contours that are begun and not finished, the outermost first.
     open: Vec<u32>,
     /// The contours of all cuts in order.
     pub(super) order: Vec<u32>,
@@ -43,17 +43,17 @@ impl<'s> Visits<'s> {
         Self { sheet, pre_cut: machine.pre_cut_time, work, open: Vec::new(), order: Vec::new() }
     }
 
-    /// Whether a contour was begun and something of it is left.
+    /// Whether a contour was begun and is not finished.
     pub(super) fn is_unfinished(&self, contour: u32) -> bool {
         self.open.contains(&contour)
     }
 
-    /// Whether a contour may go on without piercing.
+    /// Whether a contour may continue without piercing.
     pub(super) fn is_ready(&self, contour: u32) -> bool {
         self.pre_cut == Some(0.0) || self.work.get(contour as usize).is_some_and(|w| w.ready)
     }
 
-    /// A pre-cut after the cut of a contour: whether there is anything to make it for.
+    /// Follows a pre-cut after the cut of a contour. Returns whether some of the contour remains.
     pub(super) fn pre_cut(&mut self, contour: u32, ahead: &[Segment]) -> bool {
         let fits = self.is_unfinished(contour) && self.pre_cut.is_some_and(|seconds| seconds > 0.0);
         if let Some(work) = self.work.get_mut(contour as usize) {
@@ -63,7 +63,7 @@ impl<'s> Visits<'s> {
         fits
     }
 
-    /// The next cut.
+    /// Follows the next cut.
     pub(super) fn cut(&mut self, step: usize, contour: u32, path: &[Segment], found: &mut Vec<Violation>) {
         let (Some(known), Some(work)) =
             (self.sheet.contours.get(contour as usize), self.work.get_mut(contour as usize))
@@ -103,7 +103,7 @@ impl<'s> Visits<'s> {
         self.order.push(contour);
     }
 
-    /// A cut of a contour that is cut with its group.
+    /// Follows a cut of a contour that is cut with its group.
     pub(super) fn note(&mut self, step: usize, contour: u32) {
         if let Some(work) = self.work.get_mut(contour as usize) {
             work.steps = Some((work.steps.map_or(step, |s| s.0), step));
@@ -116,7 +116,7 @@ impl<'s> Visits<'s> {
         self.work.get(contour as usize)?.steps.map(|s| s.1)
     }
 
-    /// After the last move: every contour once and wholly.
+    /// After the last move: every contour is cut once and completely.
     pub(super) fn finish(&self, groups: &Groups, found: &mut Vec<Violation>) {
         for ((contour, work), known) in (0..).zip(&self.work).zip(&self.sheet.contours) {
             let Some((_, step)) = work.steps else {
