@@ -1,22 +1,22 @@
-// Takes drawings over HTTP and answers with what a quote needs of them; the price is the shop's affair:
+// Accepts drawings over HTTP and answers with quote reports. The shop computes the price:
 //
-//     node server.mjs                                         PORT, 3000 when not said
+//     node server.mjs                                         PORT, 3000 by default
 //     curl --data-binary @plate.dxf 'localhost:3000/quotes?name=plate.dxf&machine=co2-100w&thickness=3&density=1.19'
 //
-// Status: 200 the report; 400 a wish in the address is wrong; 413 the drawing is too large; 415 the body is a form, not a drawing;
-// 422 the drawing cannot be used; 500 a fault of the server; 503 too many wait. All but 200 say why in `problem`.
+// Status: 200 the report; 400 an option in the query is wrong; 413 the drawing is too large; 415 the body is a form, not a drawing;
+// 422 the drawing cannot be used; 500 an error of the server; 503 too many requests wait. All but 200 give the reason in `problem`.
 
 import express from 'express';
 import { createPlanner, createPool } from 'kerfway';
-import { isForm, wishes, WishError } from './request.mjs';
+import { isForm, quoteOptions, OptionError } from './request.mjs';
 
-/** Drawings that may wait. More are turned away: an answer that comes too late is of use to nobody. */
+/** The number of drawings that may wait. More are refused, because a late answer is useless. */
 const MOST_WAITING = 400;
-/** The largest drawing taken. */
+/** The size limit of a drawing. */
 const LARGEST = '20mb';
-/** A budget in moves, not in seconds: the same drawing gets the same answer, hash and all, however busy the machine is. */
+/** The budget is in moves and not in seconds, so that the same drawing gets the same report and hash, however busy the computer is. */
 const BUDGET = { moves: 10_000, seed: 1 };
-/** A drawing that every planner in good order reads: one line. */
+/** A drawing of one line, which every working planner can read. */
 const PROBE = new TextEncoder().encode('0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n10\n21\n0\n0\nENDSEC\n0\nEOF\n');
 const FORM = 'The body is a form (multipart/form-data). Send the bytes of the DXF file alone as the body, and its name in the address: /quotes?name=plate.dxf.';
 
@@ -24,23 +24,23 @@ const pool = createPool();
 const machines = await machineNames();
 const app = express();
 
-// The body is taken whatever type is named: browsers and programs name many for DXF. What it is decides its content.
+// A body of any content type is accepted, because browsers and programs use many for DXF. Only its content counts.
 app.post('/quotes', refuseForms, express.raw({ type: () => true, limit: LARGEST }), async (request, response) => {
   const drawing = Buffer.isBuffer(request.body) ? request.body : new Uint8Array(0);
   if (isForm(drawing)) return problem(response, 415, FORM);
   if (pool.waiting >= MOST_WAITING) return problem(response.set('retry-after', '10'), 503, 'Too many drawings wait. Try again in ten seconds.');
   const gone = new AbortController();
-  // Whoever hangs up no longer waits: the place is for the next.
+  // A client that disconnects frees its place in the queue.
   response.on('close', () => gone.abort());
   try {
-    response.json(await pool.quote(drawing, { ...BUDGET, ...wishes(request.query, machines), signal: gone.signal }));
+    response.json(await pool.quote(drawing, { ...BUDGET, ...quoteOptions(request.query, machines), signal: gone.signal }));
   } catch (error) {
     if (gone.signal.aborted) return;
-    if (error instanceof WishError) return problem(response, 400, error.message);
+    if (error instanceof OptionError) return problem(response, 400, error.message);
     const unusable = await whyUnusable(drawing, gone.signal);
     if (gone.signal.aborted) return;
     if (unusable !== null) return problem(response, 422, unusable);
-    // The person who sent the drawing can do nothing about it; whoever runs the server reads the log.
+    // The sender of the drawing can do nothing about it, so the details go to the server's log only.
     console.error(error);
     problem(response, 500, 'The quote could not be made because of a fault of the server. Try again later.');
   }
@@ -50,7 +50,7 @@ app.get('/health', (_, response) => {
   response.json({ waiting: pool.waiting, megabytes: process.memoryUsage().rss / 1e6 });
 });
 
-// Errors of express itself: a drawing over the limit, a broken connection.
+// Errors of Express itself: a drawing over the limit, a broken connection.
 app.use((error, _request, response, _next) => {
   const tooLarge = error.status === 413;
   if (!tooLarge) console.error(error);
@@ -67,19 +67,19 @@ function problem(response, status, text) {
   response.status(status).json({ problem: text });
 }
 
-/** A form that says so is refused before its body is read. */
+/** Refuses a form by its content type, before its body is read. */
 function refuseForms(request, response, next) {
   if (request.is('multipart/*')) problem(response, 415, FORM);
   else next();
 }
 
-/** One sentence on why a drawing cannot be used; `null` where the fault is not the drawing's. */
+/** Why a drawing cannot be used, in one sentence; `null` if the drawing is not the cause. */
 async function whyUnusable(drawing, signal) {
   try {
     const { contours } = await pool.inspect(drawing, { signal });
     return contours.some((c) => c.operation !== 'ignore') ? null : 'There is nothing to cut in this drawing.';
   } catch (error) {
-    // The drawing is at fault when the planner still reads another one.
+    // The drawing is the cause if the planner can still read another one.
     return pool.inspect(PROBE, { signal }).then(() => error.message, () => null);
   }
 }

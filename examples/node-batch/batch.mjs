@@ -1,4 +1,4 @@
-// Plans every DXF of a folder on all processors and writes G-code beside a table of what it saves:
+// Plans every DXF file of a folder on all processors, writes G-code, and prints a table of the time saved:
 //
 //     node batch.mjs drawings programs [seconds for each]
 
@@ -16,10 +16,10 @@ await mkdir(to, { recursive: true });
 const names = (await readdir(from)).filter((name) => /\.dxf$/i.test(name)).sort();
 const pool = createPool();
 
-/** Plans one file; resolves to its row of the table. */
+/** Plans one file and returns its row of the table. */
 async function planned(name) {
   try {
-    // The file is read when its turn has come: no more are in memory than are worked on.
+    // The file is read when its turn comes, so that only the files being planned are in memory.
     const { summary, baselines, outputs } = await pool.plan(() => readFile(join(from, name)), {
       name,
       seconds: Number(seconds),

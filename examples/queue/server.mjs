@@ -1,4 +1,4 @@
-// Takes drawings, puts them into the queue, and tells what came of them:
+// Accepts drawings, puts them into the queue, and returns the results:
 //
 //     curl --data-binary @plate.dxf 'localhost:3000/quotes?name=plate.dxf&thickness=3&density=1.19'      202, with the address of the answer
 //     curl localhost:3000/quotes/ID                                                                    202 waits, 200 the report, 422 the problem
@@ -21,15 +21,15 @@ app.post('/quotes', express.raw({ type: () => true, limit: LARGEST }), async (re
   }
   const { name = 'drawing.dxf', machine = 'co2-100w', thickness, density } = request.query;
   const material = Object.fromEntries(Object.entries({ thickness, density }).filter(([, v]) => v !== undefined).map(([key, v]) => [key, Number(v)]));
-  const wishes = { name: String(name), machine: String(machine), material };
+  const options = { name: String(name), machine: String(machine), material };
   const drawing = Buffer.isBuffer(request.body) ? request.body : Buffer.alloc(0);
-  const id = idOf(drawing, wishes);
+  const id = idOf(drawing, options);
   if ((await queue.getJob(id)) === undefined) {
-    // Renamed when it is whole: no worker sees half of it.
+    // The file is renamed when it is complete, so that no worker reads a part of it.
     const half = `${drawingOf(id)}.${process.pid}.${performance.now()}`;
     await writeFile(half, drawing);
     await rename(half, drawingOf(id));
-    await queue.add('quote', wishes, { jobId: id });
+    await queue.add('quote', options, { jobId: id });
   }
   response.status(202).location(`/quotes/${id}`).json({ id });
 });
@@ -48,7 +48,7 @@ app.get('/health', async (_, response) => {
   response.json({ ...(await queue.getJobCounts()), megabytes: process.memoryUsage().rss / 1e6 });
 });
 
-// Errors of express itself (a drawing over the limit, a broken connection), and a queue that does not answer.
+// Errors of Express itself (a drawing over the limit, a broken connection), and a queue that does not answer.
 app.use((error, _request, response, _next) => {
   response.status(error.status ?? 500).json({ problem: error.status === 413 ? `The drawing is larger than ${LARGEST}.` : 'The drawing could not be received.' });
 });

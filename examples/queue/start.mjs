@@ -1,4 +1,4 @@
-// Starts everything by one command: the queue, the server, and the workers; one that dies is replaced.
+// Starts the queue, the server and the workers with one command. A worker that dies is replaced.
 //
 //     node start.mjs          PORT (3000), WORKERS (as many as processors), REDIS_URL (a Redis or Valkey that is there;
 //                             otherwise valkey-server or redis-server is started, for as long as this runs)
@@ -26,7 +26,7 @@ function end(code) {
   if (ending) return;
   ending = true;
   process.exitCode = code;
-  // The queue last: those that end their work tell it.
+  // The queue is closed last, because workers that finish report to it.
   const others = [...children].filter((child) => child !== redis);
   for (const child of others) child.kill('SIGTERM');
   void Promise.all(others.map((child) => once(child, 'exit'))).then(() => redis?.kill('SIGTERM'));
@@ -45,7 +45,7 @@ async function ownRedis() {
   const { port } = free.address();
   free.close();
   await once(free, 'close');
-  // Jobs are in memory only; a shop gives REDIS_URL of one that keeps them.
+  // Jobs are in memory only. Set REDIS_URL to use a server that stores them.
   const settings = ['--bind', '127.0.0.1', '--port', String(port), '--save', '', '--appendonly', 'no', '--maxmemory-policy', 'noeviction', '--loglevel', 'warning'];
   redis = start(command, settings, () => end(1));
   return `redis://127.0.0.1:${port}`;
@@ -57,7 +57,7 @@ const at = (file) => fileURLToPath(new URL(file, import.meta.url));
 function startWorker() {
   const worker = start(process.execPath, [at('worker.mjs')], (why) => {
     console.log(`Worker ${worker.pid} ended (${why}): another takes its place.`);
-    // Not at once: a worker that cannot start would keep the machine busy.
+    // Wait first, because a worker that cannot start would keep the computer busy.
     setTimeout(() => !ending && startWorker(), 500);
   }, env);
 }

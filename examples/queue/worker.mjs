@@ -1,17 +1,17 @@
-// One worker process: takes drawings from the queue, one at a time, and answers each with what a quote needs of it.
+// A worker process: takes drawings from the queue, one at a time, and answers each with a quote report.
 
 import { readFile, rm } from 'node:fs/promises';
 import { UnrecoverableError, Worker } from 'bullmq';
 import { createPool } from 'kerfway';
 import { BUDGET, connection, drawingOf, PATIENCE, QUEUE, WORKING } from './queue.mjs';
 
-// One planner, kept from drawing to drawing, in a thread of its own: this one goes on telling the queue that it is alive.
+// One planner for all drawings, in a thread of its own, so that this thread can keep sending signs of life to the queue.
 const pool = createPool({ size: 1 });
 
 const worker = new Worker(QUEUE, quoted, { connection, concurrency: 1, name: String(process.pid), ...WORKING });
 worker.on('error', (error) => console.error(`worker ${process.pid}: ${error.message}`));
 
-// What is done with needs its drawing no more.
+// A finished job no longer needs its drawing.
 worker.on('completed', (job) => rm(drawingOf(job.id), { force: true }));
 worker.on('failed', (job) => job?.finishedOn !== undefined && rm(drawingOf(job.id), { force: true }));
 
@@ -21,12 +21,12 @@ async function quoted(job) {
     return await pool.quote(() => readFile(drawingOf(job.id)), { ...job.data, ...BUDGET, signal });
   } catch (error) {
     if (signal.aborted) throw new Error(`The drawing takes longer than ${PATIENCE / 1000} seconds.`);
-    // One sentence for the person who sent it; trying again would not mend the drawing.
+    // One sentence for the sender; trying again would not repair the drawing.
     throw new UnrecoverableError(error.message);
   }
 }
 
-// What is under way is finished first.
+// Running jobs are finished first.
 process.on('SIGTERM', async () => {
   await worker.close();
   pool.close();

@@ -1,4 +1,4 @@
-// A drawing that is chosen is planned for five seconds at most; the job's time gets shorter while one looks on.
+// Plans the chosen drawing for at most five seconds and shows how the job time gets shorter.
 
 const told = document.querySelector('#told');
 const stop = document.querySelector('#stop');

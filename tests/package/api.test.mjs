@@ -1,4 +1,4 @@
-// The reference of the package, and the guides that lead to it.
+// The reference of the package and the guides.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -19,7 +19,7 @@ describe('docs/api', () => {
     assert.equal(status, 0, stderr);
   });
 
-  it('has all that the package exports', () => {
+  it('describes every export of the package', () => {
     const page = readFileSync(join(DOCS, 'api', 'kerfway.md'), 'utf8');
     for (const name of Object.keys(kerfway)) assert.match(page, new RegExp(`^### ${name}(\\(\\))?$`, 'm'));
   });
@@ -53,13 +53,13 @@ describe('the documentation', () => {
     }
   });
 
-  it('tells every field of the report of a quote', () => {
+  it('describes every field of the quote report', () => {
     const schema = JSON.parse(readFileSync(join(SDK, 'quote.schema.json'), 'utf8'));
     const text = readFileSync(join(DOCS, 'quote.md'), 'utf8');
     for (const name of Object.keys(schema.properties)) assert.match(text, new RegExp(`^\\|.*\`${name}\``, 'm'), name);
   });
 
-  it('tells every field of a machine profile, and every preset', async () => {
+  it('describes every field of a machine profile, and every preset', async () => {
     const planner = await kerfway.createPlanner();
     planner.close();
     const text = readFileSync(join(DOCS, 'machines.md'), 'utf8');

@@ -1,4 +1,4 @@
-// The instances of the benches: all that may be copied is in the repository, and what may not is named.
+// The instances of the benches: those that may be copied are in the repository, and the others are listed.
 
 import assert from 'node:assert/strict';
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -25,7 +25,7 @@ function reported(instances) {
 }
 
 describe('benches/data', () => {
-  it('has every stored file, with its checksum, source and licence', () => {
+  it('has every stored file with its checksum, source and licence', () => {
     const instances = new Instances();
     for (const { path, source, licence } of manifest.files) {
       assert.ok(source && licence, path);
@@ -33,7 +33,7 @@ describe('benches/data', () => {
     }
   });
 
-  it('holds no file that the manifest does not name', () => {
+  it('has no file that the manifest does not name', () => {
     const stored = readdirSync(join(ROOT, 'benches', 'data'), { recursive: true, withFileTypes: true })
       .filter((entry) => entry.isFile() && !['README.md', 'manifest.json'].includes(entry.name))
       .map((entry) => join(entry.parentPath, entry.name));
@@ -41,14 +41,14 @@ describe('benches/data', () => {
     assert.deepEqual(stored.filter((file) => !named.includes(file)), []);
   });
 
-  it('says what was not run, and why', () => {
+  it('reports what was not run, and why', () => {
     const instances = new Instances();
     assert.equal(instances.find(MISSING), null);
     assert.match(reported(instances), /^not run: 1 instance \(pcgtsp\/ESC07\.pcglns\).*states no licence.*--data/);
     assert.equal(reported(instances), '');
   });
 
-  it('refuses a file of --data that is another one', () => {
+  it('refuses a file of --data with another checksum', () => {
     const folder = mkdtempSync(join(tmpdir(), 'kerfway-data-'));
     try {
       mkdirSync(join(folder, 'pcgtsp'));
@@ -60,7 +60,7 @@ describe('benches/data', () => {
     assert.throws(() => new Instances(folder), /there is no such folder/);
   });
 
-  it('is all that benches read: nothing outside the repository', () => {
+  it('is all that benches read, with nothing outside the repository', () => {
     const scripts = readdirSync(join(ROOT, 'benches'), { recursive: true }).filter((f) => f.endsWith('.mjs') && !f.includes('target'));
     for (const file of scripts) assert.doesNotMatch(readFileSync(join(ROOT, 'benches', file), 'utf8'), /'shared'|\.\.\/shared/, file);
   });

@@ -1,5 +1,5 @@
-// What callers hand over: every value is taken or refused with one sentence, before a worker sees it; a callback that throws
-// fails its own plan; a close ends no process; a worker that dies while starting is started once more.
+// The values of callers: each is accepted or refused with one sentence before a worker gets it. A callback that throws fails
+// its own plan, closing ends no process, and a worker that dies while it starts is started once more.
 
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
@@ -42,13 +42,13 @@ describe('numbers', () => {
     });
   }
 
-  it('of a material that are none are refused', async () => {
+  it('of a material that are not numbers are refused', async () => {
     for (const thickness of [NaN, -1, Infinity, '3mm']) {
       assert.match(await refusal(quote(PLATE, { ...SHORT, material: { thickness } })), /^The option "material\.thickness" is .*Give a number from 0\.001 to 1000 mm/);
     }
   });
 
-  it('of parameters that would take all memory are refused, and the worker lives', async (t) => {
+  it('of parameters that would use all memory are refused, and the worker survives', async (t) => {
     const planner = await createPlanner();
     t.after(() => planner.close());
     await planner.load(PLATE, 'plate.dxf');
@@ -60,7 +60,7 @@ describe('numbers', () => {
 });
 
 describe('names', () => {
-  it('of machine fields, options and parameters that are misspelt are refused with the nearest', async () => {
+  it('of machine fields, options and parameters that are misspelt are refused with a suggestion', async () => {
     const says = (options) => refusal(plan(PLATE, { ...SHORT, ...options }));
     assert.equal(await says({ machine: machine((m) => (m.kerf_witdh = 0.2)) }), 'The machine has no field "kerf_witdh". Did you mean "kerf_width"?');
     assert.equal(await says({ machine: machine((m) => (m.cut.sped = 1)) }), 'The machine has no field "cut.sped". Did you mean "cut.speed"?');
@@ -71,12 +71,12 @@ describe('names', () => {
     assert.equal(await refusal(quote(PLATE, { material: { thicknes: 1 } })), 'quote has no option "material.thicknes". Did you mean "material.thickness"?');
   });
 
-  it('of files that are no text are refused', async () => {
+  it('of files that are not text are refused', async () => {
     for (const name of [5, {}, true, null]) assert.match(await refusal(inspect(PLATE, { name })), /^The option "name" is .*Give a text\.$/);
     for (const source of [5, 'text', null, [1, 2]]) assert.match(await refusal(inspect(source)), /not given as bytes/);
   });
 
-  it('of layers that the drawing has not are a finding with the nearest', async () => {
+  it('of layers that the drawing does not have give a finding with a suggestion', async () => {
     const { findings } = await inspect(dxf(square(0, 0, 100, 'CUT')), { layers: [{ name: 'CTU', operation: 'mark' }] });
     const finding = findings.find((f) => f.code === 'layer-unknown');
     assert.deepEqual([finding.severity, finding.layer], ['warning', 'CTU']);
@@ -95,7 +95,7 @@ describe('the wasm file alone', () => {
       return error.message;
     }
   };
-  it('refuses what is no text, no bytes and no options', () => {
+  it('refuses values that are not text, bytes or options', () => {
     for (const name of [5, {}, true, null, undefined, Symbol.iterator, () => {}]) assert.match(made(PLATE, name, {}), /^The file's name is .*Give a text\.$/);
     for (const file of [5, {}, 'x', null, undefined]) assert.match(made(file, 'x.dxf', {}), /Give its bytes/);
     for (const options of [5, 'x', [], true, () => {}]) assert.match(made(PLATE, 'x.dxf', options), /^Reading is /);
@@ -106,7 +106,7 @@ describe('the wasm file alone', () => {
     assert.equal(made(PLATE, 'x.dxf', { units: undefined }), 'taken');
   });
 
-  it('refuses numbers that are none', () => {
+  it('refuses values that are not numbers', () => {
     const job = new core.Job(PLATE, 'x.dxf', {});
     for (const seconds of [NaN, Infinity, -1, null]) assert.throws(() => job.start({ seconds }), /^Error: The option "seconds" is /);
     for (const seed of [0.5, -1, 1e300, NaN]) assert.throws(() => job.start({ seed }), /^Error: The option "seed" is .*Give a whole number/);
@@ -115,7 +115,7 @@ describe('the wasm file alone', () => {
   });
 });
 
-/** Resolves when a search has news. */
+/** Resolves when a search reports progress. */
 function underWay() {
   let resolve;
   const promise = new Promise((r) => (resolve = r));
@@ -185,7 +185,7 @@ async function until(holds) {
 }
 
 // A rejection that nobody handles ends a Node process: here it fails the test.
-describe('a close while nobody waits ends no process', () => {
+describe('closing while nobody awaits a call does not end the process', () => {
   it('of a pool', async () => {
     const pool = createPool({ size: 1 });
     const news = underWay();
@@ -227,7 +227,7 @@ describe('a worker that dies while it starts', () => {
     });
   }
 
-  it('twice is told in one sentence, and the pool goes on', async (t) => {
+  it('twice is reported in one sentence, and the pool continues', async (t) => {
     const { start, workers } = watched([]);
     const dying = (onMessage, onDeath) => {
       const line = start(onMessage, onDeath);
@@ -242,7 +242,7 @@ describe('a worker that dies while it starts', () => {
 });
 
 describe('the command line', () => {
-  it('tells of a layer that the drawing has not, and of a machine with a misspelt field', async (t) => {
+  it('reports a layer that the drawing does not have, and a machine with a misspelt field', async (t) => {
     const at = folder(t);
     writeFileSync(join(at, 'plate.dxf'), dxf(square(0, 0, 100, 'CUT')));
     const { code, stderr } = await kerfway('plan', join(at, 'plate.dxf'), '--layer', 'CTU=mark', '--moves', '100');
@@ -254,7 +254,7 @@ describe('the command line', () => {
     assert.match(refused.stderr, /own\.json: The machine has no field "kerf_witdh"\. Did you mean "kerf_width"\?/);
   });
 
-  it('refuses numbers and machines in a sentence', async () => {
+  it('refuses numbers and machines with a sentence', async () => {
     for (const [words, code, says] of [
       [['--seconds', 'NaN'], 2, /--seconds NaN/],
       [['--seconds', '1e300'], 2, /The option "seconds" is 1e\+300/],
@@ -266,7 +266,7 @@ describe('the command line', () => {
   });
 });
 
-/** SplitMix64 would need big numbers; this is mulberry32, enough to draw cases. */
+/** The generator mulberry32, which is good enough to draw cases and the same everywhere. */
 function random(seed) {
   let a = seed;
   return (n) => {
@@ -277,7 +277,7 @@ function random(seed) {
   };
 }
 
-/** Any value, often near what a field takes. */
+/** Any value, often close to one that a field accepts. */
 function junk(draw, deep = 3) {
   const one = (list) => list[draw(list.length)];
   switch (draw(deep === 0 ? 5 : 7)) {
@@ -291,7 +291,7 @@ function junk(draw, deep = 3) {
   }
 }
 
-/** A value that a field takes, at times spoilt. */
+/** A value that a field accepts, sometimes damaged. */
 function near(draw, kind) {
   if (draw(14) === 0) return junk(draw);
   const one = (list) => list[draw(list.length)];
@@ -332,12 +332,12 @@ describe('any options at all', () => {
       const own = name === 'inspect' ? [] : planning.fields.filter((f) => f.name !== 'workers' && f.name !== 'member');
       const options = draw(10) === 0 ? junk(draw) ?? {} : object(draw, [...reading.fields, ...own]);
       if (typeof options === 'object' && options !== null && !Array.isArray(options) && name !== 'inspect') {
-        // A budget that is right may be long: it is short here, or wrong.
+        // A valid budget could be long, so here it is short or invalid.
         if (draw(4) > 0) [options.moves, options.seconds] = [200, undefined];
         else options.seconds = [0.01, NaN, null, Infinity, -1, '1'][draw(6)];
         if (name === 'quote' && draw(2) === 0) options.material = object(draw, material.fields);
       }
-      // Most go through the pool: a worker for each call takes ten times as long.
+      // Most cases use the pool, because a new worker for each call takes ten times as long.
       const on = k % 50 === 0 ? { inspect, plan, quote } : pool;
       const deadline = wait(DEADLINE, 'late', { ref: false });
       const result = await Promise.race([deadline, on[name](PLATE, options).then(() => 'taken', (error) => error)]);

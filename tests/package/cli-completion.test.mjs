@@ -1,4 +1,4 @@
-// Shell completion: what each shell itself offers for a line that is being typed.
+// Shell completion: what each shell offers for an incomplete line.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -26,7 +26,7 @@ function output(shell, text) {
 }
 
 describe('kerfway completion', () => {
-  it('bash offers commands, options, values, and files where a file is wanted', { skip: missing('bash') }, async (t) => {
+  it('bash offers commands, options and values, and files where they are needed', { skip: missing('bash') }, async (t) => {
     const path = await script(t, 'bash');
     const offered = (line) => {
       const words = line.split(' ');

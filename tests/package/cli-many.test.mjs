@@ -1,4 +1,4 @@
-// The command line over several drawings, over patterns, and again when a file changes.
+// The command line with several drawings, with patterns, and with --watch.
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
@@ -28,7 +28,7 @@ function write(path, content) {
 }
 
 describe('several drawings', () => {
-  it('each has its outputs in the folder, under its own name, and its row', async (t) => {
+  it('each has its outputs in the folder under its own name, and a row in the table', async (t) => {
     const at = drawings(t, ['a.dxf', 'deep/b.dxf', 'deep/er/c.DXF']);
     const { code, stdout, stderr } = await kerfway('plan', join(at, 'a.dxf'), join(at, '**/*.[dD][xX][fF]'), ...QUICK, '--gcode', `${at}/out/`, '--json', `${at}/out/`);
     assert.deepEqual([code, stderr], [0, '']);
@@ -40,7 +40,7 @@ describe('several drawings', () => {
     assert.deepEqual(rows.map((r) => /(\w+)\.dxf +(\d)/i.exec(r).slice(1)), [['a', '1'], ['b', '2'], ['c', '3']]);
   });
 
-  it('a file that is unusable is told in a sentence, the others are done, and the exit code is 1', async (t) => {
+  it('an unusable file is reported in a sentence, the others are processed, and the exit code is 1', async (t) => {
     const at = drawings(t, ['a.dxf', 'c.dxf'], { 'b.dxf': BROKEN });
     for (const command of ['plan', 'quote']) {
       const out = join(at, command);
@@ -52,7 +52,7 @@ describe('several drawings', () => {
     }
   });
 
-  it('JSON of several goes to standard output one document a line', async (t) => {
+  it('the JSON of several drawings goes to standard output, one document per line', async (t) => {
     const at = drawings(t, ['a.dxf', 'b.dxf']);
     const schemas = { plan: 'kerfway.plan/1', quote: 'kerfway.quote/1', inspect: 'kerfway.inspect/1' };
     for (const [command, schema] of Object.entries(schemas)) {
@@ -64,7 +64,7 @@ describe('several drawings', () => {
     }
   });
 
-  it('nothing is written over a drawing, nor over what is written for another', async (t) => {
+  it('no output replaces a drawing or the output of another drawing', async (t) => {
     const at = drawings(t, ['a.dxf', 'b.dxf', 'deep/a.dxf']);
     const before = readFileSync(join(at, 'a.dxf'));
     const own = await kerfway('plan', join(at, 'a.dxf'), join(at, 'b.dxf'), ...QUICK, '--dxf', `${at}/`);
@@ -77,7 +77,7 @@ describe('several drawings', () => {
     assert.deepEqual(readdirSync(at).sort(), ['a.dxf', 'b.dxf', 'deep']);
   });
 
-  it('patterns name what lies there, sorted, each once, and hidden files only when asked', (t) => {
+  it('patterns name existing files, sorted, without duplicates, and hidden files only explicitly', (t) => {
     const at = drawings(t, ['b.dxf', 'a.dxf', '.h.dxf', 'x/y/c.dxf', 'x/a1.dxf', 'x/a(2).dxf']);
     const named = (...words) => filesOf(words.map((w) => join(at, w))).map((f) => f.slice(at.length + 1));
     assert.deepEqual(named('*.dxf'), ['a.dxf', 'b.dxf']);
@@ -91,7 +91,7 @@ describe('several drawings', () => {
 });
 
 describe('--watch', () => {
-  it('does it again when a file changes, is replaced, appears or is mended', async (t) => {
+  it('runs again when a file changes, is replaced, appears or is repaired', async (t) => {
     const at = drawings(t, ['a.dxf'], { 'b.dxf': BROKEN });
     const child = spawn(process.execPath, [CLI, 'plan', join(at, '*.dxf'), ...QUICK, '--json', `${at}/out/`, '--watch'], { stdio: ['ignore', 'pipe', 'pipe'] });
     t.after(() => child.kill('SIGKILL'));
@@ -123,17 +123,17 @@ describe('--watch', () => {
   });
 });
 
-describe('the line of progress', () => {
+describe('the progress line', () => {
   const progress = { seconds: 4, moves: 2_000_000, rate: 500_000, summary: { total_time: 83.2, gap: 0.0312 } };
   const alone = { index: 0, of: 1 };
 
-  it('tells job, gap and seconds left of a budget in seconds or moves, whichever ends first', () => {
+  it('shows job time, gap and seconds left of the budget that ends first', () => {
     const left = (budget) => /(\d+) s left/.exec(progressLine(progress, budget, 'a.dxf', alone))?.[1];
     assert.equal(progressLine(progress, { seconds: 8 }, 'a.dxf', alone), '[########........]  job 83.2 s  gap 3.1 %  4 s left  500 k moves/s');
     assert.deepEqual([{}, { moves: 3_000_000 }, { moves: 3_000_000, workers: 2 }, { seconds: 5, moves: 9e9 }, { seconds: 1 }].map(left), ['6', '2', '8', '1', '0']);
   });
 
-  it('tells which file of several it is, and leaves out what nobody knows', () => {
+  it('shows which of several files it is, and omits unknown values', () => {
     const early = { ...progress, rate: 0, summary: { total_time: 83.2, gap: null } };
     assert.equal(progressLine(early, { moves: 9 }, 'b.dxf', { index: 1, of: 3 }), '2/3 b.dxf  [................]  job 83.2 s  0 k moves/s');
   });

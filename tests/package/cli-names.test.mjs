@@ -1,4 +1,4 @@
-// Names on the command line: outputs that are the same file as another or as an input, and names that would steer a terminal.
+// Names on the command line: outputs that are the same file as another output or an input, and names that could control a terminal.
 
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
@@ -63,20 +63,20 @@ describe('an output that is another file of the same run is wrong usage, and not
     it(args.filter((a) => !QUICK.includes(a)).join(' '), (t) => refused(place(t), args, /is the same file as \S+, which is read\. Name another/));
   }
 
-  it('a machine is read, too', (t) => {
+  it('a machine file counts as an input', (t) => {
     const at = place(t);
     const { machine } = JSON.parse(run(at, ['plan', 'a.dxf', ...QUICK, '--json', '-']).stdout);
     writeFileSync(join(at, 'mine.json'), JSON.stringify(machine));
     refused(at, ['plan', 'a.dxf', ...QUICK, '--machine', 'mine.json', '--json', 'sub/../mine.json'], /--json sub\/\.\.\/mine\.json is the same file as mine\.json, which is read/);
   });
 
-  it('two drawings with outputs of one name', (t) => {
+  it('two drawings with the same output name', (t) => {
     const at = place(t);
     writeFileSync(join(at, 'sub', 'a.dxf'), dxf(circle(0, 0, 5)));
     refused(at, ['plan', 'a.dxf', 'sub/a.dxf', ...QUICK, '--gcode', 'out/'], /--gcode out\/a\.nc for sub\/a\.dxf is the same file as --gcode out\/a\.nc for a\.dxf/);
   });
 
-  it('standard output by two names', (t) => {
+  it('standard output under two names', (t) => {
     const { status, stderr } = spawnSync('/bin/sh', ['-c', '"$@" --json - --gcode /dev/stdout | cat', 'sh', process.execPath, CLI, 'plan', join(place(t), 'a.dxf'), ...QUICK], { encoding: 'utf8' });
     assert.equal(status, 0, 'that of cat');
     assert.match(stderr, /--gcode \/dev\/stdout is the same file as --json -/);
@@ -92,8 +92,8 @@ describe('an output that is another file of the same run is wrong usage, and not
 const RAW = '\x1b[2J\x1b]0;owned\x07\u009b31m\u202egnp\u2066\x7f';
 const CONTROLS = /[\u0000-\u0009\u000b-\u001f\u007f-\u009f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/;
 
-describe('names do not steer the terminal', POSIX, () => {
-  it('control characters and marks of direction are written out, anything else stays', () => {
+describe('names cannot control the terminal', POSIX, () => {
+  it('control characters and direction marks are made visible, and other characters stay', () => {
     assert.equal(visible('a\x1b[31mb\r\n\t\x7f\u0085\u202e.dxf'), 'a\\u001b[31mb\\u000d\\u000a\\u0009\\u007f\\u0085\\u202e.dxf');
     for (const plain of ['Größe 3 mm².dxf', 'C:\\a b', '日本.dxf', 'ملف.dxf', '😀']) assert.equal(visible(plain), plain);
     assert.equal(visibleText('{"a":"\u009b"}\n'), '{"a":"\\u009b"}\n');
@@ -122,7 +122,7 @@ describe('names do not steer the terminal', POSIX, () => {
     }
   });
 
-  it('JSON on a terminal is written out too, and into a file as it is', { skip: spawnSync('script', ['--version']).status !== 0 && 'there is no script(1)' }, async (t) => {
+  it('JSON is made visible on a terminal too, and is unchanged in a file', { skip: spawnSync('script', ['--version']).status !== 0 && 'there is no script(1)' }, async (t) => {
     const at = folder(t);
     const file = join(at, 'a.dxf');
     writeFileSync(file, dxf(square(0, 0, 10, 'layer\u009b31m\u202e')));
@@ -135,7 +135,7 @@ describe('names do not steer the terminal', POSIX, () => {
 });
 
 describe('--watch', () => {
-  it('says that a program is stale when a save is broken or a drawing is gone, once each, and resumes', async (t) => {
+  it('reports once that a program is stale when a drawing is broken or gone, and resumes', async (t) => {
     const at = folder(t);
     const drawing = join(at, 'a.dxf');
     writeFileSync(drawing, dxf(square(0, 0, 10)));
@@ -165,7 +165,7 @@ describe('--watch', () => {
     said = '';
     writeFileSync(drawing, dxf(square(0, 0, 10), circle(50, 50, 5)));
     await until(() => contours() === 2);
-    // Taken away and put back as it was.
+    // Removed and restored unchanged.
     renameSync(drawing, join(at, 'away'));
     await until(() => said.includes('gone'));
     rmSync(out);

@@ -1,4 +1,4 @@
-// Outputs are replaced whole or not at all: a disk that fails, and signals, in the middle of every output of every command.
+// Outputs are replaced completely or not at all: the disk fails, or a signal arrives, during every output of every command.
 
 import assert from 'node:assert/strict';
 import { execFileSync, spawn, spawnSync } from 'node:child_process';
@@ -14,7 +14,7 @@ import { CLI, dxf, folder, ROOT, square } from './support.mjs';
 
 const POSIX = process.platform !== 'win32';
 const ROOT_USER = POSIX && process.getuid() === 0;
-/** A user who may do nothing. */
+/** A user without permissions. */
 const NOBODY = 65_534;
 
 const OLD = 'the old program, whole\n';
@@ -26,7 +26,7 @@ const INSTANCE = `NAME: t\nTYPE: TSP\nDIMENSION: ${CITIES.length}\nEDGE_WEIGHT_T
 const QUICK = ['--moves', '5', '--seed', '1'];
 const KINDS = { json: 'a.json', gcode: 'a.nc', svg: 'a.svg', dxf: 'b.dxf', png: 'a.png' };
 
-/** Every command that writes: its words for inputs in one folder and outputs in another, and the files these are. */
+/** Every command that writes: its arguments for an input folder and an output folder, and the files it writes. */
 const WRITERS = Object.fromEntries([
   ...Object.entries(KINDS).map(([kind, file]) => [`plan --${kind}`, (from, to) => [['plan', join(from, 'a.dxf'), ...QUICK, `--${kind}`, join(to, file)], [file]]]),
   ['plan, all outputs', (from, to) => [['plan', join(from, 'a.dxf'), ...QUICK, ...Object.entries(KINDS).flatMap(([kind, file]) => [`--${kind}`, join(to, file)])], Object.values(KINDS)]],
@@ -36,7 +36,7 @@ const WRITERS = Object.fromEntries([
   ['solve --json', (from, to) => [['solve', join(from, 'a.tsp'), ...QUICK, '--json', join(to, 'a.json')], ['a.json']]],
 ].map(([name, words]) => [name, words]));
 
-/** Runs the command line through others, if any; resolves to its exit code or signal and what it says. */
+/** Runs the command line, if needed through other programs; resolves to its exit code or signal and its messages. */
 function run(args, { before = [], env = {}, preload = [], ...options } = {}) {
   const [program, ...words] = [...before, process.execPath, ...preload, CLI, ...args];
   return new Promise((resolve) => {
@@ -57,7 +57,7 @@ function inputs(t) {
   return at;
 }
 
-/** Runs a writer over old outputs, and checks that they are as they were, with nothing beside them. */
+/** Runs a command over old outputs, and checks that they are unchanged and that no other file is left. */
 async function survives(t, writer, to, { strays = [], prepare = () => {}, ...options }) {
   const [args, files] = WRITERS[writer](inputs(t), to);
   for (const file of files) writeFileSync(join(to, file), OLD, { mode: 0o640 });
@@ -81,7 +81,7 @@ const faulty = (fault, more = {}) => ({
   env: { FAULT: fault, ...more },
 });
 
-/** A disk of its own, of so many pages; or why there can be none. */
+/** A separate disk of this many pages, or the reason why it cannot be made. */
 function disk(t, pages) {
   const at = mkdtempSync(join(tmpdir(), 'kerfway-'));
   const options = `size=${pages * 4096}`;
@@ -93,7 +93,7 @@ function disk(t, pages) {
   return mounted ? at : null;
 }
 
-/** Fills a disk; gives what empties it again. */
+/** Fills a disk; returns a function that empties it again. */
 function fill(at) {
   const filler = join(at, 'filler');
   const file = openSync(filler, 'w');
@@ -152,20 +152,20 @@ for (const writer of Object.keys(WRITERS)) {
 describe('outputs of one drawing', () => {
   const ALL = 'plan, all outputs';
 
-  it('all stay as they were when the last cannot be written, or not be renamed', async (t) => {
+  it('stay as they were when the last cannot be written or renamed', async (t) => {
     refused(await survives(t, ALL, folder(t), faulty('ENOSPC', { FAULT_AT: '5' })), 'the disk is full');
     refused(await survives(t, ALL, folder(t), faulty('EPERM', { FAULT_AT: '5', FAULT_CALL: 'renameSync' })), 'the system does not allow it');
     refused(await survives(t, ALL, folder(t), faulty('EIO', { FAULT_AT: '5', FAULT_CALL: 'fsyncSync' })), 'the system says EIO');
   });
 
-  it('none is left of new ones either', async (t) => {
+  it('leave no new file behind', async (t) => {
     const [from, to] = [inputs(t), folder(t)];
     const [args] = WRITERS[ALL](from, to);
     refused(await run(args, faulty('EPERM', { FAULT_AT: '5', FAULT_CALL: 'renameSync' })), 'the system does not allow it');
     assert.deepEqual(readdirSync(to), []);
   });
 
-  it('all stay as they were when standard output cannot be written', { skip: !existsSync('/dev/full') && 'there is no /dev/full' }, async (t) => {
+  it('stay as they were when standard output cannot be written', { skip: !existsSync('/dev/full') && 'there is no /dev/full' }, async (t) => {
     const [from, to] = [inputs(t), folder(t)];
     writeFileSync(join(to, 'a.nc'), OLD);
     const full = openSync('/dev/full', 'w');
@@ -180,7 +180,7 @@ describe('outputs of one drawing', () => {
     closeSync(full);
   });
 
-  it('are written though whoever reads standard output stops', { skip: !POSIX && 'there is no shell' }, async (t) => {
+  it('are written even if the reader of standard output stops', { skip: !POSIX && 'there is no shell' }, async (t) => {
     const [from, to] = [inputs(t), folder(t)];
     const program = join(to, 'a.nc');
     const args = ['plan', join(from, 'a.dxf'), ...QUICK, '--json', '-', '--gcode', program];
@@ -191,13 +191,13 @@ describe('outputs of one drawing', () => {
   });
 });
 
-describe('an output takes the place of a file as it is', () => {
+describe('an output replaces a file and keeps its properties', () => {
   const gcode = async (t, to) => {
     const { code, stderr } = await run(['plan', join(inputs(t), 'a.dxf'), ...QUICK, '--gcode', to]);
     return { code, stderr };
   };
 
-  it('its permissions stay, and a new one has those of any new file', { skip: !POSIX && 'there are no modes' }, async (t) => {
+  it('keeps its permissions, and a new file gets the usual ones', { skip: !POSIX && 'there are no modes' }, async (t) => {
     const at = folder(t);
     writeFileSync(join(at, 'old.nc'), OLD);
     chmodSync(join(at, 'old.nc'), 0o604);
@@ -207,7 +207,7 @@ describe('an output takes the place of a file as it is', () => {
     assert.deepEqual([mode('old.nc'), mode('new.nc')], [0o604, mode('plain')]);
   });
 
-  it('its owner stays', { skip: !ROOT_USER && 'only root can give files away' }, async (t) => {
+  it('keeps its owner', { skip: !ROOT_USER && 'only root can give files away' }, async (t) => {
     const file = join(folder(t), 'a.nc');
     writeFileSync(file, OLD);
     chownSync(file, NOBODY, NOBODY);
@@ -215,7 +215,7 @@ describe('an output takes the place of a file as it is', () => {
     assert.deepEqual([statSync(file).uid, statSync(file).gid], [NOBODY, NOBODY]);
   });
 
-  it('one that is protected against writing is refused', { skip: !ROOT_USER && 'only root can run it as another user' }, async (t) => {
+  it('is refused if the file is read-only', { skip: !ROOT_USER && 'only root can run it as another user' }, async (t) => {
     const at = folder(t);
     const file = join(at, 'a.nc');
     chmodSync(at, 0o777);
@@ -226,7 +226,7 @@ describe('an output takes the place of a file as it is', () => {
     assert.equal(readFileSync(file, 'utf8'), OLD);
   });
 
-  it('a link stays a link, also one in a chain and one that leads to nothing yet', { skip: !POSIX && 'links need a right there' }, async (t) => {
+  it('keeps links, also chains of links and dangling ones', { skip: !POSIX && 'links need a right there' }, async (t) => {
     const at = folder(t);
     mkdirSync(join(at, 'real'));
     writeFileSync(join(at, 'real', 'old.nc'), OLD);
@@ -243,7 +243,7 @@ describe('an output takes the place of a file as it is', () => {
     assert.match((await gcode(t, join(at, 'circle'))).stderr, /circle cannot be written: its links lead in a circle\. No file was changed/);
   });
 
-  it('pipes and standard output by its path are written directly', { skip: process.platform !== 'linux' && 'Linux only' }, async (t) => {
+  it('writes directly to pipes and to the path of standard output', { skip: process.platform !== 'linux' && 'Linux only' }, async (t) => {
     const from = inputs(t);
     const pipe = join(from, 'pipe');
     execFileSync('mkfifo', [pipe]);
@@ -257,7 +257,7 @@ describe('an output takes the place of a file as it is', () => {
     assert.equal(code, 0);
     assert.match(stdout, /M5/);
     assert.ok(statSync('/dev/null').isCharacterDevice());
-    // Where it is a file, that is not replaced under whoever holds it open.
+    // If standard output is a file, it is not replaced, because the caller has it open.
     const caught = openSync(join(from, 'caught'), 'w');
     assert.equal((await run(['plan', join(from, 'a.dxf'), ...QUICK, '--gcode', '/dev/stdout'], { stdio: ['ignore', caught, 'pipe'] })).code, 0);
     closeSync(caught);
@@ -266,7 +266,7 @@ describe('an output takes the place of a file as it is', () => {
 });
 
 describe('--watch', () => {
-  it('keeps the old program on a full disk, says so, and writes when there is room', async (t) => {
+  it('keeps the old program on a full disk, reports it, and writes when there is room', async (t) => {
     const at = disk(t, 64);
     if (at === null) return t.skip('a small disk can be mounted by root on Linux only');
     const from = inputs(t);

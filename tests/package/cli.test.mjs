@@ -16,7 +16,7 @@ function file(t, name, content) {
 }
 
 describe('kerfway plan', () => {
-  it('writes every output it is asked for', async (t) => {
+  it('writes every requested output', async (t) => {
     const at = folder(t);
     const out = (kind) => join(at, `plan.${kind}`);
     const kinds = ['json', 'gcode', 'svg', 'dxf', 'png'];
@@ -31,7 +31,7 @@ describe('kerfway plan', () => {
     assert.match(readFileSync(out('dxf'), 'utf8'), /EOF\s*$/);
   });
 
-  it('writes to standard output for - and tells its summary on the other', async () => {
+  it('writes to standard output for -, and the summary to standard error', async () => {
     const { code, stdout, stderr } = await kerfway(...PLAN, '--json', '-');
     assert.equal(code, 0);
     const plan = JSON.parse(stdout);
@@ -44,7 +44,7 @@ describe('kerfway plan', () => {
     assert.equal(a.stdout, b.stdout);
   });
 
-  it('plans for a preset, a machine file, and with no return', async (t) => {
+  it('plans for a preset, a machine file, and without the return home', async (t) => {
     const { stdout } = await kerfway(...PLAN, '--machine', 'length', '--no-return', '--json', '-');
     const { machine, moves } = JSON.parse(stdout);
     assert.deepEqual([machine.name, machine.return_home], ['length', false]);
@@ -60,7 +60,7 @@ describe('kerfway plan', () => {
     }
   });
 
-  it('marks, cuts or leaves out a layer, also one with = in its name', async (t) => {
+  it('marks, cuts or ignores a layer, also one with = in its name', async (t) => {
     const drawing = file(t, 'layers.dxf', dxf(square(0, 0, 50), circle(20, 20, 5, 'a=b'), circle(80, 20, 5, 'text')));
     const layers = ['--layer', 'a=b=mark', '--layer', 'text=ignore'];
     const plan = JSON.parse((await kerfway('plan', drawing, '--moves', '9', ...layers, '--json', '-')).stdout);
@@ -68,7 +68,7 @@ describe('kerfway plan', () => {
     assert.equal(plan.summary.pierces, 1);
   });
 
-  it('takes the units it is told', async (t) => {
+  it('uses the given units', async (t) => {
     const drawing = file(t, 'inch.dxf', dxf(square(0, 0, 10)));
     const plan = JSON.parse((await kerfway('plan', drawing, '--units', 'in', '--moves', '9', '--json', '-')).stdout);
     assert.deepEqual([plan.input.units, plan.input.units_source], ['in', 'given']);
@@ -77,7 +77,7 @@ describe('kerfway plan', () => {
 });
 
 describe('kerfway inspect', () => {
-  it('tells units with their reason, layers, contours, parts, length, entities and findings', async (t) => {
+  it('reports units with their reason, layers, contours, parts, length, entities and findings', async (t) => {
     const drawing = file(t, 'plate.dxf', dxf(square(0, 0, 300), circle(50, 50, 10), [[0, 'TEXT'], [8, 'no'], [1, 'A4']]));
     const { code, stdout } = await kerfway('inspect', drawing, '--units', 'mm');
     assert.equal(code, 0);
@@ -107,7 +107,7 @@ describe('kerfway inspect', () => {
 });
 
 describe('kerfway methods', () => {
-  it('lists them, one a line, and then the parameters of those from papers', async () => {
+  it('lists the methods, one per line, and the parameters of those from papers', async () => {
     const { code, stdout } = await kerfway('methods');
     assert.equal(code, 0);
     const [methods, parameters] = stdout.trimEnd().split('\n\n').map((block) => block.split('\n'));
@@ -122,7 +122,7 @@ describe('kerfway methods', () => {
 const COMMANDS = ['plan', 'inspect', 'quote', 'methods', 'solve', 'completion'];
 
 describe('kerfway', () => {
-  it('tells its version and its options', async () => {
+  it('prints its version and its options', async () => {
     const { version } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'));
     assert.equal((await kerfway('--version')).stdout, `${version}\n`);
     const { code, stdout } = await kerfway('--help');
@@ -130,7 +130,7 @@ describe('kerfway', () => {
     for (const command of COMMANDS) assert.match(stdout, new RegExp(`^kerfway ${command}`, 'm'));
   });
 
-  it('tells the options of each command with examples that it understands', async () => {
+  it('prints the options of each command, with examples that it accepts', async () => {
     const { code, stdout } = await kerfway('help', 'plan');
     assert.deepEqual([code, stdout], [0, (await kerfway('plan', 'x.dxf', '--help')).stdout]);
     assert.match(stdout, /--no-return/);
@@ -173,7 +173,7 @@ describe('kerfway', () => {
   ];
   for (const [args, sentence] of wrong) {
     const words = args.map((a) => a.replace(ROOT, '')).join(' ');
-    it(`wrong usage ends with 2 and says why: ${words}`, async () => {
+    it(`wrong usage has exit code 2 and a reason: ${words}`, async () => {
       const { code, stdout, stderr } = await kerfway(...args);
       assert.deepEqual([code, stdout], [2, '']);
       assert.match(stderr, sentence);
@@ -188,7 +188,7 @@ describe('kerfway', () => {
     ['text', 'Dear Sir or Madam,\nplease cut this.\n', /DXF/],
   ];
   for (const [what, content, sentence] of unusable) {
-    it(`unusable input ends with 1 and one sentence: ${what}`, async (t) => {
+    it(`unusable input has exit code 1 and one sentence: ${what}`, async (t) => {
       const { code, stdout, stderr } = await kerfway('plan', file(t, 'input.dxf', Buffer.from(content, 'latin1')));
       assert.deepEqual([code, stdout], [1, '']);
       assert.match(stderr, sentence);
@@ -196,7 +196,7 @@ describe('kerfway', () => {
     });
   }
 
-  it('says why a file cannot be read or written', async (t) => {
+  it('reports why a file cannot be read or written', async (t) => {
     const at = folder(t);
     mkdirSync(join(at, 'sub'));
     for (const [args, sentence] of [

@@ -1,4 +1,4 @@
-// Contours that share cuts: the planner that knows them takes over where the machine makes pre-cuts.
+// Contours with common cuts, on machines with and without pre-cuts.
 
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
@@ -11,7 +11,7 @@ function row(count) {
   return new TextEncoder().encode(`0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n${shapes}0\nENDSEC\n0\nEOF\n`);
 }
 
-describe('contours that share cuts', () => {
+describe('contours with common cuts', () => {
   let planner, thick;
   before(async () => {
     planner = await createPlanner();
@@ -26,7 +26,7 @@ describe('contours that share cuts', () => {
     return { findings, reason, progress, document: JSON.parse(await planner.output('json')) };
   };
 
-  it('are pierced once where the machine makes pre-cuts, and a finding tells so', async () => {
+  it('are pierced once if the machine makes pre-cuts, and a finding reports it', async () => {
     await planner.load(row(3), 'row.dxf');
     const { findings, document, progress } = await planned();
     assert.equal(document.summary.pierces, 1);
@@ -37,7 +37,7 @@ describe('contours that share cuts', () => {
     assert.equal(progress.path.times.length, 2 * progress.path.contours.length);
   });
 
-  it('are cut by themselves on another machine, and when told so', async () => {
+  it('are cut separately on another machine, and with the option off', async () => {
     await planner.load(row(3), 'row.dxf');
     const thin = await planned({ machine: 'fibre-6kw-thick' });
     assert.equal(thin.document.summary.pierces, 3);
@@ -48,7 +48,7 @@ describe('contours that share cuts', () => {
     assert.equal((await planned()).document.summary.pierces, 1);
   });
 
-  it('a stop while the other planner is loaded ends the plan with a path', async () => {
+  it('end with a path when stopped at once', async () => {
     await planner.load(row(4), 'row.dxf');
     const run = planner.plan({ machine: thick, seed: 1, seconds: 60 });
     run.stop();
@@ -57,7 +57,7 @@ describe('contours that share cuts', () => {
     assert.ok(progress.path.contours.length > 0);
   });
 
-  it('the same plan with three workers as the moves say', async () => {
+  it('give the same plan with three workers and a budget in moves', async () => {
     await planner.load(row(4), 'row.dxf');
     const { document } = await planned({ workers: 3, moves: 60_000 });
     assert.equal(document.summary.pierces, 1);

@@ -1,4 +1,4 @@
-// The sheets of the bench `dewil`: the generator makes the files that are kept, with the paper's numbers of elements.
+// The sheets of the bench `dewil`: the generator reproduces the stored files, with the paper's numbers of elements.
 
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -7,18 +7,18 @@ import { contours, dxf, SHEETS } from '../../benches/dewil/sheets.mjs';
 
 const KEPT = new URL('../../benches/dewil/sheets/', import.meta.url);
 
-test('the generator makes the files that are kept, byte for byte', () => {
+test('the generator reproduces the stored files byte for byte', () => {
   assert.deepEqual(readdirSync(KEPT).sort(), SHEETS.map(([name]) => `${name}.dxf`).sort());
   for (const [name] of SHEETS) assert.equal(readFileSync(new URL(`${name}.dxf`, KEPT), 'utf8'), dxf(name), name);
 });
 
-test('every sheet has as many elements as the paper says', () => {
+test('every sheet has the number of elements of the paper', () => {
   for (const [name, , elements] of SHEETS) {
     assert.equal(contours(name).reduce((sum, c) => sum + c.length, 0), elements, name);
   }
 });
 
-test('sides coincide exactly in set 3 and nowhere else', () => {
+test('sides coincide exactly in set 3 only', () => {
   for (const [name, set] of SHEETS) {
     const sides = new Set();
     let shared = 0;

@@ -1,5 +1,5 @@
-// The drawings we write (samples of the page, outputs of plans) are valid R2000 or later DXF. What ezdxf says of them was recorded by
-// tests/oracle/audit.py.
+// The drawings that this project writes (samples of the page, outputs of plans) are valid DXF of version R2000 or later.
+// tests/oracle/audit.py has recorded what ezdxf reports about them.
 
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
@@ -18,7 +18,7 @@ const NOT_OURS = ['lumberjack-polaris.dxf'];
 const audit = JSON.parse(readFileSync(fixture('dxf-audit.json'), 'utf8'));
 
 describe('the structure of a DXF', () => {
-  it('has faults that are found: no sections, no markers, a handle twice, an owner or a layer that is missing', () => {
+  it('is refused without sections or markers, with a duplicate handle, or with a missing owner or layer', () => {
     assert.match(faults(new TextDecoder().decode(dxf(circle(0, 0, 1)))).join(), /no section/);
     const good = SAMPLES['layers.dxf'];
     assert.deepEqual(faults(good), []);
@@ -30,13 +30,13 @@ describe('the structure of a DXF', () => {
     assert.match(broken('\n2\nByBlock\n', '\n2\nOther\n'), /table LTYPE has no ByBlock/);
   });
 
-  it('of every sample that is ours is valid', () => {
+  it('is valid in every sample of our own', () => {
     const ours = files.filter((file) => !NOT_OURS.includes(file));
     assert.ok(ours.length >= 7);
     for (const file of ours) assert.deepEqual(faults(readFileSync(join(FOLDER, file), 'utf8')), [], file);
   });
 
-  it('of what is written of a plan is valid', async () => {
+  it('is valid in the DXF output of a plan', async () => {
     for (const file of ['gaps-and-copies.dxf', 'layers.dxf', 'parts-in-parts.dxf']) {
       const { outputs } = await plan(readFileSync(join(FOLDER, file)), { moves: 1000, seed: 1, outputs: ['dxf'] });
       assert.deepEqual(faults(outputs.dxf), [], file);
@@ -45,13 +45,13 @@ describe('the structure of a DXF', () => {
 });
 
 describe('the audit by ezdxf', () => {
-  it('was of these samples, and found nothing in them nor in what is written of plans', () => {
+  it('was made with these samples, and found no error in them or in outputs', () => {
     const sha256 = (file) => createHash('sha256').update(readFileSync(join(FOLDER, file))).digest('hex');
     assert.deepEqual(audit.samples, Object.fromEntries(files.sort().map((file) => [file, { sha256: sha256(file), findings: [] }])), 'python tests/oracle/audit.py');
     assert.deepEqual(Object.values(audit.plans).flat(), []);
   });
 
-  it('was of the samples that scripts/samples.mjs makes', () => {
+  it('was made with the samples that scripts/samples.mjs writes', () => {
     for (const [file, content] of Object.entries(SAMPLES)) assert.equal(readFileSync(join(FOLDER, file), 'utf8'), content, `${file}: node scripts/samples.mjs`);
   });
 });

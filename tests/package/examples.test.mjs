@@ -1,4 +1,4 @@
-// The examples for Node, run as their readers would: copied beside an installed package.
+// The examples for Node, run as a reader would run them: copied next to an installed package.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -16,7 +16,7 @@ before(() => {
 after(() => rmSync(at, { recursive: true, force: true }));
 
 describe('node-batch', () => {
-  it('plans a folder, writes a program for each drawing, and tells of those that are none', () => {
+  it('plans a folder, writes a program for each drawing, and reports unusable ones', () => {
     cpSync(join(ROOT, 'examples', 'node-batch', 'batch.mjs'), join(at, 'batch.mjs'));
     mkdirSync(join(at, 'drawings'));
     cpSync(fixture(KEYBOARD), join(at, 'drawings', 'keyboard.dxf'));
@@ -33,7 +33,7 @@ describe('node-batch', () => {
     assert.ok(length > bytes(KEYBOARD).length / 20);
   });
 
-  it('says how it is used', () => {
+  it('prints its usage', () => {
     const { status, stderr } = spawnSync(process.execPath, ['batch.mjs'], { cwd: at, encoding: 'utf8' });
     assert.equal(status, 2);
     assert.match(stderr, /node batch\.mjs drawings programs/);

@@ -1,4 +1,4 @@
-// Contours left out one by one, from the package and the command line.
+// Skipping single contours, in the package and on the command line.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -9,7 +9,7 @@ import { Ajv2020 } from 'ajv/dist/2020.js';
 import { createPlanner, inspect, quote } from 'kerfway';
 import { circle, dxf, folder, kerfway, square } from './support.mjs';
 
-/** A square with a hole, and a circle beside it. */
+/** A square with a hole, and a circle next to it. */
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10), circle(150, 50, 20));
 const BUDGET = { seed: 1, moves: 2000, units: 'mm' };
 
@@ -18,7 +18,7 @@ describe('exclude', () => {
   before(async () => (planner = await createPlanner()));
   after(() => planner.close());
 
-  it('leaves a contour out: the others keep their ids, its hole is a part', async () => {
+  it('skips a contour: the others keep their ids, and its hole is a part', async () => {
     const loaded = await planner.load(PLATE, 'plate.dxf', { units: 'mm', exclude: [0] });
     assert.deepEqual(loaded.contours.map((c) => [c.id, c.operation, c.inside]), [[0, 'ignore', null], [1, 'cut', null], [2, 'cut', null]]);
     assert.deepEqual(loaded.parts.map((p) => p.outer), [1, 2]);
@@ -26,7 +26,7 @@ describe('exclude', () => {
     assert.deepEqual(loaded.bounds.map(Math.round), [40, 30, 170, 70]);
     const found = loaded.findings.find((f) => f.code === 'contour-excluded');
     assert.deepEqual([found.message, found.count, found.severity], ['1 contour left out by choice.', 1, 'info']);
-    // Long enough for the bound to be begun.
+    // Long enough for the lower bound to be started.
     const { progress } = await planner.plan({ seed: 1, moves: 1_500_000 }).done;
     assert.deepEqual([...progress.path.contours].sort(), [1, 2]);
     assert.ok(progress.summary.gap !== null && progress.summary.gap < 1e-6, 'the bound holds for what is left');
@@ -37,7 +37,7 @@ describe('exclude', () => {
     assert.deepEqual([document.options.exclude, document.summary.contours], [[0], 2]);
   });
 
-  it('takes it back on reload, and refuses what is not there in a sentence', async () => {
+  it('is undone on reload, and refuses unknown ids with a sentence', async () => {
     await planner.load(PLATE, 'plate.dxf', { units: 'mm', exclude: [0] });
     const back = await planner.reload({ units: 'mm' });
     assert.deepEqual(back.contours.map((c) => [c.operation, c.inside]), [['cut', null], ['cut', 0], ['cut', null]]);

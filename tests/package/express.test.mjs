@@ -1,4 +1,4 @@
-// examples/express: many uploads at once, broken ones among them, people who hang up, and an orderly end.
+// examples/express: many simultaneous uploads, some of them broken, clients that disconnect, and an orderly shutdown.
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
@@ -9,7 +9,7 @@ import { quote } from 'kerfway';
 import { bytes, circle, dxf, KEYBOARD, line, ROOT, square } from './support.mjs';
 
 let server, url;
-/** In the server's process: knows the workers, and has them die when told. */
+/** Code in the server's process that records the workers and can end them. */
 const PRELOAD = `data:text/javascript,${encodeURIComponent(`
   const workers = new Set();
   process.on('worker', (worker) => {
@@ -20,7 +20,7 @@ const PRELOAD = `data:text/javascript,${encodeURIComponent(`
     Promise.all([...workers].map((worker) => worker.terminate())).then(() => console.log('the workers died'));
   });
 `)}`;
-/** The first worker, which names the machines, lives; those of the pool die as soon as they start. */
+/** The first worker, which lists the machines, survives; the workers of the pool die as soon as they start. */
 const DYING = `data:text/javascript,${encodeURIComponent(`
   let started = 0;
   process.on('worker', (worker) => started++ > 0 && worker.terminate());
@@ -48,7 +48,7 @@ const BROKEN = [
 ];
 
 describe('the upload server', () => {
-  it('answers two hundred uploads at once, each with its own, without growing', async () => {
+  it('answers two hundred simultaneous uploads, each with its own report, without using more memory', async () => {
     const wave = async (count) => {
       const uploads = Array.from({ length: count }, (_, k) => (k % 10 < 3 ? BROKEN[k % 10][0] : dxf(square(0, 0, 20 + k), circle(10, 10, 4))));
       const answers = await Promise.all(uploads.map((body, k) => send(body, `?name=${k}.dxf`)));
@@ -72,7 +72,7 @@ describe('the upload server', () => {
     assert.ok(later < megabytes + 60, `${megabytes} MB, then ${later} MB`);
   });
 
-  it('answers every upload, though its workers die in the middle', async () => {
+  it('answers every upload, even if its workers die', async () => {
     const died = once(server.stdout, 'data');
     // Long enough that a worker is at it when they die; the others wait or come after it.
     const long = send(bytes('sheets/sheet_2000.dxf'));
@@ -86,14 +86,14 @@ describe('the upload server', () => {
     assert.equal((await long).status, 200);
   });
 
-  it('says what the package says', async () => {
+  it('returns the sentence of the package', async () => {
     const told = await (await send(bytes(KEYBOARD), '?machine=diode-hobby&thickness=3&density=0.7')).json();
     const material = { thickness: 3, density: 0.7 };
     assert.deepEqual(told, await quote(bytes(KEYBOARD), { machine: 'diode-hobby', material, moves: 10_000, seed: 1 }));
     assert.ok(told.weight > 0);
   });
 
-  it('refuses a form instead of quoting its envelope as a drawing', async () => {
+  it('refuses a form, which is not a drawing', async () => {
     const form = new FormData();
     form.set('drawing', new Blob([dxf(square(0, 0, 30))]), 'plate.dxf');
     const multipart = await fetch(url, { method: 'POST', body: form });
@@ -104,7 +104,7 @@ describe('the upload server', () => {
     assert.equal((await send(envelope)).status, 415);
   });
 
-  it('takes the bytes of a drawing whatever type is named', async () => {
+  it('accepts the bytes of a drawing with any content type', async () => {
     for (const type of ['application/octet-stream', 'application/x-www-form-urlencoded', 'text/plain', 'application/dxf', 'application/json']) {
       const answer = await fetch(url, { method: 'POST', body: dxf(square(0, 0, 30)), headers: { 'content-type': type } });
       assert.equal(answer.status, 200, type);
@@ -112,7 +112,7 @@ describe('the upload server', () => {
     }
   });
 
-  it('names the field of the address that is wrong', async () => {
+  it('names the wrong field of the query', async () => {
     const wrong = {
       'thickness=3mm': /field thickness must be a number above 0 in mm/,
       'thickness=': /field thickness/,
@@ -132,7 +132,7 @@ describe('the upload server', () => {
     }
   });
 
-  it('says 422 of a drawing without anything to cut', async () => {
+  it('answers 422 to a drawing without anything to cut', async () => {
     for (const drawing of [dxf(), dxf(line(5, 5, 5, 5))]) {
       const answer = await send(drawing);
       assert.equal(answer.status, 422);
@@ -140,19 +140,19 @@ describe('the upload server', () => {
     }
   });
 
-  it('says 500 of a fault of its own, and nothing of its inside', async (t) => {
+  it('answers 500 to an internal error, without details', async (t) => {
     const { server: faulty, url: at } = await start(t, DYING);
     const answer = await fetch(at, { method: 'POST', body: dxf(square(0, 0, 30)) });
     assert.deepEqual([answer.status, await answer.json()], [500, { problem: 'The quote could not be made because of a fault of the server. Try again later.' }]);
     assert.equal(faulty.exitCode, null);
   });
 
-  it('names the limit that is passed', async () => {
+  it('names the limit that is exceeded', async () => {
     const large = await send(new Uint8Array(21 * 2 ** 20));
     assert.deepEqual([large.status, await large.json()], [413, { problem: 'The drawing is larger than 20mb.' }]);
   });
 
-  it('gives the places of those who hang up to the others', async () => {
+  it('frees the places of clients that disconnect', async () => {
     const control = new AbortController();
     const leaving = Array.from({ length: 200 }, () => fetch(url, { method: 'POST', body: bytes(KEYBOARD), signal: control.signal }).catch((e) => e.name));
     while ((await health()).waiting === 0) await new Promise((resolve) => setImmediate(resolve));

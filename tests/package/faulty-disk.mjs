@@ -1,5 +1,5 @@
-// Loaded before the command line (`node --import`), it has the disk fail at a chosen moment: `FAULT` is a code of an error or the
-// name of a signal, `FAULT_AT` which write of a file (from 1 on) it comes in the middle of, `FAULT_CALL` the call.
+// Loaded before the command line (`node --import`), this module makes the disk fail at a chosen moment. `FAULT` is an error code or
+// the name of a signal, `FAULT_AT` the number (from 1) of the write that it interrupts, `FAULT_CALL` the name of the call.
 
 import fs from 'node:fs';
 import { syncBuiltinESMExports } from 'node:module';

@@ -1,17 +1,17 @@
-// What the frame page takes for an origin and for a message. The bridge itself: tests/browser/frame.test.mjs.
+// What the frame page accepts as an origin and as a message. tests/browser/frame.test.mjs tests the bridge itself.
 
 import assert from 'node:assert/strict';
 import { it } from 'node:test';
 import { messageToFrame, originOf } from '../../dist/sdk/frame/messages.js';
 
-it('an origin is exactly one, of the web', () => {
+it('an origin is exactly one http or https origin', () => {
   for (const origin of ['https://shop.example', 'http://127.0.0.1:8080', 'https://xn--mnchen-3ya.example']) assert.equal(originOf(origin), origin);
   const none = [null, '', 'null', '*', 'shop.example', 'https://shop.example/', 'https://shop.example/a', 'https://SHOP.example',
     'https://a@shop.example', 'https://shop.example:443', 'javascript:alert(1)', 'file:///etc/passwd', 'data:text/html,x', 'https://a.example https://b.example'];
   for (const text of none) assert.equal(originOf(text), null, `${text}`);
 });
 
-it('a message is exactly one of those there are, and holds nothing else', () => {
+it('a message is exactly one of the known messages, without other fields', () => {
   const bytes = new ArrayBuffer(4);
   const marked = (message) => messageToFrame({ kerfway: 1, ...message });
   assert.deepEqual(marked({ type: 'stop', more: 1 }), { type: 'stop' });

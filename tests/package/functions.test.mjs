@@ -1,4 +1,4 @@
-// inspect, plan and render: promises, news, signals. The same in every host; here under Node.
+// inspect, plan and render in Node: promises, progress, signals. Browsers share this code.
 
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
@@ -10,19 +10,19 @@ const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
 const keyboard = () => bytes(KEYBOARD);
 
 describe('inspect', () => {
-  it('tells what a drawing holds', async () => {
+  it('describes a drawing', async () => {
     const loaded = await inspect(PLATE, { units: 'in', name: 'plate.dxf' });
     assert.equal(loaded.name, 'plate.dxf');
     assert.deepEqual(loaded.contours.map((c) => c.inside), [null, 0]);
     assert.equal(loaded.bounds[2], 2540);
   });
 
-  it('reads what a function gives', async () => {
+  it('reads the bytes that a function returns', async () => {
     assert.equal((await inspect(async () => PLATE)).contours.length, 2);
     await assert.rejects(inspect(() => Promise.reject(new Error('no such file'))), /no such file/);
   });
 
-  it('refuses what is no DXF, and names that are no option', async () => {
+  it('refuses other files, and unknown options', async () => {
     await assert.rejects(inspect(new Uint8Array(0)), /empty/);
     await assert.rejects(inspect(PLATE, { tolerence: 1 }), /inspect has no option "tolerence"\. Did you mean "tolerance"\?/);
     await assert.rejects(inspect(PLATE, { seconds: 1 }), /no option "seconds"/);
@@ -32,7 +32,7 @@ describe('inspect', () => {
 describe('plan', () => {
   const options = { units: 'mm', seed: 5, moves: 20_000, name: 'keyboard.dxf' };
 
-  it('comes to what a planner comes to, byte for byte', async () => {
+  it('gives the same bytes as a planner', async () => {
     const { outputs, summary, path, seed, loaded } = await plan(keyboard(), { ...options, outputs: ['json', 'gcode', 'png'] });
     const planner = await createPlanner();
     await planner.load(keyboard(), 'keyboard.dxf', { units: 'mm' });
@@ -46,7 +46,7 @@ describe('plan', () => {
     assert.deepEqual(JSON.parse(outputs.json).summary.total_time, summary.total_time);
   });
 
-  it('tells news to whoever listens, and to whoever loops', async () => {
+  it('reports progress to a callback and to a loop', async () => {
     const heard = [];
     const run = plan(keyboard(), { ...options, moves: 400_000, onProgress: (p) => heard.push(p.moves) });
     const looped = [];
@@ -58,7 +58,7 @@ describe('plan', () => {
     assert.ok(looped[0].path !== null);
   });
 
-  it('stops when the loop is left, and keeps the best', async () => {
+  it('stops when the loop is left, and keeps the best plan', async () => {
     const run = plan(keyboard(), { seed: 1, seconds: 60, outputs: ['gcode'] });
     for await (const { moves } of run) if (moves > 5_000) break;
     const { reason, outputs } = await run;
@@ -66,7 +66,7 @@ describe('plan', () => {
     assert.match(outputs.gcode, /^; Kerfway/);
   });
 
-  it('stops before it has begun, with a path all the same', async () => {
+  it('can be stopped before it has begun, and still has a path', async () => {
     const run = plan(keyboard(), { seed: 1, seconds: 60 });
     run.stop();
     const { reason, path, loaded } = await run;
@@ -74,7 +74,7 @@ describe('plan', () => {
     assert.equal(new Set(path.contours).size, loaded.contours.length);
   });
 
-  it('throws into the loop what it fails with', async () => {
+  it('throws its error into the loop', async () => {
     const control = new AbortController();
     const looping = async () => {
       for await (const _ of plan(keyboard(), { seconds: 60, signal: control.signal })) control.abort();
@@ -87,7 +87,7 @@ describe('plan', () => {
     await assert.rejects((async () => { for await (const _ of late); })(), { name: 'TimeoutError' });
   });
 
-  it('rejects with one sentence, and says which option there is not', async () => {
+  it('rejects with one sentence that names the unknown option', async () => {
     await assert.rejects(plan(new Uint8Array(0)), /empty/);
     await assert.rejects(plan(PLATE, { machine: 'plasma-9000' }), /no machine named plasma-9000/);
     await assert.rejects(plan(PLATE, { second: 5 }), /plan has no option "second"\. Did you mean "seconds"\?/);
@@ -95,7 +95,7 @@ describe('plan', () => {
 });
 
 describe('render', () => {
-  it('writes a plan later, as it would have been written at once', async () => {
+  it('writes a plan later with the same bytes as at once', async () => {
     const kinds = ['gcode', 'svg', 'dxf'];
     const planned = await plan(keyboard(), { machine: 'diode-hobby', units: 'mm', seed: 2, moves: 20_000, workers: 2, outputs: kinds });
     for (const kind of kinds) assert.equal(await render(keyboard(), structuredClone(planned), kind), planned.outputs[kind]);
@@ -109,7 +109,7 @@ describe('render', () => {
   });
 });
 
-it('everything is there by require, too', async () => {
+it('require gives all functions too', async () => {
   const required = createRequire(import.meta.url)('kerfway');
   assert.equal((await required.inspect(PLATE)).contours.length, 2);
 });

@@ -1,4 +1,4 @@
-// The plans of tests/golden, byte for byte, by wasm under Node. The same files are checked natively and in a browser.
+// The plans of tests/golden, byte for byte, by wasm in Node. The same files are compared natively and in a browser.
 
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';

@@ -1,4 +1,4 @@
-// The kerf's width: what is cut lies beside the outlines drawn, and what lies one kerf apart is cut once.
+// The kerf width: the beam is offset from the drawn outlines, and sides one kerf apart are cut once.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -12,7 +12,7 @@ import { circle, dxf, folder, kerfway, square } from './support.mjs';
 const schema = createRequire(import.meta.url).resolve('kerfway/plan.schema.json');
 const validate = new Ajv2020({ allErrors: true }).compile(JSON.parse(readFileSync(schema, 'utf8')));
 
-/** A plate of 40 with a hole of 8, and one beside it, one kerf apart. */
+/** A plate of 40 mm with a hole of 8 mm, and another plate one kerf from it. */
 const KERF = 0.4;
 const MM = { units: 'mm' };
 const drawing = () => dxf(square(0, 0, 40), circle(20, 20, 4), square(40 + KERF, 0, 40));
@@ -35,7 +35,7 @@ describe('the width of the kerf', () => {
     return { started, document: JSON.parse(await planner.output('json')) };
   };
 
-  it('changes what is cut, and back', async () => {
+  it('changes the contours, and removing it restores them', async () => {
     const loaded = await planner.load(drawing(), 'kerf.dxf', MM);
     const before = await planned(plain);
     assert.equal(before.started.beam, null);
@@ -43,7 +43,7 @@ describe('the width of the kerf', () => {
     assert.ok(before.document.contours.every((c) => c.drawn === undefined));
 
     const { started, document } = await planned(wide);
-    // Two squares of 40.4 with a side in common; the hole is smaller.
+    // Two squares of 40.4 mm with a common side, and a smaller hole.
     near(document.summary.cut_length, 7 * 40.4 + (8 - KERF) * Math.PI);
     assert.ok(validate(document), JSON.stringify(validate.errors, null, 1));
     assert.deepEqual(document.contours[1].drawn.from, [24, 20]);
@@ -64,7 +64,7 @@ describe('the width of the kerf', () => {
     assert.ok(Math.min(...words.filter((w) => w > 0)) === 9.8 && Math.max(...words) === 30.2, words.join(' '));
   });
 
-  it('is told of contours that keep their drawn line, with the place', async () => {
+  it('is not applied to some contours, and findings report them with their position', async () => {
     await planner.load(dxf(square(0, 0, 10), square(10.1, 0, 10)), 'near.dxf', MM);
     const { started } = await planned(wide);
     const kept = started.findings.filter((f) => f.code === 'kerf-not-applied');
@@ -72,7 +72,7 @@ describe('the width of the kerf', () => {
     assert.ok(kept.every((f) => Math.abs(f.at[0] - 10.05) < 1e-9 && f.message.includes('0.100 mm')), JSON.stringify(kept));
   });
 
-  it('a quote takes lengths from the beam and areas from the drawing', async () => {
+  it('gives a quote lengths of the beam and areas of the drawing', async () => {
     await planner.load(drawing(), 'kerf.dxf', MM);
     await planned(wide);
     const quote = await planner.quote({ thickness: 2, density: 7.85 });
@@ -83,13 +83,13 @@ describe('the width of the kerf', () => {
     near(Math.round(quote.narrowest_web.width * 10) / 10, 16);
   });
 
-  it('by three workers is what one with their path says', async () => {
+  it('gives the same plan with three workers as with one that starts from their path', async () => {
     await planner.load(drawing(), 'kerf.dxf', MM);
     const { document } = await planned(wide, { workers: 3, moves: 60_000 });
     near(document.summary.cut_length, 7 * 40.4 + (8 - KERF) * Math.PI);
   });
 
-  it('on the command line is that of the machine file', async (t) => {
+  it('is read from the machine file on the command line', async (t) => {
     const at = folder(t);
     writeFileSync(join(at, 'kerf.dxf'), drawing());
     writeFileSync(join(at, 'wide.json'), JSON.stringify({ schema: 'kerfway.machine/1', profile: wide }));

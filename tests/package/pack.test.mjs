@@ -1,4 +1,4 @@
-// What is published: the files, their entry points by import, require and type, and no more.
+// The published package: its files, and its entry points by import, require and types.
 
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
@@ -26,7 +26,7 @@ describe('the published package', () => {
 
   const run = (...args) => execFileSync(process.execPath, args, { cwd: at, encoding: 'utf8' });
 
-  it('holds what is listed and nothing else', () => {
+  it('contains the listed files and nothing else', () => {
     const files = packed.files.map((f) => f.path);
     for (const wanted of [
       'LICENSE', 'README.md', 'CHANGELOG.md', 'package.json', 'dist/sdk/index.js', 'dist/sdk/index.d.ts', 'dist/sdk/node.js', 'dist/sdk/node.cjs', 'dist/sdk/node.d.cts',
@@ -41,12 +41,12 @@ describe('the published package', () => {
     assert.ok(packed.size < PACKED_BUDGET * 1000, `${packed.size} bytes`);
   });
 
-  it('is in order by publint', async () => {
+  it('passes publint', async () => {
     const { messages } = await publint({ pkgDir: join(at, 'node_modules', 'kerfway'), strict: true, pack: false });
     assert.deepEqual(messages, []);
   });
 
-  it('has types that resolve wherever it is used, by @arethetypeswrong', async () => {
+  it('has types that resolve everywhere, according to @arethetypeswrong', async () => {
     const { problems, entrypoints } = await checkPackage(createPackageFromTarballData(readFileSync(join(at, packed.filename))));
     assert.ok(Object.values(entrypoints).every((e) => e.resolutions.bundler.resolution !== undefined || e.isWildcard));
     // Left out: the resolution of before 2020 (node10), which knows no `exports`, and require for what is meant for
@@ -55,7 +55,7 @@ describe('the published package', () => {
     assert.deepEqual(problems.filter(counts), []);
   });
 
-  it('is found by import, by require and as data', () => {
+  it('can be imported, required and read as data', () => {
     const script = `
       import { createRequire } from 'node:module';
       import { readFileSync } from 'node:fs';
@@ -75,7 +75,7 @@ describe('the published package', () => {
     assert.deepEqual(JSON.parse(run('use.mjs')), [true, 0, true, 'function', true]);
   });
 
-  it('is the same by import and by require, without a word of warning', () => {
+  it('is the same by import and by require, without a warning', () => {
     const script = `
       const kerfway = require('kerfway');
       const square = [[0, 0, 9, 0], [9, 0, 9, 9], [9, 9, 0, 9], [0, 9, 0, 0]];

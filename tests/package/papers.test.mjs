@@ -1,11 +1,11 @@
-// The methods of published papers, beside the planner in a wasm file of their own.
+// The methods of published papers, which are in the research build.
 
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
 import { createPlanner } from 'kerfway';
 import { bytes, kerfway, fixture, KEYBOARD } from './support.mjs';
 
-/** A number of moves in which every method has begun to improve and none takes long. */
+/** A number of moves after which every method has begun to improve and none takes long. */
 const MOVES = 200_000;
 
 describe('methods from papers', () => {
@@ -29,7 +29,7 @@ describe('methods from papers', () => {
     }
   });
 
-  it('each plan a sheet with holes, tell of themselves, and pass the check', async () => {
+  it('each plan a sheet with holes, report their state, and pass the plan checker', async () => {
     await planner.load(bytes('sheets/sheet_100.dxf'), 'sheet_100.dxf', { layers: [{ name: 'SHEET', operation: 'ignore' }] });
     for (const { name } of papers) {
       let insight;
@@ -43,7 +43,7 @@ describe('methods from papers', () => {
     }
   });
 
-  it('give the same plan for the same seed and another for another', async () => {
+  it('give the same plan for the same seed and another plan for another seed', async () => {
     await planner.load(bytes(KEYBOARD), 'keyboard.dxf');
     const made = async (options) => {
       await planner.plan({ method: 'dual-coding-ga', moves: 50_000, ...options }).done;
@@ -54,7 +54,7 @@ describe('methods from papers', () => {
     assert.notDeepEqual(a.moves, c.moves);
   });
 
-  it('take parameters, which the plan tells, and refuse others in a sentence', async () => {
+  it('take parameters, which the plan contains, and refuse unknown ones with a sentence', async () => {
     await planner.load(bytes(KEYBOARD), 'keyboard.dxf');
     await planner.plan({ method: 'rlsga', parameters: { population: 12 }, moves: 2000, seed: 1 }).done;
     assert.equal(JSON.parse(await planner.output('json')).parameters, '{"population":12}');
@@ -65,7 +65,7 @@ describe('methods from papers', () => {
     assert.match(await refused({ parameters: { population: 12 } }), /^Only methods from papers have parameters/);
   });
 
-  it('stop at once and keep their best', async () => {
+  it('stop at once and keep the best plan', async () => {
     await planner.load(bytes('sheets/sheet_500.dxf'), 'sheet_500.dxf');
     for (const { name } of papers) {
       const plan = planner.plan({ method: name, seconds: 60, seed: 1 });
@@ -77,7 +77,7 @@ describe('methods from papers', () => {
     }
   });
 
-  it('are chosen and set on the command line', async () => {
+  it('can be chosen and configured on the command line', async () => {
     const words = ['plan', fixture(KEYBOARD), '--method', 'lpspso', '--moves', '20000', '--seed', '3', '--json', '-'];
     const { code, stdout } = await kerfway(...words, '--set', 'particles=9', '--set', 'local_search=false');
     assert.equal(code, 0);

@@ -1,4 +1,4 @@
-// The package's API under Node: load, plan, steer, write out.
+// The class `Planner` in Node: load, plan, pause and stop, outputs.
 
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
@@ -13,11 +13,11 @@ after(() => planner.close());
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10), circle(150, 50, 5, 'MARK'));
 const PLATE_OPTIONS = { units: 'mm', layers: [{ name: 'MARK', operation: 'mark' }] };
 
-/** A search that would go on for a minute. */
+/** A search that would run for a minute. */
 const LONG = { seconds: 60, seed: 1 };
 
 describe('load', () => {
-  it('tells contours, parts, layers and units', async () => {
+  it('reports contours, parts, layers and units', async () => {
     const loaded = await planner.load(PLATE, 'plate.dxf', PLATE_OPTIONS);
     assert.equal(loaded.name, 'plate.dxf');
     assert.match(loaded.sha256, /^[0-9a-f]{64}$/);
@@ -32,14 +32,14 @@ describe('load', () => {
     assert.deepEqual(loaded.parts[0], { outer: 0, holes: [1], inside: null });
   });
 
-  it('hands geometry on as seven numbers an element', async () => {
+  it('returns geometry as seven numbers per element', async () => {
     const { geometry, contours } = await planner.load(PLATE, 'plate.dxf', PLATE_OPTIONS);
     assert.deepEqual([...geometry.offsets], [0, 4, 5, 6]);
     assert.equal(geometry.segments.length, 6 * 7);
     for (const { id, length } of contours) assert.ok(Math.abs(lengthOf(geometry, id) - length) < 1e-9);
   });
 
-  it('takes out a layer that is ignored and shows it all the same', async () => {
+  it('does not cut an ignored layer, but returns its geometry', async () => {
     await planner.load(PLATE, 'plate.dxf', PLATE_OPTIONS);
     const loaded = await planner.reload({ units: 'mm', layers: [{ name: 'MARK', operation: 'ignore' }] });
     assert.equal(loaded.contours.length, 2);
@@ -54,13 +54,13 @@ describe('load', () => {
     assert.ok(Math.abs(loaded.bounds[2] - 155 * 25.4) < 1e-9);
   });
 
-  it('leaves the bytes to their owner', async () => {
+  it('does not detach the bytes of the caller', async () => {
     const own = PLATE.slice();
     await planner.load(own, 'plate.dxf');
     assert.deepEqual(own, PLATE);
   });
 
-  it('refuses what is no DXF in one sentence and goes on with the next file', async () => {
+  it('refuses another kind of file with one sentence, and reads the next file', async () => {
     const png = Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a);
     await assert.rejects(planner.load(png, 'a.png'), /PNG/);
     await assert.rejects(planner.load(new TextEncoder().encode('AC1032\0\0'), 'a.dwg'), /DWG/);
@@ -68,12 +68,12 @@ describe('load', () => {
     assert.equal((await planner.load(PLATE, 'plate.dxf')).contours.length, 3);
   });
 
-  it('refuses options out of range and says the range', async () => {
+  it('refuses options out of range with the range', async () => {
     await assert.rejects(planner.load(PLATE, 'plate.dxf', { tolerance: -1 }), /"tolerance" is -1\. Give a number from 0\.000001 to 1 mm/);
     await assert.rejects(planner.load(PLATE, 'plate.dxf', { units: 'parsec' }), /The option "units" is "parsec"\. Choose one of: mm, /);
   });
 
-  it('knows when there is nothing to cut', async () => {
+  it('refuses a drawing with nothing to cut', async () => {
     await planner.load(PLATE, 'plate.dxf', {
       layers: [{ name: '0', operation: 'ignore' }, { name: 'MARK', operation: 'ignore' }],
     });
@@ -98,7 +98,7 @@ describe('plan', () => {
     assert.deepEqual(moves, moves.toSorted((a, b) => a - b));
   });
 
-  it('tells a path that visits every contour once and ends with the job', async () => {
+  it('reports a path that visits every contour once and ends with the job', async () => {
     const { progress } = await planner.plan({ moves: 10_000, seed: 1 }).done;
     const { path, summary } = progress;
     assert.deepEqual([...path.contours].sort((a, b) => a - b), Array.from({ length: summary.contours }, (_, k) => k));
@@ -108,7 +108,7 @@ describe('plan', () => {
     assert.ok(path.times.at(-1) <= summary.total_time);
   });
 
-  it('does exactly the moves of its budget, unless it is done before', async () => {
+  it('makes exactly the moves of its budget, unless it ends before', async () => {
     for (const moves of [1, 1_000, 123_457]) {
       const { progress, reason } = await planner.plan({ moves, seed: 2 }).done;
       if (reason === 'budget') assert.equal(progress.moves, moves);
@@ -116,7 +116,7 @@ describe('plan', () => {
     }
   });
 
-  it('stops at once when told, and keeps the best', async () => {
+  it('stops at once, and keeps the best plan', async () => {
     const plan = planner.plan(LONG);
     await plan.started;
     plan.stop();
@@ -126,28 +126,28 @@ describe('plan', () => {
     assert.match(await planner.output('gcode'), /^; Kerfway/);
   });
 
-  it('ends the plan under way when another begins', async () => {
+  it('ends the running plan when another begins', async () => {
     const first = planner.plan(LONG);
     const second = planner.plan({ moves: 100, seed: 1 });
     assert.ok(['stopped', 'exhausted'].includes((await first.done).reason));
     assert.ok(['budget', 'exhausted'].includes((await second.done).reason));
   });
 
-  it('refuses a machine or method that is not there', async () => {
+  it('refuses an unknown machine or method', async () => {
     await assert.rejects(planner.plan({ machine: 'plasma-9000' }).done, /no machine named plasma-9000.*co2-100w/);
     await assert.rejects(planner.plan({ method: 'luck' }).done, /no method named "luck"/);
     const slow = { ...planner.machines[0], cut: { ...planner.machines[0].cut, speed: 0 } };
     await assert.rejects(planner.plan({ machine: slow }).done, /"cut\.speed" is 0\. Give a number/);
   });
 
-  it('invents a seed and tells it', async () => {
+  it('draws a random seed and reports it', async () => {
     const seeds = [];
     for (let k = 0; k < 2; k++) seeds.push((await planner.plan({ moves: 10 }).done).seed);
     assert.ok(seeds.every((s) => Number.isInteger(s) && s >= 0 && s < 2 ** 32));
     assert.notEqual(seeds[0], seeds[1]);
   });
 
-  it('keeps to its seconds', async () => {
+  it('ends after its seconds', async () => {
     const { progress, reason } = await planner.plan({ seconds: 0.3, seed: 1 }).done;
     if (reason === 'budget') assert.ok(progress.seconds >= 0.3 && progress.seconds < 1, `${progress.seconds}`);
   });
@@ -199,13 +199,13 @@ describe('output', () => {
     assert.equal(JSON.parse(await planner.output('json')).schema, 'kerfway.plan/1');
   });
 
-  it('is a picture of the width asked for', async () => {
+  it('is a picture of the requested width', async () => {
     const png = await planner.output('png', 640);
     assert.deepEqual([...png.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
     assert.equal(new DataView(png.buffer, png.byteOffset).getUint32(16), 640);
   });
 
-  it('can be read again and has the same length', async () => {
+  it('can be read again with the same length', async () => {
     const before = JSON.parse(await planner.output('json')).summary.cut_length;
     const again = await createPlanner();
     const loaded = await again.load(new TextEncoder().encode(await planner.output('dxf')), 'again.dxf');

@@ -1,4 +1,4 @@
-// A pool of planners: turns, back-pressure, workers that die, signals, and memory that does not grow.
+// A pool of planners: the queue, back-pressure, workers that die, signals, and memory that does not grow.
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
@@ -37,15 +37,15 @@ function pooled(t, options) {
   return pool;
 }
 
-/** Resolves at the first news of a plan in which moves were done. */
+/** Resolves when a plan first reports that moves were made. */
 function underWay() {
   let resolve;
   const promise = new Promise((r) => (resolve = r));
   return { onProgress: (p) => p.moves > 0 && resolve(), promise };
 }
 
-describe('turns', () => {
-  it('all come, and everybody gets the plan of the own file', async (t) => {
+describe('calls of a pool', () => {
+  it('are all answered, each with the plan of its own file', async (t) => {
     const pool = pooled(t, { size: 2 });
     const sides = Array.from({ length: 12 }, (_, k) => 10 + k);
     const plans = sides.map((side) => pool.plan(dxf(square(0, 0, side)), SHORT));
@@ -55,7 +55,7 @@ describe('turns', () => {
     assert.equal(pool.waiting, 0);
   });
 
-  it('read no more files than are worked on', async (t) => {
+  it('read no more files at once than the pool has workers', async (t) => {
     const pool = pooled(t, { size: 2 });
     let [open, most] = [0, 0];
     const read = async () => {
@@ -68,7 +68,7 @@ describe('turns', () => {
     assert.ok(most <= 2, `${most} at once`);
   });
 
-  it('make room for as many as may wait, and hold back the next', async (t) => {
+  it('let as many wait as the queue allows, and make the next wait for room', async (t) => {
     const pool = pooled(t, { size: 1, queue: 2 });
     const jobs = [];
     for (let k = 0; k < 9; k++) {
@@ -80,7 +80,7 @@ describe('turns', () => {
     await Promise.all(jobs);
   });
 
-  it('go on after files that are none', async (t) => {
+  it('continue after unusable files', async (t) => {
     const pool = pooled(t, { size: 1 });
     const results = await Promise.allSettled([
       pool.plan(new Uint8Array(0), SHORT),
@@ -91,16 +91,16 @@ describe('turns', () => {
     assert.match(results[0].reason.message, /empty/);
   });
 
-  it('are told to be of a whole number', () => {
+  it('need a size and a queue that are whole numbers', () => {
     assert.throws(() => createPool({ size: 0 }), /The pool's size is 0\. Give a whole number from 1 on/);
     assert.throws(() => createPool({ size: 1, queue: 0.5 }), /queue is 0\.5/);
   });
 });
 
 describe('a worker that dies', () => {
-  it('loses nothing: its file is planned anew, to the same bytes', async (t) => {
+  it('loses nothing: its file is planned again, with the same bytes', async (t) => {
     const { pool, workers } = fragile(t, 2);
-    // News come four times a second at least: it has to be under way for longer.
+    // Progress is reported at least four times a second, so the plan has to run for longer than that.
     const options = { ...SHORT, moves: 12_000_000 };
     const { outputs } = await pool.plan(bytes(KEYBOARD), options);
     const news = underWay();
@@ -112,7 +112,7 @@ describe('a worker that dies', () => {
     assert.equal((await beside).summary.contours, 2);
   });
 
-  it('a second time at the same file: that file fails with a sentence, the next does not', async (t) => {
+  it('twice at the same file: that file fails with a sentence, and the next does not', async (t) => {
     const { pool, workers } = fragile(t, 1);
     const killing = () => {
       void workers.at(-1).terminate();
@@ -124,7 +124,7 @@ describe('a worker that dies', () => {
     assert.equal((await next).summary.contours, 2);
   });
 
-  it('while it waits for work: the next file gets a new one', async (t) => {
+  it('while idle: the next file gets a new worker', async (t) => {
     const { pool, workers } = fragile(t, 1);
     await pool.plan(PLATE, SHORT);
     await workers[0].terminate();
@@ -132,8 +132,8 @@ describe('a worker that dies', () => {
   });
 });
 
-// Seen on a busy machine: two workers died at once, the death of the idle one was told last, and the file of the other
-// was given to it, which used up both tries.
+// Seen on a busy machine: two workers died at once, the death of the idle one was reported last, and it got the file of the
+// other, which used up both tries.
 it('a file whose worker died does not go to an idle one that died with it', async (t) => {
   const planner = (name, work) => ({ name, replaced: null, close: () => {}, work });
   const answered = [];
@@ -141,7 +141,7 @@ it('a file whose worker died does not go to an idle one that died with it', asyn
   const opened = [...all];
   const pool = poolOf(async () => opened.shift(), 2);
   t.after(() => pool.close());
-  // A worker that is dead says so when it is asked, or when its death is told.
+  // The death of a worker is noticed when it gets a request, or when it is reported.
   const dead = new Set();
   let fall;
   const falls = new Promise((resolve) => (fall = resolve));
@@ -164,8 +164,8 @@ it('a file whose worker died does not go to an idle one that died with it', asyn
   assert.deepEqual(answered, [['second', 'short.dxf'], ['third', 'long.dxf']]);
 });
 
-describe('signals and the end', () => {
-  it('an aborted plan makes room for the next at once, one that waits leaves the queue', async (t) => {
+describe('signals and closing', () => {
+  it('an aborted plan makes room for the next at once, and an aborted call leaves the queue', async (t) => {
     const pool = pooled(t, { size: 1 });
     const [first, second] = [new AbortController(), new AbortController()];
     const news = underWay();
@@ -181,7 +181,7 @@ describe('signals and the end', () => {
     assert.equal((await last).summary.contours, 2);
   });
 
-  it('closing rejects what runs, what waits and what comes', async () => {
+  it('closing rejects running, waiting and later calls', async () => {
     const pool = createPool({ size: 1 });
     const news = underWay();
     const jobs = [pool.plan(bytes(KEYBOARD), { ...LONG, onProgress: news.onProgress }), pool.plan(PLATE, SHORT)];
@@ -199,6 +199,6 @@ it('a hundred files take no more memory than ten', async (t) => {
   const before = process.memoryUsage().rss;
   await run(100);
   const grown = (process.memoryUsage().rss - before) / 1e6;
-  // A planner of its own for each, not given back, would be some 300 MB.
+  // A planner for each file that is never released would take about 300 MB.
   assert.ok(grown < 60, `${grown.toFixed(0)} MB more`);
 });

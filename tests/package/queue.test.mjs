@@ -1,4 +1,4 @@
-// examples/queue: two hundred uploads, broken ones among them, several worker processes, one of them killed in the middle.
+// examples/queue: two hundred uploads, some of them broken, and several worker processes, one of which is killed.
 
 import assert from 'node:assert/strict';
 import { execFileSync, spawn, spawnSync } from 'node:child_process';
@@ -22,7 +22,7 @@ const BROKEN = [
 const GOOD = 140;
 const WORKERS = 3;
 
-/** The example as it is started by people, with the queue's own word on what happens in it. */
+/** The example, started as a person would start it, and the events of its queue. */
 async function started(t) {
   const drawings = folder(t);
   const env = { ...process.env, PORT: '0', WORKERS: String(WORKERS), DRAWINGS: drawings };
@@ -43,7 +43,7 @@ async function started(t) {
   await events.waitUntilReady();
   const seen = { completed: [], failed: [], stalled: [] };
   for (const type of Object.keys(seen)) events.on(type, ({ jobId }) => seen[type].push(jobId));
-  // Whoever asks leaves before the queue does.
+  // The client disconnects before the queue is closed.
   let ended = null;
   const end = () =>
     (ended ??= (async () => {
@@ -69,13 +69,13 @@ async function answer(url, id) {
   }
 }
 
-/** Megabytes each process of the example holds. */
+/** The memory of each process of the example, in megabytes. */
 function held(child) {
   const rows = execFileSync('ps', ['-A', '-o', 'pid=,ppid=,rss='], { encoding: 'utf8' }).trim().split('\n').map((r) => r.trim().split(/\s+/).map(Number));
   return rows.filter(([, parent]) => parent === child.pid).map(([, , kB]) => kB / 1e3);
 }
 
-/** Kills the worker that has this job, once it is another than the one before; who that was. */
+/** Kills the worker that has this job, once it is another one than before; returns its id. */
 async function killed(queue, id, before) {
   for (;;) {
     const job = await queue.getJob(id);
@@ -88,9 +88,9 @@ async function killed(queue, id, before) {
 }
 
 describe('the queue', { skip, timeout: 240_000 }, () => {
-  it('quotes every good one of two hundred uploads once and answers every bad one, though a worker is killed', async (t) => {
+  it('quotes every usable one of two hundred uploads once and answers the others, even if a worker is killed', async (t) => {
     const { child, url, queue, seen, drawings, said } = await started(t);
-    // Long enough to be caught at: the worker that has it is the one that dies.
+    // This drawing takes long, so that its worker can be killed during the work.
     const long = await send(url, bytes('sheets/sheet_2000.dxf'), 'long.dxf');
     const victim = await killed(queue, long);
 
@@ -119,7 +119,7 @@ describe('the queue', { skip, timeout: 240_000 }, () => {
     for (let k = 0; k < 100 && readdirSync(drawings).length > 0; k++) await wait(50);
     assert.deepEqual(readdirSync(drawings), []);
 
-    // The same again is no more work, and another wave takes no more memory.
+    // Repeated uploads cause no further work, and take no more memory.
     const before = held(child);
     assert.equal(await send(url, upload(7), '7.dxf'), ids.get(7));
     await Promise.all(order.map(async (k) => answer(url, await send(url, upload(k), `again-${k}.dxf`))));
@@ -129,7 +129,7 @@ describe('the queue', { skip, timeout: 240_000 }, () => {
     for (const [k, megabytes] of after.entries()) assert.ok(megabytes < before[k] + 60, `${before} MB, then ${after} MB`);
   });
 
-  it('gives a drawing up that two workers died of, with a sentence, and goes on', async (t) => {
+  it('gives up a drawing that killed two workers, with a sentence, and continues', async (t) => {
     const { url, queue } = await started(t);
     const deadly = await send(url, bytes('sheets/sheet_2000.dxf'), 'deadly.dxf');
     await killed(queue, deadly, await killed(queue, deadly));
@@ -137,7 +137,7 @@ describe('the queue', { skip, timeout: 240_000 }, () => {
     assert.equal((await answer(url, await send(url, dxf(square(0, 0, 30)), 'next.dxf'))).status, 200);
   });
 
-  it('says what the package says, and that it does not know what it is asked for', async (t) => {
+  it('returns the sentence of the package, and refuses unknown requests', async (t) => {
     const { end, url } = await started(t);
     const asked = await fetch(`${url}?name=keyboard.dxf&machine=diode-hobby&thickness=3&density=0.7`, { method: 'POST', body: bytes(KEYBOARD) });
     const { status, body } = await answer(url, (await asked.json()).id);

@@ -1,4 +1,4 @@
-// The figures of quotes against those reckoned by ezdxf and Shapely (tests/oracle/quotes.py), which share no code with us.
+// The figures of quotes against those computed by ezdxf and Shapely (tests/oracle/quotes.py), which share no code with this project.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -7,7 +7,7 @@ import { createPlanner } from 'kerfway';
 import { bytes, fixture } from './support.mjs';
 
 const EXPECTED = JSON.parse(readFileSync(fixture('quotes.json'), 'utf8'));
-/** Agreement asked for: of lengths and areas relative, of places relative to the size of the drawing. */
+/** Allowed differences: relative for lengths and areas, relative to the size of the drawing for positions. */
 const SHARE = 1e-3;
 
 /** Where the two may differ, and why. */

@@ -22,7 +22,7 @@ describe('quote', () => {
     return planner.quote(material);
   };
 
-  it('is valid by the published schema, with and without a material', async () => {
+  it('matches the published schema, with and without a material', async () => {
     for (const drawing of [bytes(KEYBOARD), bytes('dxf-dev/mozman_ezdxf__forms.dxf'), dxf(circle(0, 0, 5))]) {
       for (const material of [undefined, { name: 'Steel', thickness: 2, density: 7.85 }]) {
         const report = await quoted(drawing, material);
@@ -31,7 +31,7 @@ describe('quote', () => {
     }
   });
 
-  it('knows a square with a hole', async () => {
+  it('is right for a square with a hole', async () => {
     const { part_count, net_area, weight, smallest_hole } = await quoted(dxf(square(0, 0, 100), circle(50, 50, 10)), { thickness: 2, density: 8 });
     const area = 100 * 100 - Math.PI * 100;
     assert.equal(part_count, 1);
@@ -40,12 +40,12 @@ describe('quote', () => {
     assert.ok(Math.abs(smallest_hole.width - 20) < 0.03 && Math.abs(smallest_hole.over_thickness - 10) < 0.02);
   });
 
-  it('refuses a material that cannot be in a sentence', async () => {
+  it('refuses an impossible material with one sentence', async () => {
     await assert.rejects(quoted(bytes(KEYBOARD), { thickness: -1 }), /^RangeError: The material's field "thickness" is -1\. Give a number from 0\.001 to 1000 mm, or null: /);
     await assert.rejects(quoted(bytes(KEYBOARD), { colour: 'red' }), /^TypeError: The material has no field "colour"\. There are: name, thickness, density\./);
   });
 
-  it('is one call, alone or by a pool, to the same hash', async () => {
+  it('is one call, and has the same hash from a pool', async () => {
     const options = { moves: 500, seed: 1, material: { thickness: 2, density: 7.85 }, name: 'drawing.dxf' };
     const report = await quoted(bytes(KEYBOARD), options.material);
     assert.deepEqual(await quote(bytes(KEYBOARD), options), report);
@@ -55,7 +55,7 @@ describe('quote', () => {
     await assert.rejects(quote(bytes(KEYBOARD), { outputs: ['gcode'] }), /^TypeError: quote has no option "outputs"/);
   });
 
-  it('is told on the command line, with the same hash', async () => {
+  it('is printed on the command line, with the same hash', async () => {
     const words = ['quote', fixture(KEYBOARD), '--moves', '500', '--seed', '1', '--thickness', '1.5', '--density', '7.85'];
     const { code, stdout, stderr } = await kerfway(...words, '--json', '-');
     assert.equal(code, 0);

@@ -1,4 +1,4 @@
-// A worker that dies or hangs is replaced, and nothing that was reached is lost.
+// A worker that dies or hangs is replaced, and no result is lost.
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
@@ -11,7 +11,7 @@ import { bytes, KEYBOARD } from './support.mjs';
 const SDK = new URL('../../dist/sdk/', import.meta.url);
 const module = new WebAssembly.Module(await readFile(new URL('pkg/kerfway_bg.wasm', SDK)));
 
-/** A planner on real worker threads, `most` in all, that the test can kill or make deaf. */
+/** A planner on at most `most` real worker threads. The test can kill them, or drop their messages (`deaf`). */
 async function fragile(t, silenceLimits, most = Infinity) {
   const control = { workers: [], replaced: [], deaf: false };
   const start = (onMessage, onDeath) => {
@@ -32,7 +32,7 @@ async function fragile(t, silenceLimits, most = Infinity) {
   return control;
 }
 
-/** A plan that lasts, once it has told a path. */
+/** A long plan, once it has reported a path. */
 async function underWay(planner, options = {}) {
   let told;
   const first = new Promise((resolve) => (told = resolve));
@@ -56,7 +56,7 @@ describe('a worker that dies', () => {
     assert.equal(written.seed, 4);
   });
 
-  it('after a plan: the plan is there again, and can be gone on with', async (t) => {
+  it('after a plan: the plan is restored and can be continued', async (t) => {
     const control = await fragile(t);
     await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
     const { progress } = await control.planner.plan({ moves: 5_000, seed: 4 }).done;
@@ -67,7 +67,7 @@ describe('a worker that dies', () => {
     assert.equal(gone.seed, 4);
   });
 
-  it('while it reads: that file is refused, the drawing before comes back', async (t) => {
+  it('while it reads: that file is refused, and the drawing before is restored', async (t) => {
     const control = await fragile(t);
     const before = await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
     const reading = control.planner.load(bytes('dxf-dev/mozman_ezdxf__forms.dxf'), 'forms.dxf');
@@ -77,7 +77,7 @@ describe('a worker that dies', () => {
     assert.equal(sha256, before.sha256);
   });
 
-  it('again and again: each time a new one', async (t) => {
+  it('several times: a new one starts each time', async (t) => {
     const control = await fragile(t);
     await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
     for (let k = 0; k < 3; k++) {
@@ -100,7 +100,7 @@ describe('a worker that no longer answers', () => {
     assert.equal((await control.planner.reload({})).name, 'keyboard.dxf');
   });
 
-  it('is left alone while a plan is paused or nothing is asked of it', async (t) => {
+  it('is not replaced while a plan is paused or it has nothing to do', async (t) => {
     const control = await fragile(t, { searching: 0, working: 0 });
     await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
     await wait(1_500);
@@ -109,7 +109,7 @@ describe('a worker that no longer answers', () => {
 });
 
 describe('a worker that does not start', () => {
-  it('is told in one sentence', async () => {
+  it('is reported in one sentence', async () => {
     const start = (_, onDeath) => {
       setImmediate(() => onDeath('The planner broke down (its script did not load).'));
       return { post: () => {}, close: () => {} };
@@ -117,7 +117,7 @@ describe('a worker that does not start', () => {
     await assert.rejects(Planner.open({ module, start }), /^Error: The planner could not be started\./);
   });
 
-  it('in the place of one that died: whatever is asked is answered so, and the process goes on', async (t) => {
+  it('as the replacement of one that died: calls are rejected with the reason, and the process continues', async (t) => {
     const control = await fragile(t, undefined, 1);
     await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
     const plan = await underWay(control.planner);
@@ -130,7 +130,7 @@ describe('a worker that does not start', () => {
 });
 
 describe('close', () => {
-  it('ends what was under way and keeps nothing alive', async (t) => {
+  it('rejects running calls and keeps no process alive', async (t) => {
     const control = await fragile(t);
     await control.planner.load(bytes(KEYBOARD), 'keyboard.dxf');
     const reading = control.planner.reload({});

@@ -34,7 +34,7 @@ describe('plan JSON', () => {
     });
   }
 
-  it('is refused when a field is missing, unknown or of another kind', async () => {
+  it('is refused when a field is missing, unknown or of another type', async () => {
     await planner.load(DRAWINGS['one circle'], 'circle.dxf');
     await planner.plan({ moves: 1, seed: 1 }).done;
     const plan = JSON.parse(await planner.output('json'));

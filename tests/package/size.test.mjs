@@ -1,4 +1,4 @@
-// Files that are too large are refused before they are read: by their size, and streams at the limit.
+// Files that are too large are refused before they are read, and streams are read only up to the limit.
 
 import assert from 'node:assert/strict';
 import { execFileSync, spawn, spawnSync } from 'node:child_process';
@@ -16,7 +16,7 @@ const LARGE = 400 * 2 ** 20;
 const READ_NOTHING = 200_000;
 const READ_TO_LIMIT = 700_000;
 
-/** A file without content that takes no room on the disk. */
+/** A sparse file, which takes no room on the disk. */
 function sparse(at, name, size) {
   const path = join(at, name);
   const file = openSync(path, 'w');
@@ -35,7 +35,7 @@ function measured(args, options = {}) {
 }
 
 describe('a file of 400 MB', () => {
-  it('the limit is said, and is a limit', () => {
+  it('the sentence names the limit, and the limit itself is allowed', () => {
     assert.deepEqual([tooLarge(0), tooLarge(MAX_BYTES)], [null, null]);
     assert.match(tooLarge(MAX_BYTES + 1), /^The file has 257 MB; up to 256 MB can be read\./);
     assert.equal(tooLarge(LARGE), SENTENCE);
@@ -50,7 +50,7 @@ describe('a file of 400 MB', () => {
     });
   }
 
-  it('as a machine it is refused, too', (t) => {
+  it('is refused as a machine file too', (t) => {
     const at = folder(t);
     const { status, stderr, memory } = measured(['plan', 'x.dxf', '--machine', sparse(at, 'large.json', LARGE)]);
     assert.equal(status, 1);
@@ -58,10 +58,10 @@ describe('a file of 400 MB', () => {
     assert.ok(memory < READ_NOTHING, `${memory} kB`);
   });
 
-  it('a pipe is read to the limit and no further', { skip: process.platform === 'win32' && 'there are no named pipes' }, (t) => {
+  it('a pipe is read only up to the limit', { skip: process.platform === 'win32' && 'there are no named pipes' }, (t) => {
     const pipe = join(folder(t), 'pipe.dxf');
     execFileSync('mkfifo', [pipe]);
-    // Without an end: what is not refused never comes back.
+    // The stream never ends, so the test would hang if it were not refused.
     const zeros = spawn('/bin/sh', ['-c', 'exec cat /dev/zero > "$0"', pipe], { stdio: 'ignore' });
     t.after(() => zeros.kill('SIGKILL'));
     const { status, stderr, memory } = measured(['inspect', pipe], { timeout: 60_000 });
@@ -69,7 +69,7 @@ describe('a file of 400 MB', () => {
     assert.ok(memory < READ_TO_LIMIT, `${memory} kB`);
   });
 
-  it('a folder is still no file', (t) => {
+  it('a folder is not a file', (t) => {
     const at = join(folder(t), 'sub');
     mkdirSync(at);
     assert.match(measured(['inspect', at]).stderr, /sub cannot be read: that is a folder, not a file\./);

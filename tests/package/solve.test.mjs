@@ -1,4 +1,4 @@
-// kerfway solve: instances in, tours out.
+// The command `kerfway solve` on benchmark instances.
 
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { folder, kerfway } from './support.mjs';
 
-/** Five towns in a row of pairs, 10 apart: the shortest tour goes there and back. */
+/** Towns in two rows, 10 apart: the shortest tour goes along one row and back along the other. */
 const TOWNS = `NAME: row
 TYPE: TSP
 DIMENSION: 5
@@ -56,7 +56,7 @@ async function solved(path, ...options) {
 }
 
 describe('kerfway solve', () => {
-  it('finds and proves the shortest tour', async (t) => {
+  it('finds the shortest tour and proves it optimal', async (t) => {
     const found = await solved(instance(t, 'row.tsp', TOWNS), '--moves', '500000', '--seed', '1');
     assert.equal(found.length, 80);
     assert.equal(found.lower_bound, 80);
@@ -65,20 +65,20 @@ describe('kerfway solve', () => {
     assert.ok(found.moves <= 500_000 && found.seconds > 0);
   });
 
-  it('keeps the order of sets, and the start first', async (t) => {
+  it('respects the order of sets, and starts with the first', async (t) => {
     const found = await solved(instance(t, 'own.pcglns', ORDERED), '--moves', '100000', '--seed', '1');
     // 1 -> 3 -> 2 -> 1: 5 + 10 + 10; by node 4 it would be 20 + 30 + 10.
     assert.deepEqual([found.length, found.tour], [25, [1, 3, 2]]);
   });
 
-  it('gives the same tour for the same seed and moves, and tells its length', async (t) => {
+  it('gives the same tour and its length for the same seed and moves', async (t) => {
     const path = instance(t, 'row.tsp', TOWNS);
     const [a, b] = await Promise.all([solved(path, '--moves', '9000', '--seed', '4'), solved(path, '--moves', '9000', '--seed', '4')]);
     assert.deepEqual(a.tour, b.tour);
     assert.match((await kerfway('solve', path, '--moves', '1000')).stdout, /row\.tsp: length 80, 5 stops/);
   });
 
-  it('says in one sentence what is wrong with a file, and where', async (t) => {
+  it('refuses a faulty file with one sentence that names the place', async (t) => {
     const { code, stdout, stderr } = await kerfway('solve', instance(t, 'bad.tsp', TOWNS.replace('4 30 0', '4 x 0')));
     assert.deepEqual([code, stdout], [1, '']);
     assert.match(stderr, /^kerfway: .*bad\.tsp: Line 9: "x" is no number\.\n$/);

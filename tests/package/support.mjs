@@ -1,4 +1,4 @@
-// Helpers of the package tests: fixtures, the command line, folders that vanish.
+// Helpers of the package tests: fixtures, the command line, temporary folders.
 
 import { execFileSync, spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -29,7 +29,7 @@ export function kerfway(...args) {
   });
 }
 
-/** A folder for one test, gone after it. */
+/** A folder for one test, which is removed after it. */
 export function folder(t) {
   const path = mkdtempSync(join(tmpdir(), 'kerfway-'));
   t.after(() => rmSync(path, { recursive: true, force: true }));
@@ -53,13 +53,13 @@ export const square = (x, y, side, layer = '0') => [
   ...line(x, y + side, x, y, layer),
 ];
 
-/** Packs the package into a folder, as it would be published; what npm says of the tarball. */
+/** Packs the package into a folder, as it would be published; returns npm's description of the tarball. */
 export function pack(at) {
   const options = { cwd: ROOT, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] };
   return JSON.parse(execFileSync('npm', ['pack', '--json', '--pack-destination', at], options))[0];
 }
 
-/** Makes the folder a project and installs a tarball in it, as anybody would, without the network. */
+/** Makes the folder a project and installs a tarball in it, as a user would, without the network. */
 export function install(at, tarball) {
   writeFileSync(join(at, 'package.json'), '{ "type": "module", "private": true }');
   execFileSync('npm', ['install', '--offline', '--no-audit', '--no-fund', `./${tarball}`], { cwd: at, stdio: ['ignore', 'ignore', 'ignore'] });

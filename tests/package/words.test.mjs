@@ -1,4 +1,4 @@
-// What the page says stands in www/app/core/words, so that another language is another file there.
+// All texts of the page are in www/app/core/words, so that another language is another file there.
 
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -21,7 +21,7 @@ function literals(text) {
 /** Names of keys and of things of the browser, classes (so all in small letters), selectors, style: nobody reads them. */
 const NOT_READ = /^(button, |…px |Arrow|Ctrl\+|Shift\+|Enter$|Escape$|Home$|End$|Files$|Kerfway$|AC10|R1[234]$|R20|[a-z-]+( [a-z-]+)*$|.*[{}[\]#>=;(]|\d|[a-z]+\/[a-z])/;
 
-it('no source of the page holds words that people read', () => {
+it('texts of the page are in the word files only', () => {
   const found = sources.flatMap((file) =>
     literals(readFileSync(file, 'utf8'))
       // Two words, or one that begins like a sentence or a label.
@@ -30,7 +30,7 @@ it('no source of the page holds words that people read', () => {
   assert.deepEqual(found, []);
 });
 
-it('every word there is used', () => {
+it('every entry of the word files is used', () => {
   const all = sources.map((file) => readFileSync(file, 'utf8')).join('\n');
   const en = readFileSync(join(APP, 'core', 'words', 'en.ts'), 'utf8');
   const sections = [...en.matchAll(/^ {2}(\w+): \{([\s\S]*?)^ {2}\},$|^ {2}(\w+): \{(.*)\},$/gm)];
