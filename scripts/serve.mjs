@@ -1,5 +1,5 @@
-// A small static server for the built page: right types, nothing cached, nothing outside its folder, and the
-// Content-Security-Policy of www/policy.json on everything, workers too.
+// A small static server for the built page. It sends the right types and nothing from outside its folder, and the Content-Security-Policy of
+// www/policy.json with every file, workers included. Browsers ask for each file again, but get its bytes again only after it has changed.
 
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -20,10 +20,10 @@ const TYPES = {
 };
 
 /**
- * Serves `folder` on this machine only; `port` 0 takes a free one; `more` changes directives of the policy. Resolves to
- * `{ url, close }`.
+ * Serves `folder` on this machine only. `port` 0 takes a free port, `more` changes directives of the policy, `onSent` is called with each
+ * file whose bytes are sent. Resolves to `{ url, close }`.
  */
-export function serve(folder, port = 0, more = {}) {
+export function serve(folder, port = 0, more = {}, onSent = () => {}) {
   const policy = policyWith(more);
   const server = createServer((request, response) => {
     const file = fileFor(folder, request.url ?? '/');
@@ -31,8 +31,16 @@ export function serve(folder, port = 0, more = {}) {
       response.writeHead(404, { 'content-type': 'text/plain' }).end('Not found\n');
       return;
     }
+    const { size, mtimeMs } = statSync(file);
+    const etag = `"${size.toString(36)}-${mtimeMs.toString(36)}"`;
+    const headers = { etag, 'cache-control': 'no-cache', 'content-security-policy': policy };
+    if (request.headers['if-none-match'] === etag) {
+      response.writeHead(304, headers).end();
+      return;
+    }
     const type = TYPES[extname(file).toLowerCase()] ?? 'application/octet-stream';
-    response.writeHead(200, { 'content-type': type, 'cache-control': 'no-store', 'content-security-policy': policy });
+    response.writeHead(200, { ...headers, 'content-type': type, 'content-length': size });
+    onSent(file);
     createReadStream(file).pipe(response);
   });
   return new Promise((resolve, reject) => {
