@@ -75,23 +75,25 @@ describe('the frame page', () => {
 
   it('stops when its host says so', async (t) => {
     const { page } = await hosted(t);
-    const reason = await page.evaluate(async ({ file, options }) => {
+    await page.evaluate(({ file, options }) => {
       window.frame.setOptions(options);
-      const result = window.frame.open(window.bytes(file), 'long.dxf');
-      while (!window.heard.some(([type]) => type === 'progress')) await new Promise((r) => setTimeout(r, 20));
-      window.frame.stop();
-      return (await result).reason;
+      window.result = window.frame.open(window.bytes(file), 'long.dxf');
     }, { file: LONG_FILE, options: LONG });
+    await page.waitForFunction(() => window.heard.some(([type]) => type === 'progress'));
+    const reason = await page.evaluate(async () => {
+      window.frame.stop();
+      return (await window.result).reason;
+    });
     assert.ok(['stopped', 'exhausted'].includes(reason));
   });
 });
 
-/** Everything a host could say, said without the helper, and what the frame would do. */
+/** Every message that a host can send, sent without the helper. */
 const HOSTILE = `
   window.raw = [];
   window.addEventListener('message', ({ data }) => window.raw.push(data));
   const bytes = new TextEncoder().encode('0\\nSECTION\\n2\\nENTITIES\\n0\\nCIRCLE\\n10\\n5\\n20\\n5\\n40\\n4\\n0\\nENDSEC\\n0\\nEOF\\n').buffer;
-  window.attack = async (mark, bad) => {
+  window.attack = (mark, bad) => {
     const { contentWindow } = document.querySelector('iframe');
     const good = [
       { type: 'hello' }, { type: 'options', options: { seconds: 1, units: 'in' } }, { type: 'open', id: 1, bytes, name: 'evil.dxf' },
@@ -99,8 +101,24 @@ const HOSTILE = `
     ];
     const messages = bad ?? good;
     for (const message of messages) contentWindow.postMessage(mark ? { kerfway: 1, ...message } : message, '*');
-    await new Promise((r) => setTimeout(r, 500));
+    return messages.length;
   };`;
+
+/** Counts the messages that the frame receives from now on. */
+const countMessages = (inside) => inside.evaluate(() => {
+  window.received = 0;
+  window.addEventListener('message', () => (window.received += 1));
+});
+
+/** Waits until the frame has handled that many messages. */
+const handled = (inside, count) => inside.waitForFunction((n) => window.received >= n, count);
+
+/** What the frame has sent to its host so far: everything before a message that is sent now. */
+async function answers(page, inside) {
+  await inside.evaluate(() => window.parent.postMessage('end', '*'));
+  await page.waitForFunction(() => window.raw.at(-1) === 'end');
+  return page.evaluate(() => window.raw.slice(0, -1).map(({ type }) => type));
+}
 
 describe('a hostile host', () => {
   it('of another origin than the stated one changes nothing and hears nothing', async (t) => {
@@ -108,10 +126,11 @@ describe('a hostile host', () => {
       const { page, inside } = await hosted(t, { speaksFor, script: HOSTILE });
       await planner(inside);
       const options = await inside.evaluate(() => JSON.stringify(document.querySelector('kerfway-planner').options));
-      await page.evaluate(() => window.attack(true));
+      await countMessages(inside);
+      await handled(inside, await page.evaluate(() => window.attack(true)));
       assert.equal(await state(inside), 'empty', `${speaksFor}`);
       assert.equal(await inside.evaluate(() => JSON.stringify(document.querySelector('kerfway-planner').options)), options);
-      assert.deepEqual(await page.evaluate(() => window.raw), [], `${speaksFor}`);
+      assert.deepEqual(await answers(page, inside), [], `${speaksFor}`);
       await page.context().close();
     }
   });
@@ -119,31 +138,34 @@ describe('a hostile host', () => {
   it('of the stated origin changes nothing by messages that are none', async (t) => {
     const { page, inside } = await hosted(t, { script: HOSTILE });
     await page.waitForFunction(() => window.raw.length > 0);
-    await page.evaluate(async () => {
+    await countMessages(inside);
+    const sent = await page.evaluate(() => {
       const bytes = new ArrayBuffer(8);
-      await window.attack(true, [
+      const marked = window.attack(true, [
         { type: 'open', bytes, name: 'a.dxf' }, { type: 'open', id: 1, bytes: 'text', name: 'a.dxf' }, { type: 'open', id: 1, bytes, name: { toString: 1 } },
         { type: 'open', id: 1, bytes, name: '' }, { type: 'open', id: 1, bytes, name: 'x'.repeat(256) }, { type: 'options', options: [] },
         { type: 'options', options: null }, { type: 'options', options: { onLoaded: 1, signal: 'x', outputs: ['png'], name: 'x' } },
         { type: 'render', id: 1, kind: 'json', width: null }, { type: 'render', id: 1, kind: 'svg', width: -1 },
         { type: 'constructor' }, { type: '__proto__' }, {}, { kerfway: 2, type: 'stop' },
       ]);
-      await window.attack(false, [null, 1, 'text', [], { type: 'open', id: 1, bytes, name: 'a.dxf' }]);
+      return marked + window.attack(false, [null, 1, 'text', [], { type: 'open', id: 1, bytes, name: 'a.dxf' }]);
     });
+    await handled(inside, sent);
     assert.equal(await state(inside), 'empty');
     assert.deepEqual(await inside.evaluate(() => document.querySelector('kerfway-planner').options), {});
-    assert.deepEqual(await page.evaluate(() => window.raw.map(({ type }) => type)), ['ready']);
+    assert.deepEqual(await answers(page, inside), ['ready']);
   });
 
   it('beside the frame, of the stated origin but not its parent, is not heard', async (t) => {
     const { page, inside } = await hosted(t);
     await page.waitForFunction(() => window.heard.length > 0);
+    await countMessages(inside);
     const [other] = await Promise.all([page.waitForEvent('popup'), page.evaluate(() => void window.open('index.js'))]);
-    await other.evaluate(async (plate) => {
+    await other.evaluate((plate) => {
       const bytes = Uint8Array.from(atob(plate), (c) => c.charCodeAt(0)).buffer;
       window.opener.frames[0].postMessage({ kerfway: 1, type: 'open', id: 1, bytes, name: 'a.dxf' }, '*');
-      await new Promise((r) => setTimeout(r, 300));
     }, PLATE);
+    await handled(inside, 1);
     assert.equal(await state(inside), 'empty');
   });
 });
@@ -153,8 +175,9 @@ it('the host hears only its frame', async (t) => {
   await page.waitForFunction(() => window.heard.length > 0);
   const before = await page.evaluate(() => window.heard.length);
   await page.evaluate(async () => {
+    const received = new Promise((resolve) => window.addEventListener('message', resolve, { once: true }));
     window.postMessage({ kerfway: 1, type: 'result', result: { forged: true } }, '*');
-    await new Promise((r) => setTimeout(r, 200));
+    await received;
   });
   assert.equal(await page.evaluate(() => window.heard.length), before);
 });

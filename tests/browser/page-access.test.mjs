@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { openPage, phase, serious, shot, SIZES } from './page-support.mjs';
+import { changedFrom, openPage, phase, serious, shot, SIZES, still } from './page-support.mjs';
 
 test('everything can be done by keyboard', async (t) => {
   const { page } = await openPage(t);
@@ -153,22 +153,18 @@ test('two fingers zoom the sheet, one moves it', async (t) => {
   await phase(page, 'planning');
   await page.getByRole('button', { name: 'Stop' }).tap();
   await phase(page, 'done');
-  await page.waitForTimeout(1500);
-  const look = () => page.locator('#canvas').screenshot();
   const fingers = await page.context().newCDPSession(page);
   const touch = (type, ...points) => fingers.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
-  const fitted = await look();
+  const fitted = await still(page);
   await touch('touchStart', [180, 350], [210, 350]);
   for (let i = 1; i <= 8; i += 1) await touch('touchMove', [180 - 10 * i, 350], [210 + 10 * i, 350]);
   await touch('touchEnd');
-  await page.waitForTimeout(800);
-  const near = await look();
-  assert.notDeepEqual(near, fitted);
+  await changedFrom(page, fitted);
+  const near = await still(page);
   await touch('touchStart', [200, 300]);
   for (let i = 1; i <= 8; i += 1) await touch('touchMove', [200, 300 + 10 * i]);
   await touch('touchEnd');
-  await page.waitForTimeout(800);
-  assert.notDeepEqual(await look(), near);
+  await changedFrom(page, near);
 });
 
 test('the theme follows the system, can be switched and is kept', async (t) => {

@@ -26,9 +26,9 @@ test('files dropped together are planned one after the other; each can be opened
   assert.deepEqual(await serious(page), []);
 
   const saved = [];
-  page.on('download', (d) => saved.push(d));
+  const all = new Promise((resolve) => page.on('download', (d) => saved.push(d) === 3 && resolve()));
   await page.getByRole('button', { name: 'G-code of all files' }).click();
-  while (saved.length < 3) await page.waitForTimeout(20);
+  await all;
   assert.deepEqual(saved.map((d) => d.suggestedFilename()).sort(), ['one.nc', 'three.nc', 'two.nc']);
   const programs = await Promise.all(saved.map(async (d) => [d.suggestedFilename(), readFileSync(await d.path(), 'utf8')]));
   for (const [name, program] of programs) assert.match(program, /M4/, name);

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { download, drop, openPage, phase, shot, SIZES } from './page-support.mjs';
+import { download, drop, openPage, phase, shot, SIZES, still } from './page-support.mjs';
 
 const SHEET = readFileSync(new URL('../fixtures/plate/one-kerf-apart.dxf', import.meta.url));
 const HASH = 'machine=fibre-6kw-plate&seconds=1&seed=1';
@@ -33,7 +33,7 @@ async function setKerf(page, width) {
   await phase(page, 'done');
 }
 
-test('a kerf width set in the machine changes what is cut, is told, and can be undone', async (t) => {
+test('a kerf width set in the machine changes what is cut, is reported, and can be undone', async (t) => {
   const page = await opened(t);
   const drawn = await planned(page);
   const legend = page.getByText('cut once for two parts');
@@ -68,12 +68,12 @@ for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone'
     await shot(page, `kerf-${size}-${theme}-panel`);
     if (size === 'phone') await page.evaluate(() => document.body.classList.remove('sheet-open'));
     await page.keyboard.press('f');
-    await page.waitForTimeout(400);
+    await still(page);
     await shot(page, `kerf-${size}-${theme}`);
     // Shown near: the corner of a part, its outline beneath the beam.
     await page.evaluate(() => document.body.classList.add('sheet-open'));
     await page.getByRole('button', { name: 'Parts one kerf apart' }).click();
-    await page.waitForTimeout(800);
+    await still(page);
     await shot(page, `kerf-${size}-${theme}-near`);
     assert.ok(await page.getByText('cut once for two parts').isVisible());
   });

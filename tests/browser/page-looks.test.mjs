@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { drop, dropAll, grid, openPage, phase, planned, sample, serious, shot, SIZES } from './page-support.mjs';
+import { drop, dropAll, grid, openPage, phase, planned, sample, serious, shot, SIZES, still } from './page-support.mjs';
 
 for (const [name, size] of Object.entries(SIZES)) {
   for (const theme of ['light', 'dark']) {
@@ -41,7 +41,7 @@ for (const [name, size] of Object.entries(SIZES)) {
         slider.value = 5000;
         slider.dispatchEvent(new Event('input', { bubbles: true }));
       });
-      await page.waitForTimeout(400);
+      await still(page);
       await keep('playback');
       await page.keyboard.press('c');
       await page.keyboard.press('t');
@@ -60,7 +60,7 @@ for (const [name, size] of Object.entries(SIZES)) {
         await page.waitForFunction((n) => document.querySelectorAll('.pins').length === n, pins);
         await phase(page, 'done');
       }
-      await page.waitForTimeout(400);
+      await still(page);
       await keep('contour');
       await panel('Drawing');
       await keep('pins');
@@ -71,12 +71,12 @@ for (const [name, size] of Object.entries(SIZES)) {
       await planned(page, 'careless.dxf', 'done');
       await panel('Drawing', 'Tolerances');
       await page.locator('.tolerance-field input[type=number]').first().fill('0.01');
-      await page.waitForFunction(() => document.querySelector('.outlook').textContent.includes('joints'));
-      await page.locator('.outlook').scrollIntoViewIfNeeded();
+      await page.waitForFunction(() => document.querySelector('.comparison').textContent.includes('joints'));
+      await page.locator('.comparison').scrollIntoViewIfNeeded();
       await keep('preview');
       await clean('preview');
       await sheet();
-      await page.waitForTimeout(400);
+      await still(page);
       await keep('preview-sheet');
       await panel('Machine', 'Advanced settings', 'Your machines');
       await keep('machine');

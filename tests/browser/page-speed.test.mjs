@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { download, drop, grid, openPage, phase, planned, roam, tasksOf, watchFrames } from './page-support.mjs';
+import { download, drop, grid, nextFrames, openPage, phase, planned, roam, tasksOf, watchFrames } from './page-support.mjs';
 
 /** Milliseconds: a frame longer than this is seen as a jerk. */
 const FRAME = 50;
@@ -21,7 +21,7 @@ test('10,000 contours pan and zoom while planning without a frame over 50 ms', a
 
   const tasks = await tasksOf(page, async () => {
     await roam(page);
-    await page.waitForTimeout(500);
+    await nextFrames(page, 30);
   });
   assert.equal(await page.evaluate(() => document.body.dataset.phase), 'planning');
 
@@ -38,6 +38,7 @@ test('10,000 contours pan and zoom while planning without a frame over 50 ms', a
 test('nothing is fetched after the page has loaded', async (t) => {
   const { page, requests, url } = await openPage(t);
   await phase(page, 'planning');
+  await page.evaluate(() => navigator.serviceWorker.ready);
   await page.waitForLoadState('networkidle');
   assert.ok(requests.every((r) => r.startsWith(url)), 'everything comes from the page’s own folder');
   requests.length = 0;

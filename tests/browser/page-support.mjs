@@ -1,4 +1,4 @@
-// Helpers of the page's tests: the built page in Chromium, files dropped on it, drawings made up, G-code read back.
+// Helpers of the page's tests: the built page in Chromium, dropping files on it, making drawings, reading G-code back.
 
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
@@ -11,14 +11,18 @@ import { findBrowser } from '../../scripts/setup.mjs';
 
 const ROOT = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 
-/** Milliseconds anything may take on a busy machine before a test gives up on it. */
+/** Milliseconds that anything may take on a busy machine before a test gives up. */
 const PATIENCE = 60_000;
 
 export const SIZES = { desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } };
 
-/** Opens the built page; everything is closed when the test ends. Errors on the page fail the test, unless `broken`. */
+/**
+ * Opens the built page, and closes everything when the test ends. Errors on the page fail the test, unless `broken`. `sent` lists the files whose
+ * bytes the server has sent, to the page or to its service worker.
+ */
 export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch = false, hash = '', prepare, broken = false } = {}) {
-  const server = await serve(join(ROOT, 'dist', 'app'));
+  const sent = [];
+  const server = await serve(join(ROOT, 'dist', 'app'), 0, {}, (file) => sent.push(file));
   const browser = await chromium.launch({
     executablePath: browserPath(),
     args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
@@ -31,7 +35,7 @@ export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch
   page.on('request', (request) => requests.push(request.url()));
   page.on('pageerror', (error) => errors.push(String(error)));
   page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
-  // The browser first: a page that is still filling its cache must not find the server gone.
+  // The browser is closed first, because a page that still fills its cache needs the server.
   t.after(async () => {
     await browser.close();
     await server.close();
@@ -39,7 +43,7 @@ export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch
   });
   if (prepare) await page.addInitScript(prepare);
   await page.goto(`${server.url}${hash && `#${hash}`}`);
-  return { page, requests, url: server.url };
+  return { page, requests, sent, url: server.url };
 }
 
 /** Where the browser is: playwright wants a path, not a name. */
@@ -55,7 +59,7 @@ export function phase(page, ...names) {
   return page.waitForFunction((wanted) => wanted.includes(document.body.dataset.phase), names);
 }
 
-/** Drops a file on the page, as a hand would. */
+/** Drops a file on the page. */
 export function drop(page, name, bytes) {
   return dropAll(page, [[name, bytes]]);
 }
@@ -74,25 +78,70 @@ export async function dropAll(page, files) {
   );
 }
 
-/** What axe finds that is serious or worse, in all of the page or in one element. */
+/** The serious and critical violations that axe finds on the page or in one element. */
 export async function serious(page, within = 'html') {
   await page.evaluate(readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8'));
   const found = await page.evaluate(async (within) => (await window.axe.run(within)).violations.map((v) => ({ id: v.id, impact: v.impact, at: v.nodes.map((n) => n.target.join(' ')) })), within);
   return found.filter((v) => v.impact === 'serious' || v.impact === 'critical');
 }
 
-/** Keeps what is seen in target/shots, for people to look at. */
+/** Saves a screenshot in target/shots, for people to look at. */
 export async function shot(page, name) {
   await page.screenshot({ path: join(ROOT, 'target', 'shots', `${name}.png`) });
 }
 
-/** Waits until the page shows a drawing of that name that is planned or has been. */
+const canvasShot = (page) => page.locator('#canvas').screenshot();
+
+/** How often the picture must be the same in a row to count as still. */
+const STILL = 3;
+
+/** Waits until the sheet does not change any more; returns its picture. */
+export async function still(page) {
+  let last = await canvasShot(page);
+  for (let same = 1; same < STILL; ) {
+    const next = await canvasShot(page);
+    same = next.equals(last) ? same + 1 : 1;
+    last = next;
+  }
+  return last;
+}
+
+/** Waits until the sheet looks different from a picture. */
+export async function changedFrom(page, picture) {
+  const end = Date.now() + PATIENCE;
+  while ((await canvasShot(page)).equals(picture)) assert.ok(Date.now() < end, 'the sheet changes');
+}
+
+/** Waits until the text of an element has stayed the same for so many frames of the page. */
+export function steady(page, selector, frames = 40) {
+  return page.evaluate(([selector, frames]) => new Promise((resolve) => {
+    let [text, same] = [null, 0];
+    const look = () => {
+      const now = document.querySelector(selector).textContent;
+      same = now === text ? same + 1 : 0;
+      text = now;
+      if (same >= frames) resolve(text);
+      else requestAnimationFrame(look);
+    };
+    look();
+  }), [selector, frames]);
+}
+
+/** Waits for so many frames of the page. */
+export function nextFrames(page, count) {
+  return page.evaluate((count) => new Promise((resolve) => {
+    const next = (left) => (left > 0 ? requestAnimationFrame(() => next(left - 1)) : resolve());
+    next(count);
+  }), count);
+}
+
+/** Waits until the page shows a drawing of that name that is being planned or is done. */
 export async function planned(page, name, ...phases) {
   await page.waitForFunction((n) => document.querySelector('.file-name').textContent === n, name);
   await phase(page, ...(phases.length > 0 ? phases : ['planning', 'done']));
 }
 
-/** What the page writes when a button is pressed. */
+/** The file that the page downloads when a button is pressed. */
 export async function download(page, press) {
   const [file] = await Promise.all([page.waitForEvent('download'), press()]);
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
@@ -155,7 +204,7 @@ function arcLength(from, to, center, ccw) {
   return Math.hypot(from.x - center.x, from.y - center.y) * (turn <= 1e-9 ? turn + 2 * Math.PI : turn);
 }
 
-/** Runs in the page: keeps the time between frames. */
+/** Runs in the page: records the time between frames. */
 export const watchFrames = () => {
   window.frames = [];
   let before = 0;
@@ -174,12 +223,12 @@ export async function tasksOf(page, act) {
   await act();
   const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
   const main = new Set(traceEvents.filter((e) => e.name === 'thread_name' && e.args.name === 'CrRendererMain').map((e) => `${e.pid} ${e.tid}`));
-  // The scheduler tells of each task twice, under two names.
+  // The scheduler reports each task twice, under two names.
   const tasks = traceEvents.filter((e) => e.ph === 'X' && e.name === 'ThreadControllerImpl::RunTask' && e.tdur !== undefined && main.has(`${e.pid} ${e.tid}`));
   return tasks.map((e) => e.tdur / 1000).sort((a, b) => b - a);
 }
 
-/** Pans, zooms and points, as a hand would. */
+/** Pans, zooms and moves the pointer, as a person would. */
 export async function roam(page) {
   await page.mouse.move(500, 450);
   await page.mouse.down();
@@ -187,7 +236,7 @@ export async function roam(page) {
   await page.mouse.up();
   for (let i = 0; i < 12; i += 1) {
     await page.mouse.wheel(0, i < 6 ? -240 : 240);
-    await page.waitForTimeout(60);
+    await nextFrames(page, 4);
   }
   for (let i = 0; i < 20; i += 1) await page.mouse.move(300 + 20 * i, 400);
 }

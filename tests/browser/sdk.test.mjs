@@ -85,9 +85,11 @@ describe('the package without a bundler', () => {
       const planner = await createPlanner();
       await planner.load(Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)), 'a.dxf');
       const told = [];
-      const plan = planner.plan({ seconds: 60, seed: 3 }, (p) => told.push(p.summary.total_time));
+      let first;
+      const reported = new Promise((resolve) => (first = resolve));
+      const plan = planner.plan({ seconds: 60, seed: 3 }, (p) => first(told.push(p.summary.total_time)));
       await plan.started;
-      await new Promise((done) => setTimeout(done, 300));
+      await reported;
       const asked = performance.now();
       plan.stop();
       const { progress } = await plan.done;
