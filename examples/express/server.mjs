@@ -7,7 +7,7 @@
 // 422 the drawing cannot be used; 500 an error of the server; 503 too many requests wait. All but 200 give the reason in `problem`.
 
 import express from 'express';
-import { createPlanner, createPool } from 'kerfway';
+import { activeContours, createPlanner, createPool } from 'kerfway';
 import { isForm, quoteOptions, OptionError } from './request.mjs';
 
 /** The number of drawings that may wait. More are refused, because a late answer is useless. */
@@ -77,7 +77,7 @@ function refuseForms(request, response, next) {
 async function whyUnusable(drawing, signal) {
   try {
     const { contours } = await pool.inspect(drawing, { signal });
-    return contours.some((c) => c.operation !== 'ignore') ? null : 'There is nothing to cut in this drawing.';
+    return activeContours({ contours }).length > 0 ? null : 'There is nothing to cut in this drawing.';
   } catch (error) {
     // The drawing is the cause if the planner can still read another one.
     return pool.inspect(PROBE, { signal }).then(() => error.message, () => null);

@@ -1,13 +1,18 @@
 /**
- * The page: puts the session (what is worked on), the stage (what is seen), the playback (when) and the panels (what
- * can be said and done) together. Data flows one way: the session and the playback tell, the rest shows.
+ * The start of the page. The session holds the job, the stage draws it, the playback shows it over time, the panels show and change it, and the
+ * controllers connect them. Data flows one way: actions change the store of the session, and everything else shows its state.
  */
 
 import './styles/tokens.css';
 import './styles/base.css';
 import './styles/layout.css';
 import './styles/controls.css';
-import './styles/panels.css';
+import './styles/menus.css';
+import './styles/section.css';
+import './styles/drawing.css';
+import './styles/result.css';
+import './styles/dock.css';
+import './styles/table.css';
 import './styles/stage.css';
 import { keepForOffline } from './offline/register.js';
 import { startPage } from './page.js';

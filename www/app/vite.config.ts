@@ -5,8 +5,8 @@ import policy from '../policy.json' with { type: 'json' };
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 /**
- * What the built page may load and where it may speak to: its own folder, nothing else. Set at build, because the
- * development server needs more; stated in the page itself, because any folder can serve it.
+ * What the built page may load, and where it may connect to: its own folder and nothing else. It is added by the build, because the development
+ * server needs more, and it is in the page itself, because any web server can serve the folder.
  */
 const POLICY = Object.entries(policy).map(([what, from]) => `${what} ${from}`).join('; ');
 
@@ -16,7 +16,7 @@ const contentSecurityPolicy: Plugin = {
   transformIndexHtml: () => [{ tag: 'meta', attrs: { 'http-equiv': 'Content-Security-Policy', content: POLICY }, injectTo: 'head-prepend' }],
 };
 
-// The page uses the built package as an embedder would; any folder can serve the result.
+// The page uses the built package as any other site would; any web server can serve the result.
 export default defineConfig({
   root: at('.'),
   base: './',

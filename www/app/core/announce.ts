@@ -1,6 +1,5 @@
 /**
- * Polite live announcements: the newest sentence, at most one every two seconds, so that a planning run does not talk
- * over the person.
+ * Polite announcements for screen readers: the newest sentence, at most one every two seconds, so that a search does not talk all the time.
  */
 
 /** Milliseconds between two announcements. */
@@ -13,7 +12,7 @@ export class Announcer {
 
   constructor(private readonly region: HTMLElement) {}
 
-  /** Says the sentence now, or when two seconds have passed since the last; a newer one takes its place. */
+  /** Announces a sentence now, or when two seconds have passed since the last one. A newer sentence replaces one that waits. */
   say(sentence: string): void {
     this.waiting = sentence;
     if (this.timer) return;

@@ -1,8 +1,8 @@
-/** Colours of `styles/tokens.css` as a canvas takes them: those of the theme in force. */
+/** The colours of `styles/tokens.css` in a form that a canvas accepts, for the current theme. */
 
 let probe: HTMLElement | null = null;
 
-/** The colour a custom property stands for now, e.g. `accent`. */
+/** The current colour of a custom property, for example `accent`. */
 export function colorOf(name: string): string {
   if (!probe) {
     probe = document.createElement('span');

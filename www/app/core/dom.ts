@@ -1,6 +1,6 @@
 /**
- * Building the page from code: elements, text and inline icons. Text always goes in as text nodes, so nothing from a
- * drawing (layer names, file names, messages) can become markup.
+ * Builds the page from code: elements, text and inline icons. Text is always added as text nodes, so that nothing from a drawing (names of
+ * layers and files, messages) can become markup.
  */
 
 import { ICONS, type IconName } from './icons.js';
@@ -8,7 +8,7 @@ import { ICONS, type IconName } from './icons.js';
 type Child = Node | string | null | undefined | false;
 type Props = Record<string, unknown>;
 
-/** An element with properties: `class`, `on...` listeners, attributes; `true` sets a bare one, `false` none, except aria's. */
+/** An element with its class, `on...` listeners and attributes. `true` sets an attribute without a value, `false` sets none; ARIA attributes get the word. */
 export function h<K extends keyof HTMLElementTagNameMap>(tag: K, props: Props = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(props)) {
@@ -23,7 +23,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(tag: K, props: Props = 
   return element;
 }
 
-/** An icon of 16 units square, drawn in the colour of the text around it, hidden from screen readers. */
+/** An icon on a square of 16 units, in the colour of the text around it, hidden from screen readers. */
 export function icon(name: IconName): SVGSVGElement {
   const space = 'http://www.w3.org/2000/svg';
   const svg = document.createElementNS(space, 'svg');
@@ -36,14 +36,14 @@ export function icon(name: IconName): SVGSVGElement {
   return svg;
 }
 
-/** A button with an icon, a label, or both; with an icon alone the label is for screen readers and the tooltip. */
+/** A button with an icon, a label, or both. With `iconOnly` the label is the tooltip and the name for screen readers. */
 export function button(label: string, props: Props & { icon?: IconName; iconOnly?: boolean } = {}): HTMLButtonElement {
   const { icon: name, iconOnly, ...rest } = props;
   const extra = iconOnly ? { 'aria-label': label, title: label } : {};
   return h('button', { type: 'button', ...extra, ...rest }, name ? icon(name) : null, iconOnly ? null : h('span', {}, label));
 }
 
-/** Sets the text of an element if it differs, so that screen readers and layout are left alone when it does not. */
+/** Sets the text of an element if it differs, so that screen readers and the layout do not notice when it does not. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }

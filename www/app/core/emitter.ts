@@ -1,8 +1,8 @@
-/** Typed events: `on` returns the way to stop listening. */
+/** Typed events. */
 export class Emitter<Events extends Record<string, unknown>> {
   private readonly listeners = new Map<keyof Events, Set<(value: never) => void>>();
 
-  /** Calls `listener` at each event of this name. */
+  /** Calls `listener` with every event of this name. Returns a function that ends that. */
   on<K extends keyof Events>(name: K, listener: (value: Events[K]) => void): () => void {
     let set = this.listeners.get(name);
     if (!set) this.listeners.set(name, (set = new Set()));

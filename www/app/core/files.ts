@@ -1,6 +1,6 @@
-/** Files in and out: choosing, dropping anywhere on the page, saving. */
+/** Choosing files, dropping them anywhere on the page, and saving them. */
 
-/** Opens the file dialog for one kind of file; calls back with what is chosen, one file at least. */
+/** Opens the file dialog for one kind of file, and calls `onFiles` when at least one file is chosen. */
 export function choose(onFiles: (files: File[]) => void, { accept = '.dxf,.DXF', multiple = false } = {}): void {
   const input = document.createElement('input');
   Object.assign(input, { type: 'file', accept, multiple });
@@ -11,7 +11,7 @@ export function choose(onFiles: (files: File[]) => void, { accept = '.dxf,.DXF',
   input.click();
 }
 
-/** Takes files dropped anywhere on the page; `hovering` tells whether one is being held over it. */
+/** Accepts files that are dropped anywhere on the page. `hovering` is told whether files are being dragged over it. */
 export function acceptDrops(onFiles: (files: File[]) => void, hovering: (over: boolean) => void): void {
   let depth = 0;
   const holdsFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
@@ -41,13 +41,13 @@ export function acceptDrops(onFiles: (files: File[]) => void, hovering: (over: b
   });
 }
 
-/** Hands data to the browser's downloads. */
+/** Downloads data as a file. */
 export function save(data: string | Uint8Array, name: string, type: string): void {
   const url = URL.createObjectURL(new Blob([data as BlobPart], { type }));
   const link = document.createElement('a');
   link.href = url;
   link.download = name;
   link.click();
-  // The browser has taken the data once the click is handled; a minute is generous for slow disks.
+  // The browser reads the data when it handles the click; a minute is enough even for slow disks.
   setTimeout(() => URL.revokeObjectURL(url), 60_000);
 }

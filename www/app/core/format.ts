@@ -1,4 +1,4 @@
-/** Numbers for people: seconds, lengths, counts. Never more than three significant digits where more would lie. */
+/** Numbers for people: seconds, lengths, counts. Measured values have three significant digits, as more would suggest an accuracy they do not have. */
 
 import { words } from './words/index.js';
 
@@ -39,7 +39,7 @@ export function narrow(s: number): string {
   return `${Math.floor(minutes / 60)} h ${String(minutes % 60).padStart(2, '0')}`;
 }
 
-/** A place on the job's clock: "1:23.4", "1:02:03". */
+/** A time within the job: "1:23.4", "1:02:03". */
 export function clock(s: number): string {
   const t = Math.max(0, s);
   if (t >= 3600) {
@@ -51,7 +51,7 @@ export function clock(s: number): string {
   return `${Math.floor(tenths / 600)}:${String(Math.floor(tenths / 10) % 60).padStart(2, '0')}.${tenths % 10}`;
 }
 
-/** A length in mm as metres: "2.76 m"; from 10 km on in those. */
+/** A length in mm as metres: "2.76 m"; from 10 km on as kilometres. */
 export function metres(mm: number): string {
   if (mm >= 1e7) return `${three(mm / 1e6)} km`;
   return `${three(mm / 1000)} m`;
@@ -62,7 +62,7 @@ export function millimetres(mm: number): string {
   return mm >= 10_000 ? metres(mm) : `${three(mm)} mm`;
 }
 
-/** A measure of the sheet, to a tenth: "1000", "297.5". */
+/** A length on the sheet, to a tenth: "1000", "297.5". */
 export function size(mm: number): string {
   if (Math.abs(mm) < 1) return three(mm);
   return String(Math.round(mm * 10) / 10);
@@ -74,12 +74,12 @@ export function extent(width: number, height: number): string {
   return `${size(width)} × ${size(height)} mm`;
 }
 
-/** A share, "12.3 %". */
+/** A share: "12.3 %". */
 export function percent(ratio: number): string {
   return `${three(ratio * 100)} %`;
 }
 
-/** Large counts in short: 950, "12.3 thousand", "4.5 million". */
+/** Large counts in a short form: 950, "12.3 thousand", "4.5 million". */
 export function short(n: number): string {
   if (n < 10_000) return count(n);
   if (n < 1e6) return words.numbers.thousand(three(n / 1e3));

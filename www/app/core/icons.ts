@@ -1,4 +1,4 @@
-/** Inline icons: one path each on a 16 unit square, stroked 1.5 units wide in the current colour. */
+/** The icons: each is one path on a square of 16 units, stroked 1.5 units wide in the current colour. */
 export const ICONS = {
   open: 'M2 12.5v-9h4l1.5 2H14v7z',
   sun: 'M8 5.2a2.8 2.8 0 1 0 0 5.6 2.8 2.8 0 0 0 0-5.6zM8 1v1.5M8 13.5V15M1 8h1.5M13.5 8H15M3 3l1 1M12 12l1 1M13 3l-1 1M4 12l-1 1',

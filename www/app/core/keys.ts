@@ -1,16 +1,16 @@
-/** Keys. They act while no form control has the focus, so typing a number never plays the cut. */
+/** Keyboard shortcuts. They act only while no form control has the focus, so typing a number never plays the cut. */
 
 export type Bindings = Record<string, (event: KeyboardEvent) => void>;
 
-/** Calls the binding of a key: by its name, with `Ctrl+` before it (the command key of a Mac, too), and
- * `Shift+` for arrows and commands. */
+/** Calls the binding of a key. Its name begins with `Ctrl+` where the control key (or the command key of a Mac) is held, and for arrows and
+ * commands with `Shift+` after that. */
 export function bindKeys(bindings: Bindings): void {
   addEventListener('keydown', (event) => {
     if (event.altKey || event.defaultPrevented) return;
     const command = event.ctrlKey || event.metaKey;
     const target = event.target as HTMLElement;
     if (target.closest('input, select, textarea, [contenteditable], dialog, [popover]')) return;
-    // Space and Enter press the button or open the disclosure that has the focus.
+    // Space and Enter act on the button or the disclosure that has the focus.
     if ((event.key === ' ' || event.key === 'Enter') && target.closest('button, summary, a')) return;
     if (event.key.startsWith('Arrow') && target.closest('.order-scroll') && /Up|Down/.test(event.key)) return;
     const arrow = event.key.startsWith('Arrow');

@@ -1,16 +1,16 @@
 /**
- * Menus and small panels that open under a button: native popovers, so Escape, a click elsewhere and the top layer
- * come from the browser.
+ * Menus and small panels that open below a button. They are native popovers, so the browser handles Escape, a click elsewhere and the top
+ * layer.
  */
 
 import { h } from './dom.js';
 
-/** Pixels kept between a popover and the edge of the window. */
+/** Pixels between a popover and the edge of the window. */
 const EDGE = 8;
 
 let made = 0;
 
-/** Makes `content` open under `opener`; `fill` runs before each opening. Returns the popover, to be put in the page. */
+/** Opens `content` below `opener`. `fill` runs before it opens. Returns the popover, which the caller adds to the page. */
 export function popover(opener: HTMLButtonElement, label: string, content: HTMLElement, fill?: () => void): HTMLElement {
   made += 1;
   const panel = h('div', { id: `popover-${made}`, class: 'popover', popover: 'auto', role: 'group', 'aria-label': label }, content);
@@ -41,13 +41,13 @@ export function popover(opener: HTMLButtonElement, label: string, content: HTMLE
   return panel;
 }
 
-/** One line of a menu: a title, and what it is about. */
+/** One entry of a menu: a title, and a description. */
 export function menuItem(title: string, about: string | null, chosen: boolean, onChoose: () => void): HTMLButtonElement {
   const item = h('button', { type: 'button', class: 'menu-item', 'aria-current': chosen ? 'true' : undefined },
     h('span', { class: 'menu-title' }, title), about ? h('span', { class: 'soft' }, about) : null);
   item.addEventListener('click', (event) => {
     item.closest<HTMLElement>('[popover]')?.hidePopover();
-    // The keyboard goes on from the opener; after a click, keys belong to the stage again.
+    // After a choice by keyboard the focus returns to the opener; after a click the keys act on the stage again.
     if (event.detail > 0 && document.activeElement instanceof HTMLElement) document.activeElement.blur();
     onChoose();
   });

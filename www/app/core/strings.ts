@@ -1,4 +1,4 @@
-/** Sentences made of a state, and what the words of the page rest on. */
+/** Sentences that depend on a state, units and operations in the order of their lists, names of files. */
 
 import { seconds } from './format.js';
 import { words } from './words/index.js';
@@ -11,17 +11,17 @@ export const UNIT_SIZES: Record<Unit, number> = {
 
 export const OPERATIONS: readonly Operation[] = ['cut', 'mark', 'ignore'];
 
-/** Seconds without an improvement, as people round them, from which one may say that none is found any more. */
+/** From this many seconds without an improvement, rounded, the page says that nothing better is found. */
 const QUIET = 1;
 
-/** Why a search ended; `quiet`: seconds since its last improvement. */
+/** Why a search ended. `quiet`: seconds since its last improvement. */
 export function doneSentence(reason: DoneReason | null, quiet: number): string {
   if (reason !== null && reason !== 'budget') return words.dock.done[reason];
   const whole = Math.round(quiet);
   return whole < QUIET ? words.dock.improving : words.dock.quiet(whole === 1 ? words.dock.second : seconds(whole));
 }
 
-/** The sentence of an error from the planner or the browser. */
+/** The sentence of an error that the planner or the browser has thrown. */
 export function messageOf(error: unknown): string {
   if (typeof error === 'string') return error;
   const message = error instanceof Error ? error.message : null;

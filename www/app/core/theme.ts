@@ -1,6 +1,6 @@
 /**
- * Light and dark. The system decides until the person chooses; the choice is kept on this machine. Colours live in
- * `styles/tokens.css` alone: what draws on a canvas reads them from there.
+ * The light and the dark theme. The system decides until the person chooses; the choice is stored in this browser. All colours are in
+ * `styles/tokens.css`, where code that draws on a canvas reads them, too.
  */
 
 import { Emitter } from './emitter.js';
@@ -29,7 +29,7 @@ export class Theme extends Emitter<{ change: 'light' | 'dark' }> {
     try {
       localStorage.setItem(KEY, next);
     } catch {
-      // Storage is closed in private windows: the choice then lasts as long as the page.
+      // Private windows have no storage: the choice then lasts as long as the page.
     }
     this.emit('change', next);
   }

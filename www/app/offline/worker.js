@@ -1,7 +1,7 @@
-// Keeps the page for when there is no network. The files of a first visit are stored at once; what is loaded on demand (the
-// PNG renderer, the methods of papers, further samples) is stored when it is first used. The build fills in which files
-// these are and a version made of their contents. A newer version is stored while the old one is open and takes its place
-// at the next visit, so that a page never mixes files of two builds. Nothing but the page's own files passes through here.
+// Stores the page for use without a network. The files of a first visit are stored at once. What is loaded on demand (the PNG renderer, the
+// methods of papers, further samples) is stored when it is first used. The build fills in the list of files, and a version made of their
+// contents. A newer version is stored while the old one is open and replaces it at the next visit, so that a page never mixes files of two
+// builds. Only the page's own files pass through here.
 
 const VERSION = 'kerfway-__VERSION__';
 const FILES = __FILES__;

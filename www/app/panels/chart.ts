@@ -1,6 +1,6 @@
 /**
- * How the job's time fell while the search ran: seconds of the job over seconds of search, the latter on a logarithmic
- * axis because most is won at first. Level lines: drawing order, nearest first and, once known, the bound.
+ * How the job time fell during the search: seconds of the job over seconds of search. The axis of the search is logarithmic, because most is
+ * gained at the beginning. Horizontal lines: drawing order, nearest first and, once it is known, the lower bound.
  */
 
 import uPlot from 'uplot';
@@ -13,12 +13,12 @@ import type { State } from '../session/state.js';
 import type { Theme } from '../core/theme.js';
 import { words } from '../core/words/index.js';
 
-/** The chart begins here, s: the first plan stands within milliseconds, and a logarithm needs a beginning. */
+/** Where the axis begins, s: the first plan is ready within milliseconds, and a logarithmic axis cannot begin at zero. */
 const FIRST = 0.01;
-/** Milliseconds between two drawings. */
+/** Milliseconds between two redraws. */
 const PAUSE = 250;
 const HEIGHT = 136;
-/** The drawing order is shown while it is no further off than this many times what the search has won. */
+/** The drawing order is shown unless it is farther from the best path than this multiple of what the search has gained. */
 const FAR = 8;
 
 export function chart(session: Session, theme: Theme): HTMLElement {
@@ -41,7 +41,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
     scales: { x: { time: false, distr: 3, range: (_u, _low, high) => [FIRST, Math.max(1, high)] }, y: { range: (_u, low, high) => pad(low, high) } },
     axes: [
       { ...axis, size: 22, space: 40, filter: decades, grid: { ...axis.grid, filter: decades }, values: (_u, splits) => splits.map((s) => (s === null ? '' : `${Number(s.toPrecision(3))} s`)) },
-      { ...axis, size: 44, space: 32, values: (_u, splits) => splits.map((s) => (s < 1000 ? String(Math.round(s * 100) / 100) : s < 1e5 ? count(s) : `${count(s / 1000)}k`)) },
+      { ...axis, size: 52, space: 32, values: (_u, splits) => splits.map((s) => (s < 1000 ? `${Math.round(s * 100) / 100} s` : s < 1e5 ? `${count(s)} s` : `${count(s / 1000)}k s`)) },
     ],
     series: [
       {},
@@ -65,23 +65,23 @@ export function chart(session: Session, theme: Theme): HTMLElement {
   const soon = () => {
     if (!timer) timer = window.setTimeout(draw, PAUSE);
   };
-  session.on('progress', soon);
-  session.on('change', soon);
+  session.store.on('progress', soon);
+  session.store.on('change', soon);
   theme.on('change', () => plot?.redraw(false));
   new ResizeObserver(soon).observe(holder);
   return h('figure', {}, caption, holder);
 }
 
-/** The curve and its level lines; `above`: the drawing order, where it is too far off to be shown. */
-function dataOf({ history, baselines, progress }: State): { data: uPlot.AlignedData; above: number | null } {
-  const at = history.at.map((s) => Math.max(FIRST, s));
+/** The curve and its horizontal lines. `above`: the job time of the drawing order, where it is too far away to be shown. */
+function dataOf({ curve, baselines, progress }: State): { data: uPlot.AlignedData; above: number | null } {
+  const at = curve.at.map((s) => Math.max(FIRST, s));
   const flat = (value: number | undefined) => at.map(() => value ?? null);
   const greedy = baselines?.greedy.total_time, drawing = baselines?.drawing.total_time;
-  const best = history.total.at(-1) ?? 0;
-  const won = Math.max(greedy ?? 0, history.total[0] ?? 0) - best;
-  const far = drawing !== undefined && drawing - best > FAR * won && won > 0;
+  const best = curve.total.at(-1) ?? 0;
+  const gained = Math.max(greedy ?? 0, curve.total[0] ?? 0) - best;
+  const far = drawing !== undefined && drawing - best > FAR * gained && gained > 0;
   const bound = progress?.summary.lower_bound || undefined;
-  return { data: [at, history.total, flat(far ? undefined : drawing), flat(greedy), flat(bound)], above: far ? drawing : null };
+  return { data: [at, [...curve.total], flat(far ? undefined : drawing), flat(greedy), flat(bound)], above: far ? drawing : null };
 }
 
 function pad(low: number | null, high: number | null): [number, number] {
@@ -90,14 +90,14 @@ function pad(low: number | null, high: number | null): [number, number] {
   return [Math.max(0, low - room), high + room];
 }
 
-/** Of the marks of a logarithmic axis, those at powers of ten. */
+/** The marks of a logarithmic axis that are powers of ten. */
 function decades(_plot: uPlot, splits: number[]): (number | null)[] {
   return splits.map((s) => (Math.abs(Math.log10(s) - Math.round(Math.log10(s))) < 1e-6 ? s : null));
 }
 
-function describe({ history, baselines }: State): string {
-  const first = history.total[0], last = history.total.at(-1);
+function describe({ curve, baselines }: State): string {
+  const first = curve.total[0], last = curve.total.at(-1);
   if (first === undefined || last === undefined) return words.result.chartNone;
   const order = baselines ? words.result.chartOrders(seconds(baselines.drawing.total_time), seconds(baselines.greedy.total_time)) : '';
-  return words.result.chartWords(seconds(first), seconds(last), seconds(history.at.at(-1) ?? 0)) + order;
+  return words.result.chartWords(seconds(first), seconds(last), seconds(curve.at.at(-1) ?? 0)) + order;
 }

@@ -1,17 +1,16 @@
-/** What a contour is called: in the tooltip under the pointer, and on the card of the selected one. */
+/** What a contour is: in the tooltip beside the pointer, and on the card of the selected contour. */
 
 import { button, h } from '../core/dom.js';
 import { clock, count, millimetres } from '../core/format.js';
-import { type Fate, fateOf, FATES } from '../session/choices.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
-import { cutContours } from '../session/worked.js';
+import { pathContours, type Rule, ruleOf, RULES } from '../session/rules.js';
 import { words } from '../core/words/index.js';
 
-/** Facts about a contour, the first being its name. */
+/** Facts about a contour; the first one is its name. */
 export function describe(session: Session, playback: Playback, contour: number): string[] {
   const { loaded } = session.state;
-  const info = cutContours(session.state)[contour];
+  const info = pathContours(session.state)[contour];
   if (!loaded || !info) return [];
   const stop = playback.stopOf(contour);
   const part = loaded.parts.findIndex((p) => p.outer === contour || p.holes.includes(contour));
@@ -37,11 +36,11 @@ export class Tooltip {
   }
 }
 
-/** The selected contour: its facts, and the ones before and after it in the order. */
+/** The card of the selected contour: its facts, its rule, and buttons to the contours before and after it. */
 export class ContourCard {
   readonly root = h('section', { class: 'card contour', 'aria-label': words.contour.card, hidden: true });
 
-  constructor(private readonly session: Session, private readonly playback: Playback, private readonly actions: { decide(contour: number, fate: Fate): void; step(by: number): void; close(): void }) {}
+  constructor(private readonly session: Session, private readonly playback: Playback, private readonly actions: { toggleRule(contour: number, rule: Rule): void; step(by: 1 | -1): void; close(): void }) {}
 
   show(contour: number | null): void {
     this.root.hidden = contour === null;
@@ -50,8 +49,8 @@ export class ContourCard {
     const stop = this.playback.stopOf(contour);
     const begin = stop === null ? [] : [words.contour.begins(clock(this.playback.begin(stop)))];
     const focused = this.root.contains(document.activeElement) ? [...this.root.querySelectorAll('button')].indexOf(document.activeElement as HTMLButtonElement) : -1;
-    const now = fateOf(this.session.state.load, contour);
-    const choices = FATES.map((fate) => button(words.contour.fates[fate], { class: 'quiet small fate', 'aria-pressed': fate === now, onclick: () => this.actions.decide(contour, fate) }));
+    const now = ruleOf(this.session.state.load, contour);
+    const choices = RULES.map((rule) => button(words.contour.rules[rule], { class: 'quiet small rule', 'aria-pressed': rule === now, onclick: () => this.actions.toggleRule(contour, rule) }));
     this.root.replaceChildren(
       h('div', { class: 'contour-text' }, h('strong', {}, name ?? ''), h('span', { class: 'soft number' }, [...facts, ...begin].join(' · '))),
       ...choices,

@@ -1,6 +1,6 @@
 /**
- * The foot of the panel, always in view: what is going on in one sentence, and what can be done about it. While
- * planning, Stop is the largest control there is.
+ * The foot of the panel, which is always visible: the state in one sentence, and the actions that are possible now. While the page is
+ * planning, Stop is the largest control.
  */
 
 import { button, h, setText } from '../core/dom.js';
@@ -12,23 +12,23 @@ import { words } from '../core/words/index.js';
 
 export interface DockActions {
   open(): void;
-  /** Opens and closes the sheet of the panels, on a phone. */
+  /** Opens and closes the bottom sheet that holds the panel on a phone. */
   sheet(): void;
   gcode(): void;
 }
 
 export function dock(session: Session, actions: DockActions): HTMLElement {
-  const headline = h('p', { class: 'dock-head' });
+  const head = h('p', { class: 'dock-head' });
   const detail = h('p', { class: 'soft number' });
   const bar = h('div', { class: 'budget', role: 'progressbar', 'aria-label': words.dock.progress, 'aria-valuemin': 0, 'aria-valuemax': 100 }, h('span'));
-  const stop = button(words.dock.stop, { icon: 'stop', class: 'stop', onclick: () => session.stop() });
-  const pause = button(words.dock.pause, { icon: 'pause', onclick: () => session.pause() });
-  const resume = button(words.dock.resume, { icon: 'play', onclick: () => session.resume() });
-  const more = button(words.dock.more, { icon: 'next', onclick: () => session.keepImproving() });
+  const stop = button(words.dock.stop, { icon: 'stop', class: 'stop', onclick: () => session.planning.stop() });
+  const pause = button(words.dock.pause, { icon: 'pause', onclick: () => session.planning.pause() });
+  const resume = button(words.dock.resume, { icon: 'play', onclick: () => session.planning.resume() });
+  const more = button(words.dock.more, { icon: 'next', onclick: () => session.planning.keepImproving() });
   const gcode = button(words.result.kinds.gcode, { icon: 'download', class: 'primary', onclick: actions.gcode });
   const open = button(words.dock.choose, { icon: 'open', class: 'primary', onclick: actions.open });
   const sheet = button(words.dock.sheet, { icon: 'up', iconOnly: true, class: 'quiet sheet-toggle', 'aria-expanded': false, 'aria-controls': 'sections', onclick: actions.sheet });
-  const root = h('div', { class: 'dock' }, bar, h('div', { class: 'dock-state' }, h('div', {}, headline, detail), sheet), h('div', { class: 'dock-actions' }, stop, pause, resume, more, gcode, open));
+  const root = h('div', { class: 'dock' }, bar, h('div', { class: 'dock-state' }, h('div', {}, head, detail), sheet), h('div', { class: 'dock-actions' }, stop, pause, resume, more, gcode, open));
 
   const show = (state: State) => {
     const { phase, progress } = state;
@@ -43,22 +43,22 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     bar.hidden = !running && !busy;
     bar.classList.toggle('busy', busy);
     root.dataset.phase = phase;
-    setText(headline, head(state));
-    setText(detail, tail(state));
+    setText(head, headline(state));
+    setText(detail, detailOf(state));
     detail.hidden = detail.textContent === '';
     const share = progress ? Math.min(1, progress.seconds / state.budget) : 0;
     bar.style.setProperty('--share', String(share));
     if (busy) bar.removeAttribute('aria-valuenow');
     else bar.setAttribute('aria-valuenow', String(Math.round(share * 100)));
   };
-  session.on('change', show);
-  session.on('progress', show);
+  session.store.on('change', show);
+  session.store.on('progress', show);
   show(session.state);
   return root;
 }
 
 /** The state in one sentence. */
-export function head(state: State): string {
+export function headline(state: State): string {
   const { phase, progress } = state;
   const best = progress ? seconds(progress.summary.total_time) : null;
   switch (phase) {
@@ -73,7 +73,7 @@ export function head(state: State): string {
   }
 }
 
-function tail(state: State): string {
+function detailOf(state: State): string {
   const { phase, progress } = state;
   if (!progress || (phase !== 'planning' && phase !== 'paused' && phase !== 'done')) return '';
   const bound = progress.summary.gap === null || isOptimal(state) ? null : words.dock.gap(percent(progress.summary.gap));
@@ -89,7 +89,7 @@ function isOptimal(state: State): boolean {
 
 /** Seconds of search since the last improvement. */
 function quietFor(state: State): number {
-  const { at, total } = state.history;
+  const { at, total } = state.curve;
   const last = total.at(-1);
   let i = total.length - 1;
   while (i > 0 && total[i - 1] === last) i -= 1;

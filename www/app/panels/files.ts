@@ -1,4 +1,4 @@
-/** The files that were dropped together: how many are planned, and what came of each. */
+/** The files that were dropped together: how many are planned, and the state of each. */
 
 import { button, h, icon, setText } from '../core/dom.js';
 import { save } from '../core/files.js';
@@ -8,7 +8,7 @@ import { baseName } from '../core/strings.js';
 import type { Item, Queue } from '../session/queue.js';
 import { words } from '../core/words/index.js';
 
-/** A button with the list under it; hidden while there is one file. */
+/** A button with the list below it. It is hidden while there is only one file. */
 export function fileList(queue: Queue): Node[] {
   const label = h('span', { class: 'number' });
   const opener = h('button', { type: 'button', class: 'quiet queue', hidden: true }, label, icon('down'));
@@ -18,13 +18,13 @@ export function fileList(queue: Queue): Node[] {
   } });
   const fill = () => {
     list.replaceChildren(
-      ...queue.items.map((item) => menuItem(item.file.name, about(item), item === queue.current, () => queue.begin(item))),
+      ...queue.items.map((item, i) => menuItem(item.file.name, about(item), item === queue.current, () => queue.openAt(i))),
       h('div', { class: 'menu-foot' }, all));
     all.disabled = !queue.items.some((item) => item.gcode !== null);
   };
   const panel = popover(opener, words.files.title, list, fill);
   queue.on('change', (items) => {
-    const done = items.filter((item) => item.state !== 'waits' && item.state !== 'working').length;
+    const done = items.filter((item) => item.state !== 'waiting' && item.state !== 'planning').length;
     opener.hidden = items.length === 0;
     setText(label, words.files.done(count(done), count(items.length)));
     opener.setAttribute('aria-label', words.files.label(count(done), count(items.length)));
@@ -35,9 +35,9 @@ export function fileList(queue: Queue): Node[] {
 
 function about({ state, seconds: job, sentence }: Item): string {
   switch (state) {
-    case 'waits': return words.files.waiting;
-    case 'working': return words.files.planning;
-    case 'asks': return words.files.question;
+    case 'waiting': return words.files.waiting;
+    case 'planning': return words.files.planning;
+    case 'question': return words.files.question;
     case 'failed': return sentence ?? words.files.failed;
     case 'done': return job === null ? words.files.planned : words.files.plannedIn(seconds(job));
   }

@@ -1,6 +1,6 @@
 /**
- * What makes a method from a paper special, while it works: its numbers as small curves over its rounds, and its table
- * (a Q-table) as it stands.
+ * What happens inside a method from a paper while it runs: its figures as small curves over its rounds, and its current table (for
+ * example a Q-table).
  */
 
 import { h, setText } from '../core/dom.js';
@@ -9,9 +9,9 @@ import type { Insights } from '../session/insights.js';
 import type { Session } from '../session/session.js';
 import { words } from '../core/words/index.js';
 
-/** Units of a curve's own drawing; it is stretched to its place. */
+/** Width and height of a curve in the units of its own drawing, which is stretched to its place. */
 const WIDE = 120, HIGH = 20;
-/** Milliseconds between two drawings. */
+/** Milliseconds between two redraws. */
 const PAUSE = 250;
 
 export function insightPanel(session: Session): HTMLElement {
@@ -41,12 +41,12 @@ export function insightPanel(session: Session): HTMLElement {
   const soon = () => {
     if (!timer) timer = window.setTimeout(draw, PAUSE);
   };
-  session.on('progress', soon);
-  session.on('change', soon);
+  session.store.on('progress', soon);
+  session.store.on('change', soon);
   return root;
 }
 
-/** One number: its name, its curve, its value now. */
+/** One figure: its name, its curve and its current value. */
 class Row {
   readonly root: HTMLElement;
   private readonly value = h('td', { class: 'number' });
@@ -90,7 +90,7 @@ function table(grid: NonNullable<Insights['now']>['grid']): HTMLElement[] {
     h('tbody', {}, ...grid.rows.map((name, row) => h('tr', {}, h('th', { scope: 'row' }, name), ...grid.columns.map((_, column) => cell(row, column))))))];
 }
 
-/** Three significant digits, whole numbers in full. */
+/** Three significant digits; from 1000 on a whole number. */
 function short(value: number): string {
   if (Math.abs(value) >= 1000) return count(Math.round(value));
   return String(Number(value.toPrecision(3)));

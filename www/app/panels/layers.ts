@@ -1,4 +1,4 @@
-/** Layers: name, contours, what is done with each; what a name suggests can be taken with one click. */
+/** The layers: name, number of contours, operation. What the name of a layer suggests can be accepted with one click. */
 
 import { button, h } from '../core/dom.js';
 import { count } from '../core/format.js';
@@ -7,12 +7,12 @@ import type { LayerUse, Loaded } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { words } from '../core/words/index.js';
 
-/** AutoCAD's first nine colours as they are named; the rest are shown in the colour of text. */
+/** The first nine colours of AutoCAD by their index. The others are shown in the colour of text. */
 const COLORS = ['', '#e5484d', '#c9a400', '#3aa655', '#1ea7b8', '#4565e6', '#b34fd1', '', '#8a8f98', '#b4b8bf'];
 
 export function layerList(session: Session, loaded: Loaded): HTMLElement {
   const ordered = session.state.load.orderByLayer === true;
-  // Layers that hold nothing to cut or show would only be in the way.
+  // Layers that contain nothing to cut or show are not listed.
   const shown = new Set(loaded.ignored.layers);
   const used = loaded.layers.filter((l, i) => l.contours > 0 || shown.has(i));
   const layers = ordered ? used.sort((a, b) => a.rank - b.rank) : used;
@@ -29,10 +29,10 @@ function row(session: Session, layer: LayerUse, moves: [up: boolean, down: boole
     ...OPERATIONS.map((o) => h('option', { value: o, selected: o === layer.operation }, words.operations[o])));
   choice.addEventListener('change', () => {
     const chosen = OPERATIONS[choice.selectedIndex];
-    if (chosen) session.setOperation(layer.name, chosen);
+    if (chosen) session.drawing.setOperation(layer.name, chosen);
   });
   const move = (label: string, icon: 'up' | 'down', by: -1 | 1, can: boolean) =>
-    button(label, { icon, iconOnly: true, class: 'quiet small', disabled: !can, onclick: () => session.moveLayer(layer.name, by) });
+    button(label, { icon, iconOnly: true, class: 'quiet small', disabled: !can, onclick: () => session.drawing.moveLayer(layer.name, by) });
   return h('li', { class: layer.operation === 'ignore' ? 'layer ignored' : 'layer' }, swatch,
     h('span', { class: 'layer-name', title: layer.name }, layer.name),
     h('span', { class: 'soft number', title: words.layers.contours }, count(layer.contours)),
@@ -43,5 +43,5 @@ function suggestion(session: Session, layer: LayerUse): HTMLElement {
   const wanted = layer.suggestion!;
   return h('div', { class: 'suggestion' },
     h('span', {}, words.layers.suggested[wanted](layer.name)),
-    button(words.layers.take[wanted], { class: 'small', onclick: () => session.setOperation(layer.name, wanted) }));
+    button(words.layers.take[wanted], { class: 'small', onclick: () => session.drawing.setOperation(layer.name, wanted) }));
 }

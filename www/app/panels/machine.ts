@@ -1,4 +1,4 @@
-/** The machine: a preset, and its numbers behind a disclosure. Any change plans anew. */
+/** The machine: a preset, and its values behind a disclosure. Every change plans again. */
 
 import { button, h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
@@ -11,22 +11,22 @@ interface Quantity {
   label: string;
   unit: string;
   least: number;
-  /** What the empty field says then, if not "no limit". */
+  /** What the empty field says where it is not "no limit". */
   none?: string;
-  /** What it does, below the field. */
+  /** A sentence below the field that says what the value does. */
   hint?: string;
-  /** Null where the profile says "at once" or "no limit". */
+  /** Null where the profile has no value, which means "no limit" or "at once". */
   get(m: MachineProfile): number | null;
   set(m: MachineProfile, value: number): void;
 }
 
-/** In rad. */
+/** One degree in radians. */
 const DEGREE = Math.PI / 180;
 
-/** Where cuts may first pause in corners: corners of a triangle, long enough to cool, to be replaced by one's own. */
+/** The first values when pauses in corners are switched on: the corners of a triangle, and a second to cool. People replace them by their own. */
 const PAUSE = { angle: 70 * DEGREE, time: 1 };
 
-/** As profiles have it, mm. */
+/** The widest kerf that a profile allows, mm. */
 const WIDEST_KERF = 10;
 
 const degrees = (angle: number | undefined) => (angle === undefined ? null : Math.round((angle / DEGREE) * 1e6) / 1e6);
@@ -55,7 +55,7 @@ const QUANTITIES: readonly Quantity[] = [
   { label: words.machine.fullPower, unit: '', least: 1, get: (m) => m.max_s, set: (m, v) => (m.max_s = v) },
 ];
 
-/** Seconds of a pre-cut when contours may first be left: a few millimetres of cut, to be replaced by one's own. */
+/** The first pre-cut time when partial cuts are switched on, s: a few millimetres of cut. People replace it by their own. */
 const PRE_CUT = 0.2;
 
 const TRAVELS: { value: MachineProfile['travel']; label: string }[] = [
@@ -64,9 +64,9 @@ const TRAVELS: { value: MachineProfile['travel']; label: string }[] = [
   { value: 'per-axis', label: words.machine.travel['per-axis'] },
 ];
 
-export function machinePanel(session: Session, tell: (sentence: string) => void, chooseHome: () => void): HTMLElement {
+export function machinePanel(session: Session, notify: (sentence: string) => void, chooseHome: () => void): HTMLElement {
   const { root, body, setGist } = section(words.machine.title, false);
-  const preset = () => session.machines.find((m) => m.name === session.state.machine?.name);
+  const preset = () => session.catalog.machines.find((m) => m.name === session.state.machine?.name);
   const edit = (change: (m: MachineProfile) => void) => {
     const { machine } = session.state;
     if (!machine) return;
@@ -76,25 +76,26 @@ export function machinePanel(session: Session, tell: (sentence: string) => void,
   };
 
   const choice = select<string>((name) => {
-    const chosen = session.machines.find((m) => m.name === name);
+    const chosen = session.catalog.machines.find((m) => m.name === name);
     if (chosen) session.setMachine(structuredClone(chosen));
   });
   choice.root.setAttribute('aria-label', words.machine.preset);
   choice.root.classList.add('wide');
   const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)));
+  travel.root.classList.add('wide');
   const home = check(words.machine.home, (on) => edit((m) => (m.return_home = on)));
-  const leaving = check(words.machine.partialCuts, (on) => edit((m) => (m.pre_cut_time = on ? PRE_CUT : null)));
+  const partialCuts = check(words.machine.partialCuts, (on) => edit((m) => (m.pre_cut_time = on ? PRE_CUT : null)));
   const pausing = check(words.machine.pausing, (on) => edit((m) => (m.sharp_corner = on ? PAUSE : null)));
   const inputs = QUANTITIES.map((q) => numberInput(q, edit));
   const back = button(words.machine.back, { class: 'small', onclick: () => {
     const original = preset();
     if (original) session.setMachine(structuredClone(original));
   } });
-  const own = ownMachines(session, tell);
-  const numbers = h('details', { class: 'more' }, h('summary', {}, words.machine.advanced),
+  const own = ownMachines(session, notify);
+  const advanced = h('details', { class: 'more' }, h('summary', {}, words.machine.advanced),
     h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!, q.unit), hintOf(q)]), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
-  body.append(h('div', { class: 'stack' }, choice.root, leaving.root, pausing.root, numbers, own.root));
+  body.append(h('div', { class: 'stack' }, choice.root, partialCuts.root, pausing.root, advanced, own.root));
 
   const show = () => {
     const { machine } = session.state;
@@ -102,10 +103,10 @@ export function machinePanel(session: Session, tell: (sentence: string) => void,
     const original = preset();
     const changed = original !== undefined && JSON.stringify(original) !== JSON.stringify(machine);
     setGist(changed ? words.machine.changed(machine.title) : machine.title);
-    choice.fill(session.machines.map((m) => ({ value: m.name, label: m.title })), machine.name);
+    choice.fill(session.catalog.machines.map((m) => ({ value: m.name, label: m.title })), machine.name);
     travel.fill(TRAVELS, machine.travel);
     home.input.checked = machine.return_home;
-    leaving.input.checked = typeof machine.pre_cut_time === 'number';
+    partialCuts.input.checked = typeof machine.pre_cut_time === 'number';
     pausing.input.checked = Boolean(machine.sharp_corner);
     back.hidden = !changed;
     own.show(machine);
@@ -114,12 +115,12 @@ export function machinePanel(session: Session, tell: (sentence: string) => void,
       if (document.activeElement !== input) input.value = shown(q.get(machine));
     });
   };
-  session.on('change', show);
+  session.store.on('change', show);
   show();
   return root;
 }
 
-/** Outside the label, so that the field's name stays short. */
+/** The hint is outside the label, so that the accessible name of the field stays short. */
 const hintId = ({ label }: Quantity) => `hint-${label.toLowerCase().replace(/[^a-z]+/g, '-')}`;
 
 function hintOf(quantity: Quantity): HTMLElement | null {
@@ -135,9 +136,9 @@ function numberInput(quantity: Quantity, edit: (change: (m: MachineProfile) => v
   if (quantity.hint !== undefined) input.setAttribute('aria-describedby', hintId(quantity));
   input.addEventListener('input', () => {
     const value = input.valueAsNumber;
-    const sound = Number.isFinite(value) && value >= quantity.least;
-    input.setAttribute('aria-invalid', String(!sound && input.value !== ''));
-    if (sound) edit((m) => quantity.set(m, value));
+    const valid = Number.isFinite(value) && value >= quantity.least;
+    input.setAttribute('aria-invalid', String(!valid && input.value !== ''));
+    if (valid) edit((m) => quantity.set(m, value));
   });
   return input;
 }

@@ -1,4 +1,4 @@
-/** The parameters of a method from a paper, behind a disclosure: the paper's values, to be changed by those who know it. */
+/** The parameters of a method from a paper, behind a disclosure. They start with the values of the paper. */
 
 import { button, h } from '../core/dom.js';
 import type { PaperMethod } from 'kerfway';
@@ -6,10 +6,10 @@ import type { Session } from '../session/session.js';
 import { check, field, select } from './section.js';
 import { words } from '../core/words/index.js';
 
-/** Words a parameter may have; all others are numbers, or yes and no. */
+/** The values of parameters that are a choice between words. All other parameters are numbers or booleans. */
 const CHOICES = [['euclidean', 'chebyshev', 'seconds']];
 
-/** What a parameter of some type is set with. */
+/** The control that sets a parameter. */
 interface Control {
   root: HTMLElement;
   show(value: unknown): void;

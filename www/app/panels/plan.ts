@@ -1,4 +1,4 @@
-/** How the path is searched: method, time, seed; and what every plan keeps to, in the words of laser software. */
+/** How the path is searched: method, time, seed; and the rules that every plan follows, in the terms of laser software. */
 
 import { h, setText } from '../core/dom.js';
 import type { MethodInfo } from 'kerfway';
@@ -7,7 +7,7 @@ import { parameters } from './parameters.js';
 import { check, field, section, select } from './section.js';
 import { words } from '../core/words/index.js';
 
-/** Budgets offered, s. */
+/** The time budgets to choose from, s. */
 const BUDGETS = [2, 5, 10, 30, 60, 300];
 
 const span = (s: number) => (s < 60 || s % 60 > 0 ? `${s} s` : `${s / 60} min`);
@@ -21,31 +21,31 @@ export function planPanel(session: Session): HTMLElement {
   const about = h('p', { class: 'soft' });
   const source = h('p', { class: 'soft' });
   const own = parameters(session);
-  // Their code comes when the choice is first looked at.
-  root.addEventListener('toggle', () => void session.askPapers());
+  // The methods from papers are loaded when this section is first opened.
+  root.addEventListener('toggle', () => void session.catalog.loadPapers());
   const seed = h('input', { type: 'number', min: 0, max: 4294967295, step: 1, inputmode: 'numeric', placeholder: words.plan.random });
   seed.addEventListener('input', () => {
     const value = seed.valueAsNumber;
     if (seed.value === '') session.setSearch({ seed: null }, true);
     else if (Number.isInteger(value) && value >= 0 && value <= 4294967295) session.setSearch({ seed: value }, true);
   });
-  const byLayer = check(words.plan.byLayer, (on) => void session.reread({ ...session.state.load, orderByLayer: on }));
-  const byPart = check(words.plan.byPart, (on) => void session.reread({ ...session.state.load, partByPart: on }));
-  const common = check(words.plan.common, (on) => void session.reread({ ...session.state.load, commonCuts: on ? 'best' : 'off' }));
+  const byLayer = check(words.plan.byLayer, (on) => session.drawing.change({ orderByLayer: on }));
+  const byPart = check(words.plan.byPart, (on) => session.drawing.change({ partByPart: on }));
+  const common = check(words.plan.common, (on) => session.drawing.change({ commonCuts: on ? 'best' : 'off' }));
   const used = h('p', { class: 'soft' });
   body.append(h('div', { class: 'stack' },
     method.root, about, source, own.root, field(words.plan.time, budget.root), field(words.plan.seed, seed), used, byLayer.root, byPart.root, common.root,
     h('p', { class: 'soft' }, words.plan.always)));
 
-  session.on('change', ({ search, seed: taken, load, loaded, machine }) => {
-    const { methods, papers } = session;
+  session.store.on('change', ({ search, seed: taken, load, loaded, machine }) => {
+    const { methods, papers } = session.catalog;
     const option = (m: MethodInfo) => ({ value: m.name, label: m.title });
     const chosen = [...methods, ...papers].find((m) => m.name === search.method);
     method.fill(methods.map(option), search.method, { [words.plan.papers]: papers.map(option) });
     own.show(papers.find((m) => m.name === search.method));
     setText(source, chosen?.source ?? '');
     source.hidden = !chosen?.source;
-    // One from an address need not be among those offered.
+    // A budget from an address need not be in the list.
     const budgets = [...new Set([...BUDGETS, search.seconds])].sort((a, b) => a - b);
     budget.fill(budgets.map((s) => ({ value: s, label: span(s) })), search.seconds);
     setText(about, chosen?.about ?? '');

@@ -1,6 +1,6 @@
 /**
- * What the page must know before it plans, asked over the sheet: whether the units are right when the file leaves
- * them in doubt, with the size each would give; and what to do with damaged entities.
+ * What the page must know before it plans, asked in a card over the sheet: which units are right where the file leaves that open, with the
+ * size that each would give; and what to do with damaged entities.
  */
 
 import { button, h } from '../core/dom.js';
@@ -11,13 +11,13 @@ import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import { words } from '../core/words/index.js';
 
-/** Units offered at once; the rest are in the menu of the top bar. */
+/** The units offered in the card; the others are in the menu of the top bar. */
 const OFFERED: readonly Unit[] = ['mm', 'in', 'cm', 'm'];
 
 export function questionCard(session: Session): HTMLElement {
   const root = h('section', { class: 'card question', 'aria-labelledby': 'question', hidden: true });
   let asked = '';
-  session.on('change', ({ question, loaded, phase }) => {
+  session.store.on('change', ({ question, loaded, phase }) => {
     const now = question && loaded && phase === 'question' ? `${question} ${loaded.sha256} ${loaded.units.unit}` : '';
     if (now === asked) return;
     asked = now;
@@ -29,7 +29,7 @@ export function questionCard(session: Session): HTMLElement {
   return root;
 }
 
-/** Width and height of the drawing in another unit than it was read in. */
+/** Width and height of the drawing if it were read in another unit. */
 export function sizeIn({ loaded, extent: [x0, y0, x1, y1] }: State, unit: Unit): string {
   const factor = loaded ? UNIT_SIZES[unit] / UNIT_SIZES[loaded.units.unit] : 1;
   return extent((x1 - x0) * factor, (y1 - y0) * factor);
@@ -39,7 +39,7 @@ function units(session: Session, loaded: Loaded): HTMLElement[] {
   const { unit } = loaded.units;
   const others = OFFERED.filter((u) => u !== unit);
   const choice = (u: Unit, primary: boolean) =>
-    h('button', { type: 'button', class: primary ? 'primary' : '', onclick: () => (u === unit ? session.answer('units') : session.setUnits(u)) }, h('span', {}, sizeIn(session.state, u)), h('span', {}, words.question.in(words.unitNames[u])));
+    h('button', { type: 'button', class: primary ? 'primary' : '', onclick: () => (u === unit ? session.drawing.answer('units') : session.drawing.setUnits(u)) }, h('span', {}, sizeIn(session.state, u)), h('span', {}, words.question.in(words.unitNames[u])));
   return [
     h('h2', { id: 'question' }, words.question.size),
     h('p', {}, loaded.units.reason),
@@ -53,7 +53,7 @@ function damaged(session: Session, loaded: Loaded): HTMLElement[] {
     h('h2', { id: 'question' }, words.question.damaged(number, count(number))),
     h('p', {}, words.question.about),
     h('div', { class: 'choices' },
-      button(words.question.skip, { class: 'primary', onclick: () => session.answer('damaged') }),
-      button(words.question.keep, { onclick: () => session.answer('damaged', { keepDamaged: true }) })),
+      button(words.question.skip, { class: 'primary', onclick: () => session.drawing.answer('damaged') }),
+      button(words.question.keep, { onclick: () => session.drawing.answer('damaged', { keepDamaged: true }) })),
   ];
 }

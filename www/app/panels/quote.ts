@@ -1,4 +1,4 @@
-/** What a price needs: parts, areas, weight, what is narrow, what to look at. Made when the plan is done and this is open. */
+/** What a price is based on: parts, areas, weight, narrow places, warnings. The report is made when the plan is done and this section is open. */
 
 import { button, h } from '../core/dom.js';
 import { save } from '../core/files.js';
@@ -9,10 +9,10 @@ import type { Session } from '../session/session.js';
 import { field, section } from './section.js';
 import { words } from '../core/words/index.js';
 
-/** Groups of parts listed; the rest is in the file. */
+/** How many groups of parts are listed; the file holds all of them. */
 const LISTED = 8;
 
-export function quotePanel(session: Session, tell: (sentence: string) => void): HTMLElement {
+export function quotePanel(session: Session, notify: (sentence: string) => void): HTMLElement {
   const { root, body, setGist } = section(words.quote.title, false);
   const number = () => h('input', { type: 'number', min: 0, step: 'any', inputmode: 'decimal', placeholder: words.quote.notGiven });
   const [thickness, density] = [number(), number()];
@@ -42,11 +42,11 @@ export function quotePanel(session: Session, tell: (sentence: string) => void): 
       report = made;
       show();
     } catch (error) {
-      if (now === asked) tell(messageOf(error));
+      if (now === asked) notify(messageOf(error));
     }
   };
   let phase = '';
-  session.on('change', (state) => {
+  session.store.on('change', (state) => {
     if (state.phase !== phase) void make();
     phase = state.phase;
   });

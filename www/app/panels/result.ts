@@ -1,4 +1,4 @@
-/** What came of it: seconds saved first, then before and after, the parts of the job's time, the chart, downloads. */
+/** The result: the seconds saved, the orders compared, the chart, what the job time consists of, downloads. */
 
 import { button, h, setText } from '../core/dom.js';
 import { count, metres, narrow, percent, seconds } from '../core/format.js';
@@ -57,16 +57,16 @@ export function resultPanel(session: Session, theme: Theme, download: (kind: Out
     showParts(parts, now);
   };
   const soon = () => {
-    // Ten times a second is as fast as numbers can be read, and faster than they need be.
+    // Nobody reads numbers that change more than ten times a second.
     if (!timer) timer = window.setTimeout(draw, 100);
   };
-  session.on('progress', soon);
-  session.on('change', soon);
+  session.store.on('progress', soon);
+  session.store.on('change', soon);
   draw();
   return root;
 }
 
-/** One order of cutting: its numbers, and a bar of what the time goes into. */
+/** One cutting order: its figures, and a bar that shows what the time is spent on. */
 class Row {
   readonly root: HTMLElement;
   private readonly cells = [h('td', { class: 'number' }), h('td', { class: 'number' }), h('td', { class: 'number' })];

@@ -1,11 +1,11 @@
-/** A part of the right panel: a heading that opens and closes, with the gist beside it. */
+/** A section of the right panel: a heading that opens and closes it, with a summary in a few words beside it; and the controls in it. */
 
 import { h, setText } from '../core/dom.js';
 
 export interface Section {
   root: HTMLDetailsElement;
   body: HTMLElement;
-  /** Says in the heading what is chosen or known. */
+  /** Sets the summary in the heading. `grave` draws attention to it. */
   setGist(text: string, grave?: boolean): void;
 }
 
@@ -37,7 +37,7 @@ interface Option<T> {
   label: string;
 }
 
-/** A choice from a list, which may go on in groups with a heading each. */
+/** A choice from a list. Further options can follow in groups, each with a heading. */
 export function select<T extends string | number>(onChange: (value: T) => void): { root: HTMLSelectElement; fill(options: Option<T>[], chosen: T, groups?: Record<string, Option<T>[]>): void } {
   const root = h('select');
   let values: T[] = [];

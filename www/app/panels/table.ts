@@ -1,6 +1,6 @@
 /**
- * The cutting order as a table. Only the rows in view are in the page, so 10,000 contours scroll as ten do; the row
- * count and each row's place are told to screen readers.
+ * The cutting order as a table. Only the visible rows are in the page, so that 10,000 contours scroll as smoothly as ten. Screen readers are
+ * told the number of rows and the place of each.
  */
 
 import { button, h } from '../core/dom.js';
@@ -8,16 +8,15 @@ import { clock, count, millimetres, size } from '../core/format.js';
 import { cutLength } from '../stage/shapes.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
-import { cutContours } from '../session/worked.js';
+import { pathContours } from '../session/rules.js';
 import { words } from '../core/words/index.js';
 
-/** Height of a row, CSS pixels; the same in `panels.css`. */
+/** Height of a row, CSS pixels; `styles/table.css` has the same. */
 const ROW = 32;
-/** Rows kept above and below the view. */
+/** Rows that are kept above and below the visible ones. */
 const SPARE = 8;
 /** Milliseconds between two refreshes while the path improves: a table that jumps cannot be read. */
 const PAUSE = 1000;
-
 
 export class OrderTable {
   readonly root: HTMLElement;
@@ -84,7 +83,7 @@ export class OrderTable {
   private row(stop: number): HTMLElement {
     const path = this.session.state.path!;
     const contour = path.contours[stop]!;
-    const info = cutContours(this.session.state)[contour];
+    const info = pathContours(this.session.state)[contour];
     const cell = (text: string, extra = '') => h('span', { role: 'cell', class: extra }, text);
     const row = h('div', { role: 'row', class: contour === this.selected ? 'order-row selected' : 'order-row', 'aria-rowindex': stop + 2, 'data-stop': stop },
       h('span', { role: 'cell' }, h('button', { type: 'button', class: 'row-button number', 'aria-label': words.table.show(stop + 1), onclick: () => this.onSelect(contour) }, count(stop + 1))),

@@ -1,20 +1,20 @@
 /**
- * How far ends may be apart and how closely curves are followed: while a number is turned, the sheet shows what would join
- * or disappear; only then is it applied.
+ * How far apart ends may be, and how closely curves are followed. While a value is being changed, the sheet shows what would join or
+ * disappear; nothing changes before the value is applied.
  */
 
 import { button, h, setText } from '../core/dom.js';
 import { count } from '../core/format.js';
-import { undecided } from '../session/choices.js';
-import type { Outlook } from '../session/outlook.js';
+import type { Comparison } from '../session/comparison.js';
 import type { Preview } from '../session/preview.js';
+import { withoutRules } from '../session/rules.js';
 import type { Session } from '../session/session.js';
 import { field } from './section.js';
 import { words } from '../core/words/index.js';
 
 interface Tolerance {
   label: string;
-  /** mm; when nobody chose one, as `LoadOptions` says. */
+  /** The default of `LoadOptions`, mm. */
   usual: number;
   least: number;
   most: number;
@@ -27,12 +27,12 @@ const TOLERANCES = {
 
 type Key = keyof typeof TOLERANCES;
 
-/** Steps of a slider, which is even in the number of digits. */
+/** Steps of a slider. The scale is logarithmic, because the range covers several powers of ten. */
 const STEPS = 200;
 
 export function tolerances(session: Session, preview: Preview): HTMLElement {
   const draft: Partial<Record<Key, number>> = {};
-  const told = h('p', { class: 'outlook', role: 'status' });
+  const outcome = h('p', { class: 'comparison', role: 'status' });
   const apply = button(words.drawing.apply, { class: 'small primary' });
   apply.type = 'submit';
   const back = button(words.drawing.cancel, { class: 'small', onclick: () => preview.clear() });
@@ -46,11 +46,11 @@ export function tolerances(session: Session, preview: Preview): HTMLElement {
     const same = keys.every((k) => (draft[k] ?? chosen(k)) === chosen(k));
     apply.disabled = wrong;
     choice.hidden = same && !wrong;
-    if (wrong) setText(told, words.drawing.within(TOLERANCES[key].least, TOLERANCES[key].most));
+    if (wrong) setText(outcome, words.drawing.within(TOLERANCES[key].least, TOLERANCES[key].most));
     else if (same) preview.clear();
     else {
-      setText(told, words.drawing.checking);
-      preview.ask({ ...undecided(session.state.load), joinTolerance: chosen('joinTolerance'), ...draft });
+      setText(outcome, words.drawing.checking);
+      preview.request({ ...withoutRules(session.state.load), joinTolerance: chosen('joinTolerance'), ...draft });
     }
   }));
   const reset = () => {
@@ -59,27 +59,27 @@ export function tolerances(session: Session, preview: Preview): HTMLElement {
       rows[i]!.set(chosen(key));
     }
     choice.hidden = true;
-    setText(told, '');
+    setText(outcome, '');
   };
-  const form = h('form', { class: 'stack' }, ...rows.map((row) => row.root), told, choice);
+  const form = h('form', { class: 'stack' }, ...rows.map((row) => row.root), outcome, choice);
   form.addEventListener('submit', (event) => {
     event.preventDefault();
-    if (!choice.hidden && !apply.disabled) void session.reread({ ...session.state.load, ...draft });
+    if (!choice.hidden && !apply.disabled) session.drawing.change({ ...draft });
   });
   form.addEventListener('keydown', (event) => {
     if (event.key === 'Escape') preview.clear();
   });
-  preview.on('outlook', (outlook) => {
-    if (outlook === null) reset();
-    else setText(told, inWords(outlook));
+  preview.on('comparison', (comparison) => {
+    if (comparison === null) reset();
+    else setText(outcome, inWords(comparison));
   });
-  preview.on('refused', (sentence) => setText(told, sentence));
-  session.on('loaded', reset);
+  preview.on('refused', (sentence) => setText(outcome, sentence));
+  session.store.on('loaded', reset);
   reset();
   return h('details', { class: 'more' }, h('summary', {}, words.drawing.tolerances), form);
 }
 
-/** A slider with its number; `onTurn` hears what is chosen, null where it is nothing that can be. */
+/** A slider with its number. `onTurn` is called with the value, or with null where it is not a valid one. */
 function tolerance({ label, least, most }: Tolerance, onTurn: (mm: number | null) => void): { root: HTMLElement; set(mm: number): void; valid(): boolean } {
   const input = h('input', { type: 'number', min: least, max: most, step: 'any', inputmode: 'decimal' });
   const slider = h('input', { type: 'range', min: 0, max: STEPS, 'aria-label': label, class: 'tolerance' });
@@ -91,20 +91,20 @@ function tolerance({ label, least, most }: Tolerance, onTurn: (mm: number | null
     slider.style.setProperty('--share', String(share));
     slider.setAttribute('aria-valuetext', `${mm} mm`);
   };
-  const hear = () => {
+  const report = () => {
     input.setAttribute('aria-invalid', String(!valid()));
     onTurn(valid() ? input.valueAsNumber : null);
   };
   input.addEventListener('input', () => {
     if (valid()) slide(input.valueAsNumber);
-    hear();
+    report();
   });
   slider.addEventListener('input', () => {
-    // Two digits: nobody means a third.
+    // A slider cannot be set more exactly than to two digits.
     const mm = Number((least * Math.exp((span * slider.valueAsNumber) / STEPS)).toPrecision(2));
     input.value = String(mm);
     slide(mm);
-    hear();
+    report();
   });
   const root = h('div', { class: 'tolerance-field' }, field(label, input, 'mm'), slider);
   const set = (mm: number) => {
@@ -115,12 +115,12 @@ function tolerance({ label, least, most }: Tolerance, onTurn: (mm: number | null
   return { root, set, valid };
 }
 
-function inWords({ joins, opens, goes, contours, open, elements }: Outlook): string {
+function inWords({ joins, opens, removals, contours, openContours, elements }: Comparison): string {
   const { preview } = words.drawing;
   const change = (of: readonly [number, number], say: (now: string, then: string) => string) => (of[0] === of[1] ? '' : say(count(of[0]), count(of[1])));
   const parts = [
-    joins > 0 ? preview.joins(joins, count(joins)) : '', opens > 0 ? preview.opens(opens, count(opens)) : '', goes > 0 ? preview.removals(goes, count(goes)) : '',
-    change(contours, preview.contours), change(open, preview.open), joins + opens + goes === 0 ? change(elements, preview.elements) : '',
+    joins > 0 ? preview.joins(joins, count(joins)) : '', opens > 0 ? preview.opens(opens, count(opens)) : '', removals > 0 ? preview.removals(removals, count(removals)) : '',
+    change(contours, preview.contours), change(openContours, preview.open), joins + opens + removals === 0 ? change(elements, preview.elements) : '',
   ].filter((part) => part !== '');
   return parts.length === 0 ? preview.nothing : preview.sentence(parts);
 }

@@ -1,4 +1,4 @@
-/** Small controls on the stage: zoom, fit, what is shown. */
+/** The small controls on the stage: zoom, fit, what is shown; and the legend. */
 
 import { button, h } from '../core/dom.js';
 import type { Viewport } from '../stage/viewport.js';

@@ -1,4 +1,4 @@
-/** The top bar: opening a file or a sample; what the file is, in which units and how large; table, theme, help. */
+/** The top bar: opening a file or a sample; the name, the units and the size of the drawing; undo, table, theme, help. */
 
 import { button, h, icon, setText } from '../core/dom.js';
 import { menuItem, popover } from '../core/menu.js';
@@ -24,7 +24,7 @@ export interface TopActions {
 export function topBar(session: Session, queue: Queue, theme: Theme, actions: TopActions): { nodes: Node[]; toggles: { table: HTMLButtonElement; panel: HTMLButtonElement } } {
   const samples = button(words.top.samples, { class: 'quiet' });
   samples.append(icon('down'));
-  const list = h('div', { class: 'menu' }, ...SAMPLES.map((s) => menuItem(...told(s.file), false, () => actions.sample(s))));
+  const list = h('div', { class: 'menu' }, ...SAMPLES.map((s) => menuItem(...sampleWords(s.file), false, () => actions.sample(s))));
 
   const name = h('span', { class: 'file-name' });
   const units = h('button', { type: 'button', class: 'quiet units' });
@@ -52,8 +52,8 @@ export function topBar(session: Session, queue: Queue, theme: Theme, actions: To
     const { loaded, name: file, extent: [x0, y0, x1, y1] } = session.state;
     setText(name, file);
     name.title = file;
-    undo.disabled = !session.history.canUndo;
-    redo.disabled = !session.history.canRedo;
+    undo.disabled = !session.canUndo;
+    redo.disabled = !session.canRedo;
     units.hidden = measure.hidden = loaded === null;
     if (!loaded) return;
     const { unit, source, doubtful } = loaded.units;
@@ -62,8 +62,8 @@ export function topBar(session: Session, queue: Queue, theme: Theme, actions: To
     units.classList.toggle('doubtful', doubtful);
     setText(measure, extent(x1 - x0, y1 - y0));
   };
-  session.on('change', show);
-  session.on('loaded', show);
+  session.store.on('change', show);
+  session.store.on('loaded', show);
   show();
 
   return {
@@ -78,7 +78,7 @@ export function topBar(session: Session, queue: Queue, theme: Theme, actions: To
   };
 }
 
-function told(file: string): readonly [title: string, about: string] {
+function sampleWords(file: string): readonly [title: string, about: string] {
   return words.samples[file] ?? [file, ''];
 }
 
@@ -88,5 +88,5 @@ function fillUnits(session: Session, list: HTMLElement): void {
   const choices = Object.keys(UNIT_SIZES) as Unit[];
   list.replaceChildren(
     h('p', { class: 'menu-note' }, loaded.units.reason),
-    ...choices.map((u) => menuItem(words.unitNames[u], sizeIn(session.state, u), u === loaded.units.unit, () => session.setUnits(u))));
+    ...choices.map((u) => menuItem(words.unitNames[u], sizeIn(session.state, u), u === loaded.units.unit, () => session.drawing.setUnits(u))));
 }

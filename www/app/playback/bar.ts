@@ -1,11 +1,11 @@
-/** The bar at the bottom: play, the job's clock, how fast it runs. */
+/** The bar at the bottom: play, the time in the job, the speed. */
 
 import { button, h, icon, setText } from '../core/dom.js';
 import { clock } from '../core/format.js';
 import type { Playback } from './playback.js';
 import { words } from '../core/words/index.js';
 
-/** Steps of the slider: a step is less than a pixel on any screen. */
+/** Steps of the slider: one step is less than a pixel on any screen. */
 const STEPS = 10_000;
 
 const SPEEDS: readonly [label: string, speed: number | null][] = [[words.playback.whole, null], ['1×', 1], ['5×', 5], ['20×', 20], ['100×', 100]];

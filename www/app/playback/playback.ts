@@ -1,6 +1,6 @@
 /**
- * The job on its clock: where on it one is, playing on, stepping from contour to contour. At the end of the clock the
- * whole path is shown; anywhere before, what is cut by then.
+ * Plays the job: the current time in it, playing and pausing, the order of the contours. At the end of the job the whole path is shown, before
+ * that only what is cut by then.
  */
 
 import { Emitter } from '../core/emitter.js';
@@ -8,13 +8,13 @@ import type { BestPath } from 'kerfway';
 import { firstStops } from '../stage/shapes.js';
 import { Timeline, type Moment } from './timeline.js';
 
-/** Seconds a job of any length plays in at speed "whole job". */
+/** Seconds in which a job of any length is played at the speed "whole job". */
 export const WHOLE_JOB = 20;
 
 export class Playback extends Emitter<{ moment: Moment | null; path: void; state: void }> {
   time = 0;
   playing = false;
-  /** Job seconds a second; null: the whole job in twenty seconds. */
+  /** Seconds of the job per second; null: the whole job in twenty seconds. */
   speed: number | null = null;
   private timeline: Timeline | null = null;
   private stopOfContour: Int32Array | null = null;
@@ -31,7 +31,7 @@ export class Playback extends Emitter<{ moment: Moment | null; path: void; state
     return this.timeline?.stops ?? 0;
   }
 
-  /** A better path: one stays at the same share of the job. */
+  /** Another path: the playback stays at the same share of the job. */
   setTimeline(timeline: Timeline | null): void {
     const share = this.total > 0 ? this.time / this.total : 1;
     this.timeline = timeline;
@@ -42,14 +42,14 @@ export class Playback extends Emitter<{ moment: Moment | null; path: void; state
     }
     this.time = this.atEnd ? this.total : share * this.total;
     this.emit('path', undefined);
-    this.tell();
+    this.emitMoment();
   }
 
   get path(): BestPath | null {
     return this.timeline?.path ?? null;
   }
 
-  /** Place of a contour in the order; of one that is left unfinished, where it is begun. */
+  /** The place of a contour in the order. A contour that is cut in several stretches is where it begins. */
   stopOf(contour: number): number | null {
     const path = this.path;
     if (!path) return null;
@@ -65,7 +65,7 @@ export class Playback extends Emitter<{ moment: Moment | null; path: void; state
     return this.timeline?.begin(stop) ?? 0;
   }
 
-  /** The stop at the present moment. */
+  /** The stop at the current time. */
   get stop(): number {
     return this.timeline ? Math.min(this.stops - 1, this.timeline.stopAt(this.time)) : 0;
   }
@@ -73,7 +73,7 @@ export class Playback extends Emitter<{ moment: Moment | null; path: void; state
   seek(time: number): void {
     this.time = Math.max(0, Math.min(this.total, time));
     this.atEnd = this.time >= this.total;
-    this.tell();
+    this.emitMoment();
   }
 
   toggle(): void {
@@ -105,7 +105,7 @@ export class Playback extends Emitter<{ moment: Moment | null; path: void; state
     else this.frame = requestAnimationFrame((next) => this.run(next));
   }
 
-  private tell(): void {
+  private emitMoment(): void {
     this.emit('moment', this.timeline && !this.atEnd ? this.timeline.at(this.time, this.moment) : null);
   }
 }

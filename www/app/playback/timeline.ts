@@ -1,6 +1,6 @@
 /**
- * Where the head is at a moment of the job. The path tells when each stop's cut begins and ends; between the end of
- * one and the beginning of the next lie the air move and, at its end, the piercing.
+ * Where the head is at a moment of the job. The path says when the cut of each stop begins and ends. Between the end of one cut and the beginning
+ * of the next are the air move and, at its end, the piercing.
  */
 
 import type { BestPath } from 'kerfway';
@@ -8,11 +8,11 @@ import { cutLength, firstStops, placeAfter, type Place, type Shapes } from '../s
 import type { Travel } from '../stage/raster-messages.js';
 
 export interface Moment {
-  /** The stop the head is at or under way to; the number of stops when it is on the way home or there. */
+  /** The stop where the head is or to which it moves; the number of stops when it is at home or moves there. */
   stop: number;
-  /** Cutting, rather than on an air move or piercing. */
+  /** The head cuts. Otherwise it is on an air move or pierces. */
   cutting: boolean;
-  /** Length of the stop's contour already cut, mm. */
+  /** How much of the stop is already cut, mm. */
   cut: number;
   x: number;
   y: number;
@@ -22,7 +22,7 @@ export class Timeline {
   private readonly place: Place = { x: 0, y: 0, dx: 0, dy: 0 };
   private readonly first: Int32Array;
 
-  /** `still`: seconds before each cut in which the head stands and pierces; a contour that goes on is not pierced. */
+  /** `still`: seconds before each cut in which the head stands still and pierces. A contour that is continued is not pierced again. */
   constructor(
     readonly path: BestPath, readonly total: number, private readonly shapes: Shapes,
     private readonly contourLengths: Float64Array, private readonly travel: Travel, private readonly still: number,
@@ -34,12 +34,12 @@ export class Timeline {
     return this.path.contours.length;
   }
 
-  /** When a stop's cut begins, s. */
+  /** When the cut of a stop begins, s. */
   begin(stop: number): number {
     return this.path.times[stop * 2] ?? this.total;
   }
 
-  /** The stop whose cut is under way at `t`, or comes next. */
+  /** The stop that is being cut at `t`, or the next one. */
   stopAt(t: number): number {
     let low = 0, high = this.stops;
     while (low < high) {
@@ -82,7 +82,7 @@ export class Timeline {
     return out;
   }
 
-  /** A point of an air move after a share of its time, as the machine's axes run. */
+  /** The point of an air move after a share of its time, with the axes moving as on the machine. */
   private along(x0: number, y0: number, x1: number, y1: number, share: number, out: Moment): void {
     const dx = x1 - x0, dy = y1 - y0;
     let sx = share, sy = share;

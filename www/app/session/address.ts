@@ -1,6 +1,6 @@
 /**
- * Settings in the address, behind `#`, so that they can be shared: never sent to a server, never the drawing. What is
- * the default is left out; what cannot be understood is passed over.
+ * Settings in the address, after `#`, so that they can be shared. They are never sent to a server, and the drawing is not among them.
+ * Default values are omitted; values that cannot be understood are ignored.
  */
 
 import type { CommonCuts, LoadOptions, Unit } from 'kerfway';
@@ -14,7 +14,7 @@ export interface Shared {
   load: LoadOptions;
 }
 
-/** The settings of a state, as the part of an address behind `#`. */
+/** The settings of a state, as the part of an address after `#`. */
 export function written({ machine, search, load }: State, defaults: { machine: string; method: string; seconds: number }): string {
   const words = new URLSearchParams();
   const put = (name: string, value: string | number | boolean | null | undefined, usual?: unknown) => {

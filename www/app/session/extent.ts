@@ -1,14 +1,13 @@
-/** How far a drawing reaches, what is left out included: the paper on the stage, and the size people check. */
+/** The size of a drawing, skipped contours included: the paper on the stage, and the size that people check. */
 
-import type { Loaded } from 'kerfway';
+import { activeContours, type Loaded } from 'kerfway';
 import { prepare } from '../stage/shapes.js';
-import { worked } from './worked.js';
 
 export type Box = [xmin: number, ymin: number, xmax: number, ymax: number];
 
-/** The box around all of a drawing, mm. */
+/** The box around a whole drawing, mm. */
 export function extentOf(loaded: Loaded): Box {
-  const box: Box = worked(loaded).length > 0 ? [...loaded.bounds] : [Infinity, Infinity, -Infinity, -Infinity];
+  const box: Box = activeContours(loaded).length > 0 ? [...loaded.bounds] : [Infinity, Infinity, -Infinity, -Infinity];
   const { boxes } = prepare(loaded.ignored.geometry);
   for (let i = 0; i < boxes.length; i += 4) {
     box[0] = Math.min(box[0], boxes[i]!);

@@ -1,30 +1,28 @@
-/** What a method from a paper has told of itself, round by round. */
+/** What a method from a paper reports about itself, round by round. */
 
 import type { Insight } from 'kerfway';
 
 export interface Insights {
-  now: Insight | null;
-  rounds: number[];
-  /** By round, then by curve. */
-  values: number[][];
+  readonly now: Insight | null;
+  readonly rounds: readonly number[];
+  /** The values by round, then by curve. */
+  readonly values: readonly (readonly number[])[];
 }
 
-/** Rounds kept at most: a curve is no wider. Beyond, every other one is dropped. */
+/** How many rounds are kept, as no curve is wider. Beyond that every second one is dropped. */
 const MOST = 240;
 
-export const noInsights = (): Insights => ({ now: null, rounds: [], values: [] });
+export const noInsights: Insights = { now: null, rounds: [], values: [] };
 
-/** Takes another one in. */
-export function learn(insights: Insights, now: Insight): void {
-  insights.now = now;
-  const { rounds, values } = insights;
-  if (rounds.at(-1) === now.round) {
-    rounds.pop();
-    values.pop();
-  }
-  rounds.push(now.round);
-  values.push(now.curves.map((c) => c.value));
-  if (rounds.length <= MOST) return;
-  insights.rounds = rounds.filter((_, i) => i % 2 === 0);
-  insights.values = values.filter((_, i) => i % 2 === 0);
+/** The insights with another report. A second report of the same round replaces the first. */
+export function withInsight({ rounds, values }: Insights, now: Insight): Insights {
+  const known = rounds.at(-1) === now.round ? -1 : rounds.length;
+  const all = {
+    now,
+    rounds: [...rounds.slice(0, known), now.round],
+    values: [...values.slice(0, known), now.curves.map((c) => c.value)],
+  };
+  if (all.rounds.length <= MOST) return all;
+  const everySecond = (_: unknown, i: number) => i % 2 === 0;
+  return { now, rounds: all.rounds.filter(everySecond), values: all.values.filter(everySecond) };
 }

@@ -1,80 +1,81 @@
 /**
- * A look at the drawing as other options would read it, while the plan of the one in hand goes on: a planner of its own reads
- * it, so that nothing waits. The newest wish wins; what is wished in between is never read.
+ * A preview of the drawing as other options would read it, while the current plan goes on. A planner of its own reads it, so that nothing has
+ * to wait. Only the newest request counts; requests between two readings are skipped.
  */
 
 import { createPlanner, type Loaded, type LoadOptions, type Planner } from 'kerfway';
 import { Emitter } from '../core/emitter.js';
 import { messageOf } from '../core/strings.js';
-import { outlook, type Outlook } from './outlook.js';
-import type { Session, Source } from './session.js';
+import { compareReadings, type Comparison } from './comparison.js';
+import type { Source } from './drawing.js';
+import type { Session } from './session.js';
 
-/** Milliseconds a wish rests before it is read: a slider that is moved wishes sixty times a second. */
+/** Milliseconds without a new request before the drawing is read: moving a slider makes sixty requests a second. */
 const REST = 120;
-/** Milliseconds after the last look in which the planner is kept. */
+/** Milliseconds for which the planner is kept after the last request. */
 const KEPT = 30_000;
 
 interface Events extends Record<string, unknown> {
-  /** What would change; null: nothing is looked at any more. */
-  outlook: Outlook | null;
-  /** These options cannot be: one sentence. */
+  /** What would change; null when the preview has ended. */
+  comparison: Comparison | null;
+  /** The options are not possible: one sentence. */
   refused: string;
 }
 
 export class Preview extends Emitter<Events> {
-  private wish: LoadOptions | null = null;
-  private rest = 0;
+  private requested: LoadOptions | null = null;
+  private timer = 0;
   private working = false;
-  /** The planner and what it has read. */
+  /** The planner, and the drawing that it has read. */
   private held: { source: Source; planner: Promise<Planner> } | null = null;
-  private idle = 0;
+  private releaseTimer = 0;
 
   constructor(private readonly session: Session) {
     super();
-    const gone = () => {
+    const end = () => {
       this.clear();
       this.release();
     };
-    session.on('loaded', ({ fresh }) => (fresh ? gone() : this.clear()));
-    session.on('cleared', gone);
+    session.store.on('loaded', ({ fresh }) => (fresh ? end() : this.clear()));
+    session.store.on('cleared', end);
   }
 
-  /** Looks at the drawing as these options read it. */
-  ask(options: LoadOptions): void {
-    this.wish = options;
-    clearTimeout(this.rest);
-    this.rest = window.setTimeout(() => void this.work(), REST);
+  /** Reads the drawing with these options, soon. */
+  request(options: LoadOptions): void {
+    this.requested = options;
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => void this.work(), REST);
   }
 
-  /** Nothing is to be looked at any more. */
+  /** Ends the preview. */
   clear(): void {
-    this.wish = null;
-    clearTimeout(this.rest);
-    this.emit('outlook', null);
+    this.requested = null;
+    clearTimeout(this.timer);
+    this.emit('comparison', null);
   }
 
   private async work(): Promise<void> {
     if (this.working) return;
     this.working = true;
-    clearTimeout(this.idle);
+    clearTimeout(this.releaseTimer);
     let done: LoadOptions | null = null;
-    while (this.wish !== null && this.wish !== done) {
-      done = this.wish;
+    while (this.requested !== null && this.requested !== done) {
+      done = this.requested;
       try {
         const then = await this.read(done);
         const now = this.session.state.loaded;
-        // Whatever was wished meanwhile comes next.
-        if (this.wish === done && now !== null && then !== null) this.emit('outlook', outlook(now, then, done.joinTolerance ?? 0));
+        // When another request has arrived meanwhile, it is read next.
+        if (this.requested === done && now !== null && then !== null) this.emit('comparison', compareReadings(now, then, done.joinTolerance ?? 0));
       } catch (error) {
-        if (this.wish === done) this.emit('refused', messageOf(error));
+        if (this.requested === done) this.emit('refused', messageOf(error));
       }
     }
     this.working = false;
-    this.idle = window.setTimeout(() => this.release(), KEPT);
+    this.releaseTimer = window.setTimeout(() => this.release(), KEPT);
   }
 
   private async read(options: LoadOptions): Promise<Loaded | null> {
-    const { source } = this.session;
+    const { source } = this.session.drawing;
     if (source === null) return null;
     if (this.held?.source === source) return (await this.held.planner).reload(options);
     this.release();
@@ -87,7 +88,7 @@ export class Preview extends Emitter<Events> {
   }
 
   private release(): void {
-    clearTimeout(this.idle);
+    clearTimeout(this.releaseTimer);
     this.held?.planner.then((planner) => planner.close(), () => {});
     this.held = null;
   }

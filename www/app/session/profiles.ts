@@ -1,6 +1,6 @@
 /**
- * A person's own machines: kept in this browser, and as files (`kerfway.machine/1`) to take elsewhere. What a file holds
- * is checked by the planner when it is used; here only its shape is.
+ * A person's own machines. They are saved in this browser, and exported to files (`kerfway.machine/1`). Only the shape of a file is checked
+ * here; the planner checks its values when the machine is used.
  */
 
 import type { MachineProfile } from 'kerfway';
@@ -9,8 +9,8 @@ import { words } from '../core/words/index.js';
 const KEY = 'kerfway.machines';
 const SCHEMA = 'kerfway.machine/1';
 
-/** Those kept in this browser. */
-export function kept(): MachineProfile[] {
+/** The machines saved in this browser. */
+export function savedMachines(): MachineProfile[] {
   try {
     const list: unknown = JSON.parse(localStorage.getItem(KEY) ?? '[]');
     return Array.isArray(list) ? list.filter(isProfile) : [];
@@ -19,26 +19,28 @@ export function kept(): MachineProfile[] {
   }
 }
 
-/** Keeps one, in place of another of its name; false where the browser keeps nothing. */
-export function keep(profile: MachineProfile): boolean {
-  return store([...kept().filter((m) => m.name !== profile.name), profile]);
+/** Saves a machine in place of another with its name. Returns false where the browser stores nothing. */
+export function saveMachine(profile: MachineProfile): boolean {
+  return store([...savedMachines().filter((m) => m.name !== profile.name), profile]);
 }
 
-export function forget(name: string): boolean {
-  return store(kept().filter((m) => m.name !== name));
+/** Deletes a saved machine. Returns false where the browser stores nothing. */
+export function deleteMachine(name: string): boolean {
+  return store(savedMachines().filter((m) => m.name !== name));
 }
 
-/** One under a name of its own: the title made a name. */
+/** A copy with another title, and a name made from that title. */
 export function named(profile: MachineProfile, title: string): MachineProfile {
   const slug = title.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '');
   return { ...structuredClone(profile), name: `my-${slug || 'machine'}`, title };
 }
 
+/** The text of an exported machine. */
 export function asFile(profile: MachineProfile): string {
   return `${JSON.stringify({ schema: SCHEMA, profile }, null, 2)}\n`;
 }
 
-/** The profile in a file; throws one sentence. */
+/** The profile in an exported file. Throws an error with one sentence when there is none. */
 export function fromFile(text: string): MachineProfile {
   let content: unknown;
   try {

@@ -1,86 +1,100 @@
 /**
- * Several drawings dropped at once: planned one after the other, each for its time, with the machine and the method chosen.
- * What comes of each is kept as G-code; any of them can be looked at again, which plans it anew.
+ * Several drawings that were dropped together. They are planned one after the other, each for its time, with the chosen machine and method.
+ * The G-code of each is kept. Any of them can be opened again, which plans it again.
  */
 
 import type { LoadOptions } from 'kerfway';
 import { Emitter } from '../core/emitter.js';
 import { messageOf } from '../core/strings.js';
-import type { Session } from './session.js';
 import { words } from '../core/words/index.js';
+import type { Session } from './session.js';
 
-/** `asks`: it waits for an answer of a person; the others go on. */
-export type ItemState = 'waits' | 'working' | 'asks' | 'done' | 'failed';
+/** `question`: the file needs an answer from the person; the others are planned meanwhile. */
+export type ItemState = 'waiting' | 'planning' | 'question' | 'done' | 'failed';
 
 export interface Item {
   readonly file: File;
   state: ItemState;
-  /** Seconds of the job as planned. */
+  /** Seconds of the planned job. */
   seconds: number | null;
   gcode: string | null;
-  /** How it was read when it was left, contours pinned and left out among it. */
+  /** The options it was read with when it was last open, with its pinned and skipped contours. */
   load: LoadOptions | null;
   /** Why it failed. */
   sentence: string | null;
 }
 
+/** Reads a file, calls `begun`, and opens the drawing, with the given options if there are any. */
+export type OpenFile = (file: File, load: LoadOptions | null, begun: () => void) => Promise<void>;
+
 interface Events extends Record<string, unknown> {
-  change: readonly Item[];
+  change: readonly Readonly<Item>[];
 }
 
 export class Queue extends Emitter<Events> {
-  items: readonly Item[] = [];
-  /** The one that is open. */
-  current: Item | null = null;
+  private all: readonly Item[] = [];
+  private opened: Item | null = null;
 
-  /** `open` reads a file and has the session take it with these options, if there are any; `begun` is called between the two. */
-  constructor(
-    private readonly session: Session,
-    private readonly open: (file: File, load: LoadOptions | null, begun: () => void) => Promise<void>,
-  ) {
+  constructor(private readonly session: Session, private readonly open: OpenFile) {
     super();
-    session.on('change', () => void this.hear());
+    session.store.on('change', () => void this.follow());
   }
 
-  /** Files that were dropped or chosen together. One alone makes no queue. */
+  get items(): readonly Readonly<Item>[] {
+    return this.all;
+  }
+
+  /** The item that is open, or null. */
+  get current(): Readonly<Item> | null {
+    return this.opened;
+  }
+
+  /** Takes files that were dropped or chosen together. A single file makes no queue. */
   take(files: readonly File[]): void {
-    const [first] = files;
-    if (first === undefined) return;
-    this.items = files.length < 2 ? [] : files.map((file) => ({ file, state: 'waits', seconds: null, gcode: null, load: null, sentence: null }));
-    this.current = null;
-    this.emit('change', this.items);
-    if (this.items[0] === undefined) void this.open(first, null, () => {});
-    else this.begin(this.items[0]);
+    const [file] = files;
+    if (file === undefined) return;
+    this.all = files.length < 2 ? [] : files.map((file) => ({ file, state: 'waiting', seconds: null, gcode: null, load: null, sentence: null }));
+    this.opened = null;
+    this.emit('change', this.all);
+    const [first] = this.all;
+    if (first === undefined) void this.open(file, null, () => {});
+    else this.begin(first);
   }
 
-  /** Opens one of them, again or out of turn. */
-  begin(item: Item): void {
-    this.leave();
-    item.state = 'working';
-    void this.open(item.file, item.load, () => (this.current = item));
-    this.emit('change', this.items);
+  /** Opens an item by its place in the list, again or out of turn. */
+  openAt(index: number): void {
+    const item = this.all[index];
+    if (item !== undefined) this.begin(item);
   }
 
-  /** Something else is opened: what is under way waits, until somebody comes back to it. */
+  /** Something else is about to be opened: an item that is being planned waits until somebody opens it again. */
   leave(): void {
-    if (this.current?.state === 'working') this.current.state = 'waits';
-    if (this.current !== null) this.current.load = this.session.state.load;
-    this.current = null;
-    this.emit('change', this.items);
+    const item = this.opened;
+    if (item?.state === 'planning') item.state = 'waiting';
+    if (item !== null) item.load = this.session.state.load;
+    this.opened = null;
+    this.emit('change', this.all);
   }
 
-  private async hear(): Promise<void> {
-    const { current: item, session: { state } } = this;
+  private begin(item: Item): void {
+    this.leave();
+    item.state = 'planning';
+    void this.open(item.file, item.load, () => (this.opened = item));
+    this.emit('change', this.all);
+  }
+
+  private async follow(): Promise<void> {
+    const { opened: item, session: { state } } = this;
     if (item === null) return;
-    if (state.phase === 'question' && item.state === 'working') this.end(item, 'asks');
+    if (state.phase === 'question' && item.state === 'planning') this.end(item, 'question');
     else if (state.phase === 'failed' && item.state !== 'failed') this.end(item, 'failed', { sentence: state.error });
-    else if (state.phase === 'ready' && item.state === 'working') this.end(item, 'failed', { sentence: state.error ?? words.files.nothing });
-    else if (state.phase === 'planning' && item.state !== 'working') {
-      // Answered, or changed: it is planned anew.
-      item.state = 'working';
-      this.emit('change', this.items);
-    } else if (state.phase === 'done' && item.state === 'working') {
-      // Once: what follows is heard, too.
+    else if (state.phase === 'ready' && item.state === 'planning') this.end(item, 'failed', { sentence: state.error ?? words.files.nothing });
+    else if (state.phase === 'planning' && item.state !== 'planning') {
+      // The question was answered or a choice was made: the item is planned again.
+      item.state = 'planning';
+      this.emit('change', this.all);
+    } else if (state.phase === 'done' && item.state === 'planning') {
+      // The state is set at once, because further changes arrive while the G-code is being written.
       item.state = 'done';
       const seconds = state.progress?.summary.total_time ?? null;
       try {
@@ -92,11 +106,11 @@ export class Queue extends Emitter<Events> {
     }
   }
 
-  // Whatever a person looks at stays open; only the one just ended makes room for the next.
+  /** Ends an item and opens the next one that waits, unless the person has opened another one meanwhile. */
   private end(item: Item, state: ItemState, found: Partial<Item> = {}): void {
     Object.assign(item, { state, ...found });
-    this.emit('change', this.items);
-    const next = this.items.find((other) => other.state === 'waits');
-    if (next !== undefined && item === this.current) this.begin(next);
+    this.emit('change', this.all);
+    const next = this.all.find((other) => other.state === 'waiting');
+    if (next !== undefined && item === this.opened) this.begin(next);
   }
 }

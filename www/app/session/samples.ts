@@ -1,16 +1,16 @@
-/** Drawings that come with the page, fetched when chosen. */
+/** The drawings that come with the page. They are fetched when they are chosen. */
 
 import type { LoadOptions } from 'kerfway';
 import { words } from '../core/words/index.js';
 
 export interface Sample {
-  /** Its title stands in `words.samples`. */
+  /** The name of its file; its title is in `words.samples`. */
   file: string;
-  /** What a person who knows the drawing has already decided. */
+  /** The choices that somebody who knows the drawing would make. */
   options: LoadOptions;
 }
 
-/** The border of our sheets is the sheet itself, not a cut. */
+/** The border of the sheets is the sheet itself, not a cut. */
 const BORDER: LoadOptions = { layers: [{ name: 'SHEET', operation: 'ignore' }] };
 
 /** The first is shown on a first visit. */
@@ -25,9 +25,9 @@ export const SAMPLES: readonly Sample[] = [
   { file: 'lumberjack-polaris.dxf', options: {} },
 ];
 
-/** Bytes of a sample. */
+/** Fetches a sample. */
 export async function fetchSample(sample: Sample): Promise<ArrayBuffer> {
-  const answer = await fetch(`samples/${sample.file}`);
-  if (!answer.ok) throw new Error(words.page.noSample(words.samples[sample.file]?.[0] ?? sample.file));
-  return answer.arrayBuffer();
+  const response = await fetch(`samples/${sample.file}`);
+  if (!response.ok) throw new Error(words.page.noSample(words.samples[sample.file]?.[0] ?? sample.file));
+  return response.arrayBuffer();
 }

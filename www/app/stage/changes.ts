@@ -1,23 +1,23 @@
 /**
- * What an improvement changed: the stops whose way in is new, so that it can glow for a moment. One pass over typed
- * arrays, with tables kept from one improvement to the next.
+ * What an improvement changed: the stops that are reached by a new air move, which glows for a moment. The comparison is one pass over typed
+ * arrays.
  */
 
 import type { BestPath } from 'kerfway';
 import { firstStops } from './shapes.js';
 
-/** When more than this share of the stops changed at once, the path as a whole is new: nothing in it stands out. */
+/** When more than this share of the stops has changed, the whole path is new, and nothing in it should stand out. */
 const WHOLE = 0.35;
-/** A place further off than this is another place, mm. */
+/** Places that are farther apart than this are different places, mm. */
 const SAME = 1e-3;
 
-/** 1 for each stop whose air move is new; null when nothing or nearly everything is. */
+/** 1 for each stop whose air move is new. Null when nothing or nearly everything is new. */
 export function changedStops(before: BestPath | null, after: BestPath): Uint8Array | null {
   const stops = after.contours.length;
   if (!before || before.contours.length !== stops || stops === 0) return null;
   let most = 0;
   for (let k = 0; k < stops; k += 1) most = Math.max(most, before.contours[k]!, after.contours[k]!);
-  // Where contours are left unfinished their first stops tell.
+  // A contour that is cut in several stretches is represented by its first stop.
   const stopOf = firstStops(before, most + 1), first = firstStops(after, most + 1);
   const changed = new Uint8Array(stops);
   let sum = 0;

@@ -1,18 +1,18 @@
 /**
- * Pointer and wheel on the stage: drag pans, wheel and pinch zoom about the pointer, a click that did not move picks.
+ * Pointer and wheel on the stage: dragging pans, the wheel and a pinch zoom about the pointer, a click without movement picks.
  */
 
 import type { Viewport } from './viewport.js';
 
-/** Pixels a pointer may wander between down and up and still be a click. */
+/** How many pixels a pointer may move between down and up and still be a click. */
 const CLICK_SLOP = 5;
-/** Zoom by a wheel notch of 100 units: a fifth, as maps do. */
+/** Zoom per unit of the wheel: a notch of 100 units zooms by a fifth, as maps do. */
 const WHEEL_RATE = 0.0018;
-/** A trackpad pinch sends small deltas with the control key held. */
+/** Zoom per unit of a trackpad pinch, which sends small deltas with the control key held. */
 const PINCH_RATE = 0.012;
 
 export interface Picks {
-  /** The pointer is over this place, or has left (null). */
+  /** The pointer is over this place; null when it has left. */
   hover(at: { x: number; y: number } | null): void;
   click(x: number, y: number, by: { touch: boolean; shift: boolean; alt: boolean }): void;
 }

@@ -1,13 +1,13 @@
 /**
- * Which contour lies under the pointer: a uniform grid over the sheet, each cell listing the elements whose boxes
- * touch it, as two flat arrays (starts, members).
+ * Finds the contour under the pointer, by a uniform grid over the sheet. Each cell lists the elements whose boxes touch it, in two flat arrays
+ * (starts, members).
  */
 
 import { distance2, STRIDE, type Shapes } from './shapes.js';
 
-/** Elements per cell on average: few enough to test at once, many enough to keep the grid small. */
+/** Elements per cell on average: few enough to test quickly, many enough to keep the grid small. */
 const PER_CELL = 4;
-/** Cells at most; bounds memory for drawings of two million elements. */
+/** The largest number of cells, which bounds the memory for drawings of two million elements. */
 const MOST_CELLS = 1 << 18;
 
 export class HitGrid {
@@ -68,7 +68,7 @@ export class HitGrid {
     return Math.min(this.rows - 1, Math.max(0, Math.floor((y - this.bounds[1]) / this.cell)));
   }
 
-  /** Each cell an element's box touches. */
+  /** Visits each cell that the box of an element touches. */
   private each(visit: (cell: number, element: number) => void): void {
     const s = this.shapes.segments;
     for (let e = 0; e < this.shapes.lengths.length; e += 1) {

@@ -1,22 +1,16 @@
 /**
- * What lies above the bitmaps and changes by the frame: the sheet's measures, the contour under the pointer and the
- * selected one, findings, the head. Device pixels throughout; a handful of strokes a frame.
+ * What is drawn over the bitmaps with every frame: the size of the sheet, the contour under the pointer and the selected one, partitions,
+ * pre-cuts, the head. All of it takes a handful of strokes, in device pixels.
  */
 
 import { size as sizeText } from '../core/format.js';
-import type { Finding, Insight } from 'kerfway';
-import type { Mark } from '../session/outlook.js';
+import type { BestPath, Insight } from 'kerfway';
 import type { Palette } from './palette.js';
-import type { View } from './raster-messages.js';
+import type { Travel, View } from './raster-messages.js';
 import type { Shapes } from './shapes.js';
 import { traceAir, traceChain } from './trace.js';
-import type { Travel } from './raster-messages.js';
-import type { BestPath } from 'kerfway';
 
 type Pen = CanvasRenderingContext2D;
-
-/** Markers of findings nearer to each other than this many CSS pixels are drawn as one. */
-const CROWD = 14;
 
 /** The sheet as an area with its width and height written at its edges. */
 export function drawSheet(pen: Pen, view: View, palette: Palette, bounds: readonly number[]): void {
@@ -45,7 +39,7 @@ export function drawSheet(pen: Pen, view: View, palette: Palette, bounds: readon
   pen.textAlign = 'start';
 }
 
-/** A contour made to stand out, with the air move into it. */
+/** A contour that stands out. */
 export function drawEmphasis(pen: Pen, view: View, palette: Palette, shapes: Shapes, chain: number, strong: boolean): void {
   pen.lineJoin = pen.lineCap = 'round';
   pen.beginPath();
@@ -59,10 +53,10 @@ export function drawEmphasis(pen: Pen, view: View, palette: Palette, shapes: Sha
   pen.stroke();
 }
 
-/** Turn of the colours from one partition to the next, as a part of all of them: by the golden ratio no two near in number are alike. */
+/** The step from the colour of one partition to the next, as a share of the ramp: with the golden ratio, neighbours never look alike. */
 const TURN = 0.618034;
 
-/** Partitions of a method that makes them, each in a colour of its own, and rings where contours are left for them. */
+/** The partitions of a method that makes them, each in its own colour, and rings where the head leaves a contour for a partition. */
 export function drawPartitions(pen: Pen, view: View, palette: Palette, shapes: Shapes, partitions: NonNullable<Insight['partitions']>): void {
   const r = view.ratio;
   const contours: number[][] = Array.from({ length: partitions.parents.length + 1 }, () => []);
@@ -87,11 +81,11 @@ export function drawPartitions(pen: Pen, view: View, palette: Palette, shapes: S
   pen.stroke();
 }
 
-/** From the middle of a mark to its sides, CSS pixels. */
+/** From the centre of a mark to its sides, CSS pixels. */
 const MARK = 3.5;
 
-/** Where pre-cuts are made: diamonds; where a cut pauses in a sharp corner: squares. */
-export function drawMarks(pen: Pen, view: View, palette: Palette, path: BestPath): void {
+/** Diamonds at pre-cuts, and squares where a cut pauses in a sharp corner. */
+export function drawCutMarks(pen: Pen, view: View, palette: Palette, path: BestPath): void {
   const size = MARK * view.ratio;
   const marks = (places: Float64Array, corners: readonly (readonly [number, number])[]) => {
     pen.beginPath();
@@ -111,8 +105,8 @@ export function drawMarks(pen: Pen, view: View, palette: Palette, path: BestPath
   marks(path.pauses, [[-0.8, -0.8], [0.8, -0.8], [0.8, 0.8], [-0.8, 0.8]]);
 }
 
-/** The air moves into and out of a stop, drawn heavier. */
-export function drawWays(pen: Pen, view: View, palette: Palette, path: BestPath, travel: Travel, stop: number): void {
+/** The air moves into and out of a stop, in a heavier line. */
+export function drawTravel(pen: Pen, view: View, palette: Palette, path: BestPath, travel: Travel, stop: number): void {
   const p = path.points;
   const last = path.contours.length - 1;
   pen.strokeStyle = palette.accent;
@@ -124,81 +118,6 @@ export function drawWays(pen: Pen, view: View, palette: Palette, path: BestPath,
   if (stop < last) traceAir(pen, view, travel, p[stop * 4 + 2]!, p[stop * 4 + 3]!, p[stop * 4 + 4]!, p[stop * 4 + 5]!);
   else if (travel.returnHome) traceAir(pen, view, travel, p[stop * 4 + 2]!, p[stop * 4 + 3]!, hx, hy);
   pen.stroke();
-}
-
-/** Findings: triangles for what to look at, octagons for what cannot be cut, so that they differ without colour. */
-export function drawFindings(pen: Pen, view: View, palette: Palette, findings: readonly Finding[], chosen: Finding | null): void {
-  const r = view.ratio;
-  const taken = new Set<number>();
-  for (const finding of findings) {
-    if (!finding.at || (finding.severity === 'info' && finding !== chosen)) continue;
-    const x = view.x + finding.at[0] * view.scale, y = view.y - finding.at[1] * view.scale;
-    if (x < -20 || y < -20 || x > view.width + 20 || y > view.height + 20) continue;
-    const cell = Math.floor(x / (CROWD * r)) * 65536 + Math.floor(y / (CROWD * r));
-    if (taken.has(cell) && finding !== chosen) continue;
-    taken.add(cell);
-    drawMarker(pen, x, y, finding.severity === 'error', finding.severity === 'error' ? palette.red : palette.amber, palette.sheet, r);
-    if (finding === chosen) {
-      pen.strokeStyle = finding.severity === 'error' ? palette.red : palette.amber;
-      pen.lineWidth = 2 * r;
-      pen.beginPath();
-      pen.arc(x, y, 15 * r, 0, 2 * Math.PI);
-      pen.stroke();
-    }
-  }
-}
-
-function drawMarker(pen: Pen, x: number, y: number, error: boolean, color: string, ground: string, r: number): void {
-  pen.beginPath();
-  const corners = error ? 8 : 3;
-  const size = (error ? 7.5 : 8.5) * r;
-  const turn = error ? Math.PI / 8 : -Math.PI / 2;
-  for (let i = 0; i < corners; i += 1) {
-    const a = turn + (i * 2 * Math.PI) / corners;
-    pen.lineTo(x + size * Math.cos(a), y + size * Math.sin(a));
-  }
-  pen.closePath();
-  pen.fillStyle = color;
-  pen.strokeStyle = ground;
-  pen.lineWidth = 1.5 * r;
-  pen.stroke();
-  pen.fill();
-  pen.fillStyle = ground;
-  pen.fillRect(x - 0.8 * r, y - 3.4 * r, 1.6 * r, 4 * r);
-  pen.fillRect(x - 0.8 * r, y + 1.8 * r, 1.6 * r, 1.6 * r);
-}
-
-/** What another reading would change: rings where ends would join, two bars where they would part, crosses where something disappears. */
-export function drawOutlook(pen: Pen, view: View, palette: Palette, marks: readonly Mark[]): void {
-  const r = view.ratio;
-  const taken = new Set<number>();
-  pen.lineCap = 'round';
-  for (const { kind, x: mx, y: my } of marks) {
-    const x = view.x + mx * view.scale, y = view.y - my * view.scale;
-    if (x < -20 || y < -20 || x > view.width + 20 || y > view.height + 20) continue;
-    const cell = Math.floor(x / (CROWD * r)) * 65536 + Math.floor(y / (CROWD * r));
-    if (taken.has(cell)) continue;
-    taken.add(cell);
-    pen.beginPath();
-    const line = (x0: number, y0: number, x1: number, y1: number) => {
-      pen.moveTo(x + x0 * r, y + y0 * r);
-      pen.lineTo(x + x1 * r, y + y1 * r);
-    };
-    if (kind === 'joins') pen.arc(x, y, 8 * r, 0, 2 * Math.PI);
-    else if (kind === 'opens') {
-      line(-4, -8, -4, 8);
-      line(4, -8, 4, 8);
-    } else {
-      line(-6, -6, 6, 6);
-      line(-6, 6, 6, -6);
-    }
-    pen.strokeStyle = palette.sheet;
-    pen.lineWidth = 6 * r;
-    pen.stroke();
-    pen.strokeStyle = kind === 'joins' ? palette.accent : palette.amber;
-    pen.lineWidth = 2.5 * r;
-    pen.stroke();
-  }
 }
 
 /** The head: a ring with a dot, filled while the beam is on. */

@@ -1,4 +1,4 @@
-/** The stage's colours, read from the custom properties of `styles/tokens.css`. */
+/** The colours of the stage, read from the custom properties of `styles/tokens.css`. */
 
 import { colorOf } from '../core/color.js';
 import { ramp } from './ramp.js';

@@ -1,12 +1,11 @@
 /**
- * The colours of the order: viridis, perceptually uniform and readable with every common colour blindness (Smith &
- * van der Walt, 2015, CC0). Each theme uses the stretch that stands out from its ground: the darker part on light,
- * the lighter part on dark.
+ * The colours of the order: viridis, which is perceptually uniform and readable with every common colour blindness (Smith and van der Walt,
+ * 2015, CC0). Each theme uses the part that stands out from its background: the darker part on light, the lighter part on dark.
  */
 
 const VIRIDIS = ['#440154', '#482878', '#3e4989', '#31688e', '#26828e', '#1f9e89', '#35b779', '#6ece58', '#b5de2b', '#fde725'];
 
-/** Steps of colour: more cannot be told apart, and each is one batch of strokes. */
+/** Number of colours: more cannot be distinguished, and each one is a batch of strokes. */
 export const RAMP_STEPS = 24;
 
 const STRETCH = { light: [0, 0.74], dark: [0.3, 1] } as const;

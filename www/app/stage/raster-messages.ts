@@ -1,45 +1,44 @@
-/** What the stage and its drawing worker say to each other. */
+/** The messages between the stage and its drawing worker. */
 
 import type { BestPath, Geometry } from 'kerfway';
 import type { Palette } from './palette.js';
 
 /**
- * The bitmaps a frame is put together from.
- * sheet: all contours. path: air moves, entries, arrows, numbers. done: what is cut up to a stop. glow: what the last
- * improvement changed.
+ * The bitmaps that a frame is composed of.
+ * sheet: all contours. path: air moves, entries, arrows, numbers. done: what is cut before a stop. glow: what the last improvement changed.
  */
 export type Layer = 'sheet' | 'path' | 'done' | 'glow';
 export const LAYERS: readonly Layer[] = ['sheet', 'path', 'done', 'glow'];
 
-/** A bitmap's place: pixels x + world x * scale, y - world y * scale; device pixels. */
+/** Where the sheet is in a bitmap: a point is at x + its x * scale and y - its y * scale, in device pixels. */
 export interface View {
   scale: number;
   x: number;
   y: number;
   width: number;
   height: number;
-  /** Device pixels a CSS pixel. */
+  /** Device pixels per CSS pixel. */
   ratio: number;
 }
 
-/** How a contour is drawn; one left out is drawn with what is ignored. */
+/** How a contour is drawn. Skipped contours have no role, because they are drawn with the ignored ones. */
 export const Role = { outer: 0, inner: 1, mark: 2, none: 3 } as const;
 
 /** How the head moves between contours. */
 export interface Travel {
   home: [number, number];
   returnHome: boolean;
-  /** Top speeds of x and y where each axis runs at its own; null where the head moves straight. */
+  /** The top speeds of x and y where the axes move independently; null where the head moves in a straight line. */
   perAxis: [number, number] | null;
 }
 
 export type ToRaster =
   | { type: 'geometry'; geometry: Geometry; roles: Uint8Array; ignored: Geometry; drawn: Geometry | null }
   | { type: 'common'; common: Geometry | null }
-  /** `changed`: 1 for each stop the improvement moved. */
+  /** `changed`: 1 for each stop that the improvement changed. */
   | { type: 'path'; path: BestPath | null; travel: Travel; changed: Uint8Array | null }
   | { type: 'style'; palette: Palette; ramp: boolean; air: boolean }
-  /** `upto`: stops drawn in the layer `done`. */
+  /** `upto`: the stop before which everything is drawn in the layer `done`. */
   | { type: 'draw'; layer: Layer; serial: number; view: View; upto: number };
 
 export type FromRaster = { type: 'drawn'; layer: Layer; serial: number; view: View; upto: number; bitmap: ImageBitmap };

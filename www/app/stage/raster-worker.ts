@@ -1,16 +1,19 @@
 /**
- * Draws the sheet and the path into bitmaps, away from the page's thread: panning, zooming and planning stay smooth
- * however long a redraw takes. A request that is overtaken by a newer one of its layer is dropped half way; `raster.ts`
- * decides when to overtake.
+ * Draws the sheet and the path into bitmaps in a worker, so that panning and zooming stay smooth however long a redraw takes. A request is
+ * dropped half way when a newer one for the same layer has arrived; `raster.ts` decides when to send one.
  */
 
+import { paintGlow } from './paint/air.js';
+import { paintDone } from './paint/done.js';
+import { paintPath } from './paint/path.js';
+import { paintSheet } from './paint/sheet.js';
+import type { Subject } from './paint/strokes.js';
 import { prepare } from './shapes.js';
-import { paintDone, paintGlow, paintPath, paintSheet, type Subject } from './paint.js';
 import { LAYERS, type FromRaster, type Layer, type ToRaster } from './raster-messages.js';
 
 type Draw = Extract<ToRaster, { type: 'draw' }>;
 
-/** Milliseconds of drawing before newer requests are looked at. */
+/** Milliseconds of drawing before the worker looks for newer requests. */
 const SLICE = 12;
 
 const subject: Partial<Subject> = {};
@@ -78,7 +81,7 @@ async function draw(request: Draw): Promise<void> {
   const pen = canvas.getContext('2d');
   if (!pen) return;
   const began = epoch;
-  // A copy: a path that arrives half way belongs to the next drawing.
+  // The painter gets a copy, because a path that arrives meanwhile belongs to the next redraw.
   const painting = painter(layer, pen, request, { ...subject } as Subject);
   let slice = performance.now();
   while (!painting.next().done) {

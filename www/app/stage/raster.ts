@@ -1,7 +1,7 @@
 /**
- * The page's end of the drawing worker: asks for bitmaps of the view, with a margin to pan in, and keeps the last of
- * each layer until a fresher one arrives. One request a layer is under way; a redraw that takes long is overtaken
- * when the view has changed meanwhile, never merely because the path has.
+ * The page's side of the drawing worker. It requests bitmaps of the view, with a margin for panning, and keeps the last one of each layer until
+ * a newer one arrives. Each layer has one request at a time. A slow redraw is replaced by a new request when the view has changed, but not
+ * when only the path has.
  */
 
 import { Emitter } from '../core/emitter.js';
@@ -9,18 +9,18 @@ import type { BestPath, Geometry } from 'kerfway';
 import type { Palette } from './palette.js';
 import { LAYERS, type FromRaster, type Layer, type ToRaster, type Travel, type View } from './raster-messages.js';
 
-/** Pixels of one bitmap at most; the margin shrinks on large or dense screens. */
+/** The largest size of a bitmap, pixels. The margin shrinks on large or dense screens. */
 const MOST_PIXELS = 6e6;
-/** Margin around the screen, as a share of it: what one can pan without waiting. */
+/** Margin around the screen, as a share of it: how far one can pan without waiting. */
 const MARGIN = 0.3;
-/** A redraw that has taken this many milliseconds may be overtaken by one of a newer view. */
+/** A redraw that has taken this many milliseconds may be replaced by one of a newer view. */
 const PATIENCE = 120;
 
 interface Slot {
   drawn: { bitmap: ImageBitmap; view: View; upto: number } | null;
-  /** The request under way. */
+  /** The current request. */
   asked: { serial: number; view: View; at: number } | null;
-  /** What the bitmap shows is no longer so. */
+  /** The bitmap is out of date. */
   stale: boolean;
 }
 
@@ -35,7 +35,7 @@ export class Raster extends Emitter<{ drawn: Layer }> {
     this.worker.onmessage = (event: MessageEvent<FromRaster>) => this.receive(event.data);
   }
 
-  /** Another drawing: nothing drawn before is of use. `drawn`: the outlines where the contours are lines beside them. */
+  /** Another drawing, so all bitmaps are dropped. `drawn`: the drawn outlines, where the contours are the lines of the beam beside them. */
   setGeometry(geometry: Geometry, roles: Uint8Array, ignored: Geometry, drawn: Geometry | null): void {
     this.send({ type: 'geometry', geometry, roles, ignored, drawn });
     for (const slot of Object.values(this.slots)) {
@@ -45,7 +45,7 @@ export class Raster extends Emitter<{ drawn: Layer }> {
     }
   }
 
-  /** What is cut once for two parts. */
+  /** Stretches that are cut once for two parts. */
   setCommon(common: Geometry | null): void {
     this.send({ type: 'common', common });
     this.slots.sheet.stale = true;
@@ -63,12 +63,12 @@ export class Raster extends Emitter<{ drawn: Layer }> {
     for (const slot of Object.values(this.slots)) slot.stale = true;
   }
 
-  /** The last bitmap of a layer, to be drawn wherever its view says. */
+  /** The last bitmap of a layer, to be drawn where its view says. */
   get(layer: Layer): { bitmap: ImageBitmap; view: View; upto: number } | null {
     return this.slots[layer].drawn;
   }
 
-  /** Sees to it that the layer is drawn for this view, now or when the request under way is answered. */
+  /** Makes sure that the layer is drawn for this view, now or when the current request is answered. */
   need(layer: Layer, screen: View, upto = 0): void {
     const slot = this.slots[layer];
     if (!slot.stale && slot.drawn && covers(slot.drawn.view, screen) && slot.drawn.upto === upto) return;
@@ -100,7 +100,7 @@ export class Raster extends Emitter<{ drawn: Layer }> {
   }
 }
 
-/** Whether a bitmap of `view` shows the whole screen at its scale. */
+/** Whether a bitmap of `view` covers the whole screen at the same scale. */
 function covers(view: View, screen: View): boolean {
   if (Math.abs(view.scale / screen.scale - 1) > 1e-6 || view.ratio !== screen.ratio) return false;
   const left = screen.x - view.x, top = screen.y - view.y;

@@ -1,64 +1,67 @@
 /**
- * The stage: puts each frame together from the drawing worker's bitmaps and the few things that change by the frame.
- * A frame is drawn only when something changed. Bitmaps that do not fit the view any more are shown scaled and moved
- * until fresh ones arrive, so panning and zooming never wait.
+ * The stage: composes each frame of the bitmaps from the drawing worker and the few things that change with every frame. A frame is drawn only
+ * when something has changed. Bitmaps of an older view are shown scaled and shifted until new ones arrive, so panning and zooming never wait.
  */
 
 import { lessMotion } from '../core/dom.js';
-import type { Beam, BestPath, ContourInfo, Finding, Geometry, Insight, Loaded } from 'kerfway';
+import type { Beam, BestPath, Finding, Geometry, Insight, Loaded } from 'kerfway';
 import { changedStops } from './changes.js';
 import { HitGrid } from './hit-grid.js';
+import { drawChanges, drawFindings } from './markers.js';
 import * as overlay from './overlay.js';
-import { traceCut, traceStop } from './paint.js';
 import { readPalette, type Palette } from './palette.js';
 import { Raster } from './raster.js';
-import { Role, type Layer, type Travel, type View } from './raster-messages.js';
+import { type Layer, type Travel, type View } from './raster-messages.js';
+import { drawPlayed, LAG } from './played.js';
+import { rolesOf } from './roles.js';
 import { chainLength, firstStops, prepare, type Shapes } from './shapes.js';
-import { traceAir } from './trace.js';
 import type { Moment } from '../playback/timeline.js';
 import type { Box } from '../session/extent.js';
-import type { Mark } from '../session/outlook.js';
+import type { ChangeMark } from '../session/comparison.js';
 import type { Viewport } from './viewport.js';
 import { words } from '../core/words/index.js';
 
-/** Milliseconds between two paths shown: ten a second look continuous, more cost the planner time. */
+/** Milliseconds between two paths: ten per second look continuous, and more would take time from the planner. */
 const PATH_PAUSE = 100;
-/** Milliseconds an improvement glows. */
+/** Milliseconds for which an improvement glows. */
 const GLOW = 900;
-/** Stops the layer `done` may lag behind the head before it is drawn anew; the rest is stroked by the frame. */
-const LAG = 24;
-/** Device pixels a CSS pixel at most: beyond two nobody sees the difference, and memory grows with the square. */
+/** Most device pixels per CSS pixel: beyond two nobody sees the difference, and memory grows with the square. */
 const MOST_RATIO = 2;
 
 const NOWHERE: Travel = { home: [0, 0], returnHome: false, perAxis: null };
 
+/** What is emphasised or marked on the sheet. */
+export interface Highlights {
+  /** The contour under the pointer. */
+  hovered: number | null;
+  selected: number | null;
+  finding: Finding | null;
+  /** What another reading of the drawing would change, during a preview. */
+  marks: readonly ChangeMark[];
+  /** Where the head is; null when nothing is played and everything is shown. */
+  moment: Moment | null;
+  /** The partitions of a method that makes them. */
+  partitions: Insight['partitions'];
+}
+
+const NO_HIGHLIGHTS: Highlights = { hovered: null, selected: null, finding: null, marks: [], moment: null, partitions: null };
+
 export class Scene {
-  readonly raster = new Raster();
-  shapes: Shapes | null = null;
-  /** Length of each contour, mm. */
-  lengths = new Float64Array(0);
-  travel: Travel = NOWHERE;
-  hovered: number | null = null;
-  /** The selected contour. */
-  selected: number | null = null;
-  finding: Finding | null = null;
-  /** What another reading would change, while somebody looks. */
-  marks: readonly Mark[] = [];
-  /** Where the head is shown; null: no playback, everything in full. */
-  moment: Moment | null = null;
-  /** Of a method that makes partitions. */
-  partitions: Insight['partitions'] = null;
-  showRamp = false;
-  showAir = true;
+  private readonly raster = new Raster();
+  private geometry: { shapes: Shapes; lengths: Float64Array } | null = null;
+  private highlights = NO_HIGHLIGHTS;
+  private travel: Travel = NOWHERE;
+  private showRamp = false;
+  private showAir = true;
   private loaded: Loaded | null = null;
-  /** The lines of the beam where they are not those drawn. */
+  /** The lines that the beam follows, where they are not the drawn ones. */
   private beam: Beam | null = null;
   /** Stretches that are cut once for two parts. */
   private common: Geometry | null = null;
-  /** Found on the machine, besides what is told of the drawing. */
-  private found: readonly Finding[] = [];
+  /** The findings of the plan; those about the drawing are in `loaded`. */
+  private planFindings: readonly Finding[] = [];
   private extent: Box = [0, 0, 1, 1];
-  /** Made when the pointer first comes over the sheet. */
+  /** It is built when the pointer first moves over the sheet. */
   private grid: HitGrid | null = null;
   private path: BestPath | null = null;
   private stopOf: Int32Array | null = null;
@@ -83,6 +86,30 @@ export class Scene {
     });
   }
 
+  /** The contours of the path, prepared for drawing; null where there is no drawing. */
+  get shapes(): Shapes | null {
+    return this.geometry?.shapes ?? null;
+  }
+
+  /** Length of each contour, mm. */
+  get lengths(): Float64Array {
+    return this.geometry?.lengths ?? new Float64Array(0);
+  }
+
+  get selected(): number | null {
+    return this.highlights.selected;
+  }
+
+  get hovered(): number | null {
+    return this.highlights.hovered;
+  }
+
+  /** Changes what is emphasised or marked. */
+  highlight(changes: Partial<Highlights>): void {
+    this.highlights = { ...this.highlights, ...changes };
+    this.invalidate();
+  }
+
   setTheme(theme: 'light' | 'dark'): void {
     this.theme = theme;
     this.restyle();
@@ -94,28 +121,29 @@ export class Scene {
     this.restyle();
   }
 
-  /** Another drawing, or the same one read otherwise; the view stays where it is unless `fit`. */
+  /** Another drawing, or the same one read with other options. The view stays where it is unless `fit`. */
   setDrawing(loaded: Loaded | null, extent: Box, fit: boolean): void {
     this.loaded = loaded;
     this.extent = extent;
     this.path = this.held = this.stopOf = null;
-    this.hovered = this.selected = this.finding = this.moment = null;
-    this.marks = [];
+    this.highlights = NO_HIGHLIGHTS;
     this.beam = this.common = null;
-    this.found = [];
+    this.planFindings = [];
     this.showContours();
     if (loaded && fit) this.viewport.setBounds(extent);
     this.invalidate();
   }
 
-  /** What a plan began with: the lines of the beam over those drawn (null: it follows these), what is cut once, findings. */
-  setPlanned({ beam, common, found }: { beam: Beam | null; common: Geometry | null; found: readonly Finding[] }): void {
-    if (beam === this.beam && common === this.common && found === this.found) return;
-    const other = beam !== this.beam;
-    Object.assign(this, { beam, common, found });
-    if (other) {
-      this.path = this.held = this.stopOf = this.hovered = null;
-      if (this.selected !== null && this.selected >= (beam ?? this.loaded)!.contours.length) this.selected = null;
+  /** What the plan has prepared: the lines of the beam (null where it follows the drawn ones), what is cut once for two parts, findings. */
+  setPrepared({ beam, common, planFindings }: { beam: Beam | null; common: Geometry | null; planFindings: readonly Finding[] }): void {
+    if (beam === this.beam && common === this.common && planFindings === this.planFindings) return;
+    const otherLines = beam !== this.beam;
+    Object.assign(this, { beam, common, planFindings });
+    if (otherLines) {
+      this.path = this.held = this.stopOf = null;
+      const { selected } = this;
+      const contours = (beam ?? this.loaded)?.contours.length ?? 0;
+      this.highlight({ hovered: null, selected: selected !== null && selected < contours ? selected : null });
       this.showContours();
     }
     this.raster.setCommon(common);
@@ -124,17 +152,16 @@ export class Scene {
 
   private showContours(): void {
     const { loaded, beam } = this;
-    this.shapes = this.grid = this.partitions = null;
-    this.lengths = new Float64Array(0);
+    this.geometry = this.grid = null;
+    this.highlight({ partitions: null });
     if (!loaded) return;
     const { geometry, contours } = beam ?? loaded;
-    const shapes = (this.shapes = prepare(geometry));
-    this.lengths = new Float64Array(shapes.count);
-    for (let c = 0; c < shapes.count; c += 1) this.lengths[c] = chainLength(shapes, c);
+    const shapes = prepare(geometry);
+    this.geometry = { shapes, lengths: Float64Array.from({ length: shapes.count }, (_, c) => chainLength(shapes, c)) };
     this.raster.setGeometry(geometry, rolesOf(contours, loaded.outline), loaded.ignored.geometry, beam && loaded.geometry);
   }
 
-  /** The best path, shown at most ten times a second. */
+  /** The best path. The stage shows at most ten paths per second. */
   setPath(path: BestPath | null, travel: Travel): void {
     this.travel = travel;
     this.held = path;
@@ -168,18 +195,17 @@ export class Scene {
   pickFinding(x: number, y: number, reach: number): Finding | null {
     const v = this.viewport;
     const hit = (f: Finding) => f.at && f.severity !== 'info' && Math.hypot(v.x + f.at[0] * v.scale - x, v.y - f.at[1] * v.scale - y) < reach;
-    return this.loaded?.findings.find(hit) ?? this.found.find(hit) ?? null;
+    return this.loaded?.findings.find(hit) ?? this.planFindings.find(hit) ?? null;
   }
 
-  /** Box of a contour, mm. */
+  /** The box of a contour, mm. */
   boxOf(contour: number): [number, number, number, number] | null {
     const b = this.shapes?.boxes;
     if (!b || contour * 4 + 3 >= b.length) return null;
     return [b[contour * 4]!, b[contour * 4 + 1]!, b[contour * 4 + 2]!, b[contour * 4 + 3]!];
   }
 
-  /** Draws a frame soon. */
-  invalidate(): void {
+  private invalidate(): void {
     if (!this.frame) this.frame = requestAnimationFrame(() => this.draw());
   }
 
@@ -207,30 +233,31 @@ export class Scene {
     pen.globalAlpha = 1;
     pen.fillStyle = palette.ground;
     pen.fillRect(0, 0, view.width, view.height);
-    const { loaded, shapes } = this;
+    const { loaded, shapes, path } = this;
+    const { hovered, selected, finding, marks, moment, partitions } = this.highlights;
     if (!loaded || !shapes) return;
     overlay.drawSheet(pen, view, palette, this.extent);
-    const playing = this.moment !== null && this.path !== null;
+    const playing = moment !== null && path !== null;
     this.blit('sheet', view, playing ? 0.25 : 1);
-    if (playing) this.drawPlayed(view);
-    else if (this.path) {
-      if (this.partitions?.parents.length) overlay.drawPartitions(pen, view, palette, shapes, this.partitions);
+    if (playing) this.drawPlayed(view, shapes, path, moment);
+    else if (path) {
+      if (partitions?.parents.length) overlay.drawPartitions(pen, view, palette, shapes, partitions);
       this.blit('path', view, 1);
       this.drawGlow(view);
-      overlay.drawMarks(pen, view, palette, this.path);
+      overlay.drawCutMarks(pen, view, palette, path);
     }
-    if (this.hovered !== null && this.hovered !== this.selected) overlay.drawEmphasis(pen, view, palette, shapes, this.hovered, false);
-    if (this.selected !== null) {
-      overlay.drawEmphasis(pen, view, palette, shapes, this.selected, true);
-      const stop = this.stopFor(this.selected);
-      if (this.path && stop !== null) overlay.drawWays(pen, view, palette, this.path, this.travel, stop);
+    if (hovered !== null && hovered !== selected) overlay.drawEmphasis(pen, view, palette, shapes, hovered, false);
+    if (selected !== null) {
+      overlay.drawEmphasis(pen, view, palette, shapes, selected, true);
+      const stop = this.stopFor(selected);
+      if (path && stop !== null) overlay.drawTravel(pen, view, palette, path, this.travel, stop);
     }
-    overlay.drawFindings(pen, view, palette, [...loaded.findings, ...this.found], this.finding);
-    overlay.drawOutlook(pen, view, palette, this.marks);
-    if (playing) overlay.drawHead(pen, view, palette, this.moment!.x, this.moment!.y, this.moment!.cutting);
+    drawFindings(pen, view, palette, [...loaded.findings, ...this.planFindings], finding);
+    drawChanges(pen, view, palette, marks);
+    if (playing) overlay.drawHead(pen, view, palette, moment.x, moment.y, moment.cutting);
   }
 
-  /** Shows a layer's bitmap where the view wants it, and asks for a fresh one. */
+  /** Draws the bitmap of a layer where the view has it, and requests a new one if it is out of date. */
   private blit(layer: Layer, view: View, alpha: number, upto = 0): void {
     this.raster.need(layer, view, upto);
     const drawn = this.raster.get(layer);
@@ -250,38 +277,15 @@ export class Scene {
     this.invalidate();
   }
 
-  /** What is cut so far in full, and the stop under way as far as it has come. */
-  private drawPlayed(view: View): void {
-    const { pen, palette, path, shapes, moment } = this;
-    if (!path || !shapes || !moment) return;
+  /** Draws what the bitmap of the layer `done` holds, and the rest on top of it. */
+  private drawPlayed(view: View, shapes: Shapes, path: BestPath, moment: Moment): void {
     const drawn = this.raster.get('done')?.upto ?? -1;
-    const fresh = drawn >= 0 && drawn <= moment.stop && moment.stop - drawn < LAG;
-    const upto = fresh ? drawn : moment.stop;
-    this.blit('done', view, 1, upto);
-    const p = path.points;
-    const stops = path.contours.length;
-    const from = Math.max(0, fresh ? drawn : moment.stop - LAG);
-    if (this.showAir) {
-      pen.strokeStyle = palette.accent;
-      pen.lineWidth = view.ratio;
-      pen.beginPath();
-      for (let k = from; k < moment.stop; k += 1) traceAir(pen, view, this.travel, k ? p[k * 4 - 2]! : this.travel.home[0], k ? p[k * 4 - 1]! : this.travel.home[1], p[k * 4]!, p[k * 4 + 1]!);
-      if (moment.stop <= stops && !(moment.stop === stops && !this.travel.returnHome)) {
-        const k = moment.stop;
-        const to = moment.cutting ? [p[k * 4]!, p[k * 4 + 1]!] as const : [moment.x, moment.y] as const;
-        traceAir(pen, view, { ...this.travel, perAxis: moment.cutting ? this.travel.perAxis : null }, k ? p[k * 4 - 2]! : this.travel.home[0], k ? p[k * 4 - 1]! : this.travel.home[1], to[0], to[1]);
-      }
-      pen.stroke();
-    }
-    pen.strokeStyle = palette.ink;
-    pen.lineWidth = 1.6 * view.ratio;
-    pen.beginPath();
-    for (let k = from; k < moment.stop; k += 1) traceStop(pen, view, shapes, path, k);
-    if (moment.cutting && moment.stop < stops) traceCut(pen, view, shapes, path, moment.stop, moment.cut);
-    pen.stroke();
+    const usable = drawn >= 0 && drawn <= moment.stop && moment.stop - drawn < LAG;
+    this.blit('done', view, 1, usable ? drawn : moment.stop);
+    drawPlayed(this.pen, view, this.palette, { shapes, path, travel: this.travel, air: this.showAir }, moment, usable ? drawn : moment.stop - LAG);
   }
 
-  /** Place of a contour in the order shown. */
+  /** The place of a contour in the current order. */
   private stopFor(contour: number): number | null {
     const { path } = this;
     if (!path || !this.shapes) return null;
@@ -291,18 +295,4 @@ export class Scene {
     const stop = this.stopOf[contour] ?? -1;
     return stop < 0 ? null : stop;
   }
-}
-
-function rolesOf(contours: ContourInfo[], outline: number | null): Uint8Array {
-  return Uint8Array.from(contours, (contour) => {
-    if (contour.operation !== 'cut') return contour.operation === 'mark' ? Role.mark : Role.none;
-    let inner = false;
-    // The border of the sheet is no part: what lies in it is outside all parts. The bound keeps bad data from going round.
-    let at = contour.inside;
-    for (let steps = 0; at !== null && at !== outline && steps < 64; steps += 1) {
-      inner = !inner;
-      at = contours[at]?.inside ?? null;
-    }
-    return inner ? Role.inner : Role.outer;
-  });
 }

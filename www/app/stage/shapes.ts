@@ -1,17 +1,17 @@
 /**
- * Contours as flat arrays and the little geometry the stage needs: boxes, lengths, points and directions along a
- * contour. Seven numbers an element (x0, y0, x1, y1, centre x, centre y, sweep; sweep 0 is a line), mm and rad,
- * counter-clockwise positive. Nothing here makes an object per element: 10,000 contours are walked every frame.
+ * Contours as flat arrays, and the geometry that the stage needs: boxes, lengths, points and directions along a contour. An element has seven
+ * numbers: x0, y0, x1, y1, centre x, centre y, sweep; in mm and rad, counter-clockwise positive; sweep 0 is a line. No function makes an object
+ * per element, because 10,000 contours are visited with every frame.
  */
 
 import type { BestPath, Geometry } from 'kerfway';
 
-/** Numbers an element. */
+/** Numbers per element. */
 export const STRIDE = 7;
 
-/** Geometry with what drawing and picking need, worked out once. */
+/** Geometry with what drawing and picking need, computed once. */
 export interface Shapes extends Geometry {
-  /** Chains in it. */
+  /** The number of chains. */
   count: number;
   /** xmin, ymin, xmax, ymax of each chain. */
   boxes: Float64Array;
@@ -29,7 +29,7 @@ export interface Place {
   dy: number;
 }
 
-/** Works out boxes, radii, angles and lengths. */
+/** Computes boxes, radii, angles and lengths. */
 export function prepare(geometry: Geometry): Shapes {
   const { segments, offsets } = geometry;
   const count = Math.max(0, offsets.length - 1);
@@ -62,7 +62,7 @@ function measure(s: Float64Array, e: number, arcs: Float64Array, lengths: Float6
   arcs[e * 2] = radius;
   arcs[e * 2 + 1] = start;
   lengths[e] = radius * Math.abs(sweep);
-  // The quarter points an arc passes are where its box may be wider than its ends.
+  // The box of an arc may exceed its ends only at the quarter points that it passes.
   const low = Math.min(start, start + sweep), high = Math.max(start, start + sweep);
   for (let q = Math.ceil(low / (Math.PI / 2)); q * (Math.PI / 2) <= high; q += 1) {
     const a = q * (Math.PI / 2);
@@ -84,12 +84,12 @@ export function chainLength(shapes: Shapes, chain: number): number {
   return sum;
 }
 
-/** Whether a stop cuts all of its contour in one go. */
+/** Whether a stop cuts its whole contour at once. */
 export function isWhole(path: BestPath, stop: number): boolean {
   return path.along[stop] === path.until[stop];
 }
 
-/** Length a stop cuts, mm; `whole`: that of its contour. A stretch may run against the contour's stored direction. */
+/** The length that a stop cuts, mm. `whole` is the length of its contour. A stretch may run against the stored direction of the contour. */
 export function cutLength(path: BestPath, stop: number, whole: number): number {
   if (isWhole(path, stop)) return whole;
   const ahead = path.until[stop]! - path.along[stop]!;
@@ -97,7 +97,7 @@ export function cutLength(path: BestPath, stop: number, whole: number): number {
   return length > 0 ? length : length + whole;
 }
 
-/** The first stop of each contour, by contour; -1 for those without. Contours left unfinished have several. */
+/** The first stop of each contour, by contour; -1 for contours without a stop. A contour that is cut in several stretches has several stops. */
 export function firstStops(path: BestPath, contours: number): Int32Array {
   const first = new Int32Array(contours).fill(-1);
   for (let k = path.contours.length - 1; k >= 0; k -= 1) first[path.contours[k]!] = k;
@@ -129,9 +129,8 @@ export function onElement(shapes: Shapes, e: number, part: number, out: Place): 
 }
 
 /**
- * Walks a chain from `along` (mm from its stored start) for `distance` mm, forwards or against its stored direction,
- * going round closed chains; calls `visit` with each element run through and the parts (0 to 1) between which, in
- * the order of travel.
+ * Follows a chain from `along` (mm from its stored start) for `distance` mm, forwards or backwards, and past the start of a closed chain. Calls
+ * `visit` with each element on the way, and the share of its length (0 to 1) where the stretch begins and ends, in the order of travel.
  */
 export function walk(
   shapes: Shapes, chain: number, along: number, reversed: boolean, distance: number,
@@ -147,7 +146,7 @@ export function walk(
   }
   let part = shapes.lengths[e]! > 0 ? Math.min(1, rest / shapes.lengths[e]!) : 0;
   let left = distance;
-  // Once round and the rest of the element it began in: a bound also for chains without length.
+  // Once around, and the rest of the first element; the bound also holds for chains of zero length.
   for (let steps = last - first + 2; steps > 0 && left > 1e-9; steps -= 1) {
     const length = shapes.lengths[e]!;
     const room = reversed ? part * length : (1 - part) * length;

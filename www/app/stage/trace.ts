@@ -1,14 +1,15 @@
-/** Putting contours and air moves into a canvas path. World to screen is scale and offset; y turns over. */
+/** Adds contours and air moves to a canvas path. From the sheet to the screen, coordinates are scaled and shifted, and y is flipped. */
 
-import { STRIDE, type Shapes } from './shapes.js';
+import type { BestPath } from 'kerfway';
+import { chainLength, cutLength, isWhole, STRIDE, walk, type Shapes } from './shapes.js';
 import type { Travel, View } from './raster-messages.js';
 
-/** A canvas one can draw lines on, on the page or in a worker. */
+/** The context of a canvas, on the page or in a worker. */
 export type Pen = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
 /** The part of a view that tracing needs. */
 export type Frame = Pick<View, 'scale' | 'x' | 'y'>;
 
-/** Arcs smaller than this many pixels are drawn as their chord: nobody sees the difference. */
+/** Arcs shorter than this many pixels are drawn as a line, because nobody sees the difference. */
 const ARC_PIXELS = 0.7;
 
 /** Adds a whole chain. */
@@ -21,7 +22,7 @@ export function traceChain(pen: Pen, frame: Frame, shapes: Shapes, chain: number
   for (let e = first; e < end; e += 1) traceElement(pen, frame, shapes, e, 0, 1);
 }
 
-/** Adds element `e` between two parts of its length, in that order; the pen must stand at the first. */
+/** Adds element `e` between two parts of its length, in that order. The path must end at the first of them. */
 export function traceElement(pen: Pen, frame: Frame, shapes: Shapes, e: number, from: number, to: number): void {
   const s = shapes.segments;
   const i = e * STRIDE;
@@ -43,8 +44,8 @@ export function traceElement(pen: Pen, frame: Frame, shapes: Shapes, e: number, 
 }
 
 /**
- * Adds the air move from one point to another: straight, or with each axis at its own top speed, which is a slanted
- * stretch until one axis has arrived and then a straight one.
+ * Adds the air move from one point to another. It is straight, or each axis moves at its own top speed: then the move is slanted until one
+ * axis has arrived, and parallel to the other axis after that.
  */
 export function traceAir(pen: Pen, frame: Frame, travel: Travel, x0: number, y0: number, x1: number, y1: number): void {
   pen.moveTo(frame.x + x0 * frame.scale, frame.y - y0 * frame.scale);
@@ -63,4 +64,18 @@ export function traceArrow(pen: Pen, x: number, y: number, dx: number, dy: numbe
   pen.lineTo(x - dx * size * 0.7 - dy * size * 0.75, y - dy * size * 0.7 + dx * size * 0.75);
   pen.lineTo(x - dx * size * 0.7 + dy * size * 0.75, y - dy * size * 0.7 - dx * size * 0.75);
   pen.closePath();
+}
+
+/** Adds everything that a stop cuts. */
+export function traceStop(pen: Pen, frame: Frame, shapes: Shapes, path: BestPath, stop: number): void {
+  const chain = path.contours[stop]!;
+  if (isWhole(path, stop)) traceChain(pen, frame, shapes, chain);
+  else traceCut(pen, frame, shapes, path, stop, cutLength(path, stop, chainLength(shapes, chain)));
+}
+
+/** Adds the first `distance` mm of what a stop cuts. */
+export function traceCut(pen: Pen, frame: Frame, shapes: Shapes, path: BestPath, stop: number, distance: number): void {
+  const chain = path.contours[stop]!;
+  pen.moveTo(frame.x + path.points[stop * 4]! * frame.scale, frame.y - path.points[stop * 4 + 1]! * frame.scale);
+  walk(shapes, chain, path.along[stop]!, path.reversed[stop] === 1, distance, (e, from, to) => traceElement(pen, frame, shapes, e, from, to));
 }

@@ -1,21 +1,21 @@
 /**
- * The part of the sheet that is on screen. World: mm, y up. Screen: CSS pixels, y down, origin at the canvas's top
- * left corner. screen x = x + world x * scale; screen y = y - world y * scale.
+ * The part of the sheet that is on screen. World: mm, y up. Screen: CSS pixels, y down, origin at the top left corner of the canvas.
+ * screen x = x + world x * scale; screen y = y - world y * scale.
  */
 
 import { Emitter } from '../core/emitter.js';
 import { lessMotion } from '../core/dom.js';
 
-/** Pixels a mm at most: a contour of 0.05 mm still fills the screen. */
+/** The largest scale, pixels per mm: a contour of 0.05 mm still fills a good part of the screen. */
 const CLOSEST = 4000;
-/** How far out one may go beyond the fit. */
+/** The smallest scale, as a share of the scale at which the sheet fits. */
 const FARTHEST = 1 / 6;
-/** Seconds a flight to a place takes: long enough to see where it goes. */
+/** Seconds of an animated move: long enough to see where it goes. */
 const FLIGHT = 0.28;
 
 export type Box = readonly [number, number, number, number];
 
-/** Pixels of the canvas that lie under bars and panels. */
+/** How many pixels at each side of the canvas are covered by bars and panels. */
 export interface Insets {
   top: number;
   right: number;
@@ -34,7 +34,7 @@ export class Viewport extends Emitter<{ change: void }> {
   private fitted = true;
   private flight = 0;
 
-  /** The canvas has another size, or other parts of it are covered. A fitted sheet stays fitted. */
+  /** Takes over the size of the canvas and what covers it. A fitted sheet stays fitted. */
   resize(width: number, height: number, insets: Insets): void {
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
@@ -43,7 +43,7 @@ export class Viewport extends Emitter<{ change: void }> {
     else this.emit('change', undefined);
   }
 
-  /** The sheet has another size. */
+  /** Takes over the size of the sheet, and fits it. */
   setBounds(bounds: Box): void {
     const [x0, y0, x1, y1] = bounds;
     const sound = [x0, y0, x1, y1].every(Number.isFinite) && x1 >= x0 && y1 >= y0;
@@ -63,7 +63,7 @@ export class Viewport extends Emitter<{ change: void }> {
     this.moveTo(...this.framing([x - room, y - room, x + room, y + room], 1), true);
   }
 
-  /** Moves just as far as is needed for a box to be seen. */
+  /** Moves the view so that a box is visible, if it is not. */
   reveal(box: Box): void {
     const { left, right, top, bottom } = this.insets;
     const x0 = this.x + box[0] * this.scale, x1 = this.x + box[2] * this.scale;
@@ -74,7 +74,7 @@ export class Viewport extends Emitter<{ change: void }> {
     this.moveTo(this.scale, cx - ((box[0] + box[2]) / 2) * this.scale, cy + ((box[1] + box[3]) / 2) * this.scale, true);
   }
 
-  /** Zooms by a factor with the point under the pointer at rest. */
+  /** Zooms by a factor about the point under the pointer. */
   zoomAt(px: number, py: number, factor: number): void {
     this.land();
     const scale = this.clamp(this.scale * factor);
@@ -86,7 +86,7 @@ export class Viewport extends Emitter<{ change: void }> {
     this.emit('change', undefined);
   }
 
-  /** Zooms about the middle of what is visible. */
+  /** Zooms about the centre of the visible part. */
   zoom(factor: number): void {
     const { left, right, top, bottom } = this.insets;
     this.zoomAt((left + this.width - right) / 2, (top + this.height - bottom) / 2, factor);
@@ -139,7 +139,7 @@ export class Viewport extends Emitter<{ change: void }> {
       const t = Math.min(1, (performance.now() - began) / (FLIGHT * 1000));
       const k = 1 - (1 - t) ** 3;
       const s = from.scale * (scale / from.scale) ** k;
-      // The middle of the screen moves in step with the scale, so that the flight is straight.
+      // The centre of the screen moves in proportion to the scale, so that the path is straight.
       const u = scale === from.scale ? k : (s - from.scale) / (scale - from.scale);
       this.set(s, from.x + (x - from.x) * u, from.y + (y - from.y) * u);
       this.flight = t < 1 ? requestAnimationFrame(step) : 0;

@@ -3,7 +3,7 @@
 import { basename } from 'node:path';
 import { createPlanner } from '../node.js';
 import type { Finding, Loaded } from '../protocol.js';
-import { worked } from '../worked.js';
+import { activeContours } from '../contours.js';
 import { loadOptions, parsed } from './arguments.js';
 import { eachFile } from './batch.js';
 import { outputsOf } from './destinations.js';
@@ -41,7 +41,7 @@ const COLUMNS: readonly Column[] = [
 ];
 
 function row(file: string, loaded: Loaded): string[] {
-  const contours = worked(loaded);
+  const contours = activeContours(loaded);
   const open = contours.filter((c) => !c.closed).length;
   return [
     ...[file, String(contours.length), String(open), String(loaded.parts.length), meters(lengthOf(loaded, 'cut'))],
@@ -51,7 +51,7 @@ function row(file: string, loaded: Loaded): string[] {
 
 /** The contents of a drawing without geometry, with the most important totals first. */
 function report({ geometry: _, ignored, ...loaded }: Loaded): object {
-  const contours = worked(loaded);
+  const contours = activeContours(loaded);
   const closed = contours.filter((c) => c.closed).length;
   const totals = {
     closed,
@@ -69,7 +69,7 @@ function lengthOf({ contours }: Pick<Loaded, 'contours'>, operation: string): nu
 
 function lines(loaded: Loaded): string[] {
   const { units, parts, layers, entities, findings } = loaded;
-  const contours = worked(loaded);
+  const contours = activeContours(loaded);
   const open = contours.filter((c) => !c.closed).length;
   const marks = lengthOf(loaded, 'mark');
   return [

@@ -4,13 +4,13 @@
  */
 
 import { plural } from '../cli/words.js';
+import { activeContours } from '../contours.js';
 import { createFunctions, type Functions, type Planned, type PlanRun } from '../functions.js';
 import type { PlanJobOptions, PlanningOptions, Source } from '../options.js';
 import type { Planner } from '../planner.js';
 import type { Loaded, MachineProfile, MethodInfo, OutputKind, Progress } from '../protocol.js';
 import { checkSize } from '../size.js';
 import { abortable } from '../with-planner.js';
-import { worked } from '../worked.js';
 import { attributed } from './options.js';
 import { Picture } from './picture.js';
 
@@ -183,7 +183,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
 
   private show(loaded: Loaded): void {
     this.loaded = loaded;
-    this.become('planning', plural(worked(loaded).length, 'contour'));
+    this.become('planning', plural(activeContours(loaded).length, 'contour'));
     const machine = this.options.machine ?? this.getAttribute('machine');
     const preset = this.machines.find((m) => m.name === machine) ?? this.machines[0] ?? null;
     this.picture.show(loaded, typeof machine === 'object' && machine !== null ? machine : preset);

@@ -154,7 +154,7 @@ export const en = {
     version: (name: string) => `DXF ${name}`, show: (contour: string) => `Contour ${contour}, show on the sheet`,
     decided: { first: (contours: string) => `Cut first: ${contours}`, last: (contours: string) => `Cut last: ${contours}`, exclude: (contours: string) => `Skipped: ${contours}` },
     unpin: { first: 'Unpin', last: 'Unpin', exclude: 'Cut again' }, others: (n: string) => `and ${n} more`,
-    unpinAll: { first: 'Unpin contours that are cut first', last: 'Unpin contours that are cut last', exclude: 'Cut skipped contours again' },
+    unpinAll: { first: 'Unpin contours that are cut first', last: 'Unpin contours that are cut last', exclude: 'Cut again: skipped contours' },
   },
 
   layers: {
@@ -210,7 +210,7 @@ export const en = {
     kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)' },
     saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (time: string, share: string) => `of ${time} in drawing order, ${share}`,
     cut: 'Cut', pierce: 'Pierce', piercings: (n: string) => `${n} piercings`, preCuts: 'Pre-cuts', corners: 'Corners', gap: 'Gap', atMost: (share: string) => `at most ${share} above the optimum`,
-    chart: 'Job time while searching', chartAxis: 'Job time while searching, s', chartAbove: (time: string) => `drawing order ${time} ↑`, chartNone: 'Job time while searching: no values yet.',
+    chart: 'Job time while searching', chartAxis: 'Job time while searching', chartAbove: (time: string) => `drawing order ${time} ↑`, chartNone: 'Job time while searching: no values yet.',
     chartWords: (first: string, last: string, time: string) => `Job time while searching: from ${first} to ${last} in ${time}.`,
     chartOrders: (drawing: string, greedy: string) => ` Drawing order takes ${drawing}, nearest first ${greedy}.`,
   },
@@ -224,7 +224,7 @@ export const en = {
 
   contour: {
     card: 'Selected contour', numbered: (n: number) => `Contour ${n}`, place: (n: string, of: string) => `No. ${n} of ${of}`, part: (n: string) => `part ${n}`,
-    mark: 'mark', open: 'open', outer: 'outer', inner: 'inner', begins: (time: string) => `cut begins at ${time}`, fates: { first: 'Cut first', last: 'Cut last', exclude: 'Skip' }, excluded: 'skipped, not cut',
+    mark: 'mark', open: 'open', outer: 'outer', inner: 'inner', begins: (time: string) => `cut begins at ${time}`, rules: { first: 'Cut first', last: 'Cut last', exclude: 'Skip' }, excluded: 'skipped, not cut',
     before: 'Previous contour (←)', next: 'Next contour (→)', close: 'Close (Esc)',
   },
 

@@ -1,11 +1,11 @@
-/** The words of the page in the language of whoever reads it, English where there are none in it. */
+/** The words of the page in the first of the browser's languages that the page has, otherwise in English. */
 
 import { en } from './en.js';
 
-/** What a language has to say. */
+/** The words of a language. */
 export type Words = typeof en;
 
-/** By the code of the language. */
+/** The languages by their codes. */
 const LANGUAGES: Readonly<Record<string, Words>> = { en };
 
 const wanted = navigator.languages.map((language) => language.split('-')[0] ?? '').find((code) => Object.hasOwn(LANGUAGES, code));

@@ -1,0 +1,93 @@
+/** Shows the state of the session on the stage, in the playback, in the announcements and in the address. */
+
+import { activeContours, type Loaded, type MachineProfile } from 'kerfway';
+import type { Announcer } from '../core/announce.js';
+import { count, seconds } from '../core/format.js';
+import { words } from '../core/words/index.js';
+import { headline } from '../panels/dock.js';
+import type { Playback } from '../playback/playback.js';
+import { Timeline } from '../playback/timeline.js';
+import type { Session } from '../session/session.js';
+import type { State } from '../session/state.js';
+import type { Travel } from '../stage/raster-messages.js';
+import type { Scene } from '../stage/scene.js';
+import type { Notices } from './notices.js';
+import type { Selection } from './selection.js';
+
+interface Parts {
+  session: Session;
+  scene: Scene;
+  playback: Playback;
+  announcer: Announcer;
+  notices: Notices;
+  selection: Selection;
+  /** Shows in the legend whether anything is cut once for two parts. */
+  showCommon(shown: boolean): void;
+}
+
+export class JobView {
+  constructor(private readonly parts: Parts) {
+    const { session: { store }, playback, scene, notices } = parts;
+    store.on('notice', (sentence) => notices.show(sentence));
+    store.on('loaded', (event) => this.showDrawing(event));
+    store.on('cleared', () => this.showNothing());
+    store.on('progress', (state) => this.showProgress(state));
+    store.on('change', (state) => this.showState(state));
+    playback.on('moment', (moment) => scene.highlight({ moment }));
+  }
+
+  private showDrawing({ loaded, fresh, same }: { loaded: Loaded; fresh: boolean; same: boolean }): void {
+    const { session: { state }, scene, playback, announcer, selection } = this.parts;
+    playback.setTimeline(null);
+    // The selection stays when the contours are the same.
+    const selected = same ? scene.selected : null;
+    scene.setDrawing(loaded, state.extent, !same);
+    selection.select(selected);
+    const contours = activeContours(loaded).length;
+    if (fresh) announcer.say(words.page.read(state.name, words.drawing.contours(contours, count(contours))));
+  }
+
+  private showNothing(): void {
+    const { session: { state }, scene, playback, selection } = this.parts;
+    playback.setTimeline(null);
+    selection.select(null);
+    scene.setDrawing(null, state.extent, false);
+  }
+
+  private showProgress({ progress, path, machine, insights }: State): void {
+    const { scene, playback, announcer, selection } = this.parts;
+    if (!progress?.path || !path || !machine || !scene.shapes) return;
+    const travel = travelOf(machine);
+    scene.highlight({ partitions: insights.now?.partitions ?? null });
+    scene.setPath(path, travel);
+    playback.setTimeline(new Timeline(path, progress.summary.total_time, scene.shapes, scene.lengths, travel, machine.pierce_time + machine.beam_on_delay));
+    selection.refresh();
+    announcer.say(words.page.best(seconds(progress.summary.total_time)));
+  }
+
+  private showState(state: State): void {
+    const { scene, playback, announcer, notices } = this.parts;
+    document.body.dataset.phase = state.phase;
+    this.showAddress();
+    notices.showFailure(state);
+    if (state.phase === 'done' || state.phase === 'paused') announcer.say(headline(state));
+    this.parts.showCommon((state.common?.offsets.length ?? 0) > 1);
+    if (!scene.shapes) return;
+    scene.setPrepared(state);
+    if (state.progress !== null) return;
+    playback.setTimeline(null);
+    scene.highlight({ partitions: null });
+    if (state.machine) scene.setPath(null, travelOf(state.machine));
+  }
+
+  /** Writes the settings to the address if they differ: every write goes to another process of the browser and takes milliseconds. */
+  private showAddress(): void {
+    const { session } = this.parts;
+    const settings = `#${session.address()}`;
+    if (session.catalog.methods.length > 0 && (location.hash || '#') !== settings) history.replaceState(null, '', settings);
+  }
+}
+
+function travelOf(machine: MachineProfile): Travel {
+  return { home: machine.home, returnHome: machine.return_home, perAxis: machine.travel === 'per-axis' ? machine.rapid.speed : null };
+}

@@ -1,0 +1,51 @@
+/** What each key does; `words.help.keys` lists them for people. */
+
+import { bindKeys } from '../core/keys.js';
+import type { Playback } from '../playback/playback.js';
+import type { Session } from '../session/session.js';
+import type { Viewport } from '../stage/viewport.js';
+import type { Files } from './files.js';
+import type { Layout } from './layout.js';
+import type { Pointer } from './pointer.js';
+import type { Selection } from './selection.js';
+
+/** Pixels by which an arrow key moves the view. */
+const STEP = 60;
+const ZOOM = 1.4;
+
+interface Parts {
+  session: Session;
+  playback: Playback;
+  viewport: Viewport;
+  files: Files;
+  layout: Layout;
+  pointer: Pointer;
+  selection: Selection;
+  help: HTMLDialogElement;
+  flip(what: 'ramp' | 'air'): void;
+}
+
+export function bindKeyboard({ session, playback, viewport, files, layout, pointer, selection, help, flip }: Parts): void {
+  const { planning } = session;
+  const zoomIn = () => viewport.zoom(ZOOM);
+  const redo = () => session.redo();
+  bindKeys({
+    o: () => files.choose(),
+    s: () => planning.stop(),
+    p: () => (session.state.phase === 'paused' ? planning.resume() : planning.pause()),
+    k: () => planning.keepImproving(),
+    ' ': () => playback.toggle(),
+    ArrowRight: () => selection.stepBy(1), ArrowLeft: () => selection.stepBy(-1),
+    Home: () => selection.stepToFirst(), End: () => selection.stepToLast(),
+    '+': zoomIn, '=': zoomIn, '-': () => viewport.zoom(1 / ZOOM), f: () => viewport.fit(),
+    'Shift+ArrowLeft': () => viewport.pan(STEP, 0), 'Shift+ArrowRight': () => viewport.pan(-STEP, 0),
+    'Shift+ArrowUp': () => viewport.pan(0, STEP), 'Shift+ArrowDown': () => viewport.pan(0, -STEP),
+    c: () => flip('ramp'), a: () => flip('air'), t: () => layout.toggleTable(),
+    1: () => selection.toggleSelected('first'), 0: () => selection.toggleSelected('last'), x: () => selection.toggleSelected('exclude'),
+    'Ctrl+z': () => session.undo(), 'Ctrl+Shift+z': redo, 'Ctrl+y': redo,
+    '?': () => help.showModal(),
+    Escape: () => {
+      if (!pointer.cancelHome()) selection.clear();
+    },
+  });
+}

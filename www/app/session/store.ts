@@ -1,0 +1,157 @@
+/**
+ * The state of the page, and the only place where it changes: each action is one thing that can happen to a job. Listeners hear `change`
+ * after an action, and read the state; nobody else can write it.
+ */
+
+import type { DoneReason, Loaded, LoadOptions, MachineProfile, Progress, Started } from 'kerfway';
+import { Emitter } from '../core/emitter.js';
+import { extentOf } from './extent.js';
+import { withInsight } from './insights.js';
+import { initialState, noPlan, type PlanState, type Question, type Search, type State } from './state.js';
+
+interface Events extends Record<string, unknown> {
+  /** Anything but the progress of the search has changed. */
+  change: State;
+  /**
+   * A drawing was read. `fresh`: it is another file, not the same one read with other options. `same`: its contours and their numbers are
+   * the same as before.
+   */
+  loaded: { loaded: Loaded; fresh: boolean; same: boolean };
+  /** There is no drawing, or none that can be used. */
+  cleared: void;
+  /** The search has reported its progress. */
+  progress: State;
+  /** A sentence for the person that is not part of the state. */
+  notice: string;
+}
+
+export class Store extends Emitter<Events> {
+  private current: State = initialState();
+  private emitting = false;
+  private changed = false;
+
+  get state(): State {
+    return this.current;
+  }
+
+  /** Shows a sentence that is not part of the state. */
+  notify(sentence: string): void {
+    this.emit('notice', sentence);
+  }
+
+  /** The lists of methods or machines have changed. */
+  catalogChanged(): void {
+    this.update({});
+  }
+
+  /** Takes over a machine, a search or both. */
+  choose(choices: { machine?: MachineProfile | null; search?: Search }): void {
+    this.update(choices);
+  }
+
+  /** Another drawing is about to be read. */
+  openDrawing(name: string, sample: boolean, load: LoadOptions): void {
+    this.set({ phase: 'reading', name, sample, load, loaded: null, question: null, error: null, ...noPlan() });
+    this.emit('cleared', undefined);
+    this.update({});
+  }
+
+  /** The same drawing is about to be read with other options. It stays visible until then, so there is no event. */
+  readAgain(load: LoadOptions): void {
+    this.set({ load });
+  }
+
+  drawingRead(loaded: Loaded, as: { fresh: boolean; same: boolean }): void {
+    this.set({ loaded, extent: extentOf(loaded), error: null, ...noPlan() });
+    this.emit('loaded', { loaded, ...as });
+  }
+
+  /** The file cannot be used; `file` names it where nothing of it has been read. */
+  drawingFailed(error: string, file?: string): void {
+    this.set({ phase: 'failed', error, loaded: null, question: null, ...noPlan(), ...(file === undefined ? {} : { name: file, sample: false }) });
+    this.emit('cleared', undefined);
+    this.update({});
+  }
+
+  ask(question: Question): void {
+    this.update({ phase: 'question', question });
+  }
+
+  /** No question is open any more. Planning starts next, so there is no event. */
+  questionsAnswered(): void {
+    this.set({ question: null });
+  }
+
+  /** Planning has not started, because there is nothing to cut. */
+  nothingToPlan(): void {
+    this.update({ phase: 'ready', ...noPlan() });
+  }
+
+  planningStarted(budget: number): void {
+    this.update({ phase: 'planning', error: null, budget, ...noPlan() });
+  }
+
+  /** The search continues with a plan that was done; `budget` counts from its start, s. */
+  planningContinued(budget: number): void {
+    this.update({ phase: 'planning', error: null, reason: null, budget });
+  }
+
+  /** The planner has prepared the search. */
+  planPrepared({ seed, baselines, findings, beam, common }: Started): void {
+    this.update({ seed, baselines, planFindings: findings, beam, common });
+  }
+
+  planningPaused(): void {
+    this.update({ phase: 'paused' });
+  }
+
+  planningResumed(): void {
+    this.update({ phase: 'planning' });
+  }
+
+  planProgressed(progress: Progress): void {
+    const { path, insights, curve } = this.current;
+    this.set({
+      progress, path: progress.path ?? path,
+      insights: progress.insight ? withInsight(insights, progress.insight) : insights,
+      curve: extended(curve, progress.seconds, progress.summary.total_time),
+    });
+    this.emit('progress', this.current);
+  }
+
+  planFinished(reason: DoneReason): void {
+    this.update({ phase: 'done', reason });
+  }
+
+  /** These options allow no plan; the drawing stays. */
+  planFailed(error: string): void {
+    this.update({ phase: 'ready', error, ...noPlan() });
+  }
+
+  private set(changes: Partial<State>): void {
+    this.current = { ...this.current, ...changes };
+  }
+
+  /** Changes the state and emits `change`. An action that a listener starts is emitted after the current round, so that the last state arrives last. */
+  private update(changes: Partial<State>): void {
+    this.set(changes);
+    this.changed = true;
+    if (this.emitting) return;
+    this.emitting = true;
+    try {
+      while (this.changed) {
+        this.changed = false;
+        this.emit('change', this.current);
+      }
+    } finally {
+      this.emitting = false;
+    }
+  }
+}
+
+/** The curve with another point. While the job time does not change, the last point moves along instead of a new one being added. */
+function extended({ at, total }: PlanState['curve'], seconds: number, jobTime: number): PlanState['curve'] {
+  const level = at.length > 1 && total.at(-1) === jobTime && total.at(-2) === jobTime;
+  const kept = level ? at.length - 1 : at.length;
+  return { at: [...at.slice(0, kept), seconds], total: [...total.slice(0, kept), jobTime] };
+}

@@ -1,0 +1,34 @@
+/** Paints what has been cut at a moment of the playback. */
+
+import type { View } from '../raster-messages.js';
+import { isWhole } from '../shapes.js';
+import { traceStop, type Pen } from '../trace.js';
+import { strokeAir } from './air.js';
+import { BATCH, contourWidth, strokeChains, type Subject } from './strokes.js';
+
+/** Everything that is cut before stop `upto`, with the air moves between. */
+export function* paintDone(pen: Pen, view: View, subject: Subject, upto: number): Generator<void> {
+  const { shapes, path, palette } = subject;
+  if (!path) return;
+  const done = new Uint8Array(shapes.count);
+  const parts: number[] = [];
+  for (let k = 0; k < Math.min(upto, path.contours.length); k += 1) {
+    if (isWhole(path, k)) done[path.contours[k]!] = 1;
+    else parts.push(k);
+  }
+  pen.lineJoin = 'round';
+  if (subject.air) {
+    pen.strokeStyle = palette.accent;
+    pen.lineWidth = view.ratio;
+    yield* strokeAir(pen, view, subject, upto - 1, () => true);
+  }
+  pen.strokeStyle = palette.ink;
+  pen.lineWidth = contourWidth(subject, view) * 1.25;
+  yield* strokeChains(pen, view, shapes, (c) => done[c] === 1);
+  for (const k of parts) {
+    pen.beginPath();
+    traceStop(pen, view, shapes, path, k);
+    pen.stroke();
+    if (k % BATCH === 0) yield;
+  }
+}
