@@ -153,7 +153,8 @@ describe('a hostile host', () => {
     await handled(inside, sent);
     assert.equal(await state(inside), 'empty');
     assert.deepEqual(await inside.evaluate(() => document.querySelector('kerfway-planner').options), {});
-    assert.deepEqual(await answers(page, inside), ['ready']);
+    // Options that cannot be used are answered with a sentence.
+    assert.deepEqual(await answers(page, inside), ['ready', 'error']);
   });
 
   it('beside the frame, of the stated origin but not its parent, is not heard', async (t) => {

@@ -1,6 +1,6 @@
 import type { ContourInfo, Loaded } from './protocol.js';
 
 /** The contours that are cut or marked. Skipped contours stay in `contours`, so that the ids of the others do not change. */
-export function activeContours({ contours }: Pick<Loaded, 'contours'>): ContourInfo[] {
-  return contours.filter((contour) => contour.operation !== 'ignore');
+export function activeContours(loaded: Pick<Loaded, 'contours'>): ContourInfo[] {
+  return loaded.contours.filter((contour) => contour.operation !== 'ignore');
 }

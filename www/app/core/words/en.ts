@@ -210,7 +210,7 @@ export const en = {
     kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)' },
     saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (time: string, share: string) => `of ${time} in drawing order, ${share}`,
     cut: 'Cut', pierce: 'Pierce', piercings: (n: string) => `${n} piercings`, preCuts: 'Pre-cuts', corners: 'Corners', gap: 'Gap', atMost: (share: string) => `at most ${share} above the optimum`,
-    chart: 'Job time while searching', chartAxis: 'Job time while searching', chartAbove: (time: string) => `drawing order ${time} ↑`, chartNone: 'Job time while searching: no values yet.',
+    chart: 'Job time while searching', chartAxis: 'Job time while searching', chartAbove: (time: string) => `as drawn ${time} ↑`, chartNone: 'Job time while searching: no values yet.',
     chartWords: (first: string, last: string, time: string) => `Job time while searching: from ${first} to ${last} in ${time}.`,
     chartOrders: (drawing: string, greedy: string) => ` Drawing order takes ${drawing}, nearest first ${greedy}.`,
   },
