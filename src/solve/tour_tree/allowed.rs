@@ -1,24 +1,24 @@
-//! Which orders precedence, ranks and groups allow: asked before a stretch of the tour is turned or moved.
+//! Which changes of order precedence, ranks and groups allow. The local search asks only for moves that gain.
 
 use super::tour::Tour;
 
 impl Tour<'_> {
-    /// Whether ranks do not fall and, unless free, nothing comes before what lies inside it: for debug assertions.
+    /// Whether the tour keeps ranks, groups and, unless nesting is ignored, precedence. For debug assertions.
     pub(super) fn is_feasible(&self) -> bool {
         let rank = |p: usize| self.space.rank[self.item(p) as usize];
         let ranks = (2..=self.last()).all(|p| rank(p - 1) <= rank(p));
         let late = |i: u32| self.space.precedence.waits(i, |o| self.position(o) < self.position(i));
-        let items = self.now().order[1..].iter().copied();
+        let items = self.current().order[1..].iter().copied();
         let together = self.space.problem.groups.kept(items, |i| self.space.rank[i as usize]);
-        ranks && together && (self.free || !self.now().order.iter().any(|&i| late(i)))
+        ranks && together && (self.ignores_nesting || !self.current().order.iter().any(|&i| late(i)))
     }
 
-    /// Whether a stretch may be run the other way round: nothing in it waits for anything else in it.
+    /// Whether a stretch may be reversed: nothing in it waits for anything else in it.
     pub(super) fn may_reverse(&self, from: usize, to: usize) -> bool {
-        let stretch = &self.now().order[from..=to];
+        let stretch = &self.current().order[from..=to];
         self.same_rank(from, to)
             && self.keeps_groups(from, to, [self.item(from), self.item(to)])
-            && (self.is_free()
+            && (self.ignores_precedence()
                 || !stretch.iter().any(|&i| self.space.precedence.waits(i, |o| self.position(o) <= to)))
     }
 
@@ -28,28 +28,28 @@ impl Tour<'_> {
         if !self.same_rank(from, to) || !self.keeps_groups(from, to, between) {
             return false;
         }
-        if self.is_free() {
+        if self.ignores_precedence() {
             return true;
         }
-        // Whichever is shorter is looked through.
+        // The shorter stretch is looked through.
         if middle - from < to - middle {
             let second = middle + 1..=to;
-            !self.now().order[from..=middle]
+            !self.current().order[from..=middle]
                 .iter()
                 .any(|&i| self.space.precedence.waits(i, |o| second.contains(&self.position(o))))
         } else {
-            self.now().order[middle + 1..=to].iter().all(|&i| {
+            self.current().order[middle + 1..=to].iter().all(|&i| {
                 self.space.precedence.before(i).iter().all(|&c| !(from..=middle).contains(&self.position(c)))
             })
         }
     }
 
-    fn is_free(&self) -> bool {
-        self.free || !self.space.precedence.any
+    fn ignores_precedence(&self) -> bool {
+        self.ignores_nesting || !self.space.precedence.any
     }
 
-    /// Whether groups stay together when a stretch changes its order as things that lie side by side in the group of
-    /// two items: see `problem/groups.rs`.
+    /// Whether groups stay together when the order of a stretch changes; `of` is a pair of items whose common group holds
+    /// what changes places, see `problem/groups.rs`.
     fn keeps_groups(&self, from: usize, to: usize, of: [u32; 2]) -> bool {
         let groups = &self.space.problem.groups;
         let seam = |p: usize| {
@@ -65,7 +65,7 @@ impl Tour<'_> {
             )
     }
 
-    /// Ranks never fall along the tour, so the ends of a stretch tell.
+    /// Whether a stretch has one rank. Ranks never fall along the tour, so that its ends decide.
     fn same_rank(&self, from: usize, to: usize) -> bool {
         self.space.rank[self.item(from) as usize] == self.space.rank[self.item(to) as usize]
     }

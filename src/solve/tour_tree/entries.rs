@@ -1,35 +1,36 @@
-//! All entries of an order at once: the cheapest way through layers of places, one layer an item.
+//! All entries of an order chosen together: the cheapest path through layers of places, one layer for each item.
 //!
-//! A dynamic programme over the order (layer by layer, for each place the least cost so far), once for every place of
-//! the item with the fewest, where the cycle is cut open: in benchmark instances that is often one place. Local moves
-//! change one entry at a time; this finds what only pays together. Not for items with places all along a track, which
-//! slide (`polish.rs`).
-//! Source: the cluster optimisation of Fischetti, Salazar & Toth, Operations Research 45 (1997).
+//! This is dynamic programming along the order: for each place of a layer, the least cost so far. It runs once for every
+//! place of the item with the fewest places, where the cycle is cut open; in benchmark instances that is often one place.
+//! Local moves change one entry at a time; this finds what pays only together. It does not serve items with rings, whose
+//! entries slide (`polish.rs`). Source: the cluster optimisation of Fischetti, Salazar & Toth, Operations Research 45 (1997).
 
 use super::index::index;
 use super::tour::Tour;
 use super::travel::Place;
 use crate::solve::epsilon::EPSILON;
 
-/// Room for the layers, kept from one call to the next.
+/// The buffers of the dynamic programme, reused from call to call.
 #[derive(Default)]
 pub(super) struct Layers {
-    /// The items in order, from the one where the cycle is cut open.
+    /// The items in order, beginning with the one where the cycle is cut open.
     items: Vec<u32>,
-    /// What each place of the layer before has cost, where the head leaves it, and the same of the layer after.
+    /// By place of the last layer: where the head leaves it, and the least cost up to there.
     reached: Vec<(Place, f64)>,
+    /// Least cost by place of the next layer.
     next: Vec<f64>,
-    /// The place before each place: layer by layer.
+    /// Layer by layer: the best place before each place.
     from: Vec<u32>,
+    /// The best entry of each item.
     best: Vec<u32>,
 }
 
 impl Layers {
-    /// Enters every item where the whole tour costs least; gives the seconds gained. `changed` hears of each item that
-    /// is entered elsewhere.
+    /// Enters every item where the whole tour costs least and returns the seconds gained. Calls `changed` with each item
+    /// whose entry changes.
     pub(super) fn enter_best(&mut self, tour: &mut Tour, cost: f64, mut changed: impl FnMut(u32)) -> f64 {
         let count = |p: usize| tour.space.places(tour.item(p)).len();
-        // Coming home may cost nothing, which only home's own layer knows: a path is cut open there.
+        // A path without return is cut open at home, because only the layer of home knows that coming home costs nothing.
         let ends = if tour.space.problem.closed { tour.last() } else { 0 };
         let cut = (0..=ends).min_by_key(|&p| count(p)).unwrap_or(0);
         self.items.clear();
@@ -42,7 +43,7 @@ impl Layers {
             let end = tour.space.places(first).at(start);
             let mut total = (f64::INFINITY, 0);
             for (k, &(p, cost)) in (0..).zip(&self.reached) {
-                let cost = cost + tour.way(p, first, end);
+                let cost = cost + tour.leg_seconds(p, first, end);
                 if cost < total.0 {
                     total = (cost, k);
                 }
@@ -64,7 +65,7 @@ impl Layers {
         cost - least
     }
 
-    /// Layer by layer from one place of the first item; gives the moves that this is worth.
+    /// One pass through all layers from a place of the first item; returns how many moves the work is worth.
     fn pass(&mut self, tour: &Tour, start: u32) -> u64 {
         let (space, first) = (&tour.space, self.items[0]);
         self.reached.clear();
@@ -79,7 +80,7 @@ impl Layers {
             let layer = self.from.len();
             self.from.resize(layer + places.len(), 0);
             for (k, &(p, cost)) in (0..).zip(&self.reached) {
-                space.travel.fan(p, places, |at, way| {
+                space.travel.to_each(p, places, |at, way| {
                     if cost + way < self.next[at] {
                         self.next[at] = cost + way;
                         self.from[layer + at] = k;
@@ -90,11 +91,11 @@ impl Layers {
             let reached = (0..).zip(&self.next);
             self.reached.extend(reached.map(|(at, c)| (space.exit(item, at), c + space.extra(item, at))));
         }
-        // Rows of costs: 64 of them take about as long as a move.
+        // About 64 costs of a row take as long as a move.
         looked as u64 / 64
     }
 
-    /// The places of the cheapest way that ends at place `k` of the last item.
+    /// Stores the places of the cheapest path that ends at place `k` of the last item.
     fn trace(&mut self, tour: &Tour, start: u32, mut k: u32) {
         self.best.clear();
         let mut layer = self.from.len();

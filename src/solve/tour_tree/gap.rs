@@ -1,14 +1,14 @@
-//! Items between others: what it takes at least to reach one, and where it is entered best in a gap of the tour.
+//! Items in gaps of the tour: a lower bound of the seconds to reach an item, and its best entry in a gap.
 
 use super::boxes::ARCS;
 use super::ring::GATES;
-use super::ring_in::RingIn;
+use super::ring_in_gap::RingInGap;
 use super::space::Space;
 use super::travel::Gap;
 use super::travel::Place;
 use crate::geometry::DVec2;
 
-/// How far one item is from places: what a table says lies at hand.
+/// The distance of one item from many places, with the rows of a table looked up once.
 pub(super) struct Reaching<'s> {
     space: &'s Space<'s>,
     item: u32,
@@ -27,7 +27,7 @@ impl Reaching<'_> {
 }
 
 impl Space<'_> {
-    /// No way from `p` to any place of `item` (`back`: from any place of it to `p`) takes less than this.
+    /// A lower bound of the seconds from `p` to any place of an item (`back`: from any place of it to `p`).
     #[inline(always)]
     pub(super) fn at_least(&self, p: Place, item: u32, back: bool) -> f64 {
         if self.travel.by_table() {
@@ -36,12 +36,12 @@ impl Space<'_> {
         self.travel.air(DVec2::ZERO, self.whole[item as usize].outside(p.point))
     }
 
-    /// How far an item is, for where that is asked of one place after the other.
+    /// The distance of an item, for callers that ask it of many places.
     pub(super) fn reaching(&self, item: u32) -> Reaching<'_> {
-        Reaching { space: self, item, rows: [false, true].map(|back| self.travel.leasts(item, back)) }
+        Reaching { space: self, item, rows: [false, true].map(|back| self.travel.least_costs(item, back)) }
     }
 
-    /// Seconds from `gap.from` into an item at place `at` and on to `gap.to`, with what that place costs on top.
+    /// Seconds of an item in a gap, entered at place `at`: both legs and the extra seconds of the place.
     pub(super) fn through(&self, item: u32, at: u32, gap: Gap) -> f64 {
         let entry = self.places(item).at(at);
         let exit = if self.two_ends(item) { self.exit(item, at) } else { entry };
@@ -49,8 +49,8 @@ impl Space<'_> {
         self.travel.seconds_here(gap.from, entry) + on + self.extra(item, at)
     }
 
-    /// The best entry of an item in a gap, from all its places: index and seconds. Where none costs less than
-    /// `under`, any of them: the boxes of a ring's arcs often tell so already.
+    /// The best entry of an item in a gap, from all its places: index and seconds. If no entry costs less than `under`
+    /// seconds, the result may be any entry: the boxes of a ring's arcs often exclude all places.
     pub(super) fn best_entry(&self, item: u32, gap: Gap, under: f64) -> (u32, f64) {
         let mut best = (0, f64::INFINITY);
         if !self.is_ring(item) {
@@ -66,7 +66,7 @@ impl Space<'_> {
             }
             let two_ends = self.two_ends(item);
             for (at, place) in (0..).zip(places.iter()) {
-                // The way there alone tells of most that they cost more.
+                // The leg to the place alone excludes most places.
                 let out = self.travel.seconds(gap.from, place);
                 if out >= best.1 {
                     continue;
@@ -80,13 +80,13 @@ impl Space<'_> {
             }
             return best;
         }
-        let ring = self.ring_in(item, gap);
+        let ring = self.ring_in_gap(item, gap);
         let step = ring.points.len() / GATES;
         for (q, arc) in self.arcs[item as usize].iter().enumerate() {
             let least = ring.at_least(arc);
-            // Not the smaller of the two: in wasm that is a call, as it heeds what is not a number.
+            // Two comparisons, not one with the minimum: in wasm the minimum is a call, because it respects NaN.
             if least < best.1 && least < under {
-                // In steps of one's own: those of the library begin with a division.
+                // A counted loop, not `step_by`, which begins with a division.
                 let mut at = GATES / ARCS * q * step;
                 for _ in 0..GATES / ARCS {
                     ring.try_at(at, &mut best);
@@ -106,22 +106,22 @@ impl Space<'_> {
         best
     }
 
-    /// A better entry near a given one, by halving steps to both sides; only rings have a near.
+    /// A better entry near a given one, by halving steps to both sides. Only rings have places near each other.
     pub(super) fn better_near(&self, item: u32, start: (u32, f64), gap: Gap) -> (u32, f64) {
         if !self.is_ring(item) {
             return start;
         }
         let mut best = start;
-        self.ring_in(item, gap).better_near(&mut best);
+        self.ring_in_gap(item, gap).better_near(&mut best);
         best
     }
 
-    /// The ring of an item in a gap.
+    /// An item with a ring, in a gap.
     #[inline(always)]
-    fn ring_in(&self, item: u32, gap: Gap) -> RingIn<'_> {
+    fn ring_in_gap(&self, item: u32, gap: Gap) -> RingInGap<'_> {
         let places = self.first[item as usize] as usize..self.first[item as usize + 1] as usize;
         let extra = if self.extra.is_empty() { &[][..] } else { &self.extra[places.clone()] };
-        RingIn {
+        RingInGap {
             travel: &self.travel,
             points: &self.point[places],
             extra,

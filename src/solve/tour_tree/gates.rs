@@ -1,11 +1,9 @@
-//! The gates of all items by place, in square cells that stand in rows: what lies around a place is a few runs of one list.
+//! A grid of all gates. Its cells are stored row by row in one list, so that the gates around a point are a few runs of it.
 
+use super::config::CONFIG;
 use crate::geometry::{Aabb, Cells, DVec2};
 
-/// Gates in a cell on average: more makes each look longer, fewer makes more cells to look at.
-const PER_CELL: f64 = 4.0;
-
-/// A gate: its item and where it is.
+/// A gate: its item and its point.
 pub(super) type Gate = (u32, DVec2);
 
 pub(super) struct Gates {
@@ -18,9 +16,9 @@ pub(super) struct Gates {
 impl Gates {
     pub(super) fn new(gates: &[Gate]) -> Self {
         let bounds = gates.iter().fold(Aabb::EMPTY, |b, g| b.with(g.1));
-        let grid = Cells::new(bounds, gates.len() as f64 / PER_CELL);
+        let grid = Cells::new(bounds, gates.len() as f64 / CONFIG.neighbours.gates_per_cell);
         let (columns, count) = (grid.columns, grid.columns * grid.rows);
-        // Counted, added up, then filled in.
+        // Counting sort: cells are counted, the counts added up, then the gates are filled in.
         let cells: Vec<usize> = gates.iter().map(|g| grid.cell(g.1)).map(|(x, y)| y * columns + x).collect();
         let mut ends = vec![0_u32; count + 1];
         cells.iter().for_each(|&c| ends[c + 1] += 1);
@@ -36,17 +34,17 @@ impl Gates {
         Self { grid, first, gates: placed }
     }
 
-    /// How many rings around `place` it takes to see every cell.
+    /// How many rings of cells around `place` hold every cell.
     pub(super) fn rings(&self, place: DVec2) -> usize {
         self.grid.rings(place)
     }
 
-    /// Whatever lies in ring `r` or beyond is at least this far from the place along x or along y, mm.
+    /// Every gate in ring `r` or beyond is at least this far away along x or along y, mm.
     pub(super) fn distance_of_ring(&self, r: usize) -> f64 {
         self.grid.distance_of_ring(r)
     }
 
-    /// Shows the gates in ring `r` around the cell of `place` (0: the cell itself), in runs.
+    /// Calls `show` with the gates in ring `r` around the cell of `place` (0: the cell itself), in runs.
     pub(super) fn ring(&self, place: DVec2, r: usize, mut show: impl FnMut(&[Gate])) {
         let (x, y) = self.grid.cell(place);
         let (left, right) = (x.saturating_sub(r), (x + r).min(self.grid.columns - 1));

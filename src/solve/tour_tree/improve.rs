@@ -1,29 +1,27 @@
-//! Local search from a queue of touched items, until no move of theirs gains.
+//! Local search over a work queue: a move puts the items it changed back on the queue.
 //!
-//! For an item, in this order: a better entry; moving it elsewhere, entered anew; reversing a stretch so that it
-//! meets a near item (2-opt); exchanging two neighbouring stretches (the Or-3opt that keeps directions, which is the
-//! move that precedence likes best); moving a chain of 2 or 3 that starts or ends with it, also turned round.
-//! Candidates come from the neighbour lists of the gate where the item is entered or left now, and are dropped as
-//! soon as the first new way is no shorter than the one given up (the gain criterion of Lin and Kernighan, 1973).
-//! A move is priced in constant time; whether precedence allows it is looked up only when it gains.
-//!
-//! Chains of reversals after Lin and Kernighan were tried and take longer than they gain: `docs/internals/tuning.md`.
+//! For an item these moves are tried in this order: a better entry; the item elsewhere, at its best entry there; a stretch
+//! reversed so that it meets a near item (2-opt); two neighbouring stretches exchanged (Or-3opt without reversal, the move
+//! that precedence allows most often); a chain of two or three items elsewhere, in either direction. Candidates come from
+//! the neighbour list of the gate where the item is entered or left. A list is left as soon as the first new leg is no
+//! shorter than the one that is given up (the gain criterion of Lin and Kernighan, 1973). A move is priced in constant
+//! time; whether precedence allows it is looked up only if it gains.
 
 use super::chain::move_chain;
+use super::improve_entry::improve_entry;
 use super::neighbours::Neighbours;
 use super::queue::Queue;
-use super::reenter::reenter;
 use super::tour::Tour;
 use crate::solve::epsilon::EPSILON;
 
-/// Improves the tour around one item until no move of its gains; gives the seconds gained.
+/// Improves the tour around one item until no move of the item gains. Returns the seconds gained.
 pub(super) fn improve(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) -> f64 {
     let mut total = 0.0;
     loop {
-        let gain = reenter(tour, queue, item)
+        let gain = improve_entry(tour, queue, item)
             .or_else(|| relocate(tour, near, queue, item))
-            .or_else(|| turn_ahead(tour, near, queue, item))
-            .or_else(|| turn_behind(tour, near, queue, item))
+            .or_else(|| two_opt_after(tour, near, queue, item))
+            .or_else(|| two_opt_before(tour, near, queue, item))
             .or_else(|| exchange(tour, near, queue, item))
             .or_else(|| move_chain(tour, near, queue, item));
         match gain {
@@ -33,14 +31,15 @@ pub(super) fn improve(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, ite
     }
 }
 
-/// The item taken out and put in elsewhere, at its best entry there: the best of all candidates.
+/// Moves an item to the best of all candidate gaps, with its best entry there.
 fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) -> Option<f64> {
     if item == tour.space.home {
         return None;
     }
     let here = tour.position(item);
     let (before, after) = (tour.previous(item), tour.next(item));
-    let freed = tour.way_to(item) + tour.way_on(item) + tour.extra(item) - tour.edge_here(before, after);
+    let freed =
+        tour.leg_before(item) + tour.leg_after(item) + tour.extra(item) - tour.edge_here(before, after);
     let reaching = tour.space.reaching(item);
     let mut best: Option<(u32, u32, u32)> = None;
     let mut most = EPSILON;
@@ -50,8 +49,8 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
                 continue;
             }
             tour.priced += 1;
-            let given = freed + tour.way_on(from);
-            // Most places are too far by the way there alone.
+            let given = freed + tour.leg_after(from);
+            // Most gaps are too far away by the leg to the item alone.
             let left = given - reaching.at_least(tour.exit(from), false);
             if left <= most {
                 continue;
@@ -88,11 +87,11 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
     Some(most)
 }
 
-/// 2-opt: the stretch between `a` and a near `b` reversed, so that one leaves for the other's exit.
-fn turn_ahead(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
+/// 2-opt: reverses the stretch between `a` and a near `b` so that the two exits become neighbours.
+fn two_opt_after(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
     let here = tour.position(a);
     let after_a = tour.next(a);
-    let given = tour.way_on(a);
+    let given = tour.leg_after(a);
     for &b in near.of_exit(tour, a) {
         let taken = tour.space.travel.seconds_here(tour.exit(a), tour.exit(b));
         if taken >= given - EPSILON {
@@ -104,14 +103,14 @@ fn turn_ahead(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> 
         let (from, to) = (here.min(there) + 1, here.max(there));
         // The first of the stretch becomes its last and goes on to what follows.
         let (first, follows) = if here < there { (after_a, after_b) } else { (after_b, after_a) };
-        let on = tour.way(tour.entry(first), follows, tour.entry(follows));
-        // Into the stretch the way is from the earlier of the two, whichever is nearer to go to.
+        let on = tour.leg_seconds(tour.entry(first), follows, tour.entry(follows));
+        // The leg into the stretch starts at the earlier of the two items.
         let into = if here < there { taken } else { tour.space.travel.seconds(tour.exit(b), tour.exit(a)) };
-        let gain = given + tour.way_on(b) - into - on;
+        let gain = given + tour.leg_after(b) - into - on;
         if gain <= EPSILON || from >= to || !tour.may_reverse(from, to) {
             continue;
         }
-        let gain = gain - tour.turning(from, to);
+        let gain = gain - tour.reversal_cost(from, to);
         if gain > EPSILON {
             tour.reverse(from, to);
             queue.push_all(&[a, b, after_a, after_b]);
@@ -121,17 +120,17 @@ fn turn_ahead(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> 
     None
 }
 
-/// 2-opt: the stretch between `a` and a near `b` reversed, so that one is entered from the other's entry.
-fn turn_behind(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
-    // Coming back home is the end of the tour here.
+/// 2-opt: reverses the stretch between `a` and a near `b` so that the two entries become neighbours.
+fn two_opt_before(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
+    // Home counts as the end of the tour here.
     let end = |tour: &Tour, i: u32| if i == tour.space.home { tour.last() + 1 } else { tour.position(i) };
     let here = end(tour, a);
     let before_a = tour.previous(a);
-    let given = tour.way_to(a);
+    let given = tour.leg_before(a);
     for &b in near.of_entry(tour, a) {
         let there = end(tour, b);
         let (first, follows) = if here < there { (a, b) } else { (b, a) };
-        let taken = tour.way(tour.entry(first), follows, tour.entry(follows));
+        let taken = tour.leg_seconds(tour.entry(first), follows, tour.entry(follows));
         if taken >= given - EPSILON {
             continue;
         }
@@ -139,12 +138,12 @@ fn turn_behind(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) ->
         let before_b = tour.previous(b);
         let (u, w) = if here < there { (before_a, before_b) } else { (before_b, before_a) };
         let into = tour.space.travel.seconds(tour.exit(u), tour.exit(w));
-        let gain = given + tour.way_to(b) - taken - into;
+        let gain = given + tour.leg_before(b) - taken - into;
         let (from, to) = (here.min(there), here.max(there) - 1);
         if gain <= EPSILON || from >= to || !tour.may_reverse(from, to) {
             continue;
         }
-        let gain = gain - tour.turning(from, to);
+        let gain = gain - tour.reversal_cost(from, to);
         if gain > EPSILON {
             tour.reverse(from, to);
             queue.push_all(&[a, b, before_a, before_b]);
@@ -154,12 +153,12 @@ fn turn_behind(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) ->
     None
 }
 
-/// Or-3opt: `a` leaves for a near `b`, a near `c` leaves for what followed `a`: two neighbouring stretches change
-/// places, each in its own direction.
+/// Or-3opt without reversal: the head goes from `a` to a near `b`, and from some `c` to what followed `a`. So two
+/// neighbouring stretches change places, each in its own direction.
 fn exchange(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Option<f64> {
     let here = tour.position(a);
     let after_a = tour.next(a);
-    let given = tour.way_on(a);
+    let given = tour.leg_after(a);
     for &b in near.of_exit(tour, a) {
         let left = given - tour.edge_here(a, b);
         if left <= EPSILON {
@@ -169,7 +168,7 @@ fn exchange(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Op
             continue;
         }
         let (there, before_b) = (tour.position(b), tour.previous(b));
-        let left = left + tour.way_to(b);
+        let left = left + tour.leg_before(b);
         for &c in near.of_entry(tour, after_a) {
             let left = left - tour.edge_here(c, after_a);
             if left <= EPSILON {
@@ -177,8 +176,8 @@ fn exchange(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) -> Op
             }
             tour.priced += 1;
             let after_c = tour.next(c);
-            let on = tour.way(tour.exit(before_b), after_c, tour.entry(after_c));
-            let gain = left + tour.way_on(c) - on;
+            let on = tour.leg_seconds(tour.exit(before_b), after_c, tour.entry(after_c));
+            let gain = left + tour.leg_after(c) - on;
             if gain <= EPSILON {
                 continue;
             }

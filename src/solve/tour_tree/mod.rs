@@ -1,19 +1,20 @@
-//! `tour-tree`, the default method: order, entry and direction searched together, good at any moment.
+//! `tour-tree`, the default method: order, entry and direction are searched together.
 //!
-//! 1. At once: nearest next (`greedy`), the first feasible path.
+//! 1. Nearest neighbour (`greedy`) gives the first feasible path at once.
 //! 2. Neighbour lists by gate (`neighbours.rs`), then local search over the whole tour (`improve.rs`).
-//! 3. Cycles of annealed kicks, each longer than the one before (`anneal`): first free of the nesting, then
-//!    repaired (`repair.rs`) and within it.
-//!    What they end in is crossed (`crossing.rs`); few items take rather more at a kick (`few.rs`).
-//! 4. Entries slide to the exact minimum at the end of every cycle (`polish.rs`).
-//! 5. Where contours may be left unfinished, the search over the root takes turns with one over all routes (`children`),
-//!    whose cycles start from the better of both.
+//! 3. Cycles of annealed kicks, each longer than the one before (`anneal`): first with nesting ignored, then repaired
+//!    (`repair.rs`) and with nesting kept. The results of cycles are recombined (`recombine.rs`). Small problems get
+//!    other kicks (`small_instances.rs`).
+//! 4. At the end of every cycle entries slide to the exact minimum (`polish.rs`).
+//! 5. Where contours may be left unfinished, the search over the root route takes turns with one over all routes
+//!    (`children`), whose cycles start from the better of both.
 //!
-//! Sources: neighbour lists and queue instead of don't-look bits: Bentley, ORSA J. Computing 4 (1992); Or-opt: Or,
-//! PhD thesis, Northwestern (1976); gain criterion: Lin & Kernighan, Operations Research 21 (1973); segment
-//! double-bridge kicks: Martin, Otto & Felten, Complex Systems 5 (1991), local as in Applegate, Cook & Rohe, INFORMS
-//! J. Computing 15 (2003); precedence by exchange of neighbouring stretches: Gambardella & Dorigo, INFORMS J.
-//! Computing 12 (2000).
+//! The tuning constants are in `config.rs`. `docs/internals/search.md` describes a cycle with pictures.
+//!
+//! Sources: neighbour lists and a work queue instead of don't-look bits: Bentley, ORSA J. Computing 4 (1992); Or-opt: Or,
+//! PhD thesis, Northwestern (1976); gain criterion: Lin & Kernighan, Operations Research 21 (1973); segment double-bridge
+//! kicks: Martin, Otto & Felten, Complex Systems 5 (1991), local as in Applegate, Cook & Rohe, INFORMS J. Computing 15
+//! (2003); precedence by exchange of neighbouring stretches: Gambardella & Dorigo, INFORMS J. Computing 12 (2000).
 
 mod allowed;
 mod anneal;
@@ -21,23 +22,24 @@ mod best;
 mod boxes;
 mod chain;
 mod children;
-mod crossing;
+mod config;
 mod entries;
 mod exchange;
-mod few;
 mod gap;
 mod gates;
 mod improve;
+mod improve_entry;
 mod index;
-mod kept;
 mod neighbours;
 mod polish;
 mod queue;
-mod rebuild;
-mod reenter;
+mod recombine;
 mod repair;
 mod ring;
-mod ring_in;
+mod ring_in_gap;
+mod ruin_recreate;
+mod small_instances;
+mod snapshot;
 mod space;
 #[cfg(test)]
 mod tests;
@@ -50,11 +52,11 @@ use crate::problem::Problem;
 use crate::solve::rng::seeded;
 use anneal::Annealing;
 use best::Best;
-use children::Children;
+use children::ChildRoutes;
 use space::Space;
 use tour::Tour;
 
-/// The method.
+/// The default method.
 pub(super) struct TourTree;
 
 impl Solver for TourTree {
@@ -72,14 +74,14 @@ impl Solver for TourTree {
         let first = warm.cloned().unwrap_or_else(|| greedy(problem));
         let space = Space::new(problem);
         let leaving = children::may_leave(&space);
-        // One more seed for the routes: the root's cycles are the same with and without them.
-        let children = leaving.then(|| Children::new(&space, &first, seeded(seed.wrapping_add(1))));
-        let kept = if leaving { children::flattened(&space, &first) } else { space.kept(&first) };
-        let annealing = Annealing::new(Tour::new(space, kept), seeded(seed));
+        // The routes have a seed of their own, so that the cycles of the root are the same with and without them.
+        let children = leaving.then(|| ChildRoutes::new(&space, &first, seeded(seed.wrapping_add(1))));
+        let snapshot = if leaving { children::flattened(&space, &first) } else { space.snapshot(&first) };
+        let annealing = Annealing::new(Tour::new(space, snapshot), seeded(seed));
         Box::new(TourTreeSearch {
             annealing,
             children,
-            hanging: false,
+            children_next: false,
             granted: 0,
             best: Best::new(first, 0),
         })
@@ -88,44 +90,45 @@ impl Solver for TourTree {
 
 struct TourTreeSearch<'p> {
     annealing: Annealing<'p>,
-    /// The search over all routes, where contours may be left unfinished; `hanging`: it works next.
-    children: Option<Children>,
-    hanging: bool,
-    /// Work handed out so far: what one slice did too much, the next does less.
+    /// The search over all routes, where contours may be left unfinished.
+    children: Option<ChildRoutes>,
+    /// The search over all routes works next.
+    children_next: bool,
+    /// Work granted so far, in moves: what one slice does beyond its grant, the next does less.
     granted: u64,
     best: Best,
 }
 
 impl TourTreeSearch<'_> {
-    /// Takes a solution over, if it is better.
+    /// Takes over a solution if it costs less than the best.
     fn take(&mut self, found: Solution) {
         self.best.take(found, self.priced());
     }
 
     fn priced(&self) -> u64 {
-        self.annealing.priced() + self.children.as_ref().map_or(0, Children::priced)
+        self.annealing.priced() + self.children.as_ref().map_or(0, ChildRoutes::priced)
     }
 
-    /// The smallest piece of work there is.
+    /// Does the smallest piece of work there is.
     fn advance(&mut self) {
         let root = &mut self.annealing;
         let ended = match &mut self.children {
-            Some(children) if self.hanging => {
+            Some(children) if self.children_next => {
                 children.advance(root).then(|| children.polished(&root.tour().space))
             }
             _ => root.advance().then(|| polish::polished(root.tour(), root.best().1)),
         };
-        self.hanging = self.children.as_ref().is_some_and(|c| c.is_next(root, self.hanging));
+        self.children_next = self.children.as_ref().is_some_and(|c| c.is_next(root, self.children_next));
         if let Some(found) = ended {
             self.take(found);
         }
     }
 
-    /// Takes over what is better since the last slice.
+    /// Takes over what has improved since the last slice.
     fn collect(&mut self) {
         self.annealing.save();
-        let (priced, (seconds, kept)) = (self.priced(), self.annealing.best());
-        self.best.take_tour(seconds, kept, priced);
+        let (priced, (seconds, snapshot)) = (self.priced(), self.annealing.best());
+        self.best.take_tour(seconds, snapshot, priced);
         if let Some(children) = &mut self.children {
             children.save(&self.annealing.tour().space);
             if children.best().cost < self.best.cost() {
@@ -145,7 +148,8 @@ impl Search for TourTreeSearch<'_> {
             self.advance();
         }
         self.collect();
-        // A search that ends counts all it did, and no more, in slices of any size: what it did too much is paid for first.
+        // A search that ends counts all the work it did and no more, in slices of any size: work beyond the last grant is
+        // paid for before the search ends.
         let ended = self.annealing.is_finished() && self.priced() <= self.granted;
         let (status, done) = if ended {
             (Status::Exhausted, self.priced().saturating_sub(before))
@@ -169,8 +173,8 @@ impl Search for TourTreeSearch<'_> {
                 children.offer(other);
             }
             if other.stops.iter().all(Stop::is_whole) {
-                let kept = self.annealing.tour().space.kept(other);
-                self.annealing.offer(other.cost, kept);
+                let snapshot = self.annealing.tour().space.snapshot(other);
+                self.annealing.offer(other.cost, snapshot);
             }
             self.take(other.clone());
         }

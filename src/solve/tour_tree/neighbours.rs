@@ -1,10 +1,11 @@
-//! Neighbour lists: for every gate (a coarse place of an item, see `space.rs`) the items nearest to it, and for every
-//! item the items nearest to any of its gates.
+//! Neighbour lists: for every gate the items nearest to it, and for every item the items nearest to any of its gates.
 //!
-//! Lists by gate, not by item: what is near a frame's left edge is of no use when it is entered on the right.
-//! Nearness is by the cost of travel: out of a place, and, where a way costs more than the way back, into it as well.
-//! Built item by item, so that a worker can take its turns in between.
+//! A gate is a coarse place of an item (see `space.rs`). Lists belong to gates and not to items, because what is near the
+//! left edge of a frame is of no use when the frame is entered on the right. Nearness is the cost of travel out of a
+//! place and, where a leg costs more than the leg back, into it as well. The lists are built item by item, so that a
+//! worker can stop in between. Source: Bentley, ORSA Journal on Computing 4 (1992).
 
+use super::config::CONFIG;
 use super::gates::{Gate, Gates};
 use super::index::index;
 use super::space::Space;
@@ -13,20 +14,18 @@ use super::travel::Place;
 use crate::geometry::DVec2;
 use crate::order::{real, sort_by};
 
-/// Items listed for a gate: nearly always enough, and a pass over them stays in one pair of cache lines.
-const PER_GATE: usize = 8;
-/// Items listed for an item, over all its gates.
-const PER_ITEM: usize = 10;
+/// Items in the list of a gate.
+const PER_GATE: usize = CONFIG.neighbours.per_gate;
 
-/// Neighbour lists, as far as they are built. All in one array: lists of their own were further apart in memory, and a look at
-/// one waited twice.
+/// Neighbour lists, as far as they are built. All lists are in one array: separate lists were farther apart in memory, and
+/// each look waited for it twice.
 pub(super) struct Neighbours {
     gates: Gates,
-    /// Items near to go to, and near to come from, gate by gate; the second is empty where it would be the same.
+    /// Items to go to and items to come from, gate by gate; the second is empty where it would be the same.
     by_gate: [Vec<u32>; 2],
-    /// Items to a gate: [`PER_GATE`], or all others where there are fewer.
+    /// Items in the list of a gate: [`PER_GATE`], or all others where there are fewer.
     stride: usize,
-    /// Those of item i: `first[i]..first[i + 1]`.
+    /// The list of item i: `first[i]..first[i + 1]`.
     by_item: Vec<u32>,
     first: Vec<u32>,
 }
@@ -69,13 +68,13 @@ impl Neighbours {
             }
         }
         sort_by(&mut all, |n| [real(n.0), n.1.into(), 0]);
-        all.truncate(PER_ITEM);
+        all.truncate(CONFIG.neighbours.per_item);
         self.by_item.extend(all.into_iter().map(|n| n.1));
         self.first.push(index(self.by_item.len()));
         true
     }
 
-    /// Seconds to, and item of, the nearest other items, in this order.
+    /// The nearest other items with the seconds to them, in this order.
     fn nearest(&self, space: &Space, item: u32, place: DVec2) -> Vec<(f64, u32)> {
         let mut found: Vec<(f64, u32)> = Vec::with_capacity(PER_GATE + 1);
         for r in 0..self.gates.rings(place) {
@@ -92,27 +91,27 @@ impl Neighbours {
         found
     }
 
-    /// Items near any place of an item.
+    /// Items near any gate of an item.
     pub(super) fn of_item(&self, item: u32) -> &[u32] {
         &self.by_item[self.first[item as usize] as usize..self.first[item as usize + 1] as usize]
     }
 
-    /// Of a gate, to go to or to come from.
+    /// Items to go to from a gate, or (`back`) to come from.
     fn of_gate(&self, back: bool, gate: usize) -> &[u32] {
         &self.by_gate[usize::from(back)][gate * self.stride..(gate + 1) * self.stride]
     }
 
-    /// Items near to go to from a place of an item.
+    /// Items to go to from a place of an item.
     pub(super) fn of_place(&self, space: &Space, item: u32, at: u32) -> &[u32] {
         self.of_gate(false, space.gate(item, at))
     }
 
-    /// Items near to come from to the place where an item is entered now.
+    /// Items to come from to the current entry of an item.
     pub(super) fn of_entry(&self, tour: &Tour, item: u32) -> &[u32] {
         self.of_gate(!tour.space.travel.symmetric, tour.space.gate(item, tour.at(item)))
     }
 
-    /// Items near to go to from the place where an item is left now.
+    /// Items to go to from the current exit of an item.
     pub(super) fn of_exit(&self, tour: &Tour, item: u32) -> &[u32] {
         let at = tour.at(item);
         let at = if tour.space.two_ends(item) { at ^ 1 } else { at };
@@ -120,7 +119,7 @@ impl Neighbours {
     }
 }
 
-/// Cost to (`back`: from), and item of, the nearest other items, by the table.
+/// The nearest other items by the table, with the cost to them (`back`: from them).
 fn nearest_by_table(space: &Space, item: u32, place: Place, back: bool) -> Vec<(f64, u32)> {
     let others = (0..=space.home).filter(|&other| other != item);
     let mut found: Vec<(f64, u32)> =
@@ -130,9 +129,9 @@ fn nearest_by_table(space: &Space, item: u32, place: Place, back: bool) -> Vec<(
     found
 }
 
-/// Keeps the [`PER_GATE`] nearest in order, one entry an item, with the least seconds.
+/// Inserts into a sorted list of the [`PER_GATE`] nearest items, which holds each item once, with its least seconds.
 fn insert(list: &mut Vec<(f64, u32)>, new: (f64, u32)) {
-    // Of two as near the lower number; a comparison of the seconds alone decides of most.
+    // Of two items as near, the one with the lower number comes first. Comparing the seconds alone decides in most cases.
     if let Some(&last) = list.get(PER_GATE - 1)
         && (last.0 < new.0 || last <= new)
     {
@@ -149,7 +148,7 @@ fn insert(list: &mut Vec<(f64, u32)>, new: (f64, u32)) {
     list.truncate(PER_GATE);
 }
 
-/// Keeps one entry an item, with the least seconds.
+/// Adds to a list that holds each item once, with its least seconds.
 fn merge(list: &mut Vec<(f64, u32)>, new: (f64, u32)) {
     match list.iter_mut().find(|old| old.1 == new.1) {
         Some(old) => old.0 = old.0.min(new.0),

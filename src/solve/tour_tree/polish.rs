@@ -1,45 +1,41 @@
-//! From places on rings to exact entries: each stop slides along its track to where the ways in and out are
-//! shortest together, by turns, until a round gains nothing worth while.
+//! Exact entries: each stop slides along its track to where its two legs and its extra seconds cost least together.
 //!
-//! Between two corners the sum of both ways has one minimum within a place's spacing (air time grows with distance),
-//! so a golden section search on each element near the place finds it; corners are tried by themselves. The run along
-//! the contour is charged by its exact price at each place tried.
+//! All stops slide in rounds until a round gains nothing worth while. Between two corners the sum of both legs has one
+//! minimum within the spacing of a ring, because air time grows with distance; a golden section search on each element
+//! near the place finds it. The extra seconds of the run are priced exactly at each point that is tried.
 
-use super::kept::Kept;
+use super::config::CONFIG;
+use super::snapshot::TourSnapshot;
 use super::space::Space;
 use super::tour::Tour;
 use crate::geometry::{DVec2, Path, Segment};
 use crate::problem::Item;
 use crate::solve::{Solution, Stop};
 
-/// Most rounds over all stops: the third gains less than a thousandth of the first.
-pub(super) const ROUNDS: usize = 4;
-/// A round that gains a smaller share than this is the last.
-pub(super) const ENOUGH: f64 = 1e-7;
-/// Steps of the golden section: they narrow two spacings of 0.8 mm to 6 nm.
-const SECTIONS: usize = 26;
-/// 1 / golden ratio.
+/// The inverse of the golden ratio.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// A tour as a solution, entered at its places.
-pub(super) fn unpolished(tour: &Tour, kept: &Kept) -> Solution {
+/// The solution of a tour, with entries at its places.
+pub(super) fn unpolished(tour: &Tour, snapshot: &TourSnapshot) -> Solution {
     // Home is a stop only where it is an item of the problem.
     let first = usize::from(tour.space.problem.table().is_none());
-    let stops =
-        kept.order[first..].iter().map(|&item| tour.space.stop(item, kept.at[item as usize])).collect();
+    let stops = snapshot.order[first..]
+        .iter()
+        .map(|&item| tour.space.stop(item, snapshot.at[item as usize]))
+        .collect();
     Solution::new(tour.space.problem, stops)
 }
 
-/// A tour as a solution, entered where it costs least.
-pub(super) fn polished(tour: &Tour, kept: &Kept) -> Solution {
+/// The solution of a tour, with exact entries.
+pub(super) fn polished(tour: &Tour, snapshot: &TourSnapshot) -> Solution {
     let space = &tour.space;
     if space.travel.by_table() {
-        return unpolished(tour, kept);
+        return unpolished(tour, snapshot);
     }
     let mut stops: Vec<Slide> =
-        kept.order[1..].iter().map(|&item| Slide::new(space, item, kept.at[item as usize])).collect();
+        snapshot.order[1..].iter().map(|&item| Slide::new(space, item, snapshot.at[item as usize])).collect();
     let mut cost = f64::INFINITY;
-    for _ in 0..ROUNDS {
+    for _ in 0..CONFIG.entry.slide_rounds {
         for k in 0..stops.len() {
             let from = if k == 0 { space.problem.home } else { stops[k - 1].exit };
             let to = match stops.get(k + 1) {
@@ -49,7 +45,7 @@ pub(super) fn polished(tour: &Tour, kept: &Kept) -> Solution {
             stops[k].slide(space, from, to);
         }
         let now = Solution::new(space.problem, stops.iter().map(|s| s.stop).collect()).cost;
-        if now > cost * (1.0 - ENOUGH) {
+        if now > cost * (1.0 - CONFIG.entry.slide_least_gain) {
             break;
         }
         cost = now;
@@ -64,7 +60,7 @@ pub(super) struct Slide<'p> {
     pub(super) entry: DVec2,
     pub(super) exit: DVec2,
     item: &'p Item,
-    /// Track, arc length at the start of each element and at the end, and how far to look.
+    /// Track, arc lengths of the ends of its elements, and how far to look on both sides, mm.
     track: Option<(&'p Path, Vec<f64>, f64)>,
 }
 
@@ -83,7 +79,7 @@ impl<'p> Slide<'p> {
         Self { stop: space.stop(item, at), entry, exit, item: it, track }
     }
 
-    /// Moves to the best place between those next to where it is.
+    /// Moves the stop to the best point between the places next to its own; the head comes from `from` and goes `to`.
     pub(super) fn slide(&mut self, space: &Space, from: DVec2, to: Option<DVec2>) {
         let Some((track, starts, reach)) = &self.track else { return };
         let price = |along: f64, p: DVec2| {
@@ -93,7 +89,7 @@ impl<'p> Slide<'p> {
         let length = starts[starts.len() - 1];
         let mut best = (price(self.stop.along, self.entry), self.stop.along, self.entry);
         let (low, high) = (self.stop.along - reach, self.stop.along + reach);
-        // The window may hang over either end of the track.
+        // The window may extend past either end of the track.
         for shift in [-length, 0.0, length] {
             let (low, high) = ((low + shift).max(0.0), (high + shift).min(length));
             let first = starts.partition_point(|&s| s <= low).saturating_sub(1);
@@ -116,7 +112,8 @@ impl<'p> Slide<'p> {
     }
 }
 
-/// Candidates for the least price on one element between two arc lengths: both ends and the golden section's find.
+/// Candidates for the least price on one element between two arc lengths: both ends and the result of the golden section
+/// search.
 fn least(
     g: &Segment,
     span: &[f64],
@@ -129,7 +126,7 @@ fn least(
     let (mut a, mut b) = (low, high);
     let (mut c, mut d) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
     let (mut at_c, mut at_d) = (price(c, point(c)), price(d, point(d)));
-    for _ in 0..SECTIONS {
+    for _ in 0..CONFIG.entry.golden_steps {
         if at_c < at_d {
             (b, d, at_d) = (d, c, at_c);
             c = b - GOLDEN * (b - a);

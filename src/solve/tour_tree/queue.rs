@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-/// Items whose surroundings changed, each once.
+/// Items around which the tour has changed. Each is in the queue at most once.
 pub(super) struct Queue {
     items: VecDeque<u32>,
     waiting: Vec<bool>,

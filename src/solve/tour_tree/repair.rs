@@ -1,15 +1,15 @@
-//! Repairs a tour that ignores nesting: each contour around others waits for the last of them.
+//! Repairs a tour that ignores nesting: each outer contour waits for the last contour inside it.
 //!
-//! An unconstrained tour that is repaired and then improved ends far lower than a search that stays feasible from the start:
-//! `docs/internals/tuning.md`, `FREE_SHARE`.
+//! An unconstrained tour that is repaired and then improved ends far lower than a search that is feasible from the start,
+//! see `docs/internals/tuning.md`, `cycle.free_percent`.
 
-use super::kept::Kept;
+use super::snapshot::TourSnapshot;
 use super::space::Space;
 
-/// The tour `free`, and the tour run backwards, with every outer item delayed until all inside it is done.
-pub(super) fn repaired(space: &Space, free: &Kept) -> [Kept; 2] {
+/// A tour and its reverse, each repaired.
+pub(super) fn repaired(space: &Space, free: &TourSnapshot) -> [TourSnapshot; 2] {
     let mut back = free.clone();
-    // Ranks keep their order: each is turned round by itself.
+    // Ranks keep their order: each is reversed by itself.
     back.order[1..]
         .chunk_by_mut(|&a, &b| space.rank[a as usize] == space.rank[b as usize])
         .for_each(<[u32]>::reverse);
@@ -19,13 +19,14 @@ pub(super) fn repaired(space: &Space, free: &Kept) -> [Kept; 2] {
     [delayed(space, free), delayed(space, &back)]
 }
 
-fn delayed(space: &Space, tour: &Kept) -> Kept {
+/// A tour in which every item is delayed until all that must come before it is done.
+fn delayed(space: &Space, tour: &TourSnapshot) -> TourSnapshot {
     let mut waits_for: Vec<usize> = (0..=space.home).map(|i| space.precedence.before(i).len()).collect();
     let mut met = vec![false; tour.at.len()];
     let mut order = Vec::with_capacity(tour.order.len());
     for &item in &tour.order {
         met[item as usize] = true;
-        // Done items let those that wait for them follow at once, if they were met and now wait for nothing.
+        // An item that is done releases the items that were met before and waited for it alone.
         let mut next = vec![item];
         while let Some(done) = next.pop().filter(|&i| waits_for[i as usize] == 0) {
             order.push(done);
@@ -37,5 +38,5 @@ fn delayed(space: &Space, tour: &Kept) -> Kept {
             }
         }
     }
-    Kept { order, at: tour.at.clone() }
+    TourSnapshot { order, at: tour.at.clone() }
 }

@@ -1,43 +1,39 @@
-//! The ring of places along a closed contour, with what the run costs on top by place.
+//! The ring of places along a closed contour, and what each place costs beyond the fixed seconds of the item.
 //!
-//! [`GATES`] * 2^k places, at most [`SPACING`] apart. They are evenly spaced, but where the run has a price by place of
-//! entry the place nearest to a corner is put on it: being slow there anyway saves up to a whole stop, and a
-//! fraction of a millimetre beside the corner, on a machine that takes no more than that to reach its speed, saves
-//! nothing any more.
+//! A ring has [`GATES`] * 2^k places. They are evenly spaced, except that where the seconds of the run depend on the place
+//! of entry, the place nearest to a corner is put exactly on it: the beam is slow there anyway, which saves up to a whole
+//! stop, and on a machine that reaches its speed within a fraction of a millimetre a place beside the corner saves nothing.
 
+use super::config::CONFIG;
 use super::index::index;
 use crate::geometry::{DVec2, Path, Segment};
 use crate::problem::Item;
 
-/// Coarse places of a ring: as many as tell its sides apart; neighbour lists are kept for each.
+/// Coarse places of a ring, each with its own neighbour list: enough to tell the sides of a contour apart. A power of two.
 pub(super) const GATES: usize = 16;
-/// Largest distance of places on a ring, mm: half of it, seen across a gap of 5 mm, is 0.3 % of the gap.
-const SPACING: f64 = 0.8;
-/// Most places of one ring: more is slower where large parts lie close together, and finds nothing shorter.
-const MOST: usize = 2048;
 
 /// Places in order around a closed contour.
 pub(super) struct Ring<'p> {
     item: &'p Item,
     track: &'p Path,
-    /// How many there are.
+    /// Number of places.
     pub(super) count: usize,
-    /// Distance of places, mm; of two neighbours up to twice that where they were put on corners.
+    /// Distance of places, mm; neighbours that were put on corners may be up to twice as far apart.
     pub(super) spacing: f64,
 }
 
-/// What places of a ring cost on top.
+/// The places of a ring with their extra seconds.
 pub(super) struct Prices {
-    /// Arc length of each from the track's start, mm.
+    /// Arc length of each place from the track's start, mm.
     pub(super) along: Vec<f64>,
-    /// Seconds on top by place.
+    /// Extra seconds by place.
     pub(super) extra: Vec<f64>,
-    /// Places that cost less than both their neighbours, the cheapest between each two gates.
+    /// Places that cost less than both their neighbours; of those between two gates, the cheapest.
     pub(super) corners: Vec<u32>,
 }
 
 impl<'p> Ring<'p> {
-    /// The ring of an item; none where it has no closed track with a length.
+    /// The ring of an item; `None` unless it has a closed track with a length.
     pub(super) fn new(item: &'p Item) -> Option<Self> {
         let track = item.track.as_ref().filter(|t| t.closed)?;
         let length: f64 = track.segments.iter().map(Segment::length).sum();
@@ -45,13 +41,13 @@ impl<'p> Ring<'p> {
             return None;
         }
         let mut count = GATES;
-        while count < MOST && length > SPACING * count as f64 {
+        while count < CONFIG.entry.most_places && length > CONFIG.entry.spacing * count as f64 {
             count *= 2;
         }
         Some(Self { item, track, count, spacing: length / count as f64 })
     }
 
-    /// The places; where along the track each of them is, in order, from the prices or from here.
+    /// The points of the places in order, at the arc lengths of `prices` or else evenly spaced.
     pub(super) fn points(&self, prices: Option<&Prices>) -> impl Iterator<Item = DVec2> {
         let lengths: Vec<f64> = self.track.segments.iter().map(Segment::length).collect();
         let (mut element, mut before) = (0, 0.0);
@@ -66,13 +62,13 @@ impl<'p> Ring<'p> {
         })
     }
 
-    /// Puts places on corners and gives the price of each place.
+    /// Puts places on corners and prices each place.
     pub(super) fn prices(&self) -> Prices {
         let mut along: Vec<f64> = (0..self.count).map(|k| self.spacing * k as f64).collect();
         let Some(run) = self.item.uneven() else {
             return Prices { extra: vec![0.0; along.len()], along, corners: Vec::new() };
         };
-        // The slowest joint of the stretch around each place: the only one that may be worth more than the place.
+        // The slowest joint of the stretch around each place: no other joint there can cost less than the place.
         let mut slowest = vec![(f64::INFINITY, 0.0); along.len()];
         for (joint, speed2) in run.joints() {
             let k = nearest(joint / self.spacing).min(along.len() - 1);
@@ -107,7 +103,7 @@ fn corners(extra: &[f64]) -> Vec<u32> {
         .collect()
 }
 
-/// The nearest whole number; places along tracks are small and not negative.
+/// The nearest whole number of a value that is not negative.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cast from float saturates")]
 pub(super) fn nearest(x: f64) -> usize {
     x.round() as usize

@@ -1,26 +1,26 @@
-//! What stays the same during a search, laid out for speed: places to enter, boxes, precedence.
+//! What stays the same during a search, laid out for speed: places of entry, boxes, precedence.
 //!
-//! A closed contour may be entered anywhere along it. Its places are a ring of [`GATES`] * 2^k points (`ring.rs`), so
-//! the best entry between two given points is found coarse to fine: all gates (every 2^k-th place) first, then ever
-//! smaller steps to both sides; then the corners, where the run along the contour costs less. What is left, under a
-//! spacing, is slid away exactly on export (`polish.rs`). An item without a track has the places of its nodes; an open
-//! contour has two, its ends.
+//! A closed contour may be entered anywhere along it. Its places are a ring of [`GATES`] * 2^k points (`ring.rs`), so that
+//! the best entry between two points is found from coarse to fine: all gates (every 2^k-th place) first, then ever smaller
+//! steps to both sides, then the corners, where the run along the contour costs less. The exact entry within the spacing of
+//! the ring is found at the end (`polish.rs`). An item without a track has the places of its nodes; an open contour has
+//! two, its ends.
 //!
-//! Home is one more item, the last, with one place; the tour starts at it. With a table of costs it is the problem's
-//! last item, with all its nodes.
+//! Home is one more item, the last, with one place; the tour starts there. With a table of costs home is the problem's last
+//! item, with all its nodes.
 
-use super::boxes::{ARCS, Boxed, arcs};
+use super::boxes::{ARCS, BoundingBox, arcs};
 use super::index::index;
-use super::kept::Kept;
 use super::ring::GATES;
 use super::ring::{Ring, nearest};
+use super::snapshot::TourSnapshot;
 use super::travel::{Place, Places, Travel};
 use crate::geometry::{Aabb, DVec2};
 use crate::problem::{Item, Problem};
 use crate::solve::precedence::Precedence;
 use crate::solve::{Solution, Stop};
 
-/// The unchanging side of a search.
+/// The unchanging data of a search.
 pub(super) struct Space<'p> {
     pub(super) problem: &'p Problem,
     pub(super) travel: Travel<'p>,
@@ -32,7 +32,7 @@ pub(super) struct Space<'p> {
     pub(super) point: Vec<DVec2>,
     /// Arc length of each place of a ring along its track, mm; empty where all are evenly spaced.
     along: Vec<f64>,
-    /// Seconds on top for entering at each place; empty when no item has any.
+    /// Extra seconds of entering at each place; empty if no item has any.
     pub(super) extra: Vec<f64>,
     /// Corners of item i: `corner_first[i]..corner_first[i + 1]`.
     pub(super) corner_first: Vec<u32>,
@@ -40,24 +40,26 @@ pub(super) struct Space<'p> {
     /// Gates of item i: `gate_first[i]..gate_first[i + 1]`.
     pub(super) gate_first: Vec<u32>,
     kind: Vec<Kind>,
+    /// By item: distance of the places of a ring, mm; 0 for other items.
     spacing: Vec<f64>,
-    /// By item: where the arcs of a ring run.
-    pub(super) arcs: Vec<[Boxed; ARCS]>,
-    /// Items that cost more one way than the other.
-    pub(super) lopsided: Vec<u32>,
+    /// By item: the boxes of the arcs of its ring.
+    pub(super) arcs: Vec<[BoundingBox; ARCS]>,
+    /// Items whose seconds depend on the direction: pierce groups.
+    pub(super) direction_dependent: Vec<u32>,
     /// By item: the box of its places.
-    pub(super) whole: Vec<Boxed>,
+    pub(super) whole: Vec<BoundingBox>,
     pub(super) rank: Vec<u32>,
     pub(super) precedence: Precedence,
 }
 
+/// How the places of an item lie to each other.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     /// Places in order around a closed contour, `GATES` * 2^k of them.
     Ring,
-    /// Ways with two ends, in pairs of out and back: those of an open contour, or through a pierce group.
+    /// Paths with two ends, in pairs of forth and back: along an open contour, or through a pierce group.
     Open,
-    /// Any places, in no order, each left where it is entered.
+    /// Places in no order, each left where it is entered.
     Loose,
 }
 
@@ -78,7 +80,7 @@ impl<'p> Space<'p> {
             kind: Vec::with_capacity(n + 1),
             spacing: Vec::with_capacity(n + 1),
             arcs: Vec::with_capacity(n + 1),
-            lopsided: (0..)
+            direction_dependent: (0..)
                 .zip(&problem.items)
                 .filter(|(_, i)| i.is_pierce_group())
                 .map(|(id, _)| id)
@@ -89,7 +91,7 @@ impl<'p> Space<'p> {
         };
         let charged = problem.items.iter().any(Item::is_uneven);
         let rings: Vec<_> = problem.items.iter().map(Ring::new).collect();
-        // Grown place by place, room for large rings took longer than all the rest.
+        // Reserved at once: growing the list took longer than everything else here.
         let count =
             |(ring, item): (&Option<Ring>, &Item)| ring.as_ref().map_or(item.nodes.len(), |r| r.count);
         s.point.reserve_exact(rings.iter().zip(&problem.items).map(count).sum::<usize>() + 1);
@@ -139,12 +141,12 @@ impl<'p> Space<'p> {
         s
     }
 
-    /// Ends the places of the item being built.
+    /// Finishes an item whose places have been appended.
     fn close_item(&mut self, kind: Kind, spacing: f64, charged: bool) {
         let from = self.first[self.first.len() - 1] as usize;
         let places = &self.point[from..];
         let b = places.iter().fold(Aabb::EMPTY, |b, p| b.with(*p));
-        let whole = Boxed::new(b);
+        let whole = BoundingBox::new(b);
         self.whole.push(whole);
         self.arcs.push(if kind == Kind::Ring { arcs(places) } else { [whole; ARCS] });
         let gates = if self.travel.by_table() { places.len() } else { places.len().min(GATES) };
@@ -166,24 +168,24 @@ impl<'p> Space<'p> {
         Places { points: &self.point[first as usize..end as usize], first }
     }
 
-    /// How far from a place its neighbours on a ring are at most, mm.
+    /// Largest distance of a place from its neighbours on a ring, mm.
     pub(super) fn reach(&self, item: u32) -> f64 {
         let item = item as usize;
         self.spacing[item] * if self.problem.items[item].uneven().is_some() { 2.0 } else { 1.0 }
     }
 
-    /// Once round a ring, mm; 0 for other items.
-    pub(super) fn round(&self, item: u32) -> f64 {
+    /// Length of a ring, mm; 0 for other items.
+    pub(super) fn perimeter(&self, item: u32) -> f64 {
         self.spacing[item as usize] * self.places(item).len() as f64
     }
 
-    /// Seconds on top for entering an item at a place.
+    /// Extra seconds of entering an item at a place.
     #[inline]
     pub(super) fn extra(&self, item: u32, at: u32) -> f64 {
         if self.extra.is_empty() { 0.0 } else { self.extra[(self.first[item as usize] + at) as usize] }
     }
 
-    /// Where along its track a place of a ring is, mm.
+    /// Arc length of a place of a ring along its track, mm.
     fn along(&self, item: u32, at: u32) -> f64 {
         let along = self.along.get((self.first[item as usize] + at) as usize);
         along.copied().unwrap_or(self.spacing[item as usize] * f64::from(at))
@@ -198,17 +200,17 @@ impl<'p> Space<'p> {
         }
     }
 
-    /// A solution as a tour: entered at the places nearest to its own.
-    pub(super) fn kept(&self, solution: &Solution) -> Kept {
-        let mut kept = Kept { order: vec![self.home], at: vec![0; self.kind.len()] };
+    /// The tour of a solution, with entries at the places nearest to its own.
+    pub(super) fn snapshot(&self, solution: &Solution) -> TourSnapshot {
+        let mut snapshot = TourSnapshot { order: vec![self.home], at: vec![0; self.kind.len()] };
         for stop in &solution.stops {
             let item = self.problem.nodes[stop.node as usize].item;
             if item != self.home {
-                kept.order.push(item);
+                snapshot.order.push(item);
             }
-            kept.at[item as usize] = self.entered_at(stop);
+            snapshot.at[item as usize] = self.entered_at(stop);
         }
-        kept
+        snapshot
     }
 
     /// The place nearest to where a stop begins.
@@ -231,7 +233,8 @@ impl<'p> Space<'p> {
         nodes.zip(0..).find(|(n, _)| self.problem.nodes[*n as usize].along == stop.until).map_or(0, |n| n.1)
     }
 
-    /// The place of a ring nearest to an arc length: no place is off its even spacing by more than half of it.
+    /// The place of a ring nearest to an arc length. No place is farther from its even spacing than half of it, so that
+    /// the neighbours of the first guess suffice.
     fn nearest(&self, item: u32, along: f64) -> u32 {
         let count = self.places(item).len();
         let (guess, spacing) = (nearest(along / self.spacing[item as usize]), self.spacing[item as usize]);
@@ -254,18 +257,19 @@ impl<'p> Space<'p> {
         self.places(item).at(at ^ u32::from(self.two_ends(item)))
     }
 
-    /// An open contour or a pierce group: run the other way, by the other node of its pair, entry and exit change places.
+    /// Whether an item is an open contour or a pierce group. Run the other way, by the other node of its pair, its entry
+    /// and exit change places.
     #[inline]
     pub(super) fn two_ends(&self, item: u32) -> bool {
         self.kind[item as usize] == Kind::Open
     }
 
-    /// The gate nearest to place `at` of an item, counted over all items.
+    /// The number of the gate nearest to place `at` of an item; gates are numbered over all items.
     pub(super) fn gate(&self, item: u32, at: u32) -> usize {
         let i = item as usize;
         let gate = match self.kind[i] {
             Kind::Ring => {
-                // Both are powers of two: a division would take longer than all the rest.
+                // Both are powers of two, so that no division is needed.
                 let step = self.places(item).len() / GATES;
                 (at as usize + step / 2) >> step.trailing_zeros() & (GATES - 1)
             }
@@ -279,14 +283,15 @@ impl<'p> Space<'p> {
         (self.gate_first[item as usize + 1] - self.gate_first[item as usize]) as usize
     }
 
-    /// Places of an item's gates.
+    /// The gates of an item.
     pub(super) fn gates(&self, item: u32) -> impl Iterator<Item = Place> {
         let places = self.places(item);
         let step = if self.is_ring(item) { places.len() / GATES } else { 1 };
         places.iter().step_by(step).take(self.gate_count(item))
     }
 
-    /// How many places on along a ring one is from another; 0 if it is a gate farther, or on no ring.
+    /// Steps along a ring from one place to another, negative for backwards; 0 if they are a gate or more apart, or if the
+    /// item has no ring.
     pub(super) fn steps(&self, item: u32, from: u32, to: u32) -> i32 {
         let count = index(self.places(item).len());
         let (ahead, back) = (to.wrapping_sub(from) & (count - 1), from.wrapping_sub(to) & (count - 1));
@@ -294,7 +299,7 @@ impl<'p> Space<'p> {
         if self.is_ring(item) && ahead.min(back) < count / index(GATES) { steps } else { 0 }
     }
 
-    /// The place of a ring so many places on.
+    /// The place of a ring that is `steps` farther along.
     pub(super) fn stepped(&self, item: u32, from: u32, steps: i32) -> u32 {
         from.wrapping_add_signed(steps) & (index(self.places(item).len()) - 1)
     }

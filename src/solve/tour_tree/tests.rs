@@ -180,18 +180,18 @@ fn a_better_path_from_elsewhere_is_taken() {
     assert_eq!(warm.best(), far.best());
 }
 
-/// A tour of the first feasible path, without the local search's order of things.
+/// The tour of the first feasible path, and its neighbour lists.
 fn tour(problem: &Problem) -> (Tour<'_>, neighbours::Neighbours) {
     let space = Space::new(problem);
-    let kept = space.kept(&greedy(problem));
-    let tour = Tour::new(space, kept);
+    let snapshot = space.snapshot(&greedy(problem));
+    let tour = Tour::new(space, snapshot);
     let mut near = neighbours::Neighbours::new(&tour.space);
     while near.extend(&tour.space) {}
     (tour, near)
 }
 
-/// Problems of points and of tables, with and without precedence, whose ways back may cost something else.
-fn few() -> impl Iterator<Item = Problem> {
+/// Problems of points and of tables, with and without precedence, some with legs that cost more one way than the other.
+fn small_problems() -> impl Iterator<Item = Problem> {
     (0..60).map(|seed| {
         let mut problem = small(seed, 7, "length", seed % 3 > 0);
         if seed % 2 == 0 {
@@ -216,13 +216,13 @@ fn few() -> impl Iterator<Item = Problem> {
 }
 
 #[test]
-fn what_is_rebuilt_costs_what_is_told_and_keeps_precedence() {
-    for (problem, seed) in few().zip(0..) {
+fn ruin_and_recreate_costs_what_it_says_and_keeps_precedence() {
+    for (problem, seed) in small_problems().zip(0..) {
         let (mut tour, near) = tour(&problem);
         let (mut queue, mut rng) = (queue::Queue::new(8), seeded(seed));
         for _ in 0..200 {
             let before = tour.cost();
-            match rebuild::rebuild(&mut tour, &near, &mut queue, &mut rng) {
+            match ruin_recreate::ruin_recreate(&mut tour, &near, &mut queue, &mut rng) {
                 Some(change) => assert!(tour.cost_is(before + change), "{seed}"),
                 None => tour.undo(),
             }
@@ -234,27 +234,28 @@ fn what_is_rebuilt_costs_what_is_told_and_keeps_precedence() {
 
 #[test]
 fn entries_chosen_together_are_the_best_of_all() {
-    for (problem, seed) in few().zip(0..) {
+    for (problem, seed) in small_problems().zip(0..) {
         let (mut tour, near) = tour(&problem);
         let (mut queue, mut rng) = (queue::Queue::new(8), seeded(seed));
         for _ in 0..5 {
-            if rebuild::rebuild(&mut tour, &near, &mut queue, &mut rng).is_none() {
+            if ruin_recreate::ruin_recreate(&mut tour, &near, &mut queue, &mut rng).is_none() {
                 tour.undo();
             }
-            let kept = tour.now().clone();
+            let snapshot = tour.current().clone();
             let mut least = f64::INFINITY;
-            let counts: Vec<usize> = (0..).take(kept.at.len()).map(|i| tour.space.places(i).len()).collect();
+            let counts: Vec<usize> =
+                (0..).take(snapshot.at.len()).map(|i| tour.space.places(i).len()).collect();
             for which in 0..counts.iter().product::<usize>() {
                 let mut left = which;
-                let mut other = kept.clone();
+                let mut other = snapshot.clone();
                 for (at, &count) in other.at.iter_mut().zip(&counts) {
                     *at = index::index(left % count);
                     left /= count;
                 }
-                tour.put(other);
+                tour.restore(other);
                 least = least.min(tour.cost());
             }
-            tour.put(kept);
+            tour.restore(snapshot);
             let cost = tour.cost();
             let gain = entries::Layers::default().enter_best(&mut tour, cost, |_| ());
             assert!(
@@ -267,27 +268,27 @@ fn entries_chosen_together_are_the_best_of_all() {
 }
 
 #[test]
-fn a_crossed_tour_leaves_no_better_stretch_to_the_other() {
-    let mut crossed = 0;
-    for (problem, seed) in few().zip(0..) {
+fn recombination_leaves_no_cheaper_stretch_in_the_other_tour() {
+    let mut recombined = 0;
+    for (problem, seed) in small_problems().zip(0..) {
         let (mut tour, near) = tour(&problem);
         let (mut queue, mut rng) = (queue::Queue::new(8), seeded(seed));
         for _ in 0..20 {
-            let other = tour.now().clone();
+            let other = tour.current().clone();
             for _ in 0..3 {
-                if rebuild::rebuild(&mut tour, &near, &mut queue, &mut rng).is_none() {
+                if ruin_recreate::ruin_recreate(&mut tour, &near, &mut queue, &mut rng).is_none() {
                     tour.undo();
                 }
                 tour.commit();
             }
             let before = tour.cost();
-            let passes = std::iter::from_fn(|| Some(crossing::cross(&mut tour, &mut queue, &other)));
+            let passes = std::iter::from_fn(|| Some(recombine::recombine(&mut tour, &mut queue, &other)));
             let gain: f64 = passes.take_while(|&gain| gain > 0.0).sum();
-            crossed += usize::from(gain > crate::solve::epsilon::EPSILON);
+            recombined += usize::from(gain > crate::solve::epsilon::EPSILON);
             assert!(tour.cost_is(before - gain), "{seed}");
             assert!(tour.is_feasible(), "{seed}");
             // Every stretch of the same items, put in the other's order with its entries.
-            let (kept, cost) = (tour.now().clone(), tour.cost());
+            let (snapshot, cost) = (tour.current().clone(), tour.cost());
             let last = tour.last();
             for (from, to) in (1..=last).flat_map(|from| (from..=last).map(move |to| (from, to))) {
                 let set = |order: &[u32]| {
@@ -297,18 +298,18 @@ fn a_crossed_tour_leaves_no_better_stretch_to_the_other() {
                 };
                 let length = to - from + 1;
                 let Some(there) = (1..=last + 1 - length)
-                    .find(|&k| set(&other.order[k..k + length]) == set(&kept.order[from..=to]))
+                    .find(|&k| set(&other.order[k..k + length]) == set(&snapshot.order[from..=to]))
                 else {
                     continue;
                 };
-                let mut taken = kept.clone();
+                let mut taken = snapshot.clone();
                 taken.order[from..=to].copy_from_slice(&other.order[there..there + length]);
                 taken.order[from..=to].iter().for_each(|&i| taken.at[i as usize] = other.at[i as usize]);
-                tour.put(taken);
+                tour.restore(taken);
                 assert!(tour.cost() >= cost - 1e-6, "{seed}: {from} to {to}");
             }
-            tour.put(kept);
+            tour.restore(snapshot);
         }
     }
-    assert!(crossed > 100, "{crossed}");
+    assert!(recombined > 100, "{recombined}");
 }

@@ -1,21 +1,18 @@
-//! What a way costs: the machine's air time between two points, or a table's entry for two nodes.
+//! The cost of travel: the machine's air time between two points, or the entry of a table for two nodes.
 //!
-//! A [`Place`] carries both, its point and its node's number, and [`Travel::seconds`] takes what counts. So one search
-//! serves both kinds of problems; the branch always goes the same way and costs nothing that could be measured.
+//! A [`Place`] carries both its point and the number of its node, and [`Travel::seconds`] uses the one that counts. So one
+//! search serves both kinds of problems. The branch always goes the same way, and it costs nothing that could be measured.
 //!
-//! A few points to choose from get a table of their own, in which the costs to all points of an item are side by side.
-//!
-//! Beside the table stand the least costs from every node to every item and back, which tell at once that an item
-//! is too far: for sets of many nodes that saves most of the work.
+//! Small problems of points get a table of their own, in which the costs to all points of an item are next to each other.
+//! Beside a table stand the least costs from every node to every item and back: they show at once that an item is too far
+//! away, which saves most of the work where sets have many nodes.
 
+use super::config::CONFIG;
 use super::index::index;
 use crate::geometry::DVec2;
 use crate::machine::AirTime;
 use crate::problem::{NodeId, Problem, Table};
 use std::borrow::Cow;
-
-/// Most nodes in the plane for a table of travel of their own: it takes 1.3 MB, which stays near the processor.
-const MOST_NODES: usize = 400;
 
 /// Where the head is. With a table of costs the node counts, otherwise the point.
 #[derive(Clone, Copy)]
@@ -60,23 +57,23 @@ impl<'s> Places<'s> {
     }
 }
 
-/// Where a stop lies between its neighbours: where the head comes from, and where it goes (`None`: nowhere, the last
-/// stop of a path without return).
+/// A gap between two stops: where the head comes from and where it goes (`None`: nowhere, at the end of a path without
+/// return).
 #[derive(Clone, Copy)]
 pub(super) struct Gap {
     pub(super) from: Place,
     pub(super) to: Option<Place>,
 }
 
-/// Prices of ways.
+/// Prices of legs.
 pub(super) struct Travel<'p> {
     air: AirTime,
     table: Option<Cow<'p, Table>>,
     /// Least cost from a node to an item, by item and node, and from an item to a node (empty where it is the same).
-    /// Both empty without a table, and where items have so few nodes that looking through them is as quick. Item by
-    /// item, as a search asks for one item at many nodes: the row is then at hand.
+    /// Both are empty without a table, and where items have so few nodes that looking through them is as quick. The rows
+    /// belong to items, because the search asks for one item at many nodes.
     least: [Vec<f64>; 2],
-    /// A way costs the same in both directions.
+    /// A leg costs the same in both directions.
     pub(super) symmetric: bool,
 }
 
@@ -90,7 +87,7 @@ impl<'p> Travel<'p> {
         let all = table.nodes();
         if all >= 2 * problem.items.len() {
             let (mut out, mut back) = (Vec::new(), Vec::new());
-            // Home too, where it is no item of the problem.
+            // Home counts too where it is no item of the problem.
             let home = index(problem.nodes.len())..index(all);
             for nodes in problem.items.iter().map(|i| i.nodes.clone()).chain([home]) {
                 let least =
@@ -107,12 +104,12 @@ impl<'p> Travel<'p> {
         travel
     }
 
-    /// Seconds, or what the table says, from one place to another.
+    /// Seconds from one place to another, or the cost by the table.
     pub(super) fn seconds(&self, from: Place, to: Place) -> f64 {
         self.seconds_here(from, to)
     }
 
-    /// The same, for where it is asked most: in wasm the calls took a quarter of all time.
+    /// The same, inlined for the hottest loops: in wasm the calls took a quarter of all time.
     #[inline(always)]
     pub(super) fn seconds_here(&self, from: Place, to: Place) -> f64 {
         match &self.table {
@@ -132,16 +129,16 @@ impl<'p> Travel<'p> {
         self.air.seconds_at_least(d)
     }
 
-    /// The least costs from every node to (`back`: to every node from) any place of an item, where a table has them at hand.
-    pub(super) fn leasts(&self, item: u32, back: bool) -> Option<&[f64]> {
+    /// The least costs from every node to any place of an item (`back`: from the item to the node), if they are stored.
+    pub(super) fn least_costs(&self, item: u32, back: bool) -> Option<&[f64]> {
         let nodes = self.table.as_ref()?.nodes();
         let first = item as usize * nodes;
         self.least[usize::from(back && !self.symmetric)].get(first..first + nodes)
     }
 
-    /// The least cost from `p` to (`back`: to `p` from) any of an item's places, by the table.
+    /// The least cost from `p` to any place of an item (`back`: from the item to `p`), by the table.
     pub(super) fn least(&self, p: Place, item: u32, places: Places, back: bool) -> f64 {
-        if let Some(least) = self.leasts(item, back) {
+        if let Some(least) = self.least_costs(item, back) {
             return least[p.node as usize];
         }
         places
@@ -150,8 +147,8 @@ impl<'p> Travel<'p> {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Seconds from a place to each of an item's places.
-    pub(super) fn fan(&self, from: Place, places: Places, mut each: impl FnMut(usize, f64)) {
+    /// Calls `each` with the index of each place of an item and the seconds to it.
+    pub(super) fn to_each(&self, from: Place, places: Places, mut each: impl FnMut(usize, f64)) {
         match &self.table {
             Some(table) => {
                 let row = table.row(from.node, places.first, places.len());
@@ -164,8 +161,8 @@ impl<'p> Travel<'p> {
         }
     }
 
-    /// Costs from `from`, and back to `to`, of each of an item's places, where a table says them and ways back cost the
-    /// same: two rows that lie at hand, while a column does not.
+    /// The costs from `from` to each place of an item and from each to `to`, where a symmetric table has them: as two
+    /// rows, which are contiguous in memory, while a column is not.
     pub(super) fn both_ways(&self, from: Place, to: Place, places: Places) -> Option<[&[f64]; 2]> {
         let table = self.table.as_ref().filter(|_| self.symmetric)?;
         Some([from, to].map(|p| table.row(p.node, places.first, places.len())))
@@ -177,10 +174,10 @@ impl<'p> Travel<'p> {
     }
 }
 
-/// The seconds between all nodes, and home after them, of a problem with a choice of points to enter items at, none of
-/// which is left unfinished. No sheet is one: closed contours have tracks, open ones two ends, and points no choice.
+/// A table of the seconds between all nodes, with home as the last, for a small problem whose items have several points to
+/// enter at and are done in one go. Sheets are not of this kind: closed contours have tracks and open ones two ends.
 fn of_points(problem: &Problem, air: &AirTime) -> Option<Table> {
-    let points = (problem.items.len() + 1..=MOST_NODES).contains(&problem.nodes.len())
+    let points = (problem.items.len() + 1..=CONFIG.table_nodes).contains(&problem.nodes.len())
         && problem.items.iter().all(|item| item.track.is_none() && item.leave.is_none() && !item.is_uneven())
         && (0..).zip(&problem.nodes).all(|(id, node)| node.twin == id)
         && are_in_order(problem);

@@ -1,25 +1,26 @@
-//! A kick: a local change, mended by local search, and kept or taken back.
+//! One kick: a random change, then local search around it, then the decision whether the result stays.
 
+use super::super::config::CONFIG;
 use super::super::exchange::exchange;
-use super::super::few::ENTER_ANEW;
 use super::super::improve::improve;
-use super::super::rebuild::rebuild;
+use super::super::ruin_recreate::ruin_recreate;
 use super::Annealing;
 use crate::solve::epsilon::EPSILON;
 use crate::solve::rng::Draw;
 
 impl Annealing<'_> {
+    /// One kick of the current part.
     pub(super) fn kick(&mut self) {
-        // Drawing a kick costs too, also one that precedence forbids.
+        // Drawing a kick counts as a move, also when precedence forbids the kick.
         self.tour.priced += 1;
         self.kicks += 1;
-        let heat = {
+        let temperature = {
             let left = 1.0 - self.kicks as f64 / self.kicks_wanted as f64;
             self.temperature * left * left
         };
         let Self { tour, near, queue, rng, .. } = self;
-        let change = if self.rebuilds > 0 && rng.below(100) < self.rebuilds {
-            rebuild(tour, near, queue, rng)
+        let change = if self.ruin_percent > 0 && rng.below(100) < self.ruin_percent {
+            ruin_recreate(tour, near, queue, rng)
         } else {
             exchange(tour, queue, rng)
         };
@@ -31,26 +32,27 @@ impl Annealing<'_> {
         while let Some(item) = self.queue.pop() {
             change -= improve(&mut self.tour, &self.near, &mut self.queue, item);
         }
-        let most = self.top.cost + ENTER_ANEW * self.mean.unwrap_or(0.0);
-        if self.few && change.abs() > EPSILON && self.cost + change < most {
-            change -= self.settled_anew(self.cost + change);
+        let most = self.part_best.cost + CONFIG.small.reassign_margin * self.mean_leg.unwrap_or(0.0);
+        if self.is_small && change.abs() > EPSILON && self.cost + change < most {
+            change -= self.settle_again(self.cost + change);
         }
-        if !self.rng.accepts(change, heat) {
+        if !self.rng.accepts(change, temperature) {
             self.tour.undo();
             return;
         }
-        // Also before a change that costs nothing: which of two equal tours is kept must not depend on slices.
-        if self.top.unsaved && self.cost + change >= self.top.cost - EPSILON {
-            self.top.kept = self.tour.before();
-            self.top.unsaved = false;
+        // This holds for a change that costs nothing too: which of two equal tours is the best must not depend on how
+        // the work is sliced.
+        if self.part_best.unsaved && self.cost + change >= self.part_best.cost - EPSILON {
+            self.part_best.snapshot = self.tour.before_journal();
+            self.part_best.unsaved = false;
         }
         self.cost += change;
         debug_assert!(self.tour.cost_is(self.cost), "a priced gain is not the gain");
         debug_assert!(self.tour.is_feasible(), "a move broke precedence");
         self.tour.commit();
-        if self.cost < self.top.cost - EPSILON {
-            self.top.cost = self.cost;
-            self.top.unsaved = true;
+        if self.cost < self.part_best.cost - EPSILON {
+            self.part_best.cost = self.cost;
+            self.part_best.unsaved = true;
         }
     }
 }

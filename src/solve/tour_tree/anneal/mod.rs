@@ -1,43 +1,44 @@
-//! The search itself: local kicks, accepted by a falling temperature, in cycles that grow.
+//! Simulated annealing over one tour: kicks, local search, and a falling temperature, in cycles that grow.
 //!
-//! A kick exchanges two neighbouring stretches of the tour (a segment double-bridge: feasible with precedence, and no
-//! local move undoes it at once), the local search mends what was touched, and the result is kept if it is no worse,
-//! or worse by less than a random amount that the temperature allows (Metropolis); otherwise the journal takes it
-//! back. Nothing depends on the size of the sheet but the lengths of the stretches.
+//! A kick exchanges two neighbouring stretches of the tour (a segment double bridge: it keeps most precedences, and no
+//! single local move undoes it). The local search improves what the kick changed. The result stays if it costs no more,
+//! or with a probability that falls with the extra cost and the temperature (Metropolis). Otherwise the journal takes
+//! everything back. The price of a kick does not depend on the size of the sheet, only on the lengths of the stretches.
 //!
-//! * [`cycles`]: how long they are, how warm, and what they end in. [`kick`]: one kick.
+//! * [`cycles`]: lengths, temperatures and ends of cycles. [`kick`]: one kick.
 
 mod cycles;
 mod kick;
 
-use super::crossing::Elites;
 use super::entries::Layers;
-use super::few::is_few;
 use super::improve::improve;
-use super::kept::Kept;
 use super::neighbours::Neighbours;
 use super::queue::Queue;
+use super::recombine::Elites;
+use super::small_instances::is_small;
+use super::snapshot::TourSnapshot;
 use super::tour::Tour;
 use crate::solve::epsilon::EPSILON;
 use crate::solve::rng::Rng;
 
-/// The best of a part of a cycle; `unsaved` while the tour itself is the best.
-struct Top {
+/// The best tour of a part of a cycle.
+struct PartBest {
     cost: f64,
-    kept: Kept,
+    snapshot: TourSnapshot,
+    /// The current tour is the best, and `snapshot` is older.
     unsaved: bool,
 }
 
-/// What comes next.
+/// What the search does next.
 enum Stage {
-    /// Neighbours are listed.
+    /// Builds the neighbour lists.
     Listing,
-    /// The whole tour is improved locally.
+    /// Improves the whole tour locally.
     Settling,
-    /// Kicks.
+    /// Makes kicks.
     Kicking,
-    /// What they ended in is crossed with the tour of this number; the seconds it cost before the first.
-    Crossing(usize, f64),
+    /// Recombines the result with the partner of this number; the second is the cost before the first partner.
+    Recombining(usize, f64),
 }
 
 /// The search over one tour.
@@ -49,32 +50,32 @@ pub(super) struct Annealing<'p> {
     elites: Elites,
     rng: Rng,
     stage: Stage,
-    /// Seconds of the tour as it is.
+    /// Cost of the current tour, s.
     cost: f64,
-    top: Top,
-    /// Best feasible one.
-    best: (f64, Kept),
+    part_best: PartBest,
+    /// The best feasible tour, with its cost in seconds.
+    best: (f64, TourSnapshot),
     cycle: u32,
     kicks: u64,
     kicks_wanted: u64,
-    /// Mean way between neighbours, s; known after the first settling.
-    mean: Option<f64>,
+    /// Mean leg of the first locally optimal tour, s.
+    mean_leg: Option<f64>,
     temperature: f64,
-    /// Kicks of this part that rebuild, percent.
-    rebuilds: usize,
-    /// Few items, none of them entered just anywhere: see `few.rs`.
-    few: bool,
+    /// Percentage of the kicks of this part that ruin and recreate.
+    ruin_percent: usize,
+    /// The problem is small: see `small_instances.rs`.
+    is_small: bool,
 }
 
 impl<'p> Annealing<'p> {
-    /// From a feasible tour.
+    /// Starts from a feasible tour.
     pub(super) fn new(mut tour: Tour<'p>, rng: Rng) -> Self {
         let near = Neighbours::new(&tour.space);
         let queue = Queue::new(tour.space.home as usize + 1);
-        let (cost, kept) = (tour.cost(), tour.now().clone());
-        tour.free = false;
+        let (cost, snapshot) = (tour.cost(), tour.current().clone());
+        tour.ignores_nesting = false;
         let space = &tour.space;
-        let few = is_few(space, tour.last());
+        let is_small = is_small(space, tour.last());
         Self {
             tour,
             near,
@@ -84,15 +85,15 @@ impl<'p> Annealing<'p> {
             rng,
             stage: Stage::Listing,
             cost,
-            top: Top { cost, kept: kept.clone(), unsaved: false },
-            best: (cost, kept),
+            part_best: PartBest { cost, snapshot: snapshot.clone(), unsaved: false },
+            best: (cost, snapshot),
             cycle: 0,
             kicks: 0,
             kicks_wanted: 0,
-            mean: None,
+            mean_leg: None,
             temperature: 0.0,
-            rebuilds: 0,
-            few,
+            ruin_percent: 0,
+            is_small,
         }
     }
 
@@ -101,24 +102,24 @@ impl<'p> Annealing<'p> {
         self.tour.priced
     }
 
-    /// The tour, for its space.
+    /// The current tour.
     pub(super) fn tour(&self) -> &Tour<'p> {
         &self.tour
     }
 
-    /// What is near what.
+    /// The neighbour lists.
     pub(super) fn near(&self) -> &Neighbours {
         &self.near
     }
 
     /// The best feasible tour so far.
-    pub(super) fn best(&self) -> (f64, &Kept) {
+    pub(super) fn best(&self) -> (f64, &TourSnapshot) {
         (self.best.0, &self.best.1)
     }
 
-    /// Whether the tour was locally best once.
+    /// Whether the first local search has ended.
     pub(super) fn has_settled(&self) -> bool {
-        self.mean.is_some()
+        self.mean_leg.is_some()
     }
 
     /// Whether a cycle has ended.
@@ -126,26 +127,26 @@ impl<'p> Annealing<'p> {
         self.cycle > 0
     }
 
-    /// The best feasible tour, the same whether it was taken over yet or not.
-    pub(super) fn least(&self) -> (f64, &Kept) {
-        let Self { tour, top, best, .. } = self;
-        if tour.free || top.cost >= best.0 - EPSILON {
+    /// The best feasible tour, whether [`Annealing::save`] has taken it over or not.
+    pub(super) fn least(&self) -> (f64, &TourSnapshot) {
+        let Self { tour, part_best, best, .. } = self;
+        if tour.ignores_nesting || part_best.cost >= best.0 - EPSILON {
             return (best.0, &best.1);
         }
-        (top.cost, if top.unsaved { tour.now() } else { &top.kept })
+        (part_best.cost, if part_best.unsaved { tour.current() } else { &part_best.snapshot })
     }
 
-    /// With one item or none there is no order to search: one cycle is enough.
+    /// Whether nothing is left to search: with one item there is no order, so that one cycle is enough.
     pub(super) fn is_finished(&self) -> bool {
         let items = self.tour.last();
         items == 0 || (items == 1 && self.cycle > 0)
     }
 
-    /// The smallest piece of work there is; true when a cycle ended with it.
+    /// Does the smallest piece of work there is; true when a cycle ends with it.
     pub(super) fn advance(&mut self) -> bool {
         match self.stage {
             Stage::Listing => {
-                // Listing an item looks at about as many candidates as a hundred moves do.
+                // The lists of an item take as long as about a hundred moves.
                 self.tour.priced += 100;
                 if !self.near.extend(&self.tour.space) {
                     self.settle();
@@ -169,37 +170,39 @@ impl<'p> Annealing<'p> {
                 self.part_ended();
                 false
             }
-            Stage::Crossing(number, cost) => self.cross(number, cost),
+            Stage::Recombining(number, cost) => self.recombine(number, cost),
         }
     }
 
-    /// Takes the tour over as the best, if it is: called between slices, it changes nothing of what follows.
+    /// Takes over the best tour of the part if it is the best of all. Called between slices, it does not change what
+    /// follows.
     pub(super) fn save(&mut self) {
-        if !self.tour.free {
-            if self.top.unsaved {
-                self.save_top();
+        if !self.tour.ignores_nesting {
+            if self.part_best.unsaved {
+                self.save_part();
             }
-            if self.top.cost < self.best.0 - EPSILON {
-                self.best = (self.top.cost, self.top.kept.clone());
+            if self.part_best.cost < self.best.0 - EPSILON {
+                self.best = (self.part_best.cost, self.part_best.snapshot.clone());
             }
         }
     }
 
-    /// Goes on from another feasible tour, if it is better.
-    pub(super) fn offer(&mut self, cost: f64, kept: Kept) {
+    /// Takes over a feasible tour if it costs less than the best: the next cycle starts from it.
+    pub(super) fn offer(&mut self, cost: f64, snapshot: TourSnapshot) {
         if cost < self.best.0 - EPSILON {
-            self.best = (cost, kept);
+            self.best = (cost, snapshot);
         }
     }
 
+    /// Queues all items for the local search.
     fn settle(&mut self) {
         self.stage = Stage::Settling;
         (0..=self.tour.last()).for_each(|p| self.queue.push(self.tour.item(p)));
     }
 
-    /// The tour is locally best: a part of a cycle may begin.
+    /// The local search has ended: begins the next part.
     fn settled(&mut self) {
-        if self.few {
+        if self.is_small {
             let Self { tour, queue, layers, .. } = self;
             let gain = layers.enter_best(tour, self.cost, |i| queue.push(i));
             self.cost -= gain;
@@ -210,24 +213,24 @@ impl<'p> Annealing<'p> {
         self.tour.commit();
         debug_assert!(self.tour.cost_is(self.cost), "a priced gain is not the gain");
         debug_assert!(self.tour.is_feasible(), "a move broke precedence");
-        self.start_top();
+        self.start_part();
         self.save();
-        if self.mean.is_none() {
-            self.mean = Some(self.cost / self.tour.last().max(1) as f64);
+        if self.mean_leg.is_none() {
+            self.mean_leg = Some(self.cost / self.tour.last().max(1) as f64);
             self.begin_cycle();
         } else {
             self.begin_second_part();
         }
     }
 
-    /// The tour as it is is the first, so the best, of a part.
-    fn start_top(&mut self) {
+    /// Makes the current tour the first, and so the best, of a part.
+    fn start_part(&mut self) {
         self.cost = self.tour.cost();
-        self.top = Top { cost: self.cost, kept: self.tour.now().clone(), unsaved: false };
+        self.part_best = PartBest { cost: self.cost, snapshot: self.tour.current().clone(), unsaved: false };
     }
 
-    fn save_top(&mut self) {
-        self.top.kept = self.tour.now().clone();
-        self.top.unsaved = false;
+    fn save_part(&mut self) {
+        self.part_best.snapshot = self.tour.current().clone();
+        self.part_best.unsaved = false;
     }
 }

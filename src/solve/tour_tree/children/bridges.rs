@@ -1,36 +1,35 @@
-//! The cheapest way from each of its neighbours to an item and back: what a child route with a single stop costs.
+//! Bridges: the cheapest way from an item's neighbour to the item and back. That is the cost of a child route with one stop.
 //!
-//! From the cheapest pair of coarse places each end goes by turns to the best place for the other: exact for items of few
-//! places, within a place's spacing nearly always for rings. Built item by item, so that a worker can take its turns.
+//! From the cheapest pair of coarse places each end moves in turn to the best place for the other. The result is exact for
+//! items with few places, and nearly always within the spacing for rings. Bridges are built item by item, so that a worker
+//! can stop in between.
 
+use super::super::config::CONFIG;
 use super::super::index::index;
 use super::super::neighbours::Neighbours;
 use super::super::ring::GATES;
 use super::super::space::Space;
 use super::super::travel::Gap;
 
-/// Turns taken by each end: the second already changes little.
-const TURNS: usize = 2;
-
-/// A cheapest way.
+/// The cheapest way between two items and back.
 #[derive(Clone, Copy)]
 pub(super) struct Bridge {
     /// Place on the item.
     pub(super) from: u32,
     /// Place on the neighbour.
     pub(super) to: u32,
-    /// There and back, with what both places cost.
+    /// Seconds there and back, with the extra seconds of both places.
     pub(super) seconds: f64,
 }
 
-/// Bridges by item, as the neighbours are listed.
+/// Bridges by item, in the order of its neighbour list.
 #[derive(Default)]
 pub(super) struct Bridges {
     by_item: Vec<Vec<Bridge>>,
 }
 
 impl Bridges {
-    /// Finds those of the next item; false when all are there.
+    /// Finds the bridges of the next item; false when all are found.
     pub(super) fn extend(&mut self, space: &Space, near: &Neighbours) -> bool {
         let item = index(self.by_item.len());
         if item >= space.home {
@@ -40,7 +39,7 @@ impl Bridges {
         true
     }
 
-    /// From an item to its k-th neighbour.
+    /// The bridge from an item to its k-th neighbour.
     pub(super) fn of(&self, item: u32, k: usize) -> Bridge {
         self.by_item[item as usize][k]
     }
@@ -58,7 +57,7 @@ fn bridge(space: &Space, item: u32, other: u32) -> Bridge {
             }
         }
     }
-    for _ in 0..TURNS {
+    for _ in 0..CONFIG.children.bridge_turns {
         let (to, seconds) = space.best_entry(other, around(item, best.from), f64::INFINITY);
         if seconds + space.extra(item, best.from) < best.seconds {
             best = Bridge { to, seconds: seconds + space.extra(item, best.from), ..best };

@@ -1,5 +1,5 @@
-//! Changes to routes, each with what takes it back: touches moved along their items, chains moved from route to route,
-//! stretches turned round, routes opened and closed. All keep the order of finishing in line with the routes.
+//! Changes to routes, each with its inverse: touches move along their items, chains move between routes, stretches are
+//! reversed, routes are opened and closed. All keep the order of finishing in line with the routes.
 
 use super::super::index::index;
 use super::super::space::Space;
@@ -16,29 +16,30 @@ impl Tree {
         self.at[touch as usize] = at;
         self.locate(space, touch);
         let host = self.item(touch);
-        if self.kids(host).len() > 1 && self.sort(space, host) {
+        if self.anchors(host).len() > 1 && self.sort(space, host) {
             self.restack(host);
         }
     }
 
+    /// Stores where the head enters and leaves a touch.
     pub(super) fn locate(&mut self, space: &Space, touch: u32) {
         let (item, at) = (self.item(touch), self.at(touch));
         self.entry[touch as usize] = space.places(item).at(at);
         self.exit[touch as usize] = space.exit(item, at);
     }
 
-    /// Brings the anchors of an item in the order of a round from its entry; whether that changed anything.
+    /// Sorts the anchors of an item in the order along it from its entry. Returns whether anything changed.
     fn sort(&mut self, space: &Space, host: u32) -> bool {
         let (count, start) = (index(space.places(host).len()), self.at(host));
-        let Self { kids, at, .. } = self;
-        // Routes from one place follow each other by number, so that a change taken back leaves no trace.
+        let Self { anchors, at, .. } = self;
+        // Routes from one place are sorted by number, so that a change that is taken back leaves no trace.
         let along = |k: u32| ((at[k as usize] + count - start) % count, k);
-        let kids = &mut kids[host as usize];
+        let anchors = &mut anchors[host as usize];
         let mut changed = false;
-        for i in 1..kids.len() {
+        for i in 1..anchors.len() {
             let mut j = i;
-            while j > 0 && along(kids[j - 1]) > along(kids[j]) {
-                kids.swap(j - 1, j);
+            while j > 0 && along(anchors[j - 1]) > along(anchors[j]) {
+                anchors.swap(j - 1, j);
                 changed = true;
                 j -= 1;
             }
@@ -46,24 +47,24 @@ impl Tree {
         changed
     }
 
-    /// Brings the order of finishing in line with that of an item's anchors.
+    /// Brings the order of finishing in line with the order of an item's anchors.
     fn restack(&mut self, host: u32) {
         let blocks: Vec<(u32, u32)> = self
-            .kids(host)
+            .anchors(host)
             .iter()
             .filter(|&&k| self.next(k) != k)
             .map(|&k| (self.head(self.next(k)), self.previous(k)))
             .collect();
-        // Behind everything else, one after the other, ends in the right order right before the host.
+        // Each block goes right before the host, so that the blocks end up in the order of the anchors.
         for (first, last) in blocks {
-            let behind = self.closing.previous(host);
+            let behind = self.finish_order.previous(host);
             if behind != last {
-                self.closing.carry(first, last, behind);
+                self.finish_order.move_stretch(first, last, behind);
             }
         }
     }
 
-    /// A new, empty route that hangs from `host` at a place.
+    /// Opens an empty route that hangs from `host` at a place, and returns its anchor.
     pub(super) fn open(&mut self, space: &Space, host: u32, at: u32) -> u32 {
         // There are as many anchors as items, and no route is empty for long.
         let anchor = self.spare.pop().unwrap_or(self.home);
@@ -77,44 +78,43 @@ impl Tree {
         self.at[anchor as usize] = at;
         self.route[anchor as usize] = anchor;
         self.locate(space, anchor);
-        self.kids[host as usize].push(anchor);
+        self.anchors[host as usize].push(anchor);
         self.sort(space, host);
     }
 
-    /// Takes an empty route away.
+    /// Closes an empty route.
     pub(super) fn close(&mut self, anchor: u32) {
         self.journal.push(Change::Closed(anchor, self.item(anchor), self.at(anchor)));
         self.take_down(anchor);
     }
 
     fn take_down(&mut self, anchor: u32) {
-        self.kids[self.item[anchor as usize] as usize].retain(|&k| k != anchor);
+        self.anchors[self.item[anchor as usize] as usize].retain(|&k| k != anchor);
         self.route[anchor as usize] = NONE;
         self.spare.push(anchor);
     }
 
-    /// Moves the chain from `first` to `last`, and all that hangs from it, behind `to`; a route left empty is taken
-    /// away.
-    pub(super) fn shift(&mut self, first: u32, last: u32, to: u32) {
+    /// Moves the chain from `first` to `last`, with all that hangs from it, after `to`; a route that becomes empty is closed.
+    pub(super) fn move_chain(&mut self, first: u32, last: u32, to: u32) {
         let from = self.previous(first);
-        self.journal.push(Change::Shifted(first, last, from));
-        self.carry(first, last, to);
+        self.journal.push(Change::Moved(first, last, from));
+        self.relink(first, last, to);
         if from > self.home && self.next(from) == from {
             self.close(from);
         }
     }
 
-    fn carry(&mut self, first: u32, last: u32, to: u32) {
+    fn relink(&mut self, first: u32, last: u32, to: u32) {
         let (before, after) = (self.previous(first), self.next(last));
         self.next[before as usize] = after;
         self.previous[after as usize] = before;
         let head = self.head(first);
         let mut behind = self.finished_before(to);
-        if self.closing.holds(head, last, behind) {
-            behind = self.closing.previous(head);
+        if self.finish_order.holds(head, last, behind) {
+            behind = self.finish_order.previous(head);
         }
         self.link(first, last, to);
-        self.closing.carry(head, last, behind);
+        self.finish_order.move_stretch(head, last, behind);
     }
 
     /// Puts a chain into a ring.
@@ -135,11 +135,11 @@ impl Tree {
         }
     }
 
-    /// Seconds that a stretch costs more when run the other way round: ways out and back through pierce groups differ.
-    pub(super) fn turning(&self, space: &Space, first: u32, last: u32) -> f64 {
+    /// Extra cost of a stretch when it is reversed, s: paths forth and back through pierce groups differ.
+    pub(super) fn reversal_cost(&self, space: &Space, first: u32, last: u32) -> f64 {
         let mut sum = 0.0;
         let mut stop = first;
-        while !space.lopsided.is_empty() {
+        while !space.direction_dependent.is_empty() {
             if space.two_ends(stop) {
                 sum += space.extra(stop, self.at(stop) ^ 1) - space.extra(stop, self.at(stop));
             }
@@ -151,15 +151,15 @@ impl Tree {
         sum
     }
 
-    /// Runs the stretch from `first` to `last` the other way round; what hangs from its items stays as it is.
-    pub(super) fn turn(&mut self, space: &Space, first: u32, last: u32) {
-        self.journal.push(Change::Turned(last, first));
+    /// Reverses the stretch from `first` to `last`; what hangs from its items stays as it is.
+    pub(super) fn reverse_stretch(&mut self, space: &Space, first: u32, last: u32) {
+        self.journal.push(Change::Reversed(last, first));
         self.reverse(space, first, last);
     }
 
     fn reverse(&mut self, space: &Space, first: u32, last: u32) {
         let (before, after) = (self.previous(first), self.next(last));
-        let mut behind = self.closing.previous(self.head(first));
+        let mut behind = self.finish_order.previous(self.head(first));
         let mut stops = vec![last];
         while stops[stops.len() - 1] != first {
             stops.push(self.previous(stops[stops.len() - 1]));
@@ -167,7 +167,7 @@ impl Tree {
         let mut previous = before;
         for stop in stops {
             let head = self.head(stop);
-            self.closing.carry(head, stop, behind);
+            self.finish_order.move_stretch(head, stop, behind);
             behind = stop;
             if space.two_ends(stop) {
                 self.at[stop as usize] = self.at(stop) ^ 1;
@@ -181,13 +181,13 @@ impl Tree {
         self.previous[after as usize] = previous;
     }
 
-    /// Takes changes back until so many are left.
+    /// Takes changes back until the journal has `left` changes.
     pub(super) fn undo(&mut self, space: &Space, left: usize) {
         while self.journal.len() > left {
             match self.journal.pop() {
                 Some(Change::Placed(touch, at)) => self.set(space, touch, at),
-                Some(Change::Shifted(first, last, from)) => self.carry(first, last, from),
-                Some(Change::Turned(first, last)) => self.reverse(space, first, last),
+                Some(Change::Moved(first, last, from)) => self.relink(first, last, from),
+                Some(Change::Reversed(first, last)) => self.reverse(space, first, last),
                 Some(Change::Opened(anchor)) => self.take_down(anchor),
                 Some(Change::Closed(anchor, host, at)) => {
                     self.spare.pop();

@@ -1,119 +1,108 @@
-//! The search over all routes, where contours may be left unfinished: a route may hang from any place of a contour.
+//! The search over all routes, where contours may be left unfinished: a child route may start at any place of a contour.
 //!
-//! Where leaving is free of charge this is a rural postman problem (every contour is met once or more, and air moves meet
-//! every place an even number of times); with a charge each child route is a pre-cut (Dewil et al., 2014, "the partition
-//! tree"). Both are searched as they are: routes that hang from contours (`tree.rs`), stops and whole
-//! routes moving between them (`moves.rs`), kicks accepted by a falling temperature as over the root alone (`anneal`).
-//! Nothing is ever infeasible: an item is finished after all that hangs from it, which is all that precedence asks.
+//! If leaving is free of charge, this is a rural postman problem: every contour is met at least once, and air moves meet
+//! every place an even number of times. With a charge each child route is a pre-cut (Dewil et al., 2014, "the partition
+//! tree"). Both are searched in the same way: routes that hang from contours (`tree.rs`), local moves of stops and whole
+//! routes between them (`moves.rs`), and annealed kicks as over the root route alone (`anneal`). Every tree is feasible,
+//! because an item is finished after everything that hangs from it, which is all that precedence asks.
 //!
-//! There are two ends from which to come: the root route with everything in it, and a tree in which everything hangs from
-//! what is nearest to it (`hang.rs`). Which is nearer to the best is a matter of the charge; both are improved locally, and
-//! the better goes on. What both gain over the root alone is in `docs/internals/tuning.md`.
+//! There are two starts: the root route with everything in it, and a tree in which everything hangs from its nearest item
+//! (`hang.rs`). Which is nearer to the optimum depends on the charge. Both are improved locally, and the better goes on.
 //!
-//! Root and routes take turns from the moment at which the root route is locally best; how much either works is a matter
-//! of which is ahead. A cycle starts from the better of the best routes so far and the best root route, locally improved,
-//! and is half as long again as the one before.
+//! Root and routes take turns from the moment when the root route is locally optimal; the one that is ahead gets more of
+//! the work. A cycle starts from the better of the best routes so far and the best root route, locally improved, and is half
+//! as long again as the one before.
 
 mod allowed;
 mod bridges;
+mod chain_move;
 mod change;
-mod closing;
-mod flip;
+mod finish_order;
 mod hang;
 mod kick;
 mod moves;
 mod polish;
-mod shift;
+mod swap_with_host;
 #[cfg(test)]
 mod tests;
 mod tree;
-mod turn;
+mod two_opt;
 mod visits;
 
 use super::anneal::Annealing;
-use super::kept::Kept;
+use super::config::CONFIG;
 use super::polish::unpolished;
 use super::queue::Queue;
+use super::snapshot::TourSnapshot;
 use super::space::Space;
 use crate::solve::Solution;
 use crate::solve::epsilon::EPSILON;
 use crate::solve::rng::Rng;
 use bridges::Bridges;
+use chain_move::Context;
 use hang::hang;
 use moves::improve;
-use shift::Ground;
 use tree::Tree;
 
-/// Temperature at the start of a cycle, in mean legs between neighbours, as over the root alone.
-const HEAT: f64 = 0.3;
-/// The same in every other long cycle: routes that are locally the best are left only when hot.
-const HOT: f64 = 2.5;
-/// Moves per item from which a cycle is long: shorter ones would forget their start and find nothing better.
-const LONG: u64 = 10_000;
-
-/// Below this share of the root's best cost, the work of the routes for each piece of the root's work: the one that is ahead gets more.
-const SHARES: [(f64, f64); 3] = [(0.98, 3.0), (0.999, 1.0), (f64::INFINITY, 1.0 / 3.0)];
-/// The same until the root's first cycle has ended: more delays the root, none begins too late.
-const SHARE_AT_FIRST: f64 = 1.0 / 3.0;
-/// A turn takes this many times a share, so that turns are not too short.
-const TURN: f64 = 1.25;
-
-/// What comes next.
+/// What the search does next.
 enum Stage {
-    /// Bridges between neighbours are found.
+    /// Finds the bridges between neighbours.
     Listing,
-    /// All routes are improved locally.
+    /// Improves all routes locally.
     Settling,
-    /// Everything is hung from what is nearest to it, this stop next.
+    /// Hangs every stop from its nearest item; this stop is next.
     Hanging(u32),
-    /// Kicks.
+    /// Makes kicks.
     Kicking,
 }
 
 /// The search over routes.
-pub(super) struct Children {
+pub(super) struct ChildRoutes {
     bridges: Bridges,
     tree: Tree,
     queue: Queue,
     rng: Rng,
     stage: Stage,
-    /// Seconds of the routes as they are.
+    /// Cost of the current routes, s.
     cost: f64,
-    /// The best so far, entered at places; `unsaved` while it is the routes as they are.
+    /// The best solution so far, with entries at places.
     best: Solution,
+    /// The current routes are the best, and `best` is older.
     unsaved: bool,
-    /// Seconds of it when it was found: sums made anew would be off by their rounding, by when it was saved.
+    /// Cost of the best when it was found, s. A new sum would differ in its rounding, depending on when it is made.
     least: f64,
-    /// The routes are a new root route, as yet without children.
+    /// The current routes are a new root route without child routes.
     fresh: bool,
+    /// The current cycle is a hot one.
     hot: bool,
-    /// Seconds of the root route that the last cycle was offered.
+    /// Cost of the root route that the last cycle was offered, s.
     offered: f64,
-    /// Work done when this cycle began, and when it ends; none is under way between the two.
+    /// Moves when this cycle began, and when it ends; `None` between two cycles.
     began: u64,
     ends: Option<u64>,
-    /// Work of the last cycle, and for each piece of the root's.
+    /// Moves of the last cycle.
     work: u64,
+    /// Work for each piece of the root's work.
     share: f64,
 }
 
-/// Whether anything of a space may be left unfinished. Where items are to follow each other with nothing in between,
-/// nothing is.
+/// Whether any item may be left unfinished: never where groups must be cut without interruption.
 pub(super) fn may_leave(space: &Space) -> bool {
     let problem = space.problem;
     problem.items.iter().any(|i| i.leave.is_some()) && problem.groups.is_empty() && !space.travel.by_table()
 }
 
-/// A solution as one route: items in the order in which they are finished.
-pub(super) fn flattened(space: &Space, solution: &Solution) -> Kept {
+/// A solution as a tour: the items in the order in which they are finished.
+pub(super) fn flattened(space: &Space, solution: &Solution) -> TourSnapshot {
     let tree = Tree::new(space, solution);
-    let order =
-        std::iter::successors(Some(space.home), |&i| Some(tree.closing.next(i)).filter(|&n| n != space.home));
-    Kept { order: order.collect(), at: (0..=space.home).map(|i| tree.at(i)).collect() }
+    let order = std::iter::successors(Some(space.home), |&i| {
+        Some(tree.finish_order.next(i)).filter(|&n| n != space.home)
+    });
+    TourSnapshot { order: order.collect(), at: (0..=space.home).map(|i| tree.at(i)).collect() }
 }
 
-impl Children {
-    /// From any solution.
+impl ChildRoutes {
+    /// Starts from any solution.
     pub(super) fn new(space: &Space, from: &Solution, rng: Rng) -> Self {
         let tree = Tree::new(space, from);
         let cost = tree.cost(space);
@@ -143,33 +132,37 @@ impl Children {
         self.tree.priced
     }
 
-    /// The best so far, entered at places.
+    /// The best solution so far, with entries at places.
     pub(super) fn best(&self) -> &Solution {
         &self.best
     }
 
-    /// The best so far, entered and left where it costs least.
+    /// The best solution so far, with exact entries.
     pub(super) fn polished(&self, space: &Space) -> Solution {
         polish::polished(space, &Tree::new(space, &self.best))
     }
 
-    /// Whether it works next, and not the root; `goes_on`: it did just now.
+    /// Whether this search works next, and not the root's; `goes_on`: it did the last piece of work.
     pub(super) fn is_next(&self, root: &Annealing, goes_on: bool) -> bool {
-        let share = if root.has_cycled() { self.share } else { SHARE_AT_FIRST };
-        let most = share * root.priced() as f64 * if goes_on { TURN } else { 1.0 };
+        let share = if root.has_cycled() { self.share } else { CONFIG.children.first_work_share };
+        let most = share * root.priced() as f64 * if goes_on { CONFIG.children.turn } else { 1.0 };
         root.has_settled() && self.priced() as f64 <= most
     }
 
-    /// Begins a cycle, which ends when so much work is done.
+    /// Begins a cycle and returns the number of moves at which it ends.
     fn begin(&mut self, root: &Annealing) -> u64 {
         self.began = self.tree.priced;
-        self.work = if self.work == 0 { root.priced() } else { self.work + self.work.div_ceil(2) };
+        self.work = if self.work == 0 {
+            root.priced()
+        } else {
+            self.work + self.work.div_ceil(CONFIG.cycle.growth_divisor)
+        };
         let space = &root.tour().space;
-        self.hot = !self.hot && self.work > LONG * u64::from(space.home);
-        let (seconds, kept) = root.least();
+        self.hot = !self.hot && self.work > CONFIG.children.long_cycle * u64::from(space.home);
+        let (seconds, snapshot) = root.least();
         let better = seconds < self.offered - EPSILON;
         self.offered = seconds;
-        self.put(space, better.then(|| unpolished(root.tour(), kept)).as_ref());
+        self.restore(space, better.then(|| unpolished(root.tour(), snapshot)).as_ref());
         self.fresh = better;
         if better && matches!(self.stage, Stage::Kicking) {
             self.settle(space);
@@ -177,7 +170,7 @@ impl Children {
         self.began + self.work
     }
 
-    /// Goes on from another solution, if it is better.
+    /// Takes over a solution if it costs less than the best: the next cycle starts from it.
     pub(super) fn offer(&mut self, other: &Solution) {
         if other.cost < self.least - EPSILON {
             self.unsaved = false;
@@ -186,20 +179,21 @@ impl Children {
         }
     }
 
-    /// Takes over the routes of a solution; none: of the best.
-    fn put(&mut self, space: &Space, solution: Option<&Solution>) {
+    /// Restores the routes of a solution, or those of the best.
+    fn restore(&mut self, space: &Space, solution: Option<&Solution>) {
         let priced = self.tree.priced;
         self.tree = Tree::new(space, solution.unwrap_or(&self.best));
         self.tree.priced = priced;
         self.cost = self.tree.cost(space);
     }
 
+    /// Queues all touches for the local search.
     fn settle(&mut self, space: &Space) {
         self.stage = Stage::Settling;
         (0..=2 * space.home).for_each(|t| self.queue.push(t));
     }
 
-    /// The smallest piece of work there is; true when a cycle ended with it.
+    /// Does the smallest piece of work there is; true when a cycle ends with it.
     pub(super) fn advance(&mut self, root: &Annealing) -> bool {
         if self.ends.is_none() {
             self.ends = Some(self.begin(root));
@@ -207,14 +201,14 @@ impl Children {
         let (space, near) = (&root.tour().space, root.near());
         match self.stage {
             Stage::Listing => {
-                // Ten neighbours, each some three hundred ways looked at.
+                // Ten bridges, each of which looks at about three hundred legs.
                 self.tree.priced += 100;
                 if !self.bridges.extend(space, near) {
                     self.settle(space);
                 }
             }
             Stage::Settling => {
-                let g = Ground { space, near, bridges: &self.bridges };
+                let g = Context { space, near, bridges: &self.bridges };
                 match self.queue.pop() {
                     Some(touch) => self.cost -= improve(g, &mut self.tree, &mut self.queue, touch),
                     None if self.fresh => {
@@ -224,13 +218,13 @@ impl Children {
                     }
                     None => {
                         self.settled(space);
-                        self.put(space, None);
+                        self.restore(space, None);
                         self.stage = Stage::Kicking;
                     }
                 }
             }
             Stage::Hanging(stop) if stop < space.home => {
-                let g = Ground { space, near, bridges: &self.bridges };
+                let g = Context { space, near, bridges: &self.bridges };
                 hang(g, &mut self.tree, stop);
                 self.stage = Stage::Hanging(stop + 1);
             }
@@ -241,14 +235,18 @@ impl Children {
             Stage::Kicking => {
                 if self.ends.is_some_and(|ends| self.tree.priced < ends) {
                     let progress = (self.tree.priced - self.began) as f64 / self.work as f64;
-                    let mean = self.cost / f64::from(space.home.max(1));
-                    let heat = if self.hot { HOT } else { HEAT } * mean * (1.0 - progress) * (1.0 - progress);
-                    self.kick(space, near, heat);
+                    let config = CONFIG.children;
+                    let mean_leg = self.cost / f64::from(space.home.max(1));
+                    let temperature = if self.hot { config.hot_temperature } else { config.temperature }
+                        * mean_leg
+                        * (1.0 - progress)
+                        * (1.0 - progress);
+                    self.kick(space, near, temperature);
                     return false;
                 }
                 self.save(space);
                 let of_root = self.least / root.least().0;
-                self.share = SHARES.iter().find(|s| of_root < s.0).map_or(1.0, |s| s.1);
+                self.share = CONFIG.children.work_shares.iter().find(|s| of_root < s.0).map_or(1.0, |s| s.1);
                 self.ends = None;
                 return true;
             }
@@ -256,7 +254,7 @@ impl Children {
         false
     }
 
-    /// The routes are locally best.
+    /// The local search has ended: keeps the routes if they are the best.
     fn settled(&mut self, space: &Space) {
         self.tree.commit();
         self.check(space);
@@ -264,8 +262,8 @@ impl Children {
         self.save(space);
     }
 
-    /// The routes as they are are the best from now on, if they are better. What they gain as visits is told at once: it
-    /// must not depend on when they are saved.
+    /// Remembers the current routes as the best if they cost less. If they cost less still as visits, that is found out
+    /// at once, because it must not depend on when they are saved.
     fn keep_least(&mut self, space: &Space) {
         if self.cost < self.least - EPSILON {
             self.least = self.cost;
@@ -277,14 +275,14 @@ impl Children {
         }
     }
 
-    /// Takes the routes over as the best, if they are: called between slices, it changes nothing of what follows.
+    /// Converts the current routes if they are the best. Called between slices, it does not change what follows.
     pub(super) fn save(&mut self, space: &Space) {
         if std::mem::take(&mut self.unsaved) {
             self.best = at_places(space, &self.tree);
         }
     }
 
-    /// The best was left with the changes in the journal.
+    /// Saves the best, which is the routes before the changes in the journal.
     fn save_before(&mut self, space: &Space) {
         if std::mem::take(&mut self.unsaved) {
             let mut tree = self.tree.clone();
@@ -293,7 +291,7 @@ impl Children {
         }
     }
 
-    /// For debug assertions: gains are what they were priced at, and the routes are feasible.
+    /// Asserts in debug builds that the priced gains are the real ones and that the routes are feasible.
     fn check(&self, space: &Space) {
         debug_assert!({
             let cost = self.tree.cost(space);
@@ -303,6 +301,7 @@ impl Children {
     }
 }
 
+/// The solution of the routes, with entries at places.
 fn at_places(space: &Space, tree: &Tree) -> Solution {
     let along = |t: u32| if t == space.home { 0.0 } else { space.stop(tree.item(t), tree.at(t)).along };
     Solution::new(space.problem, tree.stops(space, along))

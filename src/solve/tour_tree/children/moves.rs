@@ -1,31 +1,29 @@
-//! Local search over routes from a queue of touched touches, until no move of theirs gains.
+//! Local search over routes with a work queue: a move puts the touches it changed back on the queue.
 //!
-//! For a touch, in this order: a better place on its item where it stands (for an anchor: where the route hangs); a chain
-//! of up to 3 stops that starts or ends with it, or its whole route, put elsewhere: in any gap at a near item, in its
-//! route or in one that hangs from it, or as a new route that hangs from it; reversing a stretch so that it meets a near
-//! touch (2-opt). A route whose last stop goes elsewhere is gone, with its charge. Every move is priced in constant time;
-//! whether ranks, precedence and nesting allow it is looked up only when it gains.
+//! For a touch these moves are tried in this order: a better place on its item (for an anchor: where the route hangs); a
+//! chain of up to three stops that starts or ends with it, or its whole route, put elsewhere, that is in a gap at a near
+//! item, in that item's route or in one that hangs from it, or as a new route that hangs from it; a stretch reversed so that
+//! it meets a near touch (2-opt). A route that loses its last stop is closed, and its charge is saved. A move is priced in
+//! constant time; whether ranks, precedence and nesting allow it is looked up only if it gains.
 
+use super::super::config::CONFIG;
 use super::super::queue::Queue;
 use super::super::space::Space;
 use super::super::travel::Gap;
-use super::allowed::{in_order, may_shift};
-use super::flip::flip;
-use super::shift::{Ground, Shift, Spot};
+use super::allowed::{keeps_order, may_move};
+use super::chain_move::{ChainMove, Context, Target};
+use super::swap_with_host::swap_with_host;
 use super::tree::{Tree, leaving};
-use super::turn::turn;
+use super::two_opt::two_opt;
 use crate::solve::epsilon::EPSILON;
 
-/// Longest chain moved, except for whole routes; kicks move longer ones.
-const CHAIN: usize = 3;
-
-/// Improves the routes around one touch until no move of its gains; gives the seconds gained.
-pub(super) fn improve(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32) -> f64 {
+/// Improves the routes around one touch until no move of the touch gains. Returns the seconds gained.
+pub(super) fn improve(g: Context, tree: &mut Tree, queue: &mut Queue, touch: u32) -> f64 {
     let mut total = 0.0;
     while tree.is_live(touch) {
-        let gain = reenter(g, tree, queue, touch)
+        let gain = improve_entry(g, tree, queue, touch)
             .or_else(|| relocate(g, tree, queue, touch))
-            .or_else(|| turn(g, tree, queue, touch));
+            .or_else(|| two_opt(g, tree, queue, touch));
         match gain {
             Some(g) => total += g,
             None => break,
@@ -34,8 +32,8 @@ pub(super) fn improve(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32)
     total
 }
 
-/// A better place on its item where a touch stands.
-pub(super) fn reenter(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32) -> Option<f64> {
+/// Moves a touch to its best place between its neighbours; returns the seconds gained.
+pub(super) fn improve_entry(g: Context, tree: &mut Tree, queue: &mut Queue, touch: u32) -> Option<f64> {
     let (item, now) = (tree.item(touch), tree.at(touch));
     if g.space.places(item).len() == 1 {
         return None;
@@ -52,7 +50,7 @@ pub(super) fn reenter(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32)
     }
     let mark = tree.changes();
     tree.place(g.space, touch, best.0);
-    if tree.kids(item).len() > 1 && !in_order(g, tree, item) {
+    if tree.anchors(item).len() > 1 && !keeps_order(g, tree, item) {
         tree.undo(g.space, mark);
         return None;
     }
@@ -62,14 +60,14 @@ pub(super) fn reenter(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32)
     Some(seconds - best.1)
 }
 
-/// A chain at `touch` put elsewhere, a single stop at its best place there: the best of all candidates.
-fn relocate(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32) -> Option<f64> {
+/// Puts a chain at `touch` elsewhere, the best of all candidates; a single stop gets its best entry there.
+fn relocate(g: Context, tree: &mut Tree, queue: &mut Queue, touch: u32) -> Option<f64> {
     if tree.is_anchor(touch) {
         return None;
     }
     let (mut most, mut best) = (EPSILON, None);
     let (mut ahead, mut behind) = (touch, touch);
-    for length in 1..=CHAIN {
+    for length in 1..=CONFIG.children.longest_chain {
         consider(g, tree, touch, touch, ahead, &mut most, &mut best);
         if length > 1 {
             consider(g, tree, touch, behind, touch, &mut most, &mut best);
@@ -85,63 +83,65 @@ fn relocate(g: Ground, tree: &mut Tree, queue: &mut Queue, touch: u32) -> Option
             consider(g, tree, touch, first, last, &mut most, &mut best);
         }
         let host = tree.item(route);
-        if is_left(g.space, touch) {
+        if may_be_left(g.space, touch) {
             consider(g, tree, touch, host, host, &mut most, &mut best);
         }
     }
-    let shift = best?;
-    perform(g, tree, shift, |t| queue.push(t));
+    let best = best?;
+    apply(g, tree, best, |t| queue.push(t));
     Some(most)
 }
 
-/// Looks for the best spot for a chain that starts or ends with `touch`, or is the item that its route hangs from.
+/// Looks for the best target of a chain that starts or ends with `touch`, or of the host of its route.
 fn consider(
-    g: Ground,
+    g: Context,
     tree: &mut Tree,
     touch: u32,
     first: u32,
     last: u32,
     most: &mut f64,
-    best: &mut Option<Shift>,
+    best: &mut Option<ChainMove>,
 ) {
     if tree.is_anchor(first) || tree.is_anchor(last) {
         return;
     }
-    let flips = first != touch && last != touch;
-    let enter = if flips { touch } else { first };
-    // A stop that is entered elsewhere costs what it does there; one that changes parts leaves an anchor where it was.
+    let swaps = first != touch && last != touch;
+    let enter = if swaps { touch } else { first };
+    // A single stop saves its extra seconds, because it is priced at its new entry. A stop that changes places with its
+    // host leaves an anchor where it was.
     let mut charges = if first == last { tree.extra(g.space, first) } else { 0.0 };
-    if flips {
+    if swaps {
         charges += leaving(g.space, first) - leaving(g.space, touch);
     }
     let (freed, head) = (freed(g.space, tree, first, last) + charges, tree.head(first));
     let before = tree.previous(first);
-    let shift = |to: u32| Shift { first, last, turned: false, spot: Spot::Behind(to), at: None, enter };
-    if flips {
+    let move_after =
+        |to: u32| ChainMove { first, last, reversed: false, target: Target::After(to), at: None, enter };
+    if swaps {
         let after = tree.next(first);
         let given = tree.edge(g.space, before, first) + tree.edge(g.space, first, after) + charges;
-        put_in(g, tree, shift(before), tree.gap(before, after), given, most, best);
+        consider_gap(g, tree, move_after(before), tree.gap(before, after), given, most, best);
     }
     for (k, &b) in g.near.of_item(touch).iter().enumerate() {
         if freed <= *most {
             return;
         }
-        if tree.closing.holds(head, last, b) {
+        if tree.finish_order.holds(head, last, b) {
             continue;
         }
-        for c in 0..=tree.kids(b).len() {
-            let c = *tree.kids(b).get(c).unwrap_or(&b);
+        for c in 0..=tree.anchors(b).len() {
+            let c = *tree.anchors(b).get(c).unwrap_or(&b);
             for to in [c, tree.previous(c)] {
-                if to == before || (!tree.is_anchor(to) && tree.closing.holds(head, last, to)) {
+                if to == before || (!tree.is_anchor(to) && tree.finish_order.holds(head, last, to)) {
                     continue;
                 }
                 tree.priced += 1;
                 let (gap, given) =
                     (tree.gap(to, tree.next(to)), freed + tree.edge(g.space, to, tree.next(to)));
-                put_in(g, tree, shift(to), gap, given, most, best);
+                consider_gap(g, tree, move_after(to), gap, given, most, best);
             }
         }
-        if !is_left(g.space, b) {
+        if !may_be_left(g.space, b) {
             continue;
         }
         tree.priced += 1;
@@ -153,54 +153,54 @@ fn consider(
             let (place, seconds) = g.space.best_entry(b, around, freed - leaving(g.space, b) - *most);
             (None, place, seconds)
         };
-        let shift = Shift { spot: Spot::Child(b, place), at, ..shift(b) };
+        let m = ChainMove { target: Target::Child(b, place), at, ..move_after(b) };
         let gain = freed - seconds - leaving(g.space, b);
-        if gain > *most && may_shift(g, tree, shift) {
+        if gain > *most && may_move(g, tree, m) {
             *most = gain;
-            *best = Some(shift);
+            *best = Some(m);
         }
     }
 }
 
-/// Looks at a chain in a gap, either way round; a single stop at its best place.
-fn put_in(
-    g: Ground,
+/// Prices a chain in a gap in both directions; a single stop gets its best entry.
+fn consider_gap(
+    g: Context,
     tree: &mut Tree,
-    shift: Shift,
+    m: ChainMove,
     gap: Gap,
     given: f64,
     most: &mut f64,
-    best: &mut Option<Shift>,
+    best: &mut Option<ChainMove>,
 ) {
-    let Shift { first, last, enter, .. } = shift;
+    let ChainMove { first, last, enter, .. } = m;
     if first == last {
         let on = gap.to.map_or(0.0, |q| g.space.at_least(q, enter, true));
         if given - g.space.at_least(gap.from, enter, false) - on <= *most {
             return;
         }
         let (at, seconds) = g.space.best_entry(enter, gap, given - *most);
-        let shift = Shift { at: Some(at), ..shift };
-        if given - seconds > *most && may_shift(g, tree, shift) {
+        let m = ChainMove { at: Some(at), ..m };
+        if given - seconds > *most && may_move(g, tree, m) {
             *most = given - seconds;
-            *best = Some(shift);
+            *best = Some(m);
         }
         return;
     }
-    for turned in [false, true] {
+    for reversed in [false, true] {
         let ends = (tree.entry(first), tree.exit(last));
-        let (enter, leave) = if turned { (ends.1, ends.0) } else { ends };
+        let (enter, leave) = if reversed { (ends.1, ends.0) } else { ends };
         let on = gap.to.map_or(0.0, |to| g.space.travel.seconds(leave, to));
-        let over = if turned { tree.turning(g.space, first, last) } else { 0.0 };
+        let over = if reversed { tree.reversal_cost(g.space, first, last) } else { 0.0 };
         let gain = given - g.space.travel.seconds(gap.from, enter) - on - over;
-        let shift = Shift { turned, ..shift };
-        if gain > *most && may_shift(g, tree, shift) {
+        let m = ChainMove { reversed, ..m };
+        if gain > *most && may_move(g, tree, m) {
             *most = gain;
-            *best = Some(shift);
+            *best = Some(m);
         }
     }
 }
 
-/// Seconds won by taking a chain out; with a whole route its charge.
+/// Seconds saved by taking a chain out; for a whole route its charge too.
 pub(super) fn freed(space: &Space, tree: &Tree, first: u32, last: u32) -> f64 {
     let (before, after) = (tree.previous(first), tree.next(last));
     let ways = tree.edge(space, before, first) + tree.edge(space, last, after);
@@ -209,29 +209,29 @@ pub(super) fn freed(space: &Space, tree: &Tree, first: u32, last: u32) -> f64 {
 }
 
 /// Whether an item may be left unfinished.
-pub(super) fn is_left(space: &Space, item: u32) -> bool {
+pub(super) fn may_be_left(space: &Space, item: u32) -> bool {
     space.problem.items.get(item as usize).is_some_and(|i| i.leave.is_some())
 }
 
-/// Puts a chain elsewhere, and tells which touches that concerns.
-pub(super) fn perform(g: Ground, tree: &mut Tree, shift: Shift, mut touched: impl FnMut(u32)) {
-    let Shift { mut first, mut last, turned, spot, at, enter } = shift;
+/// Makes a chain move and calls `touched` with each touch around which the routes have changed.
+pub(super) fn apply(g: Context, tree: &mut Tree, m: ChainMove, mut touched: impl FnMut(u32)) {
+    let ChainMove { mut first, mut last, reversed, target, at, enter } = m;
     touched(tree.previous(first));
     touched(tree.next(last));
     if enter != first {
         for t in [tree.previous(enter), tree.next(enter), first] {
             touched(t);
         }
-        flip(g.space, tree, enter, at.unwrap_or(0));
+        swap_with_host(g.space, tree, enter, at.unwrap_or(0));
         (first, last) = (enter, enter);
     }
-    if turned {
-        tree.turn(g.space, first, last);
+    if reversed {
+        tree.reverse_stretch(g.space, first, last);
         (first, last) = (last, first);
     }
-    let to = match spot {
-        Spot::Behind(to) => to,
-        Spot::Child(host, place) => {
+    let to = match target {
+        Target::After(to) => to,
+        Target::Child(host, place) => {
             touched(host);
             tree.open(g.space, host, place)
         }
@@ -240,9 +240,9 @@ pub(super) fn perform(g: Ground, tree: &mut Tree, shift: Shift, mut touched: imp
         touched(t);
     }
     if to != tree.previous(first) {
-        tree.shift(first, last, to);
+        tree.move_chain(first, last, to);
     }
-    if let Some(at) = at.filter(|_| enter == shift.first) {
+    if let Some(at) = at.filter(|_| enter == m.first) {
         tree.place(g.space, first, at);
     }
 }

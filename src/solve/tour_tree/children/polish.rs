@@ -1,12 +1,13 @@
-//! From places on rings to exact ones: stops and anchors slide along their tracks as stops of the root do.
+//! Exact entries for child routes: stops and anchors slide along their tracks, as the stops of a tour do.
 
+use super::super::config::CONFIG;
 use super::super::index::index;
-use super::super::polish::{ENOUGH, ROUNDS, Slide};
+use super::super::polish::Slide;
 use super::super::space::Space;
 use super::tree::Tree;
 use crate::solve::Solution;
 
-/// The routes as a solution, entered and left where it costs least.
+/// The solution of the routes, with exact entries.
 pub(super) fn polished(space: &Space, tree: &Tree) -> Solution {
     let touches = (0..=2 * space.home).map(|t| {
         let stands = tree.is_live(t) && t != space.home;
@@ -18,7 +19,7 @@ pub(super) fn polished(space: &Space, tree: &Tree) -> Solution {
         Solution::new(space.problem, tree.stops(space, along))
     };
     let mut cost = f64::INFINITY;
-    for _ in 0..ROUNDS {
+    for _ in 0..CONFIG.entry.slide_rounds {
         for t in 0..index(slides.len()) {
             let Some(mut slide) = slides[t as usize].clone() else { continue };
             let end = |t: u32| slides[t as usize].as_ref();
@@ -33,7 +34,7 @@ pub(super) fn polished(space: &Space, tree: &Tree) -> Solution {
             }
         }
         let now = solution(&slides).cost;
-        if now > cost * (1.0 - ENOUGH) {
+        if now > cost * (1.0 - CONFIG.entry.slide_least_gain) {
             break;
         }
         cost = now;
@@ -41,14 +42,14 @@ pub(super) fn polished(space: &Space, tree: &Tree) -> Solution {
     solution(&slides)
 }
 
-/// Whether what hangs from an item does so in the same order as before.
+/// Whether the anchors of an item are in the same order along it as before.
 fn in_order(space: &Space, tree: &Tree, slides: &[Option<Slide>], item: u32) -> bool {
     let along = |t: u32| slides[t as usize].as_ref().map_or(0.0, |s| s.stop.along);
-    let round = space.round(item);
+    let perimeter = space.perimeter(item);
     let mut last = 0.0;
-    round <= 0.0
-        || tree.kids(item).iter().all(|&k| {
-            let ahead = (along(k) - along(item)).rem_euclid(round);
+    perimeter <= 0.0
+        || tree.anchors(item).iter().all(|&k| {
+            let ahead = (along(k) - along(item)).rem_euclid(perimeter);
             let fits = ahead >= last;
             last = ahead;
             fits

@@ -1,33 +1,33 @@
-//! Routes that hang from contours: rings of touches, a journal that takes changes back.
+//! The tree of routes: rings of touches, and a journal that takes changes back.
 //!
-//! A touch is a place where the head meets an item: its **stop**, where it is entered and finished, and for each child
-//! route an **anchor**, where it is left and resumed. A route is a ring of touches: its anchor (home for the root), then
-//! its stops in order. Every way goes from one touch of a ring to the next, so all moves price alike. Stops have the
-//! number of their item; anchors follow home. Here is what the routes are; `change.rs` changes them, `visits.rs` makes them
-//! from solutions and solutions from them.
+//! A touch is a place where the head meets an item. Each item has one *stop*, where it is entered and finished, and for each
+//! child route one *anchor*, where it is left and resumed. A route is a ring of touches: its anchor (home for the root
+//! route), then its stops in order. Every leg goes from one touch of a ring to the next, so that all moves are priced alike.
+//! A stop has the number of its item, and anchors have the numbers after home. This file describes the routes; `change.rs`
+//! changes them, and `visits.rs` converts them from and to solutions.
 
 use super::super::index::index;
 use super::super::space::Space;
 use super::super::travel::Gap;
 use super::super::travel::Place;
-use super::closing::Closing;
+use super::finish_order::FinishOrder;
 use crate::problem::Item;
 
-/// No route: an anchor that is not in use.
+/// The route of an anchor that is not in use.
 pub(super) const NONE: u32 = u32::MAX;
 
 /// One change, to be taken back.
 #[derive(Clone, Copy)]
 pub(super) enum Change {
-    /// Touch, and its place before.
+    /// A touch moved along its item: the touch, and its place before.
     Placed(u32, u32),
-    /// First and last of a chain, and the touch it stood behind.
-    Shifted(u32, u32, u32),
-    /// First and last of a stretch as it is now.
-    Turned(u32, u32),
-    /// An anchor put to use.
+    /// A chain moved: its first and last touch, and the touch before it.
+    Moved(u32, u32, u32),
+    /// A stretch was reversed: its first and last touch now.
+    Reversed(u32, u32),
+    /// A route was opened: its anchor.
     Opened(u32),
-    /// An anchor no longer in use, with its host and place.
+    /// A route was closed: its anchor, host and place.
     Closed(u32, u32, u32),
 }
 
@@ -36,7 +36,7 @@ pub(super) enum Change {
 pub(super) struct Tree {
     pub(super) home: u32,
     pub(super) closed: bool,
-    /// By touch: item, place, where the head comes and goes, neighbours, anchor of the route.
+    // By touch: item, place, where the head arrives and leaves, neighbours in the ring, anchor of the route.
     pub(super) item: Vec<u32>,
     pub(super) at: Vec<u32>,
     pub(super) entry: Vec<Place>,
@@ -44,10 +44,11 @@ pub(super) struct Tree {
     pub(super) next: Vec<u32>,
     pub(super) previous: Vec<u32>,
     pub(super) route: Vec<u32>,
-    /// Anchors at an item, in the order of a round from its entry.
-    pub(super) kids: Vec<Vec<u32>>,
+    /// By item: its anchors in the order along it from its entry.
+    pub(super) anchors: Vec<Vec<u32>>,
+    /// Anchors that are not in use.
     pub(super) spare: Vec<u32>,
-    pub(super) closing: Closing,
+    pub(super) finish_order: FinishOrder,
     pub(super) journal: Vec<Change>,
     /// Moves priced so far.
     pub(super) priced: u64,
@@ -91,18 +92,18 @@ impl Tree {
         self.exit[touch as usize]
     }
 
-    pub(super) fn kids(&self, item: u32) -> &[u32] {
-        &self.kids[item as usize]
+    pub(super) fn anchors(&self, item: u32) -> &[u32] {
+        &self.anchors[item as usize]
     }
 
-    /// Seconds from `p` to touch `to` at point `q`; home costs nothing when the path does not return.
-    pub(super) fn way(&self, space: &Space, p: Place, to: u32, q: Place) -> f64 {
+    /// Seconds from `p` to touch `to` at `q`; coming home costs nothing when the path does not return.
+    pub(super) fn leg_seconds(&self, space: &Space, p: Place, to: u32, q: Place) -> f64 {
         if to == self.home && !self.closed { 0.0 } else { space.travel.seconds(p, q) }
     }
 
     /// Seconds from one touch to another.
     pub(super) fn edge(&self, space: &Space, from: u32, to: u32) -> f64 {
-        self.way(space, self.exit(from), to, self.entry(to))
+        self.leg_seconds(space, self.exit(from), to, self.entry(to))
     }
 
     /// The gap between two touches.
@@ -111,72 +112,71 @@ impl Tree {
         Gap { from: self.exit(from), to: (!ends).then(|| self.entry(to)) }
     }
 
-    /// Seconds of all ways and charges.
+    /// Cost of all legs, extra seconds and charges, s.
     pub(super) fn cost(&self, space: &Space) -> f64 {
         let live = (0..index(self.next.len())).filter(|&t| self.is_live(t));
         live.map(|t| self.edge(space, t, self.next(t)) + self.price(space, t)).sum()
     }
 
-    /// Whether routes hang from one place, or from where their item is entered: as visits they take less.
+    /// Whether two routes hang from one place, or one from the entry of its item: as visits they cost less.
     pub(super) fn is_doubled(&self) -> bool {
         let same = |a: u32, b: u32| self.at(a) == self.at(b);
         (0..self.home).any(|i| {
-            let kids = self.kids(i);
-            kids.first().is_some_and(|&k| same(k, i)) || kids.windows(2).any(|k| same(k[0], k[1]))
+            let anchors = self.anchors(i);
+            anchors.first().is_some_and(|&k| same(k, i)) || anchors.windows(2).any(|k| same(k[0], k[1]))
         })
     }
 
-    /// Seconds for the place of a touch, besides the ways: a run along a contour may take longer when it is begun or
-    /// broken off there.
+    /// Extra seconds of a touch by its place: a run along a contour may take longer if it starts or stops there.
     pub(super) fn extra(&self, space: &Space, touch: u32) -> f64 {
         space.extra(self.item(touch), self.at(touch))
     }
 
-    /// All that a touch costs but for the ways: of an anchor, leaving for its route, too.
+    /// Cost of a touch without its legs, s: its extra seconds and, for an anchor, the charge for leaving the item.
     pub(super) fn price(&self, space: &Space, touch: u32) -> f64 {
         let leaves = if touch > self.home { leaving(space, self.item(touch)) } else { 0.0 };
         leaves + self.extra(space, touch)
     }
 
-    /// The item of a stop and all that hangs from it: the first to be finished.
+    /// Of a stop and everything that hangs from it, the item that is finished first.
     pub(super) fn head(&self, stop: u32) -> u32 {
         let mut item = stop;
-        while let Some(&kid) = self.kids(item).iter().find(|&&k| self.next(k) != k) {
+        while let Some(&kid) = self.anchors(item).iter().find(|&&k| self.next(k) != k) {
             item = self.next(kid);
         }
         item
     }
 
-    /// The item behind which whatever is put behind a touch is finished.
+    /// The item after which a stop is finished that is put after a touch.
     pub(super) fn finished_before(&self, touch: u32) -> u32 {
         if !self.is_anchor(touch) {
             return touch;
         }
         if self.next(touch) != touch {
-            return self.closing.previous(self.head(self.next(touch)));
+            return self.finish_order.previous(self.head(self.next(touch)));
         }
         let (host, filled) = (self.item(touch), |k: &&u32| self.next(**k) != **k);
-        let kids = self.kids(host);
-        let here = kids.iter().position(|&k| k == touch).unwrap_or(0);
-        if let Some(&before) = kids[..here].iter().rev().find(filled) {
+        let anchors = self.anchors(host);
+        let here = anchors.iter().position(|&k| k == touch).unwrap_or(0);
+        if let Some(&before) = anchors[..here].iter().rev().find(filled) {
             return self.previous(before);
         }
-        let after = kids[here..].iter().find(filled).map_or(host, |&k| self.head(self.next(k)));
-        self.closing.previous(after)
+        let after = anchors[here..].iter().find(filled).map_or(host, |&k| self.head(self.next(k)));
+        self.finish_order.previous(after)
     }
 
-    /// Forgets how to go back.
+    /// Accepts all changes: empties the journal.
     pub(super) fn commit(&mut self) {
         self.journal.clear();
     }
 
-    /// How many changes there are to take back.
+    /// Number of changes in the journal.
     pub(super) fn changes(&self) -> usize {
         self.journal.len()
     }
 }
 
-/// What leaving an item and resuming it costs, but for the place.
+/// Seconds of leaving an item and resuming it, without the extra seconds of the place.
 pub(super) fn leaving(space: &Space, item: u32) -> f64 {
     space.problem.items.get(item as usize).map_or(0.0, Item::resume)
 }

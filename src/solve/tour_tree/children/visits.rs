@@ -1,13 +1,13 @@
-//! From a solution to routes and back.
+//! Conversion of a solution to a tree of routes and back.
 
 use super::super::index::index;
 use super::super::space::Space;
-use super::closing::Closing;
+use super::finish_order::FinishOrder;
 use super::tree::{NONE, Tree};
 use crate::solve::{Solution, Stop};
 
 impl Tree {
-    /// The routes of a solution that visits every item of the space, entered and left at the nearest places.
+    /// The routes of a solution that visits every item, entered and left at the places nearest to its own.
     pub(super) fn new(space: &Space, solution: &Solution) -> Self {
         let home = space.home;
         let touches = 2 * home as usize + 1;
@@ -21,9 +21,9 @@ impl Tree {
             next: (0..index(touches)).collect(),
             previous: (0..index(touches)).collect(),
             route: vec![NONE; touches],
-            kids: vec![Vec::new(); home as usize + 1],
+            anchors: vec![Vec::new(); home as usize + 1],
             spare: (home + 1..index(touches)).rev().collect(),
-            closing: Closing::new(home),
+            finish_order: FinishOrder::new(home),
             journal: Vec::new(),
             priced: 0,
         };
@@ -33,7 +33,7 @@ impl Tree {
     }
 
     fn fill(&mut self, space: &Space, solution: &Solution) {
-        // Where the next stop goes, and the items left unfinished with their first place.
+        // `tail`: the touch after which the next stop goes. `open`: unfinished items, with the place where each began.
         let mut tail = self.home;
         let mut open: Vec<(u32, f64)> = Vec::new();
         for stop in &solution.stops {
@@ -54,15 +54,15 @@ impl Tree {
             #[expect(clippy::float_cmp, reason = "the last visit ends where the first began, bit for bit")]
             let finished = stop.until == start;
             if finished {
-                self.closing.append(item);
+                self.finish_order.append(item);
             } else {
                 open.push((item, start));
                 let mut at = space.left_at(stop);
                 if at == self.at[item as usize] {
-                    // Rounded to the entry: one place on or back, so that it stays on its side.
+                    // The nearest place is the entry: one place ahead or back keeps the anchor on its side of it.
                     let count = index(space.places(item).len());
-                    let round = space.round(item);
-                    let ahead = (stop.until - start).rem_euclid(round) < 0.5 * round;
+                    let perimeter = space.perimeter(item);
+                    let ahead = (stop.until - start).rem_euclid(perimeter) < 0.5 * perimeter;
                     at = (at + if ahead { 1 } else { count - 1 }) % count;
                 }
                 tail = self.open(space, item, at);
@@ -71,13 +71,13 @@ impl Tree {
         self.journal.clear();
     }
 
-    /// Whether links, order of finishing, ranks and precedence hold: for debug assertions.
+    /// Whether links, order of finishing, ranks and precedence hold. For debug assertions.
     pub(super) fn is_sound(&self, space: &Space) -> bool {
-        let label = |i: u32| self.closing.label(i);
+        let label = |i: u32| self.finish_order.label(i);
         let linked = (0..index(self.next.len())).filter(|&t| self.is_live(t)).all(|t| {
             let next = self.next(t);
-            let kids = self.kids(self.item(t));
-            let hung = t <= self.home || (kids.contains(&t) && next != t);
+            let anchors = self.anchors(self.item(t));
+            let hung = t <= self.home || (anchors.contains(&t) && next != t);
             self.previous(next) == t && self.route(next) == self.route(t) && hung
         });
         let inside = |stop: u32| {
@@ -87,8 +87,10 @@ impl Tree {
             after && (route == self.home || label(stop) < label(self.item(route)))
         };
         let mut before = 0;
-        let ranked =
-            self.closing.stretch(self.closing.next(self.home), self.closing.previous(self.home)).all(|i| {
+        let ranked = self
+            .finish_order
+            .stretch(self.finish_order.next(self.home), self.finish_order.previous(self.home))
+            .all(|i| {
                 let rank = space.rank[i as usize];
                 let of_host =
                     self.route(i) == self.home || space.rank[self.item(self.route(i)) as usize] == rank;
@@ -98,7 +100,7 @@ impl Tree {
         linked && (0..self.home).all(|i| space.places(i).is_empty() || (inside(i) && !waits(i))) && ranked
     }
 
-    /// The visits, with each touch at the place along its item that `along` says.
+    /// The visits of the routes; `along` gives the arc length of each touch along its item, mm.
     pub(super) fn stops(&self, space: &Space, along: impl Fn(u32) -> f64) -> Vec<Stop> {
         let mut out = Vec::with_capacity(self.home as usize);
         let visit = |from: u32, to: u32| Stop {
@@ -106,27 +108,27 @@ impl Tree {
             along: along(from),
             ..space.stop(self.item(from), self.at(from))
         };
-        // Items left unfinished: how many of their routes are done, and the touch they were left at.
+        // Unfinished items: the host, how many of its routes are done, and the touch where it was left.
         let mut open: Vec<(u32, usize, u32)> = Vec::new();
         let mut touch = self.next(self.home);
         loop {
             if !self.is_anchor(touch) {
-                if self.kids(touch).is_empty() {
+                if self.anchors(touch).is_empty() {
                     out.push(visit(touch, touch));
                     touch = self.next(touch);
                     continue;
                 }
                 open.push((touch, 0, touch));
             }
-            // Begun, or at the end of a route that hangs from it: on with the item.
+            // The item has just begun, or a route that hangs from it has ended: the item goes on.
             let Some((host, done, from)) = open.pop() else { return out };
-            let Some(&kid) = self.kids(host).get(done) else {
+            let Some(&kid) = self.anchors(host).get(done) else {
                 out.push(visit(from, host));
                 touch = self.next(host);
                 continue;
             };
-            // Routes from one place follow each other without going back to it, and those from the entry come before the
-            // item: both cost no more, and leave it less often.
+            // Routes from one place follow each other without a return to it, and routes from the entry come before the
+            // item: neither costs more, and the item is left less often.
             #[expect(clippy::float_cmp, reason = "the same place is the same number")]
             let same = along(kid) == along(from);
             if !same {

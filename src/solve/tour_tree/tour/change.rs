@@ -5,7 +5,7 @@ use super::Tour;
 use super::journal::Change;
 
 impl Tour<'_> {
-    /// Enters an item elsewhere.
+    /// Enters an item at another place.
     pub(in crate::solve::tour_tree) fn enter(&mut self, item: u32, at: u32) {
         let before = self.at(item);
         if before != at {
@@ -23,18 +23,18 @@ impl Tour<'_> {
     }
 
     fn turn(&mut self, from: usize, to: usize) {
-        // Others see the same on both sides as before, unless ways back cost something else.
+        // The other items keep the same neighbours, unless legs cost more one way than the other.
         for outer in [self.item(from - 1), self.item(from), self.item(to), self.item(to + 1)] {
             self.best_entered[outer as usize] = false;
         }
-        self.now.order[from..=to].reverse();
-        self.ways[from..to].reverse();
-        for (position, &item) in (index(from)..).zip(&self.now.order[from..=to]) {
+        self.current.order[from..=to].reverse();
+        self.legs[from..to].reverse();
+        for (position, &item) in (index(from)..).zip(&self.current.order[from..=to]) {
             let i = item as usize;
             self.position[i] = position;
             self.best_entered[i] &= self.space.travel.symmetric;
             if self.space.two_ends(item) {
-                self.now.at[i] ^= 1;
+                self.current.at[i] ^= 1;
                 std::mem::swap(&mut self.entry[i], &mut self.exit[i]);
             }
         }
@@ -53,29 +53,29 @@ impl Tour<'_> {
         self.reverse(from + second, to);
     }
 
-    /// Puts the items into another order, home first, with the seconds from each to the one after it.
-    pub(in crate::solve::tour_tree) fn reorder(&mut self, order: Vec<u32>, ways: Vec<f64>) {
+    /// Replaces the order, home first, with the seconds from each item to the next.
+    pub(in crate::solve::tour_tree) fn reorder(&mut self, order: Vec<u32>, legs: Vec<f64>) {
         self.journal.push(Change::Reordered);
-        let before = std::mem::replace(&mut self.now.order, order);
-        self.orders.push((before, std::mem::replace(&mut self.ways, ways)));
+        let before = std::mem::replace(&mut self.current.order, order);
+        self.orders.push((before, std::mem::replace(&mut self.legs, legs)));
         self.number();
     }
 
-    /// Forgets how to go back.
+    /// Accepts all changes: empties the journal.
     pub(in crate::solve::tour_tree) fn commit(&mut self) {
         self.journal.clear();
         self.orders.clear();
     }
 
-    /// Back to where the journal began.
+    /// Takes back all changes in the journal.
     pub(in crate::solve::tour_tree) fn undo(&mut self) {
         while let Some(change) = self.journal.pop() {
             match change {
                 Change::Reversed(from, to) => self.turn(from, to),
                 Change::Entered(item, at) => self.moved(item, at),
                 Change::Reordered => {
-                    if let Some((order, ways)) = self.orders.pop() {
-                        (self.now.order, self.ways) = (order, ways);
+                    if let Some((order, legs)) = self.orders.pop() {
+                        (self.current.order, self.legs) = (order, legs);
                         self.number();
                     }
                 }

@@ -1,12 +1,12 @@
-//! What the journal of a tour holds.
+//! The changes that the journal of a tour holds.
 
 /// One change, to be taken back.
 #[derive(Clone, Copy)]
 pub(super) enum Change {
-    /// Positions reversed.
+    /// A stretch was reversed: its first and last position.
     Reversed(usize, usize),
-    /// Item, and the place where it was entered before.
+    /// An item was entered elsewhere: the item, and its place before.
     Entered(u32, u32),
-    /// Another order altogether; the one before is the last of [`Tour::orders`].
+    /// The order was replaced; the one before is the last of [`Tour::orders`].
     Reordered,
 }

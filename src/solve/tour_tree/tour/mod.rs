@@ -1,92 +1,93 @@
-//! The tour: an order of items from home, where each is entered, and a journal that takes changes back.
+//! The tour: an order of items from home, the entry of each, and a journal that takes changes back.
 //!
-//! Held as an array with positions, so succession and "between" are looked up at once. Every change of order is a
-//! sequence of reversals, which undo themselves: a kick that did not pay is taken back by its journal. An open
-//! contour in a reversed stretch is run the other way.
+//! The order is an array with positions, so that successors and "between" are looked up in constant time. Every change of
+//! order is a sequence of reversals, which undo themselves: the journal takes a rejected kick back. An open contour in a
+//! reversed stretch is run the other way.
 
 mod change;
 mod journal;
 
-use super::kept::Kept;
+use super::snapshot::TourSnapshot;
 use super::space::Space;
 use super::travel::{Gap, Place};
 use crate::geometry::DVec2;
 use journal::Change;
 
-/// An order of items with entries.
+/// An order of items with their entries.
 pub(super) struct Tour<'p> {
     pub(super) space: Space<'p>,
-    now: Kept,
+    current: TourSnapshot,
     /// Position by item.
     position: Vec<u32>,
     /// Where the head enters and leaves, by item.
     entry: Vec<Place>,
     exit: Vec<Place>,
-    /// Seconds from each to the one after it, by position; the last goes home.
-    ways: Vec<f64>,
-    /// Items known to be entered best where they stand.
+    /// Seconds from each item to the next, by position; the last leg goes home.
+    legs: Vec<f64>,
+    /// Items whose entry is known to be the best between their neighbours.
     best_entered: Vec<bool>,
     journal: Vec<Change>,
-    /// Orders before others, with their ways.
+    /// Orders that the journal can restore, with their legs.
     orders: Vec<(Vec<u32>, Vec<f64>)>,
-    /// Heeds ranks, but not what lies inside what: see `anneal/cycles.rs`.
-    pub(super) free: bool,
+    /// The tour keeps ranks but may ignore nesting, see `anneal/cycles.rs`.
+    pub(super) ignores_nesting: bool,
     /// Moves priced so far.
     pub(super) priced: u64,
 }
 
 impl<'p> Tour<'p> {
-    /// The tour over `kept`, which holds every item of the space that has nodes once, home first.
-    pub(super) fn new(space: Space<'p>, kept: Kept) -> Self {
-        let n = kept.at.len();
+    /// A tour from a snapshot, which holds home first and then every item with nodes once.
+    pub(super) fn new(space: Space<'p>, snapshot: TourSnapshot) -> Self {
+        let n = snapshot.at.len();
         let mut tour = Self {
             space,
-            now: kept,
+            current: snapshot,
             position: vec![0; n],
             entry: vec![Place::from(DVec2::ZERO); n],
             exit: vec![Place::from(DVec2::ZERO); n],
-            ways: Vec::new(),
+            legs: Vec::new(),
             best_entered: vec![false; n],
             journal: Vec::new(),
             orders: Vec::new(),
-            free: false,
+            ignores_nesting: false,
             priced: 0,
         };
         tour.settle();
         tour
     }
 
-    /// Takes over another order with entries; the journal starts anew.
-    pub(super) fn put(&mut self, kept: Kept) {
-        self.now = kept;
+    /// Restores a snapshot; the journal is emptied.
+    pub(super) fn restore(&mut self, snapshot: TourSnapshot) {
+        self.current = snapshot;
         self.settle();
     }
 
     fn settle(&mut self) {
         self.commit();
         self.number();
-        for position in 0..self.now.order.len() {
-            self.place(self.now.order[position]);
+        for position in 0..self.current.order.len() {
+            self.place(self.current.order[position]);
         }
-        self.ways = self.ways_of(&self.now.order);
+        self.legs = self.legs_of(&self.current.order);
     }
 
-    /// Seconds from each to the one after it in an order, entered as they are now.
-    pub(super) fn ways_of(&self, order: &[u32]) -> Vec<f64> {
+    /// Seconds from each item to the next in an order, with the current entries.
+    pub(super) fn legs_of(&self, order: &[u32]) -> Vec<f64> {
         let next = order.iter().skip(1).chain([&self.space.home]);
         order.iter().zip(next).map(|(&from, &to)| self.edge(from, to)).collect()
     }
 
+    /// Stores the positions of all items.
     fn number(&mut self) {
-        for (position, &item) in (0..).zip(&self.now.order) {
+        for (position, &item) in (0..).zip(&self.current.order) {
             self.position[item as usize] = position;
             self.best_entered[item as usize] = false;
         }
     }
 
-    /// Looks up where the head enters and leaves an item.
+    /// Stores where the head enters and leaves an item.
     fn place(&mut self, item: u32) {
-        let at = self.now.at[item as usize];
+        let at = self.current.at[item as usize];
         self.entry[item as usize] = self.space.places(item).at(at);
         self.exit[item as usize] = self.space.exit(item, at);
         for touched in [self.previous(item), item, self.next(item)] {
@@ -96,61 +97,61 @@ impl<'p> Tour<'p> {
 
     /// Enters an item at another place.
     fn moved(&mut self, item: u32, at: u32) {
-        self.now.at[item as usize] = at;
+        self.current.at[item as usize] = at;
         self.place(item);
         let here = self.position(item);
         self.price(if here == 0 { self.last() } else { here - 1 });
         self.price(here);
     }
 
-    /// Prices the way from a position on.
+    /// Prices the leg from a position to the next.
     fn price(&mut self, position: usize) {
-        self.ways[position] = self.edge(self.item(position), self.item(position + 1));
+        self.legs[position] = self.edge(self.item(position), self.item(position + 1));
     }
 
-    /// Whether an item is known to be entered where that costs least between its neighbours as they are.
+    /// Whether the entry of an item is known to be the best between its current neighbours.
     pub(super) fn is_entered_best(&self, item: u32) -> bool {
         self.best_entered[item as usize]
     }
 
-    /// Nothing better was found for an item where it stands.
-    pub(super) fn entered_best(&mut self, item: u32) {
+    /// Notes that no better entry was found for an item.
+    pub(super) fn set_entered_best(&mut self, item: u32) {
         self.best_entered[item as usize] = true;
     }
 
-    /// Order and entries as they are now.
-    pub(super) fn now(&self) -> &Kept {
-        &self.now
+    /// The current order and entries.
+    pub(super) fn current(&self) -> &TourSnapshot {
+        &self.current
     }
 
-    /// Order and entries as they were when the journal began.
-    pub(super) fn before(&self) -> Kept {
-        let mut kept = self.now.clone();
+    /// The order and entries before the changes in the journal.
+    pub(super) fn before_journal(&self) -> TourSnapshot {
+        let mut snapshot = self.current.clone();
         let mut orders = self.orders.iter().rev();
         for change in self.journal.iter().rev() {
             match *change {
                 Change::Reversed(from, to) => {
-                    kept.order[from..=to].reverse();
-                    for &item in kept.order[from..=to].iter().filter(|&&i| self.space.two_ends(i)) {
-                        kept.at[item as usize] ^= 1;
+                    snapshot.order[from..=to].reverse();
+                    for &item in snapshot.order[from..=to].iter().filter(|&&i| self.space.two_ends(i)) {
+                        snapshot.at[item as usize] ^= 1;
                     }
                 }
-                Change::Entered(item, at) => kept.at[item as usize] = at,
-                Change::Reordered => orders.next().into_iter().for_each(|o| kept.order.clone_from(&o.0)),
+                Change::Entered(item, at) => snapshot.at[item as usize] = at,
+                Change::Reordered => orders.next().into_iter().for_each(|o| snapshot.order.clone_from(&o.0)),
             }
         }
-        kept
+        snapshot
     }
 
     /// Last position.
     pub(super) fn last(&self) -> usize {
-        self.now.order.len() - 1
+        self.current.order.len() - 1
     }
 
-    /// Item at a position; one past the last is home again.
+    /// The item at a position; the one past the last is home again.
     #[inline]
     pub(super) fn item(&self, position: usize) -> u32 {
-        self.now.order.get(position).copied().unwrap_or(self.space.home)
+        self.current.order.get(position).copied().unwrap_or(self.space.home)
     }
 
     #[inline]
@@ -166,12 +167,12 @@ impl<'p> Tour<'p> {
     #[inline]
     pub(super) fn previous(&self, item: u32) -> u32 {
         let p = self.position(item);
-        self.now.order[if p == 0 { self.last() } else { p - 1 }]
+        self.current.order[if p == 0 { self.last() } else { p - 1 }]
     }
 
     #[inline]
     pub(super) fn at(&self, item: u32) -> u32 {
-        self.now.at[item as usize]
+        self.current.at[item as usize]
     }
 
     #[inline]
@@ -184,9 +185,9 @@ impl<'p> Tour<'p> {
         self.exit[item as usize]
     }
 
-    /// Seconds from `p` into `item` at point `q`; home costs nothing when the path does not return.
+    /// Seconds from `p` into `item` at `q`; coming home costs nothing when the path does not return.
     #[inline(always)]
-    pub(super) fn way(&self, p: Place, item: u32, q: Place) -> f64 {
+    pub(super) fn leg_seconds(&self, p: Place, item: u32, q: Place) -> f64 {
         if item == self.space.home && !self.space.problem.closed {
             0.0
         } else {
@@ -194,71 +195,71 @@ impl<'p> Tour<'p> {
         }
     }
 
-    /// Seconds from one item to another, if that came after it.
+    /// Seconds from one item to another, if it came next.
     pub(super) fn edge(&self, from: u32, to: u32) -> f64 {
         self.edge_here(from, to)
     }
 
-    /// The same, for where it is asked most.
+    /// The same, inlined for the hottest loops.
     #[inline(always)]
     pub(super) fn edge_here(&self, from: u32, to: u32) -> f64 {
-        self.way(self.exit(from), to, self.entry(to))
+        self.leg_seconds(self.exit(from), to, self.entry(to))
     }
 
-    /// Seconds from an item on to the one after it.
+    /// Seconds from an item to the next.
     #[inline]
-    pub(super) fn way_on(&self, item: u32) -> f64 {
-        self.ways[self.position(item)]
+    pub(super) fn leg_after(&self, item: u32) -> f64 {
+        self.legs[self.position(item)]
     }
 
-    /// Seconds to an item from the one before it.
+    /// Seconds to an item from the previous one.
     #[inline]
-    pub(super) fn way_to(&self, item: u32) -> f64 {
+    pub(super) fn leg_before(&self, item: u32) -> f64 {
         let p = self.position(item);
-        self.ways[if p == 0 { self.last() } else { p - 1 }]
+        self.legs[if p == 0 { self.last() } else { p - 1 }]
     }
 
-    /// Seconds on top of an item's fixed ones for being entered where it is.
+    /// Extra seconds of the current entry of an item.
     #[inline]
     pub(super) fn extra(&self, item: u32) -> f64 {
         self.space.extra(item, self.at(item))
     }
 
-    /// Seconds of the whole tour: travel and entries.
+    /// Cost of the whole tour, s: travel and extra seconds of entries.
     pub(super) fn cost(&self) -> f64 {
         let seconds = |p| self.edge(self.item(p), self.item(p + 1)) + self.extra(self.item(p));
         (0..=self.last()).map(seconds).sum()
     }
 
-    /// Whether the tour takes `seconds`, but for rounding: for debug assertions.
+    /// Whether the tour costs `seconds`, up to rounding. For debug assertions.
     pub(super) fn cost_is(&self, seconds: f64) -> bool {
         let cost = self.cost();
         let near = |a: f64| (cost - a).abs() <= 1e-6 * cost.max(1.0);
         let extra = |p| self.extra(self.item(p));
-        near(seconds) && near(self.ways.iter().sum::<f64>() + (0..=self.last()).map(extra).sum::<f64>())
+        near(seconds) && near(self.legs.iter().sum::<f64>() + (0..=self.last()).map(extra).sum::<f64>())
     }
 
-    /// The gap between two items that follow each other, or would.
+    /// The gap between two items, if they were neighbours.
     #[inline(always)]
     pub(super) fn gap(&self, from: u32, to: u32) -> Gap {
         let ends = to == self.space.home && !self.space.problem.closed;
         Gap { from: self.exit(from), to: (!ends).then(|| self.entry(to)) }
     }
 
-    /// Seconds that a stretch costs more when run the other way round: none, unless ways cost more than the ways back.
-    /// Looks at the whole stretch then, so it is asked last.
-    pub(super) fn turning(&self, from: usize, to: usize) -> f64 {
+    /// Extra cost of a stretch when it is reversed, s: none unless legs cost more one way than the other. It looks at the
+    /// whole stretch, so that it is asked last.
+    pub(super) fn reversal_cost(&self, from: usize, to: usize) -> f64 {
         if self.space.travel.symmetric {
-            return self.turning_over(from, to);
+            return self.reversal_cost_of_groups(from, to);
         }
-        let pairs = self.now.order[from..=to].windows(2);
+        let pairs = self.current.order[from..=to].windows(2);
         pairs.map(|p| self.edge(p[1], p[0]) - self.edge(p[0], p[1])).sum()
     }
 
-    /// The same of pierce groups in the stretch alone: ways out and back through them differ.
-    fn turning_over(&self, from: usize, to: usize) -> f64 {
+    /// The same for the pierce groups in the stretch alone: paths forth and back through them differ.
+    fn reversal_cost_of_groups(&self, from: usize, to: usize) -> f64 {
         let within = |&&i: &&u32| (from..=to).contains(&self.position(i));
         let over = |&i: &u32| self.space.extra(i, self.at(i) ^ 1) - self.extra(i);
-        self.space.lopsided.iter().filter(within).map(over).sum()
+        self.space.direction_dependent.iter().filter(within).map(over).sum()
     }
 }

@@ -1,11 +1,11 @@
-//! A better entry for an item where it stands; and where it slides, its neighbours with it.
+//! The local move that improves the entry of an item; if the item slides along its ring, its neighbours follow.
 
 use super::queue::Queue;
 use super::tour::Tour;
 use crate::solve::epsilon::EPSILON;
 
-/// A better entry where the item stands.
-pub(super) fn reenter(tour: &mut Tour, queue: &mut Queue, item: u32) -> Option<f64> {
+/// Enters an item at its best place between its neighbours; returns the seconds gained.
+pub(super) fn improve_entry(tour: &mut Tour, queue: &mut Queue, item: u32) -> Option<f64> {
     if tour.space.places(item).len() == 1 || tour.is_entered_best(item) {
         return None;
     }
@@ -17,20 +17,20 @@ pub(super) fn reenter(tour: &mut Tour, queue: &mut Queue, item: u32) -> Option<f
     let best = tour.space.best_entry(item, gap, near.1);
     let best = if best.1 < near.1 { best } else { near };
     if best.1 >= now - EPSILON {
-        tour.entered_best(item);
+        tour.set_entered_best(item);
         return None;
     }
     let steps = tour.space.steps(item, tour.at(item), best.0);
     tour.enter(item, best.0);
-    tour.entered_best(item);
+    tour.set_entered_best(item);
     queue.push_all(&[item, before, after]);
     let gain = now - best.1;
     Some(gain + slide_on(tour, queue, [item, before], steps) + slide_on(tour, queue, [item, after], steps))
 }
 
-/// Two items that follow each other, of which the first has slid some steps: the other follows, and both go on so, ever
-/// farther, as long as that gains. By turns alone they would pass sides that face each other place by place, which took
-/// three quarters of the first milliseconds where large parts lie close together. Gives the seconds gained.
+/// Slides two neighbouring items together. `item` has slid some steps along its ring; `other` follows, and both go on with
+/// doubled steps as long as that gains. If they moved in turn only, they would pass sides that face each other place by
+/// place, which took three quarters of the first milliseconds on sheets of large parts. Returns the seconds gained.
 fn slide_on(tour: &mut Tour, queue: &mut Queue, [item, other]: [u32; 2], steps: i32) -> f64 {
     if steps == 0 || item == other {
         return 0.0;
@@ -50,7 +50,8 @@ fn slide_on(tour: &mut Tour, queue: &mut Queue, [item, other]: [u32; 2], steps: 
     let price = |[own, others]: [u32; 2]| {
         let [a, b] = if first == item { [own, others] } else { [others, own] };
         let (p, q) = (space.places(first).at(a), space.places(last).at(b));
-        let (into, on) = (tour.way(tour.exit(before), first, p), tour.way(q, after, tour.entry(after)));
+        let (into, on) =
+            (tour.leg_seconds(tour.exit(before), first, p), tour.leg_seconds(q, after, tour.entry(after)));
         into + space.extra(first, a) + space.travel.seconds(p, q) + space.extra(last, b) + on
     };
     let start = [tour.at(item), near.0];

@@ -1,21 +1,21 @@
-//! The order in which items are finished: a linked list whose labels grow, so that "finished before" is one comparison
-//! and a stretch goes elsewhere in as many steps as it has items.
+//! The order in which items are finished: a linked list with increasing labels, so that "finished before" is one comparison
+//! and moving a stretch takes as many steps as it has items.
 //!
-//! Whatever is cut while an item is left unfinished is finished before it: an item and all that hangs from it are one
-//! stretch, which the item ends. Labels: Dietz & Sleator, Two algorithms for maintaining order in a list, STOC 1987, in
-//! the plainest form: where there is no room left between two labels, all are written anew.
+//! Whatever is cut while an item is unfinished is finished before it: an item and all that hangs from it are one stretch,
+//! which the item ends. Source of the labels: Dietz & Sleator, Two algorithms for maintaining order in a list, STOC 1987, in
+//! its simplest form: if no room is left between two labels, all labels are written again.
 
-/// The list. The home item is its end as well as its beginning.
+/// The list. Home is both its end and its beginning.
 #[derive(Clone)]
-pub(super) struct Closing {
+pub(super) struct FinishOrder {
     next: Vec<u32>,
     previous: Vec<u32>,
     label: Vec<u64>,
     home: u32,
 }
 
-impl Closing {
-    /// Holding nothing but home, the last of `items`.
+impl FinishOrder {
+    /// A list that holds only home, which has the largest number of all items.
     pub(super) fn new(home: u32) -> Self {
         let all = vec![home; home as usize + 1];
         Self { next: all.clone(), previous: all, label: vec![0; home as usize + 1], home }
@@ -29,12 +29,12 @@ impl Closing {
         self.previous[item as usize]
     }
 
-    /// Grows with the order; home's is 0, that of the beginning.
+    /// The label of an item, which increases along the list; that of home is 0.
     pub(super) fn label(&self, item: u32) -> u64 {
         self.label[item as usize]
     }
 
-    /// Whether an item lies in the stretch from `first` to `last`; home lies in none.
+    /// Whether an item is in the stretch from `first` to `last`; home is in none.
     pub(super) fn holds(&self, first: u32, last: u32, item: u32) -> bool {
         (self.label(first)..=self.label(last)).contains(&self.label(item))
     }
@@ -44,13 +44,13 @@ impl Closing {
         std::iter::successors(Some(first), move |&i| (i != last).then(|| self.next(i)))
     }
 
-    /// Puts a new item at the end.
+    /// Appends a new item.
     pub(super) fn append(&mut self, item: u32) {
         self.link(item, item, self.previous(self.home));
     }
 
-    /// Takes the stretch from `first` to `last` out and puts it behind `to`, which is not in it.
-    pub(super) fn carry(&mut self, first: u32, last: u32, to: u32) {
+    /// Moves the stretch from `first` to `last` after `to`, which is not in it.
+    pub(super) fn move_stretch(&mut self, first: u32, last: u32, to: u32) {
         let (before, after) = (self.previous(first), self.next(last));
         if before == to {
             return;

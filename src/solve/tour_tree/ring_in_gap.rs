@@ -1,16 +1,16 @@
-//! A ring between two stops.
+//! A ring in a gap of the tour: most of the time of a search goes into pricing its places.
 
-use super::boxes::Boxed;
+use super::boxes::BoundingBox;
 use super::index::index;
 use super::ring::GATES;
 use super::travel::Travel;
 use crate::geometry::DVec2;
 
-/// A ring between two stops, for pricing many of its places: where most of the time of a search goes.
-pub(super) struct RingIn<'s> {
+/// A ring between two stops, for pricing many of its places.
+pub(super) struct RingInGap<'s> {
     pub(super) travel: &'s Travel<'s>,
     pub(super) points: &'s [DVec2],
-    /// Seconds on top by place; empty where there are none.
+    /// Extra seconds by place; empty if no place has any.
     pub(super) extra: &'s [f64],
     /// Where the head comes from.
     pub(super) from: DVec2,
@@ -18,10 +18,10 @@ pub(super) struct RingIn<'s> {
     pub(super) to: Option<DVec2>,
 }
 
-impl RingIn<'_> {
-    /// No place in a box takes less.
+impl RingInGap<'_> {
+    /// A lower bound of the seconds of any place in a box.
     #[inline(always)]
-    pub(super) fn at_least(&self, b: &Boxed) -> f64 {
+    pub(super) fn at_least(&self, b: &BoundingBox) -> f64 {
         let there = self.travel.air(DVec2::ZERO, b.outside(self.from));
         match self.to {
             Some(to) => there + self.travel.air(DVec2::ZERO, b.outside(to)),
@@ -29,7 +29,7 @@ impl RingIn<'_> {
         }
     }
 
-    /// Takes place `at` over, if it costs less.
+    /// Makes place `at` the best if it costs less, and returns whether it does.
     #[inline(always)]
     pub(super) fn try_at(&self, at: usize, best: &mut (u32, f64)) -> bool {
         let place = self.points[at];
@@ -47,9 +47,9 @@ impl RingIn<'_> {
         better
     }
 
-    /// Halving steps to both sides.
+    /// Looks for a better place near the best, by halving steps to both sides.
     pub(super) fn better_near(&self, best: &mut (u32, f64)) {
-        // A power of two.
+        // The number of places is a power of two.
         let count = self.points.len();
         let mut step = count / GATES / 2;
         while step >= 1 {
