@@ -140,7 +140,7 @@ fn is_feasible(stops: &[Stop], problem: &Problem) -> bool {
     }
     let order = stops.iter().map(|s| problem.nodes[s.node as usize].item);
     open.is_empty()
-        && problem.groups.kept(order, |i| problem.items[i as usize].rank)
+        && problem.groups.are_together(order, |i| problem.items[i as usize].rank)
         && problem.items.iter().zip(&finished).all(|(item, at)| match at {
             None => item.nodes.is_empty(),
             Some(_) => item.before.is_none_or(|outer| finished[outer as usize].is_none_or(|o| Some(o) > *at)),

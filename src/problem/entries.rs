@@ -1,23 +1,23 @@
-//! Where a closed contour may be entered.
+//! The entries of a closed contour: the places where it may be entered.
 //!
-//! Element ends (corners, where a mark of the start shows least) are taken first, evenly spaced places fill up:
-//! 1. Up to [`MOST`] elements: every element's start is an entry; stretches between entries longer than an
-//!    [`EVEN`]th of the contour are divided evenly until they are not. So a circle gets 8, a square 8, a polygon
-//!    of 12 equal sides its 12 corners; never more than `MOST` + `EVEN`.
-//! 2. More elements: the contour is divided into `MOST` equal stretches, and each gets the element start nearest to
-//!    its beginning, or that beginning itself where no element starts within half a stretch.
+//! Element ends come first, because the mark of a start shows least in a corner; evenly spaced places are added:
+//! 1. Up to [`MOST`] elements: every element's start is an entry, and stretches longer than an [`EVEN`]th of the contour are
+//!    divided evenly. So a circle gets 8 entries, a square 8, and a polygon of 12 equal sides its 12 corners. There are
+//!    never more than `MOST` + `EVEN`.
+//! 2. More elements: the contour is divided into `MOST` equal stretches. Each gets the element start nearest to its
+//!    beginning, or the beginning itself if no element starts within half a stretch.
 
 use crate::geometry::{DVec2, Path};
 
-/// Places for contours of many elements. From 16 samples a contour to entries every 2 mm is 0.8 % of air travel on
-/// nested sheets; twice the nodes would cost the search more than that.
+/// Entries of contours with many elements: more shorten air travel by up to 0.8 % on nested sheets, but slow the search
+/// down by more.
 const MOST: usize = 16;
-/// Places on a circle at least: the 8 rim points that Qu & Du (2023) and Yang (2013) use.
+/// Fewest entries of a contour: the 8 rim points that Qu & Du (2023) and Yang (2013) use on circles.
 const EVEN: usize = 8;
 
-/// Arc length and place of each entry of a closed path, in order along it.
+/// Arc length (mm) and point of each entry of a closed path, in order along it.
 pub(super) fn entries(path: &Path) -> Vec<(f64, DVec2)> {
-    // Arc length at which each element starts, the whole length at the end.
+    // Arc length at which each element starts, and the whole length last.
     let mut at = vec![0.0];
     for s in &path.segments {
         at.push(at[at.len() - 1] + s.length());
@@ -30,7 +30,7 @@ pub(super) fn entries(path: &Path) -> Vec<(f64, DVec2)> {
     if path.segments.len() <= MOST { fill(path, &at, length) } else { thin(path, starts().collect(), length) }
 }
 
-/// Rule 1: all element starts, long stretches divided.
+/// Rule 1: all element starts, with long stretches divided.
 fn fill(path: &Path, at: &[f64], length: f64) -> Vec<(f64, DVec2)> {
     let mut out = Vec::with_capacity(MOST + EVEN);
     for (s, span) in path.segments.iter().zip(at.windows(2)) {
@@ -38,7 +38,7 @@ fn fill(path: &Path, at: &[f64], length: f64) -> Vec<(f64, DVec2)> {
         if along <= 0.0 {
             continue;
         }
-        // A hair less, so that exactly an eighth is not divided again.
+        // Slightly less, so that a stretch of exactly an eighth is not divided again.
         let pieces = (along * EVEN as f64 / length - 1e-9).ceil().max(1.0);
         let mut k = 0.0;
         while k < pieces {
@@ -50,7 +50,7 @@ fn fill(path: &Path, at: &[f64], length: f64) -> Vec<(f64, DVec2)> {
     out
 }
 
-/// Rule 2: evenly spaced, at element starts where there is one near.
+/// Rule 2: evenly spaced, moved to a near element start.
 fn thin(path: &Path, starts: Vec<(f64, DVec2)>, length: f64) -> Vec<(f64, DVec2)> {
     let stretch = length / MOST as f64;
     let mut out: Vec<(f64, DVec2)> = Vec::with_capacity(MOST);

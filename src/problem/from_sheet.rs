@@ -1,4 +1,4 @@
-//! From contours to a problem: one item a contour, entries along it, precedence from the nesting, order by rank.
+//! Conversion of a sheet to a problem: one item for each contour, with entries, precedence from the nesting, and a rank.
 
 use super::entries::entries;
 use super::groups::Groups;
@@ -12,17 +12,18 @@ use crate::sheet::{Contour, Operation, Sheet};
 
 /// The problem of cutting a sheet on a machine. The item of a contour has the contour's index.
 ///
-/// * Nodes: see `entries.rs` for where a contour may be entered.
-/// * Precedence: a contour is cut after everything inside it, as what is cut free may shift.
-/// * Rank: what is pinned first or last, then by layer when the sheet is ordered by layer, then marks before cuts. A contour around another
-///   one has at least that one's rank: where the order by layer would cut an outer contour first, the nesting wins.
-/// * Fixed seconds: piercing (cuts only), beam delays, and the run along the contour, as little as that takes from
-///   wherever it is entered; what an entry costs on top of it is charged by its place.
-/// * Leaving: closed cuts may be left unfinished where the machine allows it, but not part by part.
-/// * Pierce groups: one item for all contours of a group, that of the first, where the machine makes pre-cuts; the items
-///   of the others have no nodes. Their nodes are ways through the group.
-/// * Contours left out: items without nodes.
-/// * Groups: the parts, when the sheet is worked part by part.
+/// * Nodes: the entries of a contour, see `entries.rs`.
+/// * Precedence: a contour is cut after everything inside it, because a part that is cut free may shift.
+/// * Rank: contours that are pinned first or last, then layers if the sheet is ordered by layer, then marks before cuts. A
+///   contour around another one has at least its rank: if the order by layer would cut an outer contour first, the nesting
+///   wins.
+/// * Fixed seconds: piercing (cuts only), beam delays, and the run along the contour from its cheapest entry. What other
+///   entries cost beyond that is charged by place.
+/// * Leaving: closed cuts may be left unfinished if the machine allows it, but not when parts are cut one by one.
+/// * Pierce groups: if the machine makes pre-cuts, the item of the group's first contour stands for all of them, and its
+///   nodes are paths through the group. The items of the other contours have no nodes.
+/// * Skipped contours: items without nodes.
+/// * Groups: the parts, if the sheet is cut part by part.
 ///
 /// `paths`: the paths through each pierce group, as a solver of [`group_problems`](super::group_problems) finds them. The
 /// contours of a group without a path are items of their own.
@@ -89,7 +90,7 @@ fn count(nodes: &[Node]) -> NodeId {
     NodeId::try_from(nodes.len()).unwrap_or(NodeId::MAX)
 }
 
-/// Fixed seconds of a contour, and what they depend on.
+/// The fixed seconds of a contour, and the run whose seconds depend on the entry.
 fn seconds(machine: &Profile, contour: &Contour) -> (f64, Option<ClosedRun>) {
     let mark = contour.operation != Operation::Cut;
     let pierce = if mark { 0.0 } else { machine.pierce_time };
@@ -99,8 +100,8 @@ fn seconds(machine: &Profile, contour: &Contour) -> (f64, Option<ClosedRun>) {
     (pierce + machine.beam_delays() + least, run)
 }
 
-/// Leaving a contour and resuming it: the pre-cut, and the beam once more off and on. Marks and open contours are run
-/// in one go.
+/// Seconds of leaving a contour and resuming it: the pre-cut, and the beam off and on once more. `None` for marks and open
+/// contours, which are run without interruption.
 fn leave_seconds(machine: &Profile, contour: &Contour) -> Option<f64> {
     machine
         .pre_cut_time
@@ -108,7 +109,7 @@ fn leave_seconds(machine: &Profile, contour: &Contour) -> Option<f64> {
         .map(|pre_cut| pre_cut + machine.beam_delays())
 }
 
-/// The parts as groups, those in holes within those around them.
+/// The parts as groups; a part in a hole is within the part around it.
 fn parts(sheet: &Sheet) -> Groups {
     let mut of = vec![None; sheet.contours.len()];
     for (part, p) in (0..).zip(&sheet.parts) {
@@ -121,7 +122,7 @@ fn parts(sheet: &Sheet) -> Groups {
     Groups::new(of, sheet.parts.iter().map(|p| p.inside).collect())
 }
 
-/// Rank of each contour: by pin, by layer, marks before cuts, never below that of anything inside it.
+/// The rank of each contour: by pin, then by layer, then marks before cuts; never below the rank of anything inside it.
 fn ranks(sheet: &Sheet) -> Vec<u32> {
     let layers = 1 + sheet.layers.iter().map(|l| l.rank).max().unwrap_or(0);
     let mut ranks: Vec<u32> = sheet
@@ -132,7 +133,7 @@ fn ranks(sheet: &Sheet) -> Vec<u32> {
             2 * (layers * c.pin as u32 + layer) + u32::from(c.operation == Operation::Cut)
         })
         .collect();
-    // Innermost first, so that a raised rank goes on outwards.
+    // The innermost come first, so that a raised rank is passed on outwards.
     let mut inwards: Vec<usize> = (0..ranks.len()).collect();
     sort_by(&mut inwards, |&c| [u64::MAX - u64::from(sheet.contours[c].depth), 0, 0]);
     for c in inwards {

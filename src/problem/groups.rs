@@ -1,19 +1,20 @@
-//! Groups: items that follow each other with nothing else in between, as far as their ranks are one. A group may hold
-//! other groups, so they form a forest: for sheets worked part by part, a part with what lies in its holes.
+//! Groups: items of one rank that are visited without any other item in between. A group may contain other groups, so that
+//! they form a forest: on sheets that are cut part by part, a part with the parts in its holes.
 //!
-//! Whether an order keeps groups together shows at its seams. The seam between two items that follow each other
-//! belongs to the smallest group that holds both (or to none). A change within a stretch keeps all groups together if
-//! the stretch is made of whole things that lie side by side in one group (or in none): the group holds both its ends,
-//! and neither the seam before it nor the one behind it lies deeper than that group, inside one of those things.
+//! The seam between two successive items belongs to the smallest group that contains both, or to none. A change within a
+//! stretch keeps all groups together if the stretch consists of whole members of one group (or of none): the group contains
+//! both ends of the stretch, and neither the seam before the stretch nor the one after it is deeper than the group, that is
+//! inside one of its members.
 
 use super::ids::ItemId;
 
-/// Which item belongs to which group; empty when nothing has to stay together.
+/// The group of each item; empty if nothing has to stay together.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Groups {
     pub(super) of: Vec<Option<u32>>,
-    /// The group around each, and how many there are around it.
+    /// The group around each group.
     pub(super) around: Vec<Option<u32>>,
+    /// The number of groups around each group.
     depth: Vec<u32>,
 }
 
@@ -21,7 +22,7 @@ impl Groups {
     /// `of`: the smallest group of each item. `around`: the group around each group.
     pub fn new(of: Vec<Option<u32>>, around: Vec<Option<u32>>) -> Self {
         let mut groups = Self { of, around, depth: Vec::new() };
-        // No chain is longer than there are groups, also where they are no forest.
+        // The limit ends every chain, even if the input is not a forest.
         let deepest = groups.around.len();
         groups.depth = (0..)
             .zip(&groups.around)
@@ -35,7 +36,7 @@ impl Groups {
         self.around.is_empty()
     }
 
-    /// How many there are.
+    /// Number of groups.
     pub fn count(&self) -> usize {
         self.around.len()
     }
@@ -45,15 +46,15 @@ impl Groups {
         self.outwards(self.of.get(item as usize).copied().flatten())
     }
 
-    /// Whether a stretch with these items at its ends may change its order as things that lie side by side in a group.
-    /// `seams`: the groups of the seams before and behind it, `None` where the rank changes.
+    /// Whether a stretch with these items at its ends may change its order as whole members of a group. `seams`: the groups
+    /// of the seams before and after it, `None` where the rank changes.
     pub fn may_change(&self, group: Option<u32>, ends: [ItemId; 2], seams: [Option<u32>; 2]) -> bool {
         let depth = |g: Option<u32>| g.map_or(0, |g| self.depth[g as usize]);
         let holds = |item: ItemId| group.is_none_or(|g| self.of(item).any(|h| h == g));
         ends.into_iter().all(holds) && seams.into_iter().all(|seam| depth(seam) <= depth(group))
     }
 
-    /// The smallest group that holds two items.
+    /// The smallest group that contains two items.
     pub fn common(&self, a: ItemId, b: ItemId) -> Option<u32> {
         let mut a = self.of.get(a as usize).copied().flatten()?;
         let mut b = self.of.get(b as usize).copied().flatten()?;
@@ -69,8 +70,8 @@ impl Groups {
         Some(a)
     }
 
-    /// Whether an order keeps every group together, in each rank by itself.
-    pub fn kept(&self, order: impl Iterator<Item = ItemId>, rank: impl Fn(ItemId) -> u32) -> bool {
+    /// Whether an order keeps every group together, within each rank.
+    pub fn are_together(&self, order: impl Iterator<Item = ItemId>, rank: impl Fn(ItemId) -> u32) -> bool {
         let mut left: Vec<Option<u32>> = vec![None; self.around.len()];
         let mut last: Option<ItemId> = None;
         for item in order {
@@ -103,14 +104,14 @@ mod tests {
         assert_eq!(groups.common(2, 3), None);
         assert_eq!(groups.common(4, 0), None);
         assert_eq!(groups.of(0).collect::<Vec<_>>(), [1, 0]);
-        let kept = |order: &[u32]| groups.kept(order.iter().copied(), |_| 0);
+        let together_in = |order: &[u32]| groups.are_together(order.iter().copied(), |_| 0);
         for together in [[0, 1, 2, 3, 4], [4, 2, 1, 0, 3], [3, 1, 0, 2, 4]] {
-            assert!(kept(&together), "{together:?}");
+            assert!(together_in(&together), "{together:?}");
         }
         for torn in [[0, 2, 1, 3, 4], [0, 1, 3, 2, 4], [2, 4, 0, 1, 3]] {
-            assert!(!kept(&torn), "{torn:?}");
+            assert!(!together_in(&torn), "{torn:?}");
         }
-        // Of another rank, a part is begun anew.
-        assert!(groups.kept([0, 3, 1, 2].into_iter(), |i| u32::from(i != 0 && i != 3)));
+        // In another rank, a part may start again.
+        assert!(groups.are_together([0, 3, 1, 2].into_iter(), |i| u32::from(i != 0 && i != 3)));
     }
 }

@@ -1,4 +1,4 @@
-//! Names of items and nodes.
+//! Numbers of items and nodes.
 
 /// Index of an item; for sheets, the contour's id.
 pub type ItemId = u32;

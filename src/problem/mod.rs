@@ -1,5 +1,5 @@
-//! What a solver sees: items, the nodes where each may be entered, the cost of travel, and what must come before
-//! what. Solvers know nothing else.
+//! The problem that a solver sees: items, the nodes where each may be entered, the cost of travel, and precedence. Solvers
+//! know neither drawings nor machine programs.
 
 mod entries;
 mod from_sheet;

@@ -1,11 +1,11 @@
 //! The problem: items (contours), nodes (entries), travel costs in seconds, precedence.
 //!
-//! An item is entered at one of its nodes and left at that node's exit: the same point for closed contours, the
-//! other end for open ones. The tour starts at home and, when `closed`, comes back.
+//! An item is entered at one of its nodes and left at that node's exit: the same point for closed contours, the other end
+//! for open ones. The tour starts at home and, if `closed`, comes back. Nodes are in the order of their items.
 //!
-//! Travel is a machine's, between places, or given by a table of costs between nodes. A table knows no home: the
-//! tour is then a closed cycle that starts at the last item. (A path between two ends is a cycle, too: give the
-//! start a way back that costs nothing.)
+//! The cost of travel is the machine's air time between points, or it is given by a table of costs between nodes. A problem
+//! with a table has no home: the tour is a closed cycle that starts at the last item. A path between two ends is such a
+//! cycle too, if the legs back to the start cost nothing.
 
 use super::groups::Groups;
 use super::ids::{ItemId, NodeId};
@@ -32,7 +32,7 @@ pub struct Node {
     pub twin: NodeId,
 }
 
-/// Something to be visited once; by default without nodes, and free to be visited at any time at no cost.
+/// Something to be visited once. By default it has no nodes, costs nothing and may be visited at any time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Item {
     /// Its nodes: a range of [`Problem::nodes`].
@@ -41,14 +41,14 @@ pub struct Item {
     pub before: Option<ItemId>,
     /// Items of a lower rank come first, all of them (order by layer; marks before cuts).
     pub rank: u32,
-    /// Seconds it costs wherever it is entered: pierce, cut.
+    /// Seconds of piercing and cutting, whatever the entry.
     pub fixed: f64,
-    /// The run along it, closed, where stopping costs time: what it costs on top by the place of entry.
+    /// The closed run along it, if stopping costs time: it prices the places of entry.
     pub run: Option<ClosedRun>,
-    /// Seconds each time it is left unfinished and resumed; `None`: it is done in one go. What may be left is closed,
-    /// with its nodes in the order of their places along it.
+    /// Seconds each time it is left unfinished and resumed; `None`: it must not be left. An item that may be left is closed,
+    /// and its nodes are in order along it.
     pub leave: Option<f64>,
-    /// A closed path along which it may be entered anywhere, not at its nodes only; its nodes lie on it.
+    /// A closed path along which it may be entered anywhere, not only at its nodes, which lie on the path.
     pub track: Option<Path>,
     /// Of a pierce group, that is contours cut as one: the path through it that each node stands for, in the order of the
     /// nodes. [`Item::fixed`] is the least of their seconds.
@@ -80,13 +80,13 @@ impl Item {
         self.is_pierce_group() || self.uneven().is_some()
     }
 
-    /// The run along it, when it takes more or less by the place of entry.
+    /// The run along it, if its seconds depend on the place of entry.
     pub fn uneven(&self) -> Option<&ClosedRun> {
         self.run.as_ref().filter(|run| !run.is_uniform())
     }
 
-    /// Seconds of leaving and resuming it, [`Item::extra`] of the place apart: what [`Item::leave`] says, and one more
-    /// stop on the way.
+    /// Seconds of leaving and resuming it, without [`Item::extra`] of the place: [`Item::leave`] and one more stop of the
+    /// head.
     pub fn resume(&self) -> f64 {
         self.leave.unwrap_or(0.0) + self.run.as_ref().map_or(0.0, ClosedRun::stop)
     }
@@ -95,23 +95,23 @@ impl Item {
 /// Items, nodes, travel, precedence.
 #[derive(Clone, Debug)]
 pub struct Problem {
-    /// What is to be visited.
+    /// The items to be visited.
     pub items: Vec<Item>,
-    /// Where.
+    /// The nodes of all items, in the order of the items.
     pub nodes: Vec<Node>,
     /// Start, mm.
     pub home: DVec2,
-    /// Comes back home.
+    /// The head comes back home.
     pub closed: bool,
     /// The machine whose air time is the cost of travel.
     pub machine: Profile,
-    /// Pairs of items, the first to be visited before the second, besides what [`Item::before`] says: an order
-    /// without circles.
+    /// Pairs of items of which the first is visited before the second, in addition to [`Item::before`]: an order without
+    /// cycles.
     pub pairs: Vec<(ItemId, ItemId)>,
-    /// Items that follow each other with nothing else in between; none of them is left unfinished.
+    /// Items that are visited without any other item in between; none of them is left unfinished.
     pub groups: Groups,
-    /// Costs of travel from node to node, when they are given: places, home and machine then mean nothing, no item
-    /// has a track, and the last item is the start of a closed tour.
+    /// Costs of travel from node to node, if they are given. Points, home and machine then mean nothing, no item has a
+    /// track, and the last item is the start of a closed tour.
     pub table: Option<Table>,
 }
 

@@ -1,4 +1,4 @@
-//! Pierce groups among the items: which contours are one item, and what comes before it.
+//! Pierce groups as items: which contours are one item, and which item it must come before.
 
 use super::ids::{ItemId, NodeId};
 use super::model::{Item, Node};
@@ -6,7 +6,7 @@ use super::sub_path::SubPath;
 use crate::machine::Profile;
 use crate::sheet::{Contour, PierceGroup, Sheet};
 
-/// The groups of a sheet that are cut as one.
+/// The pierce groups of a sheet that are cut as one, with the paths through each.
 pub(super) struct PierceGroups<'s> {
     sheet: &'s Sheet,
     groups: Vec<(&'s PierceGroup, &'s [SubPath])>,
@@ -17,8 +17,8 @@ pub(super) struct PierceGroups<'s> {
 }
 
 impl<'s> PierceGroups<'s> {
-    /// Those that a machine can cut as one, that is with pre-cuts, and through which there is a path. `paths`: those
-    /// through each group.
+    /// The groups that the machine can cut as one, which takes pre-cuts, and through which there is a path. `paths`: the
+    /// paths through each group.
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile, paths: &'s [Vec<SubPath>]) -> Self {
         let none = vec![None; sheet.contours.len()];
         let mut all = Self { sheet, groups: Vec::new(), of: none.clone(), within: none };
@@ -52,11 +52,11 @@ impl<'s> PierceGroups<'s> {
     /// The contour that a contour, or all of its group, must come before.
     pub(super) fn before(&self, contour: u32) -> Option<ItemId> {
         let up = |c: &u32| self.sheet.contours.get(*c as usize).and_then(|c| c.inside).filter(|o| o != c);
-        // Others may cut all of what lies around it.
+        // Contours around it may be skipped, because others cut all of them.
         let is_processed = |o: &u32| self.sheet.contours.get(*o as usize).is_some_and(Contour::is_processed);
         let inside = |c: u32| std::iter::successors(up(&c), up).take(self.of.len()).find(is_processed);
         let own = self.of[contour as usize];
-        // Around the group, not of it.
+        // The contour around the whole group, not one of its members.
         let mut outer = inside(contour);
         while let Some(o) = outer.filter(|&o| own.is_some() && self.of[o as usize] == own) {
             outer = inside(o);
@@ -65,12 +65,12 @@ impl<'s> PierceGroups<'s> {
         let Some((group, _)) = closed_in.and_then(|g| self.groups.get(g as usize)) else {
             return outer.map(|o| self.stands_for(o));
         };
-        // What lies around it within the group comes first.
+        // A contour around it inside the group is nearer than the group.
         let nearer = outer.filter(|o| group.inside.contains(o));
         Some(nearer.map_or(group.contours[0], |o| self.stands_for(o)))
     }
 
-    /// The item of a contour of a group: of the first one, all ways through the group; of others, nothing to be visited.
+    /// The item of a contour in a group: the first contour gets all paths through the group as nodes, the others get none.
     pub(super) fn item(&self, contour: u32, rank: u32, nodes: &mut Vec<Node>) -> Option<Item> {
         let (group, paths) = &self.groups[self.of[contour as usize]? as usize];
         let first = NodeId::try_from(nodes.len()).ok()?;
@@ -92,15 +92,15 @@ impl<'s> PierceGroups<'s> {
         })
     }
 
-    /// Brings all contours of a group to one rank, not below that of anything they close in; and what lies around to that
-    /// at least.
+    /// Raises all contours of a group to one rank, which is not below that of anything they enclose, and the contours
+    /// around the group to at least that rank.
     pub(super) fn raise(&self, ranks: &mut [u32]) {
         for (group, _) in &self.groups {
             let all = group.contours.iter().chain(&group.inside);
             let most = all.map(|&c| ranks[c as usize]).max().unwrap_or(0);
             group.contours.iter().for_each(|&c| ranks[c as usize] = most);
             let mut outer = self.before(group.contours[0]);
-            // No deeper than there are contours, whatever the nesting says.
+            // The limit ends the loop whatever the nesting says.
             for _ in 0..ranks.len() {
                 let Some(o) = outer else { break };
                 ranks[o as usize] = ranks[o as usize].max(most);

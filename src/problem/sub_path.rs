@@ -17,7 +17,7 @@ pub struct SubPath {
 }
 
 impl SubPath {
-    /// The stretches of contours it runs along, in order.
+    /// The stretches of contours that it cuts, in order.
     pub fn spans(&self) -> impl Iterator<Item = &Span> {
         self.strokes
             .iter()
@@ -25,14 +25,14 @@ impl SubPath {
     }
 }
 
-/// One thing the head does in a group.
+/// One action of the head in a group.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stroke {
     /// Moves through the air to a point, mm.
     Air(DVec2),
     /// Pierces.
     Pierce,
-    /// Cuts the beginning of a later stretch ahead of it, from where the head is.
+    /// Cuts the beginning of a later stretch in advance, from where the head is.
     PreCut {
         /// The contour it is on.
         contour: u32,

@@ -1,5 +1,5 @@
-//! The path "as drawn": items in a given order, each from its first node. What a controller without any planning does,
-//! for comparison; it may cut a part free before its holes and marks.
+//! The path "as drawn": items in a given order, each from its first node. A controller without planning does this. It is a
+//! baseline and may cut a part free before its holes and marks.
 
 use super::traits::{Solution, Stop};
 use crate::problem::{ItemId, Problem};

@@ -1,18 +1,18 @@
-//! The exact optimum of small problems, over their nodes: the oracle of the tests.
+//! The exact optimum of small problems over their nodes. The tests compare the other methods with it.
 //!
-//! Dynamic programming over sets of items (Held & Karp, 1962): for each set of items done and each node to have ended
-//! at, the least it takes to get there. Time and memory double with every item.
+//! Dynamic programming over sets of items (Held & Karp, 1962): for each set of visited items and each last node, the least
+//! cost up to there. Time and memory double with every item.
 
 use super::traits::{Solution, Stop};
 use crate::machine::AirTime;
 use crate::problem::{ItemId, NodeId, Problem};
 
-/// Items at most.
+/// Most items.
 const MOST_ITEMS: usize = 14;
-/// Numbers kept at most: 256 MB.
+/// Most numbers in memory: 256 MB.
 const MOST_NUMBERS: usize = 1 << 25;
 
-/// Why a problem is not solved exactly.
+/// Why the exact solver refuses a problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TooLarge {
@@ -24,13 +24,13 @@ pub enum TooLarge {
         /// Its nodes.
         nodes: usize,
     },
-    /// Items that may be left unfinished have more orders than sets of items tell apart.
+    /// Items may be left unfinished: sets of items do not describe such orders.
     #[error("the exact solver does not leave contours unfinished; this problem allows it")]
     Resumes,
 }
 
-/// The best order of all items and the best node of each, each item done in one go; entries do not slide off their
-/// nodes. An empty solution of infinite cost when no order is allowed.
+/// The best order of all items and the best node of each. Items are not left unfinished, and entries stay at nodes. The
+/// solution is empty and of infinite cost if no order is allowed.
 pub fn exact(problem: &Problem) -> Result<Solution, TooLarge> {
     let (items, nodes) = (problem.items.len(), problem.nodes.len());
     let free = items - usize::from(problem.start().is_some());
@@ -41,7 +41,7 @@ pub fn exact(problem: &Problem) -> Result<Solution, TooLarge> {
         return Err(TooLarge::Resumes);
     }
     let Some(start) = problem.start() else { return Ok(Sets::new(problem, free, None).solve()) };
-    // A cycle comes back to the very node it set out from: one look for each.
+    // A cycle returns to the node where it started: each node of the start is tried.
     let looks =
         problem.items[start as usize].nodes.clone().map(|n| Sets::new(problem, free, Some(n)).solve());
     Ok(looks.reduce(|a, b| if b.cost < a.cost { b } else { a }).unwrap_or_default())
@@ -52,11 +52,11 @@ struct Sets<'p> {
     air: AirTime,
     /// Items to be ordered.
     items: usize,
-    /// The node a cycle starts at; `None`: home.
+    /// The node where a cycle starts; `None`: home.
     start: Option<NodeId>,
-    /// For each item, those that must be done before it, a bit each.
+    /// By item: the items that must come before it, as bits.
     earlier: Vec<usize>,
-    /// Least cost by set done and node ended at.
+    /// Least cost by set of visited items and last node.
     least: Vec<f64>,
 }
 
@@ -89,7 +89,7 @@ impl<'p> Sets<'p> {
         }
     }
 
-    /// Whether `next` may follow `last` when `done` are done.
+    /// Whether `next` may follow `last` after the items in `done`.
     fn allowed(&self, done: usize, last: Option<ItemId>, next: ItemId) -> bool {
         if done >> next & 1 == 1 || self.earlier[next as usize] & !done != 0 {
             return false;
@@ -135,7 +135,7 @@ impl<'p> Sets<'p> {
         self.trace(all)
     }
 
-    /// The nodes of the best order, from the last back.
+    /// The solution of the best order, traced from its last node back.
     fn trace(&self, mut done: usize) -> Solution {
         let count = self.problem.nodes.len();
         let mut stops = Vec::with_capacity(self.items);

@@ -1,8 +1,8 @@
-//! The nearest-neighbour construction: from where the head is, always to the nearest entry that may come next.
+//! Nearest neighbour: from where the head is, always to the nearest entry of an item that may come next.
 //!
-//! May come next: items of the lowest rank left for which all they wait for is done. Only their nodes are in the
-//! grid, so every query looks at candidates only; together about n log n. With a table of costs there is no grid:
-//! all nodes are looked through, from the first node of the start on.
+//! An item may come next if it has the lowest rank that is left and everything it waits for is done. The grid holds only the
+//! nodes of such items, so that all queries together take about n log n steps. With a table of costs there is no grid, and
+//! all nodes are looked through, beginning at the first node of the start.
 
 use super::precedence::Precedence;
 use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
@@ -11,7 +11,7 @@ use crate::machine::AirTime;
 use crate::order::sort_by;
 use crate::problem::{ItemId, NodeId, Problem};
 
-/// Always to the nearest entry that may come next; ties go to the lower node. Feasible.
+/// The feasible tour that always goes to the nearest entry that may come next; of equally near nodes the first wins.
 pub fn greedy(problem: &Problem) -> Solution {
     let air = AirTime::new(&problem.machine);
     let mut open = Candidates::new(problem);
@@ -33,15 +33,15 @@ struct Candidates<'p> {
     /// Whether an item may come next.
     open: Vec<bool>,
     precedence: Precedence,
-    /// Items left that an item waits for.
+    /// By item: how many items it still waits for.
     waits_for: Vec<usize>,
-    /// Items by rank, the ranks still to come; the last is next.
+    /// The items of each rank that is still to come; the last rank is next.
     ranks: Vec<Vec<ItemId>>,
-    /// Rank in work, and how many of its items are left: in all, and in each group.
+    /// The current rank, and how many of its items are left in all and in each group.
     rank: u32,
     left: usize,
     left_in: Vec<usize>,
-    /// The smallest group begun and not done: no other item may come in between.
+    /// The smallest group that has begun and is not done: no item outside may come in between.
     within: Option<u32>,
 }
 
@@ -49,7 +49,7 @@ impl<'p> Candidates<'p> {
     fn new(problem: &'p Problem) -> Self {
         let precedence = Precedence::new(problem);
         let waits_for = (0..).zip(&problem.items).map(|(id, _)| precedence.before(id).len()).collect();
-        // An item without nodes cannot be visited and stands for nothing.
+        // An item without nodes is not visited.
         let start = problem.start();
         let visited = (0..).zip(&problem.items).filter(|(id, i)| !i.nodes.is_empty() && Some(*id) != start);
         let mut by_rank: Vec<ItemId> = visited.map(|(id, _)| id).collect();
@@ -78,7 +78,7 @@ impl<'p> Candidates<'p> {
         all
     }
 
-    /// Opens the next rank: those of its items that wait for nothing.
+    /// Goes on to the next rank and opens its items that wait for nothing.
     fn next_rank(&mut self) {
         let Some(items) = self.ranks.pop() else { return };
         self.left = items.len();
@@ -93,7 +93,7 @@ impl<'p> Candidates<'p> {
         }
     }
 
-    /// The nodes of an item that have a place.
+    /// The nodes of an item that are in the grid.
     fn placed(&self, item: ItemId) -> std::ops::Range<NodeId> {
         if self.problem.table().is_some() { 0..0 } else { self.problem.items[item as usize].nodes.clone() }
     }
@@ -105,7 +105,7 @@ impl<'p> Candidates<'p> {
         }
     }
 
-    /// Takes an item out, and lets in what waited for it.
+    /// Removes a visited item and opens the items that waited for it alone.
     fn done(&mut self, item: ItemId) {
         for node in self.placed(item) {
             self.grid.remove(node, self.problem.nodes[node as usize].entry);
@@ -127,13 +127,13 @@ impl<'p> Candidates<'p> {
         }
     }
 
-    /// Whether a node is in the group that is to be finished.
+    /// Whether a node is in the group that must be finished first.
     fn stays(&self, node: NodeId) -> bool {
         let item = self.problem.nodes[node as usize].item;
         self.within.is_none_or(|group| self.problem.groups.of(item).any(|g| g == group))
     }
 
-    /// The nearest of them after a node, or after home.
+    /// The nearest candidate after a node, or after home.
     fn nearest(&self, air: &AirTime, last: Option<NodeId>) -> Option<NodeId> {
         let mut best: Option<(f64, NodeId)> = None;
         if let Some(table) = self.problem.table() {
@@ -162,7 +162,7 @@ impl<'p> Candidates<'p> {
     }
 }
 
-/// [`greedy`] as a method: done as soon as it is started.
+/// [`greedy`] as a method, which is exhausted from the start.
 pub(super) struct Greedy;
 
 impl Solver for Greedy {

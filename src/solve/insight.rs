@@ -1,30 +1,30 @@
-//! What makes a method special, while it works: for live charts and tests.
+//! The inner state of a running method, for live charts and tests.
 
 use serde::Serialize;
 
-/// Numbers of a method at one time.
+/// The state of a method at one moment.
 #[derive(Clone, Debug, PartialEq, Default, Serialize)]
 pub struct Insight {
     /// Iterations or generations done.
     pub round: u64,
-    /// Values now; whoever listens draws them against the round.
+    /// Current values, to be drawn against the round.
     pub curves: Vec<Curve>,
     /// A table of numbers, such as a Q-table.
     pub grid: Option<Grid>,
-    /// The partitions of its best path, where it makes them.
+    /// The partitions of its best path, if it makes any.
     pub partitions: Option<Partitions>,
 }
 
-/// Which contours are cut between leaving a contour and coming back to it.
+/// Partitions: the contours that are cut between leaving a contour and coming back to it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Partitions {
-    /// Partition of each contour, 0 that of home; -1 for a contour without entries.
+    /// Partition of each contour: 0 for that of home, -1 for a contour without entries.
     pub of: Vec<i32>,
-    /// Where each but that of home hangs, from the first on.
+    /// Where each partition except that of home hangs, in order.
     pub parents: Vec<Parent>,
 }
 
-/// A place where a contour is left for a partition and resumed.
+/// The place where a contour is left for a partition and resumed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Parent {
     /// The contour.
@@ -33,26 +33,26 @@ pub struct Parent {
     pub at: [f64; 2],
 }
 
-/// A value with its name.
+/// A named value.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Curve {
-    /// For people, with its symbol in the paper.
+    /// Name for people, with the symbol of the paper.
     pub name: &'static str,
-    /// Its value now.
+    /// Current value.
     pub value: f64,
 }
 
-/// Numbers by row and column.
+/// A named table of numbers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Grid {
-    /// For people.
+    /// Name for people.
     pub name: &'static str,
-    /// Names of its rows.
+    /// Names of the rows.
     pub rows: Vec<&'static str>,
-    /// Names of its columns.
+    /// Names of the columns.
     pub columns: Vec<&'static str>,
-    /// Row by row.
+    /// Values, row by row.
     pub values: Vec<f64>,
-    /// The one last used.
+    /// Index of the value that was used last.
     pub at: Option<usize>,
 }

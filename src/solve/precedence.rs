@@ -1,20 +1,20 @@
-//! Which items come before which: lists in both directions, of the pairs that the problem names and no others.
+//! Precedence between items: lists in both directions of the pairs that the problem names, without their transitive closure.
 //!
-//! The pairs themselves are enough for every test, though precedence is transitive: two neighbouring stretches of a
-//! feasible tour may change places if no pair has its first item in one and its second in the other. For let a be
-//! in the first stretch, b in the second, and a before b only by way of c: c lies between them, so in one of the
-//! two stretches, and one of the pairs (a, c) and (c, b), or one between them again, goes across.
+//! The named pairs are enough, although precedence is transitive: two neighbouring stretches of a feasible tour may change
+//! places if no pair has its first item in one stretch and its second in the other. Proof: let a be in the first stretch, b
+//! in the second, and a before b only through c. Then c is between them, so in one of the two stretches, and one of the
+//! pairs (a, c) and (c, b) crosses from one stretch to the other, or again has an item between that does.
 
 use crate::problem::{ItemId, Problem};
 
-/// Items by item.
+/// A list of items for each item, all in one array.
 struct Lists {
     first: Vec<u32>,
     all: Vec<ItemId>,
 }
 
 impl Lists {
-    /// The second of each pair, by the first; in the order of the pairs.
+    /// The second items of the pairs by their first item, in the order of the pairs.
     fn new(items: usize, pairs: &[(ItemId, ItemId)]) -> Self {
         let mut first = vec![0; items + 1];
         for (key, _) in pairs {
@@ -42,21 +42,22 @@ impl Lists {
 pub(super) struct Precedence {
     before: Lists,
     after: Lists,
-    /// The one item that waits for an item; [`NONE`] for none, [`SEVERAL`] for more. Nearly all questions end here.
+    /// The only item that waits for an item; [`NONE`] if there is none, [`SEVERAL`] if there are more. Nearly all queries
+    /// are answered here.
     sole: Vec<ItemId>,
-    /// Some item waits for another.
+    /// Whether any item waits for another.
     pub(super) any: bool,
-    /// Items wait for what lies inside them, and for nothing else.
+    /// Whether precedence comes from containment alone, not from given pairs.
     pub(super) nested_only: bool,
 }
 
-/// No item waits.
+/// No item waits for this one.
 const NONE: ItemId = ItemId::MAX;
-/// More than one item waits.
+/// More than one item waits for this one.
 const SEVERAL: ItemId = NONE - 1;
 
 impl Precedence {
-    /// Of a problem's items, and home. The start of a cycle is before everything as it is.
+    /// The precedence of a problem's items and home. Pairs with the start of a cycle are left out, because it comes first anyway.
     pub(super) fn new(problem: &Problem) -> Self {
         let nested = (0..).zip(&problem.items).filter_map(|(i, item)| Some((i, item.before?)));
         let items = problem.items.len() + 1;

@@ -1,4 +1,4 @@
-//! A problem with the search that works on it.
+//! A problem together with the search that works on it.
 
 use super::Search;
 use crate::problem::Problem;

@@ -1,8 +1,8 @@
-//! The cheap bound: the tour as a tree with one leg more, over items, by the least seconds between them.
+//! The cheap bound: a minimum tree over the items with one more leg, priced by the least seconds between items.
 //!
-//! Held & Karp's ascent (1970): each item charges the legs that end at it, so that the least tree with home tied in
-//! twice comes to end two legs at each. Over the pairs at hand first; from time to time over all pairs there could be,
-//! which alone says what is proven, and what pairs were missing.
+//! This is Held & Karp's ascent (1970): each item charges the legs that end at it, until the minimum tree with two legs of
+//! home has nearly two legs at each item. The steps use the pairs with known prices. From time to time a tree over all pairs
+//! shows what is proven and which pairs are missing.
 
 use super::net::{Item, homes, items};
 use super::pairs::{Pairs, Scan};
@@ -10,13 +10,13 @@ use super::prices::Prices;
 use super::tree::{Whole, home_legs, over_pairs};
 use crate::problem::Problem;
 
-/// Steps between two looks at all pairs.
+/// Steps between two trees over all pairs: more gain little, because the step length shrinks.
 const STEPS: usize = 120;
-/// Looks at all pairs: the first sees that all items hang together, after the fourth little more is gained.
+/// Trees over all pairs: the first shows that all items are connected, and after the fourth little is gained.
 const LOOKS: usize = 4;
-/// First step of a charge, as a share of the average leg.
+/// First step of a charge, as a share of the average leg: longer overshoots, shorter takes more steps.
 const STRIDE: f64 = 0.1;
-/// Factor by which a step shrinks: to a fiftieth over the steps of a look, which no longer matters.
+/// Factor by which a step shrinks: over [`STEPS`] to a fiftieth, which no longer matters.
 const SHRINK: f64 = 0.968;
 /// Share of the last direction that is kept in the next (Volgenant & Jonker, 1982).
 const KEEP: f64 = 0.7;
@@ -30,7 +30,7 @@ enum Task {
     Nothing,
 }
 
-/// The cheap bound under way.
+/// The computation of the cheap bound.
 #[derive(Debug)]
 pub(super) struct Cheap {
     items: Vec<Item>,
@@ -39,7 +39,7 @@ pub(super) struct Cheap {
     pairs: Pairs,
     /// Contours may be left and resumed: charges must not be rebates, see [`super`].
     resumes: bool,
-    /// No other item is nearer to each, s.
+    /// Least seconds from each item to any other.
     nearest: Vec<f64>,
     task: Task,
     pay: Vec<f64>,
@@ -79,7 +79,7 @@ impl Cheap {
         self.best
     }
 
-    /// One piece of work; returns how large it was, 0 when there is nothing left to do.
+    /// Does one piece of work and returns its size; 0 if nothing is left to do.
     pub(super) fn once(&mut self) -> u64 {
         let task = std::mem::replace(&mut self.task, Task::Nothing);
         let (task, work) = match task {
@@ -111,7 +111,7 @@ impl Cheap {
             Task::Whole(mut whole) => {
                 let costs = self.costs(&self.best_pay);
                 let mut work = costs.len() as u64;
-                // Some rows at a time: their costs are the same for all.
+                // Many rows at a time, because they share the costs.
                 for _ in 0..64 {
                     work += 4 * self.items.len() as u64;
                     if whole.row(&self.items, &self.prices, &self.pairs, &costs, &self.best_pay) {
@@ -164,7 +164,7 @@ impl Cheap {
         self.stride *= SHRINK;
     }
 
-    /// What the tree over all pairs proves; what comes next.
+    /// Takes over what the tree over all pairs proves; returns the next task.
     fn prove(&mut self, whole: &Whole, costs: &[f64]) -> Task {
         let home = home_legs(&self.pairs, self.first, costs, self.resumes);
         let charges: f64 = self.best_pay.iter().sum();

@@ -1,16 +1,15 @@
-//! Seconds between two pieces from below, by straight lines.
+//! Linear lower bounds of the seconds between two pieces.
 //!
-//! Air time f is a function of the displacement x between two places. On the displacements that occur between two
-//! pieces it lies above a0 + e . x for suitable a0 and e:
+//! Air time f is a function of the displacement x between two points. On the displacements that occur between two pieces it
+//! is at least a0 + e . x for suitable a0 and e:
 //! * by distance (`vector`): seconds over a distance are concave, so on an interval of distances they lie above their
 //!   chord, and a distance |x| is at least u . x for any unit vector u;
 //! * by axis: the slower axis alone is no more than all of it, and |x| >= +-x. A straight move takes at least as long
 //!   as the same move with each axis on its own.
 //!
-//! A sum of such a bound and of multipliers that run evenly along both pieces is itself straight in both places, so
-//! that it is least at ends of pieces: knots. So the continuous problem has a table of numbers between knots like any
-//! other, each the least of a0 + e . x over the pieces that meet there. What is lost shrinks with the square of the
-//! piece lengths.
+//! The sum of such a bound and of charges that change linearly along both pieces is linear in both points, so that its
+//! minimum is at ends of pieces: the knots. So the continuous problem has a table of numbers between knots, each the minimum
+//! of a0 + e . x over the pieces that meet there. The loss shrinks with the square of the lengths of the pieces.
 
 use super::net::Piece;
 use crate::geometry::DVec2;
@@ -32,8 +31,8 @@ impl Minorant {
         &self.air
     }
 
-    /// Lower bounds of the seconds from the ends of `p` to the ends of `q`, `[p end][q end]`, such that what lies
-    /// between is at least what lies straight between them.
+    /// Lower bounds of the seconds from the ends of `p` to the ends of `q`, as `[p end][q end]`, such that the seconds
+    /// between inner points are at least the linear interpolation of these numbers.
     pub(super) fn corners(&self, p: &Piece, q: &Piece) -> [[f64; 2]; 2] {
         let exact = [0, 1].map(|i| [0, 1].map(|j| self.air.seconds(p.ends[i], q.ends[j])));
         if p.knots[0] == p.knots[1] && q.knots[0] == q.knots[1] && p.off + q.off <= 0.0 {
@@ -71,7 +70,7 @@ impl Minorant {
         best
     }
 
-    /// The chord of the seconds over a distance along an axis between two distances: its value at 0, its slope.
+    /// The chord of the seconds over the distance along an axis, between two distances: its value at 0 and its slope.
     fn chord(&self, axis: DVec2, near: f64, far: f64) -> (f64, f64) {
         let (low, high) =
             (self.air.seconds(DVec2::ZERO, axis * near), self.air.seconds(DVec2::ZERO, axis * far));
@@ -80,7 +79,7 @@ impl Minorant {
     }
 }
 
-/// The most that is lost at a corner.
+/// The largest loss at a corner.
 fn loss(exact: &[[f64; 2]; 2], values: &[[f64; 2]; 2]) -> f64 {
     exact.iter().flatten().zip(values.iter().flatten()).map(|(e, v)| e - v).fold(0.0, f64::max)
 }

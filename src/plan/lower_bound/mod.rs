@@ -1,53 +1,52 @@
-//! A number of seconds that no plan can be under, found while the search runs.
+//! A lower bound of the seconds of every plan, computed while the search runs.
 //!
-//! # Strong: walks
+//! # The strong bound: walks
 //!
-//! A **walk** sets out from home, makes as many stops as there are items, and ends at home (or anywhere, when the path
-//! is open), but may stop at an item again and leave another out. Every tour is a walk, so the least walk costs no more
-//! than the best tour. Charge each item `pi` for every stop and give all charges back once: for a tour nothing changes,
-//! so for **any** charges
+//! A **walk** starts at home, makes as many stops as there are items, and ends at home (or anywhere, if the path is open),
+//! but it may stop at an item again and skip another. Every tour is a walk, so that the cheapest walk costs no more than the
+//! best tour. Charge each item `pi` for every stop and refund each charge once: the cost of a tour does not change, so that
+//! for **any** charges
 //!
 //! > L(pi) = (least over walks of travel + charges of its stops) - (sum of all charges) <= travel of the best tour
 //!
-//! which is Lagrangian duality, and dynamic programming over (stops made, item, place) finds the least walk exactly.
-//! Charges move up where a walk stops too often and down where it does not (subgradient steps); rounding, bad steps or
-//! an early end cost strength, never truth. A walk enters and leaves an item at one and the same place, which a tree
-//! over items does not ask: on Qu & Du's 43 contours a tree proves 1,294 mm of 2,819, walks all of it.
+//! This is Lagrangian duality, and dynamic programming over (stops made, item, place) finds the cheapest walk exactly.
+//! Charges rise where a walk stops too often and fall where it does not stop (subgradient steps). Rounding, bad steps or an
+//! early end make the bound weaker, but never false. A walk enters and leaves an item at the same place, which a tree over
+//! items does not: on Qu & Du's 43 contours trees prove 1,294 mm of 2,819, walks prove all of it.
 //!
-//! Walks are kept from going round in circles by what they remember, and honour what must come before what as far as
-//! they remember it (`space.rs`); both only take away walks that are no tours. Legs between items far apart on large
-//! sheets are priced by their boxes: less than they cost.
+//! Walks carry a memory, which keeps them from going in circles and makes them respect precedence as far as they remember
+//! (`space.rs`). Both exclude only walks that are no tours. Legs between items far apart on large sheets are priced by the
+//! items' boxes, which is less than they cost.
 //!
 //! # Entries anywhere
 //!
-//! Contours are divided into pieces, and a walk's least cost is kept for their ends only, the knots. `minorant.rs`
-//! makes a table of numbers m(i, j) between knots such that the seconds from any place s to any place t are at least
-//! the mean of the m between the knots around s and t, weighted by how near each knot is along its piece. Let F be the
-//! values at knots, F' the values one stop further: F'(j) <= F(i) + m(i, j) + pi for all i and j, and so for the
-//! weighted means. By induction the mean of the F around a place is no more than the cost of any walk to that place.
-//! Pieces are halved where the least walks go; the loss shrinks with the square of their length, and only there does
-//! it matter.
+//! Contours are divided into pieces, and the least cost of a walk is computed only for the ends of pieces, the knots.
+//! `minorant.rs` makes a table of numbers m(i, j) between knots such that the seconds from any point s to any point t are at
+//! least the weighted mean of the m between the knots around s and t, where a nearer knot has more weight. Let F be the
+//! values at the knots and F' the values one stop later: F'(j) <= F(i) + m(i, j) + pi for all i and j, so this holds for the
+//! weighted means too. By induction the mean of the F around a point is at most the cost of any walk to that point. Pieces
+//! are halved where the cheapest walks go; the loss shrinks with the square of their length.
 //!
-//! # Cheap: trees
+//! # The cheap bound: trees
 //!
-//! Beyond [`STRONG`] items: a tour without home is a path over the items, so a tree; home has two legs. Each item
-//! charges the legs that end at it, two for a tour (Held & Karp, 1970). Legs are priced by the least seconds between any
-//! two places of their items. The tree is over *all* pairs (`tree.rs`), so that leaving most pairs out of the ascent
-//! costs nothing in truth.
+//! It serves problems with more than [`STRONG`] items. A tour without home is a path over the items, so it is a tree, and
+//! home has two legs. Each item charges the legs that end at it, which are two in a tour (Held & Karp, 1970). Legs are priced
+//! by the least seconds between any two places of their items. The final tree is over *all* pairs (`tree.rs`), so that the
+//! bound stays valid although the ascent leaves out most pairs.
 //!
 //! # Contours left and resumed
 //!
-//! Then a contour may be passed several times, and walks and trees of two legs an item say nothing. What holds: every
-//! item has two legs or more, all items hang together without home, and home has its two legs. With charges that are
-//! rebates (`pi <= 0`) legs beyond the second only cost more: travel = (legs at their prices with charges) - (charges
-//! times legs at each item) >= (legs at their prices with charges) - 2 (sum of charges). No rebate is more than half the
-//! way to the nearest other item, so that no leg has a price below 0, and the legs cost at least the least tree and
-//! the least two of home. Seconds for leaving and resuming come on top; leaving them out is safe.
+//! A contour that may be left can be passed several times, so that walks and trees with two legs for each item prove
+//! nothing. But every item still has at least two legs, all items are connected without home, and home has its two legs. If
+//! charges are rebates (`pi <= 0`), legs beyond the second only cost more: travel = (legs priced with charges) - (charges
+//! times legs at each item) >= (legs priced with charges) - 2 (sum of charges). No rebate exceeds half the leg to the nearest
+//! other item, so that no leg has a negative price, and the legs cost at least the minimum tree and the two cheapest legs of
+//! home. The seconds for leaving and resuming are left out, which is safe.
 //!
-//! # What the whole job takes at least
+//! # The bound of the whole job
 //!
-//! The bound of travel and what every plan pays: [`crate::problem::Item::fixed`]. What entries cost on top is never less
-//! than 0 and left out, as are groups: both would only add.
+//! It is the bound of travel plus what every plan pays: [`crate::problem::Item::fixed`]. The extra seconds of entries are
+//! never negative and left out, as are groups: both could only raise the bound.
 //!
 //! Sources: Houck, Picard, Queyranne & Vemuganti (1980) for walks; Christofides, Mingozzi & Toth (1981) for the state
 //! spaces; Baldacci, Mingozzi & Roberti (2011) for the memory, Roberti & Mingozzi (2014) for letting it grow. Entries
@@ -68,15 +67,15 @@ use crate::problem::{Item, Problem};
 use cheap::Cheap;
 use rounds::Strong;
 
-/// Most items that get the strong bound: beyond, one look at all walks takes about a second.
+/// Most items for the strong bound: with more, one pass over all walks takes about a second.
 const STRONG: usize = 220;
 
-/// A lower bound under way: of [`crate::solve::Solution::cost`], in seconds. Better with every slice of work, valid
-/// after each.
+/// A lower bound of [`crate::solve::Solution::cost`], in seconds. It is valid at any moment and rises with every slice of
+/// work.
 #[derive(Debug)]
 pub struct LowerBound {
     method: Method,
-    /// Work granted and not yet done; below 0 after a piece larger than that.
+    /// Work that is granted and not yet done; negative after a piece of work that exceeded the grant.
     left: i64,
 }
 
@@ -88,7 +87,7 @@ enum Method {
 }
 
 impl LowerBound {
-    /// Nothing is proven yet: 0.
+    /// Starts with the bound 0.
     pub fn new(problem: &Problem) -> Self {
         let count = problem.items.len() - usize::from(problem.start().is_some());
         let resumes = problem.items.iter().any(|i| i.leave.is_some());
@@ -102,8 +101,8 @@ impl LowerBound {
         Self { method, left: 0 }
     }
 
-    /// Works for about `work` more numbers looked at, some nanoseconds each. `upper` is the cost of a known solution:
-    /// the length of steps depends on it, the truth of the bound does not. Says whether more may help.
+    /// Looks at about `work` more numbers, a few nanoseconds each. `upper` is the cost of a known solution: it sets the
+    /// length of steps but does not affect the validity of the bound. Returns whether more work may help.
     pub fn improve(&mut self, work: u32, upper: f64) -> bool {
         self.left += i64::from(work);
         while self.left > 0 {
@@ -121,7 +120,7 @@ impl LowerBound {
         true
     }
 
-    /// Seconds that no solution costs less than.
+    /// The bound, s.
     pub fn value(&self) -> f64 {
         match &self.method {
             Method::Cheap(cheap) => cheap.value(),

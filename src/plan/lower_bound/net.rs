@@ -1,8 +1,8 @@
 //! The problem as the bound sees it: items with knots where legs of the tour may end.
 //!
-//! An item is left and entered at two knots: the same one for closed contours, the two ends for open ones (`paired`:
-//! knots 0 and 1 belong together, 2 and 3, and so on). Between knots lie pieces; a contour that may be entered
-//! anywhere is a ring of them, a plain node a piece of one knot. Item 0 is home.
+//! A closed contour is entered and left at the same knot, an open one at its two ends (`paired`: knots 0 and 1 belong
+//! together, 2 and 3, and so on). Between knots are pieces: a contour that may be entered anywhere is a ring of pieces, and a
+//! single node is a piece with one knot. Item 0 is home.
 
 use crate::geometry::{Aabb, DVec2, Path, Segment};
 use crate::order::{real, sort_by};
@@ -15,7 +15,7 @@ pub(super) struct Piece {
     pub(super) knots: [usize; 2],
     /// Their places, mm.
     pub(super) ends: [DVec2; 2],
-    /// No place on it is farther than this from the place of the same share of its chord, mm.
+    /// Largest distance of a point of the piece from the point at the same share of its chord, mm.
     pub(super) off: f64,
     /// The box around all of it.
     pub(super) around: Aabb,
@@ -66,7 +66,7 @@ pub(super) fn homes(problem: &Problem) -> usize {
 fn of_item(problem: &Problem, item: &problem::Item) -> Item {
     let nodes = &problem.nodes[item.nodes.start as usize..item.nodes.end as usize];
     if nodes.is_empty() {
-        // Nothing to be visited (a contour that is left out): every tour passes it at home, for nothing.
+        // A skipped contour: every tour visits it at home at no cost.
         return points(&[problem.home], false);
     }
     if let Some(path) = &item.track {
@@ -139,7 +139,7 @@ impl Item {
                 along.push(0.5 * (s + to));
             }
         }
-        // A middle beyond the start of the path comes round to its beginning.
+        // A new knot past the end of the path wraps around to its beginning.
         if let Some(&last) = along.last()
             && last >= length
         {

@@ -1,4 +1,4 @@
-//! What must come before what: containment, ranks and given pairs, all that follows from them, and the places in a tour it leaves.
+//! Precedence: the transitive closure of containment, ranks and given pairs, and the positions in a tour that it leaves.
 
 use crate::problem::Problem;
 
@@ -6,9 +6,9 @@ use crate::problem::Problem;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Order {
     count: usize,
-    /// Whether the row must come before the column; empty when nothing must.
+    /// Whether the item of the row must come before that of the column; empty if there is no precedence.
     before: Vec<bool>,
-    /// First and last place of each item in a tour, from 1.
+    /// First and last position of each item in a tour, from 1.
     pub(super) places: Vec<[usize; 2]>,
 }
 
@@ -34,7 +34,7 @@ impl Order {
             order.before.clear();
             return order;
         }
-        // What comes before something comes before all that follows it (Warshall, 1962).
+        // Transitive closure (Warshall, 1962).
         for middle in first..count {
             for a in (first..count).filter(|&a| order.before[a * count + middle]).collect::<Vec<_>>() {
                 for b in first..count {
@@ -50,12 +50,12 @@ impl Order {
         order
     }
 
-    /// Nothing must come before anything.
+    /// Whether there is no precedence.
     pub(super) fn is_free(&self) -> bool {
         self.before.is_empty()
     }
 
-    /// Whether a tour that has been to `past` may not go to `next` any more; backwards: a tour run from its end.
+    /// Whether a tour that has visited `past` must not visit `next`; `backwards`: for a tour from its end.
     pub(super) fn forbids(&self, past: usize, next: usize, backwards: bool) -> bool {
         let (a, b) = if backwards { (past, next) } else { (next, past) };
         self.before.get(a * self.count + b).is_some_and(|&x| x)

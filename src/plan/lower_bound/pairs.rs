@@ -1,14 +1,14 @@
-//! Which items the tour may lead between, and the seconds between their knots.
+//! Pairs of items with the seconds between their knots.
 //!
-//! Few items: all pairs. Many: each item with its nearest, and with every item whose box overlaps its own (nested
-//! contours), so that all other pairs are at least as far apart as their boxes. More pairs can be added later.
+//! Small problems have all pairs. In large ones each item is paired with its nearest items and with every item whose box
+//! overlaps its own (nested contours); all other pairs are at least as far apart as their boxes. Pairs can be added later.
 
 use super::net::{Item, Piece};
 use super::prices::Prices;
 use crate::geometry::{BoxIndex, DVec2};
 use crate::order::{real, sort_by};
 
-/// Most items for which every pair has a table: half a million numbers.
+/// Most items for which every pair has a table: half a million numbers. More cost memory.
 const COMPLETE: usize = 64;
 /// Nearest items that each item is paired with: missing pairs are added later, more cost memory now.
 const NEAREST: usize = 10;
@@ -37,14 +37,14 @@ impl Pairs {
         Self { of: vec![Vec::new(); items], ..Self::default() }
     }
 
-    /// Adds a pair that is not there yet, with its table or only the least of it.
+    /// Adds a new pair, with its table (`keep`) or only the minimum of it.
     pub(super) fn add(&mut self, items: &[Item], prices: &Prices, [a, b]: [usize; 2], keep: bool) {
         let table = self.tables.len();
         self.fill(items, prices, [a, b]);
         if !keep && prices.directed() {
             self.fill(items, prices, [b, a]);
         }
-        // Coarse pieces of jagged contours may have numbers below 0; no leg takes less than that.
+        // Coarse pieces of jagged contours may give negative numbers; no leg takes less than 0.
         let least = self.tables[table..].iter().fold(f64::INFINITY, |m, &s| m.min(s));
         let least = if prices.given() { least } else { least.max(0.0) };
         if !keep {
@@ -80,14 +80,14 @@ impl Pairs {
     }
 }
 
-/// The search for the pairs to begin with, an item at a time.
+/// The search for the first pairs, item by item.
 #[derive(Debug)]
 pub(super) struct Scan {
     index: BoxIndex,
     spacing: f64,
     next: usize,
     found: Vec<[usize; 2]>,
-    /// For each item: no other is nearer, s.
+    /// Least seconds from each item to any other.
     pub(super) nearest: Vec<f64>,
 }
 
@@ -95,7 +95,7 @@ impl Scan {
     pub(super) fn new(items: &[Item], first: usize) -> Self {
         let count = items.len() as f64;
         let sheet = items.iter().fold(items[0].around, |b, i| b.union(i.around)).size();
-        // Side of the square each would have to itself; along a line, its share of that.
+        // Side of the square that each item would have to itself; on a line, its share of the length.
         let spacing = (sheet.x * sheet.y / count).sqrt().max(sheet.max_element() / count);
         Self {
             index: BoxIndex::new(items.iter().map(|i| i.around)),
@@ -106,7 +106,7 @@ impl Scan {
         }
     }
 
-    /// Looks around the next item; `None` when all are done.
+    /// Looks around the next item and returns the work done; `None` when all are done.
     pub(super) fn next(&mut self, items: &[Item], first: usize, prices: &Prices) -> Option<u64> {
         let a = self.next;
         let item = items.get(a)?;
@@ -152,14 +152,14 @@ impl Scan {
     }
 }
 
-/// Seconds between two items at least, by the boxes of their pieces.
+/// A lower bound of the seconds between two items, by the boxes of their pieces.
 fn apart(prices: &Prices, a: &Item, b: &Item) -> f64 {
     let seconds =
         |p: &Piece, q: &Piece| box_seconds(prices, p.around.min, p.around.max, q.around.min, q.around.max);
     a.pieces.iter().flat_map(|p| b.pieces.iter().map(move |q| seconds(p, q))).fold(f64::INFINITY, f64::min)
 }
 
-/// Seconds between two boxes at least.
+/// A lower bound of the seconds between two boxes.
 pub(super) fn box_seconds(prices: &Prices, amin: DVec2, amax: DVec2, bmin: DVec2, bmax: DVec2) -> f64 {
     let gap = (bmin - amax).max(amin - bmax).max(DVec2::ZERO);
     prices.minorant.air().seconds(DVec2::ZERO, gap)

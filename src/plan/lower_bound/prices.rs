@@ -1,4 +1,4 @@
-//! What legs between two pieces cost at least: by the machine's air time, or as a table says.
+//! Lower bounds of the cost of legs between two pieces: by the machine's air time, or by a table.
 
 use super::minorant::Minorant;
 use super::net::Piece;
@@ -37,7 +37,7 @@ impl Prices {
         }
     }
 
-    /// Whether costs are given: boxes then say nothing.
+    /// Whether costs are given by a table: boxes then mean nothing.
     pub(super) fn given(&self) -> bool {
         self.table.is_some()
     }
@@ -47,7 +47,7 @@ impl Prices {
         self.directed
     }
 
-    /// Seconds between the ends of pieces of two items at least: see [`Minorant::corners`].
+    /// Lower bounds of the seconds between the ends of pieces of two items, see [`Minorant::corners`].
     pub(super) fn corners(&self, items: [usize; 2], p: &Piece, q: &Piece) -> [[f64; 2]; 2] {
         match &self.table {
             Some(given) => {

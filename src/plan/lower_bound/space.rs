@@ -1,9 +1,9 @@
-//! What a walk remembers: the item it is at, and which of that item's own short list it has just been to.
+//! The states of walks: the item where a walk is, and which items of that item's own list it remembers.
 //!
-//! Each item keeps a list of others (its company). A walk carries along only what is in the company of every item it
-//! has passed since (Baldacci, Mingozzi & Roberti, 2011: ng-routes): it does not go back to an item it remembers, nor
-//! to one that must come before one it remembers. With empty lists a walk may go back and forth, with complete ones it
-//! is a tour; lists grow where walks go round in circles.
+//! Each item has a list of others, its company. A walk remembers an item as long as it is in the company of every item passed
+//! since (ng-routes: Baldacci, Mingozzi & Roberti, 2011). It does not go back to an item it remembers, nor to one that must
+//! come before an item it remembers. With empty lists a walk may go back and forth; with complete lists it is a tour. Lists
+//! grow where walks go in circles.
 
 use super::order::Order;
 use super::pairs::Pairs;
@@ -13,7 +13,7 @@ use std::ops::Range;
 /// Most states times items: sorting a million legs takes some tenths of a second.
 const MOST_LEGS: usize = 1_000_000;
 
-/// An item and what is remembered of its company, a bit each.
+/// An item, and the members of its company that are remembered, as bits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct State {
     pub(super) item: usize,

@@ -1,12 +1,12 @@
-//! Least trees over all items but home: over the pairs at hand by Kruskal's method, and over all pairs there could be,
-//! row by row, by Prim's.
+//! Minimum spanning trees over all items except home: over the known pairs by Kruskal's method, and over all possible pairs by
+//! Prim's method, row by row.
 
 use super::net::Item;
 use super::pairs::{Pairs, box_seconds};
 use super::prices::Prices;
 use crate::order::{real, sort_by};
 
-/// The least tree over the pairs at hand that are not home's, or its pieces when they do not join all items.
+/// The minimum tree over the known pairs without home, or a forest if they do not connect all items.
 pub(super) fn over_pairs(pairs: &Pairs, first: usize, cost: &[f64]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..pairs.list.len()).filter(|&e| pairs.list[e].items[0] >= first).collect();
     sort_by(&mut order, |&e| [real(cost[e]), e as u64, 0]);
@@ -30,8 +30,8 @@ fn root(group: &mut [usize], mut item: usize) -> usize {
     item
 }
 
-/// The least legs of home: two to different items, one of each end of an open path; both to the same if there is only
-/// one item, or if that may be (`same`).
+/// The two cheapest legs of home, or one of each end of an open path. They go to different items unless there is only one
+/// item or `same` allows one item.
 pub(super) fn home_legs(pairs: &Pairs, first: usize, cost: &[f64], same: bool) -> Vec<usize> {
     let best = |home: usize, but: Option<usize>| {
         let legs = pairs.of[home].iter().map(|l| l.0).filter(|&e| Some(pairs.list[e].items[1]) != but);
@@ -51,19 +51,19 @@ pub(super) fn home_legs(pairs: &Pairs, first: usize, cost: &[f64], same: bool) -
     cheapest.map_or(vec![a, b], |l| l.to_vec())
 }
 
-/// Prim's method over all pairs of items but home, a row at a time: pairs at hand cost what they cost, any other at
-/// least the seconds between the boxes of its items and what each of them pays a leg.
+/// Prim's method over all pairs of items except home, row by row. A known pair has its price; any other is priced by the
+/// seconds between the boxes of its items and their charges.
 #[derive(Clone, Debug)]
 pub(super) struct Whole {
     /// Least cost of joining each item to the tree, and the item it would be joined to.
     join: Vec<(f64, usize)>,
     left: Vec<usize>,
-    /// The last row in which an item was met as a pair at hand.
+    /// The last row in which an item was in a known pair.
     seen: Vec<usize>,
     next: usize,
     /// Cost of the tree so far.
     pub(super) cost: f64,
-    /// Legs of the tree that are no pairs at hand.
+    /// Legs of the tree that are not known pairs.
     pub(super) missing: Vec<(usize, usize)>,
 }
 
@@ -79,7 +79,7 @@ impl Whole {
         }
     }
 
-    /// One row. Says whether that was the last.
+    /// Does one row; returns whether it was the last.
     pub(super) fn row(
         &mut self,
         items: &[Item],
@@ -89,7 +89,7 @@ impl Whole {
         pay: &[f64],
     ) -> bool {
         let a = self.next;
-        // Marked before the boxes are looked at: a pair at hand may cost more or less than its boxes say.
+        // Known pairs are marked first, because their prices may be above or below those of their boxes.
         for &(e, side) in &pairs.of[a] {
             let b = pairs.list[e].items[1 - side];
             self.seen[b] = a;
@@ -124,5 +124,5 @@ impl Whole {
     }
 }
 
-/// Marks an item joined by a leg that is no pair at hand.
+/// Marks an item joined by a leg that is not a known pair.
 const FAR: usize = 1 << (usize::BITS - 1);

@@ -1,7 +1,7 @@
-//! The least walk that sets out from home, makes as many stops as there are items, and ends at home.
+//! The cheapest walk that starts at home, makes as many stops as there are items, and ends at home.
 //!
-//! Values by dynamic programming: for each number of stops, state and knot the least that a walk up to there costs,
-//! with what each item charges per stop. Walks from both ends meet in the middle.
+//! Dynamic programming: for each number of stops, state and knot, the least cost of a walk up to there, with the charge of
+//! each stop. Walks from both ends meet in the middle.
 
 use super::net::Item;
 use super::order::Order;
@@ -9,22 +9,22 @@ use super::pairs::{Pairs, box_seconds};
 use super::prices::Prices;
 use super::space::{Space, remembered};
 
-/// What walks are made of.
+/// The data of the walks.
 #[derive(Clone, Debug)]
 pub(super) struct Ground {
     pub(super) items: Vec<Item>,
-    /// Items from here on are contours, those before home.
+    /// Index of the first contour; the items before it are home.
     pub(super) first: usize,
     pub(super) prices: Prices,
     pub(super) pairs: Pairs,
     pub(super) order: Order,
     /// Which items each item remembers.
     pub(super) company: Vec<Vec<usize>>,
-    /// From home on, and from the end back; the latter only where it differs.
+    /// States forwards from home, and backwards from the end if they differ.
     pub(super) spaces: Vec<Space>,
 }
 
-/// The values of all stops done so far, from one end.
+/// The values of all stops so far, from one end.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pass {
     /// A row for each number of stops, from 1.
@@ -41,7 +41,7 @@ impl Pass {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Visit {
     pub(super) item: usize,
-    /// Where it arrives.
+    /// The knot where it arrives.
     pub(super) knot: usize,
 }
 
@@ -57,7 +57,7 @@ impl Ground {
         Space::new((&self.company, self.first), &self.order, &self.pairs, [directed, backwards])
     }
 
-    /// Stops that the passes from either end have to make.
+    /// The number of stops that the passes from both ends make.
     pub(super) fn stops(&self) -> [usize; 2] {
         let forth = self.count().div_ceil(2);
         let back = self.count() + 1 - forth;
@@ -142,7 +142,7 @@ impl Ground {
         })
     }
 
-    /// The least walk over both passes: what it costs and its stops.
+    /// The cheapest walk over both passes: its cost and its stops.
     pub(super) fn meet(&self, passes: &[Pass; 2], pay: &[f64]) -> Option<(f64, Vec<Visit>)> {
         let forth = self.count().div_ceil(2);
         let back = self.count() + 1 - forth;
@@ -172,7 +172,7 @@ impl Ground {
         let mut walk = self.trace(0, &passes[0].rows[..forth], s, k, pay);
         walk.reverse();
         let rest = self.trace(other, &passes[other].rows[..back], t, l, pay);
-        // From the end back it arrives where the tour leaves.
+        // A backward walk arrives where the tour leaves.
         walk.extend(
             rest.into_iter()
                 .skip(1)
@@ -181,7 +181,7 @@ impl Ground {
         Some((value, walk))
     }
 
-    /// Whether what one walk to an item remembers goes with what the other one, from the end, does.
+    /// Whether the memories of a forward and a backward walk to an item are compatible.
     fn fit(&self, item: usize, past: u32, future: u32) -> bool {
         if past & future != 0 {
             return false;
@@ -194,7 +194,7 @@ impl Ground {
         !earlier.iter().any(|&p| later.iter().any(|&l| self.order.forbids(p, l, false)))
     }
 
-    /// The stops of the least walk to a state and knot, last first.
+    /// The stops of the cheapest walk to a state and knot, last first.
     fn trace(
         &self,
         side: usize,

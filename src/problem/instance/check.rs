@@ -1,9 +1,9 @@
-//! Whether a tour keeps what its instance asks, and how long it is: from the numbers of the file, with nothing that a
-//! solver uses.
+//! Checks a tour against its instance and computes its length, from the numbers of the file and without any code of the
+//! solvers.
 
 use super::Instance;
 
-/// What a tour does wrong, in the numbers of the file.
+/// A fault of a tour, in the node numbers of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Fault {
     /// There is no such node.

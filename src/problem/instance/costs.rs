@@ -1,5 +1,5 @@
-//! The costs between the nodes of an instance: explicit weights in any of the formats, or distances of coordinates
-//! rounded as TSPLIB has it, so that lengths are those of the literature.
+//! The costs between the nodes of an instance: explicit weights in any of the formats, or distances of coordinates with
+//! TSPLIB's rounding, so that lengths agree with the literature.
 
 use super::error::InstanceError;
 use super::file::File;
@@ -41,7 +41,7 @@ pub(super) fn span(file: &File, nodes: usize) -> Result<f64, InstanceError> {
     Ok(2.0 * (high - low) + 1.0)
 }
 
-/// Where costs come from.
+/// The source of the costs.
 enum Source<'f> {
     /// All pairs, row by row.
     Full { weights: &'f [f64], nodes: usize },

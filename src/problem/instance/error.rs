@@ -1,6 +1,6 @@
-//! What is wrong with an instance file.
+//! Errors of instance files.
 
-/// Why a file is no usable instance: one sentence, with the line where there is one.
+/// Why a file is not a usable instance: one sentence, with the line if there is one.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}{what}", line.map_or(String::new(), |l| format!("Line {l}: ")))]
 pub struct InstanceError {

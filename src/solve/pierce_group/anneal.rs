@@ -1,41 +1,43 @@
-//! Orders of larger groups: exchanges, by simulated annealing.
+//! Simulated annealing of the orders of larger groups: a move reverses a stretch of the order.
 
 use super::follow::State;
 use super::mixed::mixed;
 use super::net::{Net, Order, Step};
 
-/// Elements in all orders that are looked at to anneal one, and how many orders that may be: a few milliseconds.
+/// Elements in all orders that one annealing looks at: a few milliseconds. More improves little.
 const WORK: u64 = 200_000;
-const LEAST_TURNS: u64 = 300;
-const MOST_TURNS: u64 = 6000;
-/// Seconds that a change may cost at first, in pre-cuts.
-const WARMTH: f64 = 1.0;
+/// Fewest orders that are looked at, however long they are.
+const LEAST_STEPS: u64 = 300;
+/// Most orders that are looked at, however short they are.
+const MOST_STEPS: u64 = 6000;
+/// Temperature at the start, in pre-cuts: the most that a move may cost.
+const TEMPERATURE: f64 = 1.0;
 
-/// Evenly spread numbers, from 0 to 1: which of several ways is preferred.
-fn whim(seed: u64, k: u64) -> f64 {
+/// The k-th uniform number of a seed, in [0, 1).
+fn uniform(seed: u64, k: u64) -> f64 {
     (mixed(seed << 48 ^ k) >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// An order with stretches turned round, as long as that takes less, or a little more to begin with: simulated annealing.
-/// A stretch that comes back to its node may be turned without an air move more; others are turned at air moves.
+/// Anneals an order: a reversed stretch stays if it costs less, or a little more at first. A stretch that returns to its
+/// node is reversed without another air move; other stretches are reversed between air moves.
 pub(super) fn annealed(net: &Net, order: Order) -> Order {
     let n = order.len();
-    let turns = (WORK / n.max(1) as u64).clamp(LEAST_TURNS, MOST_TURNS);
+    let steps = (WORK / n.max(1) as u64).clamp(LEAST_STEPS, MOST_STEPS);
     let mut cost = net.cost(&order);
     let (mut best, mut now) = ((cost, order.clone()), order);
     let (mut state, mut held) = (State::new(net), net.held());
     let mut joints = Joints::default();
     joints.look(net, &now);
-    for turn in 0..turns {
-        let dice = |k: u64| whim(turn + 1, k);
-        let Some((from, to)) = joints.stretch(&dice) else { continue };
+    for step in 0..steps {
+        let draw = |k: u64| uniform(step + 1, k);
+        let Some((from, to)) = joints.stretch(&draw) else { continue };
         let reverse = |order: &mut [Step]| {
             order[from..to].reverse();
             order[from..to].iter_mut().for_each(|s| *s ^= 1);
         };
         reverse(&mut now);
-        let warmth = WARMTH * net.pre_cut() * (1.0 - turn as f64 / turns as f64);
-        let after = net.cost_within(&mut state, &now, cost + warmth * dice(3));
+        let temperature = TEMPERATURE * net.pre_cut() * (1.0 - step as f64 / steps as f64);
+        let after = net.cost_within(&mut state, &now, cost + temperature * draw(3));
         if let Some(after) = after.filter(|_| net.is_possible_from(&mut held, &now)) {
             cost = after;
             if cost < best.0 - 1e-9 {
@@ -50,18 +52,19 @@ pub(super) fn annealed(net: &Net, order: Order) -> Order {
     best.1
 }
 
-/// What follows what in an order.
+/// Where the steps of an order start, and where it has air moves.
 #[derive(Default)]
 struct Joints {
-    /// Where each step starts.
+    /// The node where each step starts.
     starts: Vec<u32>,
-    /// There is an air move before it.
+    /// Whether there is an air move before a step.
     loose: Vec<bool>,
-    /// Room for the ends of a stretch.
+    /// A buffer for the possible ends of a stretch.
     ends: Vec<usize>,
 }
 
 impl Joints {
+    /// Reads an order.
     fn look(&mut self, net: &Net, order: &[Step]) {
         self.starts.clear();
         self.starts.extend(order.iter().map(|&s| net.step(s)[0]));
@@ -71,14 +74,14 @@ impl Joints {
             .extend(order.iter().zip(self.starts.iter().skip(1)).map(|(&s, &next)| net.step(s)[1] != next));
     }
 
-    /// Steps to be turned round, both ends of the order kept.
-    fn stretch(&mut self, dice: &impl Fn(u64) -> f64) -> Option<(usize, usize)> {
+    /// Draws a stretch to be reversed; both ends of the order stay.
+    fn stretch(&mut self, draw: &impl Fn(u64) -> f64) -> Option<(usize, usize)> {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "from 0 to below the count"
         )]
-        let below = |k: u64, count: usize| (dice(k) * count as f64) as usize;
+        let below = |k: u64, count: usize| (draw(k) * count as f64) as usize;
         let Self { starts, loose, ends } = self;
         let n = starts.len();
         let one = 1 + below(0, n.checked_sub(2)?.max(1));

@@ -1,36 +1,36 @@
-//! Every order of a small group: the cheapest from each node to each other one, by dynamic programming over the
-//! elements cut so far and the last one.
+//! The cheapest order of a small group from each node to each other one, by dynamic programming over the set of elements cut
+//! so far and the last one.
 //!
-//! What is visited, what is loose and what hangs on the sheet depends on the elements alone. Where a pre-cut can still be
-//! made does not: it takes a stop of the beam at its node before anything there is loose, and there may have been one
-//! anyway. So several orders of the same elements are kept: one that takes longer is of use if it stopped at more nodes.
+//! Which nodes are visited, which are loose and what still hangs on the sheet depends on the set alone. Where a pre-cut can
+//! still be made does not: it takes a stop of the beam at its node before anything there is loose, and the order may or may
+//! not have stopped there. So several orders of one set are kept: a slower order is useful if it stopped at more nodes.
 
 use super::net::{Net, Order, Step};
 
-/// Elements of a group at most: 2^10 sets with 20 last steps each. They hang together, so there are 11 nodes at most.
+/// Most elements of a group: 2^10 sets with 20 last steps each. They are connected, so that there are at most 11 nodes.
 pub(super) const MOST: usize = 10;
 
-/// Elements, or nodes, as bits.
+/// A set of elements or of nodes, as bits.
 type Set = u32;
 
-/// An order so far.
+/// A partial order of elements.
 struct Label {
     seconds: f64,
-    /// Nodes at which the beam stopped before anything there was loose.
+    /// Nodes where the beam stopped before anything there was loose.
     ready: Set,
     last: Step,
     /// The order without its last step.
     before: Option<u32>,
 }
 
-/// What a set of elements already cut leaves.
+/// What is left after a set of elements has been cut.
 #[derive(Clone, Default)]
 struct Left {
     /// Elements that may be cut.
     may: Set,
     visited: Set,
     loose: Set,
-    /// Nodes at which something is left to be cut.
+    /// Nodes where something is left to be cut.
     open: Set,
 }
 
@@ -41,11 +41,11 @@ struct Table<'n> {
     /// By set of elements.
     left: Vec<Left>,
     labels: Vec<Label>,
-    /// By set of elements and last step: those that none of the others is better than.
+    /// By set of elements and last step: the labels that no other label dominates.
     kept: Vec<Vec<u32>>,
 }
 
-/// The cheapest order from each node to each, as [`Net::cost`] counts them.
+/// The cheapest order from each node to each other one, by [`Net::cost`].
 pub(super) fn all(net: &Net) -> Vec<Order> {
     let left: Vec<Left> = (0..1 << net.len()).map(|cut| net.left(cut)).collect();
     let kept = vec![Vec::new(); left.len() * net.steps().len()];
@@ -55,7 +55,7 @@ pub(super) fn all(net: &Net) -> Vec<Order> {
 }
 
 impl Table<'_> {
-    /// The cheapest order from a node to each.
+    /// The cheapest orders from a node to each other one.
     fn from(&mut self, start: u32) -> Vec<Order> {
         let net = self.net;
         self.labels.clear();
@@ -84,7 +84,7 @@ impl Table<'_> {
         net.nodes().filter_map(best).map(|k| self.order(k)).collect()
     }
 
-    /// Every step that may follow.
+    /// Extends a label by every step that may follow.
     fn go_on(&mut self, cut: usize, label: u32) {
         let net = self.net;
         let Label { seconds, ready, last, .. } = self.labels[label as usize];
@@ -120,16 +120,16 @@ impl Table<'_> {
         }
     }
 
-    /// Keeps an order unless there is one as good in every way; drops those it is as good as.
+    /// Keeps a label unless another dominates it, and drops the labels that it dominates.
     fn keep(&mut self, cut: usize, mut label: Label) {
         label.ready &= self.left[cut].open;
         let place = self.place(cut, label.last);
         let (labels, kept) = (&self.labels, &mut self.kept[place]);
-        let covers = |a: &Label, b: &Label| a.seconds <= b.seconds && b.ready & !a.ready == 0;
-        if kept.iter().any(|&k| covers(&labels[k as usize], &label)) {
+        let dominates = |a: &Label, b: &Label| a.seconds <= b.seconds && b.ready & !a.ready == 0;
+        if kept.iter().any(|&k| dominates(&labels[k as usize], &label)) {
             return;
         }
-        kept.retain(|&k| !covers(&label, &labels[k as usize]));
+        kept.retain(|&k| !dominates(&label, &labels[k as usize]));
         kept.extend(u32::try_from(labels.len()));
         self.labels.push(label);
     }
@@ -152,7 +152,7 @@ impl Net<'_> {
         let mut left = Left::default();
         let mut held = self.held();
         let uncut = |e: &u32| cut >> e & 1 == 0;
-        // What is left holds wherever it is.
+        // All elements that are left hold, in whatever order they are put back.
         for _ in 0..self.group.faces {
             self.elements().filter(uncut).for_each(|e| {
                 self.put_back(&mut held, 2 * e);

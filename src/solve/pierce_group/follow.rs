@@ -3,8 +3,8 @@
 use super::net::{Net, ROUNDING, Step};
 
 impl Net<'_> {
-    /// The seconds of an order beside those of cutting its elements one by one: air moves, piercings, pre-cuts, starts,
-    /// less what is saved where the beam goes on. Exact where elements are long enough to get to full speed.
+    /// The seconds of an order beyond those of cutting its elements one by one: air moves, piercings, pre-cuts and starts,
+    /// minus what is saved where the beam goes on. Exact if every element is long enough to reach full speed.
     pub(super) fn cost(&self, order: &[Step]) -> f64 {
         let mut sum = 0.0;
         self.follow(order, |at| sum += at.seconds);
@@ -14,7 +14,7 @@ impl Net<'_> {
     /// [`Net::cost`], if it is at most `limit`.
     pub(super) fn cost_within(&self, state: &mut State, order: &[Step], limit: f64) -> Option<f64> {
         state.begin(self);
-        // Nothing but gains makes it less again.
+        // Only the gains of the remaining elements can lower the sum.
         let mut left: f64 = self.most.iter().sum::<f64>() + ROUNDING;
         let mut sum = 0.0;
         for &step in order {
@@ -27,7 +27,7 @@ impl Net<'_> {
         (sum <= limit).then_some(sum)
     }
 
-    /// Follows an order: what comes before each step, and which pre-cuts it needs.
+    /// Calls `visit` with each step of an order: what comes before it, and which pre-cuts it needs.
     pub(super) fn follow(&self, order: &[Step], mut visit: impl FnMut(&At)) {
         let mut state = State::new(self);
         for &step in order {
@@ -36,16 +36,16 @@ impl Net<'_> {
     }
 }
 
-/// A step of an order in its place.
+/// A step of an order, with what it needs there.
 pub(super) struct At {
     pub(super) step: Step,
-    /// The beam goes on anew.
+    /// The beam is switched on for it.
     pub(super) begins: bool,
-    /// Nothing was cut at its start before: it is pierced.
+    /// It is pierced, because nothing was cut at its start before.
     pub(super) pierced: bool,
     /// Seconds that it adds to [`Net::cost`].
     pub(super) seconds: f64,
-    /// Pre-cuts that it needs at its start and end: how many steps were done when they were made.
+    /// The pre-cuts that it needs at its start and at its end, each as the number of steps done when it is made.
     pub(super) ahead: [Option<u32>; 2],
 }
 
@@ -54,10 +54,10 @@ pub(super) struct State {
     done: u32,
     last: Option<Step>,
     visited: Vec<bool>,
-    /// A finished contour ends here: what is cut to here later may not run into it.
+    /// By node: a part around it is finished, so that a later cut to here needs a pre-cut.
     loose: Vec<bool>,
     sides: Vec<u32>,
-    /// By node: the cheapest stop of the beam for a pre-cut, its seconds and how many steps were done.
+    /// By node: the cheapest stop of the beam for a pre-cut, as its seconds and the number of steps done.
     stops: Vec<(f64, u32)>,
 }
 
@@ -74,7 +74,7 @@ impl State {
         }
     }
 
-    /// Nothing is done any more.
+    /// Resets the state to before the first step.
     fn begin(&mut self, net: &Net) {
         (self.done, self.last) = (0, None);
         self.visited.fill(false);
@@ -83,8 +83,8 @@ impl State {
         self.stops.fill((f64::INFINITY, 0));
     }
 
-    /// The next step. A pre-cut is made where the beam stops at its node anyway, if that is before anything that ends
-    /// there is finished; otherwise a run is interrupted for it.
+    /// Does the next step. A pre-cut is made when the beam stops at its node anyway, if that is before anything there is
+    /// finished; otherwise a run is interrupted for it.
     fn next(&mut self, net: &Net, step: Step) -> At {
         let [from, to] = net.step(step);
         let head = self.last.map(|last| net.step(last)[1]);
@@ -127,7 +127,7 @@ impl State {
         At { step, begins, pierced, seconds, ahead }
     }
 
-    /// The beam could stop, or stops, at a node now.
+    /// Notes that the beam stops at a node now, or could stop there for this many seconds.
     fn may_stop(&mut self, node: u32, seconds: f64) {
         let stop = &mut self.stops[node as usize];
         if seconds < stop.0 && !self.loose[node as usize] {

@@ -1,9 +1,9 @@
-//! The element insertion heuristic: the cheapest element, in the cheapest way, at the cheapest place where it keeps the
-//! order possible, until all are in.
+//! The element insertion heuristic: inserts one element after the other, always the cheapest insertion that keeps the order
+//! possible.
 //!
-//! Dewil et al. use it for sub paths (section 4.7) and describe it in the paper before (2014a), which does not stand
-//! here: begun is with the elements at the given ends, and what an insertion adds is the change of air seconds and
-//! starts between its neighbours. That is our reading of its name.
+//! Dewil et al. use it for sub paths (section 4.7) and describe it in an earlier paper (2014a), which was not at our
+//! disposal. Our reading: the order begins with the elements at the given ends, and the cost of an insertion is the change
+//! of air seconds and starts between its neighbours.
 
 use super::net::{Net, Order, Step};
 use crate::order::{real, sort_by};
@@ -21,7 +21,7 @@ pub(super) fn order(net: &Net, from: u32, to: u32) -> Option<Order> {
         for (which, &e) in left.iter().enumerate() {
             for step in [2 * e, 2 * e + 1] {
                 let [a, b] = net.step(step);
-                // Never before the first nor behind the last, where there are two.
+                // Never before the first element, and never after the last if there are two.
                 for k in 1..order.len().max(2) {
                     let before = net.step(order[k - 1])[1];
                     let after = order.get(k).map(|&s| net.step(s)[0]);
@@ -43,10 +43,10 @@ pub(super) fn order(net: &Net, from: u32, to: u32) -> Option<Order> {
 }
 
 impl Net<'_> {
-    /// Whether an order of some elements can become one of all: those that are missing may be cut last.
+    /// Whether an order of some elements can be extended to all: the missing ones may be cut last.
     fn is_possible_so_far(&self, order: &[Step], missing: &[u32]) -> bool {
         let mut held = self.held();
-        // What is missing holds wherever it is.
+        // All missing elements hold, in whatever order they are put back.
         for _ in 0..self.group.faces {
             for &e in missing.iter().filter(|e| !order.iter().any(|s| s / 2 == **e)) {
                 self.put_back(&mut held, 2 * e);

@@ -1,6 +1,6 @@
 //! Hashing of numbers.
 
-/// A number with no likeness to those near it: splitmix64.
+/// The splitmix64 hash of a number.
 pub(super) fn mixed(k: u64) -> u64 {
     let mut z = k.wrapping_mul(0x9E37_79B9_7F4A_7C15);
     z = (z ^ z >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);

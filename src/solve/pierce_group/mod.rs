@@ -1,11 +1,11 @@
 //! The solver of pierce groups: finds the paths through a group of contours that share cuts.
 //!
-//! An item is entered at one place and left at another. For a group both are nodes of its net, and for each such pair
-//! there is one path through all its elements ([`SubPath`]): it pierces once, then cuts element by element, with air
-//! moves and pre-cuts in between (Dewil et al., section 4.7). Every path out comes with a path back, so that a route may
-//! be turned round. Large groups get few pairs, spread around them.
+//! A path enters a group at one node of its net and leaves it at another. For each such pair there is one path through all
+//! elements ([`SubPath`]): it pierces once and then cuts element by element, with air moves and pre-cuts in between (Dewil
+//! et al., 2014, section 4.7). Every path comes with a path back, so that a route may be reversed. Large groups get only a
+//! few pairs, spread around them.
 //!
-//! * [`net`]: elements, which orders of them are possible. [`follow`]: what an order costs.
+//! * [`net`]: the elements and their possible orders. [`follow`]: the cost of an order.
 //! * [`insertion`]: the element insertion heuristic of the paper. [`exact`]: every order, for small groups.
 //!   [`beam`] and [`anneal`]: ours for larger ones.
 //! * [`strokes`]: an order as what the head does, and the exact seconds of it.
@@ -24,17 +24,18 @@ use crate::order::{real, sort_by};
 use crate::problem::{GroupMethod, GroupProblems, Stroke, SubPath};
 use net::{Net, Order};
 
-/// Pairs of ends that a larger group is offered with at most: with their ways back, as many nodes as neighbour lists look at.
+/// Most pairs of ends of a larger group: with the paths back, as many nodes as neighbour lists look at.
 const PAIRS: usize = 8;
-/// Nodes tried as ends of a larger group, spread over it, and ways to each of them, as the beam search finds them.
+/// Nodes that are tried as ends of a larger group, spread over it: more take longer than they gain.
 const ENDS: usize = 6;
+/// Orders that the beam search contributes for each end.
 const WAYS: usize = 2;
-/// Ways offered where the group is all there is: other ends would do for a head that comes from elsewhere.
+/// Orders of a group that is the only item: the head comes from home, so that few ends are useful.
 const CHEAPEST: usize = 3;
 
-/// The paths through each group, in pairs of out and back; none for a group through which no path was found.
+/// The paths through each group, in pairs of forth and back; none for a group through which no path was found.
 pub fn paths(problems: &GroupProblems) -> Vec<Vec<SubPath>> {
-    // Nets solved so far, with orders for them: parts are often nested in the same way again and again.
+    // The nets solved so far with their orders: the same group often occurs many times on a sheet.
     let mut known: Vec<(Net, Vec<Order>)> = Vec::new();
     let through = |group| {
         let net = Net::new(group, problems.machine, problems.is_all);
@@ -55,7 +56,7 @@ pub fn paths(problems: &GroupProblems) -> Vec<Vec<SubPath>> {
     problems.groups.iter().map(through).collect()
 }
 
-/// A path continued to other ends, with an air move from the new entry and one to the new exit.
+/// Extends a path to other ends, by an air move from the new entry and one to the new exit.
 fn between(net: &Net, mut path: SubPath, [entry, exit]: [DVec2; 2]) -> SubPath {
     let [first, last] = path.ends;
     path.seconds += net.air.seconds(entry, first) + net.air.seconds(last, exit);
@@ -69,9 +70,9 @@ fn between(net: &Net, mut path: SubPath, [entry, exit]: [DVec2; 2]) -> SubPath {
     path
 }
 
-/// Orders between all ends of a small group, and between some of a larger one: where it is all there is, those that cost
-/// least with the air moves from and to home, all ends searched together: faster paths in less time than between ends spread
-/// over the group. Beside other items, spread ends are as good.
+/// Orders between all ends of a small group, and between some ends of a larger one. If the group is the only item, all ends
+/// are searched together with the air moves from and to home, which gives faster paths in less time. Beside other items,
+/// ends that are spread over the group are as good.
 fn orders(net: &Net) -> Vec<Order> {
     if net.len() <= exact::MOST {
         return exact::all(net);
@@ -85,8 +86,8 @@ fn orders(net: &Net) -> Vec<Order> {
     orders.into_iter().map(|order| anneal::annealed(net, order)).collect()
 }
 
-/// Ways through a group that may be of use in a route: none where another one with air moves from and to its ends takes
-/// no longer. In pairs of out and back, the cheapest first; of a small group, all there are.
+/// The paths that may be useful in a route: a path is dropped if another with air moves from and to its ends takes no
+/// longer. In pairs of forth and back, the cheapest first; for a small group all of them.
 fn best(net: &Net, orders: &[Order]) -> Vec<SubPath> {
     let all: Vec<SubPath> = orders.iter().map(|order| strokes::sub_path(net, order)).collect();
     let as_long = |way: &SubPath, [entry, exit]: [DVec2; 2]| {
@@ -100,7 +101,7 @@ fn best(net: &Net, orders: &[Order]) -> Vec<SubPath> {
         if found.iter().any(|pair| pair[0].ends == ends) {
             continue;
         }
-        // An area in the middle can be begun in, but not ended in.
+        // A path may begin at an area in the middle but not end there, so the path back may be another one.
         let back = all.iter().reduce(|a, b| if as_long(b, ends) < as_long(a, ends) { b } else { a });
         found.extend(back.map(|back| [way.clone(), between(net, back.clone(), ends)]));
     }
@@ -111,12 +112,12 @@ fn best(net: &Net, orders: &[Order]) -> Vec<SubPath> {
     found.into_iter().flatten().collect()
 }
 
-/// Ways by the insertion heuristic, in pairs of out and back, the cheapest first; none where it finds none.
+/// The paths of the insertion heuristic, in pairs of forth and back, the cheapest first; empty if it finds none.
 fn inserted(net: &Net) -> Vec<SubPath> {
     let ends = spread(net);
     let mut found: Vec<(f64, [Order; 2])> = Vec::new();
     for (i, &a) in ends.iter().enumerate() {
-        // Without an air move a path comes back to its beginning only where every node is even.
+        // Without an air move a path returns to its beginning only if every node is even.
         for &b in ends[i..].iter().filter(|&&b| a != b || net.is_even()) {
             if let (Some(out), Some(back)) = (insertion::order(net, a, b), insertion::order(net, b, a)) {
                 found.push((net.cost(&out) + net.cost(&back), [out, back]));
@@ -128,13 +129,13 @@ fn inserted(net: &Net) -> Vec<SubPath> {
     found.into_iter().flat_map(|f| f.1).map(|order| strokes::sub_path(net, &order)).collect()
 }
 
-/// Nodes to begin and end at: where an odd number of elements meets, a path has to begin or end anyway.
+/// Candidates for the ends of a path: where an odd number of elements meet, a trail must begin or end anyway.
 fn ends(net: &Net) -> Vec<u32> {
     let odd: Vec<u32> = net.nodes().filter(|&n| net.is_odd(n)).collect();
     if odd.is_empty() { net.nodes().collect() } else { odd }
 }
 
-/// Some of them, farthest first.
+/// Some of these candidates, each as far as possible from those before it.
 fn spread(net: &Net) -> Vec<u32> {
     let mut left = ends(net);
     if left.len() <= ENDS {

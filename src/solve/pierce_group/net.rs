@@ -1,41 +1,42 @@
-//! The elements of a group, which orders of them are possible, and about what an order costs.
+//! The net of a group: its elements, which orders of them are possible, and the parts of an order's cost.
 
 use crate::geometry::{DVec2, Segment};
 use crate::machine::{AirTime, Profile, process_time};
 use crate::problem::GroupProblem;
 
-/// An element and the way it is cut: twice its index, one more against its direction.
+/// An element with a direction: twice its index, plus one if it is cut against its stored direction.
 pub(super) type Step = u32;
-/// All elements of a group once.
+/// An order in which all elements of a group are cut, each once.
 pub(super) type Order = Vec<Step>;
 
-/// Nodes at most for all ways to be priced once: half a megabyte.
+/// Most nodes for which all legs are priced in advance: half a megabyte.
 const IN_ROWS: usize = 256;
 
-/// Seconds that sums may be off by, and mm that places may be.
+/// Tolerance for rounding: of sums, in seconds, and of points, in mm.
 pub(super) const ROUNDING: f64 = 1e-6;
 
-/// A group with its geometry and the machine.
+/// A group with the machine that cuts it.
 pub(super) struct Net<'s> {
     pub(super) group: &'s GroupProblem,
     pub(super) machine: &'s Profile,
     pub(super) air: AirTime,
-    /// Nothing else is cut: the head comes from home, and goes back there.
+    /// Nothing else is cut: the head comes from home and goes back there.
     pub(super) is_all: bool,
-    /// By step: the node at which it begins, and at which it ends.
+    /// By step: the nodes where it begins and ends.
     ends: Vec<[u32; 2]>,
-    /// By element: the areas beside it.
+    /// By element: the areas on its two sides.
     beside: Vec<[u32; 2]>,
-    /// Seconds from node to node, row by row; empty where nodes are too many.
+    /// Seconds from node to node, row by row; empty if there are too many nodes.
     ways: Vec<f64>,
     /// By step: what may follow without a stop of the beam, and [`Net::gain`] of that.
     pub(super) gains: Vec<Vec<(Step, f64)>>,
-    /// By element: the most that may be gained behind it.
+    /// By element: the largest gain of a step after it.
     pub(super) most: Vec<f64>,
-    /// Elements at each node.
+    /// Number of elements at each node.
     degree: Vec<u32>,
-    /// Nodes of each face, and how many elements it has.
+    /// The nodes around each area.
     pub(super) around: Vec<Vec<u32>>,
+    /// The number of elements around each area.
     pub(super) sides: Vec<u32>,
 }
 
@@ -67,8 +68,8 @@ impl<'s> Net<'s> {
         net
     }
 
-    /// Whether the same orders are possible in another group, and cost the same but for rounding: the same elements in
-    /// the same places, all of them moved by as much.
+    /// Whether another group has the same orders at the same cost, up to rounding: the same elements, all of them moved by
+    /// the same vector.
     pub(super) fn is_like(&self, other: &Net) -> bool {
         let near = |a: f64, b: f64| (a - b).abs() < ROUNDING;
         let from = |net: &Net, k: usize| net.group.nodes[k] - net.group.nodes[0];
@@ -97,23 +98,22 @@ impl<'s> Net<'s> {
         if step.is_multiple_of(2) { path.segments.clone() } else { path.reversed().segments }
     }
 
-    /// Seconds of cutting that are saved when a step follows another one without a stop of the beam in between; less than
-    /// none in a sharp corner.
+    /// Seconds of cutting that are saved when a step follows another without a stop of the beam; negative in a sharp corner.
     pub(super) fn gain(&self, step: Step, next: Step) -> f64 {
         self.gains[step as usize].iter().find(|g| g.0 == next).map_or(0.0, |g| g.1)
     }
 
-    /// How many elements there are.
+    /// Number of elements.
     pub(super) fn len(&self) -> usize {
         self.group.elements.len()
     }
 
-    /// Their numbers.
+    /// The indices of all elements.
     pub(super) fn elements(&self) -> std::ops::Range<u32> {
         0..u32::try_from(self.len()).unwrap_or(0)
     }
 
-    /// Both ways along each of them.
+    /// Both directions of each element.
     pub(super) fn steps(&self) -> std::ops::Range<Step> {
         0..2 * self.elements().end
     }
@@ -130,27 +130,27 @@ impl<'s> Net<'s> {
         self.degree[node as usize] % 2 == 1
     }
 
-    /// A path may come back to where it began without an air move.
+    /// Whether a path may return to its beginning without an air move.
     pub(super) fn is_even(&self) -> bool {
         self.nodes().all(|n| !self.is_odd(n))
     }
 
-    /// Node at which a step begins, and at which it ends.
+    /// The nodes where a step begins and ends.
     pub(super) fn step(&self, step: Step) -> [u32; 2] {
         self.ends[step as usize]
     }
 
-    /// Seconds that a stop for pre-cuts takes between a step and the next.
+    /// Seconds of a stop for pre-cuts between a step and the next.
     pub(super) fn stop(&self, step: Step, next: Step) -> f64 {
         (self.start() + self.gain(step, next)).max(0.0)
     }
 
-    /// Areas beside an element.
+    /// The areas on both sides of an element.
     pub(super) fn faces(&self, step: Step) -> [u32; 2] {
         self.beside[step as usize / 2]
     }
 
-    /// Node at which an order begins, and at which it ends.
+    /// The nodes where an order begins and ends.
     pub(super) fn ends(&self, order: &[Step]) -> [u32; 2] {
         match order {
             [first, .., last] => [self.step(*first)[0], self.step(*last)[1]],
@@ -165,13 +165,13 @@ impl<'s> Net<'s> {
         way.copied().unwrap_or_else(|| self.air.seconds(self.place(from), self.place(to)))
     }
 
-    /// Seconds between home and an end of an order, where the group is all there is; elsewhere it is not known from where
-    /// the head comes.
+    /// Seconds between home and an end of an order if the group is the only item; otherwise 0, because it is not known
+    /// where the head comes from.
     pub(super) fn leg(&self, end: DVec2) -> f64 {
         if self.is_all { self.air.seconds(self.machine.home(), end) } else { 0.0 }
     }
 
-    /// Seconds that every start of the beam takes.
+    /// Seconds of every start of the beam.
     pub(super) fn start(&self) -> f64 {
         self.machine.beam_delays()
     }
@@ -181,27 +181,27 @@ impl<'s> Net<'s> {
         self.machine.pre_cut_time.unwrap_or(0.0)
     }
 
-    /// Whether every element still hangs on the sheet when it is cut. Looked at backwards: an element put back must
-    /// part an area that hangs on the sheet by elements put back before it.
+    /// Whether every element still hangs on the sheet when it is cut. The order is checked backwards: an element that is
+    /// put back must border on an area that hangs on the sheet by the elements put back before it.
     pub(super) fn is_possible(&self, order: &[Step]) -> bool {
         self.is_possible_from(&mut self.held(), order)
     }
 
-    /// The same; `held` is room for as many areas as there are.
+    /// The same; `held` is a buffer with one entry for each area.
     pub(super) fn is_possible_from(&self, held: &mut [bool], order: &[Step]) -> bool {
         held.fill(false);
         held[0] = true;
         order.iter().rev().all(|&s| self.put_back(held, s))
     }
 
-    /// Areas that hang on the sheet when all is cut: the one around the group.
+    /// The areas that hang on the sheet when everything is cut: only the one around the group.
     pub(super) fn held(&self) -> Vec<bool> {
         let mut held = vec![false; self.sides.len()];
         held[0] = true;
         held
     }
 
-    /// Puts an element back: both its areas hang on the sheet if one of them did. Whether it did.
+    /// Puts an element back: both its areas hang on the sheet if one of them did. Returns whether one did.
     pub(super) fn put_back(&self, held: &mut [bool], step: Step) -> bool {
         let [a, b] = self.faces(step).map(|f| f as usize);
         let holds = held[a] || held[b];

@@ -1,7 +1,7 @@
-//! An order of elements as what the head does.
+//! Conversion of an order of elements to strokes of the head.
 //!
-//! Elements that follow each other without an air move are one run of the beam. Pre-cuts are made where the beam stops
-//! anyway, as long as nothing that ends there is finished; where it does not stop in time, a run is interrupted.
+//! Elements without an air move in between are one run of the beam. A pre-cut is made where the beam stops anyway, if nothing
+//! that ends there is finished yet; if the beam does not stop in time, a run is interrupted.
 
 use super::net::{Net, Step};
 use crate::geometry::{DVec2, Segment};
@@ -11,7 +11,7 @@ use crate::problem::{Span, Stroke, SubPath};
 /// The path of an order.
 pub(super) fn sub_path(net: &Net, order: &[Step]) -> SubPath {
     let mut steps = Vec::with_capacity(order.len());
-    // Pre-cuts: how many steps were done, and where.
+    // The pre-cuts, each with the number of steps done and the node.
     let mut made: Vec<(u32, u32, Stroke)> = Vec::new();
     net.follow(order, |at| {
         let [from, to] = net.step(at.step);
@@ -51,7 +51,7 @@ pub(super) fn sub_path(net: &Net, order: &[Step]) -> SubPath {
     SubPath { ends, strokes, seconds }
 }
 
-/// What is cut ahead of a step from where it begins, or back from where it ends.
+/// The pre-cut of a step, from its beginning or, backwards, from its end.
 fn pre_cut(net: &Net, step: Step, begins: bool) -> Stroke {
     let element = &net.group.elements[step as usize / 2];
     let forwards = begins == step.is_multiple_of(2);
@@ -77,7 +77,7 @@ fn span(net: &Net, step: Step) -> (Span, Vec<Segment>) {
     (Span { contour, along, until, reversed, length, elements: path.len() }, path)
 }
 
-/// All seconds of these strokes.
+/// The seconds of all strokes.
 fn seconds(net: &Net, start: DVec2, strokes: &[Stroke]) -> f64 {
     let mut head = start;
     let mut sum = 0.0;

@@ -9,7 +9,7 @@ impl Tour<'_> {
         let ranks = (2..=self.last()).all(|p| rank(p - 1) <= rank(p));
         let late = |i: u32| self.space.precedence.waits(i, |o| self.position(o) < self.position(i));
         let items = self.current().order[1..].iter().copied();
-        let together = self.space.problem.groups.kept(items, |i| self.space.rank[i as usize]);
+        let together = self.space.problem.groups.are_together(items, |i| self.space.rank[i as usize]);
         ranks && together && (self.ignores_nesting || !self.current().order.iter().any(|&i| late(i)))
     }
 

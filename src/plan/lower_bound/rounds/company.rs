@@ -1,13 +1,13 @@
-//! The company that walks begin with: which items each remembers before any round has taught more.
+//! The first company of each item: the items that walks remember before any round has extended it.
 
 use super::super::net::Item;
 use super::super::pairs::Pairs;
 use crate::order::{real, sort_by};
 
-/// Nearest items in the company of each item at first: with none, the first rounds only find that out.
+/// Nearest items in the first company of each item: with fewer, the first rounds would only find these.
 const COMPANY: usize = 4;
 
-/// The nearest few items of each.
+/// The [`COMPANY`] nearest items of each item.
 pub(super) fn nearest_company(items: &[Item], first: usize, pairs: &Pairs) -> Vec<Vec<usize>> {
     let mut company = vec![Vec::new(); items.len()];
     for (i, list) in company.iter_mut().enumerate().skip(first) {

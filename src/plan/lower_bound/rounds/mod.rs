@@ -1,5 +1,5 @@
-//! The strong bound: walks, charges that drive them to visit every item once, and rounds that sharpen both what walks
-//! remember and how finely contours are divided.
+//! The strong bound: walks, charges that drive them to visit every item once, and rounds after which walks remember more and
+//! contours are divided more finely.
 
 mod company;
 mod sharpen;
@@ -13,22 +13,22 @@ use super::walks::{Ground, Pass, Visit};
 use crate::problem::Problem;
 use company::nearest_company;
 
-/// Fewest and most looks at the charges in a round.
+/// Fewest and most steps of the charges in a round.
 const LOOKS: [usize; 2] = [8, 60];
-/// A round ends when this many looks gain less than this share of what is missing: charges need not be exact to be sharpened.
+/// A round ends when this many steps gain less than this share of the gap: charges need not be exact for the next round.
 const WORTH: (usize, f64) = (4, 0.1);
-/// Walks kept for a round to learn from: the last ones, when charges have settled.
+/// The last walks of a round that are kept: the next round learns from them.
 const KEPT: usize = 12;
-/// Looks without a better value after which steps get shorter.
+/// Steps without a better value after which steps get shorter.
 const PATIENCE: usize = 8;
-/// Factor by which steps get shorter then.
+/// Factor by which steps then get shorter.
 const SHORTER: f64 = 0.6;
-/// Share of the last direction that is kept in the next: it damps steps to and fro.
+/// Share of the last direction that is kept in the next one: it damps oscillation.
 const KEEP: f64 = 0.5;
 /// Most numbers in the rows of a pass, and most states: about 100 MB.
 const MOST_NUMBERS: usize = 12_000_000;
 
-/// What is to be done next.
+/// The next piece of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Task {
     Scan,
@@ -39,7 +39,7 @@ enum Task {
     Nothing,
 }
 
-/// The strong bound under way.
+/// The computation of the strong bound.
 #[derive(Debug)]
 pub(super) struct Strong {
     ground: Ground,
@@ -48,7 +48,7 @@ pub(super) struct Strong {
     wanted: Vec<[usize; 2]>,
     task: Task,
     passes: [Pass; 2],
-    /// What each item charges a stop, now and at the best value.
+    /// The charge of each item for a stop, now and at the best value.
     pay: Vec<f64>,
     best_pay: Vec<f64>,
     way: Vec<f64>,
@@ -108,7 +108,7 @@ impl Strong {
         self.best
     }
 
-    /// One piece of work; returns how large it was, 0 when nothing is left to do.
+    /// Does one piece of work and returns its size; 0 if nothing is left to do.
     pub(super) fn once(&mut self, upper: f64) -> u64 {
         match self.task {
             Task::Scan => {
@@ -153,7 +153,7 @@ impl Strong {
         }
     }
 
-    /// Lays out the states of the walks; as they were before, for good, when there would be too many.
+    /// Lays out the states of the walks. If there would be too many, the company of the round before is restored for good.
     fn new_spaces(&mut self) -> u64 {
         let ground = &mut self.ground;
         if ground.company.iter().all(Vec::is_empty) {
@@ -176,10 +176,10 @@ impl Strong {
         (ground.items.len() * (1 + ground.spaces.iter().map(|s| s.states.len()).sum::<usize>())) as u64
     }
 
-    /// Takes in what the passes found, and moves the charges.
+    /// Evaluates the walk that the passes found, and moves the charges.
     fn look(&mut self, upper: f64) {
         let Some((sum, walk)) = self.ground.meet(&self.passes, &self.pay) else {
-            // No walk at all: the order leaves no tour. Nothing can be said.
+            // There is no walk: precedence leaves no tour, and nothing can be proven.
             self.task = Task::Nothing;
             return;
         };
@@ -225,7 +225,7 @@ impl Strong {
                 *w = *w * KEEP + d;
                 norm += *w * *w;
             }
-            // Towards the known cost; a little beyond the bound when that is not above it.
+            // Towards the known cost, or a little beyond the bound if the cost is not above it.
             let target = upper.max(value + 1e-3 * value.abs());
             if norm > 0.0 {
                 let by = self.share * (target - value) / norm;
@@ -236,7 +236,7 @@ impl Strong {
         }
     }
 
-    /// Whether a round has given what it can.
+    /// Whether a round gains no more.
     fn settled(&mut self, upper: f64) -> bool {
         if !self.looks.is_multiple_of(WORTH.0) {
             return self.looks >= LOOKS[1];
@@ -246,7 +246,7 @@ impl Strong {
         self.looks >= LOOKS[0] && gained < WORTH.1 * (upper - self.round_best)
     }
 
-    /// Longer memory where walks went round, halved pieces where legs lost seconds.
+    /// Begins a round with more memory where walks went in circles, and halved pieces where legs lost seconds.
     fn next_round(&mut self, upper: f64) {
         self.company_before.clone_from(&self.ground.company);
         let fuller = !self.full && self.remember();

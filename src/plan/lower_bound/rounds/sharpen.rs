@@ -1,4 +1,4 @@
-//! What a round learns for the next: what walks have to remember, and which pieces of contours are halved.
+//! What a round prepares for the next: what walks must remember, and which pieces of contours are halved.
 
 use super::super::net::Item;
 use super::super::walks::{Ground, Visit};
@@ -8,12 +8,12 @@ use crate::order::sort_by;
 
 /// Largest company of an item: its states may double with each member.
 const MOST_COMPANY: usize = 16;
-/// Most stops of a circle or fault of order that is mended: everything on it has to remember.
+/// Most stops of a cycle or precedence fault that is removed: every item on it must remember more.
 const LONGEST: usize = 12;
 
 impl Strong {
-    /// Breaks the shortest faults of the walks, circles and stops out of order: what lies between the two stops
-    /// remembers both. No more in a round than there are items, as each may double the states of one.
+    /// Excludes the shortest faults of the walks, which are cycles and stops out of order: the items between the two stops
+    /// will remember both. A round adds no more members than there are items, because each may double the states of one.
     pub(super) fn remember(&mut self) -> bool {
         let order = &self.ground.order;
         let mut faults: Vec<[usize; 3]> = Vec::new();
@@ -44,13 +44,13 @@ impl Strong {
         added > 0
     }
 
-    /// Halves the pieces at knots between which legs of the walks cost less than they should.
+    /// Halves the pieces at knots whose legs in the walks are priced below their real cost.
     pub(super) fn refine(&mut self, upper: f64) -> bool {
         let ground = &self.ground;
         if !ground.items.iter().any(Item::can_halve) {
             return false;
         }
-        // What an average leg may lose without counting.
+        // The loss of a leg that does not matter.
         let little = 0.1 * (upper - self.best).max(0.0) / ground.count() as f64;
         let mut marks: Vec<Vec<bool>> = ground.items.iter().map(|i| vec![false; i.pieces.len()]).collect();
         let mut any = false;
@@ -86,7 +86,7 @@ impl Strong {
     }
 }
 
-/// What a leg between two knots costs less than it should.
+/// How far a leg between two knots is priced below its real cost, s.
 fn lost(ground: &Ground, item: usize, knot: usize, to: Visit) -> f64 {
     let pair =
         ground.pairs.of[item].iter().find(|&&(e, side)| ground.pairs.list[e].items[1 - side] == to.item);

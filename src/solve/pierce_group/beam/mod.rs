@@ -1,16 +1,16 @@
-//! Orders of larger groups: from the last element to the first, several at a time, the cheapest so far kept (beam search).
+//! Beam search for the orders of larger groups, from the last element to the first.
 //!
-//! Backwards, an element may be put back where an area beside it hangs on the sheet already, and one can always be; and it is
-//! known whether anything has come loose where it ends. What is not known is whether the beam stops at a node in time for a
-//! pre-cut: a stop is charged, and given back when a trail ends there before. (A trail is what is cut between two air
-//! moves.)
+//! The search goes backwards and puts elements back. An element may be put back if an area beside it already hangs on the
+//! sheet, so that there is always one, and it is known whether anything has come loose where it ends. It is not known whether
+//! the beam stops at a node in time for a pre-cut: a stop is charged, and refunded if a trail ends there earlier. (A trail is
+//! what is cut between two air moves.)
 //!
-//! Put back is one element, or in larger groups a run: straight on through nodes where an odd number is left, that is where
-//! a trail goes on anyway. So a line through a grid is one decision, not as many as it has elements. Orders of as many
-//! elements are compared by their seconds and those of the trails still needed: where an odd number of elements is left, a
-//! trail begins or ends.
+//! A step puts back one element or, in larger groups, a run: straight on through nodes where an odd number of elements is
+//! left, because a trail goes on there anyway. So a line through a grid is one decision. Partial orders with the same number
+//! of elements are compared by their seconds and those of the trails they still need: a trail begins or ends at every node
+//! where an odd number of elements is left.
 //!
-//! * [`state`]: what has been put back, and what that costs. [`places`]: what may be put back next.
+//! * [`state`]: what has been put back, and its cost. [`next`]: what may be put back next. [`places`]: what is at each node.
 
 mod next;
 mod places;
@@ -23,28 +23,29 @@ use rustc_hash::FxHashSet;
 use state::{State, Undo};
 use std::rc::Rc;
 
-/// Orders kept: fewer make slower paths, more make none faster.
+/// Width of the beam: a smaller one gives slower paths, a larger one takes longer and gains nothing.
 const WIDTH: usize = 16;
-/// Most elements of a group that is put back element by element: beyond, runs are put back and air moves are foreseen.
+/// Most elements of a group that is put back element by element. In larger groups runs are put back, and future trails are
+/// charged an average air move.
 const FEW: usize = 24;
-/// Orders kept for such a group.
+/// Width of the beam for such a group.
 const WIDTH_OF_FEW: usize = 64;
-/// Candidates are thinned out when there are so many times as many as are kept.
+/// Candidates are reduced to the width of the beam when there are this many times more: it bounds the memory.
 const ROOM: usize = 8;
 
-/// What may be put back next.
+/// A candidate for the next step.
 struct Next {
     score: f64,
     before: Rc<State>,
     step: Step,
-    /// By a jump from the node where the state is.
+    /// The step does not end where the state is: there is an air move between them.
     jumps: bool,
-    /// With the elements straight on.
+    /// The elements straight on are put back with it.
     runs: bool,
     key: u64,
 }
 
-/// Steps put back, with those after them.
+/// Steps that were put back, each with the index of the step after it.
 type Made = Vec<(Step, usize)>;
 
 /// A search for the orders of a group.
@@ -52,15 +53,16 @@ pub(super) struct Search<'n> {
     net: &'n Net<'n>,
     places: Places,
     is_small: bool,
-    /// Seconds of a further trail, and how many more if it is pierced.
+    /// Least seconds of a further trail.
     trail: f64,
+    /// Extra seconds if it is pierced.
     pierced: f64,
 }
 
 impl<'n> Search<'n> {
     pub(super) fn new(net: &'n Net<'n>) -> Self {
         let ready = net.machine.pierce_time.min(net.pre_cut() + net.start());
-        // The air move before a trail is as long as an average one: from 0.6 of it to the double, grids come out alike.
+        // The air move before a trail counts as an average one; factors from 0.6 to 2 give grids of the same quality.
         let count = net.nodes().count().max(1) as f64;
         let air = net.nodes().map(|n| net.way(n, 0)).sum::<f64>() / count;
         let is_small = net.len() <= FEW;
@@ -78,7 +80,7 @@ impl<'n> Search<'n> {
         let len = self.net.len();
         let width = if self.is_small { WIDTH_OF_FEW * to.len() } else { WIDTH };
         let mut made = Made::new();
-        // By how many elements have been put back.
+        // Candidates by the number of elements put back.
         let mut next: Vec<Vec<Next>> = std::iter::repeat_with(Vec::new).take(len + 1).collect();
         let mut states: Vec<State> = to.iter().map(|&n| State::new(self.net, n)).collect();
         for count in 0..=len {
@@ -102,7 +104,7 @@ impl<'n> Search<'n> {
         self.cheapest(&states, &made)
     }
 
-    /// All ways on from a state, with the elements straight on and without.
+    /// Adds all candidates after a state, with the elements straight on and without them.
     fn look_further(&self, mut state: State, width: usize, next: &mut [Vec<Next>]) {
         let before = Rc::new(state.clone());
         let (at, mut undo): (_, Vec<Undo>) = (state.at, Vec::new());
@@ -128,13 +130,13 @@ impl<'n> Search<'n> {
         });
     }
 
-    /// The element straight on, where an odd number is left and this is one of them.
+    /// The element straight on, if an odd number of elements is left here and it is one of them.
     fn goes_on(&self, state: &State) -> Option<Step> {
         let on = self.places.straight_on(state.at.after?).filter(|_| !self.is_small)?;
         (!state.left(state.at.here).is_multiple_of(2) && state.may_take(self.net, on)).then_some(on)
     }
 
-    /// The seconds of a state, and at least of the trails that are missing.
+    /// The seconds of a state and a lower estimate of those of the missing trails.
     fn score(&self, state: &State) -> f64 {
         let goes_on = !state.left(state.at.here).is_multiple_of(2);
         let counts = state.at.counts;
@@ -143,7 +145,7 @@ impl<'n> Search<'n> {
         state.at.seconds + f64::from(trails) * self.trail + f64::from(pierced) * self.pierced
     }
 
-    /// The orders that were found, the cheapest first, one for each place where they begin.
+    /// The orders that were found, the cheapest first, one for each pair of ends.
     fn cheapest(&self, states: &[State], made: &Made) -> Vec<Order> {
         let mut found: Vec<(f64, Order)> = Vec::new();
         for state in states {
@@ -163,7 +165,7 @@ impl<'n> Search<'n> {
     }
 }
 
-/// The best ways on, one of a kind.
+/// The best candidates, of which each has another set of elements or another end.
 fn best(mut next: Vec<Next>, width: usize) -> Vec<Next> {
     sort_by(&mut next, |n| [real(n.score), n.before.at.made as u64, n.step.into()]);
     let mut seen = FxHashSet::default();

@@ -1,15 +1,15 @@
-//! What may be put back next.
+//! The steps that may be put back next.
 
 use super::super::net::{Net, Step};
 use super::places::Places;
 use super::state::State;
 
-/// Nodes looked at as the end of the trail before: so many of those with one element left, and of others, the nearest;
-/// rather where an odd number of elements is left.
+/// Nodes that are tried as the end of the previous trail: the nearest with one element left, and as many others, preferably
+/// with an odd number left.
 const JUMPS: usize = 3;
 
 impl Places {
-    /// Steps that may be put back where a state is, or (`true`) after a jump.
+    /// Calls `visit` with each step that may be put back at the end of a state, or (`true`) after a jump.
     pub(super) fn steps(&self, net: &Net, state: &State, mut visit: impl FnMut(Step, bool)) {
         let open =
             |node: u32| self.arriving[node as usize].iter().copied().filter(|&s| state.may_take(net, s));

@@ -1,21 +1,21 @@
-//! What lies at each node of a group.
+//! What is at each node of a group: elements, areas, near nodes.
 
 use super::super::net::{Net, Step};
 use crate::order::{real, sort_by};
 
-/// Nearest nodes of each that are looked through first: with all of 2,000 there would be 16 MB of them.
+/// Nearest nodes of each node that are looked through first: all of 2,000 would take 16 MB.
 const NEAREST: usize = 256;
-/// Cosine of the angle up to which an element goes straight on.
+/// Cosine of the largest angle at which an element counts as straight on.
 const STRAIGHT: f64 = 0.99;
 
-/// What lies at each node.
+/// What is at each node.
 pub(super) struct Places {
     /// Steps that end there.
     pub(super) arriving: Vec<Vec<Step>>,
     areas: Vec<Vec<u32>>,
-    /// Other nodes, the nearest first.
+    /// The nearest other nodes, in order.
     pub(super) near: Vec<Vec<u32>>,
-    /// By step: the one that leads straight to it.
+    /// By step: the step that leads straight to it.
     straight: Vec<Option<Step>>,
 }
 

@@ -1,10 +1,10 @@
-//! What has been put back, and what that costs.
+//! A state of the beam search: what has been put back, and its cost.
 
 use super::super::mixed::mixed;
 use super::super::net::{Net, Step};
 use super::places::Places;
 
-/// What has been put back.
+/// A partial order, which ends the order of the whole group.
 #[derive(Clone)]
 pub(super) struct State {
     used: Vec<bool>,
@@ -24,9 +24,9 @@ pub(super) struct At {
     pub(super) after: Option<Step>,
     pub(super) counts: Counts,
     pub(super) seconds: f64,
-    /// Tells sets of elements apart.
+    /// Hash of the set of elements.
     set: u64,
-    /// Its place in the list of steps.
+    /// Index of the first step in the list of steps.
     pub(super) made: usize,
 }
 
@@ -46,7 +46,7 @@ impl Counts {
     }
 }
 
-/// What an element was put back over: [`State::at`] left out.
+/// What putting an element back has overwritten, except for [`State::at`].
 pub(super) struct Undo {
     step: Step,
     held: [bool; 2],
@@ -55,7 +55,7 @@ pub(super) struct Undo {
 }
 
 impl State {
-    /// Nothing, before an order that ends at a node.
+    /// The empty order, which ends at a node.
     pub(super) fn new(net: &Net, to: u32) -> Self {
         let mut left = vec![0_u8; net.nodes().count()];
         for step in net.steps() {
@@ -74,12 +74,12 @@ impl State {
         self.left[node as usize]
     }
 
-    /// Tells sets of elements with their ends apart.
+    /// Hash of the set of elements and the node where the state is.
     pub(super) fn key(&self) -> u64 {
         self.at.set ^ mixed(u64::from(self.at.here) << 32)
     }
 
-    /// Whether an element may be put back: one is left whose area hangs on the sheet.
+    /// Whether an element may be put back: it is left, and an area beside it hangs on the sheet.
     pub(super) fn may_take(&self, net: &Net, step: Step) -> bool {
         !self.used[step as usize / 2] && net.faces(step).iter().any(|&f| self.held[f as usize])
     }
@@ -89,7 +89,7 @@ impl State {
         places.areas(node).iter().all(|f| self.held[*f as usize])
     }
 
-    /// Puts an element back, by a jump or not.
+    /// Puts an element back; `jumps`: with an air move after it.
     pub(super) fn put_back(&mut self, net: &Net, places: &Places, step: Step, jumps: bool) -> Undo {
         let [from, to] = net.step(step);
         let here = self.at.here;
@@ -136,7 +136,7 @@ impl State {
         net.pre_cut() + if stops { 0.0 } else { net.start() }
     }
 
-    /// Takes the last element away again; [`State::at`] is the caller's to put back.
+    /// Takes the last element away again; the caller restores [`State::at`].
     pub(super) fn take_away(&mut self, net: &Net, undo: Undo) {
         let areas = net.faces(undo.step).map(|f| f as usize);
         [self.held[areas[0]], self.held[areas[1]]] = undo.held;
