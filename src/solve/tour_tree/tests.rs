@@ -76,7 +76,7 @@ fn grouped(mut problem: Problem) -> Problem {
 /// Least seconds over all allowed orders and entries.
 fn brute(problem: &Problem) -> f64 {
     fn go(p: &Problem, air: &AirTime, order: &mut Vec<u32>, head: DVec2, spent: f64, least: &mut f64) {
-        let together = p.groups.kept(order.iter().copied(), |i| p.items[i as usize].rank);
+        let together = p.groups.are_together(order.iter().copied(), |i| p.items[i as usize].rank);
         if spent >= *least || !together {
             return;
         }
