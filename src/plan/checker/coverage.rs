@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_and_repeats_are_told() {
+    fn parts_and_repeats_are_reported() {
         let whole = slot().starting_at(3.0).segments;
         let length = slot().length();
         assert!(matches!(
@@ -239,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn faults_at_large_coordinates_are_told() {
+    fn faults_at_large_coordinates_are_reported() {
         // With a radius of 26 m, rounding may reach 9 nm.
         let path = lens(DVec2::new(6e5, -3e5), DVec2::new(-310.0, 77.0), 3e-3);
         let cut = path.starting_at(100.0).segments;
