@@ -44,7 +44,9 @@ pub fn named(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
 }
 
 #[cfg(feature = "research")]
-use papers::method as published;
+fn published(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
+    papers::method(name, parameters)
+}
 
 #[cfg(not(feature = "research"))]
 fn published(name: &str, _parameters: &str) -> Result<Box<dyn Solver>, String> {

@@ -84,8 +84,7 @@ pub fn cards() -> Vec<Card> {
 /// One sentence: there is no such method, or it has no such parameter or value.
 pub fn method(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
     let Some((_, make)) = METHODS.iter().find(|(card, _)| card().info.name == name) else {
-        let ours = super::methods().iter().map(|m| m.info().name);
-        let names: Vec<_> = ours.chain(cards().into_iter().map(|c| c.info.name)).collect();
+        let names: Vec<_> = cards().into_iter().map(|c| c.info.name).collect();
         return Err(no_such("method", name, &names));
     };
     let parameters = if parameters.trim().is_empty() { "{}" } else { parameters };
@@ -106,4 +105,43 @@ fn make<M: Solver + Default + Serialize + DeserializeOwned + 'static>(
     parameters: &str,
 ) -> Result<Box<dyn Solver>, String> {
     Ok(Box::new(parameters::read::<M>(parameters)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Lpspso, cards, method, parameters};
+
+    fn refusal(name: &str, parameters: &str) -> String {
+        method(name, parameters).err().unwrap()
+    }
+
+    #[test]
+    fn a_misspelt_shared_parameter_is_refused_with_the_nearest_name() {
+        for name in ["pso", "aco-pso", "k-pso", "lpspso"] {
+            let says = "The method has no parameter \"particels\". Did you mean \"particles\"?";
+            assert_eq!(refusal(name, r#"{"particels":12}"#), says, "{name}");
+        }
+        for name in ["rlsga", "sga", "hull-pso", "ofa", "woa"] {
+            let says = "The method has no parameter \"generation\". Did you mean \"generations\"?";
+            assert_eq!(refusal(name, r#"{"generation":12}"#), says, "{name}");
+        }
+        assert_eq!(
+            refusal("woa", r#"{"settings":{}}"#),
+            "The method has no parameter \"settings\". There are: a, a_min, b, c, generations, measure, population."
+        );
+    }
+
+    #[test]
+    fn shared_parameters_are_flat_and_keep_the_defaults_of_their_method() {
+        let default = |name: &str, parameter: &str| {
+            let card = cards().into_iter().find(|c| c.info.name == name).unwrap();
+            assert!(card.parameters.as_object().unwrap().values().all(|v| !v.is_object()), "{name}");
+            card.parameters[parameter].clone()
+        };
+        assert_eq!((default("pso", "fastest"), default("lpspso", "fastest")), (0.2.into(), 0.05.into()));
+        assert_eq!((default("woa", "population"), default("sga", "crossover")), (200.into(), 0.6.into()));
+        // Giving one shared parameter leaves the others at the defaults of the method.
+        let path = parameters::read::<Lpspso>(r#"{"particles":7}"#).unwrap();
+        assert_eq!((path.settings.particles, path.settings.fastest), (7, 0.05));
+    }
 }
