@@ -1,12 +1,13 @@
 //! What callers hand over: every value is either taken or refused with one sentence that names the field.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests stop where they cannot go on")]
 
-use super::testkit::rng::Rng;
+use super::testkit::rng::{Rng, seeded};
 use kerfway::fields::{self, Field, Kind, Shape, Shaped, Value};
 use kerfway::job::{Job, JobError, LoadOptions, PlanOptions};
 use kerfway::machine::{Profile, presets};
 use kerfway::quote::Material;
 use kerfway::solve::papers;
+use rand::RngExt;
 use serde_json::{Value as Json, json};
 use std::fmt::Write as _;
 
@@ -97,7 +98,7 @@ fn for_numbers(shape: &Shape, prefix: &str, fields: &[Field], see: &mut dyn FnMu
 }
 
 #[test]
-fn numbers_that_are_none_are_refused() {
+fn values_that_are_not_numbers_are_refused() {
     for n in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 1e300] {
         let given = |name: &str| Value::Object(vec![(name.to_owned(), Value::Number(n))]);
         for name in ["seconds", "moves", "seed", "workers", "member"] {
@@ -120,7 +121,7 @@ fn numbers_that_are_none_are_refused() {
 }
 
 #[test]
-fn parameters_that_would_take_all_memory_are_refused() {
+fn parameters_that_would_use_all_memory_are_refused() {
     let says = |name, parameters| papers::method(name, parameters).err().unwrap();
     let many = says("lpspso", r#"{"particles":1000000000}"#);
     assert!(
@@ -133,7 +134,7 @@ fn parameters_that_would_take_all_memory_are_refused() {
 }
 
 #[test]
-fn what_we_write_is_taken() {
+fn written_files_are_accepted() {
     for profile in presets() {
         assert_eq!(fields::from_json::<Profile>(&serde_json::to_string(&profile).unwrap()).unwrap(), profile);
     }
@@ -149,7 +150,7 @@ fn what_we_write_is_taken() {
 }
 
 #[test]
-fn a_layer_that_the_drawing_has_not_is_a_finding_with_the_nearest_name() {
+fn an_unknown_layer_is_a_finding_with_the_nearest_name() {
     let options =
         fields::from_json::<LoadOptions>(r#"{"layers":[{"name":"CTU","operation":"mark"}]}"#).unwrap();
     let job = Job::load(square(), "square.dxf", &options).unwrap();
@@ -195,31 +196,35 @@ fn junk(rng: &mut Rng, deep: u32) -> Value {
     ];
     const TEXTS: [&str; 9] =
         ["", "mm", "cut", "co2-100w", "best", "straight", "grbl-m4", "\u{1b}[2J", "__proto__"];
-    match rng.below(if deep == 0 { 5 } else { 7 }) {
+    match rng.random_range(0..if deep == 0 { 5 } else { 7 }) {
         0 => Value::Null,
-        1 => Value::Flag(rng.below(2) == 0),
-        2 | 3 => Value::Number(NUMBERS[rng.below(NUMBERS.len())]),
-        4 => Value::Text(TEXTS[rng.below(TEXTS.len())].to_owned()),
-        5 => Value::List((0..rng.below(4)).map(|_| junk(rng, deep - 1)).collect()),
+        1 => Value::Flag(rng.random_bool(0.5)),
+        2 | 3 => Value::Number(NUMBERS[rng.random_range(0..NUMBERS.len())]),
+        4 => Value::Text(TEXTS[rng.random_range(0..TEXTS.len())].to_owned()),
+        5 => Value::List((0..rng.random_range(0..4)).map(|_| junk(rng, deep - 1)).collect()),
         _ => Value::Object(
-            (0..rng.below(4)).map(|k| (format!("{}{k}", TEXTS[rng.below(9)]), junk(rng, deep - 1))).collect(),
+            (0..rng.random_range(0..4))
+                .map(|k| (format!("{}{k}", TEXTS[rng.random_range(0..9)]), junk(rng, deep - 1)))
+                .collect(),
         ),
     }
 }
 
 /// A value that a field takes, at times spoilt.
 fn near(rng: &mut Rng, kind: &Kind) -> Value {
-    if rng.below(30) == 0 {
+    if rng.random_range(0..30) == 0 {
         return junk(rng, 3);
     }
     match kind {
-        Kind::Flag => Value::Flag(rng.below(2) == 0),
-        Kind::Text | Kind::NameOr(_) if rng.below(2) == 0 => Value::Text("co2-100w".into()),
+        Kind::Flag => Value::Flag(rng.random_bool(0.5)),
+        Kind::Text | Kind::NameOr(_) if rng.random_bool(0.5) => Value::Text("co2-100w".into()),
         Kind::Text | Kind::Parameters => Value::Text("{}".into()),
-        Kind::Choice(words) => Value::Text(words[rng.below(words.len())].to_owned()),
-        Kind::Number(r) | Kind::Whole(r) => Value::Number([r.least, r.most, r.least + 1.0][rng.below(3)]),
+        Kind::Choice(words) => Value::Text(words[rng.random_range(0..words.len())].to_owned()),
+        Kind::Number(r) | Kind::Whole(r) => {
+            Value::Number([r.least, r.most, r.least + 1.0][rng.random_range(0..3)])
+        }
         Kind::Pair(kind) => Value::List(vec![near(rng, kind), near(rng, kind)]),
-        Kind::List(kind) => Value::List((0..rng.below(3)).map(|_| near(rng, kind)).collect()),
+        Kind::List(kind) => Value::List((0..rng.random_range(0..3)).map(|_| near(rng, kind)).collect()),
         Kind::Object(fields) => object(rng, fields),
         Kind::NameOr(shape) => object(rng, shape.fields),
     }
@@ -228,8 +233,8 @@ fn near(rng: &mut Rng, kind: &Kind) -> Value {
 fn object(rng: &mut Rng, fields: &[Field]) -> Value {
     let mut given = Vec::new();
     for f in fields {
-        if f.required && rng.below(60) > 0 || rng.below(3) == 0 {
-            let name = if rng.below(60) == 0 { format!("{}s", f.name) } else { f.name.to_owned() };
+        if f.required && rng.random_range(0..60) > 0 || rng.random_range(0..3) == 0 {
+            let name = if rng.random_range(0..60) == 0 { format!("{}s", f.name) } else { f.name.to_owned() };
             given.push((name, near(rng, &f.kind)));
         }
     }
@@ -239,7 +244,7 @@ fn object(rng: &mut Rng, fields: &[Field]) -> Value {
 fn taken_or_refused<T: Shaped>(rng: &mut Rng, use_it: impl Fn(T)) -> [u32; 2] {
     let mut counts = [0; 2];
     for _ in 0..4_000 {
-        let value = if rng.below(8) == 0 { junk(rng, 4) } else { object(rng, T::SHAPE.fields) };
+        let value = if rng.random_range(0..8) == 0 { junk(rng, 4) } else { object(rng, T::SHAPE.fields) };
         match fields::read::<T>(value.clone()) {
             Ok(taken) => {
                 counts[0] += 1;
@@ -261,8 +266,8 @@ fn taken_or_refused<T: Shaped>(rng: &mut Rng, use_it: impl Fn(T)) -> [u32; 2] {
 }
 
 #[test]
-fn any_value_is_taken_or_refused_in_a_sentence() {
-    let mut rng = Rng::new(22);
+fn any_value_is_accepted_or_refused_in_a_sentence() {
+    let mut rng = seeded(22);
     let file = square();
     let loads = taken_or_refused::<LoadOptions>(&mut rng, |options| {
         let _ = Job::load(file.clone(), "square.dxf", &options)

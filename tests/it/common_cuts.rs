@@ -88,7 +88,7 @@ fn bricks_and_islands_are_groups_and_what_an_island_holds_comes_first() {
 }
 
 #[test]
-fn the_insertion_heuristic_gives_a_way_too_and_the_best_is_no_worse() {
+fn the_insertion_heuristic_gives_a_path_and_the_best_is_no_worse() {
     for outlines in [grid(2, 2), grid(4, 3), bricks(), pinwheel()] {
         let best = planned(&outlines, CommonCuts::Best).1.summary.total_time;
         let by_insertion = planned(&outlines, CommonCuts::Insertion).1.summary.total_time;
@@ -178,7 +178,7 @@ fn a_missing_pre_cut_is_found() {
 }
 
 #[test]
-fn an_element_left_out_is_found() {
+fn a_missing_element_is_found() {
     let found = after(|moves| {
         let at = moves.iter().rposition(|m| matches!(m, Move::Cut { .. })).unwrap();
         moves.remove(at);
@@ -196,7 +196,7 @@ fn g_code_covers_every_outline() {
 }
 
 #[test]
-fn a_best_path_is_taken_up_again() {
+fn a_search_continues_from_a_best_path() {
     for outlines in [grid(3, 3), pinwheel()] {
         let mut first = job(&outlines, CommonCuts::Best, None);
         first.run_mut().unwrap().step(50_000);

@@ -16,12 +16,14 @@
 
 use crate::testkit::by_hand::{ByHand, CELL, air};
 use crate::testkit::plates::{job, rectangle, thick};
+use crate::testkit::rng::seeded;
 use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
 use kerfway::machine::Profile;
 use kerfway::plan;
 use kerfway::problem::{Stroke, SubPath};
 use kerfway::sheet::CommonCuts;
+use rand::RngExt;
 
 /// Rectangles by lattice: left, bottom, width, height.
 fn parts(all: &[[i32; 4]]) -> Vec<Vec<DVec2>> {
@@ -73,8 +75,8 @@ fn small() -> Vec<(String, Vec<Vec<DVec2>>)> {
 fn random() -> Vec<(String, Vec<Vec<DVec2>>)> {
     let mut found = Vec::new();
     for seed in 0..40 {
-        let mut rng = crate::testkit::rng::Rng::new(seed);
-        let mut below = |n: i32| (rng.next() % n as u64) as i32;
+        let mut rng = seeded(seed);
+        let mut below = |n: i32| rng.random_range(0..n);
         let mut all = vec![[2, 1, 4 + below(3), 3 + below(3)]];
         for _ in 0..2 + below(3) {
             let k = below(all.len() as i32) as usize;

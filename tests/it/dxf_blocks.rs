@@ -119,7 +119,7 @@ fn missing_and_external_blocks_are_named_with_their_place() {
 }
 
 #[test]
-fn block_within_itself_is_reported_and_the_rest_read() {
+fn block_within_itself_is_reported_and_the_rest_is_read() {
     let cycle = "0 BLOCK 2 A 10 0 20 0 0 LINE 8 0 10 0 20 0 11 1 21 0 0 INSERT 8 0 2 B 10 0 20 0 0 ENDBLK 0 BLOCK 2 B 10 0 20 0 0 INSERT 8 0 2 A 10 0 20 0 0 ENDBLK";
     let drawing = blocks(cycle, "0 INSERT 8 0 2 A 10 0 20 0");
     assert_eq!(drawing.shapes.len(), 1);
@@ -229,7 +229,7 @@ fn attributes_after_an_insert_are_text() {
 }
 
 #[test]
-fn scale_of_0_is_taken_as_1_and_said() {
+fn scale_of_0_becomes_1_and_is_reported() {
     let drawing = blocks(BAR, "0 INSERT 8 0 2 BAR 10 0 20 0 41 0 42 1 43 0");
     close(length(&drawing), 2.0);
     assert!(found(&drawing, Code::InvalidGeometry).message.contains("scale"));

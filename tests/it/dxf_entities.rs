@@ -87,7 +87,7 @@ fn old_polyline_shares_its_handle_with_a_vertex_and_lacks_its_end() {
 }
 
 #[test]
-fn spatial_polyline_is_seen_from_above_and_said() {
+fn spatial_polyline_is_projected_and_reported() {
     let drawing = entities(
         "0 POLYLINE 8 0 66 1 70 8 0 VERTEX 8 0 10 0 20 0 30 0 70 32 0 VERTEX 8 0 10 3 20 4 30 12 70 32 0 SEQEND",
     );
@@ -104,7 +104,7 @@ fn meshes_are_counted_with_their_place() {
 }
 
 #[test]
-fn ellipse_is_whole_or_a_piece() {
+fn ellipse_is_complete_or_an_arc() {
     let whole = one("0 ELLIPSE 8 0 10 0 20 0 11 20 21 0 40 0.5 41 0 42 6.283185307179586");
     assert!(whole.closed);
     // Circumference of half axes 20 and 10: 4 a E(e), e^2 = 3/4.
@@ -158,7 +158,7 @@ fn closed_spline_whose_points_are_not_repeated_closes() {
 }
 
 #[test]
-fn spline_with_knots_that_do_not_fit_is_a_finding() {
+fn spline_with_the_wrong_number_of_knots_is_a_finding() {
     let drawing = entities(
         "0 SPLINE 5 B7 8 0 70 8 71 3 40 0 40 1 10 0 20 0 10 1 20 0 10 2 20 0 10 3 20 0 0 LINE 8 0 10 0 20 0 11 1 21 0",
     );
@@ -178,7 +178,7 @@ fn helix_is_read_as_its_spline() {
 }
 
 #[test]
-fn solid_corners_stand_crosswise() {
+fn solid_corners_are_stored_crosswise() {
     let drawing = entities("0 SOLID 8 0 10 0 20 0 11 4 21 0 12 0 22 3 13 4 23 3");
     let path = &drawing.shapes[0].path;
     assert!(path.closed);
@@ -259,7 +259,7 @@ fn extrusion_below_mirrors_arcs_and_bulges() {
 }
 
 #[test]
-fn tilted_circle_is_an_ellipse_and_said() {
+fn tilted_circle_is_an_ellipse_and_reported() {
     // Tilted by 60 degrees: half as high as wide.
     let drawing = entities("0 CIRCLE 8 0 10 0 20 0 40 10 210 0 220 -0.8660254037844386 230 0.5");
     let size = drawing.shapes[0].path.bounds().size();
@@ -289,7 +289,7 @@ fn entities_without_geometry_in_their_values_are_findings() {
 }
 
 #[test]
-fn a_missing_y_is_taken_as_0_and_said() {
+fn a_missing_y_is_0_and_reported() {
     let drawing = entities("0 LINE 8 0 10 3 11 7 21 0");
     assert_eq!(shapes(&drawing), [("LINE", 4.0)]);
     assert!(found(&drawing, Code::InvalidGeometry).message.contains("no y"));

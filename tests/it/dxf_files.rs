@@ -32,7 +32,7 @@ fn every_line_end_reads_the_same() {
 }
 
 #[test]
-fn blank_lines_and_comments_between_groups_are_passed_over() {
+fn blank_lines_and_comments_between_groups_are_skipped() {
     let text = file("", LINE)
         .replace("10\n0\n", "\n999\nmade by hand\n\n10\n0\n")
         .replace("8\nCUT\n", "8\nCUT\n\n\n");
@@ -69,7 +69,7 @@ fn header_sections_and_end_may_be_missing() {
 }
 
 #[test]
-fn other_sections_are_passed_over() {
+fn other_sections_are_skipped() {
     let text = lines(&format!(
         "0 SECTION 2 CLASSES 0 CLASS 1 X 0 ENDSEC 0 SECTION 2 ENTITIES {LINE} 0 ENDSEC \
          0 SECTION 2 OBJECTS 0 DICTIONARY 5 C {CIRCLE} 0 ENDSEC 0 SECTION 2 THUMBNAILIMAGE 90 5 310 0011 0 ENDSEC 0 EOF"
@@ -157,7 +157,7 @@ fn binary_with_short_and_long_group_codes() {
 }
 
 #[test]
-fn binary_finds_its_step_again_and_says_where() {
+fn binary_resynchronises_and_reports_the_position() {
     let mut file = binary(&format!("0 SECTION 2 ENTITIES {LINE} {CIRCLE} 0 ENDSEC 0 EOF"), true);
     // The code of the x of the circle becomes one that does not exist.
     let at = file.windows(7).position(|w| w == b"CIRCLE\0").unwrap();
@@ -200,7 +200,7 @@ fn units_of_the_header_scale_to_mm() {
 }
 
 #[test]
-fn units_the_size_speaks_against_are_doubtful() {
+fn units_that_do_not_fit_the_size_are_doubtful() {
     let inches = with_units("9 $INSUNITS 70 1", 400.0);
     assert_eq!((inches.units.unit, inches.units.doubtful), (Unit::In, true));
     assert!(
@@ -244,7 +244,7 @@ fn units_given_by_the_person_win() {
 }
 
 #[test]
-fn damage_is_marked_and_left_out_unless_asked_for() {
+fn damaged_entities_are_marked_and_skipped_by_default() {
     let text = file("", &format!("{LINE} {CIRCLE} 0 LINE 8 CUT 10 0 20 0 11 7 21 0"));
     // Each of these harms the circle, and nothing but the circle.
     for (from, to) in [
@@ -286,7 +286,7 @@ fn lost_step_names_the_line() {
 }
 
 #[test]
-fn lost_start_of_an_entity_harms_no_sound_one_in_silence() {
+fn a_lost_start_of_an_entity_changes_no_other_one_silently() {
     let text = file("", &format!("{LINE} {CIRCLE} 0 LINE 8 CUT 10 0 20 0 11 7 21 0"));
     // "0 CIRCLE" is lost altogether: the line runs on into the circle's groups.
     let drawing = read(&text.replacen("0\nCIRCLE\n", "", 1)).unwrap();
@@ -295,7 +295,7 @@ fn lost_start_of_an_entity_harms_no_sound_one_in_silence() {
 }
 
 #[test]
-fn merge_conflict_between_entities_harms_neither() {
+fn merge_conflict_between_entities_changes_neither() {
     let text = file("", &format!("{LINE} {CIRCLE}"));
     let broken = text.replacen("0\nCIRCLE\n", "<<<<<<< HEAD\n0\nCIRCLE\n", 1);
     let drawing = read(&broken).unwrap();
@@ -319,7 +319,7 @@ fn truncated_in_the_middle_keeps_what_came_before() {
 }
 
 #[test]
-fn other_formats_are_named_with_what_to_do() {
+fn other_formats_are_named_with_advice() {
     for (start, name) in [
         (&b"AC1032\0\0\0\0\0"[..], "DWG"),
         (b"%PDF-1.7\n", "PDF"),
@@ -350,7 +350,7 @@ fn other_formats_are_named_with_what_to_do() {
 }
 
 #[test]
-fn a_misspelt_section_is_read_and_told() {
+fn a_misspelt_section_is_read_and_reported() {
     let text =
         file("0 BLOCK 2 B 10 0 20 0 0 LINE 8 0 10 0 20 0 11 300 21 400 0 ENDBLK", "0 INSERT 2 B 10 0 20 0");
     let sound = read(&text).unwrap();

@@ -60,7 +60,7 @@ fn told(findings: &[Finding]) -> Vec<(Code, &str)> {
 }
 
 #[test]
-fn leaving_a_contour_out_equals_a_drawing_without_it() {
+fn skipping_a_contour_equals_a_drawing_without_it() {
     let all = entities();
     for out in 0..all.len() {
         let mut others = all.clone();
@@ -94,7 +94,7 @@ fn leaving_a_contour_out_equals_a_drawing_without_it() {
 }
 
 #[test]
-fn what_is_left_out_keeps_its_place_and_is_shown_but_not_cut() {
+fn a_skipped_contour_keeps_its_id_and_is_shown_but_not_cut() {
     let (job, plan) = planned(job(&entities(), &[RING, LINE]));
     let sheet = job.sheet();
     assert_eq!(sheet.contours[RING as usize].operation, Operation::Ignore);
@@ -121,7 +121,7 @@ fn what_is_left_out_keeps_its_place_and_is_shown_but_not_cut() {
 }
 
 #[test]
-fn a_crossing_goes_with_either_of_the_two() {
+fn a_crossing_ends_when_either_contour_is_removed() {
     let crosses =
         |exclude: &[u32]| job(&entities(), exclude).sheet().findings.iter().any(|f| f.code == Code::Crossing);
     assert!(crosses(&[]));
@@ -129,7 +129,7 @@ fn a_crossing_goes_with_either_of_the_two() {
 }
 
 #[test]
-fn a_side_shared_with_a_contour_left_out_is_cut_with_the_other() {
+fn a_side_shared_with_a_skipped_contour_is_cut_with_the_other() {
     let whole = |exclude: &[u32]| {
         let job = job(&entities(), exclude);
         TOUCHING
@@ -142,7 +142,7 @@ fn a_side_shared_with_a_contour_left_out_is_cut_with_the_other() {
 }
 
 #[test]
-fn what_is_not_there_or_leaves_nothing_is_refused_in_a_sentence() {
+fn skipping_unknown_or_all_contours_is_refused_in_a_sentence() {
     let text = |options: &LoadOptions| {
         let entities = entities().into_iter().map(|e| (e, "CUT".into())).collect();
         Job::load(Scene { entities, units: 4 }.dxf().into_bytes(), "a.dxf", options)

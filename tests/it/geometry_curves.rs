@@ -395,7 +395,7 @@ fn a_spline_through_points_goes_through_them_smoothly() {
 }
 
 #[test]
-fn bad_splines_are_refused_and_hostile_ones_end() {
+fn bad_splines_are_refused_and_hostile_ones_terminate() {
     let points = vec![v(0.0, 0.0), v(1.0, 0.0), v(1.0, 1.0), v(0.0, 1.0)];
     let new = |degree, weights: Vec<f64>, knots: Vec<f64>| Nurbs::new(degree, points.clone(), weights, knots);
     assert!(matches!(new(0, vec![], vec![]), Err(CurveError::Degree(0))));

@@ -58,7 +58,7 @@ fn an_arc_keeps_its_ends_and_direction() {
 }
 
 #[test]
-fn fractions_at_the_ends_are_met() {
+fn fractions_at_the_ends_are_exact() {
     let mut r = rng(2);
     for _ in 0..2000 {
         let a = random_arc(&mut r);
@@ -209,7 +209,7 @@ fn a_closed_path_can_start_anywhere() {
 }
 
 #[test]
-fn maps_compose_and_keep_what_they_promise() {
+fn maps_compose_and_keep_their_properties() {
     let map =
         Affine::scale(v(2.0, 3.0)).then(&Affine::rotation(FRAC_PI_2)).then(&Affine::translation(v(1.0, 1.0)));
     assert_eq!(map.point(v(1.0, 1.0)), v(-2.0, 3.0));

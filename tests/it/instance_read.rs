@@ -24,7 +24,7 @@ fn plane(kind: &str, rows: &str) -> Instance {
 }
 
 #[test]
-fn distances_of_coordinates_are_rounded_as_tsplib_has_it() {
+fn distances_of_coordinates_are_rounded_as_in_tsplib() {
     let rows = "1 0 0\n2 10 0\n3 1.5 2.0";
     let euclid = plane("EUC_2D", rows);
     // 2.5 goes up; 8.732 is 9.
@@ -138,7 +138,7 @@ fn a_fixed_edge_is_taken_and_does_not_count() {
 }
 
 #[test]
-fn what_is_wrong_with_a_file_is_said_in_one_sentence_with_its_line() {
+fn a_faulty_file_is_refused_in_one_sentence_with_its_line() {
     let without = |line: &str| ORDERED.replace(line, "");
     let changed = |from: &str, to: &str| ORDERED.replace(from, to);
     let cases = [

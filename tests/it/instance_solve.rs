@@ -103,7 +103,7 @@ fn reaches_the_optimum_of_small_instances_of_every_kind() {
 }
 
 #[test]
-fn tours_of_larger_instances_stay_sound_and_never_get_worse() {
+fn tours_of_larger_instances_stay_valid_and_never_get_worse() {
     for seed in 0..6 {
         let instance = instance(random(seed, 40).as_bytes()).unwrap();
         for method in solve::methods() {

@@ -169,7 +169,7 @@ fn polyline(path: &Path) -> Polyline<f64> {
 /// `cavalier_contours` rounds all corners: what of our lines is half a kerf from the outline is on its lines, and what of its
 /// lines is not beside a corner is on ours.
 #[test]
-fn lines_are_those_of_another_program() {
+fn lines_are_the_same_as_from_another_program() {
     let fixtures = crate::testkit::fixtures();
     let (mut compared, mut places) = (0, 0);
     for file in

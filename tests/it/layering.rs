@@ -120,7 +120,7 @@ fn read_all(folder: &Path, root: &Path, files: &mut Files) {
 }
 
 #[test]
-fn every_arrow_points_down_and_there_are_no_circles() {
+fn every_dependency_points_down_and_there_are_no_cycles() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut files = Files::new();
     read_all(&root, &root, &mut files);
@@ -149,7 +149,7 @@ const LIB: (&str, &str) =
     ("lib.rs", "pub mod sheet;\npub mod solve;\npub mod output;\npub mod geometry;\npub mod machine;");
 
 #[test]
-fn a_solver_that_knows_the_drawing_is_found() {
+fn a_solver_that_uses_the_drawing_is_found() {
     let wrong = [
         "use crate::sheet::Sheet;",
         "use crate::{sheet::Sheet as Drawing};",
@@ -169,7 +169,7 @@ fn a_solver_that_knows_the_drawing_is_found() {
 }
 
 #[test]
-fn what_is_no_arrow_is_not_found() {
+fn text_that_is_no_dependency_is_not_found() {
     let right = [
         "// crate::sheet::Sheet",
         "/// [`Sheet`](crate::sheet::Sheet)\nfn f() {}",

@@ -181,7 +181,7 @@ fn sampled(problem: &Problem, count: u32) -> Problem {
 
 /// With contours that may be left for nothing, no path found is below the bound, and the bound is not nothing.
 #[test]
-fn contours_left_and_resumed() {
+fn contours_interrupted_and_resumed() {
     for seed in 0..20 {
         let mut machine = machines(seed);
         machine.return_home = seed % 3 != 0;

@@ -9,10 +9,12 @@
 )]
 
 use crate::testkit::dxf_text::{Entity, Scene, Similarity};
-use crate::testkit::rng::Rng;
+use crate::testkit::rng::{Rng, seeded};
 use kerfway::dxf::{self, ReadOptions};
 use kerfway::geometry::{DVec2, math};
 use kerfway::sheet::{self, SheetOptions};
+use rand::RngExt;
+use rand::seq::SliceRandom;
 use std::f64::consts::TAU;
 
 /// What must not change, in mm and mm2, sorted.
@@ -98,26 +100,26 @@ fn assert_same(base: &Census, changed: &Census, scale: f64, what: &str) {
 
 /// Nine parts with outlines of every kind, holes, parts in holes and open cuts; also the counts they must give.
 fn scene(seed: u64) -> (Scene, usize, usize) {
-    let mut rng = Rng::new(seed);
+    let mut rng = seeded(seed);
     let mut entities = Vec::new();
     let (mut contours, mut parts) = (0, 0);
     for cell in 0..9 {
         let center = DVec2::new((cell % 3) as f64 * 150.0, (cell / 3) as f64 * 150.0);
-        let radius = rng.range(45.0, 60.0);
+        let radius = rng.random_range(45.0..60.0);
         outline(&mut rng, cell, center, radius, &mut entities);
         (contours, parts) = (contours + 1, parts + 1);
-        let hole = rng.range(14.0, 17.0);
-        let kind = rng.below(6);
+        let hole = rng.random_range(14.0..17.0);
+        let kind = rng.random_range(0..6);
         outline(&mut rng, kind, center, hole, &mut entities);
         contours += 1;
-        if rng.below(2) == 0 {
+        if rng.random_bool(0.5) {
             // A part in the hole, with a hole.
             outline(&mut rng, 0, center, hole * 0.5, &mut entities);
-            entities.push(Entity::Circle(center, rng.range(2.0, 4.0)));
+            entities.push(Entity::Circle(center, rng.random_range(2.0..4.0)));
             (contours, parts) = (contours + 2, parts + 1);
         }
         let at = center + DVec2::new(radius * 0.45, 0.0);
-        let tip = at + math::rotate(DVec2::new(rng.range(2.0, 3.0), 0.0), rng.range(0.0, TAU));
+        let tip = at + math::rotate(DVec2::new(rng.random_range(2.0..3.0), 0.0), rng.random_range(0.0..TAU));
         entities.push(Entity::Line(at, tip));
         contours += 1;
     }
@@ -128,16 +130,16 @@ fn scene(seed: u64) -> (Scene, usize, usize) {
 
 /// A closed outline around `c`, all of it within `r` and beyond 0.55 `r`.
 fn outline(rng: &mut Rng, kind: usize, c: DVec2, r: f64, out: &mut Vec<Entity>) {
-    let turn = rng.range(0.0, TAU);
+    let turn = rng.random_range(0.0..TAU);
     let ring = |n: usize, i: usize, r: f64| c + r * math::unit(turn + TAU * i as f64 / n as f64);
     match kind % 6 {
         0 => {
-            let n = 4 + rng.below(4);
+            let n = 4 + rng.random_range(0..4);
             out.extend((0..n).map(|i| Entity::Line(ring(n, i, r), ring(n, i + 1, r))));
         }
         1 => {
-            let n = 4 + rng.below(5);
-            let vertex = |i| (ring(n, i, r * 0.9), rng.range(-0.1, 0.2));
+            let n = 4 + rng.random_range(0..5);
+            let vertex = |i| (ring(n, i, r * 0.9), rng.random_range(-0.1..0.2));
             out.push(Entity::Polyline((0..n).map(vertex).collect(), true));
         }
         2 => {
@@ -148,11 +150,11 @@ fn outline(rng: &mut Rng, kind: usize, c: DVec2, r: f64, out: &mut Vec<Entity>) 
             out.push(Entity::Line(c + along + across, c - along + across));
             out.push(Entity::Arc(c - along, r * 0.58, turn + TAU / 4.0, turn + TAU * 0.75));
         }
-        3 => out.push(Entity::Ellipse(c, math::unit(turn) * r, rng.range(0.6, 0.95), 0.0, TAU)),
+        3 => out.push(Entity::Ellipse(c, math::unit(turn) * r, rng.random_range(0.6..0.95), 0.0, TAU)),
         4 => out.push(Entity::Circle(c, r * 0.95)),
         _ => {
             // A spline around most of the ring, closed by two lines.
-            let p: Vec<DVec2> = (0..8).map(|i| ring(10, i, r * rng.range(0.85, 0.98))).collect();
+            let p: Vec<DVec2> = (0..8).map(|i| ring(10, i, r * rng.random_range(0.85..0.98))).collect();
             let (a, b) = (p[7], p[0]);
             let middle = ring(10, 8, r * 0.8) * 0.5 + ring(10, 9, r * 0.8) * 0.5;
             out.push(Entity::Spline(p));
@@ -166,15 +168,15 @@ const SEEDS: std::ops::Range<u64> = 0..8;
 
 fn similarity(rng: &mut Rng) -> Similarity {
     Similarity {
-        mirror: rng.below(2) == 0,
-        turn: rng.range(0.0, TAU),
+        mirror: rng.random_bool(0.5),
+        turn: rng.random_range(0.0..TAU),
         scale: 1.0,
-        shift: DVec2::new(rng.range(-2000.0, 2000.0), rng.range(-2000.0, 2000.0)),
+        shift: DVec2::new(rng.random_range(-2000.0..2000.0), rng.random_range(-2000.0..2000.0)),
     }
 }
 
 #[test]
-fn a_scene_holds_the_contours_and_parts_it_was_made_of() {
+fn a_scene_has_the_contours_and_parts_it_was_made_of() {
     for seed in SEEDS {
         let (scene, contours, parts) = scene(seed);
         let census = census(&scene.dxf());
@@ -187,7 +189,7 @@ fn moved_turned_and_mirrored() {
     for seed in SEEDS {
         let (scene, ..) = scene(seed);
         let base = census(&scene.dxf());
-        let mut rng = Rng::new(seed + 100);
+        let mut rng = seeded(seed + 100);
         for _ in 0..4 {
             let t = similarity(&mut rng);
             assert_same(&base, &census(&scene.transformed(&t).dxf()), 1.0, &format!("seed {seed}, {t:?}"));
@@ -225,15 +227,15 @@ fn entities_shuffled_reversed_and_taken_apart() {
     for seed in SEEDS {
         let (scene, ..) = scene(seed);
         let base = census(&scene.dxf());
-        let mut rng = Rng::new(seed + 200);
+        let mut rng = seeded(seed + 200);
         let mut shuffled = scene.clone();
-        rng.shuffle(&mut shuffled.entities);
+        shuffled.entities.shuffle(&mut rng);
         assert_same(&base, &census(&shuffled.dxf()), 1.0, &format!("seed {seed}, shuffled"));
         let reversed = scene.map(|e| vec![e.reversed()]);
         assert_same(&base, &census(&reversed.dxf()), 1.0, &format!("seed {seed}, reversed"));
         let mut exploded = scene.map(Entity::exploded);
         assert_same(&base, &census(&exploded.dxf()), 1.0, &format!("seed {seed}, exploded"));
-        rng.shuffle(&mut exploded.entities);
+        exploded.entities.shuffle(&mut rng);
         assert_same(&base, &census(&exploded.dxf()), 1.0, &format!("seed {seed}, exploded and shuffled"));
     }
 }
@@ -243,10 +245,10 @@ fn wrapped_in_blocks() {
     for seed in SEEDS {
         let (scene, ..) = scene(seed);
         let base = census(&scene.dxf());
-        let mut rng = Rng::new(seed + 300);
+        let mut rng = seeded(seed + 300);
         for depth in 1..=4 {
             let t = similarity(&mut rng);
-            let corner = DVec2::new(rng.range(-50.0, 50.0), rng.range(-50.0, 50.0));
+            let corner = DVec2::new(rng.random_range(-50.0..50.0), rng.random_range(-50.0..50.0));
             let text = scene.dxf_in_block(&t, corner, depth);
             assert_same(&base, &census(&text), 1.0, &format!("seed {seed}, {depth} deep, {t:?}"));
         }

@@ -13,7 +13,7 @@
 )]
 
 use crate::testkit::mutate::{Mutation, is_well_formed, lines};
-use crate::testkit::rng::Rng;
+use crate::testkit::rng::seeded;
 use kerfway::dxf::{self, Drawing, ReadOptions};
 use kerfway::finding::Code;
 use kerfway::geometry::Segment;
@@ -108,7 +108,7 @@ fn damage_is_never_silent() {
         let lines = lines(&bytes);
         // What a drawing lacks as it is, damage cannot be blamed for.
         let ending: &[u8] = if is_well_formed(&bytes) { b"" } else { b"  0\nENDSEC\n  0\nEOF\n" };
-        let mut rng = Rng::new(n as u64 + 1);
+        let mut rng = seeded(n as u64 + 1);
         for _ in 0..rounds(bytes.len()) {
             let mutation = Mutation::draw(&mut rng, &bytes, &lines);
             let damaged = mutation.apply(&bytes, &lines);
@@ -144,11 +144,11 @@ fn damage_is_never_silent() {
 }
 
 #[test]
-fn damage_to_binary_files_ends_well() {
+fn damage_to_binary_files_causes_no_panic() {
     let binary = |f: &PathBuf| std::fs::read(f).unwrap().starts_with(b"AutoCAD Binary");
     let mut files = drawings();
     files.extend(crate::testkit::files(&crate::testkit::fixtures().join("oracle"), "dxf"));
-    let mut rng = Rng::new(7);
+    let mut rng = seeded(7);
     let mut truncated = 0;
     for file in files.into_iter().filter(binary) {
         let bytes = std::fs::read(&file).unwrap();

@@ -75,7 +75,7 @@ fn array_of_a_thousand_million_inserts_is_refused() {
 }
 
 #[test]
-fn array_of_a_thousand_million_empty_inserts_ends() {
+fn array_of_a_thousand_million_empty_inserts_terminates() {
     for body in ["", "0\nTEXT\n8\n0\n10\n0.0\n20\n0.0\n40\n1.0\n1\nx\n"] {
         let mut blocks = String::new();
         block("B", DVec2::ZERO, body, &mut blocks);
@@ -92,7 +92,7 @@ fn ten_levels_of_ten_inserts_are_refused() {
 }
 
 #[test]
-fn ten_levels_of_ten_inserts_of_nothing_end() {
+fn ten_levels_of_ten_empty_inserts_terminate() {
     if let Err(e) = intake(&laughs(11, 10, "")) {
         assert!(matches!(e, ReadError::Limit(_)), "{e}");
     }
@@ -127,7 +127,7 @@ fn blocks_that_contain_themselves_are_reported() {
 }
 
 #[test]
-fn twelve_blocks_that_all_contain_each_other_end() {
+fn twelve_blocks_that_all_contain_each_other_terminate() {
     let mut blocks = String::new();
     let all: String = (0..12).map(|i| insert(&format!("B{i}"), DVec2::ZERO, &Similarity::IDENTITY)).collect();
     for i in 0..12 {
@@ -140,7 +140,7 @@ fn twelve_blocks_that_all_contain_each_other_end() {
 }
 
 #[test]
-fn numbers_that_are_none_are_reported_and_never_drawn() {
+fn values_that_are_not_numbers_are_reported_and_never_drawn() {
     for bad in ["NaN", "nan", "inf", "-inf", "1e999", "1.#QNAN", "1.0E+400"] {
         let broken = circle(0.0, 0.0, 5.0).replace("40\n5.0", &format!("40\n{bad}"));
         let (drawing, sheet) = intake(&document(4, "", &(broken + &circle(50.0, 0.0, 5.0)))).unwrap();
@@ -152,7 +152,7 @@ fn numbers_that_are_none_are_reported_and_never_drawn() {
 }
 
 #[test]
-fn coordinates_out_of_this_world_are_refused_or_reported() {
+fn huge_coordinates_are_refused_or_reported() {
     for huge in ["1e308", "-1e308", "1e200", "1e100", "1e30", "1e12"] {
         for entity in [
             circle(0.0, 0.0, 5.0).replace("40\n5.0", &format!("40\n{huge}")),
@@ -185,7 +185,7 @@ fn coordinates_out_of_this_world_are_refused_or_reported() {
 }
 
 #[test]
-fn transforms_out_of_this_world_are_refused_or_reported() {
+fn extreme_transforms_are_refused_or_reported() {
     for (scale, nest) in [("1e200", 2), ("0.0", 1), ("1e-300", 3), ("NaN", 1)] {
         let at =
             |name: &str| format!("0\nINSERT\n8\n0\n2\n{name}\n10\n0.0\n20\n0.0\n41\n{scale}\n42\n{scale}\n");
@@ -206,7 +206,7 @@ fn transforms_out_of_this_world_are_refused_or_reported() {
 }
 
 #[test]
-fn counts_that_promise_too_much_are_not_believed() {
+fn counts_larger_than_the_file_are_not_trusted() {
     for count in ["2147483647", "-1", "99999999999", "70000"] {
         let lw = format!(
             "0\nLWPOLYLINE\n8\n0\n90\n{count}\n70\n1\n10\n0.0\n20\n0.0\n10\n9.0\n20\n0.0\n10\n9.0\n20\n9.0\n"
@@ -225,7 +225,7 @@ fn counts_that_promise_too_much_are_not_believed() {
 }
 
 #[test]
-fn filler_without_end_is_read_in_one_pass() {
+fn endless_filler_is_read_in_one_pass() {
     let body = circle(0.0, 0.0, 5.0);
     for filler in [
         "\n".repeat(400_000),
@@ -272,7 +272,7 @@ fn findings_by_the_hundred_thousand_are_counted() {
 }
 
 #[test]
-fn crowds_that_invite_quadratic_work_end() {
+fn crowded_drawings_take_no_quadratic_time() {
     let star: String =
         (0..20_000).map(|i| line(0.0, 0.0, 100.0 + f64::from(i), f64::from(i % 997))).collect();
     let stacked = line(0.0, 0.0, 100.0, 0.0).repeat(20_000);
@@ -309,7 +309,7 @@ fn crowds_that_invite_quadratic_work_end() {
 }
 
 #[test]
-fn splines_made_to_explode_end() {
+fn hostile_splines_terminate() {
     let spline = |degree: usize, points: &[(f64, f64)], knots: &[f64]| {
         let mut out = format!(
             "0\nSPLINE\n8\n0\n70\n8\n71\n{degree}\n72\n{}\n73\n{}\n74\n0\n",

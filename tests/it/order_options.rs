@@ -26,7 +26,7 @@ fn order(plan: &Plan) -> Vec<u32> {
 }
 
 #[test]
-fn a_part_is_worked_wholly_before_the_next_one() {
+fn a_part_is_finished_before_the_next_one() {
     let (job, together) = planned(LoadOptions { part_by_part: true, ..LoadOptions::default() }, MOVES);
     let sheet = job.sheet();
     let (order, parts) = (order(&together), &sheet.parts);
@@ -87,7 +87,7 @@ fn pinned_contours_come_first_and_last_with_what_must_come_before_them() {
 }
 
 #[test]
-fn a_pin_on_a_contour_that_is_not_there_is_refused() {
+fn a_pin_on_an_unknown_contour_is_refused() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/sheets/sheet_100.dxf");
     let bytes = std::fs::read(file).unwrap();
     let load = |last: u32| LoadOptions { last: vec![last], ..LoadOptions::default() };

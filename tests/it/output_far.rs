@@ -45,7 +45,7 @@ fn works(program: &Program) -> Vec<&Motion> {
 }
 
 #[test]
-fn arcs_far_from_the_origin_are_taken_by_the_controller() {
+fn arcs_far_from_the_origin_are_accepted_by_the_controller() {
     for far in [0.0, 4e3, 1e4, 3e4, 6e4, 1.2e5] {
         for direction in [DVec2::X, DVec2::Y, DVec2::new(-0.7, -0.7)] {
             let arcs = arcs_at(direction * far);
@@ -90,7 +90,7 @@ fn an_arc_whose_centre_is_far_away_is_written_as_chords() {
 }
 
 #[test]
-fn a_program_farther_out_than_the_controller_can_tell_places_apart_is_refused() {
+fn a_program_beyond_the_precision_of_the_controller_is_refused() {
     let error = program(&arcs_at(DVec2::new(3e5, 10.0))).unwrap_err();
     assert!(error.contains("x 30") && error.contains("0.031 mm") && error.contains("origin"), "{error}");
     assert!(program(&arcs_at(DVec2::new(0.0, -2e5))).unwrap_err().contains("0.016 mm"));
@@ -103,7 +103,7 @@ fn loaded(x: f64) -> Job {
 }
 
 #[test]
-fn a_drawing_hundreds_of_metres_from_the_origin_is_an_error_to_look_at() {
+fn a_drawing_hundreds_of_metres_from_the_origin_gives_an_error_finding() {
     let far = |job: &Job| {
         let found = job.sheet().findings.iter().find(|f| f.code == Code::FarFromOrigin).cloned();
         found.map(|f| (f.severity, f.message, f.at))

@@ -233,7 +233,7 @@ fn arcs_too_short_for_the_grid_never_become_circles() {
 }
 
 #[test]
-fn arcs_whose_ends_were_moved_by_joining_are_still_taken() {
+fn arcs_whose_ends_were_moved_by_joining_are_still_accepted() {
     for (radius, sweep) in [(1.0, 1.0), (40.0, 0.02), (3.0, -3.0), (0.5, 6.0), (2000.0, 0.001)] {
         let mut arc = Arc::from_angles(DVec2::new(3.3, 4.4), radius, 0.7, sweep);
         // Half the default joining tolerance, across the arc.
@@ -267,7 +267,7 @@ fn tiny_steps_do_not_add_up_to_an_error() {
 }
 
 #[test]
-fn without_return_the_head_stays_dark_where_it_ended() {
+fn without_return_the_head_stays_at_the_end_with_the_beam_off() {
     let profile = Profile { return_home: false, ..crate::testkit::plans::machine() };
     let stops = vec![crate::testkit::plans::Stop {
         layer: 0,

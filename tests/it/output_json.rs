@@ -92,7 +92,7 @@ fn the_schema_is_strict() {
 }
 
 #[test]
-fn everything_a_plan_came_from_is_in_it() {
+fn a_plan_document_contains_everything_it_was_made_from() {
     let (sheet, plan) = crate::testkit::plans::small();
     let document = parsed(&crate::testkit::plans::document(&sheet, &plan));
     assert_eq!(

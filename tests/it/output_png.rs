@@ -110,7 +110,7 @@ fn arcs_are_round_on_the_largest_picture() {
 }
 
 #[test]
-fn width_is_as_asked_for_and_bounded() {
+fn width_is_as_requested_and_limited() {
     let (sheet, plan) = crate::testkit::plans::small();
     let json = crate::testkit::plans::document(&sheet, &plan);
     for width in [*WIDTHS.start(), 333] {
@@ -146,7 +146,7 @@ fn plans_of_any_size_and_shape_are_drawn() {
 }
 
 #[test]
-fn what_is_no_plan_is_refused_in_a_sentence() {
+fn a_document_that_is_not_a_plan_is_refused_in_a_sentence() {
     let (sheet, plan) = crate::testkit::plans::small();
     let json = crate::testkit::plans::document(&sheet, &plan);
     let error = |text: &str| render(text, 100).unwrap_err();

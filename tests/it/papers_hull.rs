@@ -70,7 +70,7 @@ fn every_best_is_allowed_and_passes_the_checker() {
 }
 
 #[test]
-fn slices_and_seeds_repeat_to_the_bit() {
+fn slices_and_seeds_give_the_same_bits() {
     let sheet = nested_sheet(12, 6);
     let problem = problem_of(&sheet, &machine("length-partial"));
     for (method, parameters) in METHODS {

@@ -69,7 +69,7 @@ fn every_slice_is_as_long_as_asked() {
 }
 
 #[test]
-fn a_best_stands_from_the_start_and_gets_shorter_by_the_measure() {
+fn there_is_a_best_path_from_the_start_and_it_only_gets_shorter() {
     let problem = problem_of(&nested_sheet(40, 9), &machine("co2-100w"));
     for name in NAMES {
         for (text, measure) in [("euclidean", Measure::Euclidean), ("chebyshev", Measure::Chebyshev)] {
@@ -141,7 +141,7 @@ fn brute(problem: &Problem) -> f64 {
 }
 
 #[test]
-fn open_contours_and_items_without_nodes_come_to_the_optimum() {
+fn open_contours_and_items_without_nodes_reach_the_optimum() {
     for closed in [false, true] {
         let problem = points(closed);
         let least = brute(&problem);
@@ -155,7 +155,7 @@ fn open_contours_and_items_without_nodes_come_to_the_optimum() {
 }
 
 #[test]
-fn a_table_is_toured_from_its_start() {
+fn a_tour_of_a_table_begins_at_its_start() {
     let text = "NAME: t\nTYPE: TSP\nDIMENSION: 5\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n\
                 1 0 0\n2 9 9\n3 9 0\n4 0 9\n5 4 12\nEOF\n";
     let instance = instance(text.as_bytes()).unwrap();
@@ -169,7 +169,7 @@ fn a_table_is_toured_from_its_start() {
 }
 
 #[test]
-fn nothing_to_do_is_done() {
+fn an_empty_problem_has_an_empty_solution() {
     let mut problem = points(true);
     problem.items.truncate(1);
     problem.nodes.clear();

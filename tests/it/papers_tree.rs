@@ -75,7 +75,7 @@ fn every_best_is_allowed_and_passes_the_checker() {
 }
 
 #[test]
-fn slices_repeat_to_the_bit() {
+fn slices_give_the_same_bits() {
     let sheet = close_sheet(3, 2);
     let problem = problem_of(&sheet, &plate(true));
     for (method, parameters) in METHODS {

@@ -43,7 +43,7 @@ fn instance() -> (Problem, f64) {
 }
 
 #[test]
-fn the_genetic_algorithm_saves_but_does_not_beat_the_optimum() {
+fn the_genetic_algorithm_saves_time_but_does_not_beat_the_optimum() {
     let (problem, optimum) = instance();
     let mut search = papers::method("dual-coding-ga", "{}").unwrap().start(&problem, 1, None);
     let first = search.best().cost;

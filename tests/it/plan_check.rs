@@ -70,12 +70,12 @@ fn good_plans_pass_on_every_machine() {
 }
 
 #[test]
-fn a_contour_left_out() {
+fn a_contour_is_missing() {
     assert_eq!(after(|m| drop(take_out(m, 1))), [Violation::Missing { contour: 1 }]);
 }
 
 #[test]
-fn a_contour_worked_twice() {
+fn a_contour_is_cut_twice() {
     let found = after(|m| {
         let again = m[cut_of(m, 5)].clone();
         let at = cut_of(m, 5) + 1;
@@ -85,7 +85,7 @@ fn a_contour_worked_twice() {
 }
 
 #[test]
-fn a_contour_the_sheet_does_not_hold() {
+fn a_contour_is_not_in_the_sheet() {
     let found = after(|m| {
         let at = cut_of(m, 1);
         if let Move::Cut { contour, .. } = &mut m[at] {
@@ -116,7 +116,7 @@ fn half_a_contour() {
 }
 
 #[test]
-fn a_contour_cut_another_way() {
+fn a_contour_is_cut_on_another_path() {
     // A corner cut off, the length told honestly.
     let found = after(|m| {
         let path = path_of(m, 0);
@@ -210,14 +210,14 @@ fn the_beam_on_where_it_should_not_be() {
 }
 
 #[test]
-fn not_home_not_finite() {
+fn the_end_is_not_home_or_not_finite() {
     assert!(matches!(after(|m| drop(m.pop()))[..], [Violation::NotHome { left }] if left > 1.0));
     let found = after(|m| m[0] = Move::Air { to: DVec2::NAN });
     assert!(found.contains(&Violation::NotFinite { step: 0 }), "{found:?}");
 }
 
 #[test]
-fn sums_that_do_not_add_up() {
+fn wrong_totals() {
     let (sheet, machine) = (sheet(), machine("co2-100w"));
     let good = planned(&sheet, &machine);
     let changes: [(&str, fn(&mut plan::Summary)); 12] = [
@@ -306,7 +306,7 @@ fn left(sheet: &Sheet) -> (Profile, Plan) {
 }
 
 #[test]
-fn contours_left_unfinished_pass_where_the_machine_allows_it() {
+fn interrupted_contours_pass_if_the_machine_allows_them() {
     let sheet = sheet();
     let (machine, plan) = left(&sheet);
     assert_eq!(plan::check(&sheet, &machine, &plan), Ok(()));
@@ -324,7 +324,7 @@ fn contours_left_unfinished_pass_where_the_machine_allows_it() {
 }
 
 #[test]
-fn contours_left_where_that_is_forbidden() {
+fn contours_interrupted_where_that_is_forbidden() {
     let sheet = sheet();
     let (machine, plan) = left(&sheet);
     let found = plan::check(&sheet, &Profile { pre_cut_time: None, ..machine }, &plan).unwrap_err();
@@ -336,7 +336,7 @@ fn contours_left_where_that_is_forbidden() {
 }
 
 #[test]
-fn faults_of_contours_left_unfinished() {
+fn faults_of_interrupted_contours() {
     let sheet = sheet();
     let (machine, good) = left(&sheet);
     let after = |change: &dyn Fn(&mut Vec<Move>)| {

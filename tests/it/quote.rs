@@ -109,7 +109,7 @@ fn parts_that_share_sides_are_parts() {
 }
 
 #[test]
-fn parts_in_holes_are_parts_and_what_is_marked_is_none() {
+fn parts_in_holes_are_parts_and_marks_are_not() {
     let square = |half: f64| {
         let c = |x, y| (DVec2::new(x, y) * half, 0.0);
         Entity::Polyline(vec![c(-1.0, -1.0), c(1.0, -1.0), c(1.0, 1.0), c(-1.0, 1.0)], true)
@@ -143,7 +143,7 @@ fn reasons_of_confidence_are_words_and_not_codes() {
 }
 
 #[test]
-fn lengths_of_a_sheet_are_those_its_maker_tells() {
+fn lengths_of_a_sheet_are_those_of_its_generator() {
     let bytes = std::fs::read(crate::testkit::fixtures().join("sheets/sheet_100.dxf")).unwrap();
     let truth: Value = serde_json::from_slice(
         &std::fs::read(crate::testkit::fixtures().join("sheets/sheet_100.truth.json")).unwrap(),
@@ -163,7 +163,7 @@ fn lengths_of_a_sheet_are_those_its_maker_tells() {
 }
 
 #[test]
-fn the_hash_is_of_all_that_decides_the_report_and_of_nothing_else() {
+fn the_hash_covers_everything_in_the_report_and_nothing_else() {
     let bytes = std::fs::read(crate::testkit::fixtures().join("dxf-dev/mozman_ezdxf__forms.dxf")).unwrap();
     let made =
         |load: Value, plan: Value, material: &Material| of(&job(bytes.clone(), load, plan), material).hash;
@@ -179,7 +179,7 @@ fn the_hash_is_of_all_that_decides_the_report_and_of_nothing_else() {
 }
 
 #[test]
-fn reports_follow_the_published_schema_and_faults_are_told() {
+fn reports_follow_the_published_schema_and_list_defects() {
     let schema: Value = serde_json::from_str(include_str!("../../www/sdk/quote.schema.json")).unwrap();
     for name in ["mozman_ezdxf__forms.dxf", "peej_lumberjack-keyboard__lumberjack-polaris.dxf"] {
         let bytes = std::fs::read(crate::testkit::fixtures().join("dxf-dev").join(name)).unwrap();

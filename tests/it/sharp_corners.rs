@@ -81,7 +81,7 @@ fn macros(plan: &Plan) -> usize {
 }
 
 #[test]
-fn triangles_wait_in_two_corners_as_they_are_entered_in_the_third() {
+fn triangles_pause_in_two_corners_because_they_are_entered_in_the_third() {
     let job = planned(&forms(0.0), thick());
     let plan = sound(&job);
     assert_eq!(macros(&plan), 6);
@@ -111,7 +111,7 @@ fn right_angles_are_not_below_a_limit_of_a_right_angle() {
 }
 
 #[test]
-fn a_turned_drawing_takes_the_same() {
+fn a_rotated_drawing_takes_the_same_time() {
     let machine = Profile { travel: kerfway::machine::Travel::Vector, ..thick() };
     let straight = sound(&planned(&forms(0.0), machine.clone())).summary.total_time;
     for turned in [0.4, 1.7, 3.0] {
@@ -121,7 +121,7 @@ fn a_turned_drawing_takes_the_same() {
 }
 
 #[test]
-fn a_machine_without_ramps_waits_too() {
+fn a_machine_without_acceleration_pauses_too() {
     let mut machine = thick();
     machine.cut.accel = None;
     assert_eq!(macros(&sound(&planned(&forms(0.3), machine))), 6);
@@ -129,7 +129,7 @@ fn a_machine_without_ramps_waits_too() {
 
 /// Where leaving costs less than a wait, and where it costs more.
 #[test]
-fn contours_left_in_a_corner_save_its_wait() {
+fn contours_interrupted_in_a_corner_save_its_pause() {
     for pre_cut in [0.0, 0.5, 5.0] {
         let machine = Profile { pre_cut_time: Some(pre_cut), ..thick() };
         let job = planned(&forms(0.0), machine);
@@ -141,7 +141,7 @@ fn contours_left_in_a_corner_save_its_wait() {
 }
 
 #[test]
-fn the_checker_finds_a_macro_that_is_missing_or_too_many() {
+fn the_checker_finds_a_missing_or_extra_macro() {
     let job = planned(&forms(0.2), thick());
     let good = sound(&job);
     let machine = thick();
@@ -185,7 +185,7 @@ fn the_checker_finds_a_macro_that_is_missing_or_too_many() {
 }
 
 #[test]
-fn a_pause_where_a_side_goes_on_is_a_fault() {
+fn a_pause_where_a_side_continues_is_a_fault() {
     let job = planned(&forms(0.2), thick());
     let good = sound(&job);
     let mut moves = good.moves.clone();
@@ -202,7 +202,7 @@ fn a_pause_where_a_side_goes_on_is_a_fault() {
 }
 
 #[test]
-fn g_code_waits_dark_in_the_corners() {
+fn g_code_pauses_in_the_corners_with_the_beam_off() {
     let mut machine = thick();
     machine.sharp_corner = Some(SharpCorner { angle: 70.0_f64.to_radians(), time: 2.125 });
     let text = planned(&forms(0.1), machine).output(OutputKind::Gcode).unwrap();
@@ -227,7 +227,7 @@ fn grid(m: usize, n: usize) -> Vec<Vec<DVec2>> {
 
 /// Every right angle that a run through the group turns at is a pause, or is not turned at.
 #[test]
-fn groups_wait_in_corners_and_take_fewer() {
+fn groups_pause_in_corners_and_avoid_some() {
     let machine = Profile {
         pre_cut_time: Some(0.3),
         sharp_corner: Some(SharpCorner { angle: 100.0_f64.to_radians(), time: 2.0 }),

@@ -165,7 +165,7 @@ fn the_43_contours_of_qu_and_du() {
 
 /// Nodes are numbered as the items say.
 #[test]
-fn items_hold_their_nodes() {
+fn items_have_their_nodes() {
     let problem = problem_of(&nested_sheet(60, 9), &machine("length"));
     let mut next: NodeId = 0;
     for (id, item) in (0..).zip(&problem.items) {

@@ -74,7 +74,7 @@ fn the_exact_optimum_of_partial_cutting_is_reached_on_every_sheet() {
 }
 
 #[test]
-fn leaving_anywhere_along_contours_is_no_worse_than_at_corners() {
+fn interrupting_anywhere_is_no_worse_than_at_corners() {
     let machine = machine("length-partial");
     for (sheet, optimum) in hull("hull-5-20").into_iter().chain(hull("hull-10-45")) {
         let problem = problem_of(&sheet, &machine);
@@ -85,7 +85,7 @@ fn leaving_anywhere_along_contours_is_no_worse_than_at_corners() {
 
 /// The root's cycles take half of the work, where leaving does not pay.
 #[test]
-fn where_leaving_costs_too_much_nothing_is_left_and_little_is_lost() {
+fn expensive_interruptions_are_avoided_and_little_is_lost() {
     for seed in 1..4 {
         let sheet = nested_sheet(120, seed);
         let search = |pre_cut_time| {
@@ -136,7 +136,7 @@ fn every_improvement_passes_the_checker_on_real_and_nested_sheets() {
 }
 
 #[test]
-fn a_path_with_contours_left_unfinished_is_where_a_search_goes_on() {
+fn a_search_continues_from_a_path_with_interrupted_contours() {
     let sheet = nested_sheet(60, 5);
     let problem = problem_of(&sheet, &machine("length-partial"));
     let method = solve::methods()[0];

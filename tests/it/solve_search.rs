@@ -68,7 +68,7 @@ fn slices_of_any_size_give_the_same() {
 /// Some sheets are up to 3 % shorter run another way round. While later cycles were as cold free of nesting as within it, they
 /// seldom turned: seeds 3 and 4 ended at 2,181 and 2,208 mm.
 #[test]
-fn a_path_turns_round_where_the_other_way_is_shorter() {
+fn a_path_is_reversed_if_that_is_shorter() {
     let problem = problem_of(&nested_sheet(120, 3), &machine("length"));
     for seed in 1..=4 {
         let mut search = solve::methods()[0].start(&problem, seed, None);

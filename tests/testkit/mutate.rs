@@ -1,6 +1,7 @@
 //! Damage to files, seeded, and a strict judge of what is still a well-formed file after it.
 
 use crate::testkit::rng::Rng;
+use rand::RngExt;
 
 /// One piece of damage.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,26 +41,29 @@ fn trimmed(line: &[u8]) -> &[u8] {
 impl Mutation {
     /// Random damage to an ASCII file; every kind as likely.
     pub fn draw(rng: &mut Rng, bytes: &[u8], lines: &[&[u8]]) -> Self {
-        let line = rng.below(lines.len());
-        match rng.below(6) {
-            0 => Self::Truncate(rng.below(bytes.len())),
+        let line = rng.random_range(0..lines.len());
+        match rng.random_range(0..6) {
+            0 => Self::Truncate(rng.random_range(0..bytes.len())),
             1 => Self::DeleteLine(line),
             2 => Self::DoubleLine(line),
             3 => Self::SwapLines(line.min(lines.len().saturating_sub(2))),
-            4 => match (0..200).map(|_| rng.below(lines.len() / 2) * 2).find(|&i| holds_real(lines[i])) {
-                Some(i) => Self::BadNumber(i + 1, BAD_NUMBERS[rng.below(BAD_NUMBERS.len())]),
+            4 => match (0..200)
+                .map(|_| rng.random_range(0..lines.len() / 2) * 2)
+                .find(|&i| holds_real(lines[i]))
+            {
+                Some(i) => Self::BadNumber(i + 1, BAD_NUMBERS[rng.random_range(0..BAD_NUMBERS.len())]),
                 None => Self::DeleteLine(line),
             },
-            _ => Self::FlipBit(rng.below(bytes.len()), 1 << rng.below(8)),
+            _ => Self::FlipBit(rng.random_range(0..bytes.len()), 1 << rng.random_range(0..8)),
         }
     }
 
     /// Random damage to any file: truncation or a flipped bit.
     pub fn draw_binary(rng: &mut Rng, bytes: &[u8]) -> Self {
-        if rng.below(2) == 0 {
-            Self::Truncate(rng.below(bytes.len()))
+        if rng.random_bool(0.5) {
+            Self::Truncate(rng.random_range(0..bytes.len()))
         } else {
-            Self::FlipBit(rng.below(bytes.len()), 1 << rng.below(8))
+            Self::FlipBit(rng.random_range(0..bytes.len()), 1 << rng.random_range(0..8))
         }
     }
 

@@ -9,7 +9,7 @@ use kerfway::job::{Job, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
 use kerfway::sheet::Operation;
 
 #[test]
-fn what_is_too_narrow_keeps_its_line_and_is_told() {
+fn outlines_that_are_too_narrow_keep_their_line_and_are_reported() {
     // A slit that vanishes, a hole like a dumbbell whose neck does, a part with a slot whose mouth does.
     let plate = rectangle([0.0, 0.0, 100.0, 60.0]);
     let slit = rectangle([10.0, 10.0, 0.3, 20.0]);
@@ -107,7 +107,7 @@ fn a_kerf_out_of_range_is_refused() {
 
 /// What looks like the sheet is cut as a part as long as nobody leaves it out; that parts are then holes is told.
 #[test]
-fn the_border_of_the_sheet_is_to_be_left_out() {
+fn the_border_of_the_sheet_can_be_ignored() {
     let parts = [
         rectangle([0.0, 0.0, 200.0, 100.0]),
         rectangle([20.0, 20.0, 40.0, 40.0]),

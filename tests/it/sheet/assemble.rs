@@ -22,7 +22,7 @@ fn loose_lines_in_any_order_and_direction_make_one_contour() {
 }
 
 #[test]
-fn a_gap_within_the_tolerance_is_closed_and_told_with_place_and_size() {
+fn a_gap_within_the_tolerance_is_closed_and_reported_with_position_and_size() {
     let s = sheet([
         line(0.0, 0.0, 20.0, 0.0),
         line(20.0, 0.03, 20.0, 10.0),
@@ -40,7 +40,7 @@ fn a_gap_within_the_tolerance_is_closed_and_told_with_place_and_size() {
 }
 
 #[test]
-fn a_line_gives_way_to_an_arc_and_two_arcs_get_a_short_line() {
+fn a_line_end_moves_to_an_arc_and_two_arcs_are_joined_by_a_short_line() {
     let s = sheet([arc(0.0, 0.0, 10.0, 0.0, 180.0), line(-10.0, -0.02, 10.0, -0.02)]);
     assert_eq!(counts(&s), (1, 0));
     assert_eq!(findings(&s, Code::GapClosed)[0].count, 2);
@@ -53,7 +53,7 @@ fn a_line_gives_way_to_an_arc_and_two_arcs_get_a_short_line() {
 }
 
 #[test]
-fn rounding_is_joined_without_a_word() {
+fn rounding_gaps_are_joined_without_a_finding() {
     let s = sheet([
         line(0.0, 0.0, 20.0, 4e-7),
         line(20.0, 0.0, 20.0, 10.0),
@@ -92,7 +92,7 @@ fn equal_distances_are_decided_by_layer_then_by_the_straighter_course() {
 }
 
 #[test]
-fn a_near_miss_is_left_open_and_told() {
+fn a_near_miss_is_left_open_and_reported() {
     let s = sheet([
         line(0.0, 0.0, 20.0, 0.0),
         line(20.0, 0.2, 20.0, 10.0),

@@ -5,7 +5,7 @@ use kerfway::finding::Code;
 use std::f64::consts::{PI, TAU};
 
 #[test]
-fn elements_without_length_are_dropped_and_told() {
+fn elements_without_length_are_dropped_and_reported() {
     let s = sheet([line(0.0, 0.0, 10.0, 0.0), line(3.0, 3.0, 3.0, 3.0), circle(5.0, 5.0, 0.0)]);
     assert_eq!(counts(&s), (0, 1));
     let told = findings(&s, Code::ZeroLength);
@@ -175,7 +175,7 @@ fn legs_of_a_sharp_corner_and_short_elements_are_no_copies() {
 }
 
 #[test]
-fn lines_apart_by_more_than_the_tolerance_stay_both() {
+fn lines_farther_apart_than_the_tolerance_both_stay() {
     let s = sheet([line(0.0, 0.0, 50.0, 0.0), line(0.0, 0.02, 50.0, 0.02)]);
     close(total_length(&s), 100.0);
     assert!(findings(&s, Code::DuplicateRemoved).is_empty());
@@ -235,7 +235,7 @@ fn hostile_fifty_thousand_copies() {
 }
 
 #[test]
-fn hostile_a_hatch_of_slanted_lines_is_looked_at_in_part() {
+fn hostile_a_hatch_of_slanted_lines_is_checked_in_part() {
     let s = sheet((0..20_000).map(|i| {
         let x = f64::from(i) * 0.5;
         line(x, 0.0, x + 10_000.0, 10_000.0)
@@ -248,7 +248,7 @@ fn hostile_a_hatch_of_slanted_lines_is_looked_at_in_part() {
 
 /// As in DRAAK, where 0.013 mm of a line stuck out beyond a shared border and were cut by themselves.
 #[test]
-fn pieces_shorter_than_the_joining_tolerance_left_over_are_dropped_and_told() {
+fn pieces_shorter_than_the_joining_tolerance_are_dropped_and_reported() {
     let beside = |over: f64| {
         let mut shapes = exploded(&rect(0.0, 0.0, 50.0, 20.0));
         shapes.extend([line(30.0, 0.0, 50.0 + over, 0.0), line(0.0, 40.0, 0.04, 40.0)]);

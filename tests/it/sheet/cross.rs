@@ -26,7 +26,7 @@ fn a_crossing_through_corners_is_one_crossing() {
 }
 
 #[test]
-fn contours_that_cross_are_told_with_place() {
+fn contours_that_cross_are_reported_with_their_position() {
     let s = sheet([rect(0.0, 0.0, 20.0, 10.0), circle(20.0, 5.0, 3.0), line(5.0, 5.0, 5.0, 30.0)]);
     let told = findings(&s, Code::Crossing);
     assert_eq!(told.iter().map(|f| f.count).collect::<Vec<_>>(), [2, 1]);

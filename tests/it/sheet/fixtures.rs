@@ -78,7 +78,7 @@ fn the_sheet_of_500_contours_equals_its_truth() {
 }
 
 #[test]
-fn the_border_of_a_sheet_is_suggested_and_left_out_when_asked() {
+fn the_border_of_a_sheet_is_suggested_and_skipped_on_request() {
     let (with, _) = load("sheet_100", &SheetOptions::default());
     let border = with.outline.unwrap();
     assert_eq!(with.contours.len(), 101);

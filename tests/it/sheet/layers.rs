@@ -56,19 +56,19 @@ fn operations_are_given_by_name_whatever_the_case() {
 }
 
 #[test]
-fn order_by_layer_is_the_order_given_then_that_of_the_file() {
+fn order_by_layer_is_the_given_order_then_that_of_the_file() {
     let s = with(&two_layers(), &[("Hilfslinien", Operation::Cut), ("Gravur", Operation::Mark)], true);
     assert_eq!(s.layers.iter().map(|l| l.rank).collect::<Vec<_>>(), [2, 1, 0]);
 }
 
 #[test]
-fn the_last_word_on_a_layer_counts() {
+fn the_last_choice_for_a_layer_counts() {
     let s = with(&two_layers(), &[("cut", Operation::Ignore), ("CUT", Operation::Mark)], false);
     assert_eq!(s.layers[0].operation, Operation::Mark);
 }
 
 #[test]
-fn a_layer_that_is_not_there_is_told() {
+fn an_unknown_layer_is_reported() {
     let s = with(&two_layers(), &[("Engrave", Operation::Mark)], false);
     let told = findings(&s, Code::LayerUnknown);
     assert_eq!(
@@ -78,7 +78,7 @@ fn a_layer_that_is_not_there_is_told() {
 }
 
 #[test]
-fn defpoints_are_left_out_unless_asked_for() {
+fn defpoints_are_skipped_by_default() {
     let d = drawing([("0", rect(0.0, 0.0, 9.0, 9.0)), ("DEFPOINTS", line(0.0, 0.0, 5.0, 5.0))]);
     let s = with(&d, &[], false);
     assert_eq!((s.contours.len(), s.ignored.len()), (1, 1));
@@ -138,7 +138,7 @@ fn a_plate_with_holes_is_no_sheet() {
 }
 
 #[test]
-fn a_border_named_so_needs_no_parts_with_holes() {
+fn a_border_on_a_layer_with_that_name_needs_no_parts_with_holes() {
     let plates = |layer: &'static str| {
         drawing([
             (layer, rect(0.0, 0.0, 300.0, 200.0)),

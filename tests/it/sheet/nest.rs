@@ -42,7 +42,7 @@ fn contours_that_touch_nest_by_their_inside() {
 }
 
 #[test]
-fn what_lies_in_a_notch_is_not_inside() {
+fn a_contour_in_a_notch_is_not_inside() {
     let c = polyline(
         &[
             (0.0, 0.0),
@@ -73,7 +73,7 @@ fn arcs_are_exact_where_their_chords_would_lie() {
 }
 
 #[test]
-fn open_contours_know_what_they_lie_in() {
+fn open_contours_have_the_contour_around_them() {
     let s = sheet([
         rect(0.0, 0.0, 100.0, 100.0),
         line(20.0, 20.0, 80.0, 80.0),
@@ -94,7 +94,7 @@ fn a_hole_that_breaks_through_an_edge_is_cut_before_the_edge() {
 }
 
 #[test]
-fn what_lies_in_two_contours_that_cross_has_both_among_its_ancestors() {
+fn a_contour_inside_two_crossing_contours_has_both_as_ancestors() {
     let s = sheet([rect(0.0, 0.0, 100.0, 50.0), rect(60.0, -40.0, 30.0, 120.0), circle(75.0, 25.0, 5.0)]);
     assert_eq!(inside(&s), [None, Some(0), Some(1)]);
 }
@@ -176,7 +176,7 @@ fn c_shape(r: f64) -> Path {
 }
 
 #[test]
-fn hostile_contours_that_lock_into_each_other_are_given_up_and_told() {
+fn hostile_contours_that_interlock_are_given_up_and_reported() {
     let within =
         |n: i32| sheet((0..n).map(|i| c_shape(10.0 + 2.0 * f64::from(i))).chain([circle(0.0, 0.0, 5.0)]));
     let few = within(200);
