@@ -105,7 +105,7 @@ pub enum Code {
 }
 
 /// One finding.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     /// Code for programs.
     pub code: Code,
@@ -118,7 +118,7 @@ pub struct Finding {
     /// Handle of the entity, as written in the file. It is not a key, because handles repeat in real files.
     pub handle: Option<String>,
     /// Place on the sheet, mm.
-    #[serde(serialize_with = "place")]
+    #[serde(with = "place")]
     pub at: Option<DVec2>,
     /// Number of entities or places the finding covers.
     pub count: u32,
@@ -216,6 +216,16 @@ impl Findings {
     }
 }
 
-fn place<S: serde::Serializer>(p: &Option<DVec2>, s: S) -> Result<S::Ok, S::Error> {
-    p.map(|p| [p.x, p.y]).serialize(s)
+/// A place as `[x, y]`.
+mod place {
+    use glam::DVec2;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(p: &Option<DVec2>, s: S) -> Result<S::Ok, S::Error> {
+        p.map(|p| p.to_array()).serialize(s)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<Option<DVec2>, D::Error> {
+        Ok(Option::<[f64; 2]>::deserialize(d)?.map(DVec2::from))
+    }
 }

@@ -6,6 +6,7 @@
 mod aabb;
 mod affine;
 mod affine_path;
+pub(crate) mod arcs;
 mod biarc;
 mod box_index;
 mod buckets;

@@ -85,19 +85,16 @@ pub(super) fn loaded<'a>(
 
 /// The contours of a sheet, for lists.
 pub(super) fn contours(sheet: &Sheet) -> Vec<ContourInfo<'_>> {
-    (0u32..).zip(&sheet.contours).map(|(id, c)| contour_info(id, c, sheet)).collect()
-}
-
-fn contour_info<'a>(id: u32, contour: &Contour, sheet: &'a Sheet) -> ContourInfo<'a> {
-    ContourInfo {
+    let info = |(id, c): (u32, &Contour)| ContourInfo {
         id,
-        closed: contour.path.closed,
-        layer: sheet.layers.get(contour.layer as usize).map_or("", |l| l.name.as_str()),
-        operation: contour.operation,
-        inside: contour.inside,
-        length: contour.length,
-        area: contour.area,
-    }
+        closed: c.path.closed,
+        layer: sheet.layer_name(id),
+        operation: c.operation,
+        inside: c.inside,
+        length: c.length,
+        area: c.area,
+    };
+    (0..).zip(&sheet.contours).map(info).collect()
 }
 
 /// The job without a search, for comparison.

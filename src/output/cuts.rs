@@ -1,4 +1,4 @@
-//! The cuts and marks of a plan in order, and the names of their layers, as every format needs them.
+//! The cuts and marks of a plan in order, as every format needs them.
 
 use crate::geometry::{DVec2, Segment};
 use crate::plan::{Move, Plan};
@@ -36,12 +36,6 @@ pub(super) fn cuts(plan: &Plan) -> Vec<Cut<'_>> {
         goes_on = matches!(step, Move::Macro { .. });
     }
     all
-}
-
-/// The name of a contour's layer; empty when the sheet does not contain it.
-pub(super) fn layer_name(sheet: &Sheet, contour: u32) -> &str {
-    let known = sheet.contours.get(contour as usize).and_then(|c| sheet.layers.get(c.layer as usize));
-    known.map_or("", |l| l.name.as_str())
 }
 
 /// Largest difference between the length of a cut and that of its whole contour, mm. It covers rounding of sums in

@@ -8,10 +8,9 @@
 //! pieces of at most a third of a turn, where an error in the ends moves the arc by no more than itself. Everything
 //! lies within 0.003 mm of the plan.
 
-use super::arcs;
-use super::cuts::{Cut, closes, cuts, layer_name};
+use super::cuts::{Cut, closes, cuts};
 use super::number::{Fixed, fixed};
-use crate::geometry::{Aabb, DVec2, Segment};
+use crate::geometry::{Aabb, DVec2, Segment, arcs};
 use crate::machine::Profile;
 use crate::plan::{Move, Plan};
 use crate::sheet::Sheet;
@@ -85,7 +84,7 @@ fn contours(out: &mut String, plan: &Plan, sheet: &Sheet) {
             element(out, segment);
         }
         let end = if closes(sheet, cut) { "Z" } else { "" };
-        let (order, layer) = (order + 1, Escaped(layer_name(sheet, contour)));
+        let (order, layer) = (order + 1, Escaped(sheet.layer_name(contour)));
         let _ = writeln!(out, "{end}\"><title>{order}: contour {contour}, layer {layer}</title></path>");
     }
 }

@@ -1,6 +1,7 @@
 //! The plan: moves with their times, and the checker.
 
 mod checker;
+pub mod document;
 mod evaluate;
 mod from_solution;
 mod lower_bound;

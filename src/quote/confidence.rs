@@ -1,8 +1,8 @@
 //! How far the figures of a quote can be relied on.
 
-use super::document::{Contour, Found, Input};
 use crate::dxf::UnitsSource;
-use crate::finding::{Code, Severity};
+use crate::finding::{Code, Finding, Severity};
+use crate::plan::document::{Contour, Input};
 use crate::sheet::Operation;
 use serde::Serialize;
 
@@ -39,12 +39,12 @@ pub enum Level {
 }
 
 /// Findings that are more than information, by code.
-pub(super) fn defects(findings: Vec<Found>) -> Vec<Defect> {
+pub(super) fn defects(findings: &[Finding]) -> Vec<Defect> {
     let mut defects: Vec<Defect> = Vec::new();
-    for Found { code, severity, count } in findings.into_iter().filter(|f| f.severity != Severity::Info) {
-        match defects.iter_mut().find(|d| d.code == code) {
-            Some(known) => known.count = known.count.saturating_add(count),
-            None => defects.push(Defect { code, severity, count }),
+    for f in findings.iter().filter(|f| f.severity != Severity::Info) {
+        match defects.iter_mut().find(|d| d.code == f.code) {
+            Some(known) => known.count = known.count.saturating_add(f.count),
+            None => defects.push(Defect { code: f.code, severity: f.severity, count: f.count }),
         }
     }
     defects

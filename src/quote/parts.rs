@@ -4,15 +4,30 @@
 //! change when a part is turned or mirrored: area, length, principal second moments of the outer contour; area and
 //! distance from the middle of each hole. Mirrored parts count as the same: a flat part can be turned over.
 
-use super::document::Contour;
-use super::report::PartGroup;
 use super::shape::{Moments, Shape};
 use crate::order::{real, sort_by};
+use crate::plan::document::Contour;
+use serde::Serialize;
 
 /// Figures this near to each other, as a share, are the same: chords of one curve cut at other places differ by less.
 const SAME: f64 = 1e-3;
 /// And those of at most this many mm or mm2.
 const SMALL: f64 = 0.01;
+
+/// Parts that are the same.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PartGroup {
+    /// How many.
+    pub count: u32,
+    /// Of one: its area, holes left out.
+    pub net_area: f64,
+    /// Of one: outer contour and holes.
+    pub cut_length: f64,
+    /// Of one.
+    pub holes: usize,
+    /// Outer contours, by id.
+    pub contours: Vec<u32>,
+}
 
 /// An outer contour with its holes, by id.
 pub(super) struct Part {

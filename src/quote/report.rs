@@ -1,13 +1,15 @@
 //! The figures of a quote (`kerfway.quote/1`), and how they come from a plan document.
 
-use super::Material;
 use super::confidence::{Confidence, Defect, confidence, defects};
-use super::document::{Contour, Head, Input};
+use super::material::Material;
 use super::narrow::{self, Web};
-use super::parts::{self, Part};
+use super::parts::{self, Part, PartGroup};
 use super::shape::Shape;
+use crate::machine::Profile;
+use crate::plan::document::{Contour, Document, Input, Options};
 use crate::sheet::Operation;
-use serde::Serialize;
+use serde::ser::Error;
+use serde::{Serialize, Serializer};
 
 /// The format this writes.
 const SCHEMA: &str = "kerfway.quote/1";
@@ -22,9 +24,11 @@ pub struct Quote {
     /// The drawing.
     pub input: Input,
     /// The machine's whole profile.
-    pub machine: serde_json::Value,
+    #[serde(serialize_with = "by_name")]
+    pub machine: Profile,
     /// How the drawing was read and arranged.
-    pub options: serde_json::Value,
+    #[serde(serialize_with = "by_name")]
+    pub options: Options,
     /// The method.
     pub method: String,
     /// Its parameters, where given.
@@ -103,21 +107,6 @@ pub struct LayerUse {
     pub length: f64,
 }
 
-/// Parts that are the same.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct PartGroup {
-    /// How many.
-    pub count: u32,
-    /// Of one: its area, holes left out.
-    pub net_area: f64,
-    /// Of one: outer contour and holes.
-    pub cut_length: f64,
-    /// Of one.
-    pub holes: usize,
-    /// Outer contours, by id.
-    pub contours: Vec<u32>,
-}
-
 /// The hole with the least width.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Smallest {
@@ -142,25 +131,30 @@ pub struct Narrowest {
     pub over_thickness: Option<f64>,
 }
 
-pub(super) fn made(head: Head, shapes: &[Shape], material: &Material) -> Quote {
-    let Head { method, parameters, seed, budget, input, machine, options, summary, contours, findings } =
-        head;
-    let parts = parts::parts(&contours);
+/// Writes the fields of a struct in the order of their names: the hash of a quote is over that order.
+fn by_name<T: Serialize, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+    serde_json::to_value(value).map_err(S::Error::custom)?.serialize(serializer)
+}
+
+/// The report, its hash still empty.
+pub(super) fn made(document: &Document, shapes: &[Shape], material: &Material) -> Quote {
+    let Document { budget, input, summary, contours, .. } = document;
+    let parts = parts::parts(contours);
     let holes: f64 = parts.iter().flat_map(|p| &p.holes).map(|&h| contours[h].area).sum();
     let net_area = parts.iter().map(|p| contours[p.outer].area).sum::<f64>() - holes;
     let [x0, y0, x1, y1] = summary.bounds;
-    let defects = defects(findings);
-    let confidence = confidence(&input, &defects, &contours);
+    let defects = defects(&document.findings);
+    let confidence = confidence(input, &defects, contours);
     let volume = material.thickness.map(|t| t * net_area / 1000.0);
     Quote {
         schema: SCHEMA,
         hash: String::new(),
-        input,
-        machine,
-        options,
-        method,
-        parameters,
-        seed,
+        input: input.clone(),
+        machine: document.machine.clone(),
+        options: document.options.clone(),
+        method: document.method.clone(),
+        parameters: document.parameters.clone(),
+        seed: document.seed,
         moves: budget.done,
         workers: budget.workers,
         material: material.clone(),
@@ -176,9 +170,9 @@ pub(super) fn made(head: Head, shapes: &[Shape], material: &Material) -> Quote {
         air_length: summary.air_length,
         pierces: summary.pierces,
         pre_cuts: summary.pre_cuts,
-        layers: layers(&contours),
+        layers: layers(contours),
         part_count: parts.len(),
-        parts: parts::groups(&parts, &contours, shapes),
+        parts: parts::groups(&parts, contours, shapes),
         bounds: summary.bounds,
         net_area,
         box_area: (x1 - x0) * (y1 - y0),

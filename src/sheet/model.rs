@@ -228,4 +228,10 @@ impl Sheet {
     pub fn cut_as_one(&self, makes_pre_cuts: bool) -> &[PierceGroup] {
         if makes_pre_cuts { self.pierce_groups() } else { &[] }
     }
+
+    /// The name of a contour's layer; empty when the sheet does not know the contour.
+    pub fn layer_name(&self, contour: u32) -> &str {
+        let layer = self.contours.get(contour as usize).and_then(|c| self.layers.get(c.layer as usize));
+        layer.map_or("", |l| l.name.as_str())
+    }
 }

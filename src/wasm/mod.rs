@@ -10,8 +10,6 @@ mod plain;
 mod planner;
 #[cfg(feature = "png")]
 mod png;
-#[cfg(feature = "planner")]
-mod quote;
 #[cfg(feature = "research")]
 mod research;
 #[cfg(feature = "planner")]
@@ -24,7 +22,5 @@ pub use panic::*;
 pub use planner::*;
 #[cfg(feature = "png")]
 pub use png::*;
-#[cfg(feature = "planner")]
-pub use quote::*;
 #[cfg(feature = "research")]
 pub use research::*;

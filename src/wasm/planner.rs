@@ -13,7 +13,8 @@ use wasm_bindgen::prelude::*;
 const TYPES: &str = "import type {
   Baselines, Beam, BestPath, Budget, Finding, Geometry, Insight, Loaded, LoadOptions, MachineProfile, MethodInfo, Slice, StartOptions, Summary,
   WarmPath,
-} from '../protocol.js';";
+} from '../protocol.js';
+import type { Material, Quote } from '../quote.js';";
 
 /// All methods, the default first.
 #[wasm_bindgen(unchecked_return_type = "MethodInfo[]")]
@@ -169,5 +170,14 @@ impl Job {
         #[wasm_bindgen(unchecked_param_type = "string")] kind: JsValue,
     ) -> Result<String, JsError> {
         Ok(self.0.output(text("kind of output", &kind)?.parse()?)?)
+    }
+
+    /// What a price needs of the best plan so far, which is checked first.
+    #[wasm_bindgen(unchecked_return_type = "Quote")]
+    pub fn quote(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Material")] material: JsValue,
+    ) -> Result<JsValue, JsError> {
+        plain(&self.0.quote(&options(&material)?)?)
     }
 }

@@ -9,6 +9,7 @@
 use crate::testkit::dxf_text::{Entity, Scene, Similarity};
 use glam::DVec2;
 use kerfway::job::{Job, LoadOptions, OutputKind, PlanOptions};
+use kerfway::plan::document::Document;
 use kerfway::quote::{Confidence, Level, Material, Quote, quote};
 use serde_json::{Value, json};
 
@@ -28,7 +29,7 @@ fn drawn(entities: &[Entity]) -> Vec<u8> {
 }
 
 fn of(job: &Job, material: &Material) -> Quote {
-    quote(&job.output(OutputKind::Json).unwrap(), material).unwrap()
+    job.quote(material).unwrap()
 }
 
 fn steel(thickness: f64) -> Material {
@@ -188,13 +189,23 @@ fn reports_follow_the_published_schema_and_list_defects() {
             let report = serde_json::to_value(of(&job, &material)).unwrap();
             assert_eq!(crate::testkit::schema::fault(&schema, &schema, &report, name), None);
         }
-        let plan = job.output(OutputKind::Json).unwrap();
-        let bad = quote(&plan, &Material { thickness: Some(0.0), ..Material::default() });
-        let says = bad.unwrap_err();
+        let bad = job.quote(&Material { thickness: Some(0.0), ..Material::default() });
+        let says = bad.unwrap_err().to_string();
         assert!(
             says.starts_with("The material's field \"thickness\" is 0. Give a number from 0.001"),
             "{says}"
         );
     }
-    assert!(quote("{}", &Material::default()).unwrap_err().starts_with("This is not a plan"));
+    assert!(Document::read("{}").unwrap_err().starts_with("This is not a plan"));
+}
+
+#[test]
+fn a_document_read_from_text_is_the_one_written_and_gives_the_same_quote() {
+    for (name, job) in crate::testkit::plans::real() {
+        let text = job.output(OutputKind::Json).unwrap();
+        let read = Document::read(&text).unwrap();
+        assert_eq!(read, job.document().unwrap(), "{name}");
+        assert_eq!(kerfway::output::json_text(&read), text, "{name}");
+        assert_eq!(quote(&read, &steel(2.0)).unwrap(), of(&job, &steel(2.0)), "{name}");
+    }
 }

@@ -14,7 +14,8 @@ use kerfway::finding::{Code, Finding, Severity};
 use kerfway::geometry::{Arc, Path, Segment, math};
 use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions};
 use kerfway::machine::{Axes, Dialect, Process, Profile, Travel, preset};
-use kerfway::output::{self, Budget, Document, Input};
+use kerfway::output;
+use kerfway::plan::document::{Budget, Document, Input, Move as Step, Options, SCHEMA, contours};
 use kerfway::plan::{Move, Plan, Summary};
 use kerfway::sheet::{Contour, LayerUse, Operation, Pin, Sheet, SheetOptions};
 use rand::{Rng, RngExt, SeedableRng};
@@ -58,7 +59,11 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
     let bounds = stops.iter().fold(kerfway::geometry::Aabb::EMPTY, |b, s| b.union(s.path.bounds()));
     let mut summary = Summary {
         contours: stops.len() as u32,
-        bounds: [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y],
+        bounds: if bounds.is_empty() {
+            [0.0; 4]
+        } else {
+            [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y]
+        },
         total_time: 12.5,
         ..Summary::default()
     };
@@ -177,19 +182,26 @@ pub(crate) fn drawing() -> Drawing {
 
 /// The document of a plan: default options, seed 1, a budget of 1,000 moves.
 pub(crate) fn document(sheet: &Sheet, plan: &Plan) -> String {
-    output::json(&Document {
-        input: Input { name: "plate.dxf", sha256: &"0123456789abcdef".repeat(4) },
-        drawing: &drawing(),
-        sheet,
-        read: &ReadOptions::default(),
-        arrange: &SheetOptions::default(),
-        machine: &machine(),
-        method: "greedy",
+    let (drawing, machine) = (drawing(), machine());
+    output::json_text(&Document {
+        schema: SCHEMA.into(),
+        units: Unit::Mm,
+        method: "greedy".into(),
         parameters: None,
         seed: 1,
         budget: Budget { moves: Some(1000), seconds: None, done: 1000, workers: None },
-        plan,
-        more: &[],
+        input: Input {
+            sha256: "0123456789abcdef".repeat(4),
+            name: "plate.dxf".into(),
+            units: drawing.units.unit,
+            units_source: drawing.units.source,
+        },
+        options: Options::of(&ReadOptions::default(), &SheetOptions::default()),
+        summary: plan.summary.clone(),
+        contours: contours(sheet, &machine),
+        machine,
+        moves: plan.moves.iter().map(Step::from).collect(),
+        findings: drawing.findings.iter().chain(&sheet.findings).cloned().collect(),
     })
 }
 

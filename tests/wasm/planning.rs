@@ -2,7 +2,7 @@
 
 use crate::values::{KEYBOARD, circle, get, js, load, number, sentence};
 use js_sys::{Array, Uint32Array};
-use kerfway::wasm::{Job, machines, methods, quote_of, random_seed};
+use kerfway::wasm::{Job, machines, methods, random_seed};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -83,11 +83,9 @@ fn a_proof_of_the_bound_is_part_of_the_slices() {
 fn quotes_are_made_of_plans() {
     let (mut job, _) = keyboard(r#"{"seed":1,"moves":1000}"#);
     assert!(job.step(1000).is_ok());
-    let plan = job.output("json".into()).ok().unwrap();
-    let quote = quote_of(&plan, r#"{"thickness":3,"density":7.85}"#).ok().unwrap();
+    let quote = job.quote(js(r#"{"thickness":3,"density":7.85}"#)).ok().unwrap();
     assert_eq!(get(&quote, "hash").as_string().unwrap().len(), 64);
-    assert!(sentence(quote_of(&plan, r#"{"thicknes":3}"#)).contains("thickness"));
-    assert!(quote_of("{}", "{}").is_err());
+    assert!(sentence(job.quote(js(r#"{"thicknes":3}"#))).contains("thickness"));
 }
 
 #[wasm_bindgen_test]

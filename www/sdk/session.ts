@@ -178,7 +178,7 @@ export class Session {
   }
 
   private quote(material: Material): Quote {
-    return this.build.quoteOf(this.loaded().output('json'), JSON.stringify(material));
+    return this.loaded().quote(material);
   }
 
   private async output(id: number, kind: OutputKind, width = PNG_WIDTH): Promise<[FromWorker, ArrayBuffer[]?]> {

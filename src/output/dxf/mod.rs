@@ -17,10 +17,9 @@ mod frame;
 mod layers;
 mod tags;
 
-use super::arcs;
 use super::cuts::{closes, cuts};
 use super::number::fixed;
-use crate::geometry::{Arc, DVec2, Segment, math};
+use crate::geometry::{Arc, DVec2, Segment, arcs, math};
 use crate::plan::Plan;
 use crate::sheet::Sheet;
 use layers::Layers;

@@ -24,7 +24,7 @@
 mod grbl_arc;
 mod pen;
 
-use super::cuts::{cuts, layer_name};
+use super::cuts::cuts;
 use super::number::fixed;
 use crate::geometry::{Aabb, DVec2, Segment};
 use crate::machine::{Dialect, Process, Profile, far_out};
@@ -96,7 +96,7 @@ fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
             Move::Cut { contour, path, mark, .. } => {
                 if !goes_on {
                     order += 1;
-                    let layer = layer_name(sheet, *contour);
+                    let layer = sheet.layer_name(*contour);
                     let verb = if *mark { "mark" } else { "cut" };
                     let words = format!("{order} of {all}: {verb} contour {contour}, layer ");
                     comment_naming(&mut pen, &words, layer);

@@ -11,10 +11,9 @@
 //!
 //! Every motion, as written, lies within 0.002 mm of its element.
 
-use super::super::arcs;
 use super::super::number::fixed;
 use super::grbl_arc;
-use crate::geometry::{Arc, DVec2, Segment};
+use crate::geometry::{Arc, DVec2, Segment, arcs};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 

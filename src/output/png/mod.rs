@@ -1,14 +1,13 @@
-//! Draws a plan as PNG with tiny-skia, from its JSON (`kerfway.plan/1`).
+//! Draws a plan as PNG with tiny-skia, from the text of its [document](crate::plan::document).
 //!
-//! The input is the JSON and not a plan in memory, because this module is in a wasm file of its own (feature `png`),
+//! The input is text and not a document in memory, because this module is in a wasm file of its own (feature `png`),
 //! which is loaded only when a picture is requested. The ground is white, cuts are dark, marks blue, air moves thin,
 //! dashed and orange, and entries are dots: the colours of the SVG on white.
 
 mod frame;
 
-use super::arcs;
-use super::picture::{Picture, Stroke as Drawn};
-use crate::geometry::{Arc, Segment, math};
+use crate::geometry::{Aabb, Arc, Segment, arcs, math};
+use crate::plan::document::{Document, Stroke as Drawn, strokes};
 use crate::sheet::Operation;
 use frame::Frame;
 use std::f64::consts::FRAC_PI_4;
@@ -43,27 +42,39 @@ pub fn render(plan_json: &str, width: u32) -> Result<Vec<u8>, String> {
             WIDTHS.end()
         ));
     }
-    let picture = Picture::read(plan_json)?;
-    let frame = Frame::around(picture.bounds(), width)
+    let document = Document::read(plan_json)?;
+    let strokes = strokes(&document);
+    let frame = Frame::around(bounds(&document, &strokes), width)
         .ok_or("The plan has no size that can be drawn: a coordinate is out of range.")?;
     let mut pixels =
         Pixmap::new(frame.width, frame.height).ok_or("There is not enough memory for the picture.")?;
     pixels.fill(Color::WHITE);
-    draw(&mut pixels, &picture, &frame);
+    draw(&mut pixels, &document, &strokes, &frame);
     pixels.encode_png().map_err(|_| "The picture could not be written.".to_owned())
 }
 
-fn draw(pixels: &mut Pixmap, picture: &Picture, frame: &Frame) {
+/// The box of everything that is drawn, mm.
+fn bounds(document: &Document, strokes: &[Drawn]) -> Aabb {
+    strokes.iter().fold(Aabb::of(document.machine.home()), |b, stroke| match stroke {
+        Drawn::Air { to, .. } => b.with(*to),
+        Drawn::Beam { path, .. } => path.iter().fold(b, |b, s| b.union(s.bounds())),
+    })
+}
+
+fn draw(pixels: &mut Pixmap, document: &Document, strokes: &[Drawn], frame: &Frame) {
     let px = frame.line_px();
     let [mut cuts, mut marks, mut air, mut entries] = [(); 4].map(|()| PathBuilder::new());
-    for stroke in &picture.strokes {
+    // A pre-cut is a cut.
+    let is_mark =
+        |id: u32| document.contours.get(id as usize).is_some_and(|c| c.operation == Operation::Mark);
+    for stroke in strokes {
         match stroke {
             Drawn::Air { from, to } => {
                 move_to(&mut air, frame.place(*from));
                 line_to(&mut air, frame.place(*to));
             }
             Drawn::Beam { contour, path } => {
-                let to = if picture.operation(*contour) == Operation::Mark { &mut marks } else { &mut cuts };
+                let to = if contour.is_some_and(is_mark) { &mut marks } else { &mut cuts };
                 trace(to, frame, path);
                 if let Some(first) = path.first() {
                     let (x, y) = frame.place(first.start());

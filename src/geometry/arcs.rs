@@ -3,14 +3,14 @@
 //! A full circle is ambiguous wherever an arc is given by its ends, and an arc given by ends and radius (SVG) is
 //! ill-conditioned near half a turn. Every format states the largest sweep that it represents well.
 
-use crate::geometry::{Arc, DVec2, Segment, math};
+use super::{Arc, DVec2, Segment, math};
 use std::f64::consts::FRAC_PI_2;
 
 /// Tolerance when pieces are counted, as a fraction of a piece, so that rounding does not turn one piece into two.
 const COUNT_SLACK: f64 = 1e-9;
 
 /// Divides an arc into equal pieces of at most `largest` rad, in order; the ends of the arc are kept bit for bit.
-pub(super) fn split(arc: &Arc, largest: f64) -> impl Iterator<Item = Arc> + use<> {
+pub(crate) fn split(arc: &Arc, largest: f64) -> impl Iterator<Item = Arc> + use<> {
     let arc = *arc;
     let pieces = (arc.sweep.abs() / largest - COUNT_SLACK).ceil().max(1.0);
     let at = move |i: f64| Segment::Arc(arc).at(i / pieces);
@@ -24,7 +24,7 @@ pub(super) fn split(arc: &Arc, largest: f64) -> impl Iterator<Item = Arc> + use<
 }
 
 /// The ends of equal chords within `deviation` mm of the arc, in order; the last one is the arc's end.
-pub(super) fn flattened(arc: &Arc, deviation: f64) -> impl Iterator<Item = DVec2> + use<> {
+pub(crate) fn flattened(arc: &Arc, deviation: f64) -> impl Iterator<Item = DVec2> + use<> {
     // r (1 - cos(sweep / 2)) is at most r sweep^2 / 8. A chord over more than a quarter turn would hardly resemble a
     // circle.
     let sweep = (8.0 * deviation / arc.radius()).sqrt().min(FRAC_PI_2);
@@ -33,7 +33,7 @@ pub(super) fn flattened(arc: &Arc, deviation: f64) -> impl Iterator<Item = DVec2
 
 /// Largest distance between an arc of at most half a turn and its chord, mm: r (1 - cos(sweep / 2)), in a form that
 /// stays accurate for small sweeps.
-pub(super) fn sagitta(arc: &Arc) -> f64 {
+pub(crate) fn sagitta(arc: &Arc) -> f64 {
     let s = math::sin(arc.sweep * 0.25);
     2.0 * arc.radius() * s * s
 }

@@ -1,0 +1,86 @@
+//! The contours of a plan document.
+
+use super::moves::{Element, place, segments};
+use crate::geometry::{DVec2, Path, Segment};
+use crate::machine::Profile;
+use crate::sheet::{Operation, Sheet};
+use serde::{Deserialize, Serialize};
+
+/// A chain of lines and arcs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Contour {
+    /// Its index, which is its name everywhere.
+    pub id: u32,
+    /// Whether it ends where it starts.
+    pub closed: bool,
+    /// Name of its layer.
+    pub layer: String,
+    /// Cut, mark, or ignore: left out, no move works it.
+    pub operation: Operation,
+    /// The smallest closed contour around it that is cut, after it; `None`: there is none.
+    pub inside: Option<u32>,
+    /// Length, mm.
+    pub length: f64,
+    /// Area of what a closed contour bounds, as drawn, mm2; 0 of an open one.
+    pub area: f64,
+    /// The outline of what is made, where the line that is cut is not that outline: it runs half a kerf beside it, leaves
+    /// out a side that is cut with another contour, or is cut stretch by stretch with others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drawn: Option<Outline>,
+}
+
+/// An outline of a part or a hole.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Outline {
+    /// Where it begins and ends, mm.
+    pub from: [f64; 2],
+    /// Its elements in order, each from where the last one ended.
+    pub path: Vec<Element>,
+}
+
+impl Contour {
+    /// Whether it bounds a part or a hole. Where several contours are cut stretch by stretch, the outlines that were drawn
+    /// say so.
+    pub fn bounds_area(&self) -> bool {
+        let drawn = self.drawn.is_some() && self.area > 0.0;
+        drawn || (self.closed && self.operation == Operation::Cut)
+    }
+
+    /// Whether it frees no part.
+    pub fn is_open(&self) -> bool {
+        !self.closed && self.drawn.is_none()
+    }
+}
+
+impl Outline {
+    fn of(path: &Path) -> Option<Self> {
+        Some(Self { from: place(path.start()?), path: Element::all(&path.segments) })
+    }
+
+    /// Its elements with both ends.
+    pub fn segments(&self) -> Vec<Segment> {
+        segments(&self.path, &mut DVec2::from(self.from))
+    }
+}
+
+/// The contours of a sheet as a machine works them.
+pub fn contours(sheet: &Sheet, machine: &Profile) -> Vec<Contour> {
+    // Contours of a pierce group are cut stretch by stretch, in any order.
+    let mut in_group = vec![false; sheet.contours.len()];
+    for id in sheet.cut_as_one(machine.makes_pre_cuts()).iter().flat_map(|group| &group.contours) {
+        if let Some(known) = in_group.get_mut(*id as usize) {
+            *known = true;
+        }
+    }
+    let contour = |(id, (c, in_group)): (u32, (&crate::sheet::Contour, bool))| Contour {
+        id,
+        closed: c.path.closed,
+        layer: sheet.layer_name(id).to_owned(),
+        operation: c.operation,
+        inside: c.inside,
+        length: c.length,
+        area: c.area,
+        drawn: c.part_outline().or_else(|| c.boundary().filter(|_| in_group)).and_then(Outline::of),
+    };
+    (0..).zip(sheet.contours.iter().zip(in_group)).map(contour).collect()
+}

@@ -1,0 +1,155 @@
+//! The document itself, with the facts about its input, search and options.
+
+use super::super::model::Summary;
+use super::contour::Contour;
+use super::moves::Move;
+use crate::dxf::{ReadOptions, Unit, UnitsSource};
+use crate::finding::Finding;
+use crate::machine::Profile;
+use crate::sheet::{CommonCuts, Operation, SheetOptions};
+use serde::{Deserialize, Serialize};
+
+/// The name and version of the format.
+pub const SCHEMA: &str = "kerfway.plan/1";
+
+/// A plan with everything it came from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Document {
+    /// Name and version of the format: [`SCHEMA`].
+    pub schema: String,
+    /// Unit of every length in the document: millimetres, whatever the drawing was in.
+    pub units: Unit,
+    /// Name of the search method.
+    pub method: String,
+    /// Parameters of a method from a paper that differ from its defaults, as a JSON object in text; `None`: all are the
+    /// defaults.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parameters: Option<String>,
+    /// Decided every random choice.
+    pub seed: u64,
+    /// What the search was given and what it used.
+    pub budget: Budget,
+    /// The drawing.
+    pub input: Input,
+    /// The machine, with a material on it.
+    pub machine: Profile,
+    /// How the drawing was read and arranged.
+    pub options: Options,
+    /// What the plan adds up to.
+    pub summary: Summary,
+    /// The contours of the sheet, each at the index that is its id.
+    pub contours: Vec<Contour>,
+    /// What the head does, in order. Each move starts where the last one ended, the first at the machine's home.
+    pub moves: Vec<Move>,
+    /// Findings of the reader, then of the sheet, then of the plan.
+    pub findings: Vec<Finding>,
+}
+
+/// What the search was given, and what it used.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Budget {
+    /// Moves of the search asked for; `None`: not limited by moves.
+    pub moves: Option<u64>,
+    /// Seconds asked for; `None`: not limited by time.
+    pub seconds: Option<f64>,
+    /// Moves of the search done.
+    pub done: u64,
+    /// Searches side by side, each with this budget; `None`: one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub workers: Option<u32>,
+}
+
+/// The drawing that a plan is for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Input {
+    /// SHA-256 of the file's bytes, in lower-case hexadecimal.
+    pub sha256: String,
+    /// Name of the file, for people.
+    pub name: String,
+    /// Unit the drawing was taken to be in.
+    pub units: Unit,
+    /// Where that unit came from.
+    pub units_source: UnitsSource,
+}
+
+/// How the drawing was read and arranged.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Options {
+    /// Unit given by a person; `None`: taken from the file.
+    pub units: Option<Unit>,
+    /// Largest distance between a spline or ellipse and its lines and arcs, mm.
+    pub tolerance: f64,
+    /// Whether entities that were read through a break in the file were kept.
+    pub keep_damaged: bool,
+    /// Ends nearer than this were joined, mm.
+    pub join_tolerance: f64,
+    /// Elements nearer than this everywhere were taken for copies, mm.
+    pub copy_tolerance: f64,
+    /// What a person said is done with layers; their order is the order by layer.
+    pub layers: Vec<LayerOperation>,
+    /// Whether layers were worked one after the other.
+    pub order_by_layer: bool,
+    /// Whether a lone border around everything was left out.
+    pub ignore_outline: bool,
+    /// Whether a part was worked wholly before the next one.
+    pub part_by_part: bool,
+    /// What was done with cuts that contours share.
+    pub common_cuts: CommonCuts,
+    /// Contours worked before all others, by id.
+    pub first: Vec<u32>,
+    /// Contours worked after all others, by id.
+    pub last: Vec<u32>,
+    /// Contours left out, by id.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub exclude: Vec<u32>,
+}
+
+/// What is done with a layer.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LayerOperation {
+    /// Name of the layer.
+    pub name: String,
+    /// What is done with it.
+    pub operation: Operation,
+}
+
+impl Document {
+    /// Reads a plan document.
+    ///
+    /// # Errors
+    /// One sentence: this is no plan document, or one of another version.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let document: Self = serde_json::from_str(text)
+            .map_err(|e| format!("This is not a plan of the kind {SCHEMA}: {e}."))?;
+        if document.schema == SCHEMA {
+            Ok(document)
+        } else {
+            Err(format!("This is a document of the kind {}, not {SCHEMA}.", document.schema))
+        }
+    }
+}
+
+impl Options {
+    /// The options with which a drawing was read and arranged.
+    pub fn of(read: &ReadOptions, arrange: &SheetOptions) -> Self {
+        let layer = |(name, operation): &(String, Operation)| LayerOperation {
+            name: name.clone(),
+            operation: *operation,
+        };
+        Self {
+            units: read.unit,
+            tolerance: read.tolerance,
+            keep_damaged: read.keep_damaged,
+            join_tolerance: arrange.join_tolerance,
+            copy_tolerance: arrange.copy_tolerance,
+            layers: arrange.layers.iter().map(layer).collect(),
+            order_by_layer: arrange.order_by_layer,
+            ignore_outline: arrange.ignore_outline,
+            part_by_part: arrange.part_by_part,
+            common_cuts: arrange.common_cuts,
+            first: arrange.first.clone(),
+            last: arrange.last.clone(),
+            exclude: arrange.exclude.clone(),
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! The moves of a plan document, and how they come from a plan.
+//!
+//! An arc has no sweep in this format: its ends, centre and direction say it, and one that ends exactly where it starts is
+//! a full circle. Where rounding could turn next to nothing into a circle, or a circle into next to nothing, the arc is
+//! replaced by what is safe: one flatter than [`FLAT`] by its chord, one nearer to a full turn than [`NEAR_TURN`] by two
+//! halves.
+
+use super::super::model;
+use crate::geometry::{Arc, DVec2, Segment, arcs};
+use serde::{Deserialize, Serialize};
+use std::f64::consts::{PI, TAU};
+
+/// An arc no farther than this from its chord is written as a line, mm: a thousandth of the smallest thing a drawing
+/// says, and a thousand times the rounding of a place on the largest sheet.
+const FLAT: f64 = 1e-9;
+/// An arc this near to a full turn, but not joined, is written as two, rad: on a circle of 1 m, a micrometre.
+const NEAR_TURN: f64 = 1e-6;
+
+/// One thing the head does. It starts where the last one ended, the first at the machine's home. Places in mm.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Move {
+    /// Beam off, to a place.
+    Air {
+        /// Where to.
+        to: [f64; 2],
+    },
+    /// Piercing on the spot.
+    Pierce,
+    /// A bit of a contour cut ahead where the head is: the contour is resumed there later without piercing.
+    PreCut {
+        /// The contour's id.
+        contour: u32,
+        /// Where the head is.
+        to: [f64; 2],
+        /// What is cut ahead from there, before the head comes back dark; empty where pre-cuts have no length.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        ahead: Vec<Element>,
+    },
+    /// A pause in a sharp corner, beam off; the next move goes on with the cut.
+    Macro {
+        /// The contour's id.
+        contour: u32,
+        /// The corner.
+        at: [f64; 2],
+    },
+    /// Beam on along a contour, or a stretch of it; cutting or marking as the contour's operation says.
+    Cut {
+        /// The contour, or all contours that share this cut.
+        contour: Contours,
+        /// Elements in order, each from where the last one ended.
+        path: Vec<Element>,
+    },
+}
+
+/// The contour of a cut, or the contours that share it, by id.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Contours {
+    /// One contour.
+    One(u32),
+    /// The contours of a pierce group that the cut runs along, in order.
+    Several(Vec<u32>),
+}
+
+/// A line or an arc from where the last element ended. Places in mm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Element {
+    /// A straight line.
+    Line {
+        /// Its end.
+        line: [f64; 2],
+    },
+    /// A circular arc; one that ends where it starts is a full circle.
+    Arc {
+        /// Its end.
+        arc: [f64; 2],
+        /// Its centre.
+        center: [f64; 2],
+        /// Whether it runs counter-clockwise.
+        ccw: bool,
+    },
+}
+
+impl From<&model::Move> for Move {
+    fn from(step: &model::Move) -> Self {
+        match step {
+            model::Move::Air { to } => Self::Air { to: place(*to) },
+            model::Move::Pierce => Self::Pierce,
+            model::Move::PreCut { contour, to, ahead } => {
+                Self::PreCut { contour: *contour, to: place(*to), ahead: Element::all(ahead) }
+            }
+            model::Move::Macro { contour, at } => Self::Macro { contour: *contour, at: place(*at) },
+            model::Move::Cut { contour, with, path, .. } => {
+                Self::Cut { contour: Contours::of(*contour, with), path: Element::all(path) }
+            }
+        }
+    }
+}
+
+impl Contours {
+    fn of(contour: u32, with: &[u32]) -> Self {
+        match with {
+            [] => Self::One(contour),
+            others => Self::Several(std::iter::once(contour).chain(others.iter().copied()).collect()),
+        }
+    }
+
+    pub(super) fn first(&self) -> Option<u32> {
+        match self {
+            Self::One(id) => Some(*id),
+            Self::Several(ids) => ids.first().copied(),
+        }
+    }
+}
+
+impl Element {
+    /// The elements that say what these segments are.
+    pub(super) fn all(segments: &[Segment]) -> Vec<Self> {
+        let mut all = Vec::with_capacity(segments.len());
+        for segment in segments {
+            match segment {
+                Segment::Arc(a) if !is_flat(a) => {
+                    all.extend(arcs::split(a, largest_sweep(a)).map(|a| Self::arc(&a)));
+                }
+                Segment::Line(_) | Segment::Arc(_) => all.push(Self::Line { line: place(segment.end()) }),
+            }
+        }
+        all
+    }
+
+    fn arc(arc: &Arc) -> Self {
+        Self::Arc { arc: place(arc.end), center: place(arc.center), ccw: arc.ccw() }
+    }
+
+    fn segment(self, from: DVec2) -> Segment {
+        match self {
+            Self::Line { line } => Segment::line(from, line.into()),
+            Self::Arc { arc, center, ccw } => Segment::Arc(Arc::new(from, arc.into(), center.into(), ccw)),
+        }
+    }
+}
+
+/// Elements with both ends, the first from `at`, which moves on to the end of the last.
+pub(super) fn segments(path: &[Element], at: &mut DVec2) -> Vec<Segment> {
+    let segment = |element: &Element| {
+        let segment = element.segment(*at);
+        *at = segment.end();
+        segment
+    };
+    path.iter().map(segment).collect()
+}
+
+/// A point without minus zeros.
+pub(super) fn place(p: DVec2) -> [f64; 2] {
+    [p.x + 0.0, p.y + 0.0]
+}
+
+/// Whether every reader takes the arc for its chord.
+fn is_flat(arc: &Arc) -> bool {
+    arc.sweep.abs() < PI && arcs::sagitta(arc) < FLAT
+}
+
+/// The largest sweep that ends, centre and direction of this arc's pieces say safely.
+fn largest_sweep(arc: &Arc) -> f64 {
+    let joined = arc.is_circle() && arc.start == arc.end;
+    if joined || arc.sweep.abs() < TAU - NEAR_TURN { TAU } else { PI }
+}

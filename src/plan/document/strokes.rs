@@ -1,0 +1,47 @@
+//! The strokes of the head that a plan document describes: the PNG renderer draws them, a quote measures them.
+
+use super::model::Document;
+use super::moves::{Move, segments};
+use crate::geometry::{DVec2, Segment};
+
+/// One stroke of the head: what is drawn of a plan, and what is measured.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stroke {
+    /// Beam off.
+    Air {
+        /// mm.
+        from: DVec2,
+        /// mm.
+        to: DVec2,
+    },
+    /// Beam on.
+    Beam {
+        /// The contour's id, the first of several; `None` for a pre-cut.
+        contour: Option<u32>,
+        /// Elements, mm.
+        path: Vec<Segment>,
+    },
+}
+
+/// The strokes of a plan in order, the first from home.
+pub fn strokes(document: &Document) -> Vec<Stroke> {
+    let mut at = document.machine.home();
+    let stroke = |step: &Move| {
+        let from = at;
+        match step {
+            Move::Air { to } => {
+                at = DVec2::from(*to);
+                Some(Stroke::Air { from, to: at })
+            }
+            Move::Pierce | Move::Macro { .. } => None,
+            Move::PreCut { to, .. } => {
+                at = DVec2::from(*to);
+                Some(Stroke::Beam { contour: None, path: vec![Segment::line(from, at)] })
+            }
+            Move::Cut { contour, path } => {
+                Some(Stroke::Beam { contour: contour.first(), path: segments(path, &mut at) })
+            }
+        }
+    };
+    document.moves.iter().filter_map(stroke).collect()
+}
