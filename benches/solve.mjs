@@ -1,7 +1,7 @@
 // The search against the best values known and against other solvers, on every kind of instance, natively and in wasm
 // under Node:
 //
-//     npm run bench -- solve [sheets|pool|qu-du|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME] [--cpu]
+//     npm run bench -- solve [sheets|grids|pool|qu-du|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME] [--cpu]
 //                            [--data FOLDER]
 //
 // `--cpu` counts seconds of the processor instead of the clock's, for a machine that others use too (Linux).
@@ -10,9 +10,9 @@
 // checked by code that shares nothing with the search. Other solvers run on the same instances in the same run where Python has
 // them (`KERFWAY_PYTHON`, else python3; benches/solve/baselines.py says what they need).
 
-import { readFileSync } from 'node:fs';
+import { readFileSync, rmSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
-import { basename, join } from 'node:path';
+import { basename, dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { setup } from '../scripts/setup.mjs';
@@ -20,6 +20,7 @@ import { ask, DIST, ENV, ROOT, run, Stop } from '../scripts/tools.mjs';
 import { build as buildAll, LEAN } from '../scripts/build.mjs';
 import { Instances, NOT_RUN } from './common/data.mjs';
 import { mb, mean, median, ms, rows, table } from './common/table.mjs';
+import { byHand, drawn, PATTERNS, SIDES } from './solve/grids.mjs';
 
 const HERE = join(ROOT, 'benches', 'solve');
 const NATIVE = join(HERE, 'target', 'release', 'kerfway-bench-solve');
@@ -34,6 +35,7 @@ const SOLVERS = ['elkai', 'pyvrp', 'ortools'];
 
 const SETS = {
   sheets,
+  grids,
   pool,
   'qu-du': quDu,
   gtsplib: (options) => library('gtsplib', '.gtsp', options, true),
@@ -126,6 +128,24 @@ async function sheets({ seconds, seeds, only, cpu, instances }) {
   }
   const marks = MARKS.filter((m) => m <= seconds).map((m) => `${m} s`);
   table(`Sheets in wasm, one worker: air length in mm, median of ${seeds} seeds`, ['', 'first plan', ...marks, 'best', 'best known before', 'median to it', 'above the bound', 'memory'], lines);
+}
+
+/** Perforated sheets, natively in one thread: against nearest next and the best of some ways laid by hand. */
+async function grids({ seconds, seeds, only = '', cpu }) {
+  const marks = [1, 5, 15].filter((m) => m <= seconds);
+  const cases = Object.keys(PATTERNS).flatMap((name) => SIDES.map((side) => [name, side]));
+  const lines = cases.filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => {
+    const file = drawn(name, side);
+    const [{ runs }] = natively(file, { seconds, seeds, cpu });
+    rmSync(dirname(file), { recursive: true });
+    const [hand, first] = [byHand(name, side), runs[0].trace[0][1]];
+    const ours = marks.map((m) => median(runs.map((r) => at(r, m))));
+    const line = [`${name}_${side * side}`, hand.toFixed(1), first.toFixed(1), ...ours.map((v) => v.toFixed(1)), percent(ours.at(-1) ?? first, first), percent(ours.at(-1) ?? first, hand)];
+    console.log(line.join('  '));
+    return line;
+  });
+  const columns = ['', 'by hand', 'nearest next', ...marks.map((m) => `${m} s`), 'to nearest next', 'to by hand'];
+  table(`Perforated sheets natively: air length in mm, median of ${seeds} seeds`, columns, lines);
 }
 
 /** The package's own pool on the sheets: as many workers as there are cores. */

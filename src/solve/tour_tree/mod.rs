@@ -2,6 +2,7 @@
 //!
 //! 1. Nearest neighbour (`greedy`) gives the first feasible path at once.
 //! 2. Neighbour lists by gate (`neighbours.rs`), then local search over the whole tour (`improve.rs`).
+//!    Where items are in rows, tours along the rows are tried as well (`rows.rs`).
 //! 3. Cycles of annealed kicks, each longer than the one before (`anneal`): first with nesting ignored, then repaired
 //!    (`repair.rs`) and with nesting kept. The results of cycles are recombined (`recombine.rs`). Small problems get
 //!    other kicks (`small_instances.rs`).
@@ -37,6 +38,7 @@ mod recombine;
 mod repair;
 mod ring;
 mod ring_in_gap;
+mod rows;
 mod ruin_recreate;
 mod small_instances;
 mod snapshot;
@@ -127,8 +129,11 @@ impl TourTreeSearch<'_> {
     /// Takes over what has improved since the last slice.
     fn collect(&mut self) {
         self.annealing.save();
-        let (priced, (seconds, snapshot)) = (self.priced(), self.annealing.best());
-        self.best.take_tour(seconds, snapshot, priced);
+        let priced = self.priced();
+        // On tens of thousands of contours the first local search takes a second: its progress is shown meanwhile.
+        for (seconds, tour) in [Some(self.annealing.best()), self.annealing.settling()].into_iter().flatten() {
+            self.best.take_tour(seconds, tour, priced);
+        }
         if let Some(children) = &mut self.children {
             children.save(&self.annealing.tour().space);
             if children.best().cost < self.best.cost() {

@@ -20,7 +20,7 @@ pub(super) fn repaired(space: &Space, free: &TourSnapshot) -> [TourSnapshot; 2] 
 }
 
 /// A tour in which every item is delayed until all that must come before it is done.
-fn delayed(space: &Space, tour: &TourSnapshot) -> TourSnapshot {
+pub(super) fn delayed(space: &Space, tour: &TourSnapshot) -> TourSnapshot {
     let mut waits_for: Vec<usize> = (0..=space.home).map(|i| space.precedence.before(i).len()).collect();
     let mut met = vec![false; tour.at.len()];
     let mut order = Vec::with_capacity(tour.order.len());

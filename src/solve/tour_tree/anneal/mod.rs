@@ -15,6 +15,7 @@ use super::improve::improve;
 use super::neighbours::Neighbours;
 use super::queue::Queue;
 use super::recombine::Elites;
+use super::rows::Rows;
 use super::small_instances::is_small;
 use super::snapshot::TourSnapshot;
 use super::tour::Tour;
@@ -35,6 +36,8 @@ enum Stage {
     Listing,
     /// Improves the whole tour locally.
     Settling,
+    /// Tries tours along rows; holds the cheapest so far with its seconds, if it costs less than the best tour.
+    TryingRows(Rows, Option<(f64, TourSnapshot)>),
     /// Makes kicks.
     Kicking,
     /// Recombines the result with the partner of this number; the second is the cost before the first partner.
@@ -117,6 +120,12 @@ impl<'p> Annealing<'p> {
         (self.best.0, &self.best.1)
     }
 
+    /// The tour while the first local search improves it, with its seconds: it is feasible unless nesting is ignored.
+    pub(super) fn settling(&self) -> Option<(f64, &TourSnapshot)> {
+        let settles = matches!(self.stage, Stage::Settling) && !self.tour.free;
+        settles.then(|| (self.tour.cost(), self.tour.current()))
+    }
+
     /// Whether the first local search has ended.
     pub(super) fn has_settled(&self) -> bool {
         self.mean_leg.is_some()
@@ -160,6 +169,10 @@ impl<'p> Annealing<'p> {
                     }
                     None => self.settled(),
                 }
+                false
+            }
+            Stage::TryingRows(..) => {
+                self.try_rows();
                 false
             }
             Stage::Kicking => {
@@ -215,12 +228,36 @@ impl<'p> Annealing<'p> {
         debug_assert!(self.tour.is_feasible(), "a move broke precedence");
         self.start_part();
         self.save();
-        if self.mean_leg.is_none() {
-            self.mean_leg = Some(self.cost / self.tour.last().max(1) as f64);
-            self.begin_cycle();
-        } else {
+        if self.kicks_wanted > 0 {
             self.begin_second_part();
+            return;
         }
+        let first = self.mean_leg.is_none();
+        self.mean_leg = Some(self.cost / self.tour.last().max(1) as f64);
+        match Rows::new(&self.tour.space, self.tour.current()).filter(|_| first) {
+            Some(rows) => self.stage = Stage::TryingRows(rows, None),
+            None => self.begin_cycle(),
+        }
+    }
+
+    /// Tries one tour along the rows. After the last of them the search goes on from the cheapest, if it costs less than
+    /// the first locally best tour.
+    fn try_rows(&mut self) {
+        let Stage::TryingRows(rows, found) = &mut self.stage else { return };
+        if rows.try_next(&mut self.tour, &mut self.queue) {
+            let cost = self.tour.cost();
+            if cost < found.as_ref().map_or(self.best.0, |f| f.0) - EPSILON {
+                *found = Some((cost, self.tour.current().clone()));
+            }
+            return;
+        }
+        let Some((_, snapshot)) = found.take() else {
+            self.begin_cycle();
+            return;
+        };
+        self.tour.put(snapshot);
+        self.start_part();
+        self.settle();
     }
 
     /// Makes the current tour the first, and so the best, of a part.
