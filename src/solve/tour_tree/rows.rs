@@ -15,7 +15,7 @@ use super::reenter::reenter;
 use super::repair::delayed;
 use super::space::Space;
 use super::tour::Tour;
-use super::travel::Gap;
+use super::travel::{Gap, Place};
 use crate::geometry::{Aabb, DVec2};
 use crate::order::{real, sort_by};
 
@@ -145,7 +145,7 @@ fn is_around(space: &Space, item: u32) -> bool {
 }
 
 fn center(space: &Space, item: u32) -> DVec2 {
-    space.gates(item).fold(Aabb::EMPTY, |b, p| b.with(p)).center()
+    space.gates(item).fold(Aabb::EMPTY, |b, place| b.with(place.point)).center()
 }
 
 /// Numbers items by their place along an axis; items at the same place get the same number. Gives the numbers by item and
@@ -165,9 +165,9 @@ fn numbered(items: usize, mut places: Vec<(f64, u32)>) -> (Vec<u64>, u64) {
 
 /// Entries along an order: each where the way from the last entry towards the next item's centre costs least.
 fn entered_on_the_way(space: &Space, order: &[u32], mut at: Vec<u32>) -> Vec<u32> {
-    let mut from = space.problem.home;
+    let mut from = Place::from(space.problem.home);
     for pair in order[1..].windows(2) {
-        let gap = Gap { from, to: Some(center(space, pair[1])) };
+        let gap = Gap { from, to: Some(center(space, pair[1]).into()) };
         let (entry, _) = space.best_entry(pair[0], gap, f64::INFINITY);
         at[pair[0] as usize] = entry;
         from = space.exit(pair[0], entry);
