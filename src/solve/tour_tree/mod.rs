@@ -131,7 +131,8 @@ impl TourTreeSearch<'_> {
         self.annealing.save();
         let priced = self.priced();
         // On tens of thousands of contours the first local search takes a second: its progress is shown meanwhile.
-        for (seconds, tour) in [Some(self.annealing.best()), self.annealing.settling()].into_iter().flatten() {
+        for (seconds, tour) in [Some(self.annealing.best()), self.annealing.settling()].into_iter().flatten()
+        {
             self.best.take_tour(seconds, tour, priced);
         }
         if let Some(children) = &mut self.children {

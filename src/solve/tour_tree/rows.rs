@@ -9,10 +9,10 @@
 //! row to the other at every column, so that it uses the short ways between them. It comes home along a lane of columns
 //! that the bands leave out, or in one straight move.
 
-use super::snapshot::TourSnapshot;
+use super::improve_entry::improve_entry;
 use super::queue::Queue;
-use super::reenter::reenter;
 use super::repair::delayed;
+use super::snapshot::TourSnapshot;
 use super::space::Space;
 use super::tour::Tour;
 use super::travel::{Gap, Place};
@@ -91,13 +91,13 @@ impl Rows {
         let order = self.order(&tour.space, tour.current(), &way);
         let at = entered_on_the_way(&tour.space, &order, tour.current().at.clone());
         let kept = delayed(&tour.space, &TourSnapshot { order, at });
-        tour.put(kept);
+        tour.restore(kept);
         let last = tour.last();
         // An entry that is looked at counts as a move; those for the first pass are looked at once more.
         tour.priced += last as u64;
         for position in (0..ROUNDS).flat_map(|_| 1..=last) {
             let item = tour.item(position);
-            reenter(tour, queue, item);
+            improve_entry(tour, queue, item);
         }
         while queue.pop().is_some() {}
         tour.commit();

@@ -122,7 +122,7 @@ impl<'p> Annealing<'p> {
 
     /// The tour while the first local search improves it, with its seconds: it is feasible unless nesting is ignored.
     pub(super) fn settling(&self) -> Option<(f64, &TourSnapshot)> {
-        let settles = matches!(self.stage, Stage::Settling) && !self.tour.free;
+        let settles = matches!(self.stage, Stage::Settling) && !self.tour.ignores_nesting;
         settles.then(|| (self.tour.cost(), self.tour.current()))
     }
 
@@ -255,7 +255,7 @@ impl<'p> Annealing<'p> {
             self.begin_cycle();
             return;
         };
-        self.tour.put(snapshot);
+        self.tour.restore(snapshot);
         self.start_part();
         self.settle();
     }

@@ -73,8 +73,8 @@ fn scattered_items_have_no_rows() {
     let centers: Vec<DVec2> = (0..SIDE * SIDE).map(at).collect();
     let problem = rectangles(&centers, DVec2::splat(0.2));
     let space = super::Space::new(&problem);
-    let kept = space.kept(&crate::solve::greedy(&problem));
-    assert!(super::Rows::new(&space, &kept).is_none());
+    let tour = space.snapshot(&crate::solve::greedy(&problem));
+    assert!(super::Rows::new(&space, &tour).is_none());
 }
 
 /// What the first local search has gained is shown before its end.
