@@ -56,8 +56,8 @@ pub struct Item {
 }
 
 impl Item {
-    /// Seconds on top of [`Item::fixed`] when it is entered by one of its nodes, `along` mm from the start of its track;
-    /// never less than 0.
+    /// Seconds beyond [`Item::fixed`] if it is entered by one of its nodes, `along` mm from the start of its track. Never
+    /// negative.
     pub fn extra(&self, node: NodeId, along: f64) -> f64 {
         match self.path(node) {
             Some(path) => path.seconds - self.fixed,

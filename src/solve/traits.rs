@@ -1,7 +1,7 @@
-//! The two traits every method goes through.
+//! The two traits of every method, and what they exchange with callers.
 //!
-//! The core neither reads a clock nor decides when to stop: the caller hands out work in moves and looks at what
-//! came of it. A search cut into slices of any size gives the same bytes as one long run.
+//! The core neither reads a clock nor decides when to stop: the caller grants work in moves and looks at the result. A
+//! search in slices of any size gives the same bytes as one long run.
 
 use super::Insight;
 use crate::geometry::DVec2;
@@ -14,26 +14,26 @@ use serde::Serialize;
 pub struct SolverInfo {
     /// Name on the command line.
     pub name: &'static str,
-    /// For people.
+    /// Name for people.
     pub title: &'static str,
-    /// One sentence: what it does.
+    /// What it does, in one sentence.
     pub about: &'static str,
-    /// Paper, when it comes from one.
+    /// The paper it comes from, if any.
     pub source: Option<&'static str>,
 }
 
-/// One visit of a route: an item cut from one place to another, in its stored direction when that is not all of it.
+/// One visit of a route: an item that is cut from one place to another. A partial visit runs in the stored direction.
 ///
-/// A contour that is left unfinished has several visits in order, each from where the one before it ended; the last
-/// ends where the first began, so together they are one loop. What lies between two visits of a contour is its child
+/// A contour that is left unfinished has several visits in order. Each begins where the previous one ended, and the last
+/// ends where the first began, so that together they are one loop. The stops between two visits of a contour are its child
 /// route: visits nest like brackets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
-    /// The node at which its item is entered, or the one it slid away from.
+    /// The node where its item is entered, or from which the entry has slid away.
     pub node: NodeId,
-    /// Place of entry along the item's track, mm; for an item without one, its node's.
+    /// Arc length of the entry along the item's track, mm; without a track, that of the node.
     pub along: f64,
-    /// Place where this visit ends, mm; the same as `along`: once round, all of the item in one visit.
+    /// Arc length where this visit ends, mm. If it equals `along`, the visit is all of the item.
     pub until: f64,
 }
 
@@ -54,7 +54,7 @@ impl Stop {
         self.along == self.until
     }
 
-    /// Where the head enters and leaves; `None` for a node that is none.
+    /// Where the head enters and leaves; `None` if there is no such node.
     pub fn ends(&self, problem: &Problem) -> Option<(DVec2, DVec2)> {
         let node = problem.nodes.get(self.node as usize)?;
         let item = problem.items.get(node.item as usize)?;
@@ -80,11 +80,11 @@ pub struct Solution {
     /// In order of visit.
     pub stops: Vec<Stop>,
     /// Seconds that depend on order and entries, which the search minimises: travel, contours left unfinished, and what
-    /// items cost on top of their fixed seconds by where they are entered.
+    /// the extra seconds of entries.
     pub cost: f64,
 }
 
-/// What became of a slice of work.
+/// Whether a search can go on after a slice of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// More work may help.
@@ -96,20 +96,20 @@ pub enum Status {
 /// Result of [`Search::step`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// Goes on or not.
+    /// Whether more work may help.
     pub status: Status,
-    /// Moves done in this slice; never more than asked for.
+    /// Moves done in this slice, never more than were granted.
     pub done: u64,
     /// The best solution changed in this slice.
     pub improved: bool,
 }
 
-/// Numbers for charts and comparisons.
+/// Numbers about a search, for charts and comparisons.
 #[derive(Clone, Copy, Debug, PartialEq, Default, Serialize)]
 pub struct Telemetry {
     /// Moves so far.
     pub moves: u64,
-    /// Moves at which the best was found.
+    /// Moves when the best was found.
     pub best_at: u64,
     /// Cost of the best, s.
     pub best: f64,
@@ -142,26 +142,26 @@ impl Solver for &'static dyn Solver {
     }
 }
 
-/// A search under way. It always has a feasible best solution, from its start on.
+/// A running search. It has a feasible best solution from its start on.
 pub trait Search {
     /// Works for at most `work` moves (priced candidate moves, whether taken or not).
     fn step(&mut self, work: u64) -> Step;
     /// The best solution so far.
     fn best(&self) -> &Solution;
-    /// Numbers.
+    /// The numbers about this search.
     fn telemetry(&self) -> Telemetry;
-    /// What makes a published method special, as it stands now; other methods have nothing to show.
+    /// The current inner state of a published method; other methods have none.
     fn insight(&self) -> Option<Insight> {
         None
     }
-    /// A solution found elsewhere; taken when better.
+    /// Offers a solution from elsewhere, which is taken over if it costs less than the best.
     fn offer(&mut self, _other: &Solution) {}
 }
 
 impl Solution {
-    /// Stops with the seconds they take: from home, from exit to entry, and home again when closed, for each entry by
-    /// its place, and the charge for each time an item is resumed; with a table of costs, around the cycle of their
-    /// nodes, which the start is one of.
+    /// A solution with its cost: the legs from home, from each exit to the next entry and, if closed, back home; the extra
+    /// seconds of entries; and the charge each time an item is resumed. With a table of costs it is the cost of the cycle
+    /// of the stops' nodes, which include the start.
     pub fn new(problem: &Problem, stops: Vec<Stop>) -> Self {
         if let Some(table) = problem.table() {
             let nodes: Vec<NodeId> = stops.iter().map(|s| s.node).collect();

@@ -111,7 +111,7 @@ impl Part<'_> {
         Err(InstanceError::at(self.line_of(index), what))
     }
 
-    /// Exactly so many numbers, or an error.
+    /// The numbers if their count is as given, or else an error.
     pub(super) fn exactly(&self, count: usize) -> Result<&[f64], InstanceError> {
         if self.numbers.len() == count {
             return Ok(&self.numbers);

@@ -12,7 +12,7 @@ pub(super) struct Sets {
     pub(super) start: usize,
 }
 
-/// The sets of a file with so many nodes; without a section of sets every node is one.
+/// The sets of a file with this many nodes; without a section of sets every node is a set.
 pub(super) fn sets(file: &File, nodes: usize) -> Result<Sets, InstanceError> {
     let Some(part) = file.part("GTSP_SET_SECTION") else {
         let members = (0..nodes).map(|n| vec![n]).collect();

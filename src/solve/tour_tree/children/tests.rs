@@ -10,7 +10,7 @@ use crate::machine::AirTime;
 use crate::problem::{NodeId, Problem};
 use crate::solve::Solver;
 
-/// Items under way and done, and the seconds so far.
+/// Begun and finished items, and the seconds so far.
 #[derive(Clone)]
 struct State {
     head: DVec2,
