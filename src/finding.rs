@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 /// How much a finding matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Severity {
     /// For information; nothing needs to be done.
     Info,
@@ -20,14 +21,13 @@ pub enum Severity {
     Error,
 }
 
-/// What a finding is about. Written in kebab case in JSON (`unsupported-entity`).
-///
-/// A new code also needs a phrase in `finding/phrases.rs`, its name in `FindingCode` of `www/sdk/protocol.ts`, and a
-/// title in `www/app/core/words/en.ts`. The compilers report a missing phrase or title; `tests/package/words.test.mjs`
-/// compares the two lists of codes.
+/// The kind of a finding. Written in kebab case in JSON (`unsupported-entity`). Later versions may add codes.
+// A new code also needs a phrase in `finding/phrases.rs` and a title in `www/app/core/words/en.ts`; the compilers report a
+// missing one. `FindingCode` of the package is generated: see `typescript.rs`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "FindingCode"))]
 pub enum Code {
     // Reading
     /// An entity kind that holds no outline to cut (text, dimension, image, ...), counted by kind and layer.
@@ -106,6 +106,7 @@ pub enum Code {
 
 /// One finding.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Finding {
     /// Code for programs.
     pub code: Code,
@@ -119,6 +120,7 @@ pub struct Finding {
     pub handle: Option<String>,
     /// Place on the sheet, mm.
     #[serde(with = "place")]
+    #[cfg_attr(test, ts(as = "Option<[f64; 2]>"))]
     pub at: Option<DVec2>,
     /// Number of entities or places the finding covers.
     pub count: u32,

@@ -101,6 +101,8 @@ pub mod problem;
 pub mod quote;
 pub mod sheet;
 pub mod solve;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod typescript;
 
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;

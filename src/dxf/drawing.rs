@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 /// The unit of length of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Unit {
     /// 25.4 mm.
     In,
@@ -90,6 +91,7 @@ impl Unit {
 /// Where the unit comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum UnitsSource {
     /// The header variable $INSUNITS.
     Header,
@@ -101,6 +103,7 @@ pub enum UnitsSource {
 
 /// The unit of a drawing, and why it was chosen.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "UnitsTaken"))]
 pub struct Units {
     /// The chosen unit.
     pub unit: Unit,
@@ -143,10 +146,11 @@ pub struct Shape {
 
 /// Number of entities of one kind.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct EntityKindCount {
-    /// Number in model space, as written (an INSERT counts once).
+    /// Name of the kind in DXF.
     pub kind: String,
-    /// In model space, as written (an INSERT counts once).
+    /// Number in model space, as written (an INSERT counts once).
     pub count: u32,
     /// Whether entities of this kind become geometry.
     pub supported: bool,

@@ -17,6 +17,7 @@ use std::fmt;
 /// The operation for one layer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct LayerChoice {
     /// Name of the layer.
     pub name: String,
@@ -27,30 +28,33 @@ pub struct LayerChoice {
 /// How a drawing is read and arranged.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct LoadOptions {
-    /// Units given by the user; `None` takes them from the header or guesses.
+    /// The unit of the drawing. Default: the unit in the file's header, or a guess.
     pub units: Option<Unit>,
-    /// Largest distance between a spline or ellipse and the lines and arcs that replace it, mm.
+    /// Largest distance between a spline or ellipse and the lines and arcs that replace it, mm. Default 0.005.
     pub tolerance: f64,
-    /// Whether entities are kept that were read across a defect in the file.
+    /// Whether entities are kept that were read across a defect in the file. Default false.
     pub keep_damaged: bool,
-    /// Largest distance between ends that are joined, mm.
+    /// Largest distance between ends that are joined, mm. Default 0.05.
     pub join_tolerance: f64,
-    /// Operations by layer; the order of the list is the order for `order_by_layer`.
+    /// The operation of each layer, by name. The order of the list is the order by layer.
     pub layers: Vec<LayerChoice>,
-    /// Whether layers are cut one after the other.
+    /// Whether layers are processed one after the other. Default false.
     pub order_by_layer: bool,
-    /// Whether a single border around everything is ignored.
+    /// Whether a single border around everything is ignored. Default false.
     pub ignore_outline: bool,
-    /// Whether a part is finished, with everything inside its holes, before the next one.
+    /// Whether a part is finished, with everything inside its holes, before the next one. Default false.
     pub part_by_part: bool,
-    /// Whether contours that share cuts are cut as one, on machines that make pre-cuts.
+    /// How contours that share cuts are cut on machines that make pre-cuts. Default `best`.
     pub common_cuts: CommonCuts,
-    /// Contours that are cut before all others, by id.
+    /// Contours that are processed before all others, with everything inside them, by id.
     pub first: Vec<u32>,
-    /// Contours that are cut after all others, by id.
+    /// Contours that are processed after all others, with the contours around them, by id.
     pub last: Vec<u32>,
-    /// Contours that are skipped, by id.
+    /// Contours to skip, by id. They stay in the list of contours with the operation `ignore`, so that the others keep their
+    /// ids. A hole in a skipped contour becomes a part of its own. A side that a skipped contour shares with another
+    /// contour is cut with the other one.
     pub exclude: Vec<u32>,
     /// Decodes text in multi-byte code pages. It is not an option of the caller; the bindings set it.
     #[serde(skip)]
@@ -119,6 +123,7 @@ fn within(name: &str, n: f64, range: &Range) -> Result<(), JobError> {
 /// The name of a preset machine, or a whole profile.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum MachineChoice {
     /// Name of a preset.
     Preset(String),
@@ -173,9 +178,11 @@ impl MachineChoice {
     }
 }
 
-/// When to stop. The search counts moves itself. Seconds are passed on to the caller, who has a clock.
+/// When a plan ends. If both are given, the first to be reached ends it. The search counts moves itself; seconds are left
+/// to the caller, who has a clock.
 #[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct Budget {
     /// Seconds of search.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -188,22 +195,26 @@ pub struct Budget {
 /// How a loaded drawing is planned.
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "StartOptions", optional_fields))]
 pub struct PlanOptions {
-    /// The machine.
+    /// The name of a preset, or a profile. Default `co2-100w`.
     pub machine: MachineChoice,
-    /// Name of a method; `None` selects the first of [`crate::solve::methods`].
+    /// Name of a method. Default: the first of [`crate::solve::methods`].
     pub method: Option<String>,
     /// Parameters of a published method, as a JSON object with the values that differ from its defaults.
     pub parameters: Option<String>,
     /// Seed of all random choices.
     pub seed: u64,
     /// A path to start from.
+    #[cfg_attr(test, ts(type = "WarmPath"))]
     pub warm: Option<WarmPath>,
     /// When to stop, in seconds of search.
     pub seconds: Option<f64>,
     /// When to stop, in moves of the search.
     pub moves: Option<u64>,
-    /// Number of searches that run in parallel and exchange the best path at fixed numbers of moves; `None` is one.
+    /// Number of searches that run in parallel, each with its own random numbers. They exchange the best path at fixed
+    /// numbers of moves, so the same number of searches gives the same bytes. A budget in moves applies to each search.
+    /// Default 1.
     pub workers: Option<u32>,
     /// Index of this search among them. Each has its own stream of random numbers; the first one has the stream of the seed
     /// itself.

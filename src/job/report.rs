@@ -12,6 +12,7 @@ use serde::Serialize;
 
 /// A contour, for lists.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct ContourInfo<'a> {
     /// Its index, which identifies it everywhere.
     pub id: u32,
@@ -19,7 +20,7 @@ pub struct ContourInfo<'a> {
     pub closed: bool,
     /// Name of its layer.
     pub layer: &'a str,
-    /// Cut or mark.
+    /// Cut, mark, or ignore: skipped by the option `exclude`, or as the border.
     pub operation: Operation,
     /// The contour directly around it.
     pub inside: Option<u32>,
@@ -31,6 +32,7 @@ pub struct ContourInfo<'a> {
 
 /// The content of a drawing, without its geometry.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "LoadedReport"))]
 pub struct Loaded<'a> {
     /// Name of the file.
     pub name: &'a str,
@@ -46,7 +48,7 @@ pub struct Loaded<'a> {
     pub layers: &'a [LayerUse],
     /// Contours by id.
     pub contours: Vec<ContourInfo<'a>>,
-    /// Parts.
+    /// The parts: outer contours with their holes.
     pub parts: &'a [Part],
     /// The contour that looks like the border of the sheet.
     pub outline: Option<u32>,
@@ -99,6 +101,7 @@ pub(super) fn contours(sheet: &Sheet) -> Vec<ContourInfo<'_>> {
 
 /// The job without a search, for comparison.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Baselines {
     /// In the order of the drawing.
     pub drawing: Summary,

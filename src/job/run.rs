@@ -21,6 +21,7 @@ const BOUND_WORK: [u32; 2] = [4_000_000, 16_000_000];
 /// Why a slice ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum SliceEnd {
     /// The requested moves are done; more may help.
     Running,
@@ -32,6 +33,7 @@ pub enum SliceEnd {
 
 /// The result of a slice of work.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Slice {
     /// Number of moves done.
     pub done: u64,

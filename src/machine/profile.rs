@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 /// How the axes move on an air move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Travel {
     /// Both axes move along a straight line, as fast as the limiting axis allows in this direction; at 45 degrees the
     /// head is faster than either axis. GRBL and similar controllers do this.
@@ -23,6 +24,7 @@ pub enum Travel {
 /// Limits of the two axes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Axes {
     /// Top speed of x and y, mm/s.
     pub speed: [f64; 2],
@@ -33,6 +35,7 @@ pub struct Axes {
 /// How the beam works in the material, for cutting or for marking.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Process {
     /// Speed along the contour, mm/s.
     pub speed: f64,
@@ -45,6 +48,7 @@ pub struct Process {
 /// Dialect of G-code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Dialect {
     /// GRBL 1.1 in laser mode with dynamic power (M4).
     GrblM4,
@@ -53,8 +57,10 @@ pub enum Dialect {
 /// A machine with a material.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "MachineProfile"))]
 pub struct Profile {
     /// Version of this data format: 1.
+    #[cfg_attr(test, ts(type = "1"))]
     pub version: u32,
     /// Name of the preset (`co2-100w`).
     pub name: String,
@@ -82,12 +88,14 @@ pub struct Profile {
     /// piercing. With 0, contours may be interrupted without charge and without pre-cuts (the partial cutting of the
     /// hull-part papers). With `None`, every contour is cut in one go.
     #[serde(default)]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub pre_cut_time: Option<f64>,
     /// Length of a pre-cut, mm. It is cut and the head returns within [`Profile::pre_cut_time`].
     #[serde(default, skip_serializing_if = "is_zero")]
     pub pre_cut_length: f64,
     /// The corners that are cut with a pause; `None` for no such corners.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub sharp_corner: Option<SharpCorner>,
     /// Width of the cut, mm. If it is above 0, contours are outlines of parts and holes, and the beam is offset from
     /// them by half the kerf width. If it is 0, the beam follows the drawn lines.

@@ -46,6 +46,7 @@ pub enum Move {
 
 /// The sums of a plan. Lengths are in mm, times in s.
 #[derive(Clone, Debug, PartialEq, Default, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Summary {
     /// Number of contours cut or marked.
     pub contours: u32,

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 /// A kind of defect.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Defect {
     /// The code of its findings.
     pub code: Code,
@@ -19,6 +20,7 @@ pub struct Defect {
 
 /// How far the figures can be relied on.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Confidence {
     /// In one word.
     pub level: Level,
@@ -29,6 +31,7 @@ pub struct Confidence {
 /// In one word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ConfidenceLevel"))]
 pub enum Level {
     /// Nothing known speaks against the figures.
     High,

@@ -3,15 +3,16 @@
 use crate::fields::{self, Field, Kind, Range, Shaped, out_of_range};
 use serde::{Deserialize, Serialize};
 
-/// What the sheet is made of.
+/// The material of the sheet.
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct Material {
-    /// For people.
+    /// A name, which is only shown.
     pub name: Option<String>,
-    /// mm.
+    /// Thickness, mm.
     pub thickness: Option<f64>,
-    /// g/cm3: mild steel 7.85, aluminium 2.70, acrylic 1.19, birch plywood about 0.68.
+    /// Density, g/cm3: mild steel 7.85, aluminium 2.70, acrylic 1.19, birch plywood about 0.68.
     pub density: Option<f64>,
 }
 

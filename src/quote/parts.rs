@@ -14,18 +14,19 @@ const SAME: f64 = 1e-3;
 /// And those of at most this many mm or mm2.
 const SMALL: f64 = 0.01;
 
-/// Parts that are the same.
+/// A group of equal parts.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct PartGroup {
-    /// How many.
+    /// Number of parts in the group.
     pub count: u32,
-    /// Of one: its area, holes left out.
+    /// Area of one part without its holes.
     pub net_area: f64,
-    /// Of one: outer contour and holes.
+    /// Length of the cuts of one part: outer contour and holes.
     pub cut_length: f64,
-    /// Of one.
+    /// Number of holes in one part.
     pub holes: usize,
-    /// Outer contours, by id.
+    /// Outer contours of the parts, by id.
     pub contours: Vec<u32>,
 }
 

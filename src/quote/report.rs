@@ -14,32 +14,38 @@ use serde::{Serialize, Serializer};
 /// The format this writes.
 const SCHEMA: &str = "kerfway.quote/1";
 
-/// The report. Lengths mm, areas mm2, times s.
+/// What a price depends on. Lengths are in mm, areas in mm2, times in s, weights in g. docs/quote.md describes every field.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Quote {
-    /// `kerfway.quote/1`.
+    /// Name and version of the format.
+    #[cfg_attr(test, ts(type = "'kerfway.quote/1'"))]
     pub schema: &'static str,
-    /// SHA-256 of the report while this field is empty.
+    /// SHA-256 of the whole report with this field empty. The same drawing, options, seed and moves give the same hash
+    /// natively, in Node and in every browser. A server that plans again with `moves` can confirm the report of a browser.
     pub hash: String,
     /// The drawing.
+    #[cfg_attr(test, ts(inline))]
     pub input: Input,
     /// The machine's whole profile.
     #[serde(serialize_with = "by_name")]
     pub machine: Profile,
-    /// How the drawing was read and arranged.
+    /// How the drawing was read and arranged, as in the plan document.
     #[serde(serialize_with = "by_name")]
+    #[cfg_attr(test, ts(type = "Record<string, unknown>"))]
     pub options: Options,
-    /// The method.
+    /// Name of the search method.
     pub method: String,
-    /// Its parameters, where given.
+    /// Parameters of the method; `None` if all are the defaults.
     pub parameters: Option<String>,
-    /// Decided its random choices.
+    /// Seed of all random choices.
     pub seed: u64,
-    /// Moves it did: with them, the seed and the same workers it comes to the same plan.
+    /// Number of moves that the search made. The same moves, seed and workers give the same plan.
     pub moves: u64,
-    /// Searches side by side, if more than one.
+    /// Number of parallel searches; `None` for one.
     pub workers: Option<u32>,
-    /// As given.
+    /// The material, as given.
+    #[cfg_attr(test, ts(type = "{ [K in keyof Required<Material>]: Required<Material>[K] | null }"))]
     pub material: Material,
     /// Seconds of the job.
     pub times: Times,
@@ -47,27 +53,27 @@ pub struct Quote {
     pub cut_length: f64,
     /// Length of air moves.
     pub air_length: f64,
-    /// Piercings.
+    /// Number of piercings.
     pub pierces: u32,
-    /// Pre-cuts.
+    /// Number of pre-cuts.
     pub pre_cuts: u32,
-    /// What is done on each layer.
+    /// Cut and marked contours by layer.
     pub layers: Vec<LayerUse>,
-    /// Parts there are.
+    /// Number of parts.
     pub part_count: usize,
-    /// The same ones together, the largest first.
+    /// Groups of equal parts, the largest part first. Mirrored parts are equal.
     pub parts: Vec<PartGroup>,
-    /// xmin, ymin, xmax, ymax of all that is worked.
+    /// xmin, ymin, xmax, ymax of everything that is cut or marked.
     pub bounds: [f64; 4],
-    /// Area of all parts, holes left out.
+    /// Area of all parts without their holes.
     pub net_area: f64,
-    /// Area of the box.
+    /// Area of the box `bounds`.
     pub box_area: f64,
-    /// Of all parts, g; when thickness and density are given.
+    /// Weight of all parts, g, if thickness and density are given.
     pub weight: Option<f64>,
-    /// The hole with the least width.
+    /// The narrowest hole.
     pub smallest_hole: Option<Smallest>,
-    /// Where two cuts of one part come nearest to each other.
+    /// The narrowest web: where two cuts of one part are closest to each other.
     pub narrowest_web: Option<Narrowest>,
     /// What a person should look at before cutting.
     pub defects: Vec<Defect>,
@@ -77,8 +83,9 @@ pub struct Quote {
 
 /// Seconds of the job, by what they go into.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "QuoteTimes"))]
 pub struct Times {
-    /// All of it.
+    /// The whole job.
     pub total: f64,
     /// Along contours.
     pub cut: f64,
@@ -92,42 +99,46 @@ pub struct Times {
     pub macros: f64,
 }
 
-/// What is done on a layer.
+/// The contours of a layer with the same operation.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "QuoteLayer"))]
 pub struct LayerUse {
-    /// Its name.
+    /// Name of the layer.
     pub layer: String,
     /// Cut or mark.
+    #[cfg_attr(test, ts(type = "Exclude<Operation, 'ignore'>"))]
     pub operation: Operation,
-    /// Contours on it.
+    /// Number of contours on it.
     pub contours: u32,
-    /// Of them open.
+    /// Number of open contours among them.
     pub open: u32,
-    /// Their length.
+    /// Length of all its contours.
     pub length: f64,
 }
 
 /// The hole with the least width.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "SmallestHole"))]
 pub struct Smallest {
-    /// Contour.
+    /// The contour's id.
     pub contour: usize,
-    /// Between two parallel lines that hold it: a circle's diameter, a slot's width.
+    /// Distance of the two closest parallel lines that enclose it: a circle's diameter, a slot's width.
     pub width: f64,
-    /// Over the thickness, if that is given.
+    /// Width divided by the thickness, if that is given.
     pub over_thickness: Option<f64>,
 }
 
 /// Where material is thinnest between two cuts of a part.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "NarrowestWeb"))]
 pub struct Narrowest {
     /// The two contours.
     pub contours: [usize; 2],
-    /// Between them.
+    /// Distance between them.
     pub width: f64,
-    /// The middle of it.
+    /// Middle of the narrowest place.
     pub at: [f64; 2],
-    /// Over the thickness, if that is given.
+    /// Width divided by the thickness, if that is given.
     pub over_thickness: Option<f64>,
 }
 

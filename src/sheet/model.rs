@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 /// What is done with the contours of a layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum Operation {
     /// Cut through.
     Cut,
@@ -18,9 +19,12 @@ pub enum Operation {
     Ignore,
 }
 
-/// How cuts that contours share are handled.
+/// How contours that share cuts are cut on a machine that makes pre-cuts. `best`: pierced once and cut together, on the
+/// best path through them that the search finds; `insertion`: on the path of the element insertion heuristic of Dewil et
+/// al.; `off`: each contour separately, and a shared cut with one of its contours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub enum CommonCuts {
     /// Contours that share cuts are pierced once and cut as a whole, along the best path through them that the search
     /// finds.
@@ -145,6 +149,7 @@ impl Contour {
 
 /// A part: an outer contour with its holes (contours at depth + 1 inside it) and the marks on it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Part {
     /// Id of the outer contour.
     pub outer: u32,
@@ -156,6 +161,7 @@ pub struct Part {
 
 /// A layer and its operation.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct LayerUse {
     /// Name.
     pub name: String,

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 /// The state of a method at one moment.
 #[derive(Clone, Debug, PartialEq, Default, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Insight {
     /// Iterations or generations done.
     pub round: u64,
@@ -17,6 +18,7 @@ pub struct Insight {
 
 /// Partitions: the contours that are cut between leaving a contour and coming back to it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Partitions {
     /// Partition of each contour: 0 for that of home, -1 for a contour without entries.
     pub of: Vec<i32>,
@@ -26,6 +28,7 @@ pub struct Partitions {
 
 /// The place where a contour is left for a partition and resumed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "PartitionParent"))]
 pub struct Parent {
     /// The contour.
     pub contour: u32,
@@ -35,6 +38,7 @@ pub struct Parent {
 
 /// A named value.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "InsightCurve"))]
 pub struct Curve {
     /// Name for people, with the symbol of the paper.
     pub name: &'static str,
@@ -44,6 +48,7 @@ pub struct Curve {
 
 /// A named table of numbers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "InsightGrid"))]
 pub struct Grid {
     /// Name for people.
     pub name: &'static str,

@@ -11,6 +11,7 @@ use serde::Serialize;
 
 /// A method, for lists and citations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "MethodInfo"))]
 pub struct SolverInfo {
     /// Name on the command line.
     pub name: &'static str,

@@ -31,6 +31,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("output", &["dxf", "svg", "machine", "sheet", "plan"]),
     ("quote", &["dxf", "svg", "machine", "sheet", "plan", "output"]),
     ("job", &["dxf", "svg", "machine", "sheet", "problem", "solve", "plan", "output", "quote"]),
+    ("typescript", &["dxf", "machine", "sheet", "plan", "solve", "quote", "job"]),
     ("wasm", &["dxf", "svg", "machine", "sheet", "problem", "solve", "plan", "output", "quote", "job"]),
 ];
 

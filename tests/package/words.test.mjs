@@ -43,19 +43,3 @@ it('every entry of the word files is used', () => {
     }
   }
 });
-
-it('every finding code of the planner has a type and a title', () => {
-  const between = (file, start, end) => {
-    const text = readFileSync(join(ROOT, file), 'utf8');
-    const from = text.indexOf(start) + start.length;
-    assert.ok(from >= start.length, `${file}: ${start}`);
-    return text.slice(from, text.indexOf(end, from));
-  };
-  const variants = [...between('src/finding.rs', 'pub enum Code {', '\n}').matchAll(/^ {4}([A-Z]\w*),$/gm)];
-  const codes = variants.map(([, name]) => name.replace(/(?!^)[A-Z]/g, '-$&').toLowerCase()).sort();
-  const typed = [...between('www/sdk/protocol.ts', 'export type FindingCode =', ';').matchAll(/'([^']+)'/g)].map(([, code]) => code).sort();
-  const titled = [...between('www/app/core/words/en.ts', 'findingTitles: Record<FindingCode, string> = {', '\n};').matchAll(/^ {2}'?([a-z-]+)'?: '/gm)].map(([, code]) => code).sort();
-  assert.ok(codes.length > 30);
-  assert.deepEqual(typed, codes);
-  assert.deepEqual(titled, codes);
-});

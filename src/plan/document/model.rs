@@ -61,6 +61,7 @@ pub struct Budget {
 
 /// The drawing that a plan is for.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "QuoteInput"))]
 pub struct Input {
     /// SHA-256 of the file's bytes, in lower-case hexadecimal.
     pub sha256: String,

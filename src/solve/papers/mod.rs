@@ -43,11 +43,13 @@ use serde::de::DeserializeOwned;
 
 /// A method and its parameters, for lists.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "PaperMethod"))]
 pub struct Card {
     /// Name and citation.
     #[serde(flatten)]
     pub info: SolverInfo,
     /// Parameters with their default values, the paper's where it gives them.
+    #[cfg_attr(test, ts(type = "Record<string, unknown>"))]
     pub parameters: serde_json::Value,
 }
 

@@ -1,0 +1,611 @@
+/**
+ * Generated from the Rust types by `KERFWAY_BLESS=1 cargo test --lib typescript`: do not edit.
+ * Units: mm, mm2, s, rad.
+ */
+
+import type { WarmPath } from '../protocol.js';
+
+/** The unit of length of a drawing. */
+export type Unit = "in" | "ft" | "yd" | "mil" | "microinch" | "um" | "mm" | "cm" | "dm" | "m";
+
+/** Where the unit comes from. */
+export type UnitsSource = "header" | "guessed" | "given";
+
+/** The unit of a drawing, and why it was chosen. */
+export interface UnitsTaken {
+  /** The chosen unit. */
+  unit: Unit,
+  /** Where the unit comes from. */
+  source: UnitsSource,
+  /** One sentence for people that gives the reason for this unit. */
+  reason: string,
+  /**
+   * Whether a person should be asked, because the unit was guessed without evidence or the size contradicts the
+   * header.
+   */
+  doubtful: boolean,
+}
+
+/** Number of entities of one kind. */
+export interface EntityKindCount {
+  /** Name of the kind in DXF. */
+  kind: string,
+  /** Number in model space, as written (an INSERT counts once). */
+  count: number,
+  /** Whether entities of this kind become geometry. */
+  supported: boolean,
+}
+
+/** How much a finding matters. */
+export type Severity = "info" | "warning" | "error";
+
+/** The kind of a finding. Written in kebab case in JSON (`unsupported-entity`). Later versions may add codes. */
+export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "far-from-origin" | "not-all-checked" | "more";
+
+/** One finding. */
+export interface Finding {
+  /** Code for programs. */
+  code: FindingCode,
+  /** Severity. */
+  severity: Severity,
+  /** Sentence for people that says what, where and what to do, without technical error names. */
+  message: string,
+  /** Name of the layer it concerns. */
+  layer: string | null,
+  /** Handle of the entity, as written in the file. It is not a key, because handles repeat in real files. */
+  handle: string | null,
+  /** Place on the sheet, mm. */
+  at: [number, number] | null,
+  /** Number of entities or places the finding covers. */
+  count: number,
+}
+
+/** What is done with the contours of a layer. */
+export type Operation = "cut" | "mark" | "ignore";
+
+/**
+ * How contours that share cuts are cut on a machine that makes pre-cuts. `best`: pierced once and cut together, on the
+ * best path through them that the search finds; `insertion`: on the path of the element insertion heuristic of Dewil et
+ * al.; `off`: each contour separately, and a shared cut with one of its contours.
+ */
+export type CommonCuts = "best" | "insertion" | "off";
+
+/** A layer and its operation. */
+export interface LayerUse {
+  /** Name. */
+  name: string,
+  /** AutoCAD colour index. */
+  color: number,
+  /** Operation of its contours. */
+  operation: Operation,
+  /** Operation that its name suggests, if different. */
+  suggestion: Operation | null,
+  /** Place in the order of layers; equal for all layers when there is no such order. */
+  rank: number,
+  /** Number of contours on it. */
+  contours: number,
+}
+
+/** A part: an outer contour with its holes (contours at depth + 1 inside it) and the marks on it. */
+export interface Part {
+  /** Id of the outer contour. */
+  outer: number,
+  /** Ids of its holes, and of the open cuts and marks on it. */
+  holes: Array<number>,
+  /** Index of the part in whose hole this part lies. */
+  inside: number | null,
+}
+
+/** How the axes move on an air move. */
+export type Travel = "straight" | "vector" | "per-axis";
+
+/** Limits of the two axes. */
+export interface Axes {
+  /** Top speed of x and y, mm/s. */
+  speed: [number, number],
+  /** Acceleration of x and y, mm/s2; `null` if the speed is reached instantly. */
+  accel: [number, number] | null,
+}
+
+/** How the beam works in the material, for cutting or for marking. */
+export interface Process {
+  /** Speed along the contour, mm/s. */
+  speed: number,
+  /** Acceleration along the contour, mm/s2; `null` if the speed is reached instantly. */
+  accel: number | null,
+  /** Power as a fraction of full power, 0 to 1. */
+  power: number,
+}
+
+/** Which corners need a macro, and how long it takes. */
+export interface SharpCorner {
+  /** Corners whose elements meet at less than this angle are sharp, rad; pi is straight on. */
+  angle: number,
+  /** Seconds that the corner cools. */
+  time: number,
+}
+
+/** Dialect of G-code. */
+export type Dialect = "grbl-m4";
+
+/** A machine with a material. */
+export interface MachineProfile {
+  /** Version of this data format: 1. */
+  version: 1,
+  /** Name of the preset (`co2-100w`). */
+  name: string,
+  /** Title for people. */
+  title: string,
+  /** Position of the head before the first move, mm. */
+  home: [number, number],
+  /** Whether the head returns home at the end. */
+  return_home: boolean,
+  /** How air moves are run. */
+  travel: Travel,
+  /** Limits of air moves. */
+  rapid: Axes,
+  /** Cutting. */
+  cut: Process,
+  /** Marking. */
+  mark: Process,
+  /**
+   * Allowed deviation at corners in the look-ahead, mm (GRBL's junction deviation, `$11`). It also limits the speed
+   * on arcs, which such a controller runs as chords. With `null`, corners are passed at full speed, and the speed on
+   * arcs is limited by the centripetal acceleration.
+   */
+  junction_deviation: number | null,
+  /** Seconds to pierce the material. */
+  pierce_time: number,
+  /**
+   * Seconds of a pre-cut. A contour may be interrupted where a pre-cut is made, and is resumed there without
+   * piercing. With 0, contours may be interrupted without charge and without pre-cuts (the partial cutting of the
+   * hull-part papers). With `null`, every contour is cut in one go.
+   */
+  pre_cut_time?: number | null,
+  /** Length of a pre-cut, mm. It is cut and the head returns within `pre_cut_time`. */
+  pre_cut_length?: number,
+  /** The corners that are cut with a pause; `null` for no such corners. */
+  sharp_corner?: SharpCorner | null,
+  /**
+   * Width of the cut, mm. If it is above 0, contours are outlines of parts and holes, and the beam is offset from
+   * them by half the kerf width. If it is 0, the beam follows the drawn lines.
+   */
+  kerf_width?: number,
+  /** Time for the beam to settle before a cut, s. */
+  beam_on_delay: number,
+  /** Time for the beam to settle after a cut, s. */
+  beam_off_delay: number,
+  /** Dialect of G-code. */
+  dialect: Dialect,
+  /** S value at full power. */
+  max_s: number,
+}
+
+/** The operation for one layer. */
+export interface LayerChoice {
+  /** Name of the layer. */
+  name: string,
+  /** Cut, mark or ignore. */
+  operation: Operation,
+}
+
+/** How a drawing is read and arranged. */
+export interface LoadOptions {
+  /** The unit of the drawing. Default: the unit in the file's header, or a guess. */
+  units?: Unit,
+  /** Largest distance between a spline or ellipse and the lines and arcs that replace it, mm. Default 0.005. */
+  tolerance: number,
+  /** Whether entities are kept that were read across a defect in the file. Default false. */
+  keepDamaged: boolean,
+  /** Largest distance between ends that are joined, mm. Default 0.05. */
+  joinTolerance: number,
+  /** The operation of each layer, by name. The order of the list is the order by layer. */
+  layers: Array<LayerChoice>,
+  /** Whether layers are processed one after the other. Default false. */
+  orderByLayer: boolean,
+  /** Whether a single border around everything is ignored. Default false. */
+  ignoreOutline: boolean,
+  /** Whether a part is finished, with everything inside its holes, before the next one. Default false. */
+  partByPart: boolean,
+  /** How contours that share cuts are cut on machines that make pre-cuts. Default `best`. */
+  commonCuts: CommonCuts,
+  /** Contours that are processed before all others, with everything inside them, by id. */
+  first: Array<number>,
+  /** Contours that are processed after all others, with the contours around them, by id. */
+  last: Array<number>,
+  /**
+   * Contours to skip, by id. They stay in the list of contours with the operation `ignore`, so that the others keep their
+   * ids. A hole in a skipped contour becomes a part of its own. A side that a skipped contour shares with another
+   * contour is cut with the other one.
+   */
+  exclude: Array<number>,
+}
+
+/** The name of a preset machine, or a whole profile. */
+export type MachineChoice = string | MachineProfile;
+
+/**
+ * When a plan ends. If both are given, the first to be reached ends it. The search counts moves itself; seconds are left
+ * to the caller, who has a clock.
+ */
+export interface Budget {
+  /** Seconds of search. */
+  seconds?: number,
+  /** Moves of the search. The same seed and moves give the same bytes everywhere. */
+  moves?: number,
+}
+
+/** How a loaded drawing is planned. */
+export interface StartOptions {
+  /** The name of a preset, or a profile. Default `co2-100w`. */
+  machine: MachineChoice,
+  /** Name of a method. Default: the first of `methods`. */
+  method?: string,
+  /** Parameters of a published method, as a JSON object with the values that differ from its defaults. */
+  parameters?: string,
+  /** Seed of all random choices. */
+  seed: number,
+  /** A path to start from. */
+  warm: WarmPath,
+  /** When to stop, in seconds of search. */
+  seconds?: number,
+  /** When to stop, in moves of the search. */
+  moves?: number,
+  /**
+   * Number of searches that run in parallel, each with its own random numbers. They exchange the best path at fixed
+   * numbers of moves, so the same number of searches gives the same bytes. A budget in moves applies to each search.
+   * Default 1.
+   */
+  workers?: number,
+  /**
+   * Index of this search among them. Each has its own stream of random numbers; the first one has the stream of the seed
+   * itself.
+   */
+  member: number,
+}
+
+/** A contour, for lists. */
+export interface ContourInfo {
+  /** Its index, which identifies it everywhere. */
+  id: number,
+  /** Whether it returns to its start. */
+  closed: boolean,
+  /** Name of its layer. */
+  layer: string,
+  /** Cut, mark, or ignore: skipped by the option `exclude`, or as the border. */
+  operation: Operation,
+  /** The contour directly around it. */
+  inside: number | null,
+  /** Length, mm. */
+  length: number,
+  /** Area, mm². */
+  area: number,
+}
+
+/** The content of a drawing, without its geometry. */
+export interface LoadedReport {
+  /** Name of the file. */
+  name: string,
+  /** SHA-256 of its bytes, in hexadecimal. */
+  sha256: string,
+  /** Version of the file, `$ACADVER`. */
+  version: string | null,
+  /** The units used, and where they come from. */
+  units: UnitsTaken,
+  /** Number of entities in model space, by kind. */
+  entities: Array<EntityKindCount>,
+  /** Layers and their operations. */
+  layers: Array<LayerUse>,
+  /** Contours by id. */
+  contours: Array<ContourInfo>,
+  /** The parts: outer contours with their holes. */
+  parts: Array<Part>,
+  /** The contour that looks like the border of the sheet. */
+  outline: number | null,
+  /** Bounding box of all contours, mm: xmin, ymin, xmax, ymax; zeros if there are none. */
+  bounds: [number, number, number, number],
+  /** Findings of the reader, then of the sheet. */
+  findings: Array<Finding>,
+}
+
+/** The sums of a plan. Lengths are in mm, times in s. */
+export interface Summary {
+  /** Number of contours cut or marked. */
+  contours: number,
+  /** Number of open contours among them. */
+  open_contours: number,
+  /** Number of parts. */
+  parts: number,
+  /** Number of piercings. */
+  pierces: number,
+  /** Number of pre-cuts. */
+  pre_cuts: number,
+  /** Length of cuts and marks. */
+  cut_length: number,
+  /** Length of air moves. */
+  air_length: number,
+  /** Time along contours, by look-ahead over corners and acceleration. */
+  cut_time: number,
+  /** Time of air moves. */
+  air_time: number,
+  /** Time of piercing, including beam delays. */
+  pierce_time: number,
+  /** Time of pre-cuts. */
+  pre_cut_time: number,
+  /** Time of pauses in sharp corners. */
+  macro_time: number,
+  /** Total time. */
+  total_time: number,
+  /** Lower bound of the total time of every plan; 0 if not computed. */
+  lower_bound: number,
+  /** (total - bound) / bound; `null` when there is no bound. */
+  gap: number | null,
+  /** Bounding box of everything cut or marked: xmin, ymin, xmax, ymax. */
+  bounds: [number, number, number, number],
+}
+
+/** The job without a search, for comparison. */
+export interface Baselines {
+  /** In the order of the drawing. */
+  drawing: Summary,
+  /** By nearest neighbour. */
+  greedy: Summary,
+}
+
+/** Why a slice ended. */
+export type SliceEnd = "running" | "budget" | "exhausted";
+
+/** The result of a slice of work. */
+export interface Slice {
+  /** Number of moves done. */
+  done: number,
+  /** Whether the best plan changed. */
+  improved: boolean,
+  /** Why it ended. */
+  end: SliceEnd,
+  /** Lower bound of the total time of every plan in seconds, as in `bound`. */
+  bound: number,
+}
+
+/** A method, for lists and citations. */
+export interface MethodInfo {
+  /** Name on the command line. */
+  name: string,
+  /** Name for people. */
+  title: string,
+  /** What it does, in one sentence. */
+  about: string,
+  /** The paper it comes from, if any. */
+  source: string | null,
+}
+
+/** A method and its parameters, for lists. */
+export interface PaperMethod {
+  /** Parameters with their default values, the paper's where it gives them. */
+  parameters: Record<string, unknown>,
+  /** Name on the command line. */
+  name: string,
+  /** Name for people. */
+  title: string,
+  /** What it does, in one sentence. */
+  about: string,
+  /** The paper it comes from, if any. */
+  source: string | null,
+}
+
+/** A named value. */
+export interface InsightCurve {
+  /** Name for people, with the symbol of the paper. */
+  name: string,
+  /** Current value. */
+  value: number,
+}
+
+/** A named table of numbers. */
+export interface InsightGrid {
+  /** Name for people. */
+  name: string,
+  /** Names of the rows. */
+  rows: Array<string>,
+  /** Names of the columns. */
+  columns: Array<string>,
+  /** Values, row by row. */
+  values: Array<number>,
+  /** Index of the value that was used last. */
+  at: number | null,
+}
+
+/** The place where a contour is left for a partition and resumed. */
+export interface PartitionParent {
+  /** The contour. */
+  contour: number,
+  /** The place, mm. */
+  at: [number, number],
+}
+
+/** Partitions: the contours that are cut between leaving a contour and coming back to it. */
+export interface Partitions {
+  /** Partition of each contour: 0 for that of home, -1 for a contour without entries. */
+  of: Array<number>,
+  /** Where each partition except that of home hangs, in order. */
+  parents: Array<PartitionParent>,
+}
+
+/** The state of a method at one moment. */
+export interface Insight {
+  /** Iterations or generations done. */
+  round: number,
+  /** Current values, to be drawn against the round. */
+  curves: Array<InsightCurve>,
+  /** A table of numbers, such as a Q-table. */
+  grid: InsightGrid | null,
+  /** The partitions of its best path, if it makes any. */
+  partitions: Partitions | null,
+}
+
+/** The material of the sheet. */
+export interface Material {
+  /** A name, which is only shown. */
+  name?: string,
+  /** Thickness, mm. */
+  thickness?: number,
+  /** Density, g/cm3: mild steel 7.85, aluminium 2.70, acrylic 1.19, birch plywood about 0.68. */
+  density?: number,
+}
+
+/** Seconds of the job, by what they go into. */
+export interface QuoteTimes {
+  /** The whole job. */
+  total: number,
+  /** Along contours. */
+  cut: number,
+  /** Air moves. */
+  air: number,
+  /** Piercing, with beam delays. */
+  pierce: number,
+  /** Pre-cuts. */
+  pre_cut: number,
+  /** Sharp corners. */
+  macros: number,
+}
+
+/** The contours of a layer with the same operation. */
+export interface QuoteLayer {
+  /** Name of the layer. */
+  layer: string,
+  /** Cut or mark. */
+  operation: Exclude<Operation, 'ignore'>,
+  /** Number of contours on it. */
+  contours: number,
+  /** Number of open contours among them. */
+  open: number,
+  /** Length of all its contours. */
+  length: number,
+}
+
+/** A group of equal parts. */
+export interface PartGroup {
+  /** Number of parts in the group. */
+  count: number,
+  /** Area of one part without its holes. */
+  net_area: number,
+  /** Length of the cuts of one part: outer contour and holes. */
+  cut_length: number,
+  /** Number of holes in one part. */
+  holes: number,
+  /** Outer contours of the parts, by id. */
+  contours: Array<number>,
+}
+
+/** The hole with the least width. */
+export interface SmallestHole {
+  /** The contour's id. */
+  contour: number,
+  /** Distance of the two closest parallel lines that enclose it: a circle's diameter, a slot's width. */
+  width: number,
+  /** Width divided by the thickness, if that is given. */
+  over_thickness: number | null,
+}
+
+/** Where material is thinnest between two cuts of a part. */
+export interface NarrowestWeb {
+  /** The two contours. */
+  contours: [number, number],
+  /** Distance between them. */
+  width: number,
+  /** Middle of the narrowest place. */
+  at: [number, number],
+  /** Width divided by the thickness, if that is given. */
+  over_thickness: number | null,
+}
+
+/** A kind of defect. */
+export interface Defect {
+  /** The code of its findings. */
+  code: FindingCode,
+  /** The severity of its findings. */
+  severity: Severity,
+  /** How many there are. */
+  count: number,
+}
+
+/** In one word. */
+export type ConfidenceLevel = "high" | "medium" | "low";
+
+/** How far the figures can be relied on. */
+export interface Confidence {
+  /** In one word. */
+  level: ConfidenceLevel,
+  /** Why it is not high. */
+  reasons: Array<string>,
+}
+
+/** What a price depends on. Lengths are in mm, areas in mm2, times in s, weights in g. docs/quote.md describes every field. */
+export interface Quote {
+  /** Name and version of the format. */
+  schema: 'kerfway.quote/1',
+  /**
+   * SHA-256 of the whole report with this field empty. The same drawing, options, seed and moves give the same hash
+   * natively, in Node and in every browser. A server that plans again with `moves` can confirm the report of a browser.
+   */
+  hash: string,
+  /** The drawing. */
+  input: {
+    /** SHA-256 of the file's bytes, in lower-case hexadecimal. */
+    sha256: string,
+    /** Name of the file, for people. */
+    name: string,
+    /** Unit the drawing was taken to be in. */
+    units: Unit,
+    /** Where that unit came from. */
+    units_source: UnitsSource,
+  },
+  /** The machine's whole profile. */
+  machine: MachineProfile,
+  /** How the drawing was read and arranged, as in the plan document. */
+  options: Record<string, unknown>,
+  /** Name of the search method. */
+  method: string,
+  /** Parameters of the method; `null` if all are the defaults. */
+  parameters: string | null,
+  /** Seed of all random choices. */
+  seed: number,
+  /** Number of moves that the search made. The same moves, seed and workers give the same plan. */
+  moves: number,
+  /** Number of parallel searches; `null` for one. */
+  workers: number | null,
+  /** The material, as given. */
+  material: { [K in keyof Required<Material>]: Required<Material>[K] | null },
+  /** Seconds of the job. */
+  times: QuoteTimes,
+  /** Length of cuts and marks. */
+  cut_length: number,
+  /** Length of air moves. */
+  air_length: number,
+  /** Number of piercings. */
+  pierces: number,
+  /** Number of pre-cuts. */
+  pre_cuts: number,
+  /** Cut and marked contours by layer. */
+  layers: Array<QuoteLayer>,
+  /** Number of parts. */
+  part_count: number,
+  /** Groups of equal parts, the largest part first. Mirrored parts are equal. */
+  parts: Array<PartGroup>,
+  /** xmin, ymin, xmax, ymax of everything that is cut or marked. */
+  bounds: [number, number, number, number],
+  /** Area of all parts without their holes. */
+  net_area: number,
+  /** Area of the box `bounds`. */
+  box_area: number,
+  /** Weight of all parts, g, if thickness and density are given. */
+  weight: number | null,
+  /** The narrowest hole. */
+  smallest_hole: SmallestHole | null,
+  /** The narrowest web: where two cuts of one part are closest to each other. */
+  narrowest_web: NarrowestWeb | null,
+  /** What a person should look at before cutting. */
+  defects: Array<Defect>,
+  /** How far the figures can be relied on. */
+  confidence: Confidence,
+}
