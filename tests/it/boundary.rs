@@ -72,7 +72,7 @@ fn misspelt_options_materials_and_parameters_are_refused_with_the_nearest_name()
 #[test]
 fn every_number_of_a_machine_has_a_range_with_its_reason() {
     let mut seen = 0;
-    for_numbers(&Profile::SHAPE, "", Profile::SHAPE.fields, &mut |path, range| {
+    for_numbers("", Profile::SHAPE.fields, &mut |path, range| {
         seen += 1;
         assert!(range.least <= range.most && range.least.is_finite() && range.most.is_finite(), "{path}");
         assert!(!range.why.is_empty(), "{path} has no reason");
@@ -85,13 +85,13 @@ fn every_number_of_a_machine_has_a_range_with_its_reason() {
     );
 }
 
-fn for_numbers(shape: &Shape, prefix: &str, fields: &[Field], see: &mut dyn FnMut(&str, &fields::Range)) {
+fn for_numbers(prefix: &str, fields: &[Field], see: &mut dyn FnMut(&str, &fields::Range)) {
     for f in fields {
         let path = format!("{prefix}{}", f.name);
         match &f.kind {
             Kind::Number(range) | Kind::Whole(range) => see(&path, range),
             Kind::Pair(Kind::Number(range)) => see(&path, range),
-            Kind::Object(fields) => for_numbers(shape, &format!("{path}."), fields, see),
+            Kind::Object(fields) => for_numbers(&format!("{path}."), fields, see),
             _ => {}
         }
     }

@@ -104,6 +104,7 @@ fn drawings(machine: &str) -> Vec<(String, f64, f64, f64)> {
 /// The rounding of a program to 0.001 mm and the whole number of chords are in the simulation only.
 /// `KERFWAY_DRAWINGS=FOLDER cargo test --features png --test it machine_time -- --nocapture` prints the table.
 #[test]
+#[allow(clippy::print_stdout, reason = "the table of the comparison, shown with --nocapture")]
 fn real_drawings_take_as_long_as_in_a_simulation_of_the_planner() {
     for machine in ["co2-100w", "diode-hobby", "fibre-3kw-thin"] {
         for (name, total, cut, grbl) in drawings(machine) {

@@ -1,5 +1,6 @@
 //! All native integration tests in one binary, a module for each subject; what they share is in `tests/testkit`.
 #![cfg(not(target_arch = "wasm32"))]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 #[path = "../testkit/mod.rs"]
 mod testkit;

@@ -53,7 +53,7 @@ use super::traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Te
 use crate::problem::Problem;
 use crate::solve::rng::seeded;
 use anneal::Annealing;
-use best::Best;
+use best::{Best, Origin};
 use children::ChildRoutes;
 use space::Space;
 use tour::Tour;
@@ -85,7 +85,7 @@ impl Solver for TourTree {
             children,
             children_next: false,
             granted: 0,
-            best: Best::new(first, 0),
+            best: Best::new(first, Origin::Caller, 0),
         })
     }
 }
@@ -102,9 +102,9 @@ struct TourTreeSearch<'p> {
 }
 
 impl TourTreeSearch<'_> {
-    /// Takes over a solution if it costs less than the best.
-    fn take(&mut self, found: Solution) {
-        self.best.take(found, self.priced());
+    /// Takes over a solution if it costs less than the best, or is preferred at the same cost.
+    fn take(&mut self, found: Solution, origin: Origin) {
+        self.best.take(found, origin, self.priced());
     }
 
     fn priced(&self) -> u64 {
@@ -122,7 +122,7 @@ impl TourTreeSearch<'_> {
         };
         self.children_next = self.children.as_ref().is_some_and(|c| c.is_next(root, self.children_next));
         if let Some(found) = ended {
-            self.take(found);
+            self.take(found, Origin::Polished);
         }
     }
 
@@ -137,9 +137,9 @@ impl TourTreeSearch<'_> {
         }
         if let Some(children) = &mut self.children {
             children.save(&self.annealing.tour().space);
-            if children.best().cost < self.best.cost() {
+            if self.best.yields_to(children.best().cost, Origin::Children) {
                 let found = children.best().clone();
-                self.take(found);
+                self.take(found, Origin::Children);
             }
         }
     }
@@ -182,7 +182,7 @@ impl Search for TourTreeSearch<'_> {
                 let snapshot = self.annealing.tour().space.snapshot(other);
                 self.annealing.offer(other.cost, snapshot);
             }
-            self.take(other.clone());
+            self.take(other.clone(), Origin::Caller);
         }
     }
 }

@@ -25,7 +25,7 @@ const FEWEST: usize = 400;
 /// machine can resolve.
 const SAME: f64 = 0.01;
 /// Least mean number of items in a row: scattered items come to one or two by chance.
-const PER_ROW: usize = 8;
+const PER_ROW: u64 = 8;
 /// An item around more than this many others is the sheet or a large part: it is cut after the rows, not in one.
 const HOLES: usize = 8;
 /// Passes over all entries: the local search goes on from the way that is kept, so the ways need only be compared.
@@ -67,7 +67,7 @@ impl Rows {
         for axis in 0..2 {
             let on = |p: DVec2| p.to_array()[axis];
             let (number, count) = numbered(tour.at.len(), items.iter().map(|&(i, c)| (on(c), i)).collect());
-            if count as usize * PER_ROW > items.len() {
+            if count * PER_ROW > items.len() as u64 {
                 return None;
             }
             // The side near home comes first.

@@ -101,10 +101,8 @@ fn read(file: &str, text: &str, modules: &mut BTreeMap<Names, Module>) {
         let top = open.iter().all(|m| *m);
         match token.as_str() {
             "{" => open.push(false),
-            "}" => {
-                if open.pop() == Some(true) {
-                    at.pop();
-                }
+            "}" if open.pop() == Some(true) => {
+                at.pop();
             }
             "mod" if is_name(next) && tokens.get(k + 2).is_some_and(|t| t == "{" || t == ";") => {
                 define(modules, &at, next, Meaning::Module);
