@@ -10,6 +10,7 @@ import type { Started } from './plan-handle.js';
 import type { Planner } from './planner.js';
 import { ProgressStream } from './progress-stream.js';
 import type { Quote } from './quote.js';
+import { quoteBudget } from './quote-budget.js';
 import type { BestPath, DoneReason, Loaded, OutputKind, Progress, Summary } from './protocol.js';
 
 /** Runs some work on a planner. Rejects with the reason of the signal as soon as it aborts. */
@@ -77,7 +78,10 @@ export interface Functions {
 /** Name of a drawing that is given without one. */
 const NAME = 'drawing.dxf';
 
-export function createFunctions(withPlanner: WithPlanner): Functions {
+/** The budget of a drawing for which neither seconds nor moves are given; without one, the planner's own default. */
+export type DefaultBudget = (loaded: Loaded) => PlanningOptions;
+
+export function createFunctions(withPlanner: WithPlanner, defaultBudget: DefaultBudget = () => ({})): Functions {
   return {
     inspect(source, options = {}) {
       return quietAtClose(async () => {
@@ -101,14 +105,15 @@ export function createFunctions(withPlanner: WithPlanner): Functions {
       const work = async (planner: Planner) => {
         const loaded = await planner.load(await bytesOf(source), options.name ?? NAME, reading(options));
         await options.onLoaded?.(loaded);
-        const handle = planner.plan(planning(options), report);
+        const search = budgeted(options, loaded, defaultBudget);
+        const handle = planner.plan(search, report);
         stop = () => handle.stop();
         if (stopped) stop();
         const { progress, ...rest } = await handle.done;
         const { path, summary, moves, seconds } = progress;
         if (path === null) throw new Error('The plan ended before it had a path.');
         const outputs = await outputsOf(planner, options.outputs ?? []);
-        return { ...rest, loaded, summary, path, moves, seconds, outputs, options: { ...reading(options), ...planning(options) } };
+        return { ...rest, loaded, summary, path, moves, seconds, outputs, options: { ...reading(options), ...search } };
       };
       const run = async () => {
         try {
@@ -127,8 +132,8 @@ export function createFunctions(withPlanner: WithPlanner): Functions {
 
     quote(source, options = {}) {
       const work = async (planner: Planner) => {
-        await planner.load(await bytesOf(source), options.name ?? NAME, reading(options));
-        await planner.plan(planning(options), options.onProgress).done;
+        const loaded = await planner.load(await bytesOf(source), options.name ?? NAME, reading(options));
+        await planner.plan(budgeted(options, loaded, quoteBudget), options.onProgress).done;
         return planner.quote(options.material);
       };
       return quietAtClose(async () => {
@@ -158,6 +163,12 @@ export function createFunctions(withPlanner: WithPlanner): Functions {
 function read(done: Promise<unknown>, stream: ProgressStream): AsyncIterator<Progress> {
   done.catch(() => {});
   return stream[Symbol.asyncIterator]();
+}
+
+/** The options of a search with the default budget where none is given. */
+export function budgeted(options: PlanningOptions, loaded: Loaded, defaultBudget: DefaultBudget = () => ({})): PlanningOptions {
+  const isFree = options.moves === undefined && options.seconds === undefined;
+  return { ...(isFree ? defaultBudget(loaded) : {}), ...planning(options) };
 }
 
 async function bytesOf(source: Source): Promise<ArrayBuffer | Uint8Array> {

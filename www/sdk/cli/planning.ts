@@ -1,6 +1,7 @@
 /** The common part of `plan` and `quote`: plans drawings one after the other with one planner. */
 
 import { basename } from 'node:path';
+import { budgeted, type DefaultBudget } from '../functions.js';
 import { checkMachine, checkOptions } from '../options.js';
 import { createPlanner, type Planner, type PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, PlanOptions } from '../protocol.js';
@@ -22,7 +23,7 @@ export interface PlannedFile {
 }
 
 /** Plans all files and passes each result to `write`. */
-export async function planFiles(given: Words, requested: Requested, write: (planned: PlannedFile, to: Outlet) => Promise<void>): Promise<void> {
+export async function planFiles(given: Words, requested: Requested & { defaultBudget?: DefaultBudget }, write: (planned: PlannedFile, to: Outlet) => Promise<void>): Promise<void> {
   const { values } = given;
   const load = loadOptions(values);
   const [moves, workers, seed] = ['moves', 'workers', 'seed'].map((name) => whole(values, name));
@@ -38,8 +39,9 @@ export async function planFiles(given: Words, requested: Requested, write: (plan
       for (const { message } of loaded.findings.filter((f) => f.code === 'layer-unknown')) {
         process.stderr.write(`kerfway: ${basename(file)}: ${message}\n`);
       }
-      const result = await usable(file, searched(planner, options, file, place));
-      await write({ file, place, planner, loaded, result, options }, to);
+      const search = budgeted(options, loaded, requested.defaultBudget);
+      const result = await usable(file, searched(planner, search, file, place));
+      await write({ file, place, planner, loaded, result, options: search }, to);
     });
   } finally {
     planner.close();

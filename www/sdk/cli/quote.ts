@@ -1,6 +1,7 @@
 /** `kerfway quote`: reports what a price depends on. */
 
 import type { Material, Quote } from '../quote.js';
+import { quoteBudget } from '../quote-budget.js';
 import { parsed, positive, text, type Words } from './arguments.js';
 import { outputsOf } from './destinations.js';
 import { usable } from './io.js';
@@ -13,7 +14,7 @@ export async function quote(args: string[]): Promise<void> {
   const given = parsed('quote', args);
   const material = materialOf(given);
   const outputs = outputsOf(given, ['json']);
-  await planFiles(given, { outputs, columns: COLUMNS }, async ({ file, place, planner }, to) => {
+  await planFiles(given, { outputs, columns: COLUMNS, defaultBudget: quoteBudget }, async ({ file, place, planner }, to) => {
     const quoted = await usable(file, planner.quote(material));
     await to.write(file, outputs.map((output) => {
       // Several documents on standard output have one line each.

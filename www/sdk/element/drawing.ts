@@ -5,7 +5,7 @@
 
 import { plural } from '../cli/words.js';
 import { activeContours } from '../contours.js';
-import { createFunctions, type Functions, type Planned, type PlanRun } from '../functions.js';
+import { createFunctions, type DefaultBudget, type Functions, type Planned, type PlanRun } from '../functions.js';
 import type { PlanJobOptions, PlanningOptions, Source } from '../options.js';
 import type { Planner } from '../planner.js';
 import type { Loaded, MachineProfile, MethodInfo, OutputKind, Progress } from '../protocol.js';
@@ -138,8 +138,8 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
   protected abstract file(): { ending: string; text: string } | null;
 
   // All drawings use the same planner, so a new drawing ends the previous plan.
-  protected functions(): Functions {
-    return createFunctions(async (work, signal) => abortable(this.opened().then(work), signal));
+  protected functions(defaultBudget?: DefaultBudget): Functions {
+    return createFunctions(async (work, signal) => abortable(this.opened().then(work), signal), defaultBudget);
   }
 
   protected opened(): Promise<Planner> {

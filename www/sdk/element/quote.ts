@@ -5,6 +5,7 @@ import type { Planned, PlanRun } from '../functions.js';
 import type { PlanJobOptions, Source } from '../options.js';
 import type { Progress } from '../protocol.js';
 import type { Material, Quote } from '../quote.js';
+import { quoteBudget } from '../quote-budget.js';
 import { abortable } from '../with-planner.js';
 import { DrawingElement, type DrawingEvents } from './drawing.js';
 import { facts } from './facts.js';
@@ -13,12 +14,6 @@ import { numberIn } from './options.js';
 
 /** Events of `<kerfway-quote>`; the result is the report. */
 export type QuoteEvents = DrawingEvents<Quote>;
-
-/**
- * The default budget. It is given in moves and with a seed, so that a server that plans again can confirm the hash of the
- * report. It takes about a second.
- */
-const BUDGET = { moves: 100_000, seed: 1 } as const;
 
 const MATERIAL = ['material', 'thickness', 'density'] as const;
 
@@ -54,10 +49,9 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
   }
 
   protected plan(source: Source, options: PlanJobOptions): PlanRun {
-    const free = options.moves === undefined && options.seconds === undefined;
     this.piece('report').replaceChildren();
     this.piece('price').textContent = '';
-    return this.functions().plan(source, free ? { ...BUDGET, ...options } : options);
+    return this.functions(quoteBudget).plan(source, options);
   }
 
   protected async made(_: Planned, signal: AbortSignal): Promise<Quote> {
