@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests stop where they cannot go on")]
 
 use super::testkit::rng::{Rng, seeded};
-use kerfway::fields::{self, Field, Kind, Shape, Shaped, Value};
+use kerfway::fields::{self, Field, Kind, Shaped, Value};
 use kerfway::job::{Job, JobError, LoadOptions, PlanOptions};
 use kerfway::machine::{Profile, presets};
 use kerfway::quote::Material;

@@ -64,8 +64,9 @@ export interface Functions {
    */
   plan<K extends OutputKind = never>(source: Source, options?: PlanJobOptions<K>): PlanRun<K>;
   /**
-   * Plans a drawing and reports what a quote needs. With `moves` and `seed` the hash of the report is the same everywhere,
-   * so a server can confirm the report of a browser. The report has no prices: those are up to the caller.
+   * Plans a drawing and reports what a quote needs. By default the number of moves grows with the contours and the seed is 1.
+   * Then, and with `moves` and `seed` given, the hash of the report is the same everywhere, so a server can confirm the
+   * report of a browser. The report has no prices: those are up to the caller.
    */
   quote(source: Source, options?: QuoteOptions): Promise<Quote>;
   /**

@@ -18,8 +18,8 @@
  *
  * In addition it has the attributes `material`, `thickness` (mm) and `density` (g/cm3), or the property `material`; the property `price`, a
  * function of the report that returns the price in words; and the parts `report`, `term`, `figure`, `price`. Its `result` is the report
- * (`Quote`); the event `result` is dispatched again when the material changes. Without `seconds` or `moves` it plans 100,000 moves with
- * seed 1, which a server can repeat.
+ * (`Quote`); the event `result` is dispatched again when the material changes. Without `seconds` or `moves` it plans a
+ * number of moves that grows with the contours, with seed 1, which a server can repeat.
  *
  * @module kerfway/element
  */
