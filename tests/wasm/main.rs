@@ -6,6 +6,7 @@
 
 mod drawings;
 mod golden;
+#[allow(unreachable_pub, reason = "the same file is a module of the native test kit, where it is public")]
 #[path = "../testkit/methods.rs"]
 mod methods;
 mod options;
