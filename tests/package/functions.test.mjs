@@ -89,7 +89,7 @@ describe('plan', () => {
 
   it('rejects with one sentence that names the unknown option', async () => {
     await assert.rejects(plan(new Uint8Array(0)), /empty/);
-    await assert.rejects(plan(PLATE, { machine: 'plasma-9000' }), /no machine named plasma-9000/);
+    await assert.rejects(plan(PLATE, { machine: 'plasma-9000' }), /no machine named "plasma-9000"/);
     await assert.rejects(plan(PLATE, { second: 5 }), /plan has no option "second"\. Did you mean "seconds"\?/);
   });
 });

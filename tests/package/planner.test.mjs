@@ -77,7 +77,7 @@ describe('load', () => {
     await planner.load(PLATE, 'plate.dxf', {
       layers: [{ name: '0', operation: 'ignore' }, { name: 'MARK', operation: 'ignore' }],
     });
-    await assert.rejects(planner.plan({ moves: 10 }).done, /nothing to cut: everything in the drawing is left out/);
+    await assert.rejects(planner.plan({ moves: 10 }).done, /nothing to cut: everything in the drawing is skipped/);
   });
 });
 
@@ -134,7 +134,7 @@ describe('plan', () => {
   });
 
   it('refuses an unknown machine or method', async () => {
-    await assert.rejects(planner.plan({ machine: 'plasma-9000' }).done, /no machine named plasma-9000.*co2-100w/);
+    await assert.rejects(planner.plan({ machine: 'plasma-9000' }).done, /no machine named "plasma-9000".*co2-100w/);
     await assert.rejects(planner.plan({ method: 'luck' }).done, /no method named "luck"/);
     const slow = { ...planner.machines[0], cut: { ...planner.machines[0].cut, speed: 0 } };
     await assert.rejects(planner.plan({ machine: slow }).done, /"cut\.speed" is 0\. Give a number/);
