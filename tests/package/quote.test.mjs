@@ -55,6 +55,14 @@ describe('quote', () => {
     await assert.rejects(quote(bytes(KEYBOARD), { outputs: ['gcode'] }), /^TypeError: quote has no option "outputs"/);
   });
 
+  it('searches longer by default when there are more contours: within 1 % of the air of a search ten times as long', async () => {
+    const sheet = bytes('sheets/sheet_100.dxf');
+    const air = (options) => quote(sheet, { seed: 1, ...options }).then((report) => report.times.air);
+    const [byDefault, longer] = [await air({}), await air({ moves: 5_000_000 })];
+    assert.ok(byDefault <= 1.01 * longer, `${byDefault} s by default, ${longer} s by a longer search`);
+    assert.equal((await quote(sheet)).hash, (await quote(sheet)).hash);
+  });
+
   it('is printed on the command line, with the same hash', async () => {
     const words = ['quote', fixture(KEYBOARD), '--moves', '500', '--seed', '1', '--thickness', '1.5', '--density', '7.85'];
     const { code, stdout, stderr } = await kerfway(...words, '--json', '-');
