@@ -2,16 +2,19 @@
 //
 //     npm run bench -- papers [--table NAME]... [--seeds K] [--rounds R] [--only INSTANCE]
 //                             [--data FOLDER]
+//     npm run bench -- papers --paper qu-du|hull|yang|dewil [--readings] [--seeds N] --csv OUT    (benches/papers/kit.mjs)
 //
 // Beside each printed value stand the method as published, the method with local search, the default solver and the
 // proven optimum or the best value known. Instances come from benches/data, and from `--data FOLDER` where they may
 // not be copied (benches/data/README.md). Every value is that of a tour checked by code that shares nothing with the methods. A run ends at the method's own budget, or at the best value known.
 
+import { availableParallelism } from 'node:os';
 import { parseArgs } from 'node:util';
 import { setup } from '../scripts/setup.mjs';
 import { Stop } from '../scripts/tools.mjs';
 import { Instances } from './common/data.mjs';
 import { tables as hull } from './papers/hull.mjs';
+import { kit } from './papers/kit.mjs';
 import { build } from './papers/runs.mjs';
 import { tables as quDu } from './papers/qu-du.mjs';
 import { tables as stop } from './papers/stop.mjs';
@@ -28,12 +31,22 @@ export async function bench(args) {
       rounds: { type: 'string' },
       only: { type: 'string' },
       data: { type: 'string' },
+      paper: { type: 'string' },
+      readings: { type: 'boolean' },
+      threads: { type: 'string' },
+      csv: { type: 'string' },
+      from: { type: 'string' },
     },
   });
   const names = values.table ?? Object.keys(TABLES);
   const unknown = names.find((name) => !(name in TABLES));
   if (unknown !== undefined) throw new Stop(`There is no table ${unknown}: ${Object.keys(TABLES).join(', ')}.`);
   const instances = new Instances(values.data);
+  if (values.paper !== undefined) {
+    if (values.from === undefined) await setup();
+    const { paper, readings, only, csv, from } = values;
+    return kit({ paper, readings, only, csv, from, instances, seeds: Number(values.seeds ?? 30), threads: Number(values.threads ?? availableParallelism()) });
+  }
   await setup();
   build();
   const rounds = values.rounds === undefined ? undefined : Number(values.rounds);

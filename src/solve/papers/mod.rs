@@ -2,8 +2,10 @@
 //! for readers who know the papers. For cutting a sheet, the default method is always the better choice.
 //!
 //! Every parameter of a paper is a documented field whose default is the paper's value. Where a paper leaves something
-//! open, or an equation is misprinted, the module of the method states what was built and why. Each deviation from a paper
-//! can be switched off.
+//! open, or an equation is misprinted, the module of the method states what was built and why. Where a paper can be read in
+//! several ways, each reading that is built is a value of a parameter, and two presets name sets of them: "as-published" and
+//! "at-its-best" (`presets.rs`). Not parameters are the turning ways of RSX, the near lists of local search, and our own
+//! Lin-Kernighan search in place of LKH.
 //!
 //! A method compares solutions by the paper's measure (`legs.rs`), not by the seconds of the whole job. The best solution
 //! it reports is one it found itself, even where the nearest-neighbour tour is better; otherwise a comparison would show
@@ -19,6 +21,7 @@ mod legs;
 mod local;
 mod parameters;
 mod piecewise;
+mod presets;
 mod published;
 mod repair;
 mod roulette;
@@ -29,10 +32,11 @@ mod tree;
 mod unvisited;
 
 pub use dual::DualCodingGa;
-pub use hull::{HullPso, HullSettings, Ofa, OperatorRates, Rlsga, Sga, Woa};
+pub use hull::{HullPso, HullSettings, MeanReward, Ofa, OperatorRates, Rlsga, Sga, Woa};
+pub use keys::Decode;
 pub use legs::{Legs, Measure};
 pub use repair::Repair;
-pub use swarm::{AcoPso, KPso, Lpspso, Pso, SwarmSettings, Weights};
+pub use swarm::{AcoPso, Draws, Flights, KPso, Kappa, Lpspso, Pso, Stagnation, SwarmSettings, Weights};
 pub use tree::{GtspLk, InitialPartitions, InitialTours, PartitionTree, Pfr, RepartitionMoves};
 
 use super::{Solver, SolverInfo};
@@ -51,6 +55,9 @@ pub struct Card {
     /// Parameters with their default values, the paper's where it gives them.
     #[cfg_attr(test, ts(type = "Record<string, unknown>"))]
     pub parameters: serde_json::Value,
+    /// The parameters that each preset changes, by the name of the preset. The parameter `preset` selects one.
+    #[cfg_attr(test, ts(type = "Record<string, Record<string, unknown>>"))]
+    pub presets: serde_json::Value,
 }
 
 /// A method with its default parameters, and the function that makes it from given ones.
@@ -100,18 +107,21 @@ const fn entry<M: Solver + Default + Serialize + DeserializeOwned + 'static>() -
 
 fn card<M: Solver + Default + Serialize>() -> Card {
     let method = M::default();
-    Card { info: method.info(), parameters: serde_json::to_value(&method).unwrap_or_default() }
+    let info = method.info();
+    let presets = presets::of(info.name);
+    Card { parameters: serde_json::to_value(&method).unwrap_or_default(), presets, info }
 }
 
 fn make<M: Solver + Default + Serialize + DeserializeOwned + 'static>(
     parameters: &str,
 ) -> Result<Box<dyn Solver>, String> {
-    Ok(Box::new(parameters::read::<M>(parameters)?))
+    let presets = presets::of(M::default().info().name);
+    Ok(Box::new(parameters::read::<M>(parameters, &presets)?))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Lpspso, cards, method, parameters};
+    use super::{Lpspso, cards, method, parameters, presets};
 
     fn refusal(name: &str, parameters: &str) -> String {
         method(name, parameters).err().unwrap()
@@ -134,6 +144,38 @@ mod tests {
     }
 
     #[test]
+    fn every_preset_of_every_method_can_be_selected_and_changed() {
+        for card in cards() {
+            let presets = card.presets.as_object().unwrap();
+            assert_eq!(
+                presets.keys().collect::<Vec<_>>(),
+                ["as-published", "at-its-best"],
+                "{}",
+                card.info.name
+            );
+            for name in presets.keys() {
+                method(card.info.name, &format!(r#"{{"preset":"{name}"}}"#)).unwrap();
+            }
+        }
+        let read = |text| parameters::read::<Lpspso>(text, &presets::of("lpspso"));
+        let published = read(r#"{"preset":"as-published"}"#).unwrap();
+        assert!(!published.settings.local_search && !published.flights_must_gain);
+        // A parameter given beside a preset wins, in either order.
+        for text in [
+            r#"{"preset":"as-published","local_search":true}"#,
+            r#"{"local_search":true,"preset":"as-published"}"#,
+        ] {
+            let changed = read(text).unwrap();
+            assert!(changed.settings.local_search && !changed.flights_must_gain, "{text}");
+        }
+        assert_eq!(
+            refusal("lpspso", r#"{"preset":"as-publishd"}"#),
+            "There is no preset named \"as-publishd\". Did you mean \"as-published\"? Choose one of: as-published, at-its-best."
+        );
+        assert!(refusal("lpspso", r#"{"preset":1}"#).starts_with("The preset is 1: "));
+    }
+
+    #[test]
     fn shared_parameters_are_flat_and_keep_the_defaults_of_their_method() {
         let default = |name: &str, parameter: &str| {
             let card = cards().into_iter().find(|c| c.info.name == name).unwrap();
@@ -143,7 +185,7 @@ mod tests {
         assert_eq!((default("pso", "fastest"), default("lpspso", "fastest")), (0.2.into(), 0.05.into()));
         assert_eq!((default("woa", "population"), default("sga", "crossover")), (200.into(), 0.6.into()));
         // Giving one shared parameter leaves the others at the defaults of the method.
-        let path = parameters::read::<Lpspso>(r#"{"particles":7}"#).unwrap();
+        let path = parameters::read::<Lpspso>(r#"{"particles":7}"#, &presets::of("lpspso")).unwrap();
         assert_eq!((path.settings.particles, path.settings.fastest), (7, 0.05));
     }
 }

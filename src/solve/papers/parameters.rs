@@ -1,7 +1,7 @@
 //! Parameters of the published methods, which callers give as a JSON object. The parameters of a method are the fields of
 //! its struct, so their names and types come from its default value. Their limits are in this file.
 
-use crate::fields::{Range, Value, nearest, out_of_range};
+use crate::fields::{Range, Value, nearest, no_such, out_of_range};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value as Json};
@@ -20,22 +20,29 @@ const POPULATION: Range = Range::new(1.0, 1000.0, "", "the papers have at most 2
 /// Limits of all other numbers: squares and products of them stay finite.
 const ANY: Range = Range::new(-1e9, 1e9, "", "larger numbers say nothing to a method");
 
-/// A method with its default parameters, except for those that a JSON object gives.
+/// A method with its default parameters, except for those that a JSON object gives. Its parameter `preset` names one of
+/// `presets`; parameters given beside it win.
 ///
 /// serde cannot refuse unknown names in structs with flattened fields. Therefore names are compared with those of the
 /// default value here.
 ///
 /// # Errors
 /// One sentence that names the parameter.
-pub(super) fn read<M: Default + Serialize + DeserializeOwned>(text: &str) -> Result<M, String> {
+pub(super) fn read<M: Default + Serialize + DeserializeOwned>(
+    text: &str,
+    presets: &Json,
+) -> Result<M, String> {
     let given = serde_json::from_str(text).map_err(|e| format!("The parameters are not JSON: {e}."))?;
-    let Json::Object(given) = given else {
+    let Json::Object(mut given) = given else {
         return Err("The parameters are no object. Give an object with their names and values.".into());
     };
     let Ok(Json::Object(defaults)) = serde_json::to_value(M::default()) else {
         return Err("The method has no parameters.".into());
     };
     let mut parameters = defaults.clone();
+    if let Some(name) = given.remove("preset") {
+        parameters.extend(preset(&name, presets)?);
+    }
     for (name, value) in given {
         let Some(default) = defaults.get(&name) else { return Err(unknown(&name, &defaults)) };
         check_range(&name, &value)?;
@@ -50,6 +57,21 @@ pub(super) fn read<M: Default + Serialize + DeserializeOwned>(text: &str) -> Res
     }
     serde_json::from_value(Json::Object(parameters))
         .map_err(|e| format!("The parameters cannot be read: {e}."))
+}
+
+/// The parameters of a preset.
+fn preset(name: &Json, presets: &Json) -> Result<Map<String, Json>, String> {
+    let Json::String(text) = name else {
+        return Err(format!("The preset is {}: give its name in quotes.", shown(name)));
+    };
+    match presets.get(text) {
+        Some(Json::Object(parameters)) => Ok(parameters.clone()),
+        _ => {
+            let names: Vec<&str> =
+                presets.as_object().into_iter().flat_map(Map::keys).map(String::as_str).collect();
+            Err(no_such("preset", text, &names))
+        }
+    }
 }
 
 fn check_range(name: &str, value: &Json) -> Result<(), String> {

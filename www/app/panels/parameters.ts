@@ -6,8 +6,19 @@ import type { Session } from '../session/session.js';
 import { check, field, select } from './section.js';
 import { words } from '../core/words/index.js';
 
-/** The values of parameters that are a choice between words. All other parameters are numbers or booleans. */
-const CHOICES = [['euclidean', 'chebyshev', 'seconds']];
+/** The values of parameters that are a choice between words, by parameter. All others are numbers or booleans. */
+const CHOICES: Record<string, string[]> = {
+  measure: ['euclidean', 'chebyshev', 'seconds'],
+  decode: ['keys', 'order-nearest', 'permutation'],
+  draws: ['equation', 'key'],
+  kappa: ['swarm', 'particle'],
+  flights: ['keys', 'insertion'],
+  stagnation: ['chaos', 'step4'],
+  mean_reward: ['sentence', 'printed'],
+  start: ['pfr', 'single', 'each'],
+  first: ['free', 'all', 'none'],
+  repartition: ['both', 'partitions', 'sequences'],
+};
 
 /** The control that sets a parameter. */
 interface Control {
@@ -42,7 +53,7 @@ function control(name: string, initial: unknown, set: (value: unknown) => void):
     const { root, input } = check(label, set);
     return { root, show: (value) => (input.checked = value === true) };
   }
-  const choices = CHOICES.find((list) => list.includes(String(initial)));
+  const choices = typeof initial === 'string' ? CHOICES[name] : undefined;
   if (choices !== undefined) {
     const { root, fill } = select<string>(set);
     return { root: field(label, root), show: (value) => fill(choices.map((c) => ({ value: c, label: c })), String(value)) };

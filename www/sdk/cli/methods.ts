@@ -20,5 +20,12 @@ export async function methods(args: string[]): Promise<void> {
     const given = Object.entries(parameters).map(([key, value]) => `${key}=${String(value)}`);
     if (given.length > 0) lines.push(`${name.padEnd(width)}  ${given.join(' ')}`);
   }
+  lines.push('', 'Presets (--set preset=NAME), with the parameters that they change:');
+  for (const { name, presets } of papers) {
+    for (const [preset, changed] of Object.entries(presets)) {
+      const given = Object.entries(changed).map(([key, value]) => `${key}=${String(value)}`);
+      if (given.length > 0) lines.push(`${name.padEnd(width)}  ${preset}: ${given.join(' ')}`);
+    }
+  }
   await print(lines.join('\n'));
 }

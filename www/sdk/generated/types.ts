@@ -383,6 +383,8 @@ export interface MethodInfo {
 export interface PaperMethod {
   /** Parameters with their default values, the paper's where it gives them. */
   parameters: Record<string, unknown>,
+  /** The parameters that each preset changes, by the name of the preset. The parameter `preset` selects one. */
+  presets: Record<string, Record<string, unknown>>,
   /** Name on the command line. */
   name: string,
   /** Name for people. */

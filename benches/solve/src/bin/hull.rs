@@ -1,13 +1,15 @@
 //! Tables 3 and 4 of the hull-part paper, natively: every method on a sheet of `tests/fixtures/hull`. One JSON line a run.
 //!
 //!     hull NAME SHEET SEEDS [METHOD]...
+//!
+//! METHOD is a name, or `{"method": NAME, "parameters": {...}}`. Seconds are those of the processor.
 
+use cpu_time::ThreadTime;
 use kerfway::geometry::DVec2;
 use kerfway::machine;
 use kerfway::problem::{Groups, Item, Node, Problem};
 use kerfway::solve::{self, Search, Solver, Status, papers};
 use serde_json::{Value, json};
-use std::time::Instant;
 
 /// Moves between two looks at the clock.
 const SLICE: u64 = 100_000;
@@ -32,14 +34,20 @@ fn bench() -> Result<(), String> {
     let seeds: u64 = seeds.parse().map_err(|_| "How many seeds?")?;
     // The paper's populations.
     let population = if name == "hull-5-20" { 100 } else { 200 };
-    for method in methods {
+    for given in methods {
+        let one: Value = serde_json::from_str(given).unwrap_or_else(|_| json!({ "method": given }));
+        let method = one["method"].as_str().ok_or("Which method?")?;
+        let mut parameters = json!({ "population": population });
+        if let (Some(all), Some(own)) = (parameters.as_object_mut(), one["parameters"].as_object()) {
+            all.extend(own.clone());
+        }
         let faithful = solve::method(method).is_none();
         let solver: Box<dyn Solver> = match solve::method(method) {
-            Some(_) => Box::new(Default(method.clone())),
-            None => papers::method(method, &format!(r#"{{"population": {population}}}"#))?,
+            Some(_) => Box::new(Default(method.to_owned())),
+            None => papers::method(method, &parameters.to_string())?,
         };
         for seed in 1..=seeds {
-            let clock = Instant::now();
+            let clock = ThreadTime::now();
             let mut search = solver.start(&problem, seed, None);
             let mut moves = 0;
             while faithful || moves < MOVES {

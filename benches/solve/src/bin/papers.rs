@@ -1,12 +1,12 @@
 //! One method on the instances of a file, seed by seed, each run to the method's own end: `papers METHOD FILE
-//! [--parameters JSON] [--only NAME] [--seeds K] [--seconds S]`. One JSON line a run, with the length of a tour checked
+//! [--parameters JSON] [--only NAME] [--seeds K] [--seconds S] [--threads N]`. One JSON line a run, with the length of a tour checked
 //! by code that shares nothing with the method. METHOD is one of the papers', or one of Kerfway's, which needs seconds.
 
+use cpu_time::ThreadTime;
 use kerfway::solve::{self, Solver, Status, papers};
 use kerfway_bench_solve::source::Source;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::Instant;
 
 /// Moves between two looks at the clock: about a millisecond.
 const SLICE: u64 = 20_000;
@@ -17,6 +17,7 @@ struct Options {
     only: Option<String>,
     seeds: u64,
     seconds: f64,
+    threads: usize,
 }
 
 fn main() -> std::process::ExitCode {
@@ -30,6 +31,7 @@ fn options() -> Result<Options, String> {
         only: None,
         seeds: 5,
         seconds: f64::INFINITY,
+        threads: std::thread::available_parallelism().map_or(1, |n| n.get()),
     };
     let mut args = std::env::args().skip(1);
     while let Some(word) = args.next() {
@@ -39,6 +41,7 @@ fn options() -> Result<Options, String> {
             "--parameters" => o.parameters = next()?,
             "--only" => o.only = Some(next()?),
             "--seeds" => o.seeds = number(next()?)? as u64,
+            "--threads" => o.threads = number(next()?)?.max(1.0) as usize,
             "--seconds" => o.seconds = number(next()?)?,
             _ => o.words.push(word),
         }
@@ -52,12 +55,11 @@ fn bench(options: &Options) -> Result<(), String> {
         if options.only.as_ref().is_some_and(|only| *only != source.name) {
             continue;
         }
-        // Seeds go to as many threads as the machine has.
+        // Seeds go to as many threads as asked for, or as the machine has.
         let next = AtomicU64::new(1);
         let rows = Mutex::new(Ok(Vec::new()));
-        let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
         std::thread::scope(|scope| {
-            for _ in 0..threads {
+            for _ in 0..options.threads {
                 scope.spawn(|| {
                     loop {
                         let seed = next.fetch_add(1, Ordering::Relaxed);
@@ -90,7 +92,7 @@ fn run(source: &Source, name: &str, seed: u64, options: &Options) -> Result<serd
         (Err(_), Some(own)) => own,
         (Err(why), None) => return Err(why.clone()),
     };
-    let clock = Instant::now();
+    let clock = ThreadTime::now();
     let mut search = method.start(&source.problem, seed, None);
     // A tour without an edge the instance fixes, or the drawing's order, has no length: only what stands at the end must.
     let checked = |search: &dyn solve::Search| source.checked(search.best());

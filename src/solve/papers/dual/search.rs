@@ -31,6 +31,9 @@ pub struct DualCodingGa {
     pub alpha: f64,
     /// How travel is measured, eq. (1).
     pub measure: Measure,
+    /// Whether the legs from home and back to it count. Eq. (1) sums the legs between contours only; with home it is what a
+    /// machine travels.
+    pub home_legs: bool,
 }
 
 impl Default for DualCodingGa {
@@ -43,6 +46,7 @@ impl Default for DualCodingGa {
             lambda: 0.1,
             alpha: 1.02,
             measure: Measure::Chebyshev,
+            home_legs: true,
         }
     }
 }
@@ -97,7 +101,7 @@ impl<'p> Generations<'p> {
         let first = Code::random(problem, &contours, &mut rng);
         let legs = Legs::new(problem, rates.measure);
         let nodes = nodes(problem, repair.as_ref(), &first);
-        let length = legs.tour_length(&nodes);
+        let length = length(&legs, &nodes, rates.home_legs);
         let progress = Progress::new(solution(problem, &nodes), length);
         let fitting = MOST_GENES / (4 * contours.len()).max(1);
         Self {
@@ -118,11 +122,11 @@ impl<'p> Generations<'p> {
         }
     }
 
-    /// Travel of a code, eq. (1), including the air moves from and to home.
+    /// Travel of a code, eq. (1).
     fn price(&mut self, code: &Code) -> f64 {
         let problem = self.legs.problem();
         let nodes = nodes(problem, self.repair.as_ref(), code);
-        let length = self.legs.tour_length(&nodes);
+        let length = length(&self.legs, &nodes, self.rates.home_legs);
         self.progress.take(length, || solution(problem, &nodes));
         length
     }
@@ -148,6 +152,14 @@ impl<'p> Generations<'p> {
             }
         }
     }
+}
+
+/// Length of a tour, with the legs from and to home or without. The cycle of a table of costs has no home.
+fn length(legs: &Legs, nodes: &[NodeId], home_legs: bool) -> f64 {
+    if home_legs || legs.problem().table().is_some() {
+        return legs.tour_length(nodes);
+    }
+    nodes.windows(2).map(|w| legs.leg(w[0], w[1])).sum()
 }
 
 /// The nodes of a code in a feasible order.

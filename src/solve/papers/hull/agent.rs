@@ -6,12 +6,13 @@
 //! 1/mm.
 //!
 //! The reward is (7) to (10). Eq. (9) compares the mean with the *best* of the previous generation, the sentence above it
-//! with the mean of that generation; the sentence is followed. The update is (11), with the action chosen next. The table
+//! with the mean of that generation; `mean_reward` says which is followed, by default the sentence. The update is (11), with the action chosen next. The table
 //! starts at zero. Ties between actions are broken at random.
 
 use crate::geometry::math;
 use crate::order::{real, sort_by};
 use crate::solve::rng::{Draw, Rng};
+use serde::{Deserialize, Serialize};
 
 /// Relative difference below which two fitness values are equal: sums of the same lengths in another order differ by
 /// rounding.
@@ -59,15 +60,30 @@ pub(super) fn state(diversity: f64) -> usize {
 }
 
 /// The immediate reward of a generation, eqs (7) to (10), from the statistics and diversity before and after it.
-pub(super) fn reward(before: (&Statistics, f64), now: (&Statistics, f64)) -> f64 {
+pub(super) fn reward(before: (&Statistics, f64), now: (&Statistics, f64), mean_reward: MeanReward) -> f64 {
     let change = |now: f64, before: f64, [more, same, less]: [f64; 3]| match now - before {
         d if d.abs() <= SAME * before => same,
         d if d > 0.0 => more,
         _ => less,
     };
     let best = change(now.0.best, before.0.best, [1.5, -0.5, -1.0]);
-    let mean = change(now.0.mean, before.0.mean, [1.0, -2.0, -0.5]);
+    let reference = match mean_reward {
+        MeanReward::Sentence => before.0.mean,
+        MeanReward::Printed => before.0.best,
+    };
+    let mean = change(now.0.mean, reference, [1.0, -2.0, -0.5]);
     (now.1 - before.1) + best + mean
+}
+
+/// With what eq. (9) compares the mean fitness of a generation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum MeanReward {
+    /// With the mean of the previous generation, as the sentence above the equation has it.
+    #[default]
+    Sentence,
+    /// With the best of the previous generation, as the equation is printed. A mean hardly ever exceeds it.
+    Printed,
 }
 
 /// Parameters of the learning.
@@ -79,6 +95,8 @@ pub(super) struct Learning {
     pub(super) gamma: f64,
     /// Probability epsilon of a random action.
     pub(super) epsilon: f64,
+    /// With what eq. (9) compares the mean.
+    pub(super) mean_reward: MeanReward,
 }
 
 /// The Q-table, and the current state and action.
@@ -122,7 +140,8 @@ impl Agent {
     /// Takes the statistics of the next generation: computes the reward, chooses the next action and updates the table.
     pub(super) fn learn(&mut self, statistics: Statistics, diversity: f64, rng: &mut Rng) {
         let was = (self.state, self.action);
-        self.reward = reward((&self.statistics, self.diversity), (&statistics, diversity));
+        let mean_reward = self.learning.map_or(MeanReward::Sentence, |l| l.mean_reward);
+        self.reward = reward((&self.statistics, self.diversity), (&statistics, diversity), mean_reward);
         self.begin(statistics, diversity, rng);
         if let Some(Learning { alpha, gamma, .. }) = self.learning {
             let next = self.table[self.state][self.action];
@@ -184,19 +203,22 @@ mod tests {
     #[test]
     fn rewards_by_hand() {
         let statistics = |best, mean| Statistics { best, mean, ..Statistics::default() };
-        let of = |now: Statistics| reward((&statistics(0.5, 0.25), 0.75), (&now, 0.5));
+        let by = |now: Statistics, m| reward((&statistics(0.5, 0.25), 0.75), (&now, 0.5), m);
+        let of = |now: Statistics| by(now, MeanReward::Sentence);
         close(of(statistics(0.6, 0.3)), -0.25 + 1.5 + 1.0);
         close(of(statistics(0.5, 0.3)), -0.25 - 0.5 + 1.0);
         close(of(statistics(0.5, 0.25)), -0.25 - 0.5 - 2.0);
         close(of(statistics(0.4, 0.2)), -0.25 - 1.0 - 0.5);
         // The mean grew, although it is below the previous best: the sentence of the paper counts, not eq. (9) as printed.
         close(of(statistics(0.5, 0.4)), -0.25 - 0.5 + 1.0);
+        close(by(statistics(0.5, 0.4), MeanReward::Printed), -0.25 - 0.5 - 0.5);
+        close(by(statistics(0.6, 0.5), MeanReward::Printed), -0.25 + 1.5 - 2.0);
     }
 
     #[test]
     fn the_update_by_hand_and_in_its_place() {
         close(update(2.0, 1.5, 3.0, 0.9, 0.9), 0.2 + 0.9 * (1.5 + 2.7));
-        let learning = Learning { alpha: 0.9, gamma: 0.9, epsilon: 0.0 };
+        let learning = Learning { alpha: 0.9, gamma: 0.9, epsilon: 0.0, mean_reward: MeanReward::Sentence };
         let mut agent = Agent::new(Some(learning));
         let mut rng = seeded(1);
         agent.table = [[0.0, 5.0, 0.0], [1.0, 2.0, 4.0], [7.0, 0.0, 0.0]];
@@ -219,7 +241,7 @@ mod tests {
             }
             agent.chosen
         };
-        let learning = Learning { alpha: 0.9, gamma: 0.9, epsilon: 0.1 };
+        let learning = Learning { alpha: 0.9, gamma: 0.9, epsilon: 0.1, mean_reward: MeanReward::Sentence };
         for best in 0..3 {
             // The expected fraction is 0.9 + 0.1 / 3.
             assert!((2750..2850).contains(&chosen(Some(learning), best)[best]), "{best}");

@@ -10,7 +10,7 @@
 //! 4. `key_search.rs`, `rules.rs`: `hull-pso`, `ofa` and `woa` on random keys (section 5.2).
 //! 5. `decode.rs`, `nested.rs`, `holes.rs`: from a chromosome to a plan.
 //!
-//! Deviations: eq. (6) uses scaled fitness (`scaled_fitness`); RSX reverses the cutting directions of a run, about which
+//! Deviations: eq. (6) uses scaled fitness (`scaled_fitness`); eq. (9) follows its sentence (`mean_reward`); RSX reverses the cutting directions of a run, about which
 //! the paper says nothing; where a sheet has holes or ranks, which the paper has not, the fitness is that of the repaired
 //! path.
 
@@ -32,6 +32,7 @@ mod settings;
 #[cfg(test)]
 mod tests;
 
+pub use agent::MeanReward;
 pub use key_methods::{HullPso, Ofa, Woa};
 pub use rlsga::{Rlsga, Sga};
 pub use settings::{HullSettings, OperatorRates};

@@ -1,6 +1,6 @@
 //! The methods `rlsga` and `sga` and their parameters.
 
-use super::agent::Learning;
+use super::agent::{Learning, MeanReward};
 use super::decode::Decoder;
 use super::genetic::{Breeding, Genetic};
 use super::settings::{HullSettings, OperatorRates};
@@ -31,6 +31,8 @@ pub struct Rlsga {
     /// Whether eq. (6) uses fitness divided by its mean, so that the state does not depend on the unit of length. The paper
     /// does not scale it.
     pub scaled_fitness: bool,
+    /// With what eq. (9) compares the mean fitness of a generation.
+    pub mean_reward: MeanReward,
 }
 
 impl Default for Rlsga {
@@ -42,6 +44,7 @@ impl Default for Rlsga {
             gamma: 0.9,
             epsilon: 0.1,
             scaled_fitness: true,
+            mean_reward: MeanReward::Sentence,
         }
     }
 }
@@ -57,7 +60,8 @@ impl Solver for Rlsga {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let learning = Learning { alpha: self.alpha, gamma: self.gamma, epsilon: self.epsilon };
+        let Self { alpha, gamma, epsilon, mean_reward, .. } = *self;
+        let learning = Learning { alpha, gamma, epsilon, mean_reward };
         let breeding = Breeding { rates: self.rates, scaled_fitness: self.scaled_fitness };
         let decoder = Decoder::new(problem, self.settings.measure);
         Box::new(PiecewiseSearch(Genetic::new(decoder, self.settings, breeding, Some(learning), seed)))

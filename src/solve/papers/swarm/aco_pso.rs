@@ -64,7 +64,7 @@ impl Solver for AcoPso {
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
         let colony = AntColony {
             by: self.clone(),
-            plain: StandardGuide::new(self.weights),
+            plain: StandardGuide::new(self.weights, self.settings.draws),
             trails: Vec::new(),
             sent: Vec::new(),
             fresh: Vec::new(),

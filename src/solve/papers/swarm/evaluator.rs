@@ -50,7 +50,7 @@ impl<'p> Evaluator<'p> {
         let problem = legs.problem();
         let space = SearchSpace::new(legs);
         let local_search = LocalSearch::new(problem, keys.led, keys.pinned.is_some());
-        let entries = keys.count() > keys.items().len();
+        let entries = keys.has_entries();
         Self {
             keys,
             space,
@@ -69,8 +69,8 @@ impl<'p> Evaluator<'p> {
     /// Starts with the keys of a particle. `settled` is a tour that local search cannot improve. Returns the cost, and the
     /// result if it is already there.
     pub(super) fn begin(&mut self, keys: &[f64], settled: &[NodeId]) -> (u64, Option<Evaluation>) {
-        let tour = self.keys.tour(keys);
-        let cost = READ * tour.len() as u64;
+        let tour = self.keys.tour(&self.space.legs, keys);
+        let cost = READ * tour.len() as u64 + self.keys.priced();
         if !self.local || tour.len() < 2 {
             let allowed = self.allowed(&tour);
             return (2 * cost, Some(self.evaluation(tour, allowed)));

@@ -53,7 +53,7 @@ impl Solver for KPso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let plain = StandardGuide::new(self.weights);
+        let plain = StandardGuide::new(self.weights, self.settings.draws);
         let groups = Groups { left: self.grouping, ..Groups::default() };
         Run::start(
             problem,

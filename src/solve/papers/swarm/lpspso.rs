@@ -8,15 +8,50 @@
 use super::particles::Swarm;
 use super::prospect::{Outcomes, Prospect};
 use super::proximity::Proximity;
-use super::rules::{Levy, add_distances, inertia, kappa, learning, singer, tau};
+use super::rules::{Levy, Spread, add_distances, inertia, kappa, learning, singer, tau};
 use super::run::{Guide, Run};
-use super::settings::{SwarmSettings, Weights};
+use super::settings::{Draws, SwarmSettings, Weights};
 use crate::problem::{NodeId, Problem};
 use crate::solve::Curve;
 use crate::solve::rng::Draw;
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
+
+/// Whose spread is compared with the threshold of eqs (26) and (27).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kappa {
+    /// One value for the swarm, from the mean distances of all particles, as the text of section IV.E has it: either all
+    /// particles fly or none.
+    #[default]
+    Swarm,
+    /// One value a particle, from its distances to the others: step 5 prints them with an index of the particle.
+    Particle,
+}
+
+/// What a Levy flight, eq. (21), moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Flights {
+    /// Every key by a step of its own.
+    #[default]
+    Keys,
+    /// One random item, which is inserted some positions further on or back.
+    Insertion,
+}
+
+/// What step 7 does when the swarm stagnates.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stagnation {
+    /// The chaotic number is drawn once more.
+    #[default]
+    Chaos,
+    /// The method goes back to step 4, as printed: within the same iteration all particles move by (19) and (20) with a new
+    /// chaotic number, and are evaluated.
+    Step4,
+}
 
 /// The method with its parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -35,8 +70,9 @@ pub struct Lpspso {
     pub inertia_base: f64,
     /// a of the learning factors, eq. (17).
     pub learning_a: f64,
-    /// b of the learning factors, eq. (17).
-    pub learning_b: f64,
+    /// Sum of the learning factors, eq. (17): printed 2.5. The range that the text quotes for c2, 0.75 to 1.75, follows from
+    /// 3.0.
+    pub c_sum: f64,
     /// mu of the Singer map, eq. (18).
     pub singer_mu: f64,
     /// First value of the Singer map.
@@ -44,12 +80,18 @@ pub struct Lpspso {
     /// Exponent beta of Levy steps, eqs (23) and (24).
     pub levy_beta: f64,
     /// Size alpha of Levy steps, eq. (21), in positions of the order. The paper does not give it. With 0.4, a tenth of the
-    /// keys move by a position or more.
+    /// keys move by a position or more; for flights that insert one item, 10 of 43 positions gave the shortest paths.
     pub levy_step: f64,
     /// Whether a flight that ends at a longer path is undone. The paper does not say; without this, flights are a random
     /// walk.
     pub flights_must_gain: bool,
-    /// Number of iterations without a better path after which the chaotic number is drawn once more, step 7.
+    /// Whose spread decides on flights.
+    pub kappa: Kappa,
+    /// What a flight moves.
+    pub flights: Flights,
+    /// What happens when the swarm stagnates, step 7.
+    pub stagnation: Stagnation,
+    /// Number of iterations without a better path after which the swarm stagnates, step 7.
     pub patience: u32,
     /// Exponent of gains, eq. (5).
     pub alpha: f64,
@@ -68,18 +110,21 @@ pub struct Lpspso {
 impl Default for Lpspso {
     fn default() -> Self {
         Self {
-            settings: SwarmSettings::with_fastest(0.05),
+            settings: SwarmSettings::with(0.05, Draws::Equation),
             proximity_steps: 1_000_000,
             inertia_most: 0.95,
             inertia_least: 0.40,
             inertia_base: std::f64::consts::E,
             learning_a: 1.25,
-            learning_b: 2.5,
+            c_sum: 2.5,
             singer_mu: 1.04,
             singer_start: 0.18,
             levy_beta: 1.5,
             levy_step: 0.4,
             flights_must_gain: true,
+            kappa: Kappa::Swarm,
+            flights: Flights::Keys,
+            stagnation: Stagnation::Chaos,
             patience: 10,
             alpha: 0.85,
             beta: 0.85,
@@ -98,7 +143,7 @@ impl Solver for Lpspso {
             title: "LPSPSO",
             about: "Particle swarm with Levy flights, a power function for its inertia and a Singer map.",
             source: Some(
-                "P. Qu, F. Du, Improved Particle LpspsoGuide Optimization for Laser Cutting Path Planning, IEEE Access 11 \
+                "P. Qu, F. Du, Improved Particle Swarm Optimization for Laser Cutting Path Planning, IEEE Access 11 \
                  (2023), doi 10.1109/ACCESS.2023.3236006",
             ),
         }
@@ -120,13 +165,16 @@ struct LpspsoGuide {
     alpha: f64,
     chaos: f64,
     /// Sums of the distances in eq. (25), as far as they are computed.
-    distances: Vec<f64>,
+    distances: Vec<Spread>,
     row: usize,
+    /// kappa of the swarm, or the mean of those of its particles.
     kappa: f64,
     tau: f64,
-    /// Whether this round is a flight, and where its particles came from.
-    flight: bool,
+    /// Which particles fly in this round, and where they came from.
+    flies: Vec<bool>,
     before: Vec<Origin>,
+    /// Whether step 7 goes back to step 4.
+    back: bool,
     /// Weights of the particle that is being moved.
     pull: Weights,
     learning: (f64, f64),
@@ -138,6 +186,7 @@ struct LpspsoGuide {
 
 /// State of a particle before a flight.
 struct Origin {
+    particle: usize,
     keys: Vec<f64>,
     value: f64,
     tour: Vec<NodeId>,
@@ -155,8 +204,9 @@ impl LpspsoGuide {
             row: 0,
             kappa: 0.0,
             tau: 1.0,
-            flight: false,
+            flies: Vec::new(),
             before: Vec::new(),
+            back: false,
             pull: Weights::default(),
             learning: (0.0, 0.0),
             idle: 0,
@@ -165,12 +215,38 @@ impl LpspsoGuide {
         }
     }
 
-    /// Step 7: if the swarm stagnates, the parameters of step 4 are drawn again. All of them except the chaotic number are
-    /// functions of t, so only that number changes.
-    fn stir(&mut self) {
-        if self.idle >= self.by.patience && self.kappa < self.tau {
+    /// Whether the swarm stagnates, step 7. Then the iterations without a gain are counted again.
+    fn stagnates(&mut self, stagnation: Stagnation) -> bool {
+        let stagnates =
+            self.by.stagnation == stagnation && self.idle >= self.by.patience && self.kappa < self.tau;
+        if stagnates {
             self.idle = 0;
-            self.chaos = singer(self.chaos, self.by.singer_mu);
+        }
+        stagnates
+    }
+
+    /// Moves a particle by a Levy flight, eq. (21).
+    fn fly(&mut self, swarm: &mut Swarm, i: usize, range: Range<usize>) {
+        let Swarm { evaluator, particles, rng, .. } = swarm;
+        let (keys, own) = (&evaluator.keys, &mut particles[i].keys);
+        match self.by.flights {
+            Flights::Keys => {
+                let end = range.end;
+                for key in &mut own[range] {
+                    *key = (*key + self.alpha * self.levy.step(rng)).clamp(0.0, 1.0);
+                }
+                if keys.permutes() && end == keys.count() {
+                    keys.rank(own);
+                }
+            }
+            Flights::Insertion if range.start == 0 => {
+                let step = self.by.levy_step * self.levy.step(rng);
+                // An insertion goes to another position, or it would be no flight.
+                let step = if step.abs() < 1.0 { step.signum() } else { step };
+                let k = rng.below(keys.items().len());
+                keys.insert(own, k, step);
+            }
+            Flights::Insertion => {}
         }
     }
 }
@@ -206,7 +282,8 @@ impl Guide for LpspsoGuide {
 
     /// Step 3: compares paths by the prospect-regret value.
     fn update_bests(&mut self, swarm: &mut Swarm) {
-        for (p, before) in swarm.particles.iter_mut().zip(self.before.drain(..)) {
+        for before in self.before.drain(..) {
+            let p = &mut swarm.particles[before.particle];
             if p.value > before.value {
                 (p.keys, p.value, p.tour) = (before.keys, before.value, before.tour);
             }
@@ -229,13 +306,18 @@ impl Guide for LpspsoGuide {
         let leads = swarm.particles[swarm.leader].best_value;
         self.idle = if begun && leads >= led { self.idle + 1 } else { 0 };
         self.z = outcomes.value(leads);
+        self.back = self.stagnates(Stagnation::Step4);
+    }
+
+    fn goes_back(&self) -> bool {
+        self.back
     }
 
     /// Steps 4 and 5: the parameters, and the distances between particles, one row of them at a time.
     fn prepare_round(&mut self, swarm: &mut Swarm) -> Option<u64> {
         let count = swarm.particles.len();
         if self.row == 0 {
-            self.distances = vec![0.0; count];
+            self.distances = vec![Spread::NONE; count];
         }
         if self.row + 1 < count {
             let (here, others) = swarm.particles[self.row..].split_first()?;
@@ -251,15 +333,26 @@ impl Guide for LpspsoGuide {
         }
         self.row = 0;
         let share = swarm.share();
-        self.kappa = kappa(&self.distances);
+        let kappas: Vec<f64> = match self.by.kappa {
+            Kappa::Swarm => vec![kappa(&self.distances); count],
+            Kappa::Particle => self.distances.iter().map(Spread::kappa).collect(),
+        };
         self.tau = tau(share);
-        self.stir();
+        // Step 4 moves by (19) and (20) whatever the threshold says.
+        self.flies = kappas.iter().map(|&kappa| !self.back && kappa > self.tau).collect();
+        self.kappa = match self.by.kappa {
+            Kappa::Swarm => kappas.first().copied().unwrap_or(0.0),
+            Kappa::Particle => kappas.iter().sum::<f64>() / count as f64,
+        };
+        // All parameters of step 4 except the chaotic number are functions of t, so only that number changes.
+        if self.stagnates(Stagnation::Chaos) {
+            self.chaos = singer(self.chaos, self.by.singer_mu);
+        }
         self.chaos = singer(self.chaos, self.by.singer_mu);
-        self.learning = learning(share, self.by.learning_a, self.by.learning_b);
+        self.learning = learning(share, self.by.learning_a, self.by.c_sum);
         let (least, most) = (self.by.inertia_least, self.by.inertia_most);
         self.pull.inertia = inertia(share, self.by.inertia_base, least, most);
         self.pull.swarm = self.learning.1 * self.chaos;
-        self.flight = self.kappa > self.tau;
         None
     }
 
@@ -267,18 +360,24 @@ impl Guide for LpspsoGuide {
     fn move_keys(&mut self, swarm: &mut Swarm, i: usize, keys: Range<usize>) {
         if keys.start == 0 {
             self.pull.own = self.learning.0 * swarm.rng.uniform();
-            if self.flight && self.by.flights_must_gain {
+            if self.flies[i] && self.by.flights_must_gain {
                 let p = &swarm.particles[i];
-                self.before.push(Origin { keys: p.keys.clone(), value: p.value, tour: p.tour.clone() });
+                let (keys, tour) = (p.keys.clone(), p.tour.clone());
+                self.before.push(Origin { particle: i, keys, value: p.value, tour });
             }
         }
-        if !self.flight {
-            let pull = self.pull;
+        if self.flies[i] {
+            return self.fly(swarm, i, keys);
+        }
+        let pull = self.pull;
+        if self.by.settings.draws == Draws::Equation {
             return swarm.pull(i, keys, |_| pull);
         }
-        for key in &mut swarm.particles[i].keys[keys] {
-            *key = (*key + self.alpha * self.levy.step(&mut swarm.rng)).clamp(0.0, 1.0);
-        }
+        let (chaos, learning, mu) = (&mut self.chaos, self.learning, self.by.singer_mu);
+        swarm.pull(i, keys, |rng| {
+            *chaos = singer(*chaos, mu);
+            Weights { own: learning.0 * rng.uniform(), swarm: learning.1 * *chaos, ..pull }
+        });
     }
 
     fn curves(&self) -> Vec<Curve> {
@@ -291,7 +390,10 @@ impl Guide for LpspsoGuide {
             curve("Singer map (r2)", self.chaos),
             curve("spread (κ)", self.kappa),
             curve("threshold (τ)", self.tau),
-            curve("Levy flight", f64::from(u8::from(self.flight))),
+            curve(
+                "Levy flight",
+                self.flies.iter().filter(|f| **f).count() as f64 / self.flies.len().max(1) as f64,
+            ),
         ]
     }
 }

@@ -14,6 +14,6 @@ mod settings;
 
 pub use aco_pso::AcoPso;
 pub use k_pso::KPso;
-pub use lpspso::Lpspso;
+pub use lpspso::{Flights, Kappa, Lpspso, Stagnation};
 pub use pso::Pso;
-pub use settings::{SwarmSettings, Weights};
+pub use settings::{Draws, SwarmSettings, Weights};

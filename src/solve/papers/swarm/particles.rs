@@ -15,6 +15,8 @@ pub(super) struct Particle {
     /// Current position.
     pub(super) keys: Vec<f64>,
     pub(super) velocity: Vec<f64>,
+    /// Velocity of a permutation: the exchanges it made last.
+    pub(super) exchanges: Vec<(u32, u32)>,
     /// Length of its current tour.
     pub(super) value: f64,
     /// Its current tour.
@@ -61,10 +63,21 @@ impl Swarm<'_> {
             }
             None => particle.keys = (0..count).map(|_| rng.uniform()).collect(),
         }
+        if evaluator.keys.permutes() {
+            evaluator.keys.rank(&mut particle.keys);
+            particle.exchanges.clear();
+        }
     }
 
-    /// Applies eqs (14) and (15) to some keys of a particle. `pull` gives the weights for each key.
+    /// Applies eqs (14) and (15) to some keys of a particle. `pull` gives the weights for each key. A permutation moves as
+    /// a whole, with its first keys.
     pub(super) fn pull(&mut self, i: usize, range: Range<usize>, mut pull: impl FnMut(&mut Rng) -> Weights) {
+        if self.evaluator.keys.permutes() {
+            if range.start == 0 {
+                self.exchange(i, pull);
+            }
+            return;
+        }
         for k in range {
             let by = pull(&mut self.rng);
             let leader = self.particles[self.leader].best[k];
@@ -74,6 +87,39 @@ impl Swarm<'_> {
             p.velocity[k] = v.clamp(-self.fastest, self.fastest);
             p.keys[k] = (x + p.velocity[k]).clamp(0.0, 1.0);
         }
+    }
+
+    /// Eqs (14) and (15) for permutations (Wang et al., International Conference on Machine Learning and Cybernetics, 2003):
+    /// a velocity is a list of exchanges, a weight is the probability that an exchange is made, and a difference is the
+    /// list of exchanges that leads from one permutation to the other. The largest velocity is a fraction of the items:
+    /// of a longer list, exchanges are left out at random.
+    fn exchange(&mut self, i: usize, mut pull: impl FnMut(&mut Rng) -> Weights) {
+        let leader = &self.particles[self.leader].best;
+        let (p, keys) = (&self.particles[i], &self.evaluator.keys);
+        let own = keys.exchanges(&p.keys, &p.best);
+        let swarm = keys.exchanges(&p.keys, leader);
+        let rng = &mut self.rng;
+        let mut velocity = Vec::new();
+        let weights: [(&[(u32, u32)], fn(&Weights) -> f64); 3] =
+            [(&p.exchanges, |w| w.inertia), (&own, |w| w.own), (&swarm, |w| w.swarm)];
+        for (swaps, weight) in weights {
+            for &swap in swaps {
+                let by = pull(rng);
+                if rng.uniform() < weight(&by) {
+                    velocity.push(swap);
+                }
+            }
+        }
+        let most = (self.fastest * keys.items().len() as f64).max(1.0);
+        let kept = most / velocity.len().max(1) as f64;
+        if kept < 1.0 {
+            velocity.retain(|_| rng.uniform() < kept);
+        }
+        let p = &mut self.particles[i];
+        for &(a, b) in &velocity {
+            p.keys.swap(a as usize, b as usize);
+        }
+        p.exchanges = velocity;
     }
 
     /// Updates the best position of each particle, and the leader. `better` compares a new length with an old one.

@@ -76,6 +76,7 @@ impl Proximity {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::keys::Decode;
     use super::*;
     use crate::problem::Problem;
     use crate::solve::papers::Measure;
@@ -127,7 +128,7 @@ mod tests {
     }
 
     fn paths(problem: &Problem, first: Option<NodeId>, most: u64) -> Vec<(f64, Vec<NodeId>)> {
-        let (legs, keys) = (Legs::new(problem, Measure::Euclidean), Keys::new(problem, first));
+        let (legs, keys) = (Legs::new(problem, Measure::Euclidean), Keys::new(problem, first, Decode::Keys));
         let mut proximity = Proximity::new(&legs, &keys, 3, most);
         let all = Unvisited::all(problem);
         while proximity.piece(&legs, &keys, &all).is_some() {}

@@ -4,7 +4,7 @@
 
 use super::particles::Swarm;
 use super::run::{Guide, Run};
-use super::settings::{SwarmSettings, Weights};
+use super::settings::{Draws, SwarmSettings, Weights};
 use crate::problem::Problem;
 use crate::solve::rng::{Draw, Rng};
 use crate::solve::{Search, Solution, Solver, SolverInfo};
@@ -24,7 +24,7 @@ pub struct Pso {
 
 impl Default for Pso {
     fn default() -> Self {
-        Self { settings: SwarmSettings::with_fastest(0.2), weights: Weights::CONSTRICTED }
+        Self { settings: SwarmSettings::with(0.2, Draws::Key), weights: Weights::CONSTRICTED }
     }
 }
 
@@ -42,21 +42,24 @@ impl Solver for Pso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        Run::start(problem, seed, &self.settings, StandardGuide::new(self.weights))
+        Run::start(problem, seed, &self.settings, StandardGuide::new(self.weights, self.settings.draws))
     }
 }
 
 /// The rules of the standard swarm, which the other methods use as well.
 pub(super) struct StandardGuide {
     weights: Weights,
+    draws: Draws,
     /// Number of particles that have their keys.
     initialised: usize,
+    /// The random numbers of the particle that is being moved, and the iteration of the second one.
+    drawn: (f64, f64, Option<u32>),
 }
 
 impl StandardGuide {
     /// A swarm that is not initialised yet.
-    pub(super) fn new(weights: Weights) -> Self {
-        Self { weights, initialised: 0 }
+    pub(super) fn new(weights: Weights, draws: Draws) -> Self {
+        Self { weights, draws, initialised: 0, drawn: (0.0, 0.0, None) }
     }
 }
 
@@ -72,6 +75,16 @@ impl Guide for StandardGuide {
 
     fn move_keys(&mut self, swarm: &mut Swarm, particle: usize, keys: Range<usize>) {
         let weights = self.weights;
+        if self.draws == Draws::Equation {
+            if keys.start == 0 {
+                self.drawn.0 = swarm.rng.uniform();
+            }
+            if self.drawn.2 != Some(swarm.round) {
+                self.drawn = (self.drawn.0, swarm.rng.uniform(), Some(swarm.round));
+            }
+            let (own, all) = (weights.own * self.drawn.0, weights.swarm * self.drawn.1);
+            return swarm.pull(particle, keys, |_| Weights { own, swarm: all, ..weights });
+        }
         let draw = |rng: &mut Rng| Weights {
             own: weights.own * rng.uniform(),
             swarm: weights.swarm * rng.uniform(),

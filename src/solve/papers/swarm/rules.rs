@@ -47,9 +47,33 @@ impl Levy {
     }
 }
 
-/// Adds the distances between the particle of `row` and those `behind` it to the mean distances of eq. (25) of both.
+/// The distances of a particle to the others, eq. (25).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Spread {
+    pub(super) mean: f64,
+    pub(super) least: f64,
+    pub(super) most: f64,
+}
+
+impl Spread {
+    /// No distance yet.
+    pub(super) const NONE: Self = Self { mean: 0.0, least: f64::INFINITY, most: 0.0 };
+
+    fn add(&mut self, distance: f64, others: f64) {
+        self.mean += distance / others;
+        self.least = self.least.min(distance);
+        self.most = self.most.max(distance);
+    }
+
+    /// The value kappa of eq. (26) for this particle alone, as step 5 prints it.
+    pub(super) fn kappa(&self) -> f64 {
+        ratio(self.mean, self.least, self.most)
+    }
+}
+
+/// Adds the distances between the particle of `row` and those `behind` it to the distances of both.
 pub(super) fn add_distances<'a>(
-    distances: &mut [f64],
+    distances: &mut [Spread],
     row: usize,
     keys: &[f64],
     behind: impl Iterator<Item = &'a [f64]>,
@@ -57,18 +81,21 @@ pub(super) fn add_distances<'a>(
     let others = (distances.len() - 1) as f64;
     for (other, j) in behind.zip(row + 1..) {
         let square: f64 = keys.iter().zip(other).map(|(a, b)| (a - b) * (a - b)).sum();
-        let distance = square.sqrt() / others;
-        distances[row] += distance;
-        distances[j] += distance;
+        distances[row].add(square.sqrt(), others);
+        distances[j].add(square.sqrt(), others);
     }
 }
 
-/// The value kappa of eq. (26), from the mean distance (25) of each particle to the others; 1 if all mean distances are
-/// equal.
-pub(super) fn kappa(distances: &[f64]) -> f64 {
-    let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
-    let most = distances.iter().copied().fold(0.0, f64::max);
-    let mean = distances.iter().sum::<f64>() / distances.len() as f64;
+/// The value kappa of eq. (26) for the whole swarm, from the mean distance (25) of each particle to the others.
+pub(super) fn kappa(distances: &[Spread]) -> f64 {
+    let means = || distances.iter().map(|d| d.mean);
+    let least = means().fold(f64::INFINITY, f64::min);
+    let most = means().fold(0.0, f64::max);
+    ratio(means().sum::<f64>() / distances.len() as f64, least, most)
+}
+
+/// Eq. (26); 1 if all distances are equal.
+fn ratio(mean: f64, least: f64, most: f64) -> f64 {
     if most > least { (mean - least) / (most - least) } else { 1.0 }
 }
 
@@ -107,13 +134,15 @@ mod tests {
     fn mean_distances_of_equation_25_and_their_threshold() {
         // Distances: 5 from the first to the second, 5 from the second to the third, 8 from the first to the third.
         let keys: [&[f64]; 3] = [&[0.0, 0.0], &[3.0, 4.0], &[0.0, 8.0]];
-        let mut distances = [0.0; 3];
+        let mut distances = [Spread::NONE; 3];
         for row in 0..2 {
             add_distances(&mut distances, row, keys[row], keys[row + 1..].iter().copied());
         }
-        distances.iter().zip([6.5, 5.0, 6.5]).for_each(|(d, wanted)| near(*d, wanted));
-        // (6 - 5) / (6.5 - 5).
+        distances.iter().zip([6.5, 5.0, 6.5]).for_each(|(d, wanted)| near(d.mean, wanted));
+        // Of the swarm: (6 - 5) / (6.5 - 5). Of the first particle: (6.5 - 5) / (8 - 5). The second is as far from both.
         near(kappa(&distances), 2.0 / 3.0);
+        near(distances[0].kappa(), 0.5);
+        near(distances[1].kappa(), 1.0);
     }
 
     #[test]
@@ -147,8 +176,9 @@ mod tests {
 
     #[test]
     fn thresholds_of_equations_26_and_27() {
-        near(kappa(&[1.0, 2.0, 6.0]), 0.4);
-        near(kappa(&[3.0, 3.0]), 1.0);
+        let of = |mean| Spread { mean, ..Spread::NONE };
+        near(kappa(&[1.0, 2.0, 6.0].map(of)), 0.4);
+        near(kappa(&[3.0, 3.0].map(of)), 1.0);
         near(tau(0.0), 1.0);
         near(tau(1.0), 0.367_879_441_2);
     }

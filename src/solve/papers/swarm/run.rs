@@ -29,6 +29,10 @@ pub(super) trait Guide {
     fn update_bests(&mut self, swarm: &mut Swarm) {
         swarm.remember(|new, old| new < old);
     }
+    /// Whether the bests that were just updated send the method back within the same iteration.
+    fn goes_back(&self) -> bool {
+        false
+    }
     /// Prepares the moves of a round; `None` when everything is prepared.
     fn prepare_round(&mut self, _flock: &mut Swarm) -> Option<u64> {
         None
@@ -71,7 +75,7 @@ impl<'p, G: Guide + 'p> Run<'p, G> {
         settings: &SwarmSettings,
         guide: G,
     ) -> Box<dyn Search + 'p> {
-        let keys = Keys::new(problem, settings.first);
+        let keys = Keys::new(problem, settings.first, settings.decode);
         let evaluator = Evaluator::new(Legs::new(problem, settings.measure), keys, settings.local_search);
         let near = settings.local_search || guide.needs_neighbours();
         let count = if evaluator.keys.items().is_empty() { 0 } else { settings.particles.max(1) as usize };
@@ -95,8 +99,8 @@ impl<'p, G: Guide + 'p> Run<'p, G> {
         };
         // Until the method finds a path, the best is the order in which items are numbered, each entered at its middle
         // node. It is not a result of the method, so any path that the method finds replaces it.
-        let tour =
-            swarm.evaluator.allowed(&swarm.evaluator.keys.tour(&vec![0.5; swarm.evaluator.keys.count()]));
+        let (evaluator, middle) = (&swarm.evaluator, vec![0.5; swarm.evaluator.keys.count()]);
+        let tour = evaluator.allowed(&evaluator.keys.tour(&evaluator.space.legs, &middle));
         let progress = Progress::new(solution(problem, &tour), f64::INFINITY);
         let first = swarm.evaluator.space.legs.tour_length(&tour);
         Box::new(PiecewiseSearch(Self { swarm, guide, stage, progress, first }))
@@ -165,7 +169,7 @@ impl<'p, G: Guide + 'p> Piecewise for Run<'p, G> {
             }
             Stage::UpdateBests => {
                 self.guide.update_bests(&mut self.swarm);
-                self.swarm.round += 1;
+                self.swarm.round += u32::from(!self.guide.goes_back());
                 let over = self.swarm.round > self.swarm.rounds;
                 self.stage = if over { Stage::Over } else { Stage::Prepare };
                 Some(self.swarm.particles.len() as u64)

@@ -1,9 +1,22 @@
 //! Parameters that several swarm methods share. Each method holds them in a field that serde flattens, so callers see one
 //! flat object.
 
+use super::super::keys::Decode;
 use super::super::legs::Measure;
 use crate::problem::NodeId;
 use serde::{Deserialize, Serialize};
+
+/// When the random numbers of eqs (14) and (19) are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Draws {
+    /// The first number once a particle and the second once an iteration, for all dimensions alike: the equations print
+    /// them without an index of the dimension, and figure 2 has one number an iteration.
+    Equation,
+    /// Both for each key.
+    #[default]
+    Key,
+}
 
 /// Parameters of every swarm method.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -21,13 +34,17 @@ pub struct SwarmSettings {
     pub first: Option<NodeId>,
     /// Largest velocity, as a fraction of the range of a key.
     pub fastest: f64,
+    /// How a particle becomes a tour.
+    pub decode: Decode,
+    /// When the random numbers of eqs (14) and (19) are drawn.
+    pub draws: Draws,
 }
 
 impl SwarmSettings {
     /// The settings of the paper. It does not give the largest velocity.
-    pub(super) const fn with_fastest(fastest: f64) -> Self {
-        let measure = Measure::Euclidean;
-        Self { particles: 50, rounds: 600, measure, local_search: true, first: None, fastest }
+    pub(super) const fn with(fastest: f64, draws: Draws) -> Self {
+        let (measure, decode) = (Measure::Euclidean, Decode::Keys);
+        Self { particles: 50, rounds: 600, measure, local_search: true, first: None, fastest, decode, draws }
     }
 }
 
