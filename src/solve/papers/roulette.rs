@@ -26,3 +26,34 @@ impl Roulette {
         self.sums.partition_point(|&s| s <= at).min(self.sums.len().saturating_sub(1))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::rng::seeded;
+
+    #[test]
+    fn a_wheel_by_hand() {
+        // Of a sum of 8: index 0 up to 1, index 2 up to 4, index 3 up to 8; index 1 has no share.
+        let wheel = Roulette::new([1.0, 0.0, 3.0, 4.0]);
+        let mut drawn = [0; 4];
+        for seed in 0..4000 {
+            let at = 8.0 * seeded(seed).uniform();
+            let wanted = if at < 1.0 {
+                0
+            } else if at < 4.0 {
+                2
+            } else {
+                3
+            };
+            let index = wheel.spin(&mut seeded(seed));
+            assert_eq!(index, wanted, "{at}");
+            drawn[index] += 1;
+        }
+        assert!(
+            (400..600).contains(&drawn[0]) && drawn[1] == 0 && (1850..2150).contains(&drawn[3]),
+            "{drawn:?}"
+        );
+        assert_eq!(Roulette::new([]).spin(&mut seeded(1)), 0);
+    }
+}

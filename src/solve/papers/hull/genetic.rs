@@ -227,3 +227,32 @@ impl Piecewise for Genetic<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::papers::Measure;
+    use crate::solve::papers::test_sheet::sheet;
+
+    #[test]
+    fn the_best_of_parents_and_children_survive() {
+        let problem = sheet(
+            &[&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]], &[[5.0, 0.0], [6.0, 0.0]]],
+            Some(0.0),
+            "length-partial",
+        );
+        let settings = HullSettings { population: 3, ..HullSettings::default() };
+        let breeding = Breeding { rates: OperatorRates::default(), scaled_fitness: true };
+        let decoder = Decoder::new(&problem, Measure::Euclidean);
+        let mut genetic = Genetic::new(decoder, settings, breeding, None, 1);
+        let of = |length: f64| Chromosome { length, ..genetic.parents[0].clone() };
+        let (parents, children) = ([5.0, 3.0, 9.0].map(of), [4.0, 3.5, 10.0].map(of));
+        (genetic.parents, genetic.children) = (parents.into(), children.into());
+        genetic.survive();
+        let lengths: Vec<f64> = genetic.parents.iter().map(|p| p.length).collect();
+        assert_eq!(lengths, [3.0, 3.5, 4.0]);
+        // Their fitness (4), and as many parents drawn for the next generation.
+        assert_eq!(genetic.fitness(), [1.0 / 3.0, 1.0 / 3.5, 0.25]);
+        assert_eq!((genetic.drawn.len(), genetic.generation, genetic.children.len()), (3, 1, 0));
+    }
+}

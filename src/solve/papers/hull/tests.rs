@@ -307,3 +307,17 @@ fn blanks_take_first_what_goes_on_and_then_what_adds_least() {
     assert_eq!(genes[4], 6, "3 goes on from 2");
     assert_eq!(genes[7] / 2, 7);
 }
+
+/// The paper prints both paths of its figure 5, but not the coordinates: here all lies on one line but for the parts' depth.
+#[test]
+fn figure_5_leaving_a_part_saves_travel() {
+    let first = [[1.0, 0.0], [2.0, 1.0], [4.0, 1.0], [5.0, 0.0], [3.0, -1.0]];
+    let second = [[6.0, 0.0], [8.0, 1.0], [9.0, 0.0], [8.0, -1.0]];
+    let problem = sheet(&[&first, &second], true);
+    let model = model(&problem);
+    let travel = |genes: &[Gene]| model.travel(&model.visits(genes));
+    // Figure 5a: S' = O P11 + P11 P12 + P12 O.
+    assert_eq!(travel(&[0, 2, 4, 6, 8, 10, 12, 14, 16]), 1.0 + 5.0 + 6.0);
+    // Figure 5b, part 1 left at P41: S = 2 O P11 + 2 P41 P12.
+    assert_eq!(travel(&[0, 2, 4, 10, 12, 14, 16, 6, 8]), 2.0 * 1.0 + 2.0 * 1.0);
+}

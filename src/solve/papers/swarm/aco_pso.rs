@@ -202,3 +202,40 @@ impl Guide for AntColony {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::test_sheet::sheet;
+    use super::*;
+
+    #[test]
+    fn pheromone_evaporates_once_a_round_and_is_deposited_by_hand() {
+        let problem = sheet(&[&[[0.0, 0.0]], &[[1.0, 0.0]], &[[3.0, 0.0]]], None, "length");
+        let by = AcoPso { evaporation: 0.1, ..AcoPso::default() };
+        let mut swarm = Swarm::new(&problem, 1, &SwarmSettings { particles: 2, ..by.settings });
+        let Swarm { evaluator, all, .. } = &mut swarm;
+        while evaluator.space.near.piece(&evaluator.space.legs, all).is_some() {}
+        let mut ants = AntColony {
+            plain: StandardGuide::new(by.weights, by.settings.draws),
+            by,
+            trails: (0..3).map(|i| vec![1.0; swarm.evaluator.space.near.of(i).len()]).collect(),
+            sent: vec![],
+            fresh: vec![false; 2],
+            marked: 0,
+            ant: None,
+        };
+        for (p, (tour, value)) in swarm.particles.iter_mut().zip([(vec![0, 1, 2], 6.0), (vec![1, 0, 2], 8.0)])
+        {
+            (p.tour, p.value, p.best_value) = (tour, value, value);
+        }
+        while ants.mark(&swarm).is_some() {}
+        // Each trail falls from 1 to 0.9. The shorter tour adds 6 / 6 / 2, the longer 6 / 8 / 2, both ways on their legs.
+        let trail = |from: u32, to: u32| {
+            let near = swarm.evaluator.space.near.of(from);
+            near.iter().position(|n| n.1 == to).map(|k| ants.trails[from as usize][k]).unwrap()
+        };
+        for (a, b, wanted) in [(0, 1, 0.9 + 0.5 + 0.375), (1, 2, 0.9 + 0.5), (0, 2, 0.9 + 0.375)] {
+            assert!((trail(a, b) - wanted).abs() < 1e-12 && (trail(b, a) - wanted).abs() < 1e-12, "{a} {b}");
+        }
+    }
+}

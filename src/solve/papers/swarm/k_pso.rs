@@ -231,3 +231,39 @@ impl Guide for GroupGuide {
         self.plain.move_keys(swarm, particle, keys);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::test_sheet::sheet;
+    use super::*;
+
+    #[test]
+    fn one_round_of_k_means_by_hand() {
+        // Points at 0, 1, 2 and 10, 11, 13; the centres begin at 0 and 2.
+        let at: Vec<[[f64; 2]; 1]> = [0.0, 1.0, 2.0, 10.0, 11.0, 13.0].map(|x| [[x, 0.0]]).to_vec();
+        let contours: Vec<&[[f64; 2]]> = at.iter().map(<[_; 1]>::as_slice).collect();
+        let problem = sheet(&contours, None, "length");
+        let mut swarm = Swarm::new(&problem, 1, &KPso::default().settings);
+        let mut groups = Groups { centres: vec![0, 2], left: 9, ..Groups::default() };
+        groups.begin();
+        let round = |groups: &mut Groups, swarm: &mut Swarm| {
+            let before = groups.left;
+            while groups.left == before && groups.piece(swarm).is_some() {}
+        };
+        // 0 and 1 join the first (1 is as near to both), the rest the second. In it, 10 has the least sum: 8 + 1 + 3.
+        let mut assigned = 0;
+        while assigned < 6 {
+            groups.piece(&mut swarm);
+            assigned = groups.group.len();
+        }
+        assert_eq!(groups.members, [vec![0, 1], vec![2, 3, 4, 5]]);
+        round(&mut groups, &mut swarm);
+        assert_eq!((&groups.centres[..], groups.left), (&[0, 3][..], 8));
+        // Then 2 joins the first group, whose middle is 1, and 11 is the middle of the second. Then nothing changes.
+        round(&mut groups, &mut swarm);
+        assert_eq!(groups.centres, [1, 4]);
+        round(&mut groups, &mut swarm);
+        assert_eq!((groups.left, &groups.members[..]), (0, &[vec![0, 1, 2], vec![3, 4, 5]][..]));
+        assert_eq!(groups.piece(&mut swarm), None);
+    }
+}

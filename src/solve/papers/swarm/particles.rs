@@ -2,11 +2,13 @@
 //! The equations are misprinted and used as they are meant: v^{t+1} on the right of (14) is v^t, the second term attracts
 //! to the best position of the swarm, and (15) gives x^{t+1}.
 
+use super::super::keys::Keys;
+use super::super::legs::Legs;
 use super::super::unvisited::Unvisited;
 use super::evaluator::Evaluator;
-use super::settings::Weights;
-use crate::problem::NodeId;
-use crate::solve::rng::{Draw, Rng};
+use super::settings::{SwarmSettings, Weights};
+use crate::problem::{NodeId, Problem};
+use crate::solve::rng::{Draw, Rng, seeded};
 use std::ops::Range;
 
 /// A particle.
@@ -44,7 +46,25 @@ pub(super) struct Swarm<'p> {
     pub(super) found: Option<Vec<NodeId>>,
 }
 
-impl Swarm<'_> {
+impl<'p> Swarm<'p> {
+    /// A swarm whose particles have no keys yet; without items it has no particles.
+    pub(super) fn new(problem: &'p Problem, seed: u64, settings: &SwarmSettings) -> Self {
+        let keys = Keys::new(problem, settings.first, settings.decode);
+        let evaluator = Evaluator::new(Legs::new(problem, settings.measure), keys, settings.local_search);
+        let count = if evaluator.keys.items().is_empty() { 0 } else { settings.particles.max(1) as usize };
+        Self {
+            all: Unvisited::all(problem),
+            rng: seeded(seed),
+            particles: vec![Particle::default(); count],
+            leader: 0,
+            round: 0,
+            rounds: settings.rounds,
+            fastest: settings.fastest,
+            found: None,
+            evaluator,
+        }
+    }
+
     /// Fraction of the iterations done, t/tmax.
     pub(super) fn share(&self) -> f64 {
         f64::from(self.round) / f64::from(self.rounds.max(1))
@@ -140,5 +160,93 @@ impl Swarm<'_> {
     /// Mean length of the current tours.
     pub(super) fn mean(&self) -> f64 {
         self.particles.iter().map(|p| p.value).sum::<f64>() / self.particles.len().max(1) as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::keys::Decode;
+    use super::super::super::test_sheet::sheet;
+    use super::super::pso::Pso;
+    use super::*;
+
+    /// Points at 0, 1, 2 and 3 mm.
+    fn points() -> Problem {
+        sheet(&[&[[0.0, 0.0]], &[[1.0, 0.0]], &[[2.0, 0.0]], &[[3.0, 0.0]]], None, "length")
+    }
+
+    fn swarm(problem: &Problem, decode: Decode, fastest: f64) -> Swarm<'_> {
+        let settings = SwarmSettings { particles: 2, decode, fastest, ..Pso::default().settings };
+        let mut swarm = Swarm::new(problem, 1, &settings);
+        for p in &mut swarm.particles {
+            p.velocity = vec![0.0; 4];
+        }
+        swarm
+    }
+
+    #[test]
+    fn equations_14_and_15_by_hand() {
+        let problem = points();
+        let mut swarm = swarm(&problem, Decode::Keys, 0.3);
+        swarm.leader = 1;
+        swarm.particles[1].best = vec![0.9, 0.5, 0.9, 0.0];
+        let p = &mut swarm.particles[0];
+        (p.keys, p.velocity) = (vec![0.5, 0.5, 0.2, 0.1], vec![0.1, -0.2, 0.3, -0.3]);
+        p.best = vec![0.4, 0.5, 0.8, 0.1];
+        swarm.pull(0, 0..4, |_| Weights { inertia: 0.5, own: 0.5, swarm: 0.25 });
+        let p = &swarm.particles[0];
+        // v = 0.5 v + 0.5 (p - x) + 0.25 (g - x): 0.05 - 0.05 + 0.1; -0.1; 0.15 + 0.3 + 0.175, held at 0.3; -0.15 - 0.025.
+        let near = |found: &[f64], wanted: [f64; 4]| {
+            assert!(found.iter().zip(wanted).all(|(f, w)| (f - w).abs() < 1e-12), "{found:?} {wanted:?}");
+        };
+        near(&p.velocity, [0.1, -0.1, 0.3, -0.175]);
+        // x + v; the last would be below 0.
+        near(&p.keys, [0.6, 0.4, 0.5, 0.0]);
+    }
+
+    #[test]
+    fn equations_14_and_15_for_permutations_by_hand() {
+        let problem = points();
+        let straight = [0.125, 0.375, 0.625, 0.875];
+        let turned = [0.875, 0.625, 0.375, 0.125];
+        let moved = |inertia: f64, own: f64, all: f64, fastest: f64| {
+            let mut swarm = swarm(&problem, Decode::Permutation, fastest);
+            swarm.leader = 1;
+            swarm.particles[1].best = turned.to_vec();
+            let p = &mut swarm.particles[0];
+            (p.keys, p.best) = (straight.to_vec(), straight.to_vec());
+            p.exchanges = vec![(0, 1)];
+            swarm.pull(0, 0..4, |_| Weights { inertia, own, swarm: all });
+            (swarm.particles[0].keys.clone(), swarm.particles[0].exchanges.clone())
+        };
+        // Weights are probabilities: 0 keeps the particle, inertia 1 repeats its exchange, a pull of 1 reaches the best.
+        assert_eq!(moved(0.0, 1.0, 0.0, 1.0), (straight.to_vec(), vec![]));
+        assert_eq!(moved(1.0, 0.0, 0.0, 1.0), (vec![0.375, 0.125, 0.625, 0.875], vec![(0, 1)]));
+        assert_eq!(moved(0.0, 0.0, 1.0, 1.0), (turned.to_vec(), vec![(0, 3), (1, 2)]));
+        // Whatever the weights and the limit, the keys stay a permutation.
+        let (mut keys, _) = moved(0.7, 0.3, 0.9, 0.25);
+        keys.sort_by(f64::total_cmp);
+        assert_eq!(keys, straight);
+    }
+
+    #[test]
+    fn bests_and_the_leader_are_updated_by_hand() {
+        let problem = points();
+        let mut swarm = swarm(&problem, Decode::Keys, 0.2);
+        for (p, value) in swarm.particles.iter_mut().zip([7.0, 5.0]) {
+            (p.keys, p.value) = (vec![value; 4], value);
+        }
+        swarm.remember(|new, old| new < old);
+        assert_eq!((swarm.leader, swarm.particles[0].best_value), (1, 7.0));
+        // The first gets shorter than the leader; the second gets longer and keeps its best.
+        for (p, value) in swarm.particles.iter_mut().zip([4.0, 9.0]) {
+            (p.keys, p.value) = (vec![value; 4], value);
+        }
+        swarm.remember(|new, old| new < old);
+        assert_eq!(
+            (swarm.leader, swarm.particles[0].best_value, swarm.particles[1].best_value),
+            (0, 4.0, 5.0)
+        );
+        assert_eq!(swarm.particles[1].best, vec![5.0; 4]);
     }
 }

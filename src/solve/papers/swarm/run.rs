@@ -1,16 +1,12 @@
 //! The search that all swarm methods share, in pieces of work. A [`Guide`] defines what differs: how the swarm is
 //! initialised and how it moves.
 
-use super::super::keys::Keys;
-use super::super::legs::Legs;
 use super::super::piecewise::{Piecewise, PiecewiseSearch, Progress, solution};
-use super::super::unvisited::Unvisited;
-use super::evaluator::{Evaluation, Evaluator};
-use super::particles::{Particle, Swarm};
+use super::evaluator::Evaluation;
+use super::particles::Swarm;
 use super::settings::SwarmSettings;
 use crate::problem::{NodeId, Problem};
 use crate::solve::Search;
-use crate::solve::rng::seeded;
 use crate::solve::{Curve, Insight};
 use std::ops::Range;
 
@@ -75,22 +71,9 @@ impl<'p, G: Guide + 'p> Run<'p, G> {
         settings: &SwarmSettings,
         guide: G,
     ) -> Box<dyn Search + 'p> {
-        let keys = Keys::new(problem, settings.first, settings.decode);
-        let evaluator = Evaluator::new(Legs::new(problem, settings.measure), keys, settings.local_search);
         let near = settings.local_search || guide.needs_neighbours();
-        let count = if evaluator.keys.items().is_empty() { 0 } else { settings.particles.max(1) as usize };
-        let swarm = Swarm {
-            all: Unvisited::all(problem),
-            rng: seeded(seed),
-            particles: vec![Particle::default(); count],
-            leader: 0,
-            round: 0,
-            rounds: settings.rounds,
-            fastest: settings.fastest,
-            found: None,
-            evaluator,
-        };
-        let stage = if count == 0 {
+        let swarm = Swarm::new(problem, seed, settings);
+        let stage = if swarm.particles.is_empty() {
             Stage::Over
         } else if near {
             Stage::Near

@@ -317,3 +317,31 @@ impl Piecewise for Framework<'_> {
         Insight { round: self.round.into(), curves, grid: None, partitions }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::papers::test_sheet::sheet;
+
+    #[test]
+    fn the_frame_stops_after_ten_rounds_without_gain() {
+        let problem =
+            sheet(&[&[[1.0, 0.0], [2.0, 0.0]], &[[9.0, 0.0], [9.0, 4.0]]], Some(0.5), "length-partial");
+        let parameters = PartitionTree { start: InitialPartitions::Single, ..PartitionTree::default() };
+        let mut frame = Framework::new(&problem, parameters, 1);
+        frame.begin();
+        // The first round is a gain, nine without one go on, and the tenth is the last.
+        for round in 0..10 {
+            assert!(!matches!(frame.count(), Stage::Repair), "{round}");
+        }
+        // A gain counts from the beginning again.
+        if let Some((seconds, _)) = &mut frame.best {
+            *seconds += 1.0;
+        }
+        for round in 0..10 {
+            assert!(!matches!(frame.count(), Stage::Repair), "{round}");
+        }
+        assert!(matches!(frame.count(), Stage::Repair));
+        assert_eq!((frame.round, frame.idle), (21, 10));
+    }
+}
