@@ -36,6 +36,7 @@ export async function bench(args) {
       threads: { type: 'string' },
       csv: { type: 'string' },
       from: { type: 'string' },
+      against: { type: 'string' },
     },
   });
   const names = values.table ?? Object.keys(TABLES);
@@ -44,8 +45,8 @@ export async function bench(args) {
   const instances = new Instances(values.data);
   if (values.paper !== undefined) {
     if (values.from === undefined) await setup();
-    const { paper, readings, only, csv, from } = values;
-    return kit({ paper, readings, only, csv, from, instances, seeds: Number(values.seeds ?? 30), threads: Number(values.threads ?? availableParallelism()) });
+    const { paper, readings, only, csv, from, against } = values;
+    return kit({ paper, readings, only, csv, from, against, instances, seeds: Number(values.seeds ?? 30), threads: Number(values.threads ?? availableParallelism()) });
   }
   await setup();
   build();

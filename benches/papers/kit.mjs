@@ -1,9 +1,9 @@
 // The benchmark kit: every reading of a paper, seed by seed, one row a run, and the statistics of the rows:
 //
 //     npm run bench -- papers --paper qu-du|hull|yang|dewil [--readings] [--seeds N] [--only TEXT] [--threads N] --csv OUT
-//     npm run bench -- papers --paper NAME --from CSV
+//     npm run bench -- papers --paper NAME --from CSV [--against 'METHOD: READING']
 //
-// `--from` prints the statistics of a CSV again, without a run. Seconds are those of the processor. The value of a run is
+// `--from` prints the statistics of a CSV again, without a run; `--against` names what all others are tested against. Seconds are those of the processor. The value of a run is
 // what its paper minimises: mm on the 43 contours and the hull sheets, mm by the longer axis for Yang, seconds for Dewil.
 
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -30,9 +30,9 @@ const PAPERS = {
   dewil: { bin: 'dewil', instances: () => SHEETS.map(([name]) => name), runs: dewil },
 };
 
-export async function kit({ paper, readings, seeds, only, threads, csv, from, instances }) {
+export async function kit({ paper, readings, seeds, only, threads, csv, from, against, instances }) {
   if (!(paper in PAPERS)) throw new Stop(`There is no paper ${paper}: ${Object.keys(PAPERS).join(', ')}.`);
-  if (from !== undefined) return report(parse(readFileSync(from, 'utf8')));
+  if (from !== undefined) return report(parse(readFileSync(from, 'utf8')), against);
   if (csv === undefined) throw new Stop('Where to write the runs? --csv OUT');
   const { bin, instances: listed, runs } = PAPERS[paper];
   run('cargo', ['build', '--release', '--manifest-path', join(ROOT, 'benches', 'solve', 'Cargo.toml'), '--bin', bin]);
@@ -49,7 +49,7 @@ export async function kit({ paper, readings, seeds, only, threads, csv, from, in
     }
   }
   if (all.length === 0) throw new Stop(`No instance of ${paper} contains ${only} in its name.`);
-  report(all);
+  report(all, against);
 }
 
 function quDu({ instance, method, parameters, seeds, threads, instances }) {
@@ -76,9 +76,11 @@ function dewil({ instance, method, parameters, seeds }) {
 }
 
 /** The statistics of rows, instance by instance, and over all instances. */
-export function report(all) {
+export function report(all, against) {
   const instances = [...new Set(all.map((r) => r.instance))];
-  const names = [...new Set(all.map((r) => `${r.method}: ${r.reading}`))];
+  const found = [...new Set(all.map((r) => `${r.method}: ${r.reading}`))];
+  if (against !== undefined && !found.includes(against)) throw new Stop(`No run is of ${against}.`);
+  const names = against === undefined ? found : [against, ...found.filter((name) => name !== against)];
   const of = (name, instance) => all.filter((r) => r.instance === instance && `${r.method}: ${r.reading}` === name).sort((a, b) => a.seed - b.seed);
   for (const instance of instances) {
     const lists = names.map((name) => [name, of(name, instance)]).filter(([, list]) => list.length > 0);

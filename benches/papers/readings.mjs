@@ -37,7 +37,8 @@ export const READINGS = {
   },
   hull: {
     usual: [
-      ...PRESETS.map(([name, parameters]) => ['rlsga', name, parameters]),
+      ['rlsga', 'as-published', PRESETS[0][1]],
+      ['rlsga', 'scaled_fitness=true', { scaled_fitness: true }],
       ...HULL.slice(1).map((method) => [method, 'as-published', PRESETS[0][1]]),
     ],
     more: [['rlsga', 'scaled_fitness=false mean_reward=printed', { scaled_fitness: false, mean_reward: 'printed' }]],

@@ -23,7 +23,7 @@ pub(super) fn of(method: &str) -> Value {
         ),
         "pso" | "aco-pso" | "k-pso" => (swarm, none),
         // (6) without a scale. (9) by its sentence: as printed it would nearly always punish.
-        "rlsga" => (json!({ "scaled_fitness": false }), none),
+        "rlsga" => (json!({ "scaled_fitness": false }), json!({ "scaled_fitness": false })),
         // (1) knows no legs from and to home.
         "dual-coding-ga" => (json!({ "home_legs": false }), none),
         // The defaults are the paper's.

@@ -228,3 +228,18 @@ impl Piecewise for Generations<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::papers::test_sheet::sheet;
+
+    #[test]
+    fn equation_1_with_and_without_the_legs_of_home_by_hand() {
+        let problem = sheet(&[&[[3.0, 1.0]], &[[4.0, 6.0]], &[[10.0, 5.0]]], None, "length");
+        let legs = Legs::new(&problem, Measure::Chebyshev);
+        // Between contours: max(1, 5) + max(6, 1). From home 3, and back to it 10.
+        assert_eq!(length(&legs, &[0, 1, 2], false), 5.0 + 6.0);
+        assert_eq!(length(&legs, &[0, 1, 2], true), 3.0 + 5.0 + 6.0 + 10.0);
+    }
+}
