@@ -7,8 +7,8 @@
 // 422 the drawing cannot be used; 500 an error of the server; 503 too many requests wait. All but 200 give the reason in `problem`.
 
 import express from 'express';
-import { activeContours, createPlanner, createPool } from 'kerfway';
-import { isForm, quoteOptions, OptionError } from './request.mjs';
+import { createPlanner, createPool } from 'kerfway';
+import { FORM, isForm, OptionError, quoteOptions, whyUnusable } from './request.mjs';
 
 /** The number of drawings that may wait. More are refused, because a late answer is useless. */
 const MOST_WAITING = 400;
@@ -16,9 +16,6 @@ const MOST_WAITING = 400;
 const LARGEST = '20mb';
 /** The budget is in moves and not in seconds, so that the same drawing gets the same report and hash, however busy the computer is. */
 const BUDGET = { moves: 10_000, seed: 1 };
-/** A drawing of one line, which every working planner can read. */
-const PROBE = new TextEncoder().encode('0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n10\n21\n0\n0\nENDSEC\n0\nEOF\n');
-const FORM = 'The body is a form (multipart/form-data). Send the bytes of the DXF file alone as the body, and its name in the address: /quotes?name=plate.dxf.';
 
 const pool = createPool();
 const machines = await machineNames();
@@ -37,7 +34,7 @@ app.post('/quotes', refuseForms, express.raw({ type: () => true, limit: LARGEST 
   } catch (error) {
     if (gone.signal.aborted) return;
     if (error instanceof OptionError) return problem(response, 400, error.message);
-    const unusable = await whyUnusable(drawing, gone.signal);
+    const unusable = await whyUnusable(pool, drawing, gone.signal);
     if (gone.signal.aborted) return;
     if (unusable !== null) return problem(response, 422, unusable);
     // The sender of the drawing can do nothing about it, so the details go to the server's log only.
@@ -71,17 +68,6 @@ function problem(response, status, text) {
 function refuseForms(request, response, next) {
   if (request.is('multipart/*')) problem(response, 415, FORM);
   else next();
-}
-
-/** Why a drawing cannot be used, in one sentence; `null` if the drawing is not the cause. */
-async function whyUnusable(drawing, signal) {
-  try {
-    const { contours } = await pool.inspect(drawing, { signal });
-    return activeContours({ contours }).length > 0 ? null : 'There is nothing to cut in this drawing.';
-  } catch (error) {
-    // The drawing is the cause if the planner can still read another one.
-    return pool.inspect(PROBE, { signal }).then(() => error.message, () => null);
-  }
 }
 
 async function machineNames() {

@@ -39,3 +39,6 @@ export const WORKING = { lockDuration: 4_000, stalledInterval: 2_000, maxStalled
 export function idOf(drawing, options) {
   return createHash('sha256').update(JSON.stringify(options)).update('\0').update(drawing).digest('hex');
 }
+
+/** Begins the reason of a failed job whose drawing is the cause. The rest of the reason is one sentence for the sender. */
+export const UNUSABLE = 'unusable: ';

@@ -3,7 +3,8 @@
 import { readFile, rm } from 'node:fs/promises';
 import { UnrecoverableError, Worker } from 'bullmq';
 import { createPool } from 'kerfway';
-import { BUDGET, connection, drawingOf, PATIENCE, QUEUE, WORKING } from './queue.mjs';
+import { whyUnusable } from '../express/request.mjs';
+import { BUDGET, connection, drawingOf, PATIENCE, QUEUE, UNUSABLE, WORKING } from './queue.mjs';
 
 // One planner for all drawings, in a thread of its own, so that this thread can keep sending signs of life to the queue.
 const pool = createPool({ size: 1 });
@@ -20,9 +21,15 @@ async function quoted(job) {
   try {
     return await pool.quote(() => readFile(drawingOf(job.id)), { ...job.data, ...BUDGET, signal });
   } catch (error) {
-    if (signal.aborted) throw new Error(`The drawing takes longer than ${PATIENCE / 1000} seconds.`);
-    // One sentence for the sender; trying again would not repair the drawing.
-    throw new UnrecoverableError(error.message);
+    const tooLong = `${UNUSABLE}The drawing takes longer than ${PATIENCE / 1000} seconds.`;
+    if (signal.aborted) throw new Error(tooLong);
+    const drawing = await readFile(drawingOf(job.id)).catch(() => null);
+    const unusable = drawing === null ? null : await whyUnusable(pool, drawing, signal);
+    if (signal.aborted) throw new Error(tooLong);
+    // Trying again would not repair the drawing; another error may pass.
+    if (unusable !== null) throw new UnrecoverableError(UNUSABLE + unusable);
+    console.error(error);
+    throw error;
   }
 }
 

@@ -148,4 +148,33 @@ describe('the queue', { skip, timeout: 240_000 }, () => {
     assert.equal((await fetch(url, { method: 'POST', body: new Uint8Array(21 * 2 ** 20) })).status, 413);
     assert.deepEqual(await end(), [0, null]);
   });
+
+  it('refuses a form, which is not a drawing', async (t) => {
+    const { url } = await started(t);
+    const form = new FormData();
+    form.set('drawing', new Blob([dxf(square(0, 0, 30))]), 'plate.dxf');
+    const envelope = await new Response(form).arrayBuffer();
+    for (const body of [form, envelope]) {
+      const refused = await fetch(url, { method: 'POST', body });
+      assert.equal(refused.status, 415);
+      assert.match((await refused.json()).problem, /is a form/);
+    }
+  });
+
+  it('names the wrong field of the query', async (t) => {
+    const { url } = await started(t);
+    for (const [query, message] of [['thickness=3mm', /field thickness/], ['machine=jelly', /field machine/], ['thicknes=3', /no field "thicknes"/]]) {
+      const refused = await fetch(`${url}?${query}`, { method: 'POST', body: dxf(square(0, 0, 30)) });
+      assert.equal(refused.status, 400, query);
+      assert.match((await refused.json()).problem, message);
+    }
+  });
+
+  it('answers 500 to an internal error, without details', async (t) => {
+    const { queue, url } = await started(t);
+    // A job without its drawing: the file was lost, which is no fault of the sender.
+    await queue.add('quote', {}, { jobId: 'lost', attempts: 1 });
+    const { status, body } = await answer(url, 'lost');
+    assert.deepEqual([status, body.problem], [500, 'The quote could not be made because of a fault of the server. Try again later.']);
+  });
 });
