@@ -7,7 +7,7 @@ import { Application } from 'typedoc';
 
 const HERE = dirname(fileURLToPath(import.meta.url));
 const SDK = join(HERE, '..', '..', 'dist', 'sdk');
-const ENTRIES = ['index.d.ts', 'element/index.d.ts', 'frame/host.d.ts', 'inline.d.ts'];
+const ENTRIES = ['index.d.ts', 'element/index.d.ts', 'frame/host.d.ts', 'inline.d.ts', 'portable.d.ts'];
 const [folder] = process.argv.slice(2);
 
 const app = await Application.bootstrapWithPlugins({

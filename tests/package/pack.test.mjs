@@ -30,7 +30,7 @@ describe('the published package', () => {
     const files = packed.files.map((f) => f.path);
     for (const wanted of [
       'LICENSE', 'README.md', 'CHANGELOG.md', 'package.json', 'dist/sdk/index.js', 'dist/sdk/index.d.ts', 'dist/sdk/node.js', 'dist/sdk/node.cjs', 'dist/sdk/node.d.cts',
-      'dist/sdk/worker.js', 'dist/sdk/node-worker.js', 'dist/sdk/cli.js', 'dist/sdk/inline.js', 'dist/sdk/inline-bytes.js',
+      'dist/sdk/worker.js', 'dist/sdk/node-worker.js', 'dist/sdk/cli.js', 'dist/sdk/inline.js', 'dist/sdk/inline-bytes.js', 'dist/sdk/portable.js',
       'dist/sdk/plan.schema.json', 'dist/sdk/kerfway.global.js', 'dist/sdk/element/index.js', 'dist/sdk/frame/frame.html',
       'dist/sdk/frame/frame.css', 'dist/sdk/frame/page.js', 'dist/sdk/pkg/kerfway.js', 'dist/sdk/pkg/kerfway_bg.wasm', 'dist/sdk/pkg/kerfway_png_bg.wasm',
     ]) {

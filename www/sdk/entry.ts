@@ -6,6 +6,7 @@ import { plannerFactory } from './planner-factory.js';
 import { poolOf, type Pool, type PoolOptions } from './pool.js';
 import { withNewPlanner } from './with-planner.js';
 import type { StartWorker } from './worker-connection.js';
+import type { WasmModule } from './wasm-module.js';
 
 export interface Entry extends Functions {
   createPlanner(options?: PlannerOptions): Promise<Planner>;
@@ -13,7 +14,7 @@ export interface Entry extends Functions {
 }
 
 /** The functions of an entry point. `processors` gives the default size of a pool. */
-export function entry(read: () => Promise<WebAssembly.Module>, start: StartWorker, processors: () => number): Entry {
+export function entry(read: () => Promise<WasmModule>, start: StartWorker, processors: () => number): Entry {
   const createPlanner = plannerFactory(read, start);
   return {
     createPlanner,

@@ -24,18 +24,19 @@ import type {
   Progress,
   ToWorker,
 } from './protocol.js';
+import type { WasmBytes, WasmModule } from './wasm-module.js';
 
 /** Options of `createPlanner`. */
 export interface PlannerOptions {
   /** The compiled planner or its bytes. Default: the wasm file next to this module. */
-  wasm?: WebAssembly.Module | BufferSource;
+  wasm?: WasmModule | WasmBytes;
   /** Called with one sentence when a worker had to be replaced. */
   onReplaced?: (message: string) => void;
 }
 
 /** What a planner needs. */
 export interface Parts {
-  module: WebAssembly.Module;
+  module: WasmModule;
   start: StartWorker;
   onReplaced?: ((message: string) => void) | undefined;
   /** Seconds after which a silent worker counts as hung. */

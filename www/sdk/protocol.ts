@@ -10,6 +10,7 @@ import type * as core from './generated/types.js';
 import type {
   Baselines, Budget, ContourInfo, Finding, Insight, MachineProfile, Material, MethodInfo, PaperMethod, Quote, Summary,
 } from './generated/types.js';
+import type { WasmModule } from './wasm-module.js';
 
 export type * from './generated/types.js';
 
@@ -103,7 +104,7 @@ export type DoneReason = 'budget' | 'stopped' | 'exhausted' | 'replaced';
 /** Messages to a worker. Callers of the functions do not need them. */
 export type ToWorker =
   /** The first message: the compiled planner, which all workers share. */
-  | { type: 'init'; planner: WebAssembly.Module }
+  | { type: 'init'; planner: WasmModule }
   | { type: 'load'; id: number; bytes: ArrayBuffer; name: string; options: LoadOptions }
   /** Reads the bytes of the last `load` again with other options. */
   | { type: 'reload'; id: number; options: LoadOptions }

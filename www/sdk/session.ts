@@ -52,6 +52,14 @@ export class Session {
     }
   }
 
+  /** Ends the search and frees the drawing. A worker that ends needs no call: its memory goes with it. */
+  close(): void {
+    this.search?.stop();
+    this.search = null;
+    this.job?.free();
+    this.job = null;
+  }
+
   private answer(message: ToWorker): void {
     switch (message.type) {
       case 'init':
@@ -193,7 +201,9 @@ export class Session {
   // the instance unusable.
   private fail(id: number, error: unknown): void {
     if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) {
+      // Nothing of a broken instance can be used or freed.
       this.search = null;
+      this.job = null;
       const why = panicOf(this.build) ?? (this.png === null ? undefined : panicOf(this.png));
       this.host.post({ type: 'broken', message: `The planner broke down (${why ?? error.message}).` });
       return;

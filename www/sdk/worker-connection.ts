@@ -4,6 +4,7 @@
  */
 
 import type { FromWorker, ToWorker } from './protocol.js';
+import type { WasmModule } from './wasm-module.js';
 
 /** A worker of any platform. */
 export interface WorkerLike {
@@ -33,7 +34,7 @@ export class WorkerConnection {
 
   constructor(
     start: StartWorker,
-    module: WebAssembly.Module,
+    module: WasmModule,
     private readonly onMessage: (message: FromWorker) => void,
     private readonly onDeath: (why: string) => void,
     private readonly limits = SILENCE_LIMITS,

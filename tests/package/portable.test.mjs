@@ -1,0 +1,142 @@
+// kerfway/portable: one module graph without workers, files or addresses, bundled by the tools of servers and cloud functions.
+
+import assert from 'node:assert/strict';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { cpSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, describe, it } from 'node:test';
+import { build } from 'esbuild';
+import { build as viteBuild } from 'vite';
+import webpack from 'webpack';
+import { quote } from 'kerfway';
+import { bytes, fixture, install, KEYBOARD, pack, ROOT } from './support.mjs';
+
+let at, hash;
+/** The program of each fixture: it prints the hash of a quote. */
+const program = (open) => `${open}
+quote(new Uint8Array(readFileSync(process.argv[2])), { name: 'keyboard.dxf', moves: 1000, seed: 1 }).then((report) => console.log(report.hash));
+`;
+const ESM = program("import { readFileSync } from 'node:fs';\nimport { quote } from 'kerfway/portable';");
+const CJS = program("const { readFileSync } = require('node:fs');\nconst { quote } = require('kerfway/portable');");
+
+before(async () => {
+  at = mkdtempSync(join(tmpdir(), 'kerfway-portable-'));
+  install(at, pack(at).filename);
+  cpSync(fixture(KEYBOARD), join(at, 'keyboard.dxf'));
+  writeFileSync(join(at, 'use.mjs'), ESM);
+  writeFileSync(join(at, 'use.cjs'), CJS);
+  ({ hash } = await quote(bytes(KEYBOARD), { name: 'keyboard.dxf', moves: 1000, seed: 1 }));
+});
+after(() => rmSync(at, { recursive: true, force: true }));
+
+/** The hash that a script prints. It is moved to an empty folder first, so that it finds nothing but itself. */
+function printed(t, script) {
+  const alone = mkdtempSync(join(tmpdir(), 'kerfway-alone-'));
+  t.after(() => rmSync(alone, { recursive: true, force: true }));
+  const own = join(alone, script);
+  cpSync(join(at, script), own);
+  return run(own);
+}
+
+function run(script) {
+  const { stdout, stderr } = spawnSync(process.execPath, [script, join(at, 'keyboard.dxf')], { cwd: at, encoding: 'utf8' });
+  assert.equal(stderr, '');
+  return stdout.trim();
+}
+
+describe('kerfway/portable has the hash of the other entries', () => {
+  it('in Node by import and by require', () => {
+    assert.equal(run(join(at, 'use.mjs')), hash);
+    assert.equal(run(join(at, 'use.cjs')), hash);
+  });
+
+  for (const [format, script] of [['esm', 'lambda.mjs'], ['cjs', 'lambda.cjs']]) {
+    it(`in a Lambda bundled by esbuild as ${format}`, async (t) => {
+      const { warnings } = await build({ absWorkingDir: at, entryPoints: ['use.mjs'], outfile: join(at, script), bundle: true, platform: 'node', format, logLevel: 'silent' });
+      assert.deepEqual(warnings.filter(({ id }) => id !== 'empty-import-meta'), []);
+      assert.equal(printed(t, script), hash);
+    });
+  }
+
+  it('in a server bundled by webpack', async (t) => {
+    const config = { context: at, mode: 'production', target: 'node20', entry: './use.mjs', output: { path: at, filename: 'webpack.cjs' }, optimization: { minimize: false } };
+    const stats = await new Promise((resolve, reject) => webpack(config, (error, done) => (error ? reject(error) : resolve(done))));
+    assert.equal(stats.hasErrors(), false, stats.toString());
+    assert.equal(printed(t, 'webpack.cjs'), hash);
+  });
+
+  it('in a server bundled by Vite, whose bundler resolves as Rollup does', async (t) => {
+    await viteBuild({ root: at, logLevel: 'silent', configFile: false, ssr: { noExternal: true }, build: { ssr: 'use.mjs', outDir: at, emptyOutDir: false, rollupOptions: { output: { entryFileNames: 'vite.mjs' } } } });
+    assert.equal(printed(t, 'vite.mjs'), hash);
+  });
+
+  it('where no code may be compiled at run time, from a compiled module', () => {
+    const script = `
+      import { readFileSync } from 'node:fs';
+      import { createPlanner } from 'kerfway/portable';
+      const module = new WebAssembly.Module(readFileSync('node_modules/kerfway/dist/sdk/pkg/kerfway_bg.wasm'));
+      WebAssembly.compile = () => { throw new Error('compiling is forbidden'); };
+      const planner = await createPlanner({ wasm: module });
+      await planner.load(readFileSync(process.argv[2]), 'keyboard.dxf');
+      await planner.plan({ moves: 1000, seed: 1 }).done;
+      console.log((await planner.quote()).hash);
+      planner.close();`;
+    writeFileSync(join(at, 'module.mjs'), script);
+    assert.equal(run(join(at, 'module.mjs')), hash);
+  });
+});
+
+describe('kerfway/portable', () => {
+  it('lets the event loop run during a search', async () => {
+    const { plan } = await import('kerfway/portable');
+    let [ticks, last, longest] = [0, performance.now(), 0];
+    const timer = setInterval(() => {
+      const now = performance.now();
+      [ticks, longest, last] = [ticks + 1, Math.max(longest, now - last), now];
+    }, 5);
+    await plan(bytes(KEYBOARD), { seconds: 1, onLoaded: () => void ([last, longest] = [performance.now(), 0]) });
+    clearInterval(timer);
+    assert.ok(ticks > 20, `${ticks} ticks`);
+    assert.ok(longest < 500, `${longest} ms`);
+  });
+
+  it('says which entry has PNG and the methods from papers', async () => {
+    const { createPlanner } = await import('kerfway/portable');
+    const planner = await createPlanner();
+    await planner.load(bytes(KEYBOARD), 'keyboard.dxf');
+    await planner.plan({ moves: 10 }).done;
+    await assert.rejects(planner.output('png'), /writes no PNG\. Render SVG instead, or use the entry kerfway\./);
+    await assert.rejects(planner.paperMethods(), /no methods from papers/);
+    planner.close();
+    await assert.rejects(planner.output('svg'), /closed/);
+  });
+
+  it('ends a plan by a signal, and answers calls at the same time', async () => {
+    const { plan, quote: quoted } = await import('kerfway/portable');
+    const aborted = plan(bytes(KEYBOARD), { seconds: 60, signal: AbortSignal.timeout(300) });
+    await assert.rejects(aborted, { name: 'TimeoutError' });
+    const options = { name: 'keyboard.dxf', moves: 1000, seed: 1 };
+    const hashes = await Promise.all([1, 2, 3].map(async () => (await quoted(bytes(KEYBOARD), options)).hash));
+    assert.deepEqual(hashes, [hash, hash, hash]);
+  });
+
+  it('has types without the DOM library, for modules and for a CommonJS program of TypeScript', () => {
+    const tsc = join(ROOT, 'node_modules', 'typescript', 'bin', 'tsc');
+    const types = createRequire(import.meta.url).resolve('@types/node/package.json').replace(/[\\/]node[\\/]package\.json$/, '');
+    // A file that TypeScript takes for CommonJS, as in a package without "type": "module".
+    writeFileSync(join(at, 'handler.cts'), `
+      import type { Quote } from 'kerfway/portable' with { 'resolution-mode': 'import' };
+      export const handler = async (body: Uint8Array): Promise<Quote> => {
+        const { quote } = await import('kerfway/portable');
+        return quote(body, { name: 'plate.dxf' });
+      };`);
+    writeFileSync(join(at, 'handler.ts'), `
+      import { quote, type Quote } from 'kerfway/portable';
+      import { quote as threaded } from 'kerfway';
+      export const handlers = [quote, threaded].map((handler) => async (body: Uint8Array): Promise<Quote> => handler(body, { name: 'plate.dxf' }));`);
+    const options = ['--strict', '--noEmit', '--target', 'ES2022', '--lib', 'ES2023', '--types', 'node', '--typeRoots', types];
+    execFileSync(process.execPath, [tsc, ...options, '--module', 'NodeNext', '--moduleResolution', 'NodeNext', 'handler.ts', 'handler.cts'], { cwd: at });
+  });
+});

@@ -1,0 +1,39 @@
+/**
+ * Kerfway in one module graph without workers, files or addresses: for bundled servers, route handlers, functions in a cloud, and
+ * every bundler. It has the wasm inside and plans in the caller's thread, in slices between which the event loop runs.
+ *
+ *     import { quote } from 'kerfway/portable';
+ *     const report = await quote(new Uint8Array(await request.arrayBuffer()), { name: 'plate.dxf' });
+ *
+ * Where code may not be compiled at run time (workerd, Content-Security-Policy), give `createPlanner` a compiled module:
+ * `createPlanner({ wasm: module })`. One instance of the wasm serves all planners: after a breakdown, start the process again.
+ *
+ * @module kerfway/portable
+ */
+
+import { entry, type Entry } from './entry.js';
+import { inThread } from './in-thread.js';
+import { wasm } from './inline.js';
+
+export * from './types.js';
+
+// One thread does all the work, so a second planner of a pool would gain nothing.
+const own = entry(() => WebAssembly.compile(wasm()), inThread, () => 1);
+
+/** Opens a planner in this thread. Close it when done. */
+export const createPlanner: Entry['createPlanner'] = own.createPlanner;
+
+/** Reads a drawing and describes its contents: see {@link Functions.inspect}. */
+export const inspect: Entry['inspect'] = own.inspect;
+
+/** Plans a drawing; the promise also reports progress: see {@link Functions.plan}. */
+export const plan: Entry['plan'] = own.plan;
+
+/** Plans a drawing and reports what a quote needs: see {@link Functions.quote}. */
+export const quote: Entry['quote'] = own.quote;
+
+/** Writes a finished plan as G-code, DXF or SVG: see {@link Functions.render}. */
+export const render: Entry['render'] = own.render;
+
+/** Makes a queue of calls, which one planner of this thread answers: see {@link Pool}. */
+export const createPool: Entry['createPool'] = own.createPool;
