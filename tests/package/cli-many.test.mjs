@@ -40,15 +40,36 @@ describe('several drawings', () => {
     assert.deepEqual(rows.map((r) => /(\w+)\.dxf +(\d)/i.exec(r).slice(1)), [['a', '1'], ['b', '2'], ['c', '3']]);
   });
 
-  it('an unusable file is reported in a sentence, the others are processed, and the exit code is 1', async (t) => {
+  it('an unusable file is reported in a sentence, the others are processed, and the exit code is 4', async (t) => {
     const at = drawings(t, ['a.dxf', 'c.dxf'], { 'b.dxf': BROKEN });
     for (const command of ['plan', 'quote']) {
       const out = join(at, command);
       const { code, stdout, stderr } = await kerfway(command, join(at, '*.dxf'), join(at, 'gone.dxf'), ...QUICK, '--json', `${out}/`);
-      assert.equal(code, 1);
+      assert.equal(code, 4);
       assert.match(stderr, /^kerfway: \S+b\.dxf: This is a DWG.*\nkerfway: \S+gone\.dxf cannot be read: there is no such file\.\n$/);
       assert.deepEqual(readdirSync(out).sort(), ['a.json', 'c.json']);
       assert.equal(stdout.trimEnd().split('\n').length, 3);
+    }
+  });
+
+  it('the exit code is 1 if all of several files are unusable, and 3 if no output can be written', async (t) => {
+    const at = drawings(t, ['a.dxf', 'c.dxf'], { 'b.dxf': BROKEN });
+    assert.equal((await kerfway('inspect', join(at, 'b.dxf'), join(at, 'gone.dxf'))).code, 1);
+    assert.equal((await kerfway('inspect', join(at, 'a.dxf'), '--json', join(at, 'gone', 'a.json'))).code, 3);
+  });
+
+  it('a pattern that matches nothing is reported as a pattern', async (t) => {
+    const at = drawings(t, ['a.dxf']);
+    const { code, stderr } = await kerfway('inspect', join(at, '*.dwg'));
+    assert.deepEqual([code, stderr], [1, `kerfway: No file matches the pattern ${join(at, '*.dwg')}.\n`]);
+  });
+
+  it('--quiet prints warnings and errors only', async (t) => {
+    const at = drawings(t, ['a.dxf', 'c.dxf'], { 'b.dxf': BROKEN });
+    for (const [command, budget] of [['plan', QUICK], ['quote', QUICK], ['inspect', []]]) {
+      const { code, stdout, stderr } = await kerfway(command, join(at, '*.dxf'), ...budget, '--quiet');
+      assert.deepEqual([code, stdout], [4, ''], command);
+      assert.match(stderr, /^kerfway: \S+b\.dxf: This is a DWG[^\n]*\n$/);
     }
   });
 

@@ -72,7 +72,7 @@ async function survives(t, writer, to, { strays = [], prepare = () => {}, ...opt
 }
 
 const refused = ({ code, stderr }, why) => {
-  assert.equal(code, 1, stderr);
+  assert.equal(code, 3, stderr);
   assert.match(stderr, new RegExp(`^kerfway: \\S+ cannot be written: ${why}\\. No file was changed\\. [A-Z][^\\n]*\\.\\n$`));
 };
 
@@ -172,10 +172,10 @@ describe('outputs of one drawing', () => {
     const plan = ['plan', join(from, 'a.dxf'), ...QUICK];
     const result = await run([...plan, '--gcode', join(to, 'a.nc'), '--json', '-'], { stdio: ['ignore', full, 'pipe'] });
     assert.equal(result.stderr, 'kerfway: Standard output cannot be written: the disk is full. No file was changed. Make room on the disk, or name another place.\n');
-    assert.deepEqual([result.code, readFileSync(join(to, 'a.nc'), 'utf8'), readdirSync(to)], [1, OLD, ['a.nc']]);
+    assert.deepEqual([result.code, readFileSync(join(to, 'a.nc'), 'utf8'), readdirSync(to)], [3, OLD, ['a.nc']]);
     for (const args of [['methods'], ['--help'], plan]) {
       const { code, stderr } = await run(args, { stdio: ['ignore', full, 'pipe'] });
-      assert.deepEqual([code, stderr], [1, 'kerfway: Standard output cannot be written: the disk is full. Make room on the disk, or name another place.\n'], args[0]);
+      assert.deepEqual([code, stderr], [3, 'kerfway: Standard output cannot be written: the disk is full. Make room on the disk, or name another place.\n'], args[0]);
     }
     closeSync(full);
   });

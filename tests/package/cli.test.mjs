@@ -1,6 +1,7 @@
 // The command line: outputs, options, exit codes and sentences.
 
 import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
@@ -122,9 +123,10 @@ describe('kerfway methods', () => {
 const COMMANDS = ['plan', 'inspect', 'quote', 'methods', 'solve', 'completion'];
 
 describe('kerfway', () => {
-  it('prints its version and its options', async () => {
+  it('prints its version with the hash of its wasm file, and its options', async () => {
     const { version } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'));
-    assert.equal((await kerfway('--version')).stdout, `${version}\n`);
+    const wasm = createHash('sha256').update(readFileSync(join(ROOT, 'dist', 'sdk', 'pkg', 'kerfway_bg.wasm'))).digest('hex');
+    assert.equal((await kerfway('--version')).stdout, `${version}\nkerfway_bg.wasm sha256 ${wasm}\n`);
     const { code, stdout } = await kerfway('--help');
     assert.equal(code, 0);
     for (const command of COMMANDS) assert.match(stdout, new RegExp(`^kerfway ${command}`, 'm'));
@@ -199,14 +201,14 @@ describe('kerfway', () => {
   it('reports why a file cannot be read or written', async (t) => {
     const at = folder(t);
     mkdirSync(join(at, 'sub'));
-    for (const [args, sentence] of [
-      [['plan', join(at, 'none.dxf')], /none\.dxf cannot be read: there is no such file\./],
-      [['inspect', join(at, 'sub')], /sub cannot be read: that is a folder, not a file\./],
-      [[...PLAN, '--svg', join(at, 'gone', 'x.svg')], /x\.svg cannot be written: there is no such folder\. No file was changed\. Name another place\./],
-      [[...PLAN, '--machine', fixture(KEYBOARD)], /is not JSON: a machine profile/],
+    for (const [args, sentence, exit] of [
+      [['plan', join(at, 'none.dxf')], /none\.dxf cannot be read: there is no such file\./, 1],
+      [['inspect', join(at, 'sub')], /sub cannot be read: that is a folder, not a file\./, 1],
+      [[...PLAN, '--svg', join(at, 'gone', 'x.svg')], /x\.svg cannot be written: there is no such folder\. No file was changed\. Name another place\./, 3],
+      [[...PLAN, '--machine', fixture(KEYBOARD)], /is not JSON: a machine profile/, 1],
     ]) {
       const { code, stderr } = await kerfway(...args);
-      assert.equal(code, 1);
+      assert.equal(code, exit);
       assert.match(stderr, sentence);
     }
   });

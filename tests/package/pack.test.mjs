@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, after, describe, it } from 'node:test';
@@ -130,6 +131,8 @@ describe('the published package', () => {
 
   it('runs as a command', () => {
     const { version } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'));
-    assert.equal(run(join('node_modules', 'kerfway', 'dist', 'sdk', 'cli.js'), '--version'), `${version}\n`);
+    assert.equal(run(join('node_modules', 'kerfway', 'dist', 'sdk', 'cli.js'), '--version').split('\n')[0], version);
+    const wasm = readFileSync(join(at, 'node_modules', 'kerfway', 'dist', 'sdk', 'pkg', 'kerfway_bg.wasm'));
+    assert.match(run(join('node_modules', 'kerfway', 'dist', 'sdk', 'cli.js'), '--version'), new RegExp(`sha256 ${createHash('sha256').update(wasm).digest('hex')}\\n$`));
   });
 });

@@ -1,11 +1,11 @@
 #!/usr/bin/env node
-/** The command line. `cli/commands.ts` lists its commands and options. Exit codes: 0 done, 1 unusable input, 2 wrong usage. */
+/** The command line. `cli/commands.ts` lists its commands and options. `EXIT` in `cli/io.ts` lists the exit codes. */
 
 import { COMMANDS, commandsInWords, type Command } from './cli/commands.js';
 import { completion } from './cli/completion.js';
 import { manual, overview, version } from './cli/help.js';
 import { inspect } from './cli/inspect.js';
-import { print, readerLeft, Unusable, WrongUse } from './cli/io.js';
+import { EXIT, print, readerLeft, Unusable, WrongUse } from './cli/io.js';
 import { methods } from './cli/methods.js';
 import { plan } from './cli/plan.js';
 import { quote } from './cli/quote.js';
@@ -46,10 +46,10 @@ try {
   if (error instanceof WrongUse) {
     complain(message);
     process.stderr.write('Run kerfway --help for the options.\n');
-    process.exitCode = 2;
+    process.exitCode = EXIT.wrongUse;
   } else if (error instanceof Unusable) {
     complain(message);
-    process.exitCode = 1;
+    process.exitCode = error.exit;
   } else {
     throw error;
   }

@@ -3,7 +3,7 @@
 import type { Words } from './arguments.js';
 import { Destinations, type Output } from './destinations.js';
 import { filesOf } from './glob.js';
-import { Unusable } from './io.js';
+import { EXIT, Unusable } from './io.js';
 import { Report, type Column } from './report.js';
 import { complain } from './safe-text.js';
 import { watch } from './watch.js';
@@ -31,10 +31,10 @@ export interface Outlet {
 /** Processes one file. */
 export type Work = (file: string, place: Place, to: Outlet) => Promise<void>;
 
-/** Processes all files. An unusable file is reported in a sentence and sets the exit code 1; the others are processed anyway. */
+/** Processes all files. An unusable file is reported in a sentence, and the others are processed anyway. */
 export async function eachFile({ words, values }: Words, { outputs, columns, inputs = [] }: Requested, work: Work): Promise<void> {
   const destinations = new Destinations(outputs, inputs);
-  const report = new Report(destinations.piped, columns);
+  const report = new Report(destinations.piped, columns, values['quiet'] === true);
   const to: Outlet = {
     write: (file, written) => destinations.write(file, written),
     report: (place, lines, cells) => report.add(place, lines, cells),
@@ -43,6 +43,7 @@ export async function eachFile({ words, values }: Words, { outputs, columns, inp
     destinations.begin(all);
     report.begin(all);
     const failed: string[] = [];
+    const exits = new Set<number>();
     for (const file of files) {
       try {
         await work(file, { index: all.indexOf(file), of: all.length }, to);
@@ -50,9 +51,10 @@ export async function eachFile({ words, values }: Words, { outputs, columns, inp
         if (!(error instanceof Unusable)) throw error;
         complain(error.message);
         failed.push(file);
-        process.exitCode = 1;
+        exits.add(error.exit);
       }
     }
+    if (failed.length > 0) process.exitCode = failed.length < files.length ? EXIT.some : exits.size === 1 ? [...exits][0] : EXIT.unusable;
     return failed;
   };
   if (values['watch'] === true) return watch(words, { round, existing: (file) => destinations.existing(file) });

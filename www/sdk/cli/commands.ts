@@ -60,6 +60,8 @@ const PLANNING: Options = {
   'no-return': { about: 'stay at the end of the last cut instead of returning home' },
 };
 
+const MESSAGES: Options = { quiet: { about: 'print no report and no progress, only warnings and errors' } };
+
 const WATCHING: Options = { watch: { about: 'run again whenever a file changes; Ctrl+C ends' } };
 
 const MANY =
@@ -82,7 +84,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       },
       'How to plan': PLANNING,
       'How to read': READING,
-      'When': WATCHING,
+      'When': WATCHING, 'Messages': MESSAGES,
     },
     examples: [
       ['kerfway plan plate.dxf --gcode plate.nc', 'G-code after ten seconds of search'],
@@ -95,7 +97,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
     about: 'describe the drawing, without planning',
     words: 'FILE.dxf...',
     text: `Lists contours, parts, layers, units and findings of each drawing. ${MANY}`,
-    options: { Output: { json: { value: 'OUT', about: 'the whole report' } }, 'How to read': READING, 'When': WATCHING },
+    options: { Output: { json: { value: 'OUT', about: 'the whole report' } }, 'How to read': READING, 'When': WATCHING, 'Messages': MESSAGES },
     examples: [
       ['kerfway inspect plate.dxf', 'the contents of a drawing, as text'],
       ["kerfway inspect '*.dxf' --json - | jq .findings", 'the findings of many drawings, for a program'],
@@ -114,7 +116,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       Output: { json: { value: 'OUT', about: 'the report (kerfway.quote/1)' } },
       'How to plan': PLANNING,
       'How to read': READING,
-      'When': WATCHING,
+      'When': WATCHING, 'Messages': MESSAGES,
     },
     examples: [
       ['kerfway quote plate.dxf --thickness 3 --density 7.85', 'figures and weight, as text'],

@@ -7,7 +7,7 @@ import { mkdirSync } from 'node:fs';
 import { basename, extname, join } from 'node:path';
 import { text, type Words } from './arguments.js';
 import { writeAll } from './atomic.js';
-import { Unusable, WrongUse } from './io.js';
+import { Unwritable, WrongUse } from './io.js';
 import { identityOf, identityOfInput, lookAt, STANDARD_OUTPUT } from './target.js';
 
 /** A requested output. */
@@ -100,7 +100,7 @@ function makeFolder(folder: string): void {
   try {
     mkdirSync(folder, { recursive: true });
   } catch {
-    throw new Unusable(`${folder} cannot be made: the system does not allow this folder. Name another folder.`);
+    throw new Unwritable(`${folder} cannot be made: the system does not allow this folder. Name another folder.`);
   }
 }
 

@@ -8,10 +8,13 @@ import { join } from 'node:path';
 
 const MAGIC = /[*?[]/;
 
+/** Whether a word may be a pattern. A file may have such a name too. */
+export const isPattern = (word: string): boolean => MAGIC.test(word);
+
 /** The files that these arguments name, sorted within each pattern, without duplicates. A pattern that matches nothing is kept as it is. */
 export function filesOf(words: readonly string[]): string[] {
   const named = words.flatMap((word) => {
-    if (!MAGIC.test(word) || existsSync(word)) return [word];
+    if (!isPattern(word) || existsSync(word)) return [word];
     const found = matches(word);
     return found.length > 0 ? found : [word];
   });

@@ -2,14 +2,25 @@
 
 import { open, writeFile, type FileHandle } from 'node:fs/promises';
 import { endless, MAX_BYTES, tooLarge } from '../size.js';
+import { isPattern } from './glob.js';
 import { visibleText } from './safe-text.js';
 import { STANDARD_OUTPUT } from './target.js';
 import { writing } from './temporary.js';
 
-/** The input cannot be used (exit code 1). The message is one sentence: what, where, what to do. */
-export class Unusable extends Error {}
+/** The exit codes of the program. `some`: of several files, some failed and the others were processed. */
+export const EXIT = { unusable: 1, wrongUse: 2, unwritable: 3, some: 4 } as const;
 
-/** The arguments cannot be understood (exit code 2). */
+/** The input cannot be used. The message is one sentence: what, where, what to do. */
+export class Unusable extends Error {
+  readonly exit: number = EXIT.unusable;
+}
+
+/** An output cannot be written. */
+export class Unwritable extends Unusable {
+  override readonly exit = EXIT.unwritable;
+}
+
+/** The arguments cannot be understood. */
 export class WrongUse extends Error {}
 
 /** Why the system refuses a file, and what to do about it if it is an output. */
@@ -60,6 +71,7 @@ export async function bytesOf(file: string): Promise<Uint8Array> {
     return bytes;
   } catch (error) {
     if (error instanceof Unusable) throw error;
+    if (isPattern(file) && (error as NodeJS.ErrnoException).code === 'ENOENT') throw new Unusable(`No file matches the pattern ${file}.`);
     throw new Unusable(`${file} cannot be read: ${cause(error, 'read').why}.`);
   } finally {
     await handle?.close();
@@ -101,9 +113,9 @@ export async function send(out: string, data: string | Uint8Array): Promise<void
 }
 
 /** The failure of an output that could not be written. `kept` is a sentence about the state of the files. */
-export function unwritable(out: string, error: unknown, kept = ''): Unusable {
+export function unwritable(out: string, error: unknown, kept = ''): Unwritable {
   const { why, remedy } = cause(error, 'write');
-  return new Unusable(`${out === STANDARD_OUTPUT ? 'Standard output' : out} cannot be written: ${why}. ${kept}${remedy}`);
+  return new Unwritable(`${out === STANDARD_OUTPUT ? 'Standard output' : out} cannot be written: ${why}. ${kept}${remedy}`);
 }
 
 /** Handles a reader of standard output that has closed it (`| head`). This is not a failure, and ends the program unless a file is being written. */

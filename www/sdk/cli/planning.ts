@@ -40,7 +40,7 @@ export async function planFiles(given: Words, requested: Requested & { defaultBu
         process.stderr.write(`kerfway: ${basename(file)}: ${message}\n`);
       }
       const search = budgeted(options, loaded, requested.defaultBudget);
-      const result = await usable(file, searched(planner, search, file, place));
+      const result = await usable(file, searched(planner, search, file, place, values['quiet'] === true));
       await write({ file, place, planner, loaded, result, options: search }, to);
     });
   } finally {
@@ -103,8 +103,8 @@ function unknownMachine(word: string, machines: readonly MachineProfile[]): Wron
   return new WrongUse(`--machine ${word}: choose one of ${names}, or name a file ending in .json.`);
 }
 
-async function searched(planner: Planner, options: PlanOptions, file: string, place: Place): Promise<PlanResult> {
-  const show = process.stderr.isTTY;
+async function searched(planner: Planner, options: PlanOptions, file: string, place: Place, quiet: boolean): Promise<PlanResult> {
+  const show = process.stderr.isTTY && !quiet;
   const plan = planner.plan(options, (progress) => {
     if (show) process.stderr.write(`\r\x1b[K${progressLine(progress, options, basename(file), place)}`);
   });

@@ -16,10 +16,11 @@ export class Report {
   private columns: readonly Column[] = [];
   private headed = false;
 
-  /** `piped`: standard output has data for a program, so the report goes to standard error. */
+  /** `piped`: standard output has data for a program, so the report goes to standard error. `quiet`: there is no report. */
   constructor(
     private readonly piped: boolean,
     private readonly others: readonly Column[],
+    private readonly quiet: boolean,
   ) {}
 
   begin(files: readonly string[]): void {
@@ -27,6 +28,7 @@ export class Report {
   }
 
   async add({ of }: Place, lines: () => readonly string[], cells: () => readonly string[]): Promise<void> {
+    if (this.quiet) return;
     if (of === 1) return say(lines(), this.piped);
     if (!this.headed) await say([this.row(this.columns.map((c) => c.title))], this.piped);
     this.headed = true;
