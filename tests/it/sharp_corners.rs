@@ -16,7 +16,7 @@
 
 use crate::testkit::outlines::{covers, drawing};
 use kerfway::geometry::DVec2;
-use kerfway::job::{BestPath, Job, LoadOptions, MachineChoice, OutputKind, PlanOptions};
+use kerfway::job::{BestPath, Job, LoadOptions, MachineChoice, OutputKind, PlanOptions, SliceEnd};
 use kerfway::machine::{Profile, SharpCorner, preset};
 use kerfway::plan::{self, Move, Plan, Violation};
 use std::f64::consts::{PI, TAU};
@@ -291,4 +291,30 @@ fn pre_cuts_have_a_length_and_are_cut_ahead() {
         }
     }
     assert!(made > 0);
+}
+
+/// Pauses are in the objective of the partition-tree and of its construction, in contours that are left in a corner too.
+#[test]
+fn the_partition_tree_minimises_pauses_too() {
+    for (pre_cut, name) in [0.0, 0.5, 5.0].into_iter().flat_map(|p| ["pfr", "partition-tree"].map(|n| (p, n)))
+    {
+        let machine = Profile { pre_cut_time: Some(pre_cut), ..thick() };
+        let mut job = Job::load(drawing(&forms(0.0)), "corners.dxf", &LoadOptions::default()).unwrap();
+        let machine = MachineChoice::Profile(Box::new(machine));
+        let method = Some(name.to_owned());
+        job.start(&PlanOptions { machine, method, seed: 1, ..PlanOptions::default() }).unwrap();
+        while job.run_mut().unwrap().step(100_000).end != SliceEnd::Exhausted {}
+        // What the best path counts is the whole time of its plan, pauses among it.
+        let plan = sound(&job);
+        assert!(plan.summary.macro_time > 0.0 || pre_cut == 0.0, "{pre_cut} {name}");
+        // The construction ends with its only path: what the tree counts is the same.
+        let insight = job.run().unwrap().insight().unwrap();
+        let curve = insight.curves.iter().find(|c| c.name == "time now, s").unwrap();
+        let best = job.run().unwrap().best().cost;
+        assert!(
+            name != "pfr" || (curve.value - best).abs() < 1e-9,
+            "{pre_cut}: {} is not {best}",
+            curve.value
+        );
+    }
 }

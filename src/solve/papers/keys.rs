@@ -202,6 +202,7 @@ fn space_evenly(order: &[usize], keys: &mut [f64]) {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp, reason = "the numbers of the examples are exact")]
 mod tests {
     use super::super::Measure;
     use super::super::test_sheet::sheet;

@@ -230,6 +230,7 @@ impl Piecewise for Generations<'_> {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp, reason = "the numbers of the examples are exact")]
 mod tests {
     use super::*;
     use crate::solve::papers::test_sheet::sheet;

@@ -229,6 +229,7 @@ impl Piecewise for Genetic<'_> {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp, reason = "the numbers of the examples are exact")]
 mod tests {
     use super::*;
     use crate::solve::papers::Measure;

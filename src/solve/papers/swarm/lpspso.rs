@@ -399,6 +399,7 @@ impl Guide for LpspsoGuide {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp, reason = "the numbers of the examples are exact")]
 mod tests {
     use super::super::super::keys::Decode;
     use super::super::super::test_sheet::sheet;

@@ -120,16 +120,17 @@ impl<'p> Swarm<'p> {
         let swarm = keys.exchanges(&p.keys, leader);
         let rng = &mut self.rng;
         let mut velocity = Vec::new();
-        let weights: [(&[(u32, u32)], fn(&Weights) -> f64); 3] =
-            [(&p.exchanges, |w| w.inertia), (&own, |w| w.own), (&swarm, |w| w.swarm)];
-        for (swaps, weight) in weights {
+        let mut take = |swaps: &[(u32, u32)], weight: fn(Weights) -> f64| {
             for &swap in swaps {
-                let by = pull(rng);
-                if rng.uniform() < weight(&by) {
+                let chance = weight(pull(rng));
+                if rng.uniform() < chance {
                     velocity.push(swap);
                 }
             }
-        }
+        };
+        take(&p.exchanges, |w| w.inertia);
+        take(&own, |w| w.own);
+        take(&swarm, |w| w.swarm);
         let most = (self.fastest * keys.items().len() as f64).max(1.0);
         let kept = most / velocity.len().max(1) as f64;
         if kept < 1.0 {
@@ -164,6 +165,7 @@ impl<'p> Swarm<'p> {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp, reason = "the numbers of the examples are exact")]
 mod tests {
     use super::super::super::keys::Decode;
     use super::super::super::test_sheet::sheet;
