@@ -37,9 +37,27 @@ describe('the published package', () => {
     ]) {
       assert.ok(files.includes(wanted), wanted);
     }
-    const strange = files.filter((f) => !/^(LICENSE|README\.md|CHANGELOG\.md|package\.json|dist\/sdk\/.*\.(c?js|d\.c?ts|json|wasm|html|css))$/.test(f));
+    const strange = files.filter((f) => !/^(LICENSE|README\.md|CHANGELOG\.md|package\.json|dist\/sdk\/.*\.(c?js|c?js\.map|d\.c?ts|json|wasm|html|css))$/.test(f));
     assert.deepEqual(strange, []);
     assert.ok(packed.size < PACKED_BUDGET * 1000, `${packed.size} bytes`);
+  });
+
+  it('has a source map, with its sources, for every module that is compiled from TypeScript', () => {
+    const own = packed.files.map((f) => f.path).filter((f) => /\.c?js$/.test(f) && !/\/pkg\/|inline-bytes|kerfway\.global/.test(f));
+    assert.ok(own.length > 40);
+    for (const file of own) {
+      const { sources, sourcesContent } = JSON.parse(readFileSync(join(at, 'node_modules', 'kerfway', `${file}.map`), 'utf8'));
+      assert.deepEqual([sources.length, sourcesContent.length], [1, 1], file);
+    }
+  });
+
+  it('has its licence', () => {
+    assert.match(readFileSync(join(at, 'node_modules', 'kerfway', 'LICENSE'), 'utf8'), /MIT License/);
+  });
+
+  it('is published by a workflow with provenance, from the tag of its version', () => {
+    const workflow = readFileSync(join(ROOT, '.github', 'workflows', 'release.yml'), 'utf8');
+    for (const wanted of [/tags: \['v\*'\]/, /id-token: write/, /npm publish --provenance/, /run: npm test/, /GITHUB_REF_NAME/]) assert.match(workflow, wanted);
   });
 
   it('passes publint', async () => {
