@@ -169,7 +169,7 @@ impl<'p> Swarm<'p> {
 mod tests {
     use super::super::super::keys::Decode;
     use super::super::super::test_sheet::sheet;
-    use super::super::pso::Pso;
+    use super::super::settings::Draws;
     use super::*;
 
     /// Points at 0, 1, 2 and 3 mm.
@@ -178,7 +178,7 @@ mod tests {
     }
 
     fn swarm(problem: &Problem, decode: Decode, fastest: f64) -> Swarm<'_> {
-        let settings = SwarmSettings { particles: 2, decode, fastest, ..Pso::default().settings };
+        let settings = SwarmSettings { particles: 2, decode, ..SwarmSettings::with(fastest, Draws::Key) };
         let mut swarm = Swarm::new(problem, 1, &settings);
         for p in &mut swarm.particles {
             p.velocity = vec![0.0; 4];
