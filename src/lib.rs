@@ -89,6 +89,7 @@
 
 pub mod geometry;
 
+pub mod drawing;
 pub mod dxf;
 pub mod fields;
 pub mod finding;

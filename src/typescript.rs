@@ -4,7 +4,7 @@
 //! to and from workers, and geometry, which travels as typed arrays. After a change of a Rust type,
 //! `KERFWAY_BLESS=1 cargo test --lib typescript` writes the file again.
 
-use crate::{dxf, finding, job, machine, plan, quote, sheet, solve};
+use crate::{drawing, finding, job, machine, plan, quote, sheet, solve};
 use std::path::Path;
 use ts_rs::{Config, TS};
 
@@ -73,10 +73,10 @@ fn generated() -> String {
     let config = &Config::new().with_large_int("number");
     let declarations = declarations!(
         config,
-        dxf::Unit,
-        dxf::UnitsSource,
-        dxf::Units,
-        dxf::EntityKindCount,
+        drawing::Unit,
+        drawing::UnitsSource,
+        drawing::Units,
+        drawing::EntityKindCount,
         finding::Severity,
         finding::Code,
         finding::Finding,

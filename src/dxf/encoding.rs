@@ -5,10 +5,10 @@
 //! although the header names a Western code page. Bytes that are valid UTF-8 beyond ASCII are therefore read as UTF-8
 //! there, because such text hardly ever occurs by chance in a one-byte code page.
 
-use super::drawing::TextDecoder;
 use super::header::Header;
 use super::multi_byte::MultiByte;
 use super::single_byte::{self as pages, SingleByte};
+use crate::drawing::TextDecoder;
 use std::borrow::Cow;
 
 /// The encoding of a file's text.

@@ -3,11 +3,11 @@
 //! An entity on layer "0" in a block takes the layer of the insert, and colour BYBLOCK takes that of the insert. A
 //! frozen layer hides an insert with everything in it; a layer that is off hides only its own entities.
 
-use super::drawing::{ReadError, ReadOptions, Shape};
 use super::entity::{BY_BLOCK, BY_LAYER, Entity, Geometry, Hidden, Insert};
 use super::file::File;
 use super::report::{Note, Notes, Subject};
 use super::{placement, trace};
+use crate::drawing::{ReadError, ReadOptions, Shape};
 use crate::finding::{Code, Severity};
 use glam::{DAffine3, DVec2, DVec3};
 
@@ -141,10 +141,10 @@ impl<'a> Expander<'_, 'a, '_> {
             return self.invalid(entity, layer, None, "it has no length");
         }
         let bounds = path.bounds();
-        let limit = self.options.limits.coordinate;
-        let near = |p: DVec2| p.is_finite() && p.abs().max_element() <= limit;
-        if !(near(bounds.min) && near(bounds.max)) {
+        let limits = &self.options.limits;
+        if !(limits.is_near(bounds.min) && limits.is_near(bounds.max)) {
             self.far += 1;
+            let limit = limits.coordinate;
             let why = format!("it reaches farther than {} m from the origin", limit / 1000.0);
             return self.invalid(entity, layer, path.start(), &why);
         }

@@ -4,10 +4,10 @@
 //! is measured once, so the time is proportional to the size of the file, whatever the number of inserts. A file that
 //! exceeds a limit is refused here with a sentence that names the block.
 
-use super::drawing::{Limits, ReadError};
 use super::entity::{Edge, Entity, Geometry, Hidden, Loop};
 use super::file::File;
 use super::{ocs, placement};
+use crate::drawing::{Limits, ReadError};
 use glam::{DAffine3, DVec2, DVec3};
 
 /// A box in space. It is empty when `min` exceeds `max`.

@@ -15,7 +15,6 @@
 mod ascii;
 mod binary;
 mod breaks;
-mod drawing;
 mod encoding;
 mod entities;
 mod entity;
@@ -38,11 +37,7 @@ mod tokens;
 mod trace;
 mod units;
 
-pub use drawing::{
-    Drawing, EntityKindCount, Layer, Limits, ReadError, ReadOptions, Shape, TextDecoder, Unit, Units,
-    UnitsSource,
-};
-
+use crate::drawing::{Drawing, EntityKindCount, Layer, ReadError, ReadOptions};
 use crate::finding::{Code, Finding, Severity};
 use encoding::Decoder;
 use entity::{Geometry, Hidden};
@@ -54,20 +49,13 @@ use std::collections::BTreeMap;
 /// # Errors
 /// The file is not a DXF, holds nothing to cut, or exceeds a limit of `options`. The error is one sentence for people.
 pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadError> {
-    if bytes.len() > options.limits.bytes {
-        return Err(ReadError::Limit(format!(
-            "The file has {} MB; up to {} MB can be read. Delete what is not to be cut, or split the drawing.",
-            // Rounded up, so that a size just above the limit does not look equal to it.
-            bytes.len().div_ceil(1 << 20),
-            options.limits.bytes >> 20
-        )));
-    }
+    options.limits.check_size(bytes.len())?;
     if let Some(sentence) = sniff::other_format(bytes) {
-        return Err(ReadError::NotDxf(sentence.to_owned()));
+        return Err(ReadError::NotADrawing(sentence.to_owned()));
     }
     let mut file = file::read(bytes);
     if !file.recognised {
-        return Err(ReadError::NotDxf(
+        return Err(ReadError::NotADrawing(
             "This is not a DXF file, or one damaged beyond reading. Save the drawing as DXF and drop it again.".to_owned(),
         ));
     }

@@ -1,7 +1,7 @@
 //! East Asian code pages of several bytes per character. Their tables take 200 kB, so in wasm the caller passes the
 //! platform's own decoder ([`TextDecoder`]), which every browser and Node have.
 
-use super::drawing::TextDecoder;
+use crate::drawing::TextDecoder;
 
 /// A code page of several bytes per character.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

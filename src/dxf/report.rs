@@ -106,7 +106,11 @@ impl<'a> Notes<'a> {
     }
 
     /// The findings, with texts decoded by `decoder` and names from `layers`.
-    pub(super) fn into_findings(self, decoder: &mut Decoder, layers: &[super::Layer]) -> Vec<Finding> {
+    pub(super) fn into_findings(
+        self,
+        decoder: &mut Decoder,
+        layers: &[crate::drawing::Layer],
+    ) -> Vec<Finding> {
         let mut findings = Findings::default();
         let overflow =
             self.seen.rests().map(|(code, rest)| Note { count: rest, ..Note::new(code, Severity::Info, "") });

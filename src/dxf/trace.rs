@@ -6,7 +6,7 @@
 
 use super::entity::{Edge, Geometry, Loop, PlaneEllipse, Polyline3d, Spline, Vertex};
 use super::ocs::{self, Projection};
-use crate::geometry::{Affine, Arc, Ellipse, Nurbs, Path, Segment};
+use crate::geometry::{Affine, Arc, Ellipse, Nurbs, Path, Segment, pin_ends};
 use glam::{DAffine3, DVec2, DVec3};
 use std::f64::consts::TAU;
 
@@ -136,7 +136,7 @@ impl Tracer<'_> {
                 if !arc.is_circle() {
                     pin_ends(&mut path.segments, map.point(arc.start), map.point(arc.end));
                 }
-                closed_if_ends_meet(path.segments)
+                Path::closed_if_ends_meet(path.segments)
             }
         }
     }
@@ -165,12 +165,12 @@ impl Tracer<'_> {
             run(last, first);
         }
         // A polyline drawn back to its first vertex is closed even without the flag.
-        closed_if_ends_meet(segments)
+        Path::closed_if_ends_meet(segments)
     }
 
     fn ellipse(&self, e: &Ellipse) -> Path {
         let segments = far_placeholder(&[e.center, e.center + e.major, e.center + e.minor]);
-        closed_if_ends_meet(segments.unwrap_or_else(|| e.to_segments(self.tolerance)))
+        Path::closed_if_ends_meet(segments.unwrap_or_else(|| e.to_segments(self.tolerance)))
     }
 
     fn spline(
@@ -203,7 +203,7 @@ impl Tracer<'_> {
         };
         let curve = curve.map_err(|fault| fault.to_string())?;
         let segments = far_placeholder(curve.control()).unwrap_or_else(|| curve.to_segments(self.tolerance));
-        Ok(closed_if_ends_meet(segments))
+        Ok(Path::closed_if_ends_meet(segments))
     }
 
     fn edge(&self, edge: &Edge, map: &Affine) -> Result<Path, String> {
@@ -236,30 +236,6 @@ fn far_placeholder(points: &[DVec2]) -> Option<Vec<Segment>> {
         let points: Vec<DVec2> = there_and_back.collect();
         points.windows(2).map(|w| Segment::line(w[0], w[1])).collect()
     })
-}
-
-/// The chain as a path, closed when it ends exactly where it starts.
-fn closed_if_ends_meet(segments: Vec<Segment>) -> Path {
-    let path = Path::new(segments, false);
-    // A single line back to its start is a point, not an outline.
-    let turns =
-        path.segments.len() > 1 || path.segments.first().is_some_and(|s| matches!(s, Segment::Arc(_)));
-    let closed = turns && path.start() == path.end();
-    Path { closed, ..path }
-}
-
-/// Sets the ends of a chain to those its neighbours expect; they differ only by rounding.
-fn pin_ends(segments: &mut [Segment], from: DVec2, to: DVec2) {
-    match segments.first_mut() {
-        Some(Segment::Line(l)) => l.start = from,
-        Some(Segment::Arc(a)) => a.start = from,
-        None => {}
-    }
-    match segments.last_mut() {
-        Some(Segment::Line(l)) => l.end = to,
-        Some(Segment::Arc(a)) => a.end = to,
-        None => {}
-    }
 }
 
 fn spread(heights: impl Iterator<Item = f64>) -> f64 {

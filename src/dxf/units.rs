@@ -5,8 +5,8 @@
 //! sheets for a laser measure between 20 mm and 6 m. Nothing is converted silently: the reason is given, and doubt is
 //! reported.
 
-use super::drawing::{Unit, Units, UnitsSource};
 use super::header::Header;
+use crate::drawing::{Unit, Units, UnitsSource};
 use crate::finding::{Code, Finding, Severity};
 
 /// Smallest and largest extent of a drawing that raises no doubt, mm. Only 2 % of real drawings are smaller, most of

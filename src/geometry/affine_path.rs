@@ -2,9 +2,8 @@
 
 use super::affine::Affine;
 use super::ellipse::Ellipse;
-use super::path::Path;
+use super::path::{Path, pin_ends};
 use super::segment::Segment;
-use glam::DVec2;
 
 impl Affine {
     /// The image of a path, joined like the original. Arcs whose images are elliptic are fitted within `tolerance` mm.
@@ -23,19 +22,5 @@ impl Affine {
             }
         }
         Path::new(out, path.closed)
-    }
-}
-
-/// Sets the ends of a chain that misses them only by rounding.
-fn pin_ends(chain: &mut [Segment], start: DVec2, end: DVec2) {
-    match chain.first_mut() {
-        Some(Segment::Line(l)) => l.start = start,
-        Some(Segment::Arc(a)) => a.start = start,
-        None => {}
-    }
-    match chain.last_mut() {
-        Some(Segment::Line(l)) => l.end = end,
-        Some(Segment::Arc(a)) => a.end = end,
-        None => {}
     }
 }

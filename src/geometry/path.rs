@@ -26,6 +26,16 @@ impl Path {
         Self { segments, closed }
     }
 
+    /// The chain as a path, which is closed when it ends exactly where it starts. A single line back to its start is a
+    /// point, not an outline.
+    pub fn closed_if_ends_meet(segments: Vec<Segment>) -> Self {
+        let path = Self::new(segments, false);
+        let encloses =
+            path.segments.len() > 1 || path.segments.first().is_some_and(|s| matches!(s, Segment::Arc(_)));
+        let closed = encloses && path.start() == path.end();
+        Self { closed, ..path }
+    }
+
     /// First point; `None` for a path without elements.
     pub fn start(&self) -> Option<DVec2> {
         self.segments.first().map(Segment::start)
@@ -135,5 +145,19 @@ impl Path {
             out.push(if inside { cut.piece(0.0, f) } else { cut });
         }
         Self::new(out, true)
+    }
+}
+
+/// Sets the ends of a chain to those its neighbours expect; they differ only by rounding.
+pub(crate) fn pin_ends(chain: &mut [Segment], start: DVec2, end: DVec2) {
+    match chain.first_mut() {
+        Some(Segment::Line(l)) => l.start = start,
+        Some(Segment::Arc(a)) => a.start = start,
+        None => {}
+    }
+    match chain.last_mut() {
+        Some(Segment::Line(l)) => l.end = end,
+        Some(Segment::Arc(a)) => a.end = end,
+        None => {}
     }
 }

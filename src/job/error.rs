@@ -1,6 +1,6 @@
 //! Why a job cannot go on.
 
-use crate::dxf::ReadError;
+use crate::drawing::ReadError;
 use crate::machine::ProfileError;
 use crate::output::OutputError;
 

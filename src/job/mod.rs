@@ -29,7 +29,8 @@ pub use run::{Run, Slice, SliceEnd};
 pub use solving::Solving;
 pub use warm_path::WarmPath;
 
-use crate::dxf::{self, Drawing, ReadOptions};
+use crate::drawing::{Drawing, ReadOptions};
+use crate::dxf;
 use crate::finding::Finding;
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
 use sha2::{Digest, Sha256};

@@ -5,7 +5,7 @@
 
 use super::ranges::{JOIN_TOLERANCE, SECONDS, TOLERANCE, WORKERS};
 use super::{JobError, WarmPath};
-use crate::dxf::{ReadOptions, TextDecoder, Unit};
+use crate::drawing::{ReadOptions, TextDecoder, Unit};
 use crate::fields::{Range, no_such, out_of_range};
 use crate::machine::{self, Profile};
 use crate::sheet::{CommonCuts, Operation, SheetOptions};

@@ -1,7 +1,7 @@
 //! Writes the best plan of a job. A plan that does not pass the independent checker is never written.
 
 use super::{Job, JobError};
-use crate::dxf::Unit;
+use crate::drawing::Unit;
 use crate::output;
 use crate::plan::document::{self, Budget, Document, Input, Move, Options};
 use crate::plan::{self, Plan};

@@ -3,7 +3,7 @@
 //! Reports are plain data for serde. Geometry is flat arrays of numbers, which reach JavaScript as typed arrays thirty
 //! times faster than as objects.
 
-use crate::dxf::{Drawing, EntityKindCount, Units};
+use crate::drawing::{Drawing, EntityKindCount, Units};
 use crate::finding::Finding;
 use crate::geometry::{Path, Segment};
 use crate::plan::Summary;

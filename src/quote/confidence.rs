@@ -1,6 +1,6 @@
 //! How far the figures of a quote can be relied on.
 
-use crate::dxf::UnitsSource;
+use crate::drawing::UnitsSource;
 use crate::finding::{Code, Finding, Severity};
 use crate::plan::document::{Contour, Input};
 use crate::sheet::Operation;

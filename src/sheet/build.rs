@@ -7,7 +7,7 @@ use super::groups::{self, PierceGroup};
 use super::model::{CommonCuts, Contour, Ignored, LayerUse, Operation, Pin, Sheet, SheetOptions};
 use super::source::Source;
 use super::{crossings, exclude, layers, narrow, nest, outline, parts};
-use crate::dxf::Drawing;
+use crate::drawing::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::Aabb;
 use crate::machine::far_out;

@@ -1,6 +1,6 @@
 //! Builders for the findings of this stage, with layer, handle and place filled in.
 
-use crate::dxf::Drawing;
+use crate::drawing::Drawing;
 use crate::finding::{Code, Finding, Severity};
 use crate::geometry::DVec2;
 use crate::machine::FarOut;

@@ -9,7 +9,7 @@ use super::findings::{count, plural};
 use super::layer_names;
 use super::model::{Ignored, LayerUse, Operation, SheetOptions};
 use super::source::Line;
-use crate::dxf::Drawing;
+use crate::drawing::Drawing;
 use crate::fields::nearest;
 use crate::finding::{Code, Finding, Findings, Severity};
 

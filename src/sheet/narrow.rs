@@ -11,7 +11,7 @@
 
 use super::findings;
 use super::model::{Contour, Operation};
-use crate::dxf::Drawing;
+use crate::drawing::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path};
 use std::f64::consts::PI;

@@ -5,7 +5,7 @@
 
 use super::model::{Contour, LayerUse, Operation};
 use super::{findings, layer_names};
-use crate::dxf::Drawing;
+use crate::drawing::Drawing;
 use crate::finding::{Code, Finding, Severity};
 use crate::geometry::{DVec2, Segment};
 

@@ -1,7 +1,7 @@
 //! The input of cleaning and joining: paths, and where they come from, for the findings about them.
 
 use super::findings;
-use crate::dxf::Drawing;
+use crate::drawing::Drawing;
 use crate::finding::{Code, Finding, Severity};
 use crate::geometry::{DVec2, Path};
 

@@ -3,7 +3,7 @@
 use super::plain::{object, plain};
 use super::text::decode;
 use super::values::{bytes, geometry, handed, options, path, text};
-use crate::dxf::TextDecoder;
+use crate::drawing::TextDecoder;
 use crate::job::{self, BestPath, Budget, LoadOptions};
 use crate::{machine, solve};
 use js_sys::Uint32Array;

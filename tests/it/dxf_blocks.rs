@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use crate::testkit::drawings::{blocks, close, entities, file, found, length, lines, read};
-use kerfway::dxf::{Drawing, Limits, ReadError, ReadOptions};
+use kerfway::drawing::{Drawing, Limits, ReadError, ReadOptions};
 use kerfway::finding::Code;
 use kerfway::geometry::{DVec2, Segment};
 

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use crate::testkit::drawings::{close, file, found, length, lines, read, shapes};
-use kerfway::dxf::{Drawing, ReadError, ReadOptions, Unit, UnitsSource};
+use kerfway::drawing::{Drawing, ReadError, ReadOptions, Unit, UnitsSource};
 use kerfway::finding::Code;
 
 const LINE: &str = "0 LINE 5 1A 8 CUT 10 0 20 0 11 30 21 40";
@@ -340,7 +340,7 @@ fn other_formats_are_named_with_advice() {
         (b"\0\0\0\0\0\0\0\0", "not a DXF"),
     ] {
         match bytes(start) {
-            Err(ReadError::NotDxf(sentence)) => {
+            Err(ReadError::NotADrawing(sentence)) => {
                 assert!(sentence.contains(name), "{sentence}");
                 assert!(sentence.ends_with('.'));
             }

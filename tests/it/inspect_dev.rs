@@ -11,7 +11,8 @@
     reason = "a test fails by panicking, and tells what it did"
 )]
 
-use kerfway::dxf::{self, ReadOptions, Unit};
+use kerfway::drawing::{ReadOptions, Unit};
+use kerfway::dxf;
 use kerfway::sheet::{self, Operation, SheetOptions};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

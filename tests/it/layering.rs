@@ -16,23 +16,24 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("geometry", &[]),
     ("finding", &[]),
     ("fields", &[]),
-    ("dxf", &[]),
-    ("svg", &[]),
+    ("drawing", &[]),
+    ("dxf", &["drawing"]),
+    ("svg", &["drawing"]),
     ("machine", &[]),
-    ("sheet", &["dxf", "svg", "machine"]),
+    ("sheet", &["drawing", "machine"]),
     ("problem", &["machine", "sheet"]),
-    // Solvers know no drawing: neither `dxf` nor `sheet`.
+    // Solvers know no drawing: neither `drawing` nor `sheet`.
     ("solve", &["machine", "problem"]),
     // The plan model knows neither how a plan was found nor who checks it.
-    ("plan/model", &["dxf", "machine", "sheet"]),
-    ("plan/document", &["dxf", "machine", "sheet", "plan/model"]),
-    ("plan", &["dxf", "machine", "sheet", "problem", "solve"]),
+    ("plan/model", &["drawing", "machine", "sheet"]),
+    ("plan/document", &["drawing", "machine", "sheet", "plan/model"]),
+    ("plan", &["drawing", "machine", "sheet", "problem", "solve"]),
     // Output and quote know no solver.
-    ("output", &["dxf", "svg", "machine", "sheet", "plan"]),
-    ("quote", &["dxf", "svg", "machine", "sheet", "plan", "output"]),
-    ("job", &["dxf", "svg", "machine", "sheet", "problem", "solve", "plan", "output", "quote"]),
-    ("typescript", &["dxf", "machine", "sheet", "plan", "solve", "quote", "job"]),
-    ("wasm", &["dxf", "svg", "machine", "sheet", "problem", "solve", "plan", "output", "quote", "job"]),
+    ("output", &["drawing", "machine", "sheet", "plan"]),
+    ("quote", &["drawing", "machine", "sheet", "plan", "output"]),
+    ("job", &["drawing", "dxf", "svg", "machine", "sheet", "problem", "solve", "plan", "output", "quote"]),
+    ("typescript", &["drawing", "machine", "sheet", "plan", "solve", "quote", "job"]),
+    ("wasm", &["drawing", "machine", "sheet", "problem", "solve", "plan", "output", "quote", "job"]),
 ];
 
 /// The ground itself, from the bottom up: each may use those before it.

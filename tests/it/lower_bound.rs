@@ -275,7 +275,7 @@ fn points_of_the_43_contours() {
 #[test]
 fn the_43_contours_entered_anywhere() {
     let bytes = include_bytes!("../fixtures/qu-du-43/qu_du_43.dxf");
-    let drawing = kerfway::dxf::read(bytes, &kerfway::dxf::ReadOptions::default()).unwrap();
+    let drawing = kerfway::dxf::read(bytes, &kerfway::drawing::ReadOptions::default()).unwrap();
     let sheet = kerfway::sheet::build(&drawing, &kerfway::sheet::SheetOptions::default());
     for (return_home, known, work) in [(true, 2782.583, 6_000_000_000), (false, 2496.054, 12_000_000_000)] {
         let problem = problem_of(&sheet, &Profile { return_home, ..machine("length") });

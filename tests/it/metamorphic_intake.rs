@@ -10,7 +10,8 @@
 
 use crate::testkit::dxf_text::{Entity, Scene, Similarity};
 use crate::testkit::rng::{Rng, seeded};
-use kerfway::dxf::{self, ReadOptions};
+use kerfway::drawing::ReadOptions;
+use kerfway::dxf;
 use kerfway::geometry::{DVec2, math};
 use kerfway::sheet::{self, SheetOptions};
 use rand::RngExt;

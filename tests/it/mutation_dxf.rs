@@ -14,7 +14,8 @@
 
 use crate::testkit::mutate::{Mutation, is_well_formed, lines};
 use crate::testkit::rng::seeded;
-use kerfway::dxf::{self, Drawing, ReadOptions};
+use kerfway::drawing::{Drawing, ReadOptions};
+use kerfway::dxf;
 use kerfway::finding::Code;
 use kerfway::geometry::Segment;
 use kerfway::sheet::{self, SheetOptions};

@@ -9,7 +9,8 @@
 )]
 
 use crate::testkit::dxf_text::{Similarity, block, document, insert};
-use kerfway::dxf::{self, Drawing, ReadError, ReadOptions};
+use kerfway::drawing::{Drawing, ReadError, ReadOptions};
+use kerfway::dxf;
 use kerfway::finding::{Code, Finding};
 use kerfway::geometry::DVec2;
 use kerfway::sheet::{self, Sheet, SheetOptions};

@@ -10,7 +10,8 @@
 )]
 
 use crate::testkit::compare::{Polyline, comes_back, hausdorff};
-use kerfway::dxf::{self, ReadOptions, Unit};
+use kerfway::drawing::{ReadOptions, Unit};
+use kerfway::dxf;
 use kerfway::geometry::DVec2;
 
 /// Largest distance from the reference, mm: 0.005 by the reader's own tolerance for splines and ellipses, 0.0015 by

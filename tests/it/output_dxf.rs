@@ -7,7 +7,8 @@
 )]
 
 use crate::testkit::paths::{Element, assert_same_path};
-use kerfway::dxf::{Drawing, ReadOptions, Unit, UnitsSource, read};
+use kerfway::drawing::{Drawing, ReadOptions, Unit, UnitsSource};
+use kerfway::dxf::read;
 use kerfway::geometry::Segment;
 use kerfway::output;
 use kerfway::plan::{Move, Plan};

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use crate::testkit::sheets::{machine, p};
+use kerfway::drawing::ReadOptions;
 use kerfway::dxf;
 use kerfway::job::problem_of;
 use kerfway::machine::Profile;
@@ -17,7 +18,7 @@ fn fixture(name: &str) -> Vec<u8> {
 
 /// The sheet of the drawing, entered at the feature points of the instance; and the optimum.
 fn instance() -> (Problem, f64) {
-    let drawing = dxf::read(&fixture("yang-27.dxf"), &dxf::ReadOptions::default()).unwrap();
+    let drawing = dxf::read(&fixture("yang-27.dxf"), &ReadOptions::default()).unwrap();
     let sheet = sheet::build(&drawing, &sheet::SheetOptions::default());
     let machine = Profile { return_home: false, ..machine("length-chebyshev") };
     let mut problem = problem_of(&sheet, &machine);

@@ -2,6 +2,7 @@
 //! instance.
 
 use crate::testkit::sheets::{Builder, Dice, assert_feasible, machine, nested_sheet, p, rectangle, slot};
+use kerfway::drawing::ReadOptions;
 use kerfway::geometry::{Arc, DVec2, Path, Segment, math};
 use kerfway::job::problem_of;
 use kerfway::machine::presets;
@@ -147,7 +148,7 @@ fn moved_turned_mirrored_scaled_shuffled_sheets_cost_the_same() {
 #[test]
 fn the_43_contours_of_qu_and_du() {
     let bytes = include_bytes!("../fixtures/qu-du-43/qu_du_43.dxf");
-    let drawing = dxf::read(bytes, &dxf::ReadOptions::default()).unwrap();
+    let drawing = dxf::read(bytes, &ReadOptions::default()).unwrap();
     let sheet = sheet::build(&drawing, &sheet::SheetOptions::default());
     assert_eq!(sheet.contours.len(), 43);
     assert_eq!(sheet.contours.iter().filter(|c| c.inside.is_some()).count(), 6);

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use crate::testkit::sheets::{Builder, assert_feasible, machine, nested_sheet, polygon};
+use kerfway::drawing::ReadOptions;
 use kerfway::dxf;
 use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
@@ -107,7 +108,7 @@ fn expensive_interruptions_are_avoided_and_little_is_lost() {
 fn every_improvement_passes_the_checker_on_real_and_nested_sheets() {
     let file = |name: &str| {
         let path = format!("{}/tests/fixtures/dxf-dev/{name}", env!("CARGO_MANIFEST_DIR"));
-        let drawing = dxf::read(&std::fs::read(path).unwrap(), &dxf::ReadOptions::default()).unwrap();
+        let drawing = dxf::read(&std::fs::read(path).unwrap(), &ReadOptions::default()).unwrap();
         sheet::build(&drawing, &sheet::SheetOptions::default())
     };
     let sheets = [

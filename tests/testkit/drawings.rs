@@ -6,7 +6,8 @@
     reason = "shared by several test binaries; a test fails by panicking"
 )]
 
-use kerfway::dxf::{self, Drawing, ReadError, ReadOptions};
+use kerfway::drawing::{Drawing, ReadError, ReadOptions};
+use kerfway::dxf;
 use kerfway::finding::{Code, Finding};
 use kerfway::geometry::Path;
 

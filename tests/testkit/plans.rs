@@ -9,7 +9,7 @@
 )]
 
 use glam::DVec2;
-use kerfway::dxf::{Drawing, ReadOptions, Unit, Units, UnitsSource};
+use kerfway::drawing::{Drawing, ReadOptions, Unit, Units, UnitsSource};
 use kerfway::finding::{Code, Finding, Severity};
 use kerfway::geometry::{Arc, Path, Segment, math};
 use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions};

@@ -1,7 +1,8 @@
 //! What must hold for any bytes whatever: the promises of the reader and of the whole intake. Asked by the fuzz
 //! targets of what they invent, and by the tests of every file that once broke one of them.
 
-use kerfway::dxf::{Limits, ReadOptions, Unit, read};
+use kerfway::drawing::{Limits, ReadOptions, Unit};
+use kerfway::dxf::read;
 use kerfway::job::problem_of;
 use kerfway::{machine, plan, sheet, solve};
 

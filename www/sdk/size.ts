@@ -1,6 +1,6 @@
 /**
  * The limit on the size of a file. It is checked before a file is read, so that a file that is too large costs no memory.
- * The number is that of `Limits` in `src/dxf/drawing.rs`; a Rust test compares the two.
+ * The number is that of `Limits` in `src/drawing/reading.rs`; a Rust test compares the two.
  */
 
 /** The size of the largest file that can be read, in bytes. */

@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// Reads with Kerfway's reader; lines and arcs found, 0 when the file is refused.
 #[wasm_bindgen]
 pub fn read_kerfway(bytes: &[u8]) -> usize {
-    let drawing = dxf::read(bytes, &dxf::ReadOptions::default());
+    let drawing = dxf::read(bytes, &drawing::ReadOptions::default());
     drawing.map_or(0, |d| d.shapes.iter().map(|s| s.path.segments.len()).sum())
 }
 
@@ -20,13 +20,13 @@ pub fn read_dxf_crate(bytes: &[u8]) -> usize {
 
 /// A drawing that has been read, to be assembled as often as wanted.
 #[wasm_bindgen]
-pub struct Read(dxf::Drawing);
+pub struct Read(drawing::Drawing);
 
 #[wasm_bindgen]
 impl Read {
     /// Reads; `undefined` when the file is refused.
     pub fn open(bytes: &[u8]) -> Option<Read> {
-        dxf::read(bytes, &dxf::ReadOptions::default()).ok().map(Read)
+        dxf::read(bytes, &drawing::ReadOptions::default()).ok().map(Read)
     }
 
     /// Joins, cleans and nests; contours found.

@@ -3,7 +3,7 @@
 use super::super::model::Summary;
 use super::contour::Contour;
 use super::moves::Move;
-use crate::dxf::{ReadOptions, Unit, UnitsSource};
+use crate::drawing::{ReadOptions, Unit, UnitsSource};
 use crate::finding::Finding;
 use crate::machine::Profile;
 use crate::sheet::{CommonCuts, Operation, SheetOptions};

@@ -2,7 +2,7 @@
 
 use super::super::findings::{self, count, plural};
 use super::super::model::Contour;
-use crate::dxf::Drawing;
+use crate::drawing::Drawing;
 use crate::finding::{Code, Finding, Severity};
 use crate::geometry::DVec2;
 

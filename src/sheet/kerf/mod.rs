@@ -25,7 +25,7 @@ use super::crossings;
 use super::model::{Contour, Operation, Sheet, SheetOptions};
 use super::narrow;
 use super::source::{Line, Source};
-use crate::dxf::Drawing;
+use crate::drawing::Drawing;
 use crate::finding::{Code, Finding, Findings};
 use crate::geometry::{Aabb, Path};
 use clearance::Clearance;

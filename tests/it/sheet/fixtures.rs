@@ -1,7 +1,8 @@
 //! Nested sheets with known truth: every contour, its parent, its length, its layer.
 
 use super::sketch::*;
-use kerfway::dxf::{ReadOptions, read};
+use kerfway::drawing::ReadOptions;
+use kerfway::dxf::read;
 use kerfway::finding::Code;
 use kerfway::sheet::{Operation, Sheet, SheetOptions};
 use serde_json::Value;

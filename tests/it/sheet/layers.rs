@@ -1,7 +1,7 @@
 //! Operations, order, suggestions, the border.
 
 use super::sketch::*;
-use kerfway::dxf::Drawing;
+use kerfway::drawing::Drawing;
 use kerfway::finding::{Code, Severity};
 use kerfway::sheet::{Operation, Sheet, SheetOptions};
 

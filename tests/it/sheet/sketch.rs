@@ -1,6 +1,6 @@
 //! Drawings made by hand: paths on layers, without a file.
 
-use kerfway::dxf::{Drawing, Layer, Shape, Unit, Units, UnitsSource};
+use kerfway::drawing::{Drawing, Layer, Shape, Unit, Units, UnitsSource};
 use kerfway::finding::{Code, Finding};
 use kerfway::geometry::{Arc, DVec2, Path, Segment};
 use kerfway::sheet::{Sheet, SheetOptions, build};
