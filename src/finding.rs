@@ -98,6 +98,8 @@ pub enum Code {
     /// The drawing lies so far from the origin that the controller's single-precision numbers cannot resolve its
     /// details.
     FarFromOrigin,
+    /// The job does not lie on the machine's bed.
+    OffBed,
     /// A check was stopped early because of the size of the drawing; the message says what remains unchecked.
     NotAllChecked,
     /// More findings of one code than are listed individually.
@@ -135,6 +137,12 @@ impl Finding {
     /// Sets the place.
     pub fn at(mut self, p: DVec2) -> Self {
         self.at = Some(p);
+        self
+    }
+
+    /// Moves its place by `shift`, mm.
+    pub fn moved(mut self, shift: DVec2) -> Self {
+        self.at = self.at.map(|at| at + shift);
         self
     }
 

@@ -2,6 +2,7 @@
 
 mod model;
 mod reading;
+mod turned;
 mod unit;
 
 pub use model::{Drawing, EntityKindCount, Layer, Shape};

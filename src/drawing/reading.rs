@@ -46,6 +46,8 @@ pub struct ReadOptions {
     pub tolerance: f64,
     /// Whether to keep entities that were read across a break in the file.
     pub keep_damaged: bool,
+    /// Quarter turns of the drawing around its origin, counter-clockwise.
+    pub quarter_turns: u8,
     /// Limits on the input.
     pub limits: Limits,
     /// Decodes names in code pages of several bytes per character.
@@ -90,6 +92,7 @@ impl Default for ReadOptions {
             unit: None,
             tolerance: 0.005,
             keep_damaged: false,
+            quarter_turns: 0,
             limits: Limits { bytes: 256 << 20, elements: 2_000_000, depth: 16, coordinate: 1e6 },
             decoder: TextDecoder::default(),
         }

@@ -51,6 +51,8 @@ impl Shape {
             (Kind::Whole(range), _) => refused(&number_rule(range, true, nullable)),
             (Kind::Pair(kind), Value::List(list)) if list.len() == 2 => self.list(path, kind, list),
             (Kind::Pair(_), _) => refused(&format!("Give a list of two{null}.")),
+            (Kind::Four(kind), Value::List(list)) if list.len() == 4 => self.list(path, kind, list),
+            (Kind::Four(_), _) => refused(&format!("Give a list of four{null}.")),
             (Kind::List(kind), Value::List(list)) => self.list(path, kind, list),
             (Kind::List(_), _) => refused(&format!("Give a list{null}.")),
             (Kind::Object(fields), _) => self.object(&format!("{path}."), fields, value),

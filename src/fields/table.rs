@@ -44,6 +44,8 @@ pub enum Kind {
     Whole(Range),
     /// A list of two values.
     Pair(&'static Kind),
+    /// A list of four values.
+    Four(&'static Kind),
     /// A list of any length.
     List(&'static Kind),
     /// An object with these fields.

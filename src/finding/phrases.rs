@@ -92,6 +92,7 @@ impl Code {
                 "contours are cut along their drawn lines, without kerf compensation",
             ),
             Self::FarFromOrigin => Whole("The drawing lies too far from the origin to be cut"),
+            Self::OffBed => Whole("The job does not lie on the bed"),
             Self::NotAllChecked => Counted(
                 "check was cut short because of the size of the drawing",
                 "checks were cut short because of the size of the drawing",

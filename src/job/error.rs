@@ -26,6 +26,9 @@ pub enum JobError {
     /// The plan cannot be written in the requested format.
     #[error(transparent)]
     Output(#[from] OutputError),
+    /// The job does not lie on the machine's bed.
+    #[error("{0} Nothing was written; `--allow-off-bed` (option `allowOffBed`) writes it anyway.")]
+    OffBed(String),
     /// The plan did not pass the independent checker. This is a fault of this program.
     #[error(
         "The plan does not pass its own check, nothing was written: {0}. Please report this with the drawing."

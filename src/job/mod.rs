@@ -10,6 +10,7 @@ mod error;
 mod option_fields;
 mod options;
 mod outputs;
+mod placement;
 mod problem_of;
 mod ranges;
 mod report;
@@ -22,6 +23,7 @@ pub use best_path::BestPath;
 pub use error::JobError;
 pub use options::{Budget, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
 pub use outputs::OutputKind;
+pub use placement::{Place, Placed};
 pub use problem_of::problem_of;
 pub use report::{Baselines, ContourInfo, Geometry, Loaded};
 pub use run::{Run, Slice, SliceEnd};
@@ -54,7 +56,7 @@ impl Job {
     pub fn load(bytes: Vec<u8>, name: &str, options: &LoadOptions) -> Result<Self, JobError> {
         let read_options = options.read_options()?;
         let sheet_options = options.sheet_options()?;
-        let drawing = dxf::read(&bytes, &read_options)?;
+        let drawing = dxf::read(&bytes, &read_options)?.turned(read_options.quarter_turns);
         let sheet = build_sheet(&drawing, &sheet_options)?;
         let sha256 = Sha256::digest(&bytes).iter().map(|b| format!("{b:02x}")).collect();
         Ok(Self {
@@ -78,7 +80,7 @@ impl Job {
         if read_options == self.read_options {
             self.sheet = build_sheet(&self.drawing, &sheet_options)?;
         } else {
-            let drawing = dxf::read(&self.bytes, &read_options)?;
+            let drawing = dxf::read(&self.bytes, &read_options)?.turned(read_options.quarter_turns);
             self.sheet = build_sheet(&drawing, &sheet_options)?;
             self.drawing = drawing;
             self.read_options = read_options;
@@ -143,10 +145,11 @@ impl Job {
             return Err(JobError::NothingToCut(self.why_empty()));
         }
         options.check()?;
-        let machine = options.machine.profile()?;
+        let placed = Placed::new(options.machine.profile()?, options, &self.sheet.bounds)?;
         self.drop_run();
-        let mut findings = self.compensate(machine.kerf_width);
-        let mut run = Run::start(self.beam_sheet(), machine, options)?;
+        let mut findings = self.compensate(placed.profile.kerf_width);
+        findings.extend(placed.finding(&self.beam_sheet().bounds));
+        let mut run = Run::start(self.beam_sheet(), placed, options)?;
         findings.append(&mut run.findings);
         run.findings = findings;
         Ok(self.run.insert(run))

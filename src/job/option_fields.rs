@@ -1,9 +1,11 @@
 //! The fields of the options, as callers write them. `options.rs` has the structs, and `ranges.rs` the ranges of numbers.
 
 use super::options::{Budget, LoadOptions, PlanOptions};
-use super::ranges::{ALONG, COUNT, ID, JOIN_TOLERANCE, MEMBER, REVERSED, SECONDS, TOLERANCE, WORKERS};
+use super::ranges::{
+    ALONG, COUNT, ID, JOIN_TOLERANCE, MEMBER, PLACE, REVERSED, SECONDS, TOLERANCE, TURN, WORKERS,
+};
 use crate::fields::{Field, Kind, Shape, Shaped};
-use crate::machine::Profile;
+use crate::machine::{Anchor, Profile};
 
 const IDS: Kind = Kind::List(&Kind::Whole(ID));
 const LENGTHS: Kind = Kind::List(&Kind::Number(ALONG));
@@ -22,6 +24,7 @@ impl Shaped for LoadOptions {
             ),
             Field::optional("tolerance", Kind::Number(TOLERANCE)),
             Field::optional("keepDamaged", Kind::Flag),
+            Field::optional("turn", Kind::Whole(TURN)),
             Field::optional("joinTolerance", Kind::Number(JOIN_TOLERANCE)),
             Field::optional("layers", Kind::List(&Kind::Object(LAYER))),
             Field::optional("orderByLayer", Kind::Flag),
@@ -47,6 +50,9 @@ impl Shaped for PlanOptions {
         value: "The option",
         fields: &[
             Field::optional("machine", Kind::NameOr(&Profile::SHAPE)),
+            Field::optional("place", Kind::Object(PLACING)),
+            Field::optional("start", Kind::Choice(&["absolute", "current"])),
+            Field::optional("allowOffBed", Kind::Flag),
             Field::optional("method", Kind::Text),
             Field::optional("parameters", Kind::Parameters),
             Field::optional("seed", Kind::Whole(COUNT)),
@@ -58,6 +64,12 @@ impl Shaped for PlanOptions {
         ],
     };
 }
+
+const PLACING: &[Field] = &[
+    Field::optional("point", Kind::Choice(Anchor::NAMES)),
+    Field::optional("from", Kind::Pair(&Kind::Number(PLACE))),
+    Field::required("at", Kind::Pair(&Kind::Number(PLACE))),
+];
 
 /// A path to start from. A path taken from a plan has more fields, which a search does not need.
 const WARM: &[Field] = &[

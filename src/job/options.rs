@@ -3,11 +3,12 @@
 //! The structs mirror `www/sdk/protocol.ts`, where names are in camel case. Missing options take their defaults.
 //! `option_fields.rs` lists the fields and `ranges.rs` the ranges of their numbers.
 
-use super::ranges::{JOIN_TOLERANCE, SECONDS, TOLERANCE, WORKERS};
+use super::placement::Place;
+use super::ranges::{JOIN_TOLERANCE, SECONDS, TOLERANCE, TURN, WORKERS};
 use super::{JobError, WarmPath};
 use crate::drawing::{ReadOptions, TextDecoder, Unit};
 use crate::fields::{Range, no_such, out_of_range};
-use crate::machine::{self, Profile};
+use crate::machine::{self, Profile, Start};
 use crate::sheet::{CommonCuts, Operation, SheetOptions};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
@@ -36,6 +37,8 @@ pub struct LoadOptions {
     pub tolerance: f64,
     /// Whether entities are kept that were read across a defect in the file. Default false.
     pub keep_damaged: bool,
+    /// By how many degrees the drawing is turned around its origin, counter-clockwise: 0, 90, 180 or 270. Default 0.
+    pub turn: u32,
     /// Largest distance between ends that are joined, mm. Default 0.05.
     pub join_tolerance: f64,
     /// The operation of each layer, by name. The order of the list is the order by layer.
@@ -68,6 +71,7 @@ impl Default for LoadOptions {
             units: read.unit,
             tolerance: read.tolerance,
             keep_damaged: read.keep_damaged,
+            turn: 90 * u32::from(read.quarter_turns),
             join_tolerance: sheet.join_tolerance,
             layers: Vec::new(),
             order_by_layer: sheet.order_by_layer,
@@ -86,10 +90,14 @@ impl LoadOptions {
     /// The options of the DXF reader.
     pub fn read_options(&self) -> Result<ReadOptions, JobError> {
         within("tolerance", self.tolerance, &TOLERANCE)?;
+        let quarters = [0, 1, 2, 3].into_iter().find(|&k| 90 * u32::from(k) == self.turn);
+        let quarter_turns = quarters
+            .ok_or_else(|| JobError::Options(out_of_range("The option", "turn", self.turn.into(), &TURN)))?;
         Ok(ReadOptions {
             unit: self.units,
             tolerance: self.tolerance,
             keep_damaged: self.keep_damaged,
+            quarter_turns,
             decoder: self.decoder,
             ..ReadOptions::default()
         })
@@ -194,11 +202,17 @@ pub struct Budget {
 
 /// How a loaded drawing is planned.
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "StartOptions", optional_fields))]
 pub struct PlanOptions {
     /// The name of a preset, or a profile. Default `co2-100w`.
     pub machine: MachineChoice,
+    /// Where the job lies on the bed. Default: as drawn.
+    pub place: Option<Place>,
+    /// Whether the program is in machine coordinates, or starts where the head stands. Default `absolute`.
+    pub start: Start,
+    /// Whether a program is written that reaches beyond the bed. Default false.
+    pub allow_off_bed: bool,
     /// Name of a method. Default: the first of [`crate::solve::methods`].
     pub method: Option<String>,
     /// Parameters of a published method, as a JSON object with the values that differ from its defaults.

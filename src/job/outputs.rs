@@ -1,9 +1,10 @@
 //! Writes the best plan of a job. A plan that does not pass the independent checker is never written.
 
-use super::{Job, JobError};
+use super::{Job, JobError, Placed};
 use crate::drawing::Unit;
+use crate::geometry::{Aabb, DVec2};
 use crate::output;
-use crate::plan::document::{self, Budget, Document, Input, Move, Options};
+use crate::plan::document::{self, Budget, Document, Input, Move, Options, Placement};
 use crate::plan::{self, Plan};
 use crate::quote::{self, Material, Quote};
 use std::str::FromStr;
@@ -19,6 +20,13 @@ pub enum OutputKind {
     Dxf,
     /// The plan document, `kerfway.plan/1`.
     Json,
+}
+
+impl OutputKind {
+    /// Whether a machine runs it, so that it has to stay on the bed.
+    pub fn is_program(self) -> bool {
+        self == Self::Gcode
+    }
 }
 
 impl FromStr for OutputKind {
@@ -37,8 +45,11 @@ impl FromStr for OutputKind {
     }
 }
 
+/// Relative difference within which times agree: sums of the same numbers at another place.
+const SAME_TIME: f64 = 1e-9;
+
 impl Job {
-    /// The best plan so far, after it passed the checker.
+    /// The best plan so far, in the coordinates of the drawing, after it passed the checker.
     pub fn plan(&self) -> Result<Plan, JobError> {
         let run = self.run()?;
         let plan = run.plan(self.beam_sheet());
@@ -53,14 +64,37 @@ impl Job {
 
     /// The best plan so far, checked and written in a format.
     pub fn output(&self, kind: OutputKind) -> Result<String, JobError> {
-        let plan = self.plan()?;
-        let run = self.run()?;
+        let Placed { profile, start, .. } = &self.run()?.placed;
+        if kind.is_program() {
+            self.check_bed()?;
+        }
+        let plan = self.placed_plan()?;
         Ok(match kind {
-            OutputKind::Gcode => output::gcode(&plan, self.beam_sheet(), &run.machine, &self.name)?,
-            OutputKind::Svg => output::svg(&plan, self.beam_sheet(), &run.machine),
+            OutputKind::Gcode => output::gcode(&plan, self.beam_sheet(), profile, &self.name, *start)?,
+            OutputKind::Svg => output::svg(&plan, self.beam_sheet(), profile),
             OutputKind::Dxf => output::dxf(&plan, self.beam_sheet()),
             OutputKind::Json => output::json_text(&self.document_of(&plan)?),
         })
+    }
+
+    /// The best plan so far, checked, in the coordinates of the machine.
+    pub fn placed_plan(&self) -> Result<Plan, JobError> {
+        let Placed { profile, shift, .. } = &self.run()?.placed;
+        let plan = self.plan()?.moved(*shift);
+        // Moving a plan must not change its time.
+        let (says, adds_up) = (plan.summary.total_time, plan::evaluate(&plan.moves, profile).total_time);
+        if (says - adds_up).abs() <= SAME_TIME * (1.0 + adds_up) {
+            Ok(plan)
+        } else {
+            Err(JobError::Unsound(format!("placed on the bed it takes {adds_up} s, not {says} s")))
+        }
+    }
+
+    /// Refuses programs that would leave the bed.
+    fn check_bed(&self) -> Result<(), JobError> {
+        let run = self.run()?;
+        let [x0, y0, x1, y1] = run.plan(self.beam_sheet()).summary.bounds;
+        run.placed.check(&Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) })
     }
 
     /// What a price needs of the best plan so far, which is checked first.
@@ -70,11 +104,12 @@ impl Job {
 
     /// The best plan so far, checked, with everything it came from.
     pub fn document(&self) -> Result<Document, JobError> {
-        self.document_of(&self.plan()?)
+        self.document_of(&self.placed_plan()?)
     }
 
     fn document_of(&self, plan: &Plan) -> Result<Document, JobError> {
         let run = self.run()?;
+        let Placed { profile, shift, start, .. } = &run.placed;
         let findings = self.drawing.findings.iter().chain(&self.beam_sheet().findings).chain(&run.findings);
         Ok(Document {
             schema: document::SCHEMA.to_owned(),
@@ -94,12 +129,14 @@ impl Job {
                 units: self.drawing.units.unit,
                 units_source: self.drawing.units.source,
             },
-            machine: run.machine.clone(),
+            machine: profile.clone(),
             options: Options::of(&self.read_options, &self.sheet_options),
+            placement: (!run.placed.is_as_drawn())
+                .then(|| Placement { shift: shift.to_array(), start: *start }),
             summary: plan.summary.clone(),
-            contours: document::contours(self.beam_sheet(), &run.machine),
+            contours: document::contours(self.beam_sheet(), profile, *shift),
             moves: plan.moves.iter().map(Move::from).collect(),
-            findings: findings.cloned().collect(),
+            findings: findings.map(|f| f.clone().moved(*shift)).collect(),
         })
     }
 }

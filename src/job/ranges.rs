@@ -10,6 +10,8 @@ pub(super) const TOLERANCE: Range = Range::new(
     "mm",
     "below, numbers have no digits left for it, and above, a curve is no longer the curve that was drawn",
 );
+pub(super) const PLACE: Range = Range::new(-1e6, 1e6, "mm", "no table reaches further than 1 km");
+pub(super) const TURN: Range = Range::new(0.0, 270.0, "degrees", "quarter turns are 0, 90, 180 or 270");
 pub(super) const JOIN_TOLERANCE: Range =
     Range::new(0.0, 5.0, "mm", "a larger one would join what was drawn apart");
 pub(super) const SECONDS: Range =

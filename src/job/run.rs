@@ -1,7 +1,7 @@
 //! A plan and the search for it: the problem, the search, its budget and its result.
 
 use super::options::{Budget, PlanOptions};
-use super::{Baselines, JobError, WarmPath, common_cuts, problem_of, warm_path};
+use super::{Baselines, JobError, Placed, WarmPath, common_cuts, problem_of, warm_path};
 use crate::finding::Finding;
 use crate::machine::Profile;
 use crate::plan::{self, LowerBound, Plan};
@@ -47,7 +47,9 @@ pub struct Slice {
 
 /// A plan and the search for it.
 pub struct Run {
-    /// The machine.
+    /// Where the job lies on the bed of its machine.
+    pub placed: Placed,
+    /// The machine in the coordinates of the drawing, in which the search works.
     pub machine: Profile,
     /// Name of the method.
     pub method: String,
@@ -76,10 +78,11 @@ pub struct Run {
 }
 
 impl Run {
-    pub(super) fn start(sheet: &Sheet, machine: Profile, options: &PlanOptions) -> Result<Self, JobError> {
+    pub(super) fn start(sheet: &Sheet, placed: Placed, options: &PlanOptions) -> Result<Self, JobError> {
         let name = options.method.as_deref().unwrap_or(solve::methods()[0].info().name);
         let parameters = options.parameters.as_deref().unwrap_or_default();
         let method = solve::named(name, parameters).map_err(JobError::Options)?;
+        let machine = placed.seen_from_drawing();
         let problem = problem_of(sheet, &machine);
         let summary = |s: &Solution| plan::from_solution(sheet, &problem, s).summary;
         let findings = common_cuts::findings(sheet, &problem);
@@ -94,6 +97,7 @@ impl Run {
         let first = if method.is_published() { warm } else { Some(warm.unwrap_or(greedy)) };
         let running = Running::new(problem, |p| method.start(p, stream, first.as_ref()));
         Ok(Self {
+            placed,
             machine,
             method: name.to_owned(),
             parameters: options.parameters.clone(),

@@ -1,6 +1,7 @@
 //! The machine: its data ([`Profile`]), and the times that follow from it ([`air_time`], [`cut_time`]).
 
 mod arc;
+mod bed;
 mod closed_run;
 mod corner;
 mod float32;
@@ -12,6 +13,7 @@ mod ramp;
 mod sharp_corner;
 mod valid;
 
+pub use bed::{Anchor, Start};
 pub use closed_run::ClosedRun;
 pub(crate) use corner::MARGIN;
 pub(crate) use float32::{FarOut, far_out, spacing_at};

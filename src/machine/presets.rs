@@ -39,6 +39,7 @@ fn co2_100w() -> Profile {
         name: "co2-100w".to_owned(),
         title: "CO2 laser, 100 W, GRBL, 3 mm acrylic".to_owned(),
         home: [0.0, 0.0],
+        bed: Some([0.0, 0.0, 1300.0, 900.0]),
         return_home: true,
         // GRBL runs rapids as straight lines, each axis within its own limit.
         travel: Travel::Straight,
@@ -75,6 +76,8 @@ fn diode_hobby() -> Profile {
         name: "diode-hobby".to_owned(),
         title: "Diode laser, 10 W, GRBL, 3 mm plywood".to_owned(),
         home: [0.0, 0.0],
+        // The usual size of open frames.
+        bed: Some([0.0, 0.0, 400.0, 400.0]),
         return_home: true,
         travel: Travel::Straight,
         rapid: Axes {
@@ -108,6 +111,8 @@ fn fibre_3kw_thin() -> Profile {
         name: "fibre-3kw-thin".to_owned(),
         title: "Fibre laser, 3 kW, 1 mm stainless steel, nitrogen".to_owned(),
         home: [0.0, 0.0],
+        // The common sheet size of 3 x 1.5 m.
+        bed: Some([0.0, 0.0, 3000.0, 1500.0]),
         return_home: true,
         // Positioning moves each drive at its own limit ("simultaneous" speeds in data sheets are sqrt 2 higher).
         travel: Travel::PerAxis,
@@ -185,6 +190,7 @@ fn length(name: &str, title: &str, travel: Travel) -> Profile {
         name: name.to_owned(),
         title: title.to_owned(),
         home: [0.0, 0.0],
+        bed: None,
         return_home: true,
         travel,
         rapid: Axes { speed: [1.0, 1.0], accel: None },

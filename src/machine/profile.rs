@@ -68,6 +68,11 @@ pub struct Profile {
     pub title: String,
     /// Position of the head before the first move, mm.
     pub home: [f64; 2],
+    /// What the head can reach, in machine coordinates: xmin, ymin, xmax, ymax in mm; `None` if it is not known. A program
+    /// that reaches beyond it is not written.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub bed: Option<[f64; 4]>,
     /// Whether the head returns home at the end.
     pub return_home: bool,
     /// How air moves are run.

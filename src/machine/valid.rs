@@ -24,6 +24,11 @@ pub enum ProfileError {
         /// Its valid range.
         range: Range,
     },
+    /// The bed has no area.
+    #[error(
+        "The machine's field \"bed\" is [{0}, {1}, {2}, {3}]. Give [xmin, ymin, xmax, ymax] in mm, the least values first."
+    )]
+    Bed(f64, f64, f64, f64),
 }
 
 const VERSIONS: Range = Range::new(1.0, 1.0, "", "this Kerfway reads machine profiles of version 1");
@@ -57,6 +62,7 @@ const SHAPE: Shape = Shape {
         Field::required("name", Kind::Text),
         Field::required("title", Kind::Text),
         Field::required("home", Kind::Pair(&Kind::Number(PLACE))),
+        Field::nullable("bed", Kind::Four(&Kind::Number(PLACE))),
         Field::required("return_home", Kind::Flag),
         Field::required("travel", Kind::Choice(&["straight", "vector", "per-axis"])),
         Field::required("rapid", Kind::Object(RAPID)),
@@ -100,6 +106,10 @@ impl Profile {
             ("version", Some(self.version.into()), VERSIONS),
             ("home[0]", Some(self.home[0]), PLACE),
             ("home[1]", Some(self.home[1]), PLACE),
+            ("bed[0]", self.bed.map(|b| b[0]), PLACE),
+            ("bed[1]", self.bed.map(|b| b[1]), PLACE),
+            ("bed[2]", self.bed.map(|b| b[2]), PLACE),
+            ("bed[3]", self.bed.map(|b| b[3]), PLACE),
             ("rapid.speed[0]", Some(self.rapid.speed[0]), SPEED),
             ("rapid.speed[1]", Some(self.rapid.speed[1]), SPEED),
             ("rapid.accel[0]", self.rapid.accel.map(|a| a[0]), ACCEL),
@@ -123,7 +133,10 @@ impl Profile {
         ];
         let given = values.into_iter().filter_map(|(field, value, range)| Some((field, value?, range)));
         match given.into_iter().find(|(_, value, range)| !range.holds(*value)) {
-            None => Ok(()),
+            None => match self.bed {
+                Some([x0, y0, x1, y1]) if x0 >= x1 || y0 >= y1 => Err(ProfileError::Bed(x0, y0, x1, y1)),
+                _ => Ok(()),
+            },
             Some((field, value, range)) => Err(ProfileError::Value { field, value, range }),
         }
     }

@@ -1,6 +1,6 @@
 //! The plan as data: the moves of the head in order, and their sums.
 
-use crate::geometry::{DVec2, Segment};
+use crate::geometry::{Affine, DVec2, Segment};
 
 /// One move of the head. It starts where the previous one ended; the first starts at home.
 #[derive(Clone, Debug, PartialEq)]
@@ -100,4 +100,32 @@ pub struct Plan {
     pub moves: Vec<Move>,
     /// Their sums.
     pub summary: Summary,
+}
+
+impl Plan {
+    /// The same plan at another place, moved by `shift` mm. Lengths and times stay as they are.
+    pub fn moved(mut self, shift: DVec2) -> Self {
+        if shift == DVec2::ZERO {
+            return self;
+        }
+        let by = Affine::translation(shift);
+        let run = |path: &mut [Segment]| {
+            path.iter_mut().for_each(|s| *s = by.segment(s).unwrap_or(*s));
+        };
+        for step in &mut self.moves {
+            match step {
+                Move::Air { to } => *to += shift,
+                Move::Pierce => {}
+                Move::PreCut { to, ahead, .. } => {
+                    *to += shift;
+                    run(ahead);
+                }
+                Move::Macro { at, .. } => *at += shift,
+                Move::Cut { path, .. } => run(path),
+            }
+        }
+        let [x0, y0, x1, y1] = self.summary.bounds;
+        self.summary.bounds = [x0 + shift.x, y0 + shift.y, x1 + shift.x, y1 + shift.y];
+        self
+    }
 }

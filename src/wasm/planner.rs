@@ -104,7 +104,7 @@ impl Job {
 
     /// Starts a plan. The current one is dropped.
     #[wasm_bindgen(
-        unchecked_return_type = "{ seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry | null }"
+        unchecked_return_type = "{ seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry | null; shift: [number, number] }"
     )]
     pub fn start(
         &mut self,
@@ -120,6 +120,7 @@ impl Job {
             ("findings", plain(&run.findings)?),
             ("beam", beam),
             ("common", common),
+            ("shift", plain(&run.placed.shift.to_array())?),
         ])
     }
 

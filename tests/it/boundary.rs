@@ -224,6 +224,7 @@ fn near(rng: &mut Rng, kind: &Kind) -> Value {
             Value::Number([r.least, r.most, r.least + 1.0][rng.random_range(0..3)])
         }
         Kind::Pair(kind) => Value::List(vec![near(rng, kind), near(rng, kind)]),
+        Kind::Four(kind) => Value::List((0..4).map(|_| near(rng, kind)).collect()),
         Kind::List(kind) => Value::List((0..rng.random_range(0..3)).map(|_| near(rng, kind)).collect()),
         Kind::Object(fields) => object(rng, fields),
         Kind::NameOr(shape) => object(rng, shape.fields),

@@ -90,7 +90,8 @@ fn drawings(machine: &str) -> Vec<(String, f64, f64, f64)> {
         let name = name(&file);
         let mut job = Job::load(std::fs::read(&file).unwrap(), &name, &LoadOptions::default()).ok()?;
         let machine = MachineChoice::Preset(machine.to_owned());
-        job.start(&PlanOptions { machine, moves: Some(2000), ..PlanOptions::default() }).ok()?;
+        job.start(&PlanOptions { machine, allow_off_bed: true, moves: Some(2000), ..PlanOptions::default() })
+            .ok()?;
         job.run_mut().unwrap().step(2000);
         let summary = job.plan().unwrap().summary;
         let program = crate::testkit::gcode::run(&job.output(OutputKind::Gcode).unwrap()).unwrap();

@@ -5,6 +5,7 @@
 #[path = "../testkit/mod.rs"]
 mod testkit;
 
+mod bed;
 mod boundary;
 mod common_cuts;
 mod common_cuts_exact;

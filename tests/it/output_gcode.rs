@@ -24,7 +24,7 @@ use std::f64::consts::{PI, TAU};
 const DEVIATION: f64 = 0.002;
 
 fn program(sheet: &Sheet, plan: &Plan, profile: &Profile) -> Program {
-    let text = output::gcode(plan, sheet, profile, "test.dxf").unwrap();
+    let text = output::gcode(plan, sheet, profile, "test.dxf", kerfway::machine::Start::Absolute).unwrap();
     crate::testkit::gcode::run(&text).unwrap_or_else(|e| panic!("{e}"))
 }
 
@@ -95,8 +95,14 @@ fn a_small_plan_comes_back_as_planned() {
 #[test]
 fn a_small_plan_reads_as_expected() {
     let (sheet, plan) = crate::testkit::plans::small();
-    let text =
-        output::gcode(&plan, &sheet, &crate::testkit::plans::machine(), "plate (v2)! \u{df}?.dxf").unwrap();
+    let text = output::gcode(
+        &plan,
+        &sheet,
+        &crate::testkit::plans::machine(),
+        "plate (v2)! \u{df}?.dxf",
+        kerfway::machine::Start::Absolute,
+    )
+    .unwrap();
     let version = env!("CARGO_PKG_VERSION");
     let expected = format!(
         "; Kerfway {version}, plate v2_ __.dxf
@@ -153,7 +159,7 @@ fn no_fact_of_the_header_is_cut_off() {
         ..crate::testkit::plans::machine()
     };
     let name = format!("{} order 4711 of December.dxf", "very long name ".repeat(30));
-    let text = output::gcode(&plan, &sheet, &profile, &name).unwrap();
+    let text = output::gcode(&plan, &sheet, &profile, &name, kerfway::machine::Start::Absolute).unwrap();
     let version = env!("CARGO_PKG_VERSION");
     for line in [
         "; 4294967295 contours, 4294967295 pierces",
@@ -278,7 +284,7 @@ fn without_return_the_head_stays_at_the_end_with_the_beam_off() {
     let program = program(&sheet, &plan, &profile);
     let last = program.motions().last().unwrap();
     assert_eq!((last.rapid, last.path.to), (false, DVec2::new(5.0, 2.0)));
-    let text = output::gcode(&plan, &sheet, &profile, "x").unwrap();
+    let text = output::gcode(&plan, &sheet, &profile, "x", kerfway::machine::Start::Absolute).unwrap();
     assert!(text.ends_with("M5 S0\nM2\n"), "{text}");
 }
 

@@ -61,7 +61,7 @@ fn thick() -> Profile {
 fn planned(outlines: &[Vec<DVec2>], machine: Profile) -> Job {
     let mut job = Job::load(drawing(outlines), "corners.dxf", &LoadOptions::default()).unwrap();
     let machine = MachineChoice::Profile(Box::new(machine));
-    job.start(&PlanOptions { machine, seed: 1, ..PlanOptions::default() }).unwrap();
+    job.start(&PlanOptions { machine, allow_off_bed: true, seed: 1, ..PlanOptions::default() }).unwrap();
     job.run_mut().unwrap().step(60_000);
     job
 }

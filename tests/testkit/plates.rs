@@ -44,6 +44,7 @@ pub(crate) fn job(
     let load = LoadOptions { common_cuts, ..LoadOptions::default() };
     let mut job = Job::load(drawing(outlines), "grid.dxf", &load).unwrap();
     let machine = MachineChoice::Profile(Box::new(machine));
-    job.start(&PlanOptions { machine, seed: 1, warm, ..PlanOptions::default() }).unwrap();
+    job.start(&PlanOptions { machine, allow_off_bed: true, seed: 1, warm, ..PlanOptions::default() })
+        .unwrap();
     job
 }

@@ -25,6 +25,7 @@ export type Kind =
   | { number: Range }
   | { whole: Range }
   | { pair: Kind }
+  | { four: Kind }
   | { list: Kind }
   | { object: readonly Field[] }
   | { nameOr: Shape };
@@ -98,6 +99,9 @@ function checkValue(shape: Shape, path: string, { kind, nullable }: Pick<Field, 
   } else if ('pair' in kind) {
     if (!isList(value) || value.length !== 2) throw fail(`Give a list of two${orNull}.`);
     each(kind.pair, value);
+  } else if ('four' in kind) {
+    if (!isList(value) || value.length !== 4) throw fail(`Give a list of four${orNull}.`);
+    each(kind.four, value);
   } else if ('list' in kind) {
     if (!isList(value)) throw fail(`Give a list${orNull}.`);
     each(kind.list, value);

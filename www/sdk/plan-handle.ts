@@ -83,7 +83,7 @@ export class RunningPlan {
     if (this.ended) return;
     switch (message.type) {
       case 'started':
-        this.begin({ seed: message.seed, method: message.method, baselines: message.baselines, findings: message.findings, beam: message.beam, common: message.common });
+        this.begin({ seed: message.seed, method: message.method, baselines: message.baselines, findings: message.findings, beam: message.beam, common: message.common, shift: message.shift });
         return;
       case 'progress':
         this.keep(message.progress);

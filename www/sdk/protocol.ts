@@ -124,7 +124,7 @@ export type ToWorker =
 export type FromWorker =
   | { type: 'ready'; methods: MethodInfo[]; machines: MachineProfile[] }
   | { type: 'loaded'; id: number; loaded: Loaded }
-  | { type: 'started'; id: number; seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry | null }
+  | { type: 'started'; id: number; seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry | null; shift: [number, number] }
   | { type: 'progress'; id: number; progress: Progress }
   /** One of several searches has reached an exchange and waits for the others. */
   | { type: 'meeting'; id: number; progress: Progress }

@@ -27,7 +27,7 @@ mod pen;
 use super::cuts::cuts;
 use super::number::fixed;
 use crate::geometry::{Aabb, DVec2, Segment};
-use crate::machine::{Dialect, Process, Profile, far_out};
+use crate::machine::{Dialect, Process, Profile, Start, far_out};
 use crate::plan::{Move, Plan};
 use crate::sheet::Sheet;
 use pen::Pen;
@@ -55,23 +55,30 @@ pub enum OutputError {
     },
 }
 
-/// The program of a plan for a machine; `name` is the name of the job for the comment at its head. Coordinates are
-/// absolute, in mm, in the work coordinates active on the machine. The head may be anywhere at the start, because the
-/// program first moves it to the plan's home. The result is an error where the controller's 32-bit numbers are too
+/// The program of a plan for a machine; `name` is the name of the job for the comment at its head. Coordinates are in mm.
+/// With [`Start::Absolute`] they are those of the work coordinates active on the machine. The head may be anywhere at
+/// the start, because the program first moves it to the plan's home. With [`Start::Current`] every motion is given as
+/// seen from the one before (G91), so the job lies where the head stands when the program begins. The result is an error where the controller's 32-bit numbers are too
 /// coarse for the job.
-pub fn gcode(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> Result<String, OutputError> {
+pub fn gcode(
+    plan: &Plan,
+    sheet: &Sheet,
+    profile: &Profile,
+    name: &str,
+    start: Start,
+) -> Result<String, OutputError> {
     let [x0, y0, x1, y1] = plan.summary.bounds;
     let bounds = Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) };
     if let Some(far) = far_out(&bounds.with(profile.home())) {
         return Err(OutputError::FarFromOrigin { x: far.at.x, y: far.at.y, spacing: far.spacing });
     }
     Ok(match profile.dialect {
-        Dialect::GrblM4 => grbl(plan, sheet, profile, name),
+        Dialect::GrblM4 => grbl(plan, sheet, profile, name, start),
     })
 }
 
-fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
-    let mut pen = Pen::new(profile.home());
+fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str, start: Start) -> String {
+    let mut pen = Pen::new(profile.home(), start);
     head(&mut pen, plan, profile, name);
 
     // The move home is run with the laser switched off.
@@ -111,6 +118,9 @@ fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str) -> String {
     if let Some(home) = way_home {
         pen.rapid(home);
     }
+    if !start.is_absolute() {
+        pen.command("G90");
+    }
     pen.command("M2");
     pen.into_program()
 }
@@ -140,7 +150,7 @@ fn head(pen: &mut Pen, plan: &Plan, profile: &Profile, name: &str) {
     comment(pen, &format!("x {x0} to {x1}, y {y0} to {y1}"));
     comment(pen, "GRBL 1.1, laser mode on, setting 32 at 1");
     pen.off();
-    pen.command("G21 G90 G91.1 G17 G94");
+    pen.select_units();
     pen.command("M4 S0");
     pen.find_start();
 }

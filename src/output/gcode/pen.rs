@@ -14,6 +14,7 @@
 use super::super::number::fixed;
 use super::grbl_arc;
 use crate::geometry::{Arc, DVec2, Segment, arcs};
+use crate::machine::Start;
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
@@ -34,6 +35,8 @@ const CHORD_DEVIATION: f64 = 0.001;
 /// Writes the program and keeps track of the state in force.
 pub(super) struct Pen {
     program: String,
+    /// Whether places are written as they are, or as seen from the one before.
+    start: Start,
     /// Rounded position of the head, mm.
     at: DVec2,
     /// Feed for the next cuts, mm/min, and the F word in force.
@@ -46,10 +49,11 @@ pub(super) struct Pen {
 
 impl Pen {
     /// Starts at `home` with the beam off and an empty program.
-    pub(super) fn new(home: DVec2) -> Self {
+    pub(super) fn new(home: DVec2, start: Start) -> Self {
         let dark = || "0".to_owned();
         Self {
             program: String::new(),
+            start,
             at: rounded(home),
             feed: String::new(),
             feed_in_force: String::new(),
@@ -58,10 +62,23 @@ impl Pen {
         }
     }
 
-    /// Moves the head from wherever it is to the pen's position.
+    /// Selects mm, the kind of coordinates, the plane and the kind of feed.
+    pub(super) fn select_units(&mut self) {
+        let places = if self.start.is_absolute() { "G90" } else { "G91" };
+        self.command(&format!("G21 {places} G91.1 G17 G94"));
+    }
+
+    /// Moves the head from wherever it is to the pen's position, unless the job starts where the head stands.
     pub(super) fn find_start(&mut self) {
-        let line = format!("G0{}", XyWords(self.at));
-        self.command(&line);
+        if self.start.is_absolute() {
+            let line = format!("G0{}", XyWords(self.at));
+            self.command(&line);
+        }
+    }
+
+    /// The X and Y words of the next place. Differences of rounded places are as exact as the places, so nothing adds up.
+    fn words(&self, to: DVec2) -> XyWords {
+        XyWords(if self.start.is_absolute() { to } else { to - self.at })
     }
 
     /// The whole program, one command per line.
@@ -92,7 +109,7 @@ impl Pen {
         let to = rounded(to);
         let mut line = String::new();
         if !same(self.at, to) {
-            let _ = write!(line, "G0{}", XyWords(to));
+            let _ = write!(line, "G0{}", self.words(to));
         }
         if self.power_in_force != "0" {
             line.push_str(if line.is_empty() { "S0" } else { " S0" });
@@ -139,7 +156,7 @@ impl Pen {
 
     fn straight(&mut self, to: DVec2) {
         if !same(self.at, to) {
-            self.motion(format!("G1{}", XyWords(to)), to);
+            self.motion(format!("G1{}", self.words(to)), to);
         }
     }
 
@@ -156,7 +173,7 @@ impl Pen {
         }
         let word = if arc.ccw() { "G3" } else { "G2" };
         let (i, j) = (fixed(offset.x, CENTER_DECIMALS), fixed(offset.y, CENTER_DECIMALS));
-        self.motion(format!("{word}{} I{i} J{j}", XyWords(to)), to);
+        self.motion(format!("{word}{} I{i} J{j}", self.words(to)), to);
     }
 
     /// Writes a motion with the beam on, with the feed and power words it needs.

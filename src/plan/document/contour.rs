@@ -1,7 +1,7 @@
 //! The contours of a plan document.
 
 use super::moves::{Element, place, segments};
-use crate::geometry::{DVec2, Path, Segment};
+use crate::geometry::{Affine, DVec2, Path, Segment};
 use crate::machine::Profile;
 use crate::sheet::{Operation, Sheet};
 use serde::{Deserialize, Serialize};
@@ -53,7 +53,11 @@ impl Contour {
 }
 
 impl Outline {
-    fn of(path: &Path) -> Option<Self> {
+    /// The outline, moved by `shift` mm.
+    fn of(path: &Path, shift: DVec2) -> Option<Self> {
+        if shift != DVec2::ZERO {
+            return Self::of(&Affine::translation(shift).path(path, 0.0), DVec2::ZERO);
+        }
         Some(Self { from: place(path.start()?), path: Element::all(&path.segments) })
     }
 
@@ -63,8 +67,8 @@ impl Outline {
     }
 }
 
-/// The contours of a sheet as a machine works them.
-pub fn contours(sheet: &Sheet, machine: &Profile) -> Vec<Contour> {
+/// The contours of a sheet as a machine works them; `shift` moves what is drawn to where it lies on the machine, mm.
+pub fn contours(sheet: &Sheet, machine: &Profile, shift: DVec2) -> Vec<Contour> {
     // Contours of a pierce group are cut stretch by stretch, in any order.
     let mut in_group = vec![false; sheet.contours.len()];
     for id in sheet.cut_as_one(machine.makes_pre_cuts()).iter().flat_map(|group| &group.contours) {
@@ -80,7 +84,10 @@ pub fn contours(sheet: &Sheet, machine: &Profile) -> Vec<Contour> {
         inside: c.inside,
         length: c.length,
         area: c.area,
-        drawn: c.part_outline().or_else(|| c.boundary().filter(|_| in_group)).and_then(Outline::of),
+        drawn: c
+            .part_outline()
+            .or_else(|| c.boundary().filter(|_| in_group))
+            .and_then(|path| Outline::of(path, shift)),
     };
     (0..).zip(sheet.contours.iter().zip(in_group)).map(contour).collect()
 }

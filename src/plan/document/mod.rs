@@ -15,6 +15,6 @@ mod moves;
 mod strokes;
 
 pub use contour::{Contour, Outline, contours};
-pub use model::{Budget, Document, Input, LayerOperation, Options, SCHEMA};
+pub use model::{Budget, Document, Input, LayerOperation, Options, Placement, SCHEMA};
 pub use moves::{Contours, Element, Move};
 pub use strokes::{Stroke, strokes};

@@ -5,7 +5,7 @@ use super::contour::Contour;
 use super::moves::Move;
 use crate::drawing::{ReadOptions, Unit, UnitsSource};
 use crate::finding::Finding;
-use crate::machine::Profile;
+use crate::machine::{Profile, Start};
 use crate::sheet::{CommonCuts, Operation, SheetOptions};
 use serde::{Deserialize, Serialize};
 
@@ -35,6 +35,9 @@ pub struct Document {
     pub machine: Profile,
     /// How the drawing was read and arranged.
     pub options: Options,
+    /// Where the job lies on the bed; `None`: where it was drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub placement: Option<Placement>,
     /// What the plan adds up to.
     pub summary: Summary,
     /// The contours of the sheet, each at the index that is its id.
@@ -73,11 +76,23 @@ pub struct Input {
     pub units_source: UnitsSource,
 }
 
+/// Where the job lies on the bed. Every coordinate of the document is that of the machine, shifted already.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Placement {
+    /// From the coordinates of the drawing, after its turn, to those of the machine, mm.
+    pub shift: [f64; 2],
+    /// What the coordinates of a program mean.
+    pub start: Start,
+}
+
 /// How the drawing was read and arranged.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Options {
     /// Unit given by a person; `None`: taken from the file.
     pub units: Option<Unit>,
+    /// Degrees by which the drawing was turned around its origin, counter-clockwise.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub turn: u32,
     /// Largest distance between a spline or ellipse and its lines and arcs, mm.
     pub tolerance: f64,
     /// Whether entities that were read through a break in the file were kept.
@@ -114,6 +129,11 @@ pub struct LayerOperation {
     pub operation: Operation,
 }
 
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
+fn is_zero(turn: &u32) -> bool {
+    *turn == 0
+}
+
 impl Document {
     /// Reads a plan document.
     ///
@@ -139,6 +159,7 @@ impl Options {
         };
         Self {
             units: read.unit,
+            turn: 90 * u32::from(read.quarter_turns),
             tolerance: read.tolerance,
             keep_damaged: read.keep_damaged,
             join_tolerance: arrange.join_tolerance,

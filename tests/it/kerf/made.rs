@@ -21,7 +21,7 @@ pub(crate) fn thick(kerf_width: f64) -> Profile {
 pub(crate) fn started(bytes: Vec<u8>, machine: Profile) -> Job {
     let mut job = Job::load(bytes, "kerf.dxf", &LoadOptions::default()).unwrap();
     let machine = MachineChoice::Profile(Box::new(machine));
-    job.start(&PlanOptions { machine, seed: 1, ..PlanOptions::default() }).unwrap();
+    job.start(&PlanOptions { machine, allow_off_bed: true, seed: 1, ..PlanOptions::default() }).unwrap();
     job.run_mut().unwrap().step(2_000);
     // Checked.
     job.plan().unwrap();

@@ -1,8 +1,9 @@
 /** Parses the arguments of a command. Wrong usage is refused with a sentence that says what would be right. */
 
 import { parseArgs } from 'node:util';
-import type { LoadOptions, Operation } from '../protocol.js';
-import { COMMON_CUTS, OPERATIONS, optionsOf, UNITS } from './commands.js';
+import { ANCHORS, pointOf } from '../anchors.js';
+import type { LoadOptions, MachineProfile, Operation, Place, PlanOptions } from '../protocol.js';
+import { COMMON_CUTS, OPERATIONS, optionsOf, STARTS, TURNS, UNITS } from './commands.js';
 import { WrongUse } from './io.js';
 
 type Values = Record<string, string | boolean | string[] | undefined>;
@@ -47,6 +48,8 @@ export function loadOptions(values: Values): LoadOptions {
   if (units !== undefined) options.units = oneOf('--units', units, UNITS);
   const layers = (values['layer'] as string[] | undefined) ?? [];
   if (layers.length > 0) options.layers = layers.map(layerChoice);
+  const turn = text(values, 'turn');
+  if (turn !== undefined) options.turn = Number(oneOf('--turn', turn, TURNS));
   if (values['order-by-layer'] === true) options.orderByLayer = true;
   if (values['part-by-part'] === true) options.partByPart = true;
   const common = text(values, 'common-cuts');
@@ -56,6 +59,35 @@ export function loadOptions(values: Values): LoadOptions {
     if (contours.length > 0) options[list] = contours.map((word) => wholeNumber(list, word));
   }
   return options;
+}
+
+/** Where the job lies on the bed. */
+export function placingOptions(values: Values, machine: MachineProfile): PlanOptions {
+  const options: PlanOptions = {};
+  const place = text(values, 'place');
+  if (place !== undefined) options.place = placeOf(place, machine);
+  const start = text(values, 'start');
+  if (start !== undefined) options.start = oneOf('--start', start, STARTS);
+  if (values['allow-off-bed'] === true) options.allowOffBed = true;
+  return options;
+}
+
+/** `POINT@PLACE`: each is a named point or coordinates. */
+function placeOf(word: string, { name, bed }: MachineProfile): Place {
+  const [from = '', to = '', ...rest] = word.split('@');
+  const wrong = () => new WrongUse(`--place ${word}: write POINT@PLACE, for example lower-left@10,10. Points are ${ANCHORS.join(', ')}, or X,Y in mm.`);
+  const [source, target] = [pointNamed(from), pointNamed(to)];
+  if (source === null || target === null || rest.length > 0) throw wrong();
+  if (typeof target === 'string' && !bed) throw new WrongUse(`--place ${word}: the machine ${name} has no bed. Give the place as X,Y in mm.`);
+  const at = typeof target === 'string' ? pointOf(target, bed as [number, number, number, number]) : target;
+  return typeof source === 'string' ? { point: source, at } : { from: source, at };
+}
+
+function pointNamed(word: string): (typeof ANCHORS)[number] | [number, number] | null {
+  const anchor = ANCHORS.find((a) => a === word);
+  if (anchor !== undefined) return anchor;
+  const numbers = word.split(',').map((n) => (n.trim() === '' ? NaN : Number(n)));
+  return numbers.length === 2 && numbers.every(Number.isFinite) ? [numbers[0]!, numbers[1]!] : null;
 }
 
 function layerChoice(word: string): { name: string; operation: Operation } {

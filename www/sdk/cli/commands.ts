@@ -2,12 +2,15 @@
  * The table of all commands and their options. Parsing of arguments, help texts and shell completion use it.
  */
 
+import { ANCHORS } from '../anchors.js';
 import type { CommonCuts, Operation, Unit } from '../protocol.js';
 
 /** How contours with common cuts are cut. */
 export const COMMON_CUTS: readonly CommonCuts[] = ['best', 'insertion', 'off'];
 export const UNITS: readonly Unit[] = ['mm', 'cm', 'dm', 'm', 'um', 'in', 'ft', 'yd', 'mil', 'microinch'];
 export const OPERATIONS: readonly Operation[] = ['cut', 'mark', 'ignore'];
+export const TURNS = ['0', '90', '180', '270'] as const;
+export const STARTS = ['absolute', 'current'] as const;
 export const SHELLS = ['bash', 'zsh', 'fish'] as const;
 
 /** The completions of a value: a list, or the names that the planner knows. */
@@ -40,6 +43,7 @@ export interface Command {
 
 const READING: Options = {
   units: { value: 'UNIT', about: 'the unit, if the file does not state it or states a wrong one', choices: UNITS },
+  turn: { value: 'DEGREES', about: 'turn the drawing around its origin, counter-clockwise', choices: TURNS },
   layer: { value: `NAME=${OPERATIONS.join('|')}`, about: 'the operation of a layer', repeat: true },
   'order-by-layer': { about: 'process one layer after the other, in the order of --layer' },
   'part-by-part': { about: 'finish each part, with everything in its holes, before the next' },
@@ -58,6 +62,15 @@ const PLANNING: Options = {
   workers: { value: 'N', about: 'parallel searches that share the best path (default 1)' },
   seed: { value: 'N', about: 'the seed of all random choices' },
   'no-return': { about: 'stay at the end of the last cut instead of returning home' },
+};
+
+const PLACING: Options = {
+  place: {
+    value: 'POINT@PLACE', about: `put a point of the job (${ANCHORS[0]}, center, ... or X,Y in the drawing) at a place of the bed (X,Y or one of its points)`,
+    choices: ANCHORS.map((point) => `${point}@`),
+  },
+  start: { value: STARTS.join('|'), about: 'machine coordinates (the default), or as seen from where the head stands', choices: STARTS },
+  'allow-off-bed': { about: "write a program although it reaches beyond the machine's bed" },
 };
 
 const MESSAGES: Options = { quiet: { about: 'print no report and no progress, only warnings and errors' } };
@@ -82,12 +95,14 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
         dxf: { value: 'OUT', about: 'contours in cutting order' },
         png: { value: 'OUT', about: 'a picture in pixels' },
       },
+      'Where on the bed': PLACING,
       'How to plan': PLANNING,
       'How to read': READING,
       'When': WATCHING, 'Messages': MESSAGES,
     },
     examples: [
       ['kerfway plan plate.dxf --gcode plate.nc', 'G-code after ten seconds of search'],
+      ['kerfway plan plate.dxf --place lower-left@10,10 --turn 90 --gcode plate.nc', 'turned, and 10 mm from the corner of the bed'],
       ["kerfway plan a.dxf 'orders/**/*.dxf' --gcode out/ --seconds 5", 'one file of G-code for each drawing'],
       ['kerfway plan plate.dxf --moves 1000000 --seed 7 --json -', 'the same bytes everywhere'],
       ['kerfway plan plate.dxf --svg plate.svg --watch', 'a picture that follows the drawing'],

@@ -64,6 +64,7 @@ function lines(file: string, loaded: Loaded, result: PlanResult, { machine, work
   if (s.gap !== null) {
     text.push(`Optimum    ${s.gap <= PROVEN ? 'this path is proven optimal' : `at least ${duration(s.lower_bound)}: this path takes at most ${percent(s.gap)} longer`}`);
   }
+  for (const { message } of result.findings.filter((f) => f.code === 'off-bed')) text.push(`Bed        ${message}`);
   if (findings > 0) text.push(`Findings   ${findings}: kerfway inspect ${file} lists them`);
   return text;
 }

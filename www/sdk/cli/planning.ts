@@ -5,7 +5,7 @@ import { budgeted, type DefaultBudget } from '../functions.js';
 import { checkMachine, checkOptions } from '../options.js';
 import { createPlanner, type Planner, type PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, PlanOptions } from '../protocol.js';
-import { loadOptions, oneOf, parameters, seconds, text, whole, type Words } from './arguments.js';
+import { loadOptions, oneOf, parameters, placingOptions, seconds, text, whole, type Words } from './arguments.js';
 import { eachFile, type Requested, type Outlet, type Place } from './batch.js';
 import { bytesOf, Unusable, usable, WrongUse } from './io.js';
 import { progressLine } from './progress.js';
@@ -60,7 +60,7 @@ async function choices({ values }: Words, planner: Planner): Promise<PlanOptions
   }
   const machine = await machineOf(text(values, 'machine') ?? DEFAULT_MACHINE, planner);
   options.machine = values['no-return'] === true ? { ...machine, return_home: false } : machine;
-  return options;
+  return { ...options, ...placingOptions(values, machine) };
 }
 
 /** The file with the machine profile; `null` for a preset. */

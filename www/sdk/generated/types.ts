@@ -40,7 +40,7 @@ export interface EntityKindCount {
 export type Severity = "info" | "warning" | "error";
 
 /** The kind of a finding. Written in kebab case in JSON (`unsupported-entity`). Later versions may add codes. */
-export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "far-from-origin" | "not-all-checked" | "more";
+export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "far-from-origin" | "off-bed" | "not-all-checked" | "more";
 
 /** One finding. */
 export interface Finding {
@@ -96,6 +96,12 @@ export interface Part {
   inside: number | null,
 }
 
+/** One of nine points of a box: its corners, the middles of its sides, its centre. */
+export type Anchor = "lower-left" | "lower-center" | "lower-right" | "center-left" | "center" | "center-right" | "upper-left" | "upper-center" | "upper-right";
+
+/** What the coordinates of a program mean. */
+export type Start = "absolute" | "current";
+
 /** How the axes move on an air move. */
 export type Travel = "straight" | "vector" | "per-axis";
 
@@ -138,6 +144,11 @@ export interface MachineProfile {
   title: string,
   /** Position of the head before the first move, mm. */
   home: [number, number],
+  /**
+   * What the head can reach, in machine coordinates: xmin, ymin, xmax, ymax in mm; `null` if it is not known. A program
+   * that reaches beyond it is not written.
+   */
+  bed?: [number, number, number, number] | null,
   /** Whether the head returns home at the end. */
   return_home: boolean,
   /** How air moves are run. */
@@ -197,6 +208,8 @@ export interface LoadOptions {
   tolerance: number,
   /** Whether entities are kept that were read across a defect in the file. Default false. */
   keepDamaged: boolean,
+  /** By how many degrees the drawing is turned around its origin, counter-clockwise: 0, 90, 180 or 270. Default 0. */
+  turn: number,
   /** Largest distance between ends that are joined, mm. Default 0.05. */
   joinTolerance: number,
   /** The operation of each layer, by name. The order of the list is the order by layer. */
@@ -235,10 +248,26 @@ export interface Budget {
   moves?: number,
 }
 
+/** A point of the job and the point of the bed that it comes to lie on. */
+export interface Place {
+  /** A point of the box around everything that is cut or marked, as drawn. Default `lower-left`. */
+  point?: Anchor,
+  /** A point of the drawing instead, mm. */
+  from?: [number, number],
+  /** Where it comes to lie, in machine coordinates, or as seen from where the head stands, mm. */
+  at: [number, number],
+}
+
 /** How a loaded drawing is planned. */
 export interface StartOptions {
   /** The name of a preset, or a profile. Default `co2-100w`. */
   machine: MachineChoice,
+  /** Where the job lies on the bed. Default: as drawn. */
+  place?: Place,
+  /** Whether the program is in machine coordinates, or starts where the head stands. Default `absolute`. */
+  start: Start,
+  /** Whether a program is written that reaches beyond the bed. Default false. */
+  allowOffBed: boolean,
   /** Name of a method. Default: the first of `methods`. */
   method?: string,
   /** Parameters of a published method, as a JSON object with the values that differ from its defaults. */

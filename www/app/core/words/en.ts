@@ -47,6 +47,7 @@ const findingTitles: Record<FindingCode, string> = {
   'contour-excluded': 'Skipped contours',
   'layer-unknown': 'Layers that are not in the drawing',
   'far-from-origin': 'Too far from the origin',
+  'off-bed': 'Not on the bed',
   'not-all-checked': 'Incomplete checks',
   more: 'Further findings, not listed',
 };
