@@ -14,6 +14,7 @@ import { dock } from './panels/dock.js';
 import { drawingPanel } from './panels/drawing.js';
 import { helpDialog } from './panels/help.js';
 import { machinePanel } from './panels/machine.js';
+import { placementPanel } from './panels/placement.js';
 import { planPanel } from './panels/plan.js';
 import { questionCard } from './panels/question.js';
 import { quotePanel } from './panels/quote.js';
@@ -23,6 +24,7 @@ import { topBar } from './panels/topbar.js';
 import { playbackBar } from './playback/bar.js';
 import { Playback } from './playback/playback.js';
 import { read as readAddress } from './session/address.js';
+import { bedAround } from './session/placing.js';
 import { Preview } from './session/preview.js';
 import { fetchSample, SAMPLES } from './session/samples.js';
 import { Session } from './session/session.js';
@@ -69,14 +71,15 @@ export async function startPage(): Promise<void> {
     drawing.open = true;
     drawing.findings.reveal(finding);
   };
-  const pointer = new Pointer(canvas, scene, session, playback, selection, notices, showInList);
+  const placement = placementPanel(session, { drag: (on) => pointer.dragJob(on), showBed: () => showBed(session, viewport) });
+  const pointer: Pointer = new Pointer(canvas, scene, session, playback, selection, notices, showInList, (on) => placement.setDragging(on));
   bindKeyboard({ session, playback, viewport, files, layout, pointer, selection, help, flip: tools.flip });
   new JobView({ session, scene, playback, announcer, notices, selection, showCommon: tools.common });
   preview.on('comparison', (comparison) => scene.highlight({ marks: comparison?.marks ?? [] }));
 
   element('top').append(...top.nodes);
   element('sections').append(
-    drawing, machinePanel(session, notify, () => pointer.chooseHome()), planPanel(session),
+    drawing, machinePanel(session, notify, () => pointer.chooseHome()), placement, planPanel(session),
     resultPanel(session, theme, (kind) => void files.download(kind)), quotePanel(session, notify));
   element('dock').append(dock(session, { open: () => files.choose(), gcode: () => void files.download('gcode'), sheet: () => layout.toggleSheet() }));
   element('playback').append(...playbackBar(playback));
@@ -91,4 +94,10 @@ export async function startPage(): Promise<void> {
   showTheme();
 
   await files.openSample(first, sampleBytes);
+}
+
+/** Shows the whole bed and the job. */
+function showBed({ state: { placing, machine, loaded, extent } }: Session, viewport: Viewport): void {
+  const bed = bedAround(placing, machine, loaded);
+  if (bed) viewport.show([Math.min(bed[0], extent[0]), Math.min(bed[1], extent[1]), Math.max(bed[2], extent[2]), Math.max(bed[3], extent[3])]);
 }

@@ -18,6 +18,8 @@ export interface Started {
   beam: Beam | null;
   /** The common cuts: stretches of contours that are cut once for two parts. Null when they were not searched for. */
   common: Geometry | null;
+  /** The placement: from the coordinates of the drawing, in which geometry and paths are given, to those of the machine, mm. Outputs are in machine coordinates. */
+  shift: [number, number];
 }
 
 /** The result of a plan; `progress.path` is always set. */

@@ -7,5 +7,6 @@ export type { Bytes, InspectOptions, JobOptions, PlanJobOptions, PlanningOptions
 export type { Pool, PoolOptions } from './pool.js';
 export type * from './protocol.js';
 export type { Material, Quote } from './quote.js';
+export { ANCHORS, pointOf } from './anchors.js';
 export { activeContours } from './contours.js';
 export { tooLarge } from './size.js';

@@ -7,6 +7,7 @@ import { words } from '../core/words/index.js';
 import { headline } from '../panels/dock.js';
 import type { Playback } from '../playback/playback.js';
 import { Timeline } from '../playback/timeline.js';
+import { bedAround, fitsBed, homeAround } from '../session/placing.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import type { Travel } from '../stage/raster-messages.js';
@@ -54,10 +55,11 @@ export class JobView {
     scene.setDrawing(null, state.extent, false);
   }
 
-  private showProgress({ progress, path, machine, insights }: State): void {
+  private showProgress(state: State): void {
+    const { progress, path, machine, insights } = state;
     const { scene, playback, announcer, selection } = this.parts;
     if (!progress?.path || !path || !machine || !scene.shapes) return;
-    const travel = travelOf(machine);
+    const travel = travelOf(machine, state);
     scene.highlight({ partitions: insights.now?.partitions ?? null });
     scene.setPath(path, travel);
     playback.setTimeline(new Timeline(path, progress.summary.total_time, scene.shapes, scene.lengths, travel, machine.pierce_time + machine.beam_on_delay));
@@ -72,12 +74,13 @@ export class JobView {
     notices.showFailure(state);
     if (state.phase === 'done' || state.phase === 'paused') announcer.say(headline(state));
     this.parts.showCommon((state.common?.offsets.length ?? 0) > 1);
+    scene.setBed(bedAround(state.placing, state.machine, state.loaded), state.loaded === null || fitsBed(state.placing, state.machine, state.loaded));
     if (!scene.shapes) return;
     scene.setPrepared(state);
     if (state.progress !== null) return;
     playback.setTimeline(null);
     scene.highlight({ partitions: null });
-    if (state.machine) scene.setPath(null, travelOf(state.machine));
+    if (state.machine) scene.setPath(null, travelOf(state.machine, state));
   }
 
   /** Writes the settings to the address if they differ: every write goes to another process of the browser and takes milliseconds. */
@@ -88,6 +91,6 @@ export class JobView {
   }
 }
 
-function travelOf(machine: MachineProfile): Travel {
-  return { home: machine.home, returnHome: machine.return_home, perAxis: machine.travel === 'per-axis' ? machine.rapid.speed : null };
+function travelOf(machine: MachineProfile, { placing, loaded }: State): Travel {
+  return { home: homeAround(placing, machine, loaded), returnHome: machine.return_home, perAxis: machine.travel === 'per-axis' ? machine.rapid.speed : null };
 }

@@ -45,7 +45,7 @@ export function bindKeyboard({ session, playback, viewport, files, layout, point
     'Ctrl+z': () => session.undo(), 'Ctrl+Shift+z': redo, 'Ctrl+y': redo,
     '?': () => help.showModal(),
     Escape: () => {
-      if (!pointer.cancelHome()) selection.clear();
+      if (!pointer.cancelHome() && !pointer.dragJob(false)) selection.clear();
     },
   });
 }

@@ -4,6 +4,7 @@ import type { Finding } from 'kerfway';
 import { words } from '../core/words/index.js';
 import { describe, Tooltip } from '../panels/contour.js';
 import type { Playback } from '../playback/playback.js';
+import { bedAround, dragged, fitsBed, hundredths, shiftOf } from '../session/placing.js';
 import type { Session } from '../session/session.js';
 import { attachGestures } from '../stage/gestures.js';
 import type { Scene } from '../stage/scene.js';
@@ -19,12 +20,17 @@ export class Pointer {
   readonly tooltip = new Tooltip();
   /** The next click on the sheet chooses the start of the job. */
   private choosingHome = false;
+  /** Dragging moves the job on the bed instead of the view; by how much it has moved since the last drop, mm. */
+  private dragged: { x: number; y: number } | null = null;
 
   constructor(
     private readonly canvas: HTMLCanvasElement, private readonly scene: Scene, private readonly session: Session, private readonly playback: Playback,
     private readonly selection: Selection, private readonly notices: Notices, private readonly onFinding: (finding: Finding) => void,
+    private readonly onDragging: (on: boolean) => void,
   ) {
-    attachGestures(canvas, scene.viewport, { hover: (at) => this.hover(at), click: (x, y, by) => this.click(x, y, by) });
+    attachGestures(canvas, scene.viewport, {
+      hover: (at) => this.hover(at), click: (x, y, by) => this.click(x, y, by), drag: (dx, dy) => this.drag(dx, dy), drop: () => this.drop(),
+    });
   }
 
   /** Lets the next click on the sheet choose the start of the job. */
@@ -39,6 +45,38 @@ export class Pointer {
     this.setChoosing(false);
     this.notices.hide();
     return true;
+  }
+
+  /** Lets dragging move the job on the bed, or ends it. Returns whether it was going on. */
+  dragJob(on: boolean): boolean {
+    const before = this.dragged !== null;
+    this.dragged = on ? { x: 0, y: 0 } : null;
+    this.canvas.classList.toggle('moving', on);
+    this.onDragging(on);
+    if (on) this.notices.show(words.placement.dragging);
+    else if (before) this.notices.hide();
+    return before;
+  }
+
+  // The job follows the pointer, and the bed stays: the view moves with the job, and the bed moves back on it.
+  private drag(dx: number, dy: number): boolean {
+    const { dragged: sum, scene, session: { state: { placing, machine, loaded } } } = this;
+    if (sum === null || !loaded) return false;
+    scene.viewport.pan(dx, dy);
+    sum.x += dx / scene.viewport.scale;
+    sum.y -= dy / scene.viewport.scale;
+    const moved = { ...placing, place: dragged(placing, loaded, sum.x, sum.y) };
+    scene.setBed(bedAround(moved, machine, loaded), fitsBed(moved, machine, loaded));
+    return true;
+  }
+
+  private drop(): void {
+    const { dragged: sum, session } = this;
+    const { placing, loaded } = session.state;
+    if (sum === null || !loaded || (sum.x === 0 && sum.y === 0)) return;
+    const place = dragged(placing, loaded, sum.x, sum.y);
+    [sum.x, sum.y] = [0, 0];
+    session.setPlacing({ place });
   }
 
   private setChoosing(on: boolean): void {
@@ -67,8 +105,8 @@ export class Pointer {
   private setHome(x: number, y: number): void {
     this.cancelHome();
     const { viewport } = this.scene;
-    const { machine } = this.session.state;
-    const hundredths = (mm: number) => Math.round(mm * 100) / 100;
-    if (machine) this.session.setMachine({ ...machine, home: [hundredths(viewport.worldX(x)), hundredths(viewport.worldY(y))] });
+    const { machine, placing, loaded } = this.session.state;
+    const [dx, dy] = shiftOf(placing, loaded);
+    if (machine) this.session.setMachine({ ...machine, home: [hundredths(viewport.worldX(x) + dx), hundredths(viewport.worldY(y) + dy)] });
   }
 }

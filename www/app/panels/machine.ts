@@ -29,6 +29,11 @@ const PAUSE = { angle: 70 * DEGREE, time: 1 };
 /** The widest kerf that a profile allows, mm. */
 const WIDEST_KERF = 10;
 
+/** The bed that a side is typed into when the machine has none, mm. */
+const BED: [number, number, number, number] = [0, 0, 600, 400];
+
+const withSide = (bed: [number, number, number, number], side: number, value: number) => bed.map((v, i) => (i === side ? value : v)) as [number, number, number, number];
+
 const degrees = (angle: number | undefined) => (angle === undefined ? null : Math.round((angle / DEGREE) * 1e6) / 1e6);
 
 const QUANTITIES: readonly Quantity[] = [
@@ -52,6 +57,8 @@ const QUANTITIES: readonly Quantity[] = [
   { label: words.machine.beamOff, unit: 's', least: 0, get: (m) => m.beam_off_delay, set: (m, v) => (m.beam_off_delay = v) },
   { label: words.machine.homeX, unit: 'mm', least: -1e6, get: (m) => m.home[0], set: (m, v) => (m.home[0] = v) },
   { label: words.machine.homeY, unit: 'mm', least: -1e6, get: (m) => m.home[1], set: (m, v) => (m.home[1] = v) },
+  ...[words.machine.bedX0, words.machine.bedY0, words.machine.bedX1, words.machine.bedY1].map((label, i): Quantity => (
+    { label, unit: 'mm', least: -1e6, none: words.machine.noBed, get: (m) => m.bed?.[i] ?? null, set: (m, v) => (m.bed = withSide(m.bed ?? BED, i, v)) })),
   { label: words.machine.fullPower, unit: '', least: 1, get: (m) => m.max_s, set: (m, v) => (m.max_s = v) },
 ];
 

@@ -3,7 +3,8 @@
  * Default values are omitted; values that cannot be understood are ignored.
  */
 
-import type { CommonCuts, LoadOptions, Unit } from 'kerfway';
+import { ANCHORS, type CommonCuts, type LoadOptions, type Place, type Unit } from 'kerfway';
+import { AS_DRAWN, type Placing } from './placing.js';
 import type { State } from './state.js';
 
 export interface Shared {
@@ -12,10 +13,11 @@ export interface Shared {
   seed: number | null;
   seconds: number | null;
   load: LoadOptions;
+  placing: Placing;
 }
 
 /** The settings of a state, as the part of an address after `#`. */
-export function written({ machine, search, load }: State, defaults: { machine: string; method: string; seconds: number }): string {
+export function written({ machine, search, load, placing }: State, defaults: { machine: string; method: string; seconds: number }): string {
   const words = new URLSearchParams();
   const put = (name: string, value: string | number | boolean | null | undefined, usual?: unknown) => {
     if (value !== null && value !== undefined && value !== false && value !== usual) words.set(name, value === true ? '1' : String(value));
@@ -29,6 +31,9 @@ export function written({ machine, search, load }: State, defaults: { machine: s
   put('by-layer', load.orderByLayer);
   put('part-by-part', load.partByPart);
   put('common-cuts', load.commonCuts, 'best');
+  put('turn', load.turn, 0);
+  if (placing.place) put('place', `${placing.place.point ?? 'lower-left'}@${placing.place.at.join(',')}`);
+  put('start', placing.start, 'absolute');
   return words.toString();
 }
 
@@ -48,11 +53,22 @@ export function read(hash: string): Shared {
   if (words.get('part-by-part') === '1') load.partByPart = true;
   const common = COMMON_CUTS.find((c) => c === words.get('common-cuts'));
   if (common !== undefined) load.commonCuts = common;
+  const turn = number('turn', 270);
+  if (turn !== null && turn > 0 && turn % 90 === 0) load.turn = turn;
+  const placing: Placing = { ...AS_DRAWN, place: placeOf(words.get('place') ?? ''), start: words.get('start') === 'current' ? 'current' : 'absolute' };
   const seed = number('seed', 4294967295);
   return {
-    machine: words.get('machine'), method: words.get('method'), load,
+    machine: words.get('machine'), method: words.get('method'), load, placing,
     seed: seed !== null && Number.isInteger(seed) ? seed : null, seconds: number('seconds', 3600) || null,
   };
+}
+
+/** `POINT@X,Y`; null for anything else. */
+function placeOf(word: string): Place | null {
+  const [from, to = ''] = word.split('@');
+  const point = ANCHORS.find((a) => a === from);
+  const [x = NaN, y = NaN] = to.split(',').map(Number);
+  return point !== undefined && Math.abs(x) <= 1e6 && Math.abs(y) <= 1e6 ? { point, at: [x, y] } : null;
 }
 
 const COMMON_CUTS: readonly CommonCuts[] = ['best', 'insertion', 'off'];

@@ -4,12 +4,14 @@
  */
 
 import type { LoadOptions, MachineProfile } from 'kerfway';
+import type { Placing } from './placing.js';
 import type { Search } from './state.js';
 
 export interface Choices {
   load: LoadOptions;
   machine: MachineProfile | null;
   search: Search;
+  placing: Placing;
 }
 
 /** Milliseconds within which successive keystrokes count as one choice. */

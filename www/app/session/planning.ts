@@ -24,7 +24,7 @@ export class Planning {
 
   /** Plans the drawing from the start. */
   start(): void {
-    const { loaded, machine, search: { method, parameters, seed, seconds } } = this.store.state;
+    const { loaded, machine, search: { method, parameters, seed, seconds }, placing } = this.store.state;
     const { planner, papers } = this.catalog;
     if (!loaded || !machine || !planner) return;
     const isLatest = this.cancel();
@@ -34,7 +34,8 @@ export class Planning {
     }
     // A method from a paper works alone and has parameters.
     const fromPaper = papers.some((m) => m.name === method);
-    const options = { machine, method, seconds, ...(fromPaper ? { parameters } : { workers: WORKERS }), ...(seed === null ? {} : { seed }) };
+    const { place, start, allowOffBed } = placing;
+    const options = { machine, start, allowOffBed, ...(place === null ? {} : { place }), method, seconds, ...(fromPaper ? { parameters } : { workers: WORKERS }), ...(seed === null ? {} : { seed }) };
     const run = planner.plan(options, (progress) => isLatest() && this.store.planProgressed(progress));
     this.store.planningStarted(seconds);
     this.follow(run, isLatest);

@@ -8,6 +8,7 @@ import { type Shared, written } from './address.js';
 import { Catalog } from './catalog.js';
 import { Drawing, type Source } from './drawing.js';
 import { type Choices, History } from './history.js';
+import type { Placing } from './placing.js';
 import { Planning } from './planning.js';
 import { initialState, type Search, type State } from './state.js';
 import { Store } from './store.js';
@@ -58,6 +59,13 @@ export class Session {
     this.planning.restart(typed);
   }
 
+  /** `typed`: the change is one of many keystrokes. */
+  setPlacing(placing: Partial<Placing>, typed = false): void {
+    this.record(typed);
+    this.store.choose({ placing: { ...this.state.placing, ...placing } });
+    this.planning.restart(typed);
+  }
+
   undo(): void {
     this.restore(this.history.undo(this.choices()));
   }
@@ -83,8 +91,8 @@ export class Session {
   }
 
   private choices(): Choices {
-    const { load, machine, search } = this.state;
-    return { load, machine, search };
+    const { load, machine, search, placing } = this.state;
+    return { load, machine, search, placing };
   }
 
   private record(typed = false): void {
@@ -101,12 +109,13 @@ export class Session {
 
   /** Takes over the shared settings as far as the planner knows their names. */
   private applyShared({ methods }: Planner): void {
-    const { machine, method, seed, seconds } = this.shared;
+    const { machine, method, seed, seconds, placing } = this.shared;
     const { catalog, state: { search } } = this;
     const named = (name: string | null) => catalog.machines.find((m) => m.name === name);
     const known = methods.find((m) => m.name === method) ?? methods[0];
     this.store.choose({
       machine: named(machine) ?? named(DEFAULT_MACHINE) ?? null,
+      placing,
       search: { ...search, method: known?.name ?? '', seed, seconds: seconds ?? search.seconds },
     });
     if (method !== null && method !== known?.name) void this.applySharedPaper(method);

@@ -2,6 +2,7 @@
 
 import type { Box } from './extent.js';
 import { type Insights, noInsights } from './insights.js';
+import { AS_DRAWN, type Placing } from './placing.js';
 import type { Baselines, Beam, BestPath, DoneReason, Finding, Geometry, LoadOptions, Loaded, MachineProfile, Progress } from 'kerfway';
 
 /**
@@ -58,6 +59,7 @@ export interface State extends PlanState {
   readonly question: Question | null;
   readonly machine: MachineProfile | null;
   readonly search: Search;
+  readonly placing: Placing;
   /** Time budget of the current search, s; it grows with "keep improving". */
   readonly budget: number;
   /** One sentence: why the file cannot be used, or why it cannot be planned. */
@@ -74,6 +76,6 @@ export function noPlan(): PlanState {
 export function initialState(): State {
   return {
     phase: 'starting', name: '', sample: true, load: {}, loaded: null, extent: [0, 0, 1, 1], question: null, machine: null,
-    search: { method: '', parameters: {}, seed: null, seconds: 10 }, budget: 10, error: null, ...noPlan(),
+    search: { method: '', parameters: {}, seed: null, seconds: 10 }, placing: AS_DRAWN, budget: 10, error: null, ...noPlan(),
   };
 }

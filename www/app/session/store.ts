@@ -7,6 +7,7 @@ import type { DoneReason, Loaded, LoadOptions, MachineProfile, Progress, Started
 import { Emitter } from '../core/emitter.js';
 import { extentOf } from './extent.js';
 import { withInsight } from './insights.js';
+import type { Placing } from './placing.js';
 import { initialState, noPlan, type PlanState, type Question, type Search, type State } from './state.js';
 
 interface Events extends Record<string, unknown> {
@@ -44,8 +45,8 @@ export class Store extends Emitter<Events> {
     this.update({});
   }
 
-  /** Takes over a machine, a search or both. */
-  choose(choices: { machine?: MachineProfile | null; search?: Search }): void {
+  /** Takes over a machine, a search or a placement. */
+  choose(choices: { machine?: MachineProfile | null; search?: Search; placing?: Placing }): void {
     this.update(choices);
   }
 

@@ -14,6 +14,10 @@ const PINCH_RATE = 0.012;
 export interface Picks {
   /** The pointer is over this place; null when it has left. */
   hover(at: { x: number; y: number } | null): void;
+  /** A pointer drags from a place by so many pixels; returns whether something else than the view follows it. */
+  drag?(dx: number, dy: number): boolean;
+  /** A drag has ended. */
+  drop?(): void;
   click(x: number, y: number, by: { touch: boolean; shift: boolean; alt: boolean }): void;
 }
 
@@ -49,7 +53,7 @@ export function attachGestures(target: HTMLElement, viewport: Viewport, picks: P
       moved += Math.hypot(now.x - before.x, now.y - before.y);
       if (moved > CLICK_SLOP) {
         target.classList.add('dragging');
-        viewport.pan(now.x - before.x, now.y - before.y);
+        if (picks.drag?.(now.x - before.x, now.y - before.y) !== true) viewport.pan(now.x - before.x, now.y - before.y);
       }
     } else if (pointers.size === 2) {
       const other = [...pointers.entries()].find(([id]) => id !== event.pointerId)![1];
@@ -66,6 +70,7 @@ export function attachGestures(target: HTMLElement, viewport: Viewport, picks: P
     if (!pointers.delete(event.pointerId)) return;
     if (pointers.size > 0) return;
     target.classList.remove('dragging');
+    picks.drop?.();
     if (at && event.type === 'pointerup' && !wasPinch && moved <= CLICK_SLOP && event.button === 0) {
       picks.click(at.x, at.y, { touch: event.pointerType === 'touch', shift: event.shiftKey, alt: event.altKey });
     }

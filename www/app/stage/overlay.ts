@@ -9,6 +9,7 @@ import type { Palette } from './palette.js';
 import type { Travel, View } from './raster-messages.js';
 import type { Shapes } from './shapes.js';
 import { traceAir, traceChain } from './trace.js';
+import { words } from '../core/words/index.js';
 
 type Pen = CanvasRenderingContext2D;
 
@@ -37,6 +38,28 @@ export function drawSheet(pen: Pen, view: View, palette: Palette, bounds: readon
     pen.restore();
   }
   pen.textAlign = 'start';
+}
+
+/** The bed of the machine: its edge, and a cross at its origin. The edge is red where the job does not lie on it. */
+export function drawBed(pen: Pen, view: View, palette: Palette, bed: readonly number[], fits: boolean): void {
+  const r = view.ratio;
+  const x0 = view.x + bed[0]! * view.scale, x1 = view.x + bed[2]! * view.scale;
+  const y0 = view.y - bed[3]! * view.scale, y1 = view.y - bed[1]! * view.scale;
+  pen.globalAlpha = 0.5;
+  pen.fillStyle = palette.sheet;
+  pen.fillRect(x0, y0, x1 - x0, y1 - y0);
+  pen.globalAlpha = 1;
+  pen.strokeStyle = fits ? palette.faint : palette.red;
+  pen.lineWidth = (fits ? 1 : 2) * r;
+  pen.strokeRect(x0, y0, x1 - x0, y1 - y0);
+  pen.fillStyle = pen.strokeStyle;
+  pen.font = `${12 * r}px system-ui, sans-serif`;
+  pen.textBaseline = 'bottom';
+  pen.textAlign = 'right';
+  const label = words.stage.bed(sizeText(bed[2]! - bed[0]!), sizeText(bed[3]! - bed[1]!));
+  if (x1 - x0 > pen.measureText(label).width + 16 * r) pen.fillText(label, x1 - 6 * r, y1 - 4 * r);
+  pen.textAlign = 'start';
+  pen.textBaseline = 'alphabetic';
 }
 
 /** A contour that stands out. */

@@ -61,6 +61,8 @@ export class Scene {
   /** The findings of the plan; those about the drawing are in `loaded`. */
   private planFindings: readonly Finding[] = [];
   private extent: Box = [0, 0, 1, 1];
+  /** The bed of the machine as seen from the drawing, and whether the job lies on it. */
+  private bed: { box: Box; fits: boolean } | null = null;
   /** It is built when the pointer first moves over the sheet. */
   private grid: HitGrid | null = null;
   private path: BestPath | null = null;
@@ -161,6 +163,12 @@ export class Scene {
     this.raster.setGeometry(geometry, rolesOf(contours, loaded.outline), loaded.ignored.geometry, beam && loaded.geometry);
   }
 
+  /** The bed of the machine as seen from the drawing, if it is known; `fits`: the job lies on it. */
+  setBed(box: Box | null, fits: boolean): void {
+    this.bed = box && { box, fits };
+    this.invalidate();
+  }
+
   /** The best path. The stage shows at most ten paths per second. */
   setPath(path: BestPath | null, travel: Travel): void {
     this.travel = travel;
@@ -236,6 +244,7 @@ export class Scene {
     const { loaded, shapes, path } = this;
     const { hovered, selected, finding, marks, moment, partitions } = this.highlights;
     if (!loaded || !shapes) return;
+    if (this.bed) overlay.drawBed(pen, view, palette, this.bed.box, this.bed.fits);
     overlay.drawSheet(pen, view, palette, this.extent);
     const playing = moment !== null && path !== null;
     this.blit('sheet', view, playing ? 0.25 : 1);

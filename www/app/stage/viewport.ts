@@ -57,6 +57,11 @@ export class Viewport extends Emitter<{ change: void }> {
     this.fitted = true;
   }
 
+  /** Shows a box. */
+  show(box: Box): void {
+    this.moveTo(...this.framing(box, 0.94), true);
+  }
+
   /** Shows a place with its surroundings: a fifth of the sheet around it. */
   showPlace(x: number, y: number): void {
     const room = this.span() / 10;
@@ -114,7 +119,7 @@ export class Viewport extends Emitter<{ change: void }> {
 
   private clamp(scale: number): number {
     const [fit] = this.framing(this.bounds, 0.94);
-    return Math.min(CLOSEST, Math.max(fit * FARTHEST, scale));
+    return Math.min(CLOSEST, Math.max(Math.min(fit * FARTHEST, this.scale), scale));
   }
 
   /** Scale and offsets that centre a box in the uncovered part. */

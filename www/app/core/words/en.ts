@@ -7,7 +7,7 @@
  * error messages itself, in English.
  */
 
-import type { DoneReason, FindingCode, Operation, Quote, Unit, UnitsTaken } from 'kerfway';
+import type { Anchor, DoneReason, FindingCode, Operation, Quote, Unit, UnitsTaken } from 'kerfway';
 
 /** "1 contour", "3 contours". The number `n` chooses the form; `written` is how it is shown. */
 const counted = (n: number, written: string, one: string, many = `${one}s`) => `${written} ${n === 1 ? one : many}`;
@@ -190,11 +190,24 @@ export const en = {
     rapidX: 'Rapid speed, x', rapidY: 'Rapid speed, y', rapidAccelX: 'Rapid acceleration, x', rapidAccelY: 'Rapid acceleration, y', corners: 'Corner deviation',
     pierce: 'Pierce time', preCut: 'Pre-cut time', preCutLength: 'Pre-cut length', sharpAngle: 'Pause in corners below', sharpTime: 'Pause in a corner', noPauses: 'no pauses', kerf: 'Kerf width',
     kerfHint: 'Parts keep their drawn size: the beam is offset by half the kerf. Outlines that are one kerf apart are cut once. 0: the beam follows the drawn lines.',
-    beamOn: 'Beam on delay', beamOff: 'Beam off delay', homeX: 'Home, x', homeY: 'Home, y', fullPower: 'S value at full power',
+    beamOn: 'Beam on delay', beamOff: 'Beam off delay', homeX: 'Home, x', homeY: 'Home, y', bedX0: 'Bed from x', bedX1: 'Bed to x', bedY0: 'Bed from y', bedY1: 'Bed to y', noBed: 'not known', fullPower: 'S value at full power',
     own: 'Your machines', name: 'Name of your machine', notSaved: 'This browser does not store data for this page: export the machine to a file instead.',
     save: 'Save', remove: 'Delete', export: 'Export', import: 'Import',
     noJson: 'This file is not a machine profile: it is not JSON.', noSchema: (schema: string) => `This file is not a machine profile: its "schema" is not ${schema}.`,
     incomplete: 'This machine profile is incomplete. Export a machine to see which fields a profile has.',
+  },
+
+  placement: {
+    title: 'On the bed', position: 'Position', asDrawn: 'As drawn', atPoint: 'A point of the job at', point: 'Point of the job', x: 'x', y: 'y',
+    points: {
+      'lower-left': 'Lower left', 'lower-center': 'Lower centre', 'lower-right': 'Lower right', 'center-left': 'Centre left', center: 'Centre',
+      'center-right': 'Centre right', 'upper-left': 'Upper left', 'upper-center': 'Upper centre', 'upper-right': 'Upper right',
+    } satisfies Record<Anchor, string>,
+    turnLeft: 'Turn left', turnRight: 'Turn right', drag: 'Drag the job', show: 'Show the bed', coordinates: 'Coordinates', absolute: 'Of the machine', current: 'From the head',
+    allow: 'Write programs that leave the bed', reaches: (x0: string, x1: string, y0: string, y1: string) => `x ${x0} to ${x1}, y ${y0} to ${y1} mm`,
+    off: 'The job is not on the bed.', corner: 'Move to the corner', noBed: 'This machine has no bed: enter its size under Machine, so that programs are checked against it.',
+    drawn: 'as drawn', placed: 'placed', offBed: 'not on the bed', turned: (degrees: number) => `turned ${degrees}°`,
+    dragging: 'Drag the job on the bed. Esc ends it.',
   },
 
   plan: {
@@ -234,7 +247,7 @@ export const en = {
     show: (n: number) => `Contour ${n}, show on the sheet`, reversed: 'reversed', asDrawn: 'as drawn', open: 'open',
   },
 
-  stage: { first: 'first', last: 'last', common: 'cut once for two parts', colours: 'Colour by order (C)', air: 'Air moves (A)', view: 'View', zoomIn: 'Zoom in (+)', zoomOut: 'Zoom out (−)', fit: 'Fit the sheet (F)' },
+  stage: { bed: (width: string, height: string) => `bed ${width} × ${height} mm`, first: 'first', last: 'last', common: 'cut once for two parts', colours: 'Colour by order (C)', air: 'Air moves (A)', view: 'View', zoomIn: 'Zoom in (+)', zoomOut: 'Zoom out (−)', fit: 'Fit the sheet (F)' },
 
   playback: {
     play: 'Play', moment: 'Time in the job', speed: 'Speed', whole: 'Whole job in 20 s', pauseKey: 'Pause the cut (Space)', playKey: 'Play the cut (Space)',

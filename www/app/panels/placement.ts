@@ -1,0 +1,126 @@
+/** Where the job lies on the bed: as drawn, or one of nine points of the job at a place; turning, dragging, and what the coordinates mean. */
+
+import { button, h, setText } from '../core/dom.js';
+import { size } from '../core/format.js';
+import { words } from '../core/words/index.js';
+import { type Anchor, ANCHORS, pointOf } from 'kerfway';
+import { anchoredAt, AS_DRAWN, fitsBed, jobBox, shiftOf } from '../session/placing.js';
+import type { Session } from '../session/session.js';
+import type { State } from '../session/state.js';
+import { check, field, section, select } from './section.js';
+
+/** The rows of the picker from the top, as the points lie on the bed. */
+const ROWS: readonly (readonly Anchor[])[] = [ANCHORS.slice(6, 9), ANCHORS.slice(3, 6), ANCHORS.slice(0, 3)];
+
+export interface PlacementActions {
+  /** Lets the person drag the job on the bed, or ends it. */
+  drag(on: boolean): void;
+  /** Shows the whole bed. */
+  showBed(): void;
+}
+
+export interface PlacementPanel extends HTMLDetailsElement {
+  /** Shows whether the job is being dragged. */
+  setDragging(on: boolean): void;
+}
+
+export function placementPanel(session: Session, actions: PlacementActions): PlacementPanel {
+  const { root, body, setGist } = section(words.placement.title, false);
+  const mode = select<'drawn' | 'placed'>((chosen) => {
+    const { loaded, placing } = session.state;
+    if (loaded) session.setPlacing({ place: chosen === 'drawn' ? null : anchoredAt('lower-left', placing, loaded) });
+  });
+  const points = new Map(ANCHORS.map((anchor) => [anchor, radio(anchor, () => choosePoint(session, anchor))]));
+  const picker = h('div', { class: 'nine', role: 'radiogroup', 'aria-label': words.placement.point },
+    ...ROWS.flat().map((anchor) => points.get(anchor)!.root));
+  const [x, y] = ([0, 1] as const).map((axis) => {
+    const input = h('input', { type: 'number', step: 'any', inputmode: 'decimal' });
+    input.addEventListener('input', () => {
+      const value = input.valueAsNumber;
+      const valid = Number.isFinite(value) && Math.abs(value) <= 1e6;
+      input.setAttribute('aria-invalid', String(!valid && input.value !== ''));
+      if (valid) moveTo(session, axis, value);
+    });
+    return input;
+  }) as [HTMLInputElement, HTMLInputElement];
+  const where = h('div', { class: 'placement-point' }, picker, h('div', { class: 'stack' }, field(words.placement.x, x, 'mm'), field(words.placement.y, y, 'mm')));
+  const turn = (by: number) => session.drawing.change({ turn: ((session.state.load.turn ?? 0) + by + 360) % 360 });
+  const turnLeft = button(words.placement.turnLeft, { icon: 'turnLeft', class: 'small', onclick: () => turn(90) });
+  const turnRight = button(words.placement.turnRight, { icon: 'turnRight', class: 'small', onclick: () => turn(270) });
+  const drag = button(words.placement.drag, { icon: 'move', class: 'small', 'aria-pressed': false, onclick: () => actions.drag(drag.getAttribute('aria-pressed') !== 'true') });
+  const show = button(words.placement.show, { icon: 'fit', class: 'small', onclick: actions.showBed });
+  const start = select<State['placing']['start']>((chosen) => session.setPlacing({ start: chosen }));
+  const allow = check(words.placement.allow, (on) => session.setPlacing({ allowOffBed: on }));
+  const fits = h('p', { class: 'soft number' });
+  const advice = h('p', { class: 'advice', role: 'status' });
+  const corner = button(words.placement.corner, { class: 'small', onclick: () => toCorner(session) });
+  const alert = h('div', { class: 'suggestion grave' }, advice, corner);
+  const none = h('p', { class: 'soft' }, words.placement.noBed);
+  body.append(h('div', { class: 'stack' }, none, field(words.placement.position, mode.root), where, h('div', { class: 'row' }, turnLeft, turnRight), h('div', { class: 'row' }, drag, show), field(words.placement.coordinates, start.root), fits, alert, allow.root));
+
+  const refresh = () => {
+    const { loaded, machine, placing, load, planFindings } = session.state;
+    root.hidden = loaded === null || machine === null;
+    if (!loaded || !machine) return;
+    const { place } = placing;
+    none.hidden = Boolean(machine.bed);
+    drag.hidden = show.hidden = placing.start === 'current';
+    show.disabled = !machine.bed;
+    mode.fill([{ value: 'drawn', label: words.placement.asDrawn }, { value: 'placed', label: words.placement.atPoint }], place === null ? 'drawn' : 'placed');
+    start.fill([{ value: 'absolute', label: words.placement.absolute }, { value: 'current', label: words.placement.current }], placing.start);
+    where.hidden = place === null;
+    if (place !== null) {
+      for (const [anchor, { input }] of points) input.checked = place.point === anchor;
+      if (document.activeElement !== x) x.value = String(place.at[0]);
+      if (document.activeElement !== y) y.value = String(place.at[1]);
+    }
+    const fit = fitsBed(placing, machine, loaded);
+    const sentence = planFindings.find((f) => f.code === 'off-bed')?.message ?? (fit ? '' : words.placement.off);
+    const [x0, y0, x1, y1] = jobBox(placing, loaded);
+    setText(fits, words.placement.reaches(size(x0), size(x1), size(y0), size(y1)));
+    setText(advice, sentence);
+    alert.hidden = sentence === '';
+    corner.hidden = !machine.bed || !roomFor(session.state);
+    allow.root.hidden = sentence === '' && !placing.allowOffBed;
+    allow.input.checked = placing.allowOffBed;
+    const turned = load.turn ? words.placement.turned(load.turn) : '';
+    const moved = shiftOf(placing, loaded).some((v) => v !== 0);
+    setGist([sentence !== '' ? words.placement.offBed : moved ? words.placement.placed : words.placement.drawn, turned].filter(Boolean).join(', '), sentence !== '');
+  };
+  session.store.on('change', refresh);
+  session.store.on('loaded', refresh);
+  refresh();
+  return Object.assign(root, { setDragging: (on: boolean) => drag.setAttribute('aria-pressed', String(on)) });
+}
+
+/** Puts the lower left corner of the job at that of the bed. */
+export function toCorner(session: Session): void {
+  const { machine } = session.state;
+  if (machine?.bed) session.setPlacing({ place: { point: 'lower-left', at: [machine.bed[0], machine.bed[1]] }, start: AS_DRAWN.start });
+}
+
+/** Whether the job fits on the bed at all. */
+function roomFor({ machine, loaded }: State): boolean {
+  if (!machine?.bed || !loaded) return false;
+  const at: [number, number] = pointOf('lower-left', machine.bed);
+  return fitsBed({ ...AS_DRAWN, place: { point: 'lower-left', at } }, machine, loaded);
+}
+
+function choosePoint(session: Session, anchor: Anchor): void {
+  const { loaded, placing } = session.state;
+  if (loaded) session.setPlacing({ place: anchoredAt(anchor, placing, loaded) });
+}
+
+function moveTo(session: Session, axis: 0 | 1, value: number): void {
+  const { place } = session.state.placing;
+  if (place === null) return;
+  const at: [number, number] = [...place.at];
+  at[axis] = value;
+  session.setPlacing({ place: { ...place, at } }, true);
+}
+
+function radio(anchor: Anchor, onChoose: () => void): { root: HTMLLabelElement; input: HTMLInputElement } {
+  const input = h('input', { type: 'radio', name: 'placement-point', 'aria-label': words.placement.points[anchor] });
+  input.addEventListener('change', onChoose);
+  return { root: h('label', { title: words.placement.points[anchor] }, input), input };
+}
