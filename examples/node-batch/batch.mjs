@@ -24,6 +24,8 @@ async function planned(name) {
       name,
       seconds: Number(seconds),
       seed: 1,
+      // Each job lies in the corner of the machine's bed; one that is larger is refused.
+      place: { at: [0, 0] },
       outputs: ['gcode'],
     });
     await writeFile(join(to, `${basename(name, name.slice(-4))}.nc`), outputs.gcode);

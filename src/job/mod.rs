@@ -145,7 +145,9 @@ impl Job {
             return Err(JobError::NothingToCut(self.why_empty()));
         }
         options.check()?;
-        let placed = Placed::new(options.machine.profile()?, options, &self.sheet.bounds)?;
+        let profile = options.machine.profile()?;
+        let placed = Placed::new(profile, options.place, options.start, &self.sheet.bounds)?
+            .allow_off_bed(options.allow_off_bed);
         self.drop_run();
         let mut findings = self.compensate(placed.profile.kerf_width);
         findings.extend(placed.finding(&self.beam_sheet().bounds));

@@ -5,7 +5,6 @@
 //! therefore changes the coordinates of a plan, and nothing else.
 
 use super::JobError;
-use super::options::PlanOptions;
 use super::ranges::PLACE;
 use crate::fields::out_of_range;
 use crate::finding::{Code, Finding, Severity};
@@ -43,12 +42,22 @@ pub struct Placed {
 
 impl Placed {
     /// Places a job with the box `bounds`, in the coordinates of the drawing.
-    pub(super) fn new(mut profile: Profile, options: &PlanOptions, bounds: &Aabb) -> Result<Self, JobError> {
-        if !options.start.is_absolute() {
+    pub(super) fn new(
+        mut profile: Profile,
+        place: Option<Place>,
+        start: Start,
+        bounds: &Aabb,
+    ) -> Result<Self, JobError> {
+        if !start.is_absolute() {
             profile.home = [0.0, 0.0];
         }
-        let shift = options.place.map_or(Ok(DVec2::ZERO), |place| place.shift(bounds))?;
-        Ok(Self { profile, shift, start: options.start, allow_off_bed: options.allow_off_bed })
+        let shift = place.map_or(Ok(DVec2::ZERO), |place| place.shift(bounds))?;
+        Ok(Self { profile, shift, start, allow_off_bed: false })
+    }
+
+    /// The same, where a program may leave the bed if `allow`.
+    pub(super) fn allow_off_bed(self, allow: bool) -> Self {
+        Self { allow_off_bed: allow, ..self }
     }
 
     /// The machine in the coordinates of the drawing.

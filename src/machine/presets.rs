@@ -32,14 +32,15 @@ pub fn preset(name: &str) -> Option<Profile> {
     presets().into_iter().find(|p| p.name == name)
 }
 
-/// A gantry CO2 laser of 1300 x 900 mm with a GRBL controller, 3 mm acrylic.
+/// A gantry CO2 laser of 1600 x 1000 mm with a GRBL controller, 3 mm acrylic.
 fn co2_100w() -> Profile {
     Profile {
         version: VERSION,
         name: "co2-100w".to_owned(),
         title: "CO2 laser, 100 W, GRBL, 3 mm acrylic".to_owned(),
         home: [0.0, 0.0],
-        bed: Some([0.0, 0.0, 1300.0, 900.0]),
+        // The format that makers call 1610.
+        bed: Some([0.0, 0.0, 1600.0, 1000.0]),
         return_home: true,
         // GRBL runs rapids as straight lines, each axis within its own limit.
         travel: Travel::Straight,

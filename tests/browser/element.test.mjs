@@ -19,7 +19,7 @@ const SCRIPT = `
     planner.addEventListener(type, ({ detail }) => window.events.push([type, type === 'progress' ? detail.summary.total_time : detail]));
   }`;
 
-const open = (t, attributes = 'seed="3" moves="20000" units="mm"', more = {}) =>
+const open = (t, attributes = 'seed="3" moves="20000" units="mm" allow-off-bed', more = {}) =>
   openHost(t, at, { html: `<kerfway-planner ${attributes}></kerfway-planner>`, script: SCRIPT, ...more });
 
 const state = (page, wanted) => page.waitForFunction((s) => document.querySelector('kerfway-planner').state === s, wanted);

@@ -10,7 +10,7 @@ import { base64, embedding, openHost } from './embed-support.mjs';
 
 const at = embedding();
 const PLATE = base64(dxf(square(0, 0, 100), circle(50, 50, 10)));
-const [LONG_FILE, LONG] = [base64(bytes(KEYBOARD)), { seconds: 60, seed: 1 }];
+const [LONG_FILE, LONG] = [base64(bytes(KEYBOARD)), { seconds: 60, seed: 1, allowOffBed: true }];
 
 /** The frame page is served from an origin of its own. */
 let frames;
@@ -46,7 +46,7 @@ describe('the frame page', () => {
   it('plans what its host hands it, tells the way, and renders', async (t) => {
     const { page, requests } = await hosted(t);
     const { result, svg, png, heard, refused } = await page.evaluate(async (plate) => {
-      window.frame.setOptions({ units: 'in', moves: 50, seed: 2 });
+      window.frame.setOptions({ units: 'in', moves: 50, seed: 2, allowOffBed: true });
       const result = await window.frame.open(window.bytes(plate), 'plate.dxf');
       const svg = await window.frame.render('svg');
       const png = [...(await window.frame.render('png', { width: 64 })).subarray(0, 4)];

@@ -35,7 +35,7 @@ describe('the package in a host of that policy', () => {
       import { createPlanner, createPool, plan } from './index.js';
       import { wasm } from './inline.js';
       window.use = async (drawing) => {
-        const { outputs } = await plan(drawing, { units: 'mm', seed: 1, moves: 20000, outputs: ['gcode', 'png'] });
+        const { outputs } = await plan(drawing, { units: 'mm', seed: 1, moves: 20000, allowOffBed: true, outputs: ['gcode', 'png'] });
         const planner = await createPlanner({ wasm: wasm() });
         const papers = (await planner.paperMethods()).length;
         planner.close();

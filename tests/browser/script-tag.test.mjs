@@ -39,7 +39,7 @@ for (const place of ['disk', 'http']) {
     after(() => page.close());
 
     it('the functions plan what Node plans, byte for byte, with its bound; what is not inside is told', async () => {
-      const options = { units: 'mm', seed: 4, moves: 20_000, name: 'keyboard.dxf', outputs: ['json', 'gcode'] };
+      const options = { units: 'mm', seed: 4, moves: 20_000, allowOffBed: true, name: 'keyboard.dxf', outputs: ['json', 'gcode'] };
       const here = await page.evaluate(async ({ file, options }) => {
         const drawing = Uint8Array.from(atob(file), (c) => c.charCodeAt(0));
         const { outputs } = await Kerfway.plan(drawing, options);

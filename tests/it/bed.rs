@@ -1,4 +1,5 @@
 //! The bed: a program stays on it or is not written, and a placement or a quarter turn changes coordinates and nothing else.
+#![allow(clippy::float_cmp, reason = "places that are exact, and sums that must not change at all")]
 
 use crate::testkit::gcode::{self, Program};
 use crate::testkit::{files, fixtures, name};
@@ -314,5 +315,5 @@ fn programs_of_real_drawings_stay_on_the_bed_or_are_not_written() {
             }
         }
     }
-    assert!(written > 30 && not > 5, "{written} written, {not} not");
+    assert!(written >= 30 && not >= 5, "{written} written, {not} not");
 }

@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { circle, dxf, fixture, folder, KEYBOARD, kerfway, ROOT, square } from './support.mjs';
 
-const PLAN = ['plan', fixture(KEYBOARD), '--moves', '2000', '--seed', '7'];
+const PLAN = ['plan', fixture(KEYBOARD), '--moves', '2000', '--seed', '7', '--allow-off-bed'];
 
 /** A file in a folder of its own. */
 function file(t, name, content) {

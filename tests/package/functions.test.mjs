@@ -30,13 +30,13 @@ describe('inspect', () => {
 });
 
 describe('plan', () => {
-  const options = { units: 'mm', seed: 5, moves: 20_000, name: 'keyboard.dxf' };
+  const options = { units: 'mm', seed: 5, moves: 20_000, name: 'keyboard.dxf', allowOffBed: true };
 
   it('gives the same bytes as a planner', async () => {
     const { outputs, summary, path, seed, loaded } = await plan(keyboard(), { ...options, outputs: ['json', 'gcode', 'png'] });
     const planner = await createPlanner();
     await planner.load(keyboard(), 'keyboard.dxf', { units: 'mm' });
-    await planner.plan({ seed: 5, moves: 20_000 }).done;
+    await planner.plan({ seed: 5, moves: 20_000, allowOffBed: true }).done;
     assert.ok(outputs.json === (await planner.output('json')), 'another plan');
     assert.ok(outputs.gcode === (await planner.output('gcode')), 'another program');
     planner.close();
@@ -59,7 +59,7 @@ describe('plan', () => {
   });
 
   it('stops when the loop is left, and keeps the best plan', async () => {
-    const run = plan(keyboard(), { seed: 1, seconds: 60, outputs: ['gcode'] });
+    const run = plan(keyboard(), { seed: 1, seconds: 60, allowOffBed: true, outputs: ['gcode'] });
     for await (const { moves } of run) if (moves > 5_000) break;
     const { reason, outputs } = await run;
     assert.ok(['stopped', 'exhausted'].includes(reason));
@@ -97,7 +97,7 @@ describe('plan', () => {
 describe('render', () => {
   it('writes a plan later with the same bytes as at once', async () => {
     const kinds = ['gcode', 'svg', 'dxf'];
-    const planned = await plan(keyboard(), { machine: 'diode-hobby', units: 'mm', seed: 2, moves: 20_000, workers: 2, outputs: kinds });
+    const planned = await plan(keyboard(), { machine: 'diode-hobby', units: 'mm', seed: 2, moves: 20_000, workers: 2, place: { at: [5, 5] }, turn: 90, outputs: kinds });
     for (const kind of kinds) assert.equal(await render(keyboard(), structuredClone(planned), kind), planned.outputs[kind]);
     const png = await render(keyboard(), planned, 'png', { width: 320 });
     assert.equal(new DataView(png.buffer, png.byteOffset).getUint32(16), 320);

@@ -14,7 +14,7 @@ const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10), circle(150, 50, 5, 'MAR
 const PLATE_OPTIONS = { units: 'mm', layers: [{ name: 'MARK', operation: 'mark' }] };
 
 /** A search that would run for a minute. */
-const LONG = { seconds: 60, seed: 1 };
+const LONG = { seconds: 60, seed: 1, allowOffBed: true };
 
 describe('load', () => {
   it('reports contours, parts, layers and units', async () => {

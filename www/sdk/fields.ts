@@ -93,6 +93,22 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material', Shape>
                 "required": true
               },
               {
+                "kind": {
+                  "four": {
+                    "number": {
+                      "least": -1000000.0,
+                      "most": 1000000.0,
+                      "or_zero": false,
+                      "unit": "mm",
+                      "why": "no table reaches further than 1 km"
+                    }
+                  }
+                },
+                "name": "bed",
+                "nullable": true,
+                "required": false
+              },
+              {
                 "kind": "flag",
                 "name": "return_home",
                 "nullable": false,
@@ -423,6 +439,82 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material', Shape>
         "required": false
       },
       {
+        "kind": {
+          "object": [
+            {
+              "kind": {
+                "choice": [
+                  "lower-left",
+                  "lower-center",
+                  "lower-right",
+                  "center-left",
+                  "center",
+                  "center-right",
+                  "upper-left",
+                  "upper-center",
+                  "upper-right"
+                ]
+              },
+              "name": "point",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "pair": {
+                  "number": {
+                    "least": -1000000.0,
+                    "most": 1000000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "no table reaches further than 1 km"
+                  }
+                }
+              },
+              "name": "from",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "pair": {
+                  "number": {
+                    "least": -1000000.0,
+                    "most": 1000000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "no table reaches further than 1 km"
+                  }
+                }
+              },
+              "name": "at",
+              "nullable": false,
+              "required": true
+            }
+          ]
+        },
+        "name": "place",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "choice": [
+            "absolute",
+            "current"
+          ]
+        },
+        "name": "start",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": "flag",
+        "name": "allowOffBed",
+        "nullable": false,
+        "required": false
+      },
+      {
         "kind": "text",
         "name": "method",
         "nullable": false,
@@ -684,6 +776,20 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material', Shape>
       {
         "kind": "flag",
         "name": "keepDamaged",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "whole": {
+            "least": 0.0,
+            "most": 270.0,
+            "or_zero": false,
+            "unit": "degrees",
+            "why": "quarter turns are 0, 90, 180 or 270"
+          }
+        },
+        "name": "turn",
         "nullable": false,
         "required": false
       },

@@ -79,7 +79,8 @@ function detailOf(state: State): string {
   const bound = progress.summary.gap === null || isOptimal(state) ? null : words.dock.gap(percent(progress.summary.gap));
   const pace = phase === 'planning' ? words.dock.pace(short(Math.round(progress.rate))) : words.dock.moves(short(progress.moves));
   const gain = (state.baselines?.drawing.total_time ?? 0) - progress.summary.total_time;
-  return [gain > 0 ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', ');
+  const off = !state.placing.allowOffBed && state.planFindings.some((f) => f.code === 'off-bed') ? words.dock.offBed : null;
+  return [off, gain > 0 ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', ');
 }
 
 function isOptimal(state: State): boolean {

@@ -40,18 +40,16 @@ export function drawSheet(pen: Pen, view: View, palette: Palette, bounds: readon
   pen.textAlign = 'start';
 }
 
-/** The bed of the machine: its edge, and a cross at its origin. The edge is red where the job does not lie on it. */
+/** The bed of the machine, with its size in the corner. Its edge is red where the job does not lie on it. */
 export function drawBed(pen: Pen, view: View, palette: Palette, bed: readonly number[], fits: boolean): void {
   const r = view.ratio;
   const x0 = view.x + bed[0]! * view.scale, x1 = view.x + bed[2]! * view.scale;
   const y0 = view.y - bed[3]! * view.scale, y1 = view.y - bed[1]! * view.scale;
-  pen.globalAlpha = 0.5;
-  pen.fillStyle = palette.sheet;
-  pen.fillRect(x0, y0, x1 - x0, y1 - y0);
-  pen.globalAlpha = 1;
   pen.strokeStyle = fits ? palette.faint : palette.red;
   pen.lineWidth = (fits ? 1 : 2) * r;
+  pen.setLineDash([8 * r, 4 * r]);
   pen.strokeRect(x0, y0, x1 - x0, y1 - y0);
+  pen.setLineDash([]);
   pen.fillStyle = pen.strokeStyle;
   pen.font = `${12 * r}px system-ui, sans-serif`;
   pen.textBaseline = 'bottom';

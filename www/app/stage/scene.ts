@@ -244,8 +244,8 @@ export class Scene {
     const { loaded, shapes, path } = this;
     const { hovered, selected, finding, marks, moment, partitions } = this.highlights;
     if (!loaded || !shapes) return;
-    if (this.bed) overlay.drawBed(pen, view, palette, this.bed.box, this.bed.fits);
     overlay.drawSheet(pen, view, palette, this.extent);
+    if (this.bed) overlay.drawBed(pen, view, palette, this.bed.box, this.bed.fits);
     const playing = moment !== null && path !== null;
     this.blit('sheet', view, playing ? 0.25 : 1);
     if (playing) this.drawPlayed(view, shapes, path, moment);

@@ -18,6 +18,7 @@ export function attributed(element: Element): PlanningOptions {
   if (machine) options.machine = machine;
   if (method) options.method = method;
   if (units) options.units = units as Unit;
+  if (element.hasAttribute('allow-off-bed')) options.allowOffBed = true;
   for (const name of NUMBERS) {
     const text = element.getAttribute(name);
     if (text !== null) options[name] = numberIn(text);
