@@ -6,8 +6,7 @@
 //! A stretch is reversed by entering each of its items at its twin node, so that the lengths inside it stay the same: open
 //! contours are cut in the other direction. With an asymmetric table of costs nothing is reversed.
 
-use super::super::legs::Legs;
-use super::near::NearItems;
+use super::search_space::SearchSpace;
 use crate::problem::{ItemId, NodeId, Problem};
 use crate::solve::epsilon::EPSILON;
 use std::collections::VecDeque;
@@ -16,37 +15,6 @@ use std::collections::VecDeque;
 const CHAIN: usize = 3;
 /// Number of positions shifted in memory in the time that pricing one leg takes.
 const SHIFTS: u64 = 8;
-
-/// What the local search needs to know about a problem.
-pub(in super::super) struct SearchSpace<'p> {
-    /// Lengths between nodes.
-    pub(in super::super) legs: Legs<'p>,
-    /// Near items of each item.
-    pub(in super::super) near: NearItems,
-    /// Whether stretches may be reversed.
-    pub(in super::super) turns: bool,
-}
-
-impl<'p> SearchSpace<'p> {
-    /// Starts without near items.
-    pub(in super::super) fn new(legs: Legs<'p>) -> Self {
-        let turns = legs.problem().table().is_none_or(crate::problem::Table::is_symmetric);
-        Self { legs, near: NearItems::default(), turns }
-    }
-
-    fn problem(&self) -> &'p Problem {
-        self.legs.problem()
-    }
-
-    fn item(&self, node: NodeId) -> ItemId {
-        self.problem().nodes[node as usize].item
-    }
-
-    /// The node at which a reversed stretch enters the item of this node.
-    fn twin(&self, node: NodeId) -> NodeId {
-        if self.problem().table().is_some() { node } else { self.problem().nodes[node as usize].twin }
-    }
-}
 
 /// A tour that is being improved.
 pub(in super::super) struct LocalSearch {

@@ -4,6 +4,8 @@
 mod entry_choice;
 mod local_search;
 mod near;
+mod search_space;
 
 pub(super) use entry_choice::EntryChoice;
-pub(super) use local_search::{LocalSearch, SearchSpace};
+pub(super) use local_search::LocalSearch;
+pub(super) use search_space::SearchSpace;
