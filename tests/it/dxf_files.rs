@@ -1,12 +1,12 @@
-//! Files as they are: line ends, numbers, encodings, binary, units, missing parts, damage, other formats.
-
+//! Files as they are: line ends, numbers, encodings, binary, missing parts, damage, other formats.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use crate::testkit::drawings::{close, file, found, length, lines, read, shapes};
-use kerfway::drawing::{Drawing, ReadError, ReadOptions, Unit, UnitsSource};
+use crate::testkit::drawings::{file, found, lines, read, shapes};
+use kerfway::drawing::{Drawing, ReadError, ReadOptions};
 use kerfway::finding::Code;
 
-const LINE: &str = "0 LINE 5 1A 8 CUT 10 0 20 0 11 30 21 40";
+pub(super) const LINE: &str = "0 LINE 5 1A 8 CUT 10 0 20 0 11 30 21 40";
+
 const CIRCLE: &str = "0 CIRCLE 5 1B 8 CUT 10 0 20 0 40 10";
 
 fn bytes(bytes: &[u8]) -> Result<Drawing, ReadError> {
@@ -170,79 +170,6 @@ fn binary_resynchronises_and_reports_the_position() {
     assert_eq!(found(&drawing, Code::DamagedEntity).handle.as_deref(), Some("1B"));
 }
 
-fn with_units(header: &str, size: f64) -> Drawing {
-    let text = format!(
-        "0 SECTION 2 HEADER {header} 0 ENDSEC 0 SECTION 2 ENTITIES 0 LINE 8 0 10 0 20 0 11 {size} 21 0 0 ENDSEC 0 EOF"
-    );
-    read(&lines(&text)).unwrap()
-}
-
-#[test]
-fn units_of_the_header_scale_to_mm() {
-    let mm = [
-        (1, 25.4),
-        (2, 304.8),
-        (4, 1.0),
-        (5, 10.0),
-        (6, 1000.0),
-        (8, 25.4e-6),
-        (9, 0.0254),
-        (10, 914.4),
-        (13, 0.001),
-        (14, 100.0),
-    ];
-    for (code, factor) in mm {
-        // 100 mm in each of them.
-        let drawing = with_units(&format!("9 $INSUNITS 70 {code}"), 100.0 / factor);
-        assert!((length(&drawing) - 100.0).abs() < 1e-9, "{code}: {}", length(&drawing));
-        assert_eq!((drawing.units.source, drawing.units.doubtful), (UnitsSource::Header, false), "{code}");
-    }
-}
-
-#[test]
-fn units_that_do_not_fit_the_size_are_doubtful() {
-    let inches = with_units("9 $INSUNITS 70 1", 400.0);
-    assert_eq!((inches.units.unit, inches.units.doubtful), (Unit::In, true));
-    assert!(
-        inches.units.reason.contains("10.2 m") && inches.units.reason.contains("400 mm"),
-        "{}",
-        inches.units.reason
-    );
-    assert_eq!(found(&inches, Code::UnitsDoubtful).message, inches.units.reason);
-    let small = with_units("9 $INSUNITS 70 4", 12.0);
-    assert_eq!((small.units.unit, small.units.doubtful), (Unit::Mm, true));
-    // Settings that contradict count where the other unit would be possible as well.
-    assert!(with_units("9 $INSUNITS 70 4 9 $MEASUREMENT 70 0", 100.0).units.doubtful);
-    assert!(!with_units("9 $INSUNITS 70 4 9 $MEASUREMENT 70 0", 1000.0).units.doubtful);
-    assert!(!with_units("9 $INSUNITS 70 4 9 $MEASUREMENT 70 1", 100.0).units.doubtful);
-}
-
-#[test]
-fn units_that_are_missing_are_guessed_with_a_reason() {
-    let guess = |header: &str, size: f64| {
-        let units = with_units(header, size).units;
-        assert_eq!(units.source, UnitsSource::Guessed);
-        assert!(units.reason.starts_with("The file names"), "{}", units.reason);
-        (units.unit, units.doubtful)
-    };
-    assert_eq!(guess("9 $INSUNITS 70 0", 1000.0), (Unit::Mm, false));
-    assert_eq!(guess("9 $INSUNITS 70 0", 100.0), (Unit::Mm, true));
-    assert_eq!(guess("9 $MEASUREMENT 70 1", 100.0), (Unit::Mm, false));
-    assert_eq!(guess("9 $MEASUREMENT 70 0", 12.0), (Unit::In, false));
-    assert_eq!(guess("9 $LUNITS 70 4", 12.0), (Unit::In, false));
-    assert_eq!(guess("9 $ACADVER 1 AC1009", 12.0), (Unit::Mm, true));
-    assert_eq!(guess("9 $INSUNITS 70 20", 1000.0), (Unit::Mm, false));
-}
-
-#[test]
-fn units_given_by_the_person_win() {
-    let text = file("", LINE);
-    let options = ReadOptions { unit: Some(Unit::In), ..ReadOptions::default() };
-    let drawing = kerfway::dxf::read(text.as_bytes(), &options).unwrap();
-    close(length(&drawing), 50.0 * 25.4);
-    assert_eq!((drawing.units.source, drawing.units.doubtful), (UnitsSource::Given, false));
-}
-
 #[test]
 fn damaged_entities_are_marked_and_skipped_by_default() {
     let text = file("", &format!("{LINE} {CIRCLE} 0 LINE 8 CUT 10 0 20 0 11 7 21 0"));
@@ -254,7 +181,8 @@ fn damaged_entities_are_marked_and_skipped_by_default() {
         ("40\n10\n", "40\n1O\n"),
         ("40\n10\n", "40\nNaN\n"),
         ("40\n10\n", "40\n10\nstray words here\n"),
-        ("40\n10\n", "40\n10\n<<<<<<< HEAD\n40\n11\n=======\n40\n12\n>>>>>>> theirs\n"),
+        ("40\n10\n", "40\n10\nuse crate::testkit::drawings::{file, found, lines, read, shapes};
+use kerfway::drawing::{Drawing, ReadError, ReadOptions};
     ] {
         let broken = text.replacen(from, to, 1);
         assert_ne!(broken, text);

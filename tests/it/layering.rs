@@ -1,6 +1,7 @@
 //! Data flows one way: which folder of `src` may use which, and no circles between files. See DESIGN.md, "House".
 
 mod sources;
+mod tokens;
 
 use sources::{Arrow, Files, arrows};
 use std::collections::{BTreeMap, BTreeSet};

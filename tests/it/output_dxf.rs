@@ -27,7 +27,7 @@ fn element(s: &Segment) -> Element {
 
 #[test]
 fn contours_come_back_in_cutting_order_entry_first() {
-    crate::testkit::plans::each(200, |sheet, plan, _| assert_same(sheet, plan));
+    crate::testkit::random_plans::each(200, |sheet, plan, _| assert_same(sheet, plan));
 }
 
 fn assert_same(sheet: &Sheet, plan: &Plan) {

@@ -179,7 +179,7 @@ fn no_fact_of_the_header_is_cut_off() {
 
 #[test]
 fn plans_come_back_as_planned() {
-    crate::testkit::plans::each(400, assert_same);
+    crate::testkit::random_plans::each(400, assert_same);
 }
 
 #[test]

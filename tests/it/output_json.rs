@@ -41,7 +41,7 @@ fn documents_follow_the_published_schema() {
         None
     );
     for seed in 0..20 {
-        let (sheet, plan) = crate::testkit::plans::random(seed);
+        let (sheet, plan) = crate::testkit::random_plans::random(seed);
         assert_eq!(
             crate::testkit::schema::fault(
                 &schema,
@@ -121,7 +121,7 @@ fn a_plan_document_contains_everything_it_was_made_from() {
 #[test]
 fn moves_read_back_are_the_plan() {
     for seed in 0..200 {
-        let (sheet, plan) = crate::testkit::plans::random(seed);
+        let (sheet, plan) = crate::testkit::random_plans::random(seed);
         let document = parsed(&crate::testkit::plans::document(&sheet, &plan));
         let read = moves(&document);
         assert_eq!(read.len(), plan.moves.len());

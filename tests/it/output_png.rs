@@ -126,7 +126,7 @@ fn width_is_as_requested_and_limited() {
 #[test]
 fn plans_of_any_size_and_shape_are_drawn() {
     for seed in 0..30 {
-        let (sheet, plan) = crate::testkit::plans::random(seed);
+        let (sheet, plan) = crate::testkit::random_plans::random(seed);
         let picture =
             Pixmap::decode_png(&render(&crate::testkit::plans::document(&sheet, &plan), 100).unwrap())
                 .unwrap();

@@ -80,7 +80,7 @@ fn cuts(plan: &Plan) -> Vec<(usize, &[Segment])> {
 
 #[test]
 fn contours_come_back_in_order_as_planned() {
-    crate::testkit::plans::each(300, assert_same);
+    crate::testkit::random_plans::each(300, assert_same);
 }
 
 fn assert_same(sheet: &Sheet, plan: &Plan, profile: &Profile) {

@@ -29,6 +29,7 @@ pub mod paths;
 pub mod plans;
 pub mod plates;
 pub mod promises;
+pub mod random_plans;
 pub mod rng;
 pub mod schema;
 pub mod sheets;
