@@ -4,11 +4,11 @@
 //     npm run bench -- solve [sheets|grids|pool|qu-du|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME] [--cpu]
 //                            [--data FOLDER]
 //
-// `--cpu` counts seconds of the processor instead of the clock's, for a machine that others use too (Linux).
-// Instances come from benches/data, and from `--data FOLDER` where they may not be copied (benches/data/README.md). Runs go one
-// after the other, each in a process of its own, and end early when the best value known is reached. Every run ends with a tour
-// checked by code that shares nothing with the search. Other solvers run on the same instances in the same run where Python has
-// them (`KERFWAY_PYTHON`, else python3; benches/solve/baselines.py says what they need).
+// `--cpu` counts processor time instead of the time of the clock, for a machine that others use too (Linux only).
+// Instances are in benches/data. Those that may not be copied are read from `--data FOLDER` (benches/data/README.md). Each run has a
+// process of its own, one after the other, and ends early when the best known value is reached. The tour at the end of a run is
+// checked by code that shares nothing with the search. Other solvers run on the same instances if Python has them
+// (`KERFWAY_PYTHON`, otherwise python3; benches/solve/baselines.py lists what they need).
 
 import { readFileSync, rmSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -28,7 +28,7 @@ const BOUND = join(HERE, 'target', 'release', 'bound');
 const BASELINES = join(HERE, 'baselines.py');
 const PYTHON = process.env.KERFWAY_PYTHON ?? 'python3';
 
-/** Seconds at which values are told. */
+/** Seconds after which values are printed. */
 const MARKS = [1, 10, 30, 60];
 const SHEETS = [100, 500, 2000, 10000];
 const SOLVERS = ['elkai', 'pyvrp', 'ortools'];
@@ -78,7 +78,7 @@ function build() {
   run('wasm-pack', args, { env: { ...ENV, CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS: LEAN } });
 }
 
-/** Every seed natively: the instances of a file, each with its runs. */
+/** Runs every seed natively. Returns the instances of a file, each with its runs. */
 function natively(file, { seconds, seeds, cpu = false }, ...more) {
   const args = [file, '--seconds', String(seconds), '--seeds', String(seeds), '--json', ...(cpu ? ['--cpu'] : []), ...more];
   const all = rows(NATIVE, args);
@@ -88,26 +88,26 @@ function natively(file, { seconds, seeds, cpu = false }, ...more) {
   });
 }
 
-/** One seed in wasm. */
+/** Runs one seed in wasm. */
 function inWasm(file, { index, known }, seed, { seconds, cpu = false }, moves = Infinity) {
   const numbers = [index, seed, seconds, moves, known ?? NaN].map(String);
   return rows(process.execPath, [join(HERE, 'wasm.mjs'), file, ...numbers, ...(cpu ? ['cpu'] : [])])[0];
 }
 
-/** The best value a run had at a time. */
+/** The best value of a run after some seconds. */
 function at(run, seconds) {
   return run.trace.findLast(([s]) => s <= seconds)?.[1] ?? run.trace[0][1];
 }
 
-/** What is proven of every instance of a file in so many seconds, natively. */
+/** The lower bound that is proven for each instance of a file within some seconds, natively. */
 function proven(file, seconds) {
   return new Map(rows(BOUND, [file, '--seconds', String(seconds)]).map((row) => [row.instance, row.bound]));
 }
 
-/** How far a value is from what is proven at most. */
+/** How far a value is above the proven bound. */
 const off = (value, bound) => (bound > 0 ? `${((100 * Math.max(0, value - bound)) / bound).toFixed(2)} %` : 'none');
 const percent = (value, known) => (known === null ? '' : `${((100 * (value - known)) / known).toFixed(3)} %`);
-/** The sheets whose names hold `only`: number of contours and file. */
+/** The sheets whose names contain `only`: number of contours and file. */
 const sheetFiles = ({ instances, only = '' }) =>
   SHEETS.filter((n) => `sheet_${n}.dxf`.includes(only)).map((n) => [n, instances.file(`sheets/sheet_${n}.dxf`)]);
 const bySize = (a, b) => (parseInt(basename(a)) || 0) - (parseInt(basename(b)) || 0) || (a < b ? -1 : 1);
@@ -130,7 +130,7 @@ async function sheets({ seconds, seeds, only, cpu, instances }) {
   table(`Sheets in wasm, one worker: air length in mm, median of ${seeds} seeds`, ['', 'first plan', ...marks, 'best', 'best known before', 'median to it', 'above the bound', 'memory'], lines);
 }
 
-/** Perforated sheets, natively in one thread: against nearest next and the best of some ways laid by hand. */
+/** Perforated sheets, natively in one thread, compared with the nearest-next path and the best of some paths along the rows. */
 async function grids({ seconds, seeds, only = '', cpu }) {
   const marks = [1, 5, 15].filter((m) => m <= seconds);
   const cases = Object.keys(PATTERNS).flatMap((name) => SIDES.map((side) => [name, side]));
@@ -148,7 +148,7 @@ async function grids({ seconds, seeds, only = '', cpu }) {
   table(`Perforated sheets natively: air length in mm, median of ${seeds} seeds`, columns, lines);
 }
 
-/** The package's own pool on the sheets: as many workers as there are cores. */
+/** The sheets with parallel searches of the package, as many as there are cores. */
 async function pool({ seconds, only, instances }) {
   await buildAll();
   const { plan } = await import(pathToFileURL(join(DIST, 'sdk', 'node.js')).href);
@@ -184,7 +184,7 @@ function library(set, extension, options, baselines) {
   const behind = [];
   const solvers = baselines ? SOLVERS.filter((s) => ask(PYTHON, '-c', `import ${s}`) !== null) : [];
   if (baselines && solvers.length < SOLVERS.length) {
-    console.log(`bench: other solvers left out, because ${PYTHON} has no module of theirs: ${SOLVERS.filter((s) => !solvers.includes(s)).join(', ')}`);
+    console.log(`bench: other solvers do not run, because ${PYTHON} lacks their modules: ${SOLVERS.filter((s) => !solvers.includes(s)).join(', ')}`);
   }
   instances.file(`${set}/best_known.json`);
   const lines = instances.list(set, extension, only).sort(bySize).map((path) => {
@@ -197,7 +197,7 @@ function library(set, extension, options, baselines) {
     const others = solvers.map((solver) => {
       const row = baseline(file, solver, seconds);
       if (typeof row?.length !== 'number') return 'none';
-      // The worst seed, natively, when the other solver was done: one of them takes the time it needs.
+      // The worst seed, natively, after the seconds of the other solver, which ends by itself or at the limit.
       const then = Math.max(...source.runs.map((r) => at(r, row.seconds)));
       if (then > row.length + 1e-6) behind.push(`${basename(file)}: ${solver}`);
       return `${percent(row.length, source.known)} in ${row.seconds} s, ours then ${percent(then, source.known)}`;
@@ -218,7 +218,7 @@ function library(set, extension, options, baselines) {
   if (solvers.length > 0) console.log(`a seed behind another solver in the same time: ${behind.join(', ') || 'none'}`);
 }
 
-/** What another solver comes to; nothing where it cannot (two of them need a set of one node to begin with). */
+/** The result of another solver; `undefined` if it cannot solve the instance (two of them need a set of one node to start from). */
 function baseline(file, solver, seconds) {
   try {
     return rows(PYTHON, [BASELINES, file, '--seconds', String(seconds), '--solver', solver])[0];
@@ -229,7 +229,7 @@ function baseline(file, solver, seconds) {
   }
 }
 
-/** Moves in wasm against natively, by turns, and what a move costs as sheets grow. */
+/** Compares the time of a move in wasm and natively, in alternating runs, on sheets of growing size. */
 async function scaling({ seeds, only, cpu, instances }) {
   const MOVES = 8_000_000;
   const lines = sheetFiles({ instances, only }).map(([, file]) => {
@@ -243,5 +243,5 @@ async function scaling({ seeds, only, cpu, instances }) {
     const [a, b] = [0, 1].map((k) => median(runs.map((run) => work(run[k]))));
     return [basename(file, '.dxf'), `${((1e9 * a) / MOVES).toFixed(0)} ns`, `${((1e9 * b) / MOVES).toFixed(0)} ns`, (b / a).toFixed(2), same];
   });
-  table(`${MOVES / 1e6} million moves, median of ${seeds} seeds: time a move, and whether both come to the same value`, ['', 'natively', 'wasm', 'ratio', 'same'], lines);
+  table(`${MOVES / 1e6} million moves, median of ${seeds} seeds: time of a move, and whether both find the same value`, ['', 'natively', 'wasm', 'ratio', 'same'], lines);
 }

@@ -134,7 +134,7 @@ function globalBuild() {
   rmSync(join(SDK, 'global'), { recursive: true });
 }
 
-/** The worker that keeps the page for when there is no network is told its files. */
+/** Writes the list of files into the service worker, which stores them for use without a network. */
 function offline() {
   const files = filesIn(APP).filter((f) => !onDemand(f));
   const names = files.map((f) => relative(APP, f).split(sep).join('/')).filter((f) => f !== 'index.html');

@@ -33,7 +33,7 @@ export const SAMPLES = {
     circle(40, 100, 22), circle(68, 100, 22),
     path([[110, 80], [170, 80], [170, 120], [130, 120]], 'CUT', false),
     text(200, 90, 8, 'not cut', 'CUT')),
-  // What a layer is for is told by its name; the page suggests what to do with it.
+  // The names of layers say what they are for; the page suggests an operation for each.
   'layers.dxf': drawing(MM,
     box(-10, -10, 320, 180, 'SHEET'),
     ...rows(3, (k) => [...plate(100 * k, 0, 90, 60, 8, 'CUT'), ...circle(100 * k + 15, 15, 4, 'CUT'), ...circle(100 * k + 75, 15, 4, 'CUT'),

@@ -28,7 +28,7 @@ export const ENV = {
 // npm and the tools of npm packages are .cmd files on Windows, which only a shell can start.
 const shell = process.platform === 'win32';
 
-/** A failure that is told in one sentence, without a stack. */
+/** A failure that is reported in one sentence, without a stack trace. */
 export class Stop extends Error {}
 
 /** Output of a command, or null when it is missing or fails. */

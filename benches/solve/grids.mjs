@@ -1,4 +1,4 @@
-// Perforated sheets: round holes in a square grid, in staggered rows, and slots. Each drawing comes with the length of ways that
+// Perforated sheets: round holes in a square grid, in staggered rows, and slots. Each drawing comes with the length of the path that
 // a person would lay through it.
 
 import { mkdtempSync, writeFileSync } from 'node:fs';
@@ -46,12 +46,12 @@ function outline(points) {
   return ['0', 'LWPOLYLINE', '100', 'AcDbEntity', '8', 'CUT', '100', 'AcDbPolyline', '90', points.length, '70', '1', ...vertices];
 }
 
-/** The least length of ways by hand, mm: along rows or columns, one or two at a time, forwards and backwards by turns. */
+/** Length of the shortest path that a person would lay, mm: along rows or columns, one or two at a time, forwards and backwards in turn. */
 export function byHand(name, side) {
   return Math.min(...[0, 1].flatMap((along) => [1, 2].map((width) => laid(PATTERNS[name], side, along, width))));
 }
 
-/** A way along one axis; in a band of two lines it crosses between the sides that face each other. */
+/** A path along one axis. In a band of two lines it crosses between the sides that face each other. */
 function laid(pattern, side, along, width) {
   const across = 1 - along;
   const way = [[0, 0]];

@@ -75,7 +75,7 @@ function refuseForms(request, response, next) {
   else next();
 }
 
-/** The status and the sentence for a job that failed. Only what the sender can mend is told in detail. */
+/** The status and the sentence for a job that failed. Only faults that the sender can correct are described in detail. */
 function whyFailed(reason) {
   if (/stalled/.test(reason)) return [422, GIVEN_UP];
   if (reason.startsWith(UNUSABLE)) return [422, reason.slice(UNUSABLE.length)];

@@ -1,4 +1,4 @@
-// Helpers of the tests of what others embed: pages of a host under the strict policy, beside the files of dist/sdk.
+// Helpers of the tests of embedding: pages of a host under the strict policy, served together with the files of dist/sdk.
 
 import assert from 'node:assert/strict';
 import { join } from 'node:path';

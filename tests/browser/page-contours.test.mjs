@@ -23,7 +23,7 @@ test('a contour is skipped by card, key and Alt with a click, stays visible, and
   await card.getByRole('button', { name: 'Skip' }).click();
   await gist(page, '27 contours');
   await until(page, 'Skipped: 1 contour');
-  // What is looked at stays, and says what it is.
+  // The selected contour stays, with its description.
   assert.match(await card.textContent(), /^Contour \d+.*skipped, not cut/);
   assert.equal(await card.getByRole('button', { name: 'Skip' }).getAttribute('aria-pressed'), 'true');
   await phase(page, 'done');
@@ -102,7 +102,7 @@ test('the sheet shows what another tolerance would join or part before it is app
     slider.dispatchEvent(new Event('input', { bubbles: true }));
   }, value);
 
-  // A hand that moves the slider wishes often; the plan goes on, and the page's thread stays free.
+  // A slider that is dragged sends many changes; the plan continues, and the page's thread stays free.
   for (let value = 90; value >= 40; value -= 1) await turn(value);
   await says('4 joints would open');
   assert.match(await told.textContent(), /12 contours instead of 9/);

@@ -107,7 +107,7 @@ test('a click with Shift or a key pins a contour; the list unpins it, undo pins 
   await page.locator('body').press('Control+Shift+z');
   await until('Cut last: 1 contour');
 
-  // Where a contour lies on the screen: the pointer says so.
+  // The pointer finds where a contour is on the screen.
   const box = await page.locator('#canvas').boundingBox();
   let at = null;
   for (let x = 60; x < box.width - 60 && at === null; x += 3) {

@@ -1,4 +1,4 @@
-// The width of the kerf on the page: set in the machine, it changes what is cut; both lines are shown.
+// The kerf width on the page: a setting of the machine that changes the cut; both lines are shown.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

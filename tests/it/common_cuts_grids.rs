@@ -26,7 +26,7 @@ fn even() -> Profile {
     machine
 }
 
-/// Seconds that any plan for a grid of m by n takes besides cutting, at least.
+/// Lower bound of the seconds besides cutting for any plan of a grid of m by n.
 ///
 /// Trails are what is cut between two air moves, stops for pre-cuts on the way included. Where an odd number of elements
 /// meets (the ends of the lines inside, on the frame, three elements each), a trail begins or ends; so there are at least
@@ -116,7 +116,7 @@ fn grids_are_within_two_per_cent_of_what_is_proven() {
         let besides = s.total_time - s.cut_time;
         let above = 100.0 * (besides / seconds - 1.0);
         assert!((0.0..=2.0).contains(&above), "{m} x {n}: {besides:.4}, {above:.2} % above");
-        // What is proven is no less than what the bound above says.
+        // The solver's proof is at least as strong as the bound above.
         assert!(seconds > bound(m, n, &machine) - 1e-3, "{m} x {n}");
     }
 }

@@ -203,7 +203,7 @@ fn paper_invisible_frozen_and_off_are_findings_and_no_shapes() {
          0 LINE 8 DARK 10 0 20 0 11 5 21 0 0 INSERT 8 ICE 2 B 10 0 20 0 0 INSERT 8 DARK 2 B 10 0 20 0 0 ENDSEC 0 EOF",
     );
     let drawing = read(&text).unwrap();
-    // Of the insert on the layer that is off, what is on a layer of its own is seen.
+    // Of an insert on a layer that is off, entities on other layers are visible.
     assert_eq!(crate::testkit::drawings::shapes(&drawing), [("LINE", 2.0)]);
     let mut hidden: Vec<_> = drawing
         .findings

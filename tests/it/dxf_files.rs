@@ -203,7 +203,7 @@ use kerfway::drawing::{Drawing, ReadError, ReadOptions};
 #[test]
 fn lost_step_names_the_line() {
     let text = file("", &format!("{LINE} {CIRCLE}"));
-    // The group code of the circle's y is lost: its value stands where a group code should be.
+    // The group code of the circle's y is lost: its value is where a group code should be.
     let broken = text.replacen("20\n0\n40", "0\n40", 1);
     // CIRCLE is line i + 1; after it 5, 1B, 8, CUT, 10, 0 and the lone value.
     let line = broken.lines().position(|l| l == "CIRCLE").unwrap() + 8;

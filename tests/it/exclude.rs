@@ -53,7 +53,7 @@ fn order(plan: &Plan) -> Vec<u32> {
     plan.moves.iter().filter_map(contour).collect()
 }
 
-/// What is odd about contours; what cleaning took away is told of the drawing, whoever lost it.
+/// Findings about contours. Findings of the cleaning are about the drawing, whichever contour is affected.
 fn told(findings: &[Finding]) -> Vec<(Code, &str)> {
     let of_drawing = [Code::ContourExcluded, Code::DuplicateRemoved];
     findings.iter().filter(|f| !of_drawing.contains(&f.code)).map(|f| (f.code, f.message.as_str())).collect()

@@ -103,7 +103,7 @@ fn boxes_hold_arcs_exactly() {
         let b = s.bounds();
         let dense = (0..=4000).fold(Aabb::EMPTY, |b, k| b.with(s.at(f64::from(k) / 4000.0)));
         assert!(b.grown(1e-9).contains_box(&dense), "{s:?}");
-        // Not larger than what is there, but for the steps of the sampling.
+        // Not larger than the shape, except for the steps of the sampling.
         let step = s.length() / 4000.0;
         assert!(dense.grown(step).contains_box(&b), "{s:?} {b:?} {dense:?}");
     }
@@ -195,7 +195,7 @@ fn a_closed_path_can_start_anywhere() {
         assert!(near(cut.at(1.0).unwrap(), slot.at((s + 1.0) % length).unwrap()));
         assert!(cut.segments.iter().all(|s| s.length() > 1e-9) && cut.segments.len() <= 5);
     }
-    // At a joint, or beside it by rounding: no new element.
+    // At a joint, or next to it by rounding: no new element.
     for s in [0.0, 10.0, 10.0 + 1e-12, 10.0 - 1e-12, length, length - 1e-13, 20.0 + 2.0 * PI, -3.0, f64::NAN]
     {
         assert_eq!(slot.starting_at(s).segments.len(), 4, "{s}");

@@ -1,7 +1,7 @@
 //! Golden plans: the same seed and moves give the same bytes natively, under Node and in a browser.
 //!
-//! `tests/golden/cases.json` says what is planned, `tests/golden/NAME.json` is the plan expected. The package and
-//! browser tests read the same files. `KERFWAY_BLESS=1 cargo test --test it golden` writes them anew, after a change that
+//! `tests/golden/cases.json` lists the cases, and `tests/golden/NAME.json` is the expected plan. The package and
+//! browser tests read the same files. `KERFWAY_BLESS=1 cargo test --test it golden` writes them again, after a change that
 //! is meant to change plans. `tests/golden/quotes.json` has the hash of each plan's quote, which must be the same, too; `dev-quotes.json` those of
 //! every real drawing of `tests/fixtures/dxf-dev`.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]

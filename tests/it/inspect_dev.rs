@@ -1,5 +1,5 @@
 //! Real drawings against their audit by ezdxf (`manifest.json` beside them): length as drawn, cut length, closed and
-//! open contours. Every difference stands in the table of `tests/fixtures/README.md` with who is right and why; the
+//! open contours. Every difference is in the table of `tests/fixtures/README.md` with who is right and why; the
 //! test reads that table, so a difference that is not explained fails, and so does an explanation of none.
 //!
 //! Drawings under licences we may not carry are read from the folder of shared data when it is there.

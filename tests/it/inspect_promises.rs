@@ -20,7 +20,7 @@ fn promises_hold_for_every_file_that_once_broke_one() {
     }
 }
 
-/// The name stands above the panic when one fails.
+/// The name is printed before the panic when one fails.
 #[allow(clippy::print_stdout, reason = "shown only when the test fails")]
 fn println_name(file: &std::path::Path) {
     println!("{}", crate::testkit::name(file));

@@ -60,7 +60,7 @@ struct Tally {
     corners: usize,
 }
 
-/// Every place of a moved contour is half a kerf from its outline, or farther beside a corner only; on the side of the waste.
+/// Every point of an offset contour is half a kerf from its outline, on the side of the waste; only at a corner it may be farther.
 fn check(contour: &Contour, drawn: &Path, half: f64, what: &str) -> usize {
     let outline = Outline::of(drawn);
     let line = contour.boundary().unwrap_or(&contour.path);

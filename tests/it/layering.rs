@@ -1,4 +1,4 @@
-//! Data flows one way: which folder of `src` may use which, and no circles between files. See DESIGN.md, "House".
+//! Data flows one way: which folder of `src` may use which, and no circles between files. CONTRIBUTING.md, "Rules", lists them.
 
 mod sources;
 mod tokens;
@@ -10,8 +10,8 @@ use std::path::Path;
 /// What everything from the readers on may use.
 const GROUND: &[&str] = &["order", "geometry", "finding", "fields"];
 
-/// Folders and files of `src`, from the ground up, each with those it may use besides itself and [`GROUND`]. The longest
-/// name that fits a file is the one that counts.
+/// Folders and files of `src`, from the ground up, each with those it may use in addition to itself and [`GROUND`]. The row with
+/// the longest name that fits a file applies to it.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("order", &[]),
     ("geometry", &[]),
@@ -56,7 +56,7 @@ fn is_allowed(from: &str, to: &str) -> bool {
     inside(to, from) || GROUND.contains(&to) || row.iter().any(|name| inside(to, name))
 }
 
-/// What is wrong with the arrows of a crate, one line each.
+/// The faults of a crate's dependencies, one line each.
 fn faults(files: &Files) -> Vec<String> {
     let arrows = arrows(files);
     let mut faults = Vec::new();
@@ -130,7 +130,7 @@ fn every_dependency_points_down_and_there_are_no_cycles() {
     assert!(found.is_empty(), "\n{}", found.join("\n"));
 }
 
-/// What is wrong with a made-up crate.
+/// The faults of a made-up crate.
 fn faults_of(files: &[(&str, &str)]) -> Vec<String> {
     faults(&files.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect())
 }

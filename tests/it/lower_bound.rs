@@ -156,7 +156,7 @@ fn entries_anywhere() {
     }
 }
 
-/// The same problem with so many nodes on every track.
+/// The same problem with this number of nodes on every track.
 fn sampled(problem: &Problem, count: u32) -> Problem {
     let mut out = problem.clone();
     out.nodes.clear();

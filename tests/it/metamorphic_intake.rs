@@ -1,5 +1,5 @@
 //! Metamorphic tests over the whole intake, on the text of drawings: however a drawing is moved, turned, mirrored,
-//! scaled, shuffled, reversed, taken apart or wrapped in blocks, it holds the same contours and parts.
+//! scaled, shuffled, reversed, taken apart or wrapped in blocks, it has the same contours and parts.
 
 #![allow(
     clippy::unwrap_used,

@@ -1,7 +1,7 @@
 //! Mutation tests of the reader over real drawings: lines lost, doubled and swapped, bad numbers, truncations,
 //! flipped bits. Nothing panics or hangs, through contours and parts, and no geometry changes in silence: wherever
 //! an entity comes out different, something is reported, except where the damage left another well-formed file
-//! (a changed digit), which nobody can tell from a drawing that was meant so.
+//! (a changed digit), which cannot be distinguished from a drawing that was meant so.
 //!
 //! `KERFWAY_MUTATIONS=20` tries twenty times as many.
 
@@ -107,7 +107,7 @@ fn damage_is_never_silent() {
         let (base, options) = undamaged(&bytes);
         let (base_prints, base_reports) = (prints(&base), reports(&base));
         let lines = lines(&bytes);
-        // What a drawing lacks as it is, damage cannot be blamed for.
+        // A flaw of the undamaged drawing is not due to the damage.
         let ending: &[u8] = if is_well_formed(&bytes) { b"" } else { b"  0\nENDSEC\n  0\nEOF\n" };
         let mut rng = seeded(n as u64 + 1);
         for _ in 0..rounds(bytes.len()) {
@@ -137,7 +137,7 @@ fn damage_is_never_silent() {
     for (kind, tally) in &tallies {
         println!("{kind}: {tally:?}");
     }
-    // What is cut differently, though it is said: a layer's name when the code page is lost, a missing angle taken as
+    // Reported, although the drawing is cut differently: a layer's name when the code page is lost, a missing angle taken as
     // 0. Anything else touched is left out.
     let (tried, altered) = tallies.values().fold((0, 0), |(t, a), x| (t + x.tried, a + x.altered));
     assert!(altered * 200 <= tried, "{altered} of {tried} are cut differently");

@@ -188,7 +188,7 @@ fn assert_same(read: &Move, planned: &Move) {
     assert!((read - planned).abs() <= 1e-6 * planned.max(1.0), "{read} mm read, {planned} mm planned: {b:?}");
 }
 
-/// Ends, centre and direction are all a reader has: they must never say a circle where there is none, or none where
+/// A reader has only ends, centre and direction. These must never describe a circle where there is none, or none where
 /// there is one.
 #[test]
 fn arcs_next_to_nothing_and_next_to_a_turn_keep_their_length() {

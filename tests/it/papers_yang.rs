@@ -50,6 +50,6 @@ fn the_genetic_algorithm_saves_time_but_does_not_beat_the_optimum() {
     let first = search.best().cost;
     while search.step(100_000).status == Status::Running {}
     let found = search.best().cost;
-    // A random path is three times as long as what it comes to.
+    // A random path is three times as long as the result.
     assert!(found >= optimum - 1e-6 && found < 0.6 * first, "{first} {found} {optimum}");
 }

@@ -172,7 +172,7 @@ fn the_hash_covers_everything_in_the_report_and_nothing_else() {
     let hash = made(json!({}), plain.clone(), &steel(2.0));
     assert_eq!(hash.len(), 64);
     assert_eq!(hash, made(json!({}), plain.clone(), &steel(2.0)));
-    // Seconds are only told on: the moves done decide.
+    // Seconds are only reported; the number of moves decides.
     assert_eq!(hash, made(json!({}), json!({ "moves": 500, "seconds": 9.0, "seed": 1 }), &steel(2.0)));
     assert_ne!(hash, made(json!({}), json!({ "moves": 500, "seed": 2 }), &steel(2.0)));
     assert_ne!(hash, made(json!({ "joinTolerance": 0.1 }), plain.clone(), &steel(2.0)));

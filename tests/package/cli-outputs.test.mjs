@@ -10,6 +10,7 @@ import { dirname, join } from 'node:path';
 import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
 import { pathToFileURL } from 'node:url';
+import { COMMANDS } from '../../dist/sdk/cli/commands.js';
 import { CLI, dxf, folder, ROOT, square } from './support.mjs';
 
 const POSIX = process.platform !== 'win32';
@@ -24,17 +25,26 @@ const DRAWING = contours(120);
 const CITIES = Array.from({ length: 1500 }, (_, k) => `${k + 1} ${(k * 7919) % 1009} ${(k * 104_729) % 997}`);
 const INSTANCE = `NAME: t\nTYPE: TSP\nDIMENSION: ${CITIES.length}\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n${CITIES.join('\n')}\nEOF\n`;
 const QUICK = ['--moves', '5', '--seed', '1'];
-const KINDS = { json: 'a.json', gcode: 'a.nc', svg: 'a.svg', dxf: 'b.dxf', png: 'a.png' };
+/** What a command reads, if not a drawing. */
+const INPUTS = { solve: 'a.tsp' };
+const ENDINGS = { gcode: 'a.nc', dxf: 'b.dxf' };
+const fileOf = (kind) => ENDINGS[kind] ?? `a.${kind}`;
+
+/** The outputs of each command, from the command line's own table, so that a new one is tested without being named here. */
+const OUTPUTS = Object.entries(COMMANDS).map(([command, { options }]) => {
+  const all = Object.entries(Object.assign({}, ...Object.values(options)));
+  return { command, quick: all.some(([name]) => name === 'moves') ? QUICK : [], kinds: all.filter(([, { value }]) => value === 'OUT').map(([name]) => name) };
+});
 
 /** Every command that writes: its arguments for an input folder and an output folder, and the files it writes. */
-const WRITERS = Object.fromEntries([
-  ...Object.entries(KINDS).map(([kind, file]) => [`plan --${kind}`, (from, to) => [['plan', join(from, 'a.dxf'), ...QUICK, `--${kind}`, join(to, file)], [file]]]),
-  ['plan, all outputs', (from, to) => [['plan', join(from, 'a.dxf'), ...QUICK, ...Object.entries(KINDS).flatMap(([kind, file]) => [`--${kind}`, join(to, file)])], Object.values(KINDS)]],
-  ['plan, into a folder', (from, to) => [['plan', join(from, 'a.dxf'), ...QUICK, '--gcode', `${to}/`, '--json', `${to}/`], ['a.nc', 'a.json']]],
-  ['quote --json', (from, to) => [['quote', join(from, 'a.dxf'), ...QUICK, '--json', join(to, 'a.json')], ['a.json']]],
-  ['inspect --json', (from, to) => [['inspect', join(from, 'a.dxf'), '--json', join(to, 'a.json')], ['a.json']]],
-  ['solve --json', (from, to) => [['solve', join(from, 'a.tsp'), ...QUICK, '--json', join(to, 'a.json')], ['a.json']]],
-].map(([name, words]) => [name, words]));
+const WRITERS = Object.fromEntries(OUTPUTS.flatMap(({ command, quick, kinds }) => {
+  const words = (from) => [command, join(from, INPUTS[command] ?? 'a.dxf'), ...quick];
+  const writer = (some) => (from, to) => [[...words(from), ...some.flatMap((kind) => [`--${kind}`, join(to, fileOf(kind))])], some.map(fileOf)];
+  const single = kinds.map((kind) => [`${command} --${kind}`, writer([kind])]);
+  if (kinds.length < 2) return single;
+  const intoFolder = (from, to) => [[...words(from), '--gcode', `${to}/`, '--json', `${to}/`], ['a.nc', 'a.json']];
+  return [...single, [`${command}, all outputs`, writer(kinds)], [`${command}, into a folder`, intoFolder]];
+}));
 
 /** Runs the command line, if needed through other programs; resolves to its exit code or signal and its messages. */
 function run(args, { before = [], env = {}, preload = [], ...options } = {}) {
@@ -109,10 +119,16 @@ function fill(at) {
 }
 
 /** Each command once; the kinds of output of a plan are written by the same call. */
-const COMMANDS = Object.keys(WRITERS).filter((writer) => !writer.startsWith('plan --'));
+const ONCE = Object.keys(WRITERS).filter((writer) => !writer.startsWith('plan --'));
+
+it('every command that writes is tested, with every output', () => {
+  for (const writer of ['plan --gcode', 'plan --json', 'plan --svg', 'plan --dxf', 'plan --png', 'plan, all outputs', 'plan, into a folder', 'quote --json', 'inspect --json', 'solve --json']) {
+    assert.ok(writer in WRITERS, writer);
+  }
+});
 
 for (const writer of Object.keys(WRITERS)) {
-  const each = COMMANDS.includes(writer) ? it : () => {};
+  const each = ONCE.includes(writer) ? it : () => {};
   describe(`${writer}: a failure leaves the old files whole`, () => {
     each('a full disk', async (t) => {
       const at = disk(t, 64);
@@ -156,6 +172,18 @@ describe('outputs of one drawing', () => {
     refused(await survives(t, ALL, folder(t), faulty('ENOSPC', { FAULT_AT: '5' })), 'the disk is full');
     refused(await survives(t, ALL, folder(t), faulty('EPERM', { FAULT_AT: '5', FAULT_CALL: 'renameSync' })), 'the system does not allow it');
     refused(await survives(t, ALL, folder(t), faulty('EIO', { FAULT_AT: '5', FAULT_CALL: 'fsyncSync' })), 'the system says EIO');
+  });
+
+  it('stay as they were, and those of another drawing are written', async (t) => {
+    const [from, to] = [inputs(t), folder(t)];
+    writeFileSync(join(from, 'b.dxf'), contours(60));
+    for (const name of ['a.nc', 'b.nc']) writeFileSync(join(to, name), OLD);
+    const { code, stderr } = await run(['plan', join(from, 'a.dxf'), join(from, 'b.dxf'), ...QUICK, '--gcode', `${to}/`], faulty('EIO'));
+    assert.equal(code, 4, stderr);
+    assert.match(stderr, /a\.nc cannot be written: the system says EIO\. No file was changed\./);
+    assert.equal(readFileSync(join(to, 'a.nc'), 'utf8'), OLD);
+    assert.match(readFileSync(join(to, 'b.nc'), 'utf8'), /M5/);
+    assert.deepEqual(readdirSync(to).sort(), ['a.nc', 'b.nc']);
   });
 
   it('leave no new file behind', async (t) => {

@@ -52,7 +52,7 @@ describe('kerfway plan', () => {
     assert.equal(moves.at(-1).kind, 'cut');
 
     const profile = { ...machine, name: 'mine', pierce_time: 2.5 };
-    // As it is, and as the page exports it.
+    // The profile alone, and as the page exports it.
     for (const content of [profile, { schema: 'kerfway.machine/1', profile }]) {
       const own = file(t, 'mine.json', JSON.stringify(content));
       const second = JSON.parse((await kerfway(...PLAN, '--machine', own, '--json', '-')).stdout);

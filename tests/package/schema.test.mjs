@@ -1,4 +1,4 @@
-// Every plan written is valid by the published schema, and the schema refuses what is not a plan.
+// Every written plan is valid according to the published schema, and the schema refuses other documents.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

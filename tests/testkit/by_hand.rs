@@ -1,4 +1,4 @@
-//! Pierce groups on a lattice by brute force: every order and direction of their elements, one after the other.
+//! Pierce groups on a lattice by brute force: every order and direction of their elements.
 //!
 //! Shares nothing with those who plan but the elements' geometry: what hangs on the sheet is found by filling the cells of
 //! the lattice from outside, seconds are added up here.
@@ -188,7 +188,7 @@ impl<'m> ByHand<'m> {
         if done.seconds + self.run(&done.run) + left / self.machine.cut.speed > worst + 1e-9 {
             return;
         }
-        // First what goes on from the head: good orders are found early.
+        // Elements that continue from the head come first, so that good orders are found early.
         let count = self.count();
         let ways =
             move |goes_on: bool| (0..count).flat_map(move |e| [(e, false, goes_on), (e, true, goes_on)]);

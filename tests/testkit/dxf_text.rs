@@ -83,7 +83,7 @@ impl Entity {
         }
     }
 
-    /// A polyline as its lines and arcs; anything else as it is.
+    /// A polyline as its lines and arcs; other entities unchanged.
     pub fn exploded(&self) -> Vec<Self> {
         let Self::Polyline(v, closed) = self else { return vec![self.clone()] };
         let count = if *closed { v.len() } else { v.len() - 1 };
@@ -179,7 +179,7 @@ impl Tags<'_> {
     }
 }
 
-/// A drawing: what is on it, and the block and insert it may be wrapped in.
+/// A drawing: its entities, and the block and insert that they may be wrapped in.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// Entities with their layers.
@@ -209,7 +209,7 @@ impl Scene {
         let mut blocks = String::new();
         block("B0", base, &self.body(), &mut blocks);
         for i in 1..depth {
-            // Base and insertion point cancel: what is nested lies where it did.
+            // Base and insertion point cancel, so nested entities keep their places.
             let at = if i == 1 { base } else { DVec2::ZERO };
             let inner = insert(&format!("B{}", i - 1), at, &Similarity::IDENTITY);
             block(&format!("B{i}"), DVec2::ZERO, &inner, &mut blocks);

@@ -1,4 +1,4 @@
-//! A controller on paper: reads G-code as GRBL 1.1 in laser mode does and tells what the head and the beam would do.
+//! A simulated controller: reads G-code as GRBL 1.1 in laser mode does, and returns what the head and the beam would do.
 //!
 //! Written from GRBL's documentation, sharing no code with the writer. It is strict: what GRBL refuses is an error here
 //! (two words of one modal group, an arc whose radii differ, motion without feed, too long a line), and so is any word
@@ -9,14 +9,14 @@ use crate::testkit::paths::Element;
 use glam::DVec2;
 use std::f64::consts::TAU;
 
-/// What the head does, one after the other.
+/// A step of the head.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Event {
     /// The text of a comment.
     Comment(String),
     /// Moves.
     Motion(Motion),
-    /// Stands still.
+    /// A pause.
     Dwell {
         /// How long, s.
         seconds: f64,
@@ -66,7 +66,7 @@ enum Spindle {
     Dynamic,
 }
 
-/// What is in force between lines.
+/// The modal state.
 struct Controller {
     motion: u8,
     spindle: Spindle,
@@ -99,7 +99,7 @@ struct Block {
 /// Letters with values, in the order of [`Block::values`].
 const VALUES: &str = "XYIJFSP";
 
-/// Runs a program; an error names the line and what is wrong with it.
+/// Runs a program. An error names the line and its fault.
 pub(crate) fn run(text: &str) -> Result<Program, String> {
     let mut program = Program::default();
     let mut controller = Controller {

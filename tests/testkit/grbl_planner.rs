@@ -4,16 +4,16 @@
 //! wiki on `$11` and `$12`); it shares no arithmetic with the crate. An arc is run as chords that deviate from it by at
 //! most the arc tolerance. Every block has a highest entry speed, from the feed and from the angle to the block before it;
 //! a pass backward makes it possible to brake, a pass forward to accelerate, and each block is run as a trapezoid. The
-//! look-ahead is without end here: GRBL holds 15 blocks.
+//! the look-ahead is unlimited here; GRBL's buffer has 15 blocks.
 
 use super::gcode::{Event, Program};
 use super::paths::Element;
 use glam::DVec2;
 
-/// GRBL's `$12` as it is shipped, mm.
+/// Default of GRBL's `$12`, mm.
 const ARC_TOLERANCE: f64 = 0.002;
 
-/// What the planner is told of a machine.
+/// The settings of the planner.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Settings {
     /// mm/s2, in every direction.

@@ -1,4 +1,4 @@
-//! Damage to files, seeded, and a strict judge of what is still a well-formed file after it.
+//! Seeded damage to files, and a strict test whether the damaged file is still well formed.
 
 use crate::testkit::rng::Rng;
 use rand::RngExt;
@@ -10,7 +10,7 @@ pub enum Mutation {
     Truncate(usize),
     /// A line is lost.
     DeleteLine(usize),
-    /// A line stands there twice.
+    /// A line is repeated.
     DoubleLine(usize),
     /// A line has changed places with the next.
     SwapLines(usize),
@@ -20,7 +20,7 @@ pub enum Mutation {
     FlipBit(usize, u8),
 }
 
-/// What stands where a number should be.
+/// Text in the place of a number.
 const BAD_NUMBERS: [&str; 12] =
     ["", "abc", "1.2.3", "NaN", "-nan", "inf", "1e999", "--5", "0x1F", "1.#QNAN", "12 34", "\u{FF11}"];
 
@@ -164,7 +164,7 @@ pub fn is_well_formed(bytes: &[u8]) -> bool {
         let sound = is_known(code)
             && (!is_real(code) || text.parse::<f64>().is_ok_and(f64::is_finite))
             && (!is_int(code) || text.parse::<i64>().is_ok());
-        // A y (20 to 27) stands right after its x.
+        // A y (20 to 27) comes directly after its x.
         let follows = !(20..=27).contains(&code) || i > 0 && pairs[i - 1].0 == code - 10;
         if !sound || !follows {
             return false;

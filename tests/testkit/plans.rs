@@ -157,7 +157,7 @@ pub(crate) fn small() -> (Sheet, Plan) {
     (sheet, plan)
 }
 
-/// A drawing in inches by its header, without shapes: what a document needs besides sheet and plan.
+/// A drawing in inches by its header, without shapes: which a document needs in addition to sheet and plan.
 pub(crate) fn drawing() -> Drawing {
     Drawing {
         version: Some("AC1015".into()),
@@ -204,7 +204,7 @@ pub(crate) fn document(sheet: &Sheet, plan: &Plan) -> String {
     })
 }
 
-/// Real drawings, read, arranged and planned for a while on a CO2 laser: name, and the job that holds them. Every other
+/// Real drawings, read, arranged and planned for a while on a CO2 laser: their names and jobs. Every other
 /// one is planned by length, on a machine that leaves contours unfinished for half a millimetre.
 pub(crate) fn real() -> Vec<(String, Job)> {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/dxf-dev");

@@ -1,4 +1,4 @@
-//! What must hold for any bytes whatever: the promises of the reader and of the whole intake. Asked by the fuzz
+//! What must be true for any bytes: the promises of the reader and of the whole intake. Used by the fuzz
 //! targets of what they invent, and by the tests of every file that once broke one of them.
 
 use kerfway::drawing::{Limits, ReadOptions, Unit};

@@ -17,7 +17,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use std::f64::consts::{PI, TAU};
 
-/// Checks plans made at random, from that many seeds, and plans of real drawings; what is checked is told first.
+/// Checks random plans, one for each seed, and plans of real drawings, whose names are printed first.
 pub(crate) fn each(seeds: u64, check: impl Fn(&Sheet, &Plan, &Profile)) {
     for seed in 0..seeds {
         let (sheet, plan) = random(seed);
@@ -74,7 +74,7 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
         moves.extend([stretch(first), Move::PreCut { contour: *contour, to, ahead: vec![] }]);
         unfinished = Some(stretch(rest));
     }
-    // No cut came after it: it goes on before the way home.
+    // No cut came after it, so it is finished before the head returns.
     if let Some(rest) = unfinished {
         let Move::Cut { path, .. } = &rest else { unreachable!() };
         let back = Move::Air { to: path[0].start() };

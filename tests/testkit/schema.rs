@@ -3,7 +3,7 @@
 
 use serde_json::{Map, Value};
 
-/// What is wrong with `value` by `schema` (the whole, for references), with the place; `None` when nothing is.
+/// The first fault of `value` according to `schema` (the whole, for references), with its place; `None` if it is valid.
 pub(crate) fn fault(whole: &Value, schema: &Value, value: &Value, at: &str) -> Option<String> {
     let Some(rules) = schema.as_object() else {
         return (schema == &Value::Bool(false)).then(|| format!("{at}: one too many"));

@@ -49,7 +49,7 @@ pub fn line(a: DVec2, b: DVec2) -> Path {
     Path::new(vec![Segment::line(a, b)], false)
 }
 
-/// Contours one by one, each with the one it lies in.
+/// Builds a sheet contour by contour, each with the contour around it.
 pub struct Builder {
     pub sheet: Sheet,
 }

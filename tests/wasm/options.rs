@@ -1,4 +1,4 @@
-//! What is not usable is an error with one sentence, and the job can be used afterwards.
+//! Unusable options are an error with one sentence, and the job can be used afterwards.
 
 use crate::values::{circle, js, load, sentence};
 use js_sys::Uint8Array;
@@ -69,7 +69,7 @@ fn values_of_a_wrong_kind_are_refused_at_the_boundary() {
 
 #[wasm_bindgen_test]
 fn limits_of_drawings_hold_in_wasm() {
-    // Blocks that hold two of the next, forty levels deep.
+    // Blocks that contain two of the next, forty levels deep.
     let mut text = String::from("0\nSECTION\n2\nBLOCKS\n");
     for k in 0..40 {
         text += &format!("0\nBLOCK\n2\nB{k}\n");

@@ -14,7 +14,7 @@ pub(crate) fn get(value: &JsValue, name: &str) -> JsValue {
     Reflect::get(value, &name.into()).unwrap()
 }
 
-/// A field that holds a number.
+/// A numeric field.
 pub(crate) fn number(value: &JsValue, name: &str) -> f64 {
     get(value, name).as_f64().unwrap()
 }

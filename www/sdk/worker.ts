@@ -1,5 +1,6 @@
 /** The planner in a Web Worker. */
 
+import { optionalFile } from './optional-file.js';
 import type { ToWorker } from './protocol.js';
 import { type Host, Session } from './session.js';
 
@@ -12,16 +13,18 @@ interface WorkerScope {
 const scope = self as unknown as WorkerScope;
 
 /** Fetches and compiles the wasm file of a module that wasm-bindgen wrote. */
-async function ready<M extends { default(): Promise<unknown> }>(loading: Promise<M>): Promise<M> {
-  const module = await loading;
-  await module.default();
-  return module;
+function ready<M extends { default(): Promise<unknown> }>(name: string, load: () => Promise<M>): Promise<M> {
+  return optionalFile(name, async () => {
+    const module = await load();
+    await module.default();
+    return module;
+  });
 }
 
 const host: Host = {
   post: (message, transfer = []) => scope.postMessage(message, transfer),
-  research: () => ready(import('./pkg/kerfway_research.js')),
-  png: () => ready(import('./pkg/kerfway_png.js')),
+  research: () => ready('kerfway_research', () => import('./pkg/kerfway_research.js')),
+  png: () => ready('kerfway_png', () => import('./pkg/kerfway_png.js')),
 };
 
 const session = new Session(host);

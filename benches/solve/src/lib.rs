@@ -1,4 +1,4 @@
-//! What `npm run bench -- solve` runs: the search on instances of every kind, natively and in wasm alike.
+//! The search on instances of every kind, natively and in wasm, for `npm run bench -- solve`.
 
 pub mod source;
 
@@ -7,7 +7,7 @@ use source::Source;
 use std::process::ExitCode;
 use wasm_bindgen::prelude::*;
 
-/// How a bench ends: what went wrong is said.
+/// Prints the reason if a bench failed, and returns the exit code.
 pub fn ended(bench: Result<(), String>) -> ExitCode {
     bench.map_or_else(
         |why| {
@@ -18,7 +18,7 @@ pub fn ended(bench: Result<(), String>) -> ExitCode {
     )
 }
 
-/// One search, for a caller with a clock.
+/// One search. The caller has the clock.
 #[wasm_bindgen]
 pub struct Runner {
     source: &'static Source,
@@ -27,7 +27,7 @@ pub struct Runner {
 
 #[wasm_bindgen]
 impl Runner {
-    /// Starts on the source of that index in a file. Its memory is never given back: one runner a process.
+    /// Starts on the source with this index in a file. The memory is never freed, so a process should have one runner.
     pub fn open(file: &str, bytes: Vec<u8>, index: usize, seed: u32) -> Result<Runner, String> {
         let mut sources = Source::of(file, bytes)?;
         if index >= sources.len() {
@@ -38,18 +38,18 @@ impl Runner {
         Ok(Runner { source, search: method.start(&source.problem, seed.into(), None) })
     }
 
-    /// Works for so many moves: 0 nothing better, 1 something better, 2 at its end.
+    /// Searches for `moves` moves. Returns 0 if nothing better was found, 1 if something was, and 2 at the end of the search.
     pub fn step(&mut self, moves: u32) -> u32 {
         let step = self.search.step(moves.into());
         if step.status == Status::Exhausted { 2 } else { step.improved.into() }
     }
 
-    /// What the best costs, by the search.
+    /// Cost of the best solution, as the search counts it.
     pub fn cost(&self) -> f64 {
         self.search.telemetry().best
     }
 
-    /// The length of the best, checked by code that shares nothing with the search.
+    /// Length of the best solution, checked by code that shares nothing with the search.
     pub fn value(&self) -> Result<f64, String> {
         self.source.checked(self.search.best())
     }

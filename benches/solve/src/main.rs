@@ -1,13 +1,13 @@
 //! The search on benchmark instances, natively: `kerfway-bench-solve FILE... [--seconds S | --moves N] [--seeds K]
-//! [--first SEED] [--json]`. One line an instance, or one JSON line a run. Each run ends as soon as the best value
-//! known is reached, unless `--on` is given. `--cpu` counts seconds of the processor instead of the clock's, for a
-//! machine that others use too (Linux).
+//! [--first SEED] [--json]`. Prints one line for each instance, or one JSON line for each run. A run ends as soon as it
+//! reaches the best known value, unless `--on` is given. `--cpu` counts processor time instead of the time of the clock,
+//! for a machine that others use too (Linux only).
 
 use kerfway::solve::{self, Status};
 use kerfway_bench_solve::source::Source;
 use std::time::Instant;
 
-/// Moves between two looks at the clock: about a millisecond.
+/// Moves between two readings of the clock: about a millisecond.
 const SLICE: u64 = 5_000;
 
 struct Options {
@@ -21,7 +21,7 @@ struct Options {
     cpu: bool,
 }
 
-/// What one run came to.
+/// The result of one run.
 struct Run {
     value: f64,
     seconds: f64,
@@ -137,7 +137,7 @@ fn run(source: &Source, seed: u64, options: &Options) -> Result<Run, String> {
         let over = moves >= options.moves || clock.seconds() >= options.seconds;
         if over || step.status == Status::Exhausted || (reached(least) && !options.on) {
             let seconds = clock.seconds();
-            // At every improvement the check would take most of the time on 10,000 contours.
+            // Checked at the end only: on 10,000 contours a check at every improvement would take most of the time.
             least = source.checked(search.best())?;
             trace.push((found, least));
             return Ok(Run { value: least, seconds, moves, found, reached: reached(least), trace });
@@ -145,7 +145,7 @@ fn run(source: &Source, seed: u64, options: &Options) -> Result<Run, String> {
     }
 }
 
-/// Seconds by the wall, or of the processor alone: what a shared machine leaves to this program.
+/// A clock: time of day, or processor time, which does not count what other programs take on a shared machine.
 enum Clock {
     Wall(Instant),
     Processor(f64),
@@ -164,10 +164,10 @@ impl Clock {
     }
 }
 
-/// Seconds this program has spent on a processor, as Linux tells them; elsewhere none are known.
+/// Processor time of this program in seconds, as Linux reports it; NaN on other systems.
 fn processor() -> f64 {
-    let told = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
-    told.split(' ').next().and_then(|ns| ns.parse::<f64>().ok()).map_or(f64::NAN, |ns| ns / 1e9)
+    let text = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
+    text.split(' ').next().and_then(|ns| ns.parse::<f64>().ok()).map_or(f64::NAN, |ns| ns / 1e9)
 }
 
 fn gap(source: &Source, run: &Run) -> Option<f64> {

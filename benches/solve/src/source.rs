@@ -1,4 +1,4 @@
-//! What is solved: instances of the TSPLIB family, the variants of Qu & Du's 43 contours, sheets.
+//! The instances that the benches solve: those of the TSPLIB family, the variants of Qu & Du's 43 contours, and sheets.
 
 use kerfway::geometry::DVec2;
 use kerfway::job::{Job, LoadOptions, problem_of};
@@ -9,11 +9,11 @@ use kerfway::{plan, sheet::Sheet};
 use serde_json::Value;
 use std::path::Path;
 
-/// Something to solve, and what others reach on it.
+/// An instance, with the best known value.
 pub struct Source {
-    /// What it is called.
+    /// Name of the instance.
     pub name: String,
-    /// What is solved.
+    /// The problem to solve.
     pub problem: Problem,
     /// Best value known.
     pub known: Option<f64>,
@@ -27,7 +27,7 @@ enum Kind {
 }
 
 impl Source {
-    /// The sources in a file, with the values that lists beside it know.
+    /// The instances in a file, with the best known values from the lists beside it.
     pub fn read(file: &str) -> Result<Vec<Self>, String> {
         let path = Path::new(file);
         let bytes = std::fs::read(path).map_err(|_| format!("{file} cannot be read."))?;
@@ -38,7 +38,7 @@ impl Source {
         Ok(sources)
     }
 
-    /// The sources in the bytes of a file.
+    /// The instances in the bytes of a file.
     pub fn of(file: &str, bytes: Vec<u8>) -> Result<Vec<Self>, String> {
         let path = Path::new(file);
         match path.extension().and_then(|e| e.to_str()) {

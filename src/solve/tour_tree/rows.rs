@@ -5,7 +5,7 @@
 //! tried as well, once, after the first local search. The search goes on from the best of them if it costs less than what
 //! the local search came to. On sheets without a pattern nothing is tried and nothing changes.
 //!
-//! A way runs along bands of one or two rows, forwards and backwards by turns. In a band of two rows it crosses from one
+//! A way runs along bands of one or two rows, forwards and backwards in turn. In a band of two rows it crosses from one
 //! row to the other at every column, so that it uses the short ways between them. It comes home along a lane of columns
 //! that the bands leave out, or in one straight move.
 

@@ -1,4 +1,4 @@
-//! Programs, the checker and quotes heed where the beam runs and what was drawn.
+//! Programs and the checker follow the path of the beam, and quotes the drawing.
 
 use super::made::{KERF, close, kerfed, machine, spaced, started, thick};
 use crate::testkit::outlines::drawing;

@@ -1,4 +1,4 @@
-//! What keeps its line, and what is refused: told, with a place.
+//! Contours that keep their drawn line, and machines that are refused: each is reported, with a place.
 
 use super::made::{KERF, kerfed, machine, told};
 use crate::testkit::outlines::drawing;
@@ -105,7 +105,7 @@ fn a_kerf_out_of_range_is_refused() {
     assert!(said.contains("\"kerf_width\" is 11. Give a number from 0.02 to 10 mm, or 0: "), "{said}");
 }
 
-/// What looks like the sheet is cut as a part as long as nobody leaves it out; that parts are then holes is told.
+/// A contour that looks like the border of the sheet is cut as a part unless it is skipped. That parts then count as holes is reported.
 #[test]
 fn the_border_of_the_sheet_can_be_ignored() {
     let parts = [

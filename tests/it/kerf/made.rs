@@ -1,4 +1,4 @@
-//! Drawings with outlines to be moved, machines with a kerf, and what is asked of the jobs that come of them.
+//! Drawings whose outlines are offset, machines with a kerf, and checks of the resulting jobs.
 
 use crate::testkit::outlines::drawing;
 use crate::testkit::plates::{self, rectangle};

@@ -1,4 +1,4 @@
-//! Kerf width: the beam follows outlines half a kerf aside, and what lies one kerf apart is cut once.
+//! Kerf width: the beam follows outlines offset by half the kerf, and lines one kerf apart are cut once.
 #![allow(
     clippy::unwrap_used,
     clippy::panic,

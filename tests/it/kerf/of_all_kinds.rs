@@ -94,6 +94,6 @@ fn dense_outlines_terminate_in_time() {
     }));
     let job = started(drawing(&[star, comb]), machine(5.0));
     assert!(job.beam_sheet().contours.iter().all(|c| c.drawn.is_none()));
-    // A guard against what never ends, not a target: alone it takes 9 s, beside two builds 25.
+    // A guard against endless loops, not a target: it takes 9 s alone and 25 s next to two builds.
     assert!(began.elapsed().as_secs() < 120, "{:?}", began.elapsed());
 }

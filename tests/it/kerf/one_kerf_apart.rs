@@ -1,4 +1,4 @@
-//! What lies one kerf apart is cut once.
+//! Lines one kerf apart are cut once.
 
 use super::made::{KERF, bulged, close, kerfed, machine, rounded, spaced, started, thick};
 use crate::testkit::outlines::drawing;

@@ -1,4 +1,4 @@
-//! One outline, and the line beside it.
+//! A single outline and its offset line.
 
 use super::made::{KERF, bulged, close, kerfed, machine, points, rounded, started, told};
 use crate::testkit::outlines::drawing;
@@ -22,7 +22,7 @@ fn squares_grow_and_holes_shrink_by_half_a_kerf() {
     assert_eq!(points(&hole.path), [[15.2, 25.2], [15.2, 30.8], [22.8, 25.2], [22.8, 30.8]]);
     assert!(close(outer.length, 2.0 * (30.4 + 15.4)) && close(hole.length, 2.0 * (7.6 + 5.6)));
     assert!(close(outer.path.area(), 30.4 * 15.4) && close(hole.path.area(), -7.6 * 5.6));
-    // What is made is as drawn.
+    // The finished part is as drawn.
     assert!(close(outer.area, 450.0) && close(hole.area, 48.0));
     assert_eq!((hole.inside, job.beam_sheet().parts.clone()), (Some(0), job.sheet().parts.clone()));
     let plan = job.plan().unwrap();

@@ -96,7 +96,7 @@ fn read(file: &str, text: &str, modules: &mut BTreeMap<Names, Module>) {
     // Braces that are open, and whether each is that of a module.
     let mut open: Vec<bool> = Vec::new();
     let mut k = 0;
-    // First what modules hold, as code may name what comes later.
+    // First the items of modules, because code may name an item that is defined later.
     while let Some(token) = tokens.get(k) {
         let next = tokens.get(k + 1).map_or("", String::as_str);
         let top = open.iter().all(|m| *m);

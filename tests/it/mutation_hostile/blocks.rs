@@ -17,7 +17,7 @@ fn array(name: &str, columns: u32, rows: u32) -> String {
     format!("0\nINSERT\n8\n0\n2\n{name}\n10\n0.0\n20\n0.0\n70\n{columns}\n71\n{rows}\n44\n1.0\n45\n1.0\n")
 }
 
-/// Blocks of `depth` levels, each with `width` inserts of the one below; the lowest holds `body`.
+/// Blocks of `depth` levels, each with `width` inserts of the one below; the lowest contains `body`.
 fn laughs(depth: usize, width: usize, body: &str) -> String {
     let mut blocks = String::new();
     block("B0", DVec2::ZERO, body, &mut blocks);

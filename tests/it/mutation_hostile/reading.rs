@@ -12,8 +12,8 @@ use kerfway::finding::{Code, Finding};
 use kerfway::sheet::{self, Sheet, SheetOptions};
 use std::time::{Duration, Instant};
 
-/// A guard against hangs, not a speed target: what is asked for is a second on an idle machine, and these tests run
-/// unoptimised beside others.
+/// A guard against hangs, not a speed target. The target is one second on an idle machine; these tests run with
+/// assertions and next to others.
 pub(super) const SOON: Duration = Duration::from_secs(8);
 
 /// Reads and builds, within [`SOON`].

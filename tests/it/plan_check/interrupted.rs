@@ -10,7 +10,7 @@ use kerfway::sheet::Sheet;
 use kerfway::solve::{self, Stop};
 
 /// A machine that leaves contours for a pre-cut of 0.3 s, and the sheet on it: the plate is left for its hole and its
-/// slot, and again for the ring, which is left for what lies in it, the hole in turn for the part.
+/// slot, and again for the ring. The ring is left for its hole, and the hole for the part in it.
 fn left(sheet: &Sheet) -> (Profile, Plan) {
     let machine = Profile { pre_cut_time: Some(0.3), ..machine("co2-100w") };
     let problem = problem_of(sheet, &machine);
@@ -107,7 +107,7 @@ fn faults_of_interrupted_contours() {
         m.swap(at[1], at[2]);
     });
     assert!(found.iter().any(|v| matches!(v, Violation::Strays { contour: 0, .. })), "{found:?}");
-    // The ring goes on while its hole is unfinished: visits cross, and the part inside comes after the ring.
+    // The ring is continued while its hole is unfinished: the visits cross, and the part inside comes after the ring.
     let found = after(&|m| {
         let (hole, ring) = (cuts(m, 6)[1], cuts(m, 5)[1]);
         m.swap(hole, ring);

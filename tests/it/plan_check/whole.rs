@@ -65,7 +65,7 @@ fn half_a_contour() {
 
 #[test]
 fn a_contour_is_cut_on_another_path() {
-    // A corner cut off, the length told honestly.
+    // A corner is cut off, and the summary states the true length.
     let found = after(|m| {
         let path = path_of(m, 0);
         let (a, b) = (path[1].at(0.5), path[2].at(0.5));

@@ -255,7 +255,7 @@ fn pieces_shorter_than_the_joining_tolerance_are_dropped_and_reported() {
         sheet(shapes)
     };
     let s = beside(0.013);
-    // What is as short but was drawn so stays.
+    // An element that was drawn as short as this stays.
     assert_eq!(counts(&s), (1, 1));
     close(total_length(&s), 140.04);
     let scrap = findings(&s, Code::OverlapRemoved)

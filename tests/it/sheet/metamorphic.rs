@@ -132,7 +132,7 @@ fn for_all_seeds(name: &str, scale: f64, change: impl Fn(&mut Rng, &[Path]) -> V
     for_all_seeds_with(GAP, name, scale, change);
 }
 
-/// Without gaps: a gap is closed by bending the lines beside it, and half a line bends otherwise than a whole one.
+/// Without gaps: a gap is closed by moving the ends of lines, and half a line turns by another angle than a whole one.
 fn for_all_seeds_without_gaps(name: &str, change: impl Fn(&mut Rng, &[Path]) -> Vec<Path>) {
     for_all_seeds_with(0.0, name, 1.0, change);
 }

@@ -137,7 +137,7 @@ fn nesting_equals_brute_force_on_random_drawings() {
         let s = sheet(paths.clone());
         assert_eq!(s.contours.len(), paths.len());
         for (i, c) in s.contours.iter().enumerate() {
-            // Brute force: the smallest of all that hold a point of this one.
+            // Brute force: the smallest of all contours that contain a point of this one.
             let around = s
                 .contours
                 .iter()
@@ -150,7 +150,7 @@ fn nesting_equals_brute_force_on_random_drawings() {
     }
 }
 
-/// Whether the circle or upright rectangle holds `q`, by its definition.
+/// Whether the circle or upright rectangle contains `q`, by definition.
 fn holds(path: &Path, q: kerfway::geometry::DVec2) -> bool {
     match path.segments[..] {
         [Segment::Arc(a)] => q.distance(a.center) < a.radius(),

@@ -88,12 +88,12 @@ pub(crate) fn arranged(drawing: &Drawing) -> Sheet {
     built(drawing, &SheetOptions::default())
 }
 
-/// The sheet of a drawing, with everything checked that holds for every sheet.
+/// The sheet of a drawing, after checking what is true of every sheet.
 pub(crate) fn built(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     checked(build(drawing, options))
 }
 
-/// What holds for every sheet: contours joined bit for bit, oriented, nested without cycles, in drawing order.
+/// Checks what is true of every sheet: contours are joined bit for bit, oriented, nested without cycles and in drawing order.
 pub(crate) fn checked(sheet: Sheet) -> Sheet {
     for (i, c) in sheet.contours.iter().enumerate() {
         assert!(c.path.largest_gap() <= 0.0, "contour {i} is joined bit for bit");

@@ -1,0 +1,65 @@
+// README, CONTRIBUTING and docs name files, tests and benches: what they name exists.
+
+import assert from 'node:assert/strict';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { describe, it } from 'node:test';
+import { ROOT } from './support.mjs';
+
+const within = (folder) => readdirSync(join(ROOT, folder), { recursive: true }).map((f) => join(folder, f));
+const PAGES = ['README.md', 'CONTRIBUTING.md', ...within('docs').filter((f) => f.endsWith('.md') && !f.startsWith(join('docs', 'api')))];
+const read = (page) => readFileSync(join(ROOT, page), 'utf8');
+/** The words of a page in `code` quotes, and its indented and fenced commands. */
+const quoted = (page) => [...read(page).matchAll(/`([^`\n]+)`/g)].map(([, words]) => words);
+const commands = (page, pattern) => [...read(page).matchAll(pattern)].map(([, words]) => words);
+
+describe('the pages for people name what exists', () => {
+  it('files of Rust, and folders', () => {
+    const files = [...within('src'), ...within('tests'), ...within('benches'), ...within('www'), ...within('scripts')];
+    const ends = new Set(files.flatMap((f) => f.split('/').map((_, k, parts) => parts.slice(k).join('/'))));
+    const wrong = PAGES.flatMap((page) => quoted(page)
+      // Paths, except patterns with a placeholder.
+      .filter((words) => /^[\w./-]+$/.test(words) && (/\.rs$/.test(words) || /^(src|tests|benches|www|scripts|docs)\//.test(words)) && !/NAME|XX/.test(words))
+      .filter((words) => !ends.has(words.replace(/\/$/, '')) && !existsSync(join(ROOT, words)) && !existsSync(join(ROOT, `${words}.rs`)) && !existsSync(join(ROOT, 'src', words)))
+      .map((words) => `${page}: ${words}`));
+    assert.deepEqual(wrong, []);
+  });
+
+  it('the modules of the tables and lists of docs/internals', () => {
+    const modules = new Set(within('src').map((f) => f.split('/').at(-1).replace(/\.rs$/, '')));
+    const page = join('docs', 'internals', 'intake.md');
+    const rows = read(page).split('\n').filter((line) => /^\| \w+ \| `/.test(line) || /^\d\. \*\*/.test(line));
+    // The second column of the table, and the words in brackets after the name of a step.
+    const named = rows.flatMap((row) => [...(row.startsWith('|') ? row.split('|')[2] : /\(([^)]*)\)/.exec(row)?.[1] ?? '').matchAll(/`([\w/*]+)`/g)].map(([, name]) => name));
+    assert.ok(named.length > 15, named.join());
+    assert.deepEqual(named.filter((name) => !modules.has(name.split('/')[0])), []);
+  });
+
+  it('links to other pages', () => {
+    const wrong = PAGES.flatMap((page) => commands(page, /\]\(([^)#:]+)(?:#[^)]*)?\)/g)
+      .filter((target) => !existsSync(join(ROOT, dirname(page), target)))
+      .map((target) => `${page}: ${target}`));
+    assert.deepEqual(wrong, []);
+  });
+
+  it('commands: npm scripts, benches and native tests', () => {
+    const { scripts } = JSON.parse(read('package.json'));
+    const modules = read(join('tests', 'it', 'main.rs'));
+    for (const page of PAGES) {
+      for (const name of commands(page, /npm run ([a-z]+)/g)) assert.ok(name in scripts, `${page}: npm run ${name}`);
+      for (const name of commands(page, /npm run bench -- ([a-z]+)/g)) assert.ok(existsSync(join(ROOT, 'benches', `${name}.mjs`)), `${page}: bench ${name}`);
+      for (const name of commands(page, /--test it\s+([a-z_]+)/g)) assert.ok(name === 'some_module' || modules.includes(`mod ${name};`), `${page}: test ${name}`);
+      for (const name of commands(page, /node --test (tests\/[\w/.-]+\.mjs)/g)) assert.ok(/NAME/.test(name) || existsSync(join(ROOT, name)), `${page}: ${name}`);
+    }
+  });
+
+  it('every figure of README in a table has its command', () => {
+    const text = read('README.md');
+    const results = text.slice(text.indexOf('## Results'), text.indexOf('## What is read'));
+    // A table comes after a sentence with its command, or has a column of commands.
+    for (const [, before, table] of results.matchAll(/\n([^|]*)\n((?:\|.*\n)+)/g)) {
+      const rows = table.trim().split('\n').slice(2);
+      assert.ok(/npm run bench -- /.test(before) || rows.every((row) => /`(npm run bench|cargo test)/.test(row)), table);
+    }
+  });
+});

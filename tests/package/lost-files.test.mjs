@@ -1,0 +1,54 @@
+// Wasm files that cannot be loaded: the call that needs one is refused with a sentence, and no other plan takes its place.
+
+import assert from 'node:assert/strict';
+import { cpSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, it } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { circle, dxf, folder, ROOT, square } from './support.mjs';
+
+const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
+const SHORT = { units: 'mm', seed: 1, moves: 500 };
+const FILES = ['kerfway', 'kerfway_png', 'kerfway_research'];
+
+/** A copy of the package in which `change` is done to some wasm files. */
+async function copy(t, names, change) {
+  const at = folder(t);
+  cpSync(join(ROOT, 'dist', 'sdk'), at, { recursive: true });
+  writeFileSync(join(at, 'package.json'), '{ "type": "module" }');
+  for (const name of names) change(join(at, 'pkg', `${name}_bg.wasm`));
+  return import(pathToFileURL(join(at, 'node.js')));
+}
+
+const damaged = { missing: (file) => rmSync(file), damaged: (file) => writeFileSync(file, 'not wasm') };
+
+for (const [what, change] of Object.entries(damaged)) {
+  describe(`a wasm file that is ${what}`, () => {
+    it('is named where it is needed, and everything else goes on', async (t) => {
+      const { createPlanner } = await copy(t, ['kerfway_png', 'kerfway_research'], change);
+      const planner = await createPlanner();
+      t.after(() => planner.close());
+      await planner.load(PLATE, 'plate.dxf', { units: 'mm' });
+      const advice = 'Check that all files of the package are there and can be reached, then try again\\.$';
+      const research = new RegExp(`^Error: The file kerfway_research_bg\\.wasm cannot be loaded: .*\\. ${advice}`);
+      await assert.rejects(planner.plan({ ...SHORT, units: undefined, method: 'lpspso' }).done, research);
+      await assert.rejects(planner.paperMethods(), research);
+      const { progress } = await planner.plan({ seed: 1, moves: 500 }).done;
+      assert.equal(progress.summary.contours, 2);
+      await assert.rejects(planner.output('png'), new RegExp(`^Error: The file kerfway_png_bg\\.wasm cannot be loaded: .*\\. ${advice}`));
+      assert.match(await planner.output('gcode'), /M5/);
+      assert.equal(planner.replaced, null);
+    });
+
+    it('is refused at once if it is the core', async (t) => {
+      const { plan, quote, inspect } = await copy(t, ['kerfway'], change);
+      for (const work of [plan(PLATE, SHORT), quote(PLATE, SHORT), inspect(PLATE)]) await assert.rejects(work, /kerfway_bg\.wasm|WebAssembly/);
+    });
+  });
+}
+
+it('every wasm file there is reports its panics', async () => {
+  const pkg = join(ROOT, 'dist', 'sdk', 'pkg');
+  assert.deepEqual(readdirSync(pkg).filter((f) => f.endsWith('.wasm')).sort(), FILES.map((name) => `${name}_bg.wasm`));
+  for (const name of FILES) assert.equal(typeof (await import(pathToFileURL(join(pkg, `${name}.js`)))).lastPanic, 'function', name);
+});
