@@ -181,8 +181,7 @@ fn damaged_entities_are_marked_and_skipped_by_default() {
         ("40\n10\n", "40\n1O\n"),
         ("40\n10\n", "40\nNaN\n"),
         ("40\n10\n", "40\n10\nstray words here\n"),
-        ("40\n10\n", "40\n10\nuse crate::testkit::drawings::{file, found, lines, read, shapes};
-use kerfway::drawing::{Drawing, ReadError, ReadOptions};
+        ("40\n10\n", "40\n10\n<<<<<<< HEAD\n40\n11\n=======\n40\n12\n>>>>>>> theirs\n"),
     ] {
         let broken = text.replacen(from, to, 1);
         assert_ne!(broken, text);

@@ -35,6 +35,18 @@ describe('the pages for people name what exists', () => {
     assert.deepEqual(named.filter((name) => !modules.has(name.split('/')[0])), []);
   });
 
+  it('names in the code', () => {
+    const code = ['src', 'www', 'tests/it', 'tests/testkit', 'scripts', 'benches'].flatMap(within)
+      .filter((f) => /\.(rs|ts|mjs|json)$/.test(f) && !/node_modules|target/.test(f)).map(read).join('\n');
+    const known = new Set(code.match(/\w+/g));
+    const pages = PAGES.filter((page) => page === 'CONTRIBUTING.md' || page.startsWith(join('docs', 'internals')));
+    const wrong = pages.flatMap((page) => quoted(page)
+      .filter((words) => /^&?[A-Za-z_]\w*((::|\.)\w+)*(\(\w*\))?$/.test(words) && !/^(FOO|XX|NAME)$/.test(words))
+      .filter((words) => words.match(/\w+/g).some((word) => !known.has(word)))
+      .map((words) => `${page}: ${words}`));
+    assert.deepEqual(wrong, []);
+  });
+
   it('links to other pages', () => {
     const wrong = PAGES.flatMap((page) => commands(page, /\]\(([^)#:]+)(?:#[^)]*)?\)/g)
       .filter((target) => !existsSync(join(ROOT, dirname(page), target)))
