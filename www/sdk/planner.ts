@@ -8,9 +8,11 @@ import { MultiSearch, type Drawing } from './multi-search.js';
 import { checkFile, checkOptions, checkOutput } from './options.js';
 import { RunningPlan, type PlanHandle, type PlanMessage } from './plan-handle.js';
 import type { Material, Quote } from './quote.js';
-import { FINAL, type Responses } from './responses.js';
+import { Requests } from './requests.js';
+import type { Responses } from './responses.js';
 import { checkSize } from './size.js';
 import { type SILENCE_LIMITS, type StartWorker, WorkerConnection } from './worker-connection.js';
+import { WorkerStart } from './worker-start.js';
 import type {
   Budget,
   FromWorker,
@@ -45,14 +47,6 @@ export interface Parts {
 
 const CLOSED = 'The planner was closed.';
 
-/** How often a worker is started before the planner gives up: memory may be short for a moment only. */
-const STARTS = 2;
-
-interface Request {
-  resolve: (answer: never) => void;
-  reject: (error: Error) => void;
-}
-
 /** A worker that keeps a drawing and its plan. Make one with `createPlanner`, and close it when done. */
 export class Planner {
   /** The available methods, the default first. */
@@ -64,7 +58,7 @@ export class Planner {
 
   private connection!: WorkerConnection;
   private lastId = 0;
-  private readonly requests = new Map<number, Request>();
+  private readonly requests = new Requests();
   /** Running plans: one, and for a moment also the one that it replaces. */
   private readonly plans = new Map<number, RunningPlan>();
   /** The drawing in the worker. */
@@ -73,8 +67,7 @@ export class Planner {
   private current: RunningPlan | null = null;
   /** Messages wait for this: it resolves when the worker has started and has read the drawing. */
   private ready: Promise<void> = Promise.resolve();
-  /** Settles the promise of `startWorker` while a worker starts. */
-  private starting: { resolve: () => void; reject: (error: Error) => void } | null = null;
+  private readonly starting = new WorkerStart();
   private restoring = false;
   private closed = false;
 
@@ -181,7 +174,7 @@ export class Planner {
     const reason = new ClosedError(CLOSED);
     // Calls that wait for a worker that is still starting are rejected too.
     this.ready.catch(() => {});
-    this.starting?.reject(reason);
+    this.starting.fail(reason);
     this.abandon(reason);
   }
 
@@ -217,48 +210,33 @@ export class Planner {
   }
 
   private ask<K extends keyof Responses>(message: (id: number) => ToWorker): Promise<Responses[K]> {
-    return new Promise((resolve, reject) => {
-      if (this.closed) return reject(new ClosedError(CLOSED));
-      const id = ++this.lastId;
-      this.connection.post(message(id));
-      this.requests.set(id, { resolve, reject });
-      this.updateExpectation();
-    });
+    if (this.closed) return Promise.reject(new ClosedError(CLOSED));
+    const id = ++this.lastId;
+    this.connection.post(message(id));
+    const answer = this.requests.add<K>(id);
+    this.updateExpectation();
+    return answer;
   }
 
-  // A worker that dies while it starts is started again: memory may be short for a moment, or the machine goes to sleep.
-  private async connect(): Promise<void> {
-    for (let left = STARTS; ; ) {
-      left -= 1;
-      try {
-        return await this.startWorker();
-      } catch (error) {
-        if (this.closed) throw new ClosedError(CLOSED);
-        if (left === 0) throw new Error(`The planner could not be started. ${(error as Error).message} It was tried ${STARTS} times.`);
-      }
-    }
-  }
-
-  private startWorker(): Promise<void> {
-    return new Promise((resolve, reject) => {
-      this.starting = { resolve, reject };
+  private connect(): Promise<void> {
+    const open = () => {
       const { start, module, silenceLimits } = this.parts;
       this.connection = new WorkerConnection(start, module, (m) => this.receive(m), (why) => this.lost(why), silenceLimits);
       this.connection.expect('working');
-    });
+    };
+    return this.starting.run(open, () => (this.closed ? new ClosedError(CLOSED) : null));
   }
 
   private lost(why: string): void {
-    if (this.starting === null) void this.replace(why);
-    else this.starting.reject(new Error(why));
+    if (this.starting.running) this.starting.fail(new Error(why));
+    else void this.replace(why);
   }
 
   private receive(message: FromWorker): void {
     if (message.type === 'ready') {
       this.methods = message.methods;
       this.machines = message.machines;
-      this.starting?.resolve();
-      this.starting = null;
+      this.starting.succeed();
     } else if ('id' in message) {
       this.deliver(message);
     }
@@ -267,7 +245,6 @@ export class Planner {
 
   private deliver(message: Extract<FromWorker, { id: number }>): void {
     const plan = this.plans.get(message.id);
-    const request = this.requests.get(message.id);
     if (plan !== undefined) {
       const { workers = 1 } = plan.options;
       if (message.type === 'started' && workers > 1 && this.drawing !== null) {
@@ -275,10 +252,8 @@ export class Planner {
       }
       if (this.others.runs(plan.id)) this.others.receive(0, message);
       else this.report(message as PlanMessage);
-    } else if (request !== undefined && FINAL.has(message.type)) {
-      this.requests.delete(message.id);
-      if (message.type === 'failed') request.reject(new Error(message.message));
-      else request.resolve(message as never);
+    } else {
+      this.requests.settle(message);
     }
   }
 
@@ -294,8 +269,8 @@ export class Planner {
     const plans = [...this.plans.values()].filter((p) => !p.paused);
     // One of several searches sends nothing while it waits for the others.
     const sendsProgress = (p: RunningPlan) => p.begun !== null && !this.others.runs(p.id);
-    const searching = plans.length > 0 && plans.every(sendsProgress) && this.requests.size === 0;
-    const busy = plans.length > 0 || this.requests.size > 0;
+    const searching = plans.length > 0 && plans.every(sendsProgress) && !this.requests.pending;
+    const busy = plans.length > 0 || this.requests.pending;
     this.connection.expect(searching ? 'searching' : busy ? 'working' : 'idle');
   }
 
@@ -339,9 +314,8 @@ export class Planner {
 
   private abandon(reason: Error): void {
     this.others.end();
-    for (const request of this.requests.values()) request.reject(reason);
+    this.requests.rejectAll(reason);
     for (const plan of this.plans.values()) plan.interrupt(reason);
-    this.requests.clear();
     this.plans.clear();
   }
 }
