@@ -63,7 +63,7 @@ fn written(name: &str) -> String {
     for c in name.trim().chars() {
         let mut one = String::new();
         match c {
-            c if c.is_control() || FORBIDDEN.chars().any(|f| f == c) => one.push('_'),
+            c if c.is_control() || FORBIDDEN.contains(c) => one.push('_'),
             c if c.is_ascii() => one.push(c),
             c => {
                 for unit in c.encode_utf16(&mut [0; 2]) {
