@@ -116,7 +116,7 @@ fn a_drawing_hundreds_of_metres_from_the_origin_gives_an_error_finding() {
     let (severity, message, at) = far(&job).unwrap();
     assert_eq!((severity, at), (Severity::Error, Some(DVec2::new(300_030.0, 40.0))));
     assert!(message.contains("300.0 m") && message.contains("0.031 mm"), "{message}");
-    job.start(&PlanOptions { moves: Some(10), ..PlanOptions::default() }).unwrap();
+    job.start(&PlanOptions { moves: Some(10), allow_off_bed: true, ..PlanOptions::default() }).unwrap();
     job.run_mut().unwrap().step(10);
     assert!(job.output(OutputKind::Json).unwrap().contains("far-from-origin"));
     assert!(matches!(job.output(OutputKind::Gcode), Err(JobError::Output(_))));
