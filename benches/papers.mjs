@@ -2,7 +2,8 @@
 //
 //     npm run bench -- papers [--table NAME]... [--seeds K] [--rounds R] [--only INSTANCE]
 //                             [--data FOLDER]
-//     npm run bench -- papers --paper qu-du|hull|yang|dewil [--readings] [--seeds N] --csv OUT    (benches/papers/kit.mjs)
+//     npm run bench -- papers --paper qu-du|tsplib|hull|yang|dewil [--readings] [--seeds N] --csv OUT    (benches/papers/kit.mjs)
+//     npm run bench -- papers --figures FOLDER                                                    (benches/papers/figures.mjs)
 //
 // Beside each printed value stand the method as published, the method with local search, the default solver and the
 // proven optimum or the best value known. Instances come from benches/data, and from `--data FOLDER` where they may
@@ -13,6 +14,7 @@ import { parseArgs } from 'node:util';
 import { setup } from '../scripts/setup.mjs';
 import { Stop } from '../scripts/tools.mjs';
 import { Instances } from './common/data.mjs';
+import { figures } from './papers/figures.mjs';
 import { tables as hull } from './papers/hull.mjs';
 import { kit } from './papers/kit.mjs';
 import { build } from './papers/runs.mjs';
@@ -37,16 +39,22 @@ export async function bench(args) {
       csv: { type: 'string' },
       from: { type: 'string' },
       against: { type: 'string' },
+      first: { type: 'string' },
+      reading: { type: 'string' },
+      curves: { type: 'string' },
+      figures: { type: 'string' },
     },
   });
+  if (values.figures !== undefined) return figures(values.figures);
   const names = values.table ?? Object.keys(TABLES);
   const unknown = names.find((name) => !(name in TABLES));
   if (unknown !== undefined) throw new Stop(`There is no table ${unknown}: ${Object.keys(TABLES).join(', ')}.`);
   const instances = new Instances(values.data);
   if (values.paper !== undefined) {
     if (values.from === undefined) await setup();
-    const { paper, readings, only, csv, from, against } = values;
-    return kit({ paper, readings, only, csv, from, against, instances, seeds: Number(values.seeds ?? 30), threads: Number(values.threads ?? availableParallelism()) });
+    const { paper, readings, only, reading, csv, curves, from, against } = values;
+    const numbers = { seeds: Number(values.seeds ?? 30), first: Number(values.first ?? 1), threads: Number(values.threads ?? availableParallelism()) };
+    return kit({ paper, readings, only, reading, csv, curves, from, against, instances, ...numbers });
   }
   await setup();
   build();

@@ -1,9 +1,9 @@
 // The rows of the benchmark kit as CSV (RFC 4180). Numbers are read as numbers.
 
 export function write(rows) {
-  const columns = Object.keys(rows[0] ?? {});
+  const columns = [...new Set(rows.flatMap(Object.keys))];
   const cell = (value) => (/[",\n]/.test(String(value)) ? `"${String(value).replaceAll('"', '""')}"` : String(value));
-  return [columns, ...rows.map((row) => columns.map((c) => row[c]))].map((line) => `${line.map(cell).join(',')}\n`).join('');
+  return [columns, ...rows.map((row) => columns.map((c) => row[c] ?? ''))].map((line) => `${line.map(cell).join(',')}\n`).join('');
 }
 
 export function parse(text) {

@@ -4,27 +4,10 @@
 import { availableParallelism } from 'node:os';
 import { mean, table } from '../common/table.mjs';
 import { parallel } from './parallel.mjs';
+import { HULL } from './published.mjs';
 import { native } from './runs.mjs';
 
 const METHODS = ['rlsga', 'hull-pso', 'ofa', 'woa', 'sga'];
-
-/** Mean and best of table 3, seconds of table 4, by sheet and method. */
-const PRINTED = {
-  'hull-5-20': {
-    rlsga: [49.68, 49.68, 16.523],
-    'hull-pso': [56.36, 55.95, 24.671],
-    ofa: [54.95, 54.38, 30.587],
-    woa: [53.96, 53.14, 35.641],
-    sga: [53.34, 52.09, 16.003],
-  },
-  'hull-10-45': {
-    rlsga: [84.31, 81.79, 27.714],
-    'hull-pso': [97.65, 96.17, 46.529],
-    ofa: [97.19, 92.51, 50.319],
-    woa: [102.3, 98.78, 55.413],
-    sga: [95.49, 92.32, 26.66],
-  },
-};
 
 /** Of ten sheets of each size, the one of the table; `--only` takes another. */
 const SHEET = '0';
@@ -36,7 +19,7 @@ const runs = async (name, methods, seeds, sheet = SHEET) =>
 export const tables = { 'rlsga-3': emptyTravel, 'rlsga-4': seconds };
 
 async function emptyTravel({ seeds, only }) {
-  for (const [name, printed] of Object.entries(PRINTED)) {
+  for (const [name, printed] of Object.entries(HULL)) {
     const all = await runs(name, [...METHODS, 'tour-tree'], seeds, only);
     const of = (method, what) => all.filter((r) => r.method === method).map((r) => r[what]);
     const { optimum } = all[0];
@@ -59,11 +42,11 @@ async function emptyTravel({ seeds, only }) {
 
 async function seconds({ seeds, only }) {
   const all = {};
-  for (const name of Object.keys(PRINTED)) all[name] = await runs(name, METHODS, seeds, only);
-  const lines = METHODS.map((method) => [method, ...Object.keys(PRINTED).flatMap((name) => {
+  for (const name of Object.keys(HULL)) all[name] = await runs(name, METHODS, seeds, only);
+  const lines = METHODS.map((method) => [method, ...Object.keys(HULL).flatMap((name) => {
     const own = all[name].filter((r) => r.method === method);
-    return [PRINTED[name][method][2].toFixed(1), mean(own.map((r) => r.seconds)).toFixed(2), (mean(own.map((r) => r.moves)) / 1e6).toFixed(1)];
+    return [HULL[name][method][2].toFixed(1), mean(own.map((r) => r.seconds)).toFixed(2), (mean(own.map((r) => r.moves)) / 1e6).toFixed(1)];
   })]);
-  const columns = ['', ...Object.keys(PRINTED).flatMap((name) => [`${name}: printed (Python)`, 'ours, natively', 'million moves'])];
+  const columns = ['', ...Object.keys(HULL).flatMap((name) => [`${name}: printed (Python)`, 'ours, natively', 'million moves'])];
   table(`Table 4: seconds a run, ${seeds} seeds, ${availableParallelism()} runs at a time`, columns, lines);
 }

@@ -44,6 +44,25 @@ pub struct Curve {
     pub name: &'static str,
     /// Current value.
     pub value: f64,
+    /// Title of the chart in which it is drawn, together with the other curves of that title: they have one unit.
+    pub chart: &'static str,
+}
+
+/// The charts of the published methods, by title.
+#[cfg(feature = "research")]
+pub(super) mod charts {
+    pub(in super::super) const LENGTH: &str = "Length, mm";
+    pub(in super::super) const SECONDS: &str = "Seconds";
+    pub(in super::super) const COUNTS: &str = "Partitions and pre-cuts";
+    pub(in super::super) const WORK: &str = "Share of the work by step";
+    pub(in super::super) const PROSPECT: &str = "Prospect-regret value";
+    pub(in super::super) const WEIGHTS: &str = "Inertia and learning factors";
+    pub(in super::super) const SINGER: &str = "Singer map";
+    pub(in super::super) const FLIGHTS: &str = "Levy flights: kappa against tau";
+    pub(in super::super) const OPERATORS: &str = "Share of each crossover";
+    pub(in super::super) const STATES: &str = "Share of each state";
+    pub(in super::super) const REWARD: &str = "Diversity and reward";
+    pub(in super::super) const FITNESS: &str = "Fitness";
 }
 
 /// A named table of numbers.

@@ -22,8 +22,11 @@ test('a method from a paper is chosen, shows its figures, takes parameters and i
   await page.waitForFunction(() => document.querySelectorAll('optgroup option').length >= 2);
   await method(page).selectOption({ label: 'RLSGA' });
   await page.getByText('J. Mar. Sci. Eng. 11 (2023) 652').waitFor();
-  await page.waitForFunction(() => /^round \d/.test(document.querySelector('.insight')?.parentElement.querySelector('.number')?.textContent ?? ''));
+  await page.waitForFunction(() => /^round \d/.test(document.querySelector('.insights')?.parentElement.querySelector('.number')?.textContent ?? ''));
   assert.equal(await page.locator('.insight-grid td.number').count(), 9, 'the Q-table');
+  const charts = await page.locator('.insight figcaption').allTextContents();
+  assert.deepEqual(charts, ['Length, mm', 'Diversity and reward', 'Share of each crossover', 'Share of each state']);
+  assert.equal(await page.locator('.insight canvas').count(), 4, 'each chart is drawn');
   await open(page, 'Parameters');
   await page.getByLabel('Population').fill('20');
   await page.waitForFunction(() => document.querySelector('.insight-grid td.now') !== null);

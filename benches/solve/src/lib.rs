@@ -1,6 +1,7 @@
 //! The search on instances of every kind, natively and in wasm, for `npm run bench -- solve`.
 
 pub mod source;
+pub mod trace;
 
 use kerfway::solve::{self, Search, Status};
 use source::Source;

@@ -5,9 +5,13 @@ use kerfway::job::{Job, LoadOptions, problem_of};
 use kerfway::machine::{self, Profile};
 use kerfway::problem::{self, Groups, Instance, Item, Node, Problem};
 use kerfway::solve::Solution;
-use kerfway::{plan, sheet::Sheet};
+use kerfway::solve::papers::{self, Legs, Measure};
+use kerfway::{plan, sheet::Sheet, solve};
 use serde_json::Value;
 use std::path::Path;
+
+/// The machine of the seconds beside lengths: the papers' own are not given.
+const MACHINE: &str = "co2-100w";
 
 /// An instance, with the best known value.
 pub struct Source {
@@ -17,6 +21,8 @@ pub struct Source {
     pub problem: Problem,
     /// Best value known.
     pub known: Option<f64>,
+    /// Seconds of everything but air moves on [`MACHINE`], where the contours are known.
+    pub cut_seconds: Option<f64>,
     kind: Kind,
 }
 
@@ -34,6 +40,9 @@ impl Source {
         let mut sources = Self::of(file, bytes)?;
         for source in &mut sources {
             source.known = source.known.or_else(|| known(path, &source.name));
+            if let Kind::Points = source.kind {
+                source.cut_seconds = cut_seconds(&path.with_extension("dxf"));
+            }
         }
         Ok(sources)
     }
@@ -43,13 +52,44 @@ impl Source {
         let path = Path::new(file);
         match path.extension().and_then(|e| e.to_str()) {
             Some("json") => variants(&serde_json::from_slice(&bytes).map_err(|e| e.to_string())?),
-            Some("dxf") => Ok(vec![sheet(path, bytes)?]),
+            Some("dxf") => {
+                let sheet = sheet(path, bytes)?;
+                let ruled = sheet.by_feature_points().into_iter();
+                Ok(ruled.chain([sheet]).collect())
+            }
             _ => {
                 let instance = problem::instance(&bytes).map_err(|e| format!("{file}: {e}"))?;
                 let (name, problem) = (stem(path), instance.problem.clone());
-                Ok(vec![Self { name, problem, known: None, kind: Kind::Instance(Box::new(instance)) }])
+                Ok(vec![Self {
+                    name,
+                    problem,
+                    known: None,
+                    cut_seconds: None,
+                    kind: Kind::Instance(Box::new(instance)),
+                }])
             }
         }
+    }
+
+    /// A sheet whose nodes are the feature points of Qu & Du, and whose path does not return.
+    fn by_feature_points(&self) -> Option<Self> {
+        let Kind::Sheet(sheet) = &self.kind else { return None };
+        let mut problem = papers::with_feature_points(sheet, &self.problem);
+        problem.closed = false;
+        problem.items.iter_mut().for_each(|i| i.before = None);
+        let name = format!("{}, feature points of the paper", self.name);
+        Some(Self { name, problem, known: None, cut_seconds: None, kind: Kind::Points })
+    }
+
+    /// Seconds of the air moves of a solution on [`MACHINE`]; none where a table of costs is given.
+    pub fn air_seconds(&self, solution: &Solution) -> Option<f64> {
+        if self.problem.table().is_some() {
+            return None;
+        }
+        let machine = Profile { return_home: self.problem.closed, ..machine::preset(MACHINE)? };
+        let problem = Problem { machine, ..self.problem.clone() };
+        let nodes: Vec<u32> = solution.stops.iter().map(|s| s.node).collect();
+        Some(Legs::new(&problem, Measure::Seconds).tour_length(&nodes))
     }
 
     /// The length of a solution, checked by code that shares nothing with the search.
@@ -101,7 +141,7 @@ fn sheet(path: &Path, bytes: Vec<u8>) -> Result<Source, String> {
         ("sheet_10000", 83950.522),
     ];
     let known = best.iter().find(|b| b.0 == name).map(|b| b.1);
-    Ok(Source { name, problem, known, kind: Kind::Sheet(sheet) })
+    Ok(Source { name, problem, known, cut_seconds: None, kind: Kind::Sheet(sheet) })
 }
 
 fn preset(name: &str) -> Result<Profile, String> {
@@ -133,9 +173,19 @@ fn variants(data: &Value) -> Result<Vec<Source>, String> {
             let name =
                 format!("qu-du {} {way} {which}", if machine == "length" { "euclid" } else { "chebyshev" });
             // The table gives three decimals.
-            Ok(Source { name, problem, known: Some(value + 0.0005), kind: Kind::Points })
+            Ok(Source { name, problem, known: Some(value + 0.0005), cut_seconds: None, kind: Kind::Points })
         })
         .collect()
+}
+
+/// Seconds of everything but air moves of a drawing on [`MACHINE`]; they are the same for every path.
+fn cut_seconds(drawing: &Path) -> Option<f64> {
+    let job = Job::load(std::fs::read(drawing).ok()?, "drawing", &LoadOptions::default()).ok()?;
+    let machine = machine::preset(MACHINE)?;
+    let problem = problem_of(job.sheet(), &machine);
+    let greedy = solve::method("greedy")?.start(&problem, 1, None);
+    let summary = plan::from_solution(job.sheet(), &problem, greedy.best()).summary;
+    Some(summary.total_time - summary.air_time)
 }
 
 /// Contours entered at their feature points only.

@@ -3,9 +3,9 @@
 //!
 //! Every parameter of a paper is a documented field whose default is the paper's value. Where a paper leaves something
 //! open, or an equation is misprinted, the module of the method states what was built and why. Where a paper can be read in
-//! several ways, each reading that is built is a value of a parameter, and two presets name sets of them: "as-published" and
-//! "at-its-best" (`presets.rs`). Not parameters are the turning ways of RSX, the near lists of local search, and our own
-//! Lin-Kernighan search in place of LKH.
+//! several ways, each reading is a value of a parameter, and two presets name sets of them: "as-published" and "at-its-best"
+//! (`presets.rs`). Each departure from a paper is a parameter as well: `docs/methods.md` lists them, and how to switch each
+//! of them off.
 //!
 //! A method compares solutions by the paper's measure (`legs.rs`), not by the seconds of the whole job. The best solution
 //! it reports is one it found itself, even where the nearest-neighbour tour is better; otherwise a comparison would show
@@ -15,6 +15,7 @@
 //! selected.
 
 mod dual;
+mod feature_points;
 mod hull;
 mod keys;
 mod legs;
@@ -32,11 +33,16 @@ mod tree;
 mod unvisited;
 
 pub use dual::DualCodingGa;
-pub use hull::{HullPso, HullSettings, MeanReward, Ofa, OperatorRates, Rlsga, Sga, Woa};
+pub use feature_points::{feature_points, with_feature_points};
+pub use hull::{
+    Encoding, HullPso, HullSettings, MeanReward, Ofa, OperatorRates, ReversedRun, Rlsga, Sga, Woa,
+};
 pub use keys::Decode;
 pub use legs::{Legs, Measure};
 pub use repair::Repair;
-pub use swarm::{AcoPso, Draws, Flights, KPso, Kappa, Lpspso, Pso, Stagnation, SwarmSettings, Weights};
+pub use swarm::{
+    AcoPso, Draws, Flights, Initial, KPso, Kappa, Lpspso, Pso, Stagnation, SwarmSettings, Weights,
+};
 pub use tree::{GtspLk, InitialPartitions, InitialTours, PartitionTree, Pfr, RepartitionMoves};
 
 use super::{Solver, SolverInfo};
@@ -139,7 +145,7 @@ mod tests {
         }
         assert_eq!(
             refusal("woa", r#"{"settings":{}}"#),
-            "The method has no parameter \"settings\". There are: a, a_min, b, c, generations, measure, population."
+            "The method has no parameter \"settings\". There are: a, a_min, b, c, encoding, generations, measure, population."
         );
     }
 

@@ -31,7 +31,7 @@ export function resultPanel(session: Session, theme: Theme, download: (kind: Out
   const parts = h('dl', { class: 'parts' });
   const files = h('div', { class: 'downloads', role: 'group', 'aria-label': words.result.download },
     ...DOWNLOADS.map((kind) => button(words.result.kinds[kind], { class: 'small', title: words.result.downloadKind(words.result.kinds[kind]), onclick: () => download(kind) })));
-  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insightPanel(session), parts, files);
+  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insightPanel(session, theme), parts, files);
   const empty = h('p', { class: 'soft' }, words.result.none);
   body.append(empty, content);
 

@@ -430,6 +430,8 @@ export interface InsightCurve {
   name: string,
   /** Current value. */
   value: number,
+  /** Title of the chart in which it is drawn, together with the other curves of that title: they have one unit. */
+  chart: string,
 }
 
 /** A named table of numbers. */

@@ -2,13 +2,14 @@
 //!
 //!     hull NAME SHEET SEEDS [METHOD]...
 //!
-//! METHOD is a name, or `{"method": NAME, "parameters": {...}}`. Seconds are those of the processor.
+//! METHOD is a name, or `{"method": NAME, "parameters": {...}, "trace": ROUNDS}`. Seconds are those of the processor.
 
 use cpu_time::ThreadTime;
 use kerfway::geometry::DVec2;
 use kerfway::machine;
 use kerfway::problem::{Groups, Item, Node, Problem};
 use kerfway::solve::{self, Search, Solver, Status, papers};
+use kerfway_bench_solve::trace::Trace;
 use serde_json::{Value, json};
 
 /// Moves between two looks at the clock.
@@ -50,9 +51,11 @@ fn bench() -> Result<(), String> {
             let clock = ThreadTime::now();
             let mut search = solver.start(&problem, seed, None);
             let mut moves = 0;
+            let mut trace = Trace::every(one["trace"].as_u64().unwrap_or(0));
             while faithful || moves < MOVES {
                 let step = search.step(SLICE);
                 moves += step.done;
+                trace.look(search.as_ref(), step.status == Status::Exhausted);
                 if step.status == Status::Exhausted {
                     break;
                 }
@@ -65,7 +68,7 @@ fn bench() -> Result<(), String> {
                 json!({
                     "method": method, "seed": seed, "length": length.unwrap_or(cost), "plan": cost,
                     "optimum": sheet["optimum"], "moves": moves, "seconds": clock.elapsed().as_secs_f64(),
-                    "found": search.telemetry().best_at, "insight": search.insight(),
+                    "found": search.telemetry().best_at, "insight": search.insight(), "trace": trace.json(),
                 })
             );
         }

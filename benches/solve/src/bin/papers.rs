@@ -1,10 +1,11 @@
 //! One method on the instances of a file, seed by seed, each run to the method's own end: `papers METHOD FILE
-//! [--parameters JSON] [--only NAME] [--seeds K] [--seconds S] [--threads N]`. One JSON line a run, with the length of a tour checked
+//! [--parameters JSON] [--only NAME] [--seeds K] [--first SEED] [--seconds S] [--threads N] [--trace ROUNDS]`. One JSON line a run, with the length of a tour checked
 //! by code that shares nothing with the method. METHOD is one of the papers', or one of Kerfway's, which needs seconds.
 
 use cpu_time::ThreadTime;
 use kerfway::solve::{self, Solver, Status, papers};
 use kerfway_bench_solve::source::Source;
+use kerfway_bench_solve::trace::Trace;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -16,8 +17,12 @@ struct Options {
     parameters: String,
     only: Option<String>,
     seeds: u64,
+    /// The first seed.
+    first: u64,
     seconds: f64,
     threads: usize,
+    /// Rounds between two values of the curves; 0 for none.
+    trace: u64,
 }
 
 fn main() -> std::process::ExitCode {
@@ -30,7 +35,9 @@ fn options() -> Result<Options, String> {
         parameters: String::new(),
         only: None,
         seeds: 5,
+        first: 1,
         seconds: f64::INFINITY,
+        trace: 0,
         threads: std::thread::available_parallelism().map_or(1, |n| n.get()),
     };
     let mut args = std::env::args().skip(1);
@@ -39,10 +46,12 @@ fn options() -> Result<Options, String> {
         let number = |text: String| text.parse::<f64>().map_err(|_| format!("{text} is no number."));
         match word.as_str() {
             "--parameters" => o.parameters = next()?,
+            "--first" => o.first = number(next()?)? as u64,
             "--only" => o.only = Some(next()?),
             "--seeds" => o.seeds = number(next()?)? as u64,
             "--threads" => o.threads = number(next()?)?.max(1.0) as usize,
             "--seconds" => o.seconds = number(next()?)?,
+            "--trace" => o.trace = number(next()?)? as u64,
             _ => o.words.push(word),
         }
     }
@@ -56,14 +65,14 @@ fn bench(options: &Options) -> Result<(), String> {
             continue;
         }
         // Seeds go to as many threads as asked for, or as the machine has.
-        let next = AtomicU64::new(1);
+        let next = AtomicU64::new(options.first);
         let rows = Mutex::new(Ok(Vec::new()));
         std::thread::scope(|scope| {
             for _ in 0..options.threads {
                 scope.spawn(|| {
                     loop {
                         let seed = next.fetch_add(1, Ordering::Relaxed);
-                        if seed > options.seeds {
+                        if seed >= options.first + options.seeds {
                             break;
                         }
                         let row = run(&source, name, seed, options);
@@ -98,6 +107,7 @@ fn run(source: &Source, name: &str, seed: u64, options: &Options) -> Result<serd
     let checked = |search: &dyn solve::Search| source.checked(search.best());
     let mut length = checked(search.as_ref());
     let mut found = 0;
+    let mut trace = Trace::every(options.trace);
     loop {
         let step = search.step(SLICE);
         if step.improved {
@@ -106,11 +116,14 @@ fn run(source: &Source, name: &str, seed: u64, options: &Options) -> Result<serd
         }
         let known = length.as_ref().is_ok_and(|length| source.known.is_some_and(|k| *length <= k + 1e-6));
         let seconds = clock.elapsed().as_secs_f64();
-        if step.status == Status::Exhausted || seconds >= options.seconds || known {
+        let end = step.status == Status::Exhausted || seconds >= options.seconds || known;
+        trace.look(search.as_ref(), end);
+        if end {
             return Ok(serde_json::json!({
                 "instance": source.name, "items": source.problem.items.len(), "known": source.known, "method": name,
                 "seed": seed, "length": length.as_ref().ok(), "fault": length.as_ref().err(), "found": found, "rounds": search.insight().map_or(0, |i| i.round),
-                "seconds": seconds, "moves": search.telemetry().moves,
+                "seconds": seconds, "moves": search.telemetry().moves, "air_seconds": source.air_seconds(search.best()),
+                "cut_seconds": source.cut_seconds, "insight": search.insight(), "trace": trace.json(),
             }));
         }
     }

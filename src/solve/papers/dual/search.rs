@@ -3,6 +3,7 @@
 use super::code::{Code, cross, mutate};
 use super::fitness::fitness;
 use crate::problem::{ItemId, NodeId, Problem};
+use crate::solve::insight::charts;
 use crate::solve::papers::piecewise::{Piecewise, PiecewiseSearch, Progress, solution};
 use crate::solve::papers::roulette::Roulette;
 use crate::solve::papers::{Legs, Measure, Repair};
@@ -212,17 +213,17 @@ impl Piecewise for Generations<'_> {
     }
 
     fn insight(&self) -> Insight {
-        let curve = |name, value| Curve { name, value };
+        let length = |name, value| Curve { name, value, chart: charts::LENGTH };
         let least = self.lengths.iter().copied().fold(f64::INFINITY, f64::min);
         let mean = self.lengths.iter().sum::<f64>() / self.lengths.len() as f64;
         let even = fitness(&[0.0, 1.0], self.rates.lambda, self.rates.alpha, self.generation + 1);
         Insight {
             round: self.generation.into(),
             curves: vec![
-                curve("shortest spare travel f", self.progress.length),
-                curve("shortest of the generation", least),
-                curve("mean of the generation", mean),
-                curve("F min / F max of eq. (2)", even[1] / even[0]),
+                length("shortest spare travel f", self.progress.length),
+                length("shortest of the generation", least),
+                length("mean of the generation", mean),
+                Curve { name: "F min / F max of eq. (2)", value: even[1] / even[0], chart: charts::FITNESS },
             ],
             ..Insight::default()
         }

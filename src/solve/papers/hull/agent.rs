@@ -108,8 +108,9 @@ pub(super) struct Agent {
     learning: Option<Learning>,
     pub(super) state: usize,
     pub(super) action: usize,
-    /// Number of times that each action was chosen.
+    /// Number of times that each action was chosen, and that the population was in each state.
     pub(super) chosen: [u64; 3],
+    pub(super) visited: [u64; 3],
     /// Reward and diversity of the last generation.
     pub(super) reward: f64,
     pub(super) diversity: f64,
@@ -125,6 +126,7 @@ impl Agent {
             state: 0,
             action: 0,
             chosen: [0; 3],
+            visited: [0; 3],
             reward: 0.0,
             diversity: 0.0,
             statistics: Statistics::default(),
@@ -134,6 +136,7 @@ impl Agent {
     /// Takes the statistics of a population and chooses an action.
     pub(super) fn begin(&mut self, statistics: Statistics, diversity: f64, rng: &mut Rng) {
         (self.statistics, self.diversity, self.state) = (statistics, diversity, state(diversity));
+        self.visited[self.state] += 1;
         self.choose(rng);
     }
 

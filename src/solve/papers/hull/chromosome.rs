@@ -95,7 +95,7 @@ pub(super) fn genes(model: &Model, keys: &[f32]) -> Vec<Gene> {
 
 /// Indices in ascending order of their keys; equal keys stay in order. This is a radix sort in three passes of 11 bits,
 /// because a comparison sort of 80,000 keys would be the longest piece of all.
-fn ascending(keys: &[f32]) -> Vec<u32> {
+pub(super) fn ascending(keys: &[f32]) -> Vec<u32> {
     const BITS: u32 = 11;
     // Converts bits so that they sort like the numbers: those of negative numbers are inverted and come first.
     let rank = |k: f32| {

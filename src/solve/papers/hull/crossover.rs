@@ -2,7 +2,7 @@
 //!
 //! (a) In every path, a run of genes is exchanged with a run of the other chromosome: at the same places (PSX), reversed
 //! (RSX), or at any places of the longer path (ISX). The paper reverses runs but does not say whether the cutting
-//! directions are reversed too; here they are, so that the air moves within a run stay the same.
+//! directions are reversed too: `reversed_run` says so. By default they are, so that the air moves within a run stay the same.
 //! (b) Outside the runs, genes that occur twice are blanked.
 //! (c) Paths that migrations made shorter than their contour get blanks from longer paths, at random, as long as those have
 //! any.
@@ -12,7 +12,7 @@
 use super::chromosome::{Chromosome, run};
 use super::model::{BLANK, Gene};
 use crate::solve::rng::{Draw, Rng};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A segmented crossover.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -23,6 +23,17 @@ pub(super) enum Operator {
     Reverse,
     /// ISX, the intersect crossover.
     Intersect,
+}
+
+/// What RSX reverses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ReversedRun {
+    /// The order of the run and the cutting direction of each of its segments: the run is cut backwards.
+    #[default]
+    Turned,
+    /// The order of the run only, as the sentence of the paper has it, word for word.
+    OrderOnly,
 }
 
 /// The crossovers in the order of the columns of the Q-table.
@@ -44,10 +55,15 @@ struct Exchange {
 }
 
 /// Steps (a) to (c) for two chromosomes. `sizes` is the number of segments of each contour.
-pub(super) fn cross(by: Operator, parents: [&Chromosome; 2], sizes: &[u32], rng: &mut Rng) -> [Torn; 2] {
+pub(super) fn cross(
+    (by, reversed): (Operator, ReversedRun),
+    parents: [&Chromosome; 2],
+    sizes: &[u32],
+    rng: &mut Rng,
+) -> [Torn; 2] {
     let runs: Vec<Exchange> = (0..sizes.len()).filter_map(|m| exchange(by, parents, m, rng)).collect();
     [0, 1].map(|side| {
-        let mut torn = receive(by, parents, side, &runs);
+        let mut torn = receive((by, reversed), parents, side, &runs);
         complete(&mut torn.chromosome, sizes, rng);
         torn
     })
@@ -69,7 +85,12 @@ fn exchange(by: Operator, parents: [&Chromosome; 2], path: usize, rng: &mut Rng)
 }
 
 /// One of the chromosomes with the runs of the other one. Genes that then occur twice are blanked.
-fn receive(by: Operator, parents: [&Chromosome; 2], side: usize, runs: &[Exchange]) -> Torn {
+fn receive(
+    (by, reversed): (Operator, ReversedRun),
+    parents: [&Chromosome; 2],
+    side: usize,
+    runs: &[Exchange],
+) -> Torn {
     let mut chromosome = parents[side].clone();
     let mut held = vec![false; chromosome.genes.len()];
     let mut fixed = vec![false; chromosome.genes.len()];
@@ -79,7 +100,8 @@ fn receive(by: Operator, parents: [&Chromosome; 2], side: usize, runs: &[Exchang
         fixed[place..place + run.length].fill(true);
         let own = &mut chromosome.genes[place..place + run.length];
         if by == Operator::Reverse {
-            own.iter_mut().zip(given.iter().rev()).for_each(|(o, g)| *o = g ^ 1);
+            let turned = u32::from(reversed == ReversedRun::Turned);
+            own.iter_mut().zip(given.iter().rev()).for_each(|(o, g)| *o = g ^ turned);
         } else {
             own.copy_from_slice(given);
         }

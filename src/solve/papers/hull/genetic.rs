@@ -7,11 +7,12 @@
 
 use super::agent::{Agent, Learning, Statistics};
 use super::chromosome::{Chromosome, genes, keys};
-use super::crossover::{OPERATORS, cross};
+use super::crossover::{OPERATORS, ReversedRun, cross};
 use super::decode::Decoder;
 use super::filling::Filling;
 use super::settings::{HullSettings, OperatorRates};
 use crate::order::{real, sort_by};
+use crate::solve::insight::charts;
 use crate::solve::papers::piecewise::{Piecewise, Progress};
 use crate::solve::papers::roulette::Roulette;
 use crate::solve::rng::{Draw, Rng, seeded};
@@ -26,6 +27,8 @@ pub(super) struct Breeding {
     pub(super) rates: OperatorRates,
     /// Whether eq. (6) uses fitness divided by its mean.
     pub(super) scaled_fitness: bool,
+    /// What RSX reverses.
+    pub(super) reversed_run: ReversedRun,
 }
 
 /// The search.
@@ -108,7 +111,8 @@ impl<'p> Genetic<'p> {
         };
         let operator = OPERATORS[self.agent.action];
         let parents = [&self.parents[a], &self.parents[b]];
-        let torn = cross(operator, parents, &self.decoder.model.sizes, &mut self.rng);
+        let torn =
+            cross((operator, self.breeding.reversed_run), parents, &self.decoder.model.sizes, &mut self.rng);
         self.fillings.extend(torn.map(|t| Filling::new(&self.decoder.model, t, &mut self.rng)));
     }
 
@@ -205,16 +209,25 @@ impl Piecewise for Genetic<'_> {
         let agent = &self.agent;
         let chosen = agent.chosen.iter().sum::<u64>().max(1) as f64;
         let share = |a: usize| agent.chosen[a] as f64 / chosen;
-        let curve = |name, value| Curve { name, value };
+        let visited = agent.visited.iter().sum::<u64>().max(1) as f64;
+        let state = |s: usize| agent.visited[s] as f64 / visited;
+        let mean = self.parents.iter().map(|p| p.length).sum::<f64>() / self.parents.len() as f64;
+        let curve = |chart| move |name, value| Curve { name, value, chart };
+        let (length, reward) = (curve(charts::LENGTH), curve(charts::REWARD));
+        let (operator, states) = (curve(charts::OPERATORS), curve(charts::STATES));
         Insight {
             round: self.generation.into(),
             curves: vec![
-                curve("shortest empty travel TL", self.progress.length),
-                curve("diversity coefficient div", agent.diversity),
-                curve("reward R", agent.reward),
-                curve("share of PSX", share(0)),
-                curve("share of RSX", share(1)),
-                curve("share of ISX", share(2)),
+                length("shortest empty travel TL", self.progress.length),
+                length("mean empty travel TL", mean),
+                reward("diversity coefficient div", agent.diversity),
+                reward("reward R", agent.reward),
+                operator("share of PSX", share(0)),
+                operator("share of RSX", share(1)),
+                operator("share of ISX", share(2)),
+                states("share of div < 0.25", state(0)),
+                states("share of 0.25 to 0.75", state(1)),
+                states("share of div > 0.75", state(2)),
             ],
             grid: Some(Grid {
                 name: "Q-table: accumulated reward of each crossover in each state",
@@ -243,7 +256,11 @@ mod tests {
             "length-partial",
         );
         let settings = HullSettings { population: 3, ..HullSettings::default() };
-        let breeding = Breeding { rates: OperatorRates::default(), scaled_fitness: true };
+        let breeding = Breeding {
+            rates: OperatorRates::default(),
+            scaled_fitness: true,
+            reversed_run: ReversedRun::default(),
+        };
         let decoder = Decoder::new(&problem, Measure::Euclidean);
         let mut genetic = Genetic::new(decoder, settings, breeding, None, 1);
         let of = |length: f64| Chromosome { length, ..genetic.parents[0].clone() };

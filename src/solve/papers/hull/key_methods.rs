@@ -1,19 +1,22 @@
 //! The methods `hull-pso`, `ofa` and `woa` and their parameters (section 5.2).
 
 use super::key_search::KeySearch;
+use super::permutations::{SwapForagers, SwapParticles, SwapWhales};
 use super::rlsga::SOURCE;
 use super::rules::{Foragers, Particles, Whales};
-use super::settings::HullSettings;
+use super::settings::{Encoding, HullSettings};
 use crate::problem::Problem;
 use crate::solve::{Search, Solution, Solver, SolverInfo};
 use serde::{Deserialize, Serialize};
 
-/// Particle swarm optimisation on the random keys of the segments.
+/// Particle swarm optimisation over the segments.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HullPso {
     /// Parameters of every method for hull parts.
     #[serde(flatten)]
     pub settings: HullSettings,
+    /// How a path is represented.
+    pub encoding: Encoding,
     /// Inertia weight omega.
     pub inertia: f64,
     /// Acceleration c1 towards the particle's own best.
@@ -25,7 +28,7 @@ pub struct HullPso {
 impl Default for HullPso {
     fn default() -> Self {
         let (inertia, own, all) = (0.3, 0.5, 0.5);
-        Self { settings: HullSettings::default(), inertia, own, all }
+        Self { settings: HullSettings::default(), encoding: Encoding::Keys, inertia, own, all }
     }
 }
 
@@ -40,17 +43,24 @@ impl Solver for HullPso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let rule = Particles::new(self.inertia, self.own, self.all);
-        KeySearch::start(problem, rule, self.settings, seed)
+        let &Self { settings, inertia, own, all, .. } = self;
+        match self.encoding {
+            Encoding::Keys => KeySearch::start(problem, Particles::new(inertia, own, all), settings, seed),
+            Encoding::Permutation => {
+                KeySearch::start(problem, SwapParticles::new(inertia, own, all), settings, seed)
+            }
+        }
     }
 }
 
-/// The optimal foraging algorithm on the random keys of the segments.
+/// The optimal foraging algorithm over the segments.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ofa {
     /// Parameters of every method for hull parts.
     #[serde(flatten)]
     pub settings: HullSettings,
+    /// How a path is represented.
+    pub encoding: Encoding,
     /// The scaling factor k at the start.
     pub k: f64,
     /// Amount by which k falls until the end.
@@ -59,7 +69,7 @@ pub struct Ofa {
 
 impl Default for Ofa {
     fn default() -> Self {
-        Self { settings: HullSettings::default(), k: 0.9, k_fall: 0.5 }
+        Self { settings: HullSettings::default(), encoding: Encoding::Keys, k: 0.9, k_fall: 0.5 }
     }
 }
 
@@ -75,16 +85,21 @@ impl Solver for Ofa {
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
         let rule = Foragers::new(self.k, self.k_fall);
-        KeySearch::start(problem, rule, self.settings, seed)
+        match self.encoding {
+            Encoding::Keys => KeySearch::start(problem, rule, self.settings, seed),
+            Encoding::Permutation => KeySearch::start(problem, SwapForagers(rule), self.settings, seed),
+        }
     }
 }
 
-/// The whale optimisation algorithm on the random keys of the segments.
+/// The whale optimisation algorithm over the segments.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Woa {
     /// Parameters of every method for hull parts.
     #[serde(flatten)]
     pub settings: HullSettings,
+    /// How a path is represented.
+    pub encoding: Encoding,
     /// The coefficient A at the start.
     pub a: f64,
     /// The coefficient A at the end, A_min.
@@ -97,7 +112,14 @@ pub struct Woa {
 
 impl Default for Woa {
     fn default() -> Self {
-        Self { settings: HullSettings::default(), a: 2.0, a_min: 0.0, c: 1.0, b: 1.0 }
+        Self {
+            settings: HullSettings::default(),
+            encoding: Encoding::Keys,
+            a: 2.0,
+            a_min: 0.0,
+            c: 1.0,
+            b: 1.0,
+        }
     }
 }
 
@@ -113,6 +135,9 @@ impl Solver for Woa {
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
         let rule = Whales { reach: self.a, least: self.a_min, weight: self.c, spiral: self.b };
-        KeySearch::start(problem, rule, self.settings, seed)
+        match self.encoding {
+            Encoding::Keys => KeySearch::start(problem, rule, self.settings, seed),
+            Encoding::Permutation => KeySearch::start(problem, SwapWhales(rule), self.settings, seed),
+        }
     }
 }

@@ -12,6 +12,7 @@ use super::model::Gene;
 use super::rules::MoveRule;
 use super::settings::HullSettings;
 use crate::problem::Problem;
+use crate::solve::insight::charts;
 use crate::solve::papers::piecewise::{Piecewise, PiecewiseSearch, Progress};
 use crate::solve::rng::{Rng, seeded};
 use crate::solve::{Curve, Insight, Search};
@@ -127,7 +128,7 @@ impl<R: MoveRule> Piecewise for KeySearch<'_, R> {
     fn insight(&self) -> Insight {
         let lengths = &self.members.lengths;
         let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
-        let curve = |name, value| Curve { name, value };
+        let curve = |name, value| Curve { name, value, chart: charts::LENGTH };
         let curves = vec![
             curve("shortest empty travel TL", self.progress.length),
             curve("mean empty travel TL", mean),

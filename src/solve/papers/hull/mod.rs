@@ -7,12 +7,13 @@
 //!    (section 4.3).
 //! 3. `agent.rs`: states, actions, rewards and Q-table, eqs (5) to (11). `genetic.rs`: the generations of `rlsga` and
 //!    `sga`.
-//! 4. `key_search.rs`, `rules.rs`: `hull-pso`, `ofa` and `woa` on random keys (section 5.2).
+//! 4. `key_search.rs`, `rules.rs`, `permutations.rs`: `hull-pso`, `ofa` and `woa` on random keys or on permutations (section
+//!    5.2).
 //! 5. `decode.rs`, `nested.rs`, `holes.rs`: from a chromosome to a plan.
 //!
-//! Deviations: eq. (6) uses scaled fitness (`scaled_fitness`); eq. (9) follows its sentence (`mean_reward`); RSX reverses the cutting directions of a run, about which
-//! the paper says nothing; where a sheet has holes or ranks, which the paper has not, the fitness is that of the repaired
-//! path.
+//! Readings and deviations, each a parameter: eq. (6) uses scaled fitness (`scaled_fitness`); eq. (9) follows its sentence
+//! (`mean_reward`); RSX turns the cutting directions of a run (`reversed_run`); the comparators have random keys
+//! (`encoding`). Where a sheet has holes or ranks, which the paper has not, the fitness is that of the repaired path.
 
 mod agent;
 mod chromosome;
@@ -26,6 +27,7 @@ mod key_search;
 mod members;
 mod model;
 mod nested;
+mod permutations;
 mod rlsga;
 mod rules;
 mod settings;
@@ -33,6 +35,7 @@ mod settings;
 mod tests;
 
 pub use agent::MeanReward;
+pub use crossover::ReversedRun;
 pub use key_methods::{HullPso, Ofa, Woa};
 pub use rlsga::{Rlsga, Sga};
-pub use settings::{HullSettings, OperatorRates};
+pub use settings::{Encoding, HullSettings, OperatorRates};

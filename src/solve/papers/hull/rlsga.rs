@@ -1,6 +1,7 @@
 //! The methods `rlsga` and `sga` and their parameters.
 
 use super::agent::{Learning, MeanReward};
+use super::crossover::ReversedRun;
 use super::decode::Decoder;
 use super::genetic::{Breeding, Genetic};
 use super::settings::{HullSettings, OperatorRates};
@@ -33,6 +34,8 @@ pub struct Rlsga {
     pub scaled_fitness: bool,
     /// With what eq. (9) compares the mean fitness of a generation.
     pub mean_reward: MeanReward,
+    /// What RSX reverses; the paper does not say whether the cutting directions turn.
+    pub reversed_run: ReversedRun,
 }
 
 impl Default for Rlsga {
@@ -45,6 +48,7 @@ impl Default for Rlsga {
             epsilon: 0.1,
             scaled_fitness: true,
             mean_reward: MeanReward::Sentence,
+            reversed_run: ReversedRun::Turned,
         }
     }
 }
@@ -60,9 +64,9 @@ impl Solver for Rlsga {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let Self { alpha, gamma, epsilon, mean_reward, .. } = *self;
+        let Self { alpha, gamma, epsilon, mean_reward, reversed_run, .. } = *self;
         let learning = Learning { alpha, gamma, epsilon, mean_reward };
-        let breeding = Breeding { rates: self.rates, scaled_fitness: self.scaled_fitness };
+        let breeding = Breeding { rates: self.rates, scaled_fitness: self.scaled_fitness, reversed_run };
         let decoder = Decoder::new(problem, self.settings.measure);
         Box::new(PiecewiseSearch(Genetic::new(decoder, self.settings, breeding, Some(learning), seed)))
     }
@@ -77,6 +81,8 @@ pub struct Sga {
     /// Probabilities of the genetic operators.
     #[serde(flatten)]
     pub rates: OperatorRates,
+    /// What RSX reverses, as in `rlsga`.
+    pub reversed_run: ReversedRun,
 }
 
 impl Solver for Sga {
@@ -90,7 +96,11 @@ impl Solver for Sga {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let breeding = Breeding { rates: self.rates, scaled_fitness: Rlsga::default().scaled_fitness };
+        let breeding = Breeding {
+            rates: self.rates,
+            scaled_fitness: Rlsga::default().scaled_fitness,
+            reversed_run: self.reversed_run,
+        };
         let decoder = Decoder::new(problem, self.settings.measure);
         Box::new(PiecewiseSearch(Genetic::new(decoder, self.settings, breeding, None, seed)))
     }

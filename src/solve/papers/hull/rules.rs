@@ -80,6 +80,17 @@ impl Foragers {
     pub(super) fn new(from: f64, fall: f64) -> Self {
         Self { from, fall, order: Vec::new(), places: Vec::new() }
     }
+
+    /// A random better member, or the worst for the best of all.
+    pub(super) fn other(&self, member: usize, rng: &mut Rng) -> usize {
+        let place = self.places[member];
+        self.order[if place == 0 { self.order.len() - 1 } else { rng.below(place) }]
+    }
+
+    /// The scaling factor k.
+    pub(super) fn factor(&self, done: f64) -> f64 {
+        self.from - self.fall * done
+    }
 }
 
 impl MoveRule for Foragers {
@@ -91,10 +102,8 @@ impl MoveRule for Foragers {
     }
 
     fn trial(&mut self, members: &Members, member: usize, done: f64, rng: &mut Rng) -> Vec<f32> {
-        let place = self.places[member];
-        let other = if place == 0 { self.order.len() - 1 } else { rng.below(place) };
-        let other = &members.keys[self.order[other]];
-        let k = self.from - self.fall * done;
+        let other = &members.keys[self.other(member, rng)];
+        let k = self.factor(done);
         let moved = members.keys[member].iter().zip(other).map(|(&x, &o)| {
             let change = f64::from(o) - f64::from(x);
             let back = rng.uniform();
@@ -121,6 +130,14 @@ pub(super) struct Whales {
     pub(super) spiral: f64,
 }
 
+impl Whales {
+    /// The coefficient A of a move.
+    pub(super) fn coefficient(&self, done: f64, rng: &mut Rng) -> f64 {
+        let falling = self.reach - (self.reach - self.least) * done;
+        2.0 * falling * rng.uniform() - falling
+    }
+}
+
 impl MoveRule for Whales {
     fn trial(&mut self, members: &Members, member: usize, done: f64, rng: &mut Rng) -> Vec<f32> {
         let here = &members.keys[member];
@@ -131,8 +148,7 @@ impl MoveRule for Whales {
                 |(&x, &b): (&f32, &f32)| key((f64::from(b) - f64::from(x)).abs() * turn + f64::from(b));
             return here.iter().zip(&members.best).map(around).collect();
         }
-        let falling = self.reach - (self.reach - self.least) * done;
-        let a = 2.0 * falling * rng.uniform() - falling;
+        let a = self.coefficient(done, rng);
         let prey = if a.abs() < 1.0 { &members.best } else { &members.keys[rng.below(members.keys.len())] };
         let towards = |(&x, &p): (&f32, &f32)| {
             key(f64::from(p) - a * (self.weight * f64::from(p) - f64::from(x)).abs())

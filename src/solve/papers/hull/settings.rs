@@ -22,6 +22,17 @@ impl Default for HullSettings {
     }
 }
 
+/// How `hull-pso`, `ofa` and `woa` represent a path. The paper only says that they solve the same model.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Encoding {
+    /// Random keys, on which the equations of the methods work as they stand.
+    #[default]
+    Keys,
+    /// Permutations of the segments with directions, on which differences are lists of exchanges.
+    Permutation,
+}
+
 /// Probabilities of the genetic operators, with and without learning.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OperatorRates {

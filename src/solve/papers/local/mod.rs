@@ -8,4 +8,5 @@ mod search_space;
 
 pub(super) use entry_choice::EntryChoice;
 pub(super) use local_search::LocalSearch;
+pub(super) use near::NearItems;
 pub(super) use search_space::SearchSpace;

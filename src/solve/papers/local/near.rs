@@ -4,16 +4,19 @@ use super::super::legs::Legs;
 use super::super::unvisited::Unvisited;
 use crate::problem::ItemId;
 
-/// Number of near items of an item. Ten are enough for 2-opt on uniform instances (Johnson & McGeoch 1997, section 3.3).
-const NEIGHBOURS: usize = 10;
-
 /// The near items of each item, the nearest first. The lists are filled item by item.
-#[derive(Default)]
 pub(in super::super) struct NearItems {
     of: Vec<Vec<(f64, ItemId)>>,
+    /// Largest number of near items of an item.
+    most: usize,
 }
 
 impl NearItems {
+    /// Lists of at most so many near items, which are not filled yet.
+    pub(in super::super) fn new(most: u32) -> Self {
+        Self { of: Vec::new(), most: most.max(1) as usize }
+    }
+
     /// The near items of an item, each with the shortest leg between any of their nodes.
     pub(in super::super) fn of(&self, item: ItemId) -> &[(f64, ItemId)] {
         self.of.get(item as usize).map_or(&[], Vec::as_slice)
@@ -25,7 +28,7 @@ impl NearItems {
         let problem = legs.problem();
         let item = ItemId::try_from(self.of.len()).ok()?;
         let nodes = problem.items.get(item as usize)?.nodes.clone();
-        let mut found = NearestItems::default();
+        let mut found = NearestItems { most: self.most, found: Vec::new() };
         let mut priced = 1;
         for from in nodes {
             match all {
@@ -50,31 +53,33 @@ impl NearItems {
                 }
             }
         }
-        self.of.push(found.0);
+        self.of.push(found.found);
         Some(priced)
     }
 }
 
 /// The nearest items so far, in ascending order of their distance.
-#[derive(Default)]
-struct NearestItems(Vec<(f64, ItemId)>);
+struct NearestItems {
+    most: usize,
+    found: Vec<(f64, ItemId)>,
+}
 
 impl NearestItems {
     fn is_full_below(&self, cost: f64) -> bool {
-        self.0.len() == NEIGHBOURS && self.0[NEIGHBOURS - 1].0 < cost
+        self.found.len() == self.most && self.found[self.most - 1].0 < cost
     }
 
     fn offer(&mut self, item: ItemId, cost: f64, other: ItemId) {
         if other == item || self.is_full_below(cost) {
             return;
         }
-        match self.0.iter().position(|f| f.1 == other) {
-            Some(known) if self.0[known].0 <= cost => return,
-            Some(known) => drop(self.0.remove(known)),
+        match self.found.iter().position(|f| f.1 == other) {
+            Some(known) if self.found[known].0 <= cost => return,
+            Some(known) => drop(self.found.remove(known)),
             None => {}
         }
-        let place = self.0.partition_point(|f| (f.0, f.1) < (cost, other));
-        self.0.insert(place, (cost, other));
-        self.0.truncate(NEIGHBOURS);
+        let place = self.found.partition_point(|f| (f.0, f.1) < (cost, other));
+        self.found.insert(place, (cost, other));
+        self.found.truncate(self.most);
     }
 }

@@ -15,10 +15,10 @@ pub(in super::super) struct SearchSpace<'p> {
 }
 
 impl<'p> SearchSpace<'p> {
-    /// Starts without near items.
-    pub(in super::super) fn new(legs: Legs<'p>) -> Self {
+    /// Starts with near items whose lists are not filled yet.
+    pub(in super::super) fn new(legs: Legs<'p>, near: NearItems) -> Self {
         let turns = legs.problem().table().is_none_or(crate::problem::Table::is_symmetric);
-        Self { legs, near: NearItems::default(), turns }
+        Self { legs, near, turns }
     }
 
     pub(super) fn problem(&self) -> &'p Problem {

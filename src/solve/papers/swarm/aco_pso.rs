@@ -9,6 +9,7 @@
 
 use super::super::unvisited::NearestNeighbour;
 use super::particles::Swarm;
+use super::proximity::Initial;
 use super::pso::{Pso, StandardGuide};
 use super::run::{Guide, Run};
 use super::settings::{SwarmSettings, Weights};
@@ -41,7 +42,7 @@ pub struct AcoPso {
 
 impl Default for AcoPso {
     fn default() -> Self {
-        let Pso { settings, weights } = Pso::default();
+        let Pso { settings, weights, .. } = Pso::default();
         // Exponents and evaporation rate of the ant system (Dorigo & Stützle 2004, box 3.1).
         let (again, trail, nearness, evaporation) = (10, 1.0, 3.0, 0.1);
         Self { settings, weights, again, trail, nearness, evaporation }
@@ -64,7 +65,7 @@ impl Solver for AcoPso {
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
         let colony = AntColony {
             by: self.clone(),
-            plain: StandardGuide::new(self.weights, self.settings.draws),
+            plain: StandardGuide::new(self.weights, self.settings.draws, Initial::Random),
             trails: Vec::new(),
             sent: Vec::new(),
             fresh: Vec::new(),
@@ -216,7 +217,7 @@ mod tests {
         let Swarm { evaluator, all, .. } = &mut swarm;
         while evaluator.space.near.piece(&evaluator.space.legs, all).is_some() {}
         let mut ants = AntColony {
-            plain: StandardGuide::new(by.weights, by.settings.draws),
+            plain: StandardGuide::new(by.weights, by.settings.draws, Initial::Random),
             by,
             trails: (0..3).map(|i| vec![1.0; swarm.evaluator.space.near.of(i).len()]).collect(),
             sent: vec![],

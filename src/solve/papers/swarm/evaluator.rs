@@ -2,7 +2,7 @@
 
 use super::super::keys::Keys;
 use super::super::legs::Legs;
-use super::super::local::{EntryChoice, LocalSearch, SearchSpace};
+use super::super::local::{EntryChoice, LocalSearch, NearItems, SearchSpace};
 use super::super::repair::Repair;
 use crate::problem::{NodeId, Problem};
 use crate::solve::epsilon::EPSILON;
@@ -46,9 +46,9 @@ pub(super) struct Evaluation {
 }
 
 impl<'p> Evaluator<'p> {
-    pub(super) fn new(legs: Legs<'p>, keys: Keys<'p>, local: bool) -> Self {
+    pub(super) fn new(legs: Legs<'p>, keys: Keys<'p>, near: NearItems, local: bool) -> Self {
         let problem = legs.problem();
-        let space = SearchSpace::new(legs);
+        let space = SearchSpace::new(legs, near);
         let local_search = LocalSearch::new(problem, keys.led, keys.pinned.is_some());
         let entries = keys.has_entries();
         Self {

@@ -8,6 +8,7 @@
 //! the number of items.
 
 use super::particles::Swarm;
+use super::proximity::Initial;
 use super::pso::{Pso, StandardGuide};
 use super::run::{Guide, Run};
 use super::settings::{SwarmSettings, Weights};
@@ -32,7 +33,7 @@ pub struct KPso {
 
 impl Default for KPso {
     fn default() -> Self {
-        let Pso { settings, weights } = Pso::default();
+        let Pso { settings, weights, .. } = Pso::default();
         // Groups of points in a plane hardly change after 20 rounds.
         let grouping = 20;
         Self { settings, weights, grouping }
@@ -53,7 +54,7 @@ impl Solver for KPso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        let plain = StandardGuide::new(self.weights, self.settings.draws);
+        let plain = StandardGuide::new(self.weights, self.settings.draws, Initial::Random);
         let groups = Groups { left: self.grouping, ..Groups::default() };
         Run::start(
             problem,

@@ -15,5 +15,6 @@ mod settings;
 pub use aco_pso::AcoPso;
 pub use k_pso::KPso;
 pub use lpspso::{Flights, Kappa, Lpspso, Stagnation};
+pub use proximity::Initial;
 pub use pso::Pso;
 pub use settings::{Draws, SwarmSettings, Weights};

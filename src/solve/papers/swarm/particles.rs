@@ -4,6 +4,7 @@
 
 use super::super::keys::Keys;
 use super::super::legs::Legs;
+use super::super::local::NearItems;
 use super::super::unvisited::Unvisited;
 use super::evaluator::Evaluator;
 use super::settings::{SwarmSettings, Weights};
@@ -50,7 +51,9 @@ impl<'p> Swarm<'p> {
     /// A swarm whose particles have no keys yet; without items it has no particles.
     pub(super) fn new(problem: &'p Problem, seed: u64, settings: &SwarmSettings) -> Self {
         let keys = Keys::new(problem, settings.first, settings.decode);
-        let evaluator = Evaluator::new(Legs::new(problem, settings.measure), keys, settings.local_search);
+        let near = NearItems::new(settings.neighbours);
+        let evaluator =
+            Evaluator::new(Legs::new(problem, settings.measure), keys, near, settings.local_search);
         let count = if evaluator.keys.items().is_empty() { 0 } else { settings.particles.max(1) as usize };
         Self {
             all: Unvisited::all(problem),

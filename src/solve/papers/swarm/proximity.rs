@@ -8,7 +8,68 @@
 use super::super::keys::Keys;
 use super::super::legs::Legs;
 use super::super::unvisited::{NearestNeighbour, Unvisited};
+use super::particles::Swarm;
 use crate::problem::NodeId;
+use serde::{Deserialize, Serialize};
+
+/// Largest number of steps of all tours that the method constructs, unless a parameter gives another: about a second.
+pub(super) const PROXIMITY_STEPS: u64 = 1_000_000;
+
+/// Where the particles of a swarm begin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Initial {
+    /// At random positions.
+    Random,
+    /// At the shortest paths of the improved proximity method. The paper says so of LPSPSO only; but its sequences of all
+    /// four swarms from a fixed start enter most contours at the nearest point, which random positions do not.
+    Proximity,
+}
+
+/// Gives the particles of a swarm their first positions.
+pub(super) struct Initialisation {
+    initial: Initial,
+    /// Largest number of steps of all tours of the proximity method.
+    most: u64,
+    proximity: Option<Proximity>,
+    /// Number of particles that have their keys.
+    done: usize,
+}
+
+impl Initialisation {
+    /// No particle has its keys yet.
+    pub(super) fn new(initial: Initial, most: u64) -> Self {
+        Self { initial, most, proximity: None, done: 0 }
+    }
+
+    /// Does the next piece and returns its cost, or `None` when every particle has its keys.
+    pub(super) fn piece(&mut self, swarm: &mut Swarm) -> Option<u64> {
+        let count = swarm.particles.len();
+        if self.done == count {
+            self.proximity = None;
+            return None;
+        }
+        let cost = swarm.evaluator.keys.count() as u64;
+        if self.initial == Initial::Random {
+            swarm.draw(self.done, None);
+            self.done += 1;
+            return Some(cost);
+        }
+        let (legs, keys) = (&swarm.evaluator.space.legs, &swarm.evaluator.keys);
+        let proximity = self.proximity.get_or_insert_with(|| Proximity::new(legs, keys, count, self.most));
+        if let Some(priced) = proximity.piece(legs, keys, &swarm.all) {
+            if let Some(path) = proximity.shorter() {
+                swarm.found = Some(path);
+            }
+            return Some(priced);
+        }
+        // If there are fewer paths than particles, several particles get the same path and differ by their velocities.
+        let path = proximity.paths.get(self.done % proximity.paths.len().max(1)).map(|p| p.1.as_slice());
+        swarm.draw(self.done, path);
+        self.done += 1;
+        Some(cost)
+    }
+}
 
 /// The method under way.
 pub(super) struct Proximity {

@@ -3,6 +3,7 @@
 //! of the constricted swarm (Clerc & Kennedy, IEEE Transactions on Evolutionary Computation 6, 2002).
 
 use super::particles::Swarm;
+use super::proximity::{Initial, Initialisation, PROXIMITY_STEPS};
 use super::run::{Guide, Run};
 use super::settings::{Draws, SwarmSettings, Weights};
 use crate::problem::Problem;
@@ -20,11 +21,14 @@ pub struct Pso {
     /// Constant weights.
     #[serde(flatten)]
     pub weights: Weights,
+    /// Where the particles begin.
+    pub initial: Initial,
 }
 
 impl Default for Pso {
     fn default() -> Self {
-        Self { settings: SwarmSettings::with(0.2, Draws::Key), weights: Weights::CONSTRICTED }
+        let (settings, weights) = (SwarmSettings::with(0.2, Draws::Key), Weights::CONSTRICTED);
+        Self { settings, weights, initial: Initial::Random }
     }
 }
 
@@ -42,7 +46,8 @@ impl Solver for Pso {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
-        Run::start(problem, seed, &self.settings, StandardGuide::new(self.weights, self.settings.draws))
+        let guide = StandardGuide::new(self.weights, self.settings.draws, self.initial);
+        Run::start(problem, seed, &self.settings, guide)
     }
 }
 
@@ -50,27 +55,22 @@ impl Solver for Pso {
 pub(super) struct StandardGuide {
     weights: Weights,
     draws: Draws,
-    /// Number of particles that have their keys.
-    initialised: usize,
+    initialisation: Initialisation,
     /// The random numbers of the particle that is being moved, and the iteration of the second one.
     drawn: (f64, f64, Option<u32>),
 }
 
 impl StandardGuide {
     /// A swarm that is not initialised yet.
-    pub(super) fn new(weights: Weights, draws: Draws) -> Self {
-        Self { weights, draws, initialised: 0, drawn: (0.0, 0.0, None) }
+    pub(super) fn new(weights: Weights, draws: Draws, initial: Initial) -> Self {
+        let initialisation = Initialisation::new(initial, PROXIMITY_STEPS);
+        Self { weights, draws, initialisation, drawn: (0.0, 0.0, None) }
     }
 }
 
 impl Guide for StandardGuide {
     fn initialise(&mut self, swarm: &mut Swarm) -> Option<u64> {
-        if self.initialised == swarm.particles.len() {
-            return None;
-        }
-        swarm.draw(self.initialised, None);
-        self.initialised += 1;
-        Some(swarm.evaluator.keys.count() as u64)
+        self.initialisation.piece(swarm)
     }
 
     fn move_keys(&mut self, swarm: &mut Swarm, particle: usize, keys: Range<usize>) {

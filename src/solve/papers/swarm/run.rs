@@ -7,6 +7,7 @@ use super::particles::Swarm;
 use super::settings::SwarmSettings;
 use crate::problem::{NodeId, Problem};
 use crate::solve::Search;
+use crate::solve::insight::charts;
 use crate::solve::{Curve, Insight};
 use std::ops::Range;
 
@@ -182,13 +183,10 @@ impl<'p, G: Guide + 'p> Piecewise for Run<'p, G> {
     }
 
     fn insight(&self) -> Insight {
-        let mut curves = vec![
-            Curve {
-                name: "shortest (G)",
-                value: if self.progress.length.is_finite() { self.progress.length } else { self.first },
-            },
-            Curve { name: "mean of the swarm", value: self.swarm.mean() },
-        ];
+        let shortest = if self.progress.length.is_finite() { self.progress.length } else { self.first };
+        let length = |name, value| Curve { name, value, chart: charts::LENGTH };
+        let mut curves =
+            vec![length("shortest (G)", shortest), length("mean of the swarm", self.swarm.mean())];
         curves.extend(self.guide.curves());
         Insight { round: self.swarm.round.into(), curves, ..Insight::default() }
     }

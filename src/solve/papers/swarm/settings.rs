@@ -38,13 +38,17 @@ pub struct SwarmSettings {
     pub decode: Decode,
     /// When the random numbers of eqs (14) and (19) are drawn.
     pub draws: Draws,
+    /// Number of near contours of each that local search and ants consider. As many as there are contours, or more, switches
+    /// the lists off. Ten are enough for 2-opt on uniform instances (Johnson & McGeoch 1997, section 3.3).
+    pub neighbours: u32,
 }
 
 impl SwarmSettings {
     /// The settings of the paper. It does not give the largest velocity.
     pub(super) const fn with(fastest: f64, draws: Draws) -> Self {
         let (measure, decode) = (Measure::Euclidean, Decode::Keys);
-        Self { particles: 50, rounds: 600, measure, local_search: true, first: None, fastest, decode, draws }
+        let (particles, rounds, local_search, neighbours) = (50, 600, true, 10);
+        Self { particles, rounds, measure, local_search, first: None, fastest, decode, draws, neighbours }
     }
 }
 

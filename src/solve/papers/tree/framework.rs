@@ -12,11 +12,12 @@ use super::pfr::Pfr;
 use super::repair::repair;
 use super::repartition;
 use super::resolve::resolve;
-use super::stage::{After, Stage};
+use super::stage::{After, STEPS, Stage};
 use super::visits::{for_each_visit, keeps_precedence, solution};
 use crate::problem::{ItemId, NodeId, Problem};
 use crate::solve::epsilon::EPSILON;
 use crate::solve::greedy;
+use crate::solve::insight::charts;
 use crate::solve::papers::piecewise::{Piecewise, Progress};
 use crate::solve::{Curve, Insight};
 use rustc_hash::FxHashSet;
@@ -39,6 +40,8 @@ pub(super) struct Framework<'p> {
     /// Seconds of the final path, before and after its entries were improved.
     repaired: Option<f64>,
     ended: Option<f64>,
+    /// Moves that each of [`STEPS`] took.
+    work: [u64; STEPS.len()],
     progress: Progress,
 }
 
@@ -60,6 +63,7 @@ impl<'p> Framework<'p> {
             best: None,
             repaired: None,
             ended: None,
+            work: [0; STEPS.len()],
             progress,
         }
     }
@@ -214,6 +218,7 @@ impl Piecewise for Framework<'_> {
     }
 
     fn piece(&mut self) -> Option<u64> {
+        let step = self.stage.step();
         let (cost, next) = match std::mem::replace(&mut self.stage, Stage::End) {
             Stage::Near => match self.g.list_near() {
                 Some(priced) => (priced, Stage::Near),
@@ -293,6 +298,7 @@ impl Piecewise for Framework<'_> {
             Stage::End => return None,
         };
         self.stage = next;
+        self.work[step] += cost;
         Some(cost)
     }
 
@@ -302,17 +308,22 @@ impl Piecewise for Framework<'_> {
         let mut pre_cuts = 0_u32;
         for_each_visit(&self.g, &self.forest, |v| pre_cuts += u32::from(!v.closes));
         let depth = self.forest.used().map(|r| self.forest.depth(&self.g, r)).max().unwrap_or(0);
-        let value = |name, value| Curve { name, value };
+        let value = |name, value| Curve { name, value, chart: charts::SECONDS };
+        let number = |name, value| Curve { name, value, chart: charts::COUNTS };
         let count = u32::try_from(self.forest.used().count()).unwrap_or(u32::MAX);
-        let curves = vec![
+        let mut curves = vec![
             value("time now, s", now),
             value("best with precedence left out, s", free),
             value("repaired, s", self.repaired.unwrap_or(now)),
             value("repaired and improved, s", self.ended.unwrap_or(now)),
-            value("partitions", count.into()),
-            value("depth", depth.into()),
-            value("pre-cuts", pre_cuts.into()),
+            number("partitions", count.into()),
+            number("depth", depth.into()),
+            number("pre-cuts", pre_cuts.into()),
         ];
+        // Figure 9 of the paper, by work instead of time.
+        let all = self.work.iter().sum::<u64>().max(1) as f64;
+        let share = |(name, &work): (_, &u64)| Curve { name, value: work as f64 / all, chart: charts::WORK };
+        curves.extend(STEPS.into_iter().zip(&self.work).map(share));
         let partitions = Some(partitions(self.g.problem, self.progress.solution()));
         Insight { round: self.round.into(), curves, grid: None, partitions }
     }

@@ -9,6 +9,7 @@ use super::forest::{Forest, ROOT};
 use super::graph::Graph;
 use super::{entries, visits};
 use crate::problem::{Groups, Item, NodeId, Problem};
+use crate::solve::insight::charts;
 use crate::solve::papers::piecewise::{Piecewise, Progress, solution};
 use crate::solve::papers::repair::Repair;
 use crate::solve::tour_tree::TourTree;
@@ -99,7 +100,7 @@ impl Piecewise for Single<'_> {
 
     fn insight(&self) -> Insight {
         let relaxed = self.relaxed.borrow_dependent().best().cost;
-        let value = |name, value| Curve { name, value };
+        let value = |name, value| Curve { name, value, chart: charts::SECONDS };
         let best = self.progress.solution().cost;
         let curves = vec![value("tour with precedence left out, s", relaxed), value("path, s", best)];
         Insight { curves, ..Insight::default() }

@@ -37,6 +37,24 @@ pub(super) enum Stage {
     End,
 }
 
+/// The steps whose shares of the time figure 9 of the paper shows. Near lists belong to the construction, and the choice
+/// of entries to the repair, which it follows.
+pub(super) const STEPS: [&str; 5] =
+    ["construction", "GTSP", "repartitioning", "arborescence", "repair and entries"];
+
+impl Stage {
+    /// Its index in [`STEPS`].
+    pub(super) fn step(&self) -> usize {
+        match self {
+            Self::Near | Self::Construct(_) => 0,
+            Self::Gtsp { .. } => 1,
+            Self::Repartition { .. } => 2,
+            Self::Connect { .. } => 3,
+            Self::Repair | Self::Entries { .. } | Self::End => 4,
+        }
+    }
+}
+
 /// The purpose of a stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum After {

@@ -1,7 +1,7 @@
 //! The crossovers PSX, RSX and ISX, and how blanks are filled.
 
 use super::super::chromosome::{Chromosome, genes, keys};
-use super::super::crossover::{OPERATORS, Operator, Torn, cross};
+use super::super::crossover::{OPERATORS, Operator, ReversedRun, Torn, cross};
 use super::super::filling::Filling;
 use super::super::model::{BLANK, Gene};
 use super::sheets::{model, random_sheet, sheet};
@@ -21,7 +21,7 @@ fn coded(paths: &[&[i32]]) -> Chromosome {
 }
 
 fn cross_often(by: Operator, parents: [&Chromosome; 2], sizes: &[u32]) -> Vec<[Torn; 2]> {
-    (0..400).map(|seed| cross(by, parents, sizes, &mut seeded(seed))).collect()
+    (0..400).map(|seed| cross((by, ReversedRun::Turned), parents, sizes, &mut seeded(seed))).collect()
 }
 
 /// Figure 6 in words: chromosome 1 receives {5, 2} from chromosome 2. 2 then occurs twice, and the one outside the run is
@@ -80,6 +80,20 @@ fn the_three_crossovers_give_runs_as_they_say() {
 }
 
 #[test]
+fn what_rsx_reverses_is_a_reading() {
+    let one = coded(&[&[1, 2, 3, 4, 5]]);
+    let two = coded(&[&[-3, -2, -1, -5, -4]]);
+    let runs = |reversed| -> BTreeSet<Vec<Gene>> {
+        let torn = |seed| cross((Operator::Reverse, reversed), [&one, &two], &[5], &mut seeded(seed));
+        (0..400).map(|seed| torn(seed)[0].chromosome.genes[1..3].to_vec()).collect()
+    };
+    // The run -2 -1 of chromosome 2 arrives as 1 2, cut backwards, or in the reverse order only, as -1 -2.
+    let (turned, order_only) = (runs(ReversedRun::Turned), runs(ReversedRun::OrderOnly));
+    assert!(turned.contains(&vec![0, 2]) && !turned.contains(&vec![1, 3]));
+    assert!(order_only.contains(&vec![1, 3]));
+}
+
+#[test]
 fn crossovers_bring_paths_back_to_their_lengths_and_keep_every_segment() {
     let mut rng = seeded(5);
     for round in 0..600 {
@@ -99,7 +113,7 @@ fn crossovers_bring_paths_back_to_their_lengths_and_keep_every_segment() {
         }
         let lengths = |c: &Chromosome| (0..model.sizes.len()).map(|m| c.path(m).len()).collect::<Vec<_>>();
         for by in OPERATORS {
-            let torn = cross(by, [&parents[0], &parents[1]], &model.sizes, &mut rng);
+            let torn = cross((by, ReversedRun::Turned), [&parents[0], &parents[1]], &model.sizes, &mut rng);
             for (torn, parent) in torn.into_iter().zip(&parents) {
                 let (now, was) = (lengths(&torn.chromosome), lengths(parent));
                 for (m, &size) in model.sizes.iter().enumerate() {

@@ -1,33 +1,30 @@
-//! The rules of LPSPSO with their current values: how the swarm starts, what a round computes, and how particles move.
+//! Steps 3 to 7 of LPSPSO: what changes from iteration to iteration, and how the particles move.
 
 use super::super::particles::Swarm;
-use super::super::prospect::{Outcomes, Prospect};
-use super::super::proximity::Proximity;
-use super::super::rules::{Levy, Spread, add_distances, inertia, kappa, learning, singer, tau};
+use super::super::prospect::Outcomes;
+use super::super::proximity::Initialisation;
+use super::super::rules::{Spread, add_distances, inertia, kappa, learning, singer, tau};
 use super::super::run::Guide;
 use super::super::settings::{Draws, Weights};
-use super::parameters::{Flights, Kappa, Lpspso, Stagnation};
-use crate::problem::NodeId;
+use super::flights::{Flight, Origin};
+use super::parameters::{Kappa, Lpspso, Stagnation};
 use crate::solve::Curve;
+use crate::solve::insight::charts;
 use crate::solve::rng::Draw;
 use std::ops::Range;
 
 /// The rules of the method and their current values.
 pub(super) struct LpspsoGuide {
     by: Lpspso,
-    proximity: Option<Proximity>,
-    /// Number of particles that have their keys.
-    initialised: usize,
-    levy: Levy,
-    /// Size of a Levy step, as a fraction of the range of a key.
-    pub(super) alpha: f64,
+    initialisation: Initialisation,
+    flight: Flight,
     chaos: f64,
     /// Sums of the distances in eq. (25), as far as they are computed.
     distances: Vec<Spread>,
     row: usize,
     /// kappa of the swarm, or the mean of those of its particles.
-    pub(super) kappa: f64,
-    pub(super) tau: f64,
+    kappa: f64,
+    tau: f64,
     /// Which particles fly in this round, and where they came from.
     flies: Vec<bool>,
     before: Vec<Origin>,
@@ -37,26 +34,17 @@ pub(super) struct LpspsoGuide {
     pull: Weights,
     learning: (f64, f64),
     /// Number of rounds without a better path.
-    pub(super) idle: u32,
+    idle: u32,
     /// Prospect-regret value of the best path.
     z: f64,
 }
 
-/// State of a particle before a flight.
-struct Origin {
-    particle: usize,
-    keys: Vec<f64>,
-    value: f64,
-    tour: Vec<NodeId>,
-}
-
 impl LpspsoGuide {
-    pub(super) fn new(by: Lpspso) -> Self {
+    /// The rules for an order of so many items.
+    pub(super) fn new(by: Lpspso, items: usize) -> Self {
         Self {
-            proximity: None,
-            initialised: 0,
-            levy: Levy::new(by.levy_beta),
-            alpha: 0.0,
+            initialisation: Initialisation::new(by.initial, by.proximity_steps),
+            flight: Flight::new(&by, items),
             chaos: by.singer_start,
             distances: Vec::new(),
             row: 0,
@@ -74,7 +62,7 @@ impl LpspsoGuide {
     }
 
     /// Whether the swarm stagnates, step 7. Then the iterations without a gain are counted again.
-    pub(super) fn stagnates(&mut self, stagnation: Stagnation) -> bool {
+    fn stagnates(&mut self, stagnation: Stagnation) -> bool {
         let stagnates =
             self.by.stagnation == stagnation && self.idle >= self.by.patience && self.kappa < self.tau;
         if stagnates {
@@ -82,83 +70,22 @@ impl LpspsoGuide {
         }
         stagnates
     }
-
-    /// Moves a particle by a Levy flight, eq. (21).
-    pub(super) fn fly(&mut self, swarm: &mut Swarm, i: usize, range: Range<usize>) {
-        let Swarm { evaluator, particles, rng, .. } = swarm;
-        let (keys, own) = (&evaluator.keys, &mut particles[i].keys);
-        match self.by.flights {
-            Flights::Keys => {
-                let end = range.end;
-                for key in &mut own[range] {
-                    *key = (*key + self.alpha * self.levy.step(rng)).clamp(0.0, 1.0);
-                }
-                if keys.permutes() && end == keys.count() {
-                    keys.rank(own);
-                }
-            }
-            Flights::Insertion if range.start == 0 => {
-                let step = self.by.levy_step * self.levy.step(rng);
-                // An insertion goes to another position, or it would be no flight.
-                let step = if step.abs() < 1.0 { step.signum() } else { step };
-                let k = rng.below(keys.items().len());
-                keys.insert(own, k, step);
-            }
-            Flights::Insertion => {}
-        }
-    }
 }
 
 impl Guide for LpspsoGuide {
     fn initialise(&mut self, swarm: &mut Swarm) -> Option<u64> {
-        let count = swarm.particles.len();
-        let evaluator = &swarm.evaluator;
-        let (legs, keys) = (&evaluator.space.legs, &evaluator.keys);
-        let most = self.by.proximity_steps;
-        let proximity = self.proximity.get_or_insert_with(|| Proximity::new(legs, keys, count, most));
-        if let Some(priced) = proximity.piece(legs, keys, &swarm.all) {
-            if let Some(path) = proximity.shorter() {
-                swarm.found = Some(path);
-            }
-            return Some(priced);
-        }
-        // If there are fewer paths than particles, several particles get the same path and differ by their velocities.
-        if self.initialised < count {
-            let path = std::mem::take(&mut proximity.paths[0]);
-            swarm.draw(self.initialised, Some(&path.1));
-            proximity.paths.rotate_left(1);
-            if let Some(last) = proximity.paths.last_mut() {
-                *last = path;
-            }
-            self.initialised += 1;
-            return Some(swarm.evaluator.keys.count() as u64);
-        }
-        self.proximity = None;
-        self.alpha = self.by.levy_step / swarm.evaluator.keys.items().len() as f64;
-        None
+        self.initialisation.piece(swarm)
     }
 
     /// Step 3: compares paths by the prospect-regret value.
     fn update_bests(&mut self, swarm: &mut Swarm) {
-        for before in self.before.drain(..) {
-            let p = &mut swarm.particles[before.particle];
-            if p.value > before.value {
-                (p.keys, p.value, p.tour) = (before.keys, before.value, before.tour);
-            }
+        for origin in self.before.drain(..) {
+            origin.return_unless_shorter(swarm);
         }
         let now: Vec<f64> = swarm.particles.iter().map(|p| p.value).collect();
         let begun = swarm.round > 0;
         let kept: Vec<f64> = swarm.particles.iter().filter(|_| begun).map(|p| p.best_value).collect();
-        let by = &self.by;
-        let prospect = Prospect {
-            alpha: by.alpha,
-            beta: by.beta,
-            gamma: by.gamma,
-            delta: by.delta,
-            phi: by.phi,
-            avoidance: by.avoidance,
-        };
-        let outcomes = Outcomes::new(prospect, &now, &kept);
+        let outcomes = Outcomes::new(self.by.prospect(), &now, &kept);
         let led = swarm.particles[swarm.leader].best_value;
         swarm.remember(|new, old| outcomes.value(new) > outcomes.value(old));
         let leads = swarm.particles[swarm.leader].best_value;
@@ -219,13 +146,11 @@ impl Guide for LpspsoGuide {
         if keys.start == 0 {
             self.pull.own = self.learning.0 * swarm.rng.uniform();
             if self.flies[i] && self.by.flights_must_gain {
-                let p = &swarm.particles[i];
-                let (keys, tour) = (p.keys.clone(), p.tour.clone());
-                self.before.push(Origin { particle: i, keys, value: p.value, tour });
+                self.before.push(Origin::of(swarm, i));
             }
         }
         if self.flies[i] {
-            return self.fly(swarm, i, keys);
+            return self.flight.fly(swarm, i, keys);
         }
         let pull = self.pull;
         if self.by.settings.draws == Draws::Equation {
@@ -239,19 +164,61 @@ impl Guide for LpspsoGuide {
     }
 
     fn curves(&self) -> Vec<Curve> {
-        let curve = |name, value| Curve { name, value };
+        let curve = |chart| move |name, value| Curve { name, value, chart };
+        let (weight, flight) = (curve(charts::WEIGHTS), curve(charts::FLIGHTS));
+        let flying = self.flies.iter().filter(|f| **f).count() as f64 / self.flies.len().max(1) as f64;
         vec![
-            curve("prospect-regret value of the shortest (Z)", self.z),
-            curve("inertia (ω)", self.pull.inertia),
-            curve("own learning (c1)", self.learning.0),
-            curve("swarm learning (c2)", self.learning.1),
-            curve("Singer map (r2)", self.chaos),
-            curve("spread (κ)", self.kappa),
-            curve("threshold (τ)", self.tau),
-            curve(
-                "Levy flight",
-                self.flies.iter().filter(|f| **f).count() as f64 / self.flies.len().max(1) as f64,
-            ),
+            curve(charts::PROSPECT)("prospect-regret value of the shortest (Z)", self.z),
+            weight("inertia (ω)", self.pull.inertia),
+            weight("own learning (c1)", self.learning.0),
+            weight("swarm learning (c2)", self.learning.1),
+            curve(charts::SINGER)("Singer map (r2)", self.chaos),
+            flight("spread (κ)", self.kappa),
+            flight("threshold (τ)", self.tau),
+            flight("share of particles that fly", flying),
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::super::test_sheet::sheet;
+    use super::super::super::settings::SwarmSettings;
+    use super::*;
+    use crate::problem::Problem;
+    use crate::solve::Solver;
+
+    fn points() -> Problem {
+        sheet(&[&[[0.0, 0.0]], &[[1.0, 0.0]], &[[2.0, 0.0]], &[[3.0, 0.0]]], None, "length")
+    }
+
+    #[test]
+    fn step_7_by_hand() {
+        let stagnates = |stagnation, idle, kappa| {
+            let mut guide = LpspsoGuide::new(Lpspso { stagnation, ..Lpspso::default() }, 4);
+            (guide.idle, guide.kappa, guide.tau) = (idle, kappa, 0.5);
+            (guide.stagnates(Stagnation::Chaos), guide.stagnates(Stagnation::Step4), guide.idle)
+        };
+        // After ten iterations without a gain below the threshold, and only as the reading has it.
+        assert_eq!(stagnates(Stagnation::Chaos, 10, 0.4), (true, false, 0));
+        assert_eq!(stagnates(Stagnation::Step4, 10, 0.4), (false, true, 0));
+        assert_eq!(stagnates(Stagnation::Step4, 9, 0.4), (false, false, 9));
+        assert_eq!(stagnates(Stagnation::Step4, 10, 0.6), (false, false, 10));
+    }
+
+    #[test]
+    fn going_back_to_step_4_takes_a_swarm_of_evaluations_within_one_iteration() {
+        // The first path is the best there is, so the swarm stagnates again and again.
+        let problem = points();
+        let moves = |stagnation| {
+            let settings = SwarmSettings { particles: 8, rounds: 40, ..Lpspso::default().settings };
+            let by = Lpspso { settings, stagnation, patience: 2, ..Lpspso::default() };
+            let mut search = by.start(&problem, 3, None);
+            while search.step(1000).status != crate::solve::Status::Exhausted {}
+            (search.insight().map(|i| i.round), search.telemetry().moves)
+        };
+        let (chaos, back) = (moves(Stagnation::Chaos), moves(Stagnation::Step4));
+        assert_eq!(chaos.0, back.0, "as many iterations");
+        assert!(back.1 > chaos.1, "{back:?} {chaos:?}");
     }
 }

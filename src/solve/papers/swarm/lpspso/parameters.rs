@@ -1,5 +1,7 @@
-//! The parameters of LPSPSO, with the readings of the paper that they choose between.
+//! The parameters of LPSPSO, with the readings of what the paper leaves open.
 
+use super::super::prospect::Prospect;
+use super::super::proximity::{Initial, PROXIMITY_STEPS};
 use super::super::settings::{Draws, SwarmSettings};
 use serde::{Deserialize, Serialize};
 
@@ -44,6 +46,8 @@ pub struct Lpspso {
     /// Parameters of every swarm method.
     #[serde(flatten)]
     pub settings: SwarmSettings,
+    /// Where the particles begin.
+    pub initial: Initial,
     /// Largest number of steps of all tours that the proximity method constructs. The paper starts a tour at every feature
     /// point, which takes hours on large sheets; here evenly spaced points are used if there are too many.
     pub proximity_steps: u64,
@@ -96,7 +100,8 @@ impl Default for Lpspso {
     fn default() -> Self {
         Self {
             settings: SwarmSettings::with(0.05, Draws::Equation),
-            proximity_steps: 1_000_000,
+            initial: Initial::Proximity,
+            proximity_steps: PROXIMITY_STEPS,
             inertia_most: 0.95,
             inertia_least: 0.40,
             inertia_base: std::f64::consts::E,
@@ -118,5 +123,13 @@ impl Default for Lpspso {
             phi: 0.69,
             avoidance: 0.69,
         }
+    }
+}
+
+impl Lpspso {
+    /// The parameters of the prospect-regret value.
+    pub(super) fn prospect(&self) -> Prospect {
+        let &Self { alpha, beta, gamma, delta, phi, avoidance, .. } = self;
+        Prospect { alpha, beta, gamma, delta, phi, avoidance }
     }
 }
