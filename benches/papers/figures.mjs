@@ -17,10 +17,8 @@ const DATA = join(ROOT, 'docs', 'papers', 'data');
 const COLORS = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#000000'];
 const SWARMS = ['lpspso', 'pso', 'aco-pso', 'k-pso'];
 
-const read = (name) => {
-  const file = join(DATA, `${name}.csv`);
-  return existsSync(file) ? parse(readFileSync(file, 'utf8')) : [];
-};
+const read = (...names) =>
+  names.map((name) => join(DATA, `${name}.csv`)).filter(existsSync).flatMap((file) => parse(readFileSync(file, 'utf8')));
 
 /** Every figure: its file and its specification; none without data. */
 const FIGURES = {
@@ -84,7 +82,7 @@ const pick = ({ round, mean, least, most }) => ({ round, mean, least, most });
 
 /** Figures 7 and 10 of Qu & Du: the shortest path by iteration, under two readings. */
 function convergence(instance) {
-  const rows = read('qu-du-curves').filter((r) => r.instance === instance && r.curve === 'shortest (G)');
+  const rows = read('qu-du-fixed-curves', 'qu-du-random-curves').filter((r) => r.instance === instance && r.curve === 'shortest (G)');
   if (rows.length === 0) return null;
   const readings = { 'as-published': 'preset as-published', nearest: 'reading nearest to the print' };
   const values = Object.keys(readings).flatMap((reading) =>
@@ -108,7 +106,7 @@ function singer() {
 function kappa() {
   const names = { 'spread (κ)': 'kappa', 'threshold (τ)': 'tau', 'share of particles that fly': 'share of particles that fly' };
   const readings = { 'as-published': 'as published: kappa of each particle (mean shown)', 'kappa=swarm': 'kappa of the swarm' };
-  const rows = read('qu-du-curves').filter((r) => r.instance === '43 contours, fixed start' && r.method === 'lpspso' && r.curve in names && r.reading in readings);
+  const rows = read('qu-du-fixed-curves', 'qu-du-random-curves').filter((r) => r.instance === '43 contours, fixed start' && r.method === 'lpspso' && r.curve in names && r.reading in readings);
   if (rows.length === 0) return null;
   const values = Object.keys(readings).flatMap((reading) => rows.filter((r) => r.reading === reading).map((r) => ({ ...pick(r), series: names[r.curve], panel: readings[reading] })));
   return {

@@ -6,7 +6,7 @@
 //
 // `--only` selects instances and `--reading` readings by a part of their names. `--from` prints the tables of a CSV again, without a
 // run; `--against` names what all others are tested against. `--curves` writes how the values of the methods change round by round, the
-// mean, the best and the worst over the seeds (benches/papers/figures.mjs draws them). Seconds are those of the processor. The value of a
+// mean, the best and the worst over the seeds, without the readings that only `--readings` adds (benches/papers/figures.mjs draws them). Seconds are those of the processor. The value of a
 // run is what its paper minimises: mm on the 43 contours and the hull sheets, mm by the longer axis for Yang, seconds for Dewil.
 
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -51,12 +51,13 @@ export async function kit(options) {
   const [all, points] = [[], []];
   for (const instance of listed(instances).filter((name) => only === undefined || name.includes(only))) {
     for (const [method, reading, parameters] of chosen) {
-      const found = runs({ instance, method, parameters, seeds, first, threads, instances, every: traced === undefined ? 0 : every });
+      const shown = traced !== undefined && usual.some((r) => r[0] === method && r[1] === reading);
+      const found = runs({ instance, method, parameters, seeds, first, threads, instances, every: shown ? every : 0 });
       for (const row of found) {
         const { seed, value, optimum = '', seconds, moves = '', found: best_at = '' } = row;
         all.push({ paper, method, reading, instance, seed, value, optimum, seconds, moves, best_at, commit, ...row.more });
       }
-      if (traced !== undefined) points.push(...curves(found.map((r) => r.trace)).map((point) => ({ method, reading, instance, ...point })));
+      if (shown) points.push(...curves(found.map((r) => r.trace)).map((point) => ({ method, reading, instance, ...point })));
       // After each reading, so that an interrupted kit leaves what it has.
       writeFileSync(csv, write(all));
       if (traced !== undefined) writeFileSync(traced, write(points));
