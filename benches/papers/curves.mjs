@@ -1,10 +1,10 @@
 // The curves of several runs as one: at each round the mean, the least and the largest value over the runs.
 
-/** `traces`: for each run the names of its curves, its rounds, and the values by round and curve. */
-export function curves(traces) {
+/** `traces`: for each run the names of its curves, its rounds, and the values by round and curve. One point for every so many rounds. */
+export function curves(traces, every = 1) {
   const kept = traces.filter((t) => t !== null && t.rounds.length > 0);
   if (kept.length === 0) return [];
-  const rounds = [...new Set(kept.flatMap((t) => t.rounds))].sort((a, b) => a - b);
+  const rounds = thinned([...new Set(kept.flatMap((t) => t.rounds))].sort((a, b) => a - b), every);
   // Runs report at slightly different rounds; each keeps its last value until its next.
   const at = kept.map(() => 0);
   return rounds.flatMap((round) => {
@@ -15,6 +15,16 @@ export function curves(traces) {
       const values = kept.map((t, k) => t.values[at[k]][c]);
       return { round, curve, mean: short(values.reduce((sum, v) => sum + v, 0) / values.length), least: short(Math.min(...values)), most: short(Math.max(...values)) };
     });
+  });
+}
+
+/** The first of the rounds in each stretch of so many, and the last of all. */
+export function thinned(rounds, every) {
+  let next = 0;
+  return rounds.filter((round, k) => {
+    if (round < next && k + 1 < rounds.length) return false;
+    next = (Math.floor(round / every) + 1) * every;
+    return true;
   });
 }
 

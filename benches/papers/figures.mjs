@@ -64,6 +64,9 @@ async function svg(specification) {
   }
 }
 
+/** The legend shows lines, not the pale areas around them. */
+const LINES = { symbolType: 'stroke', symbolOpacity: 1, symbolStrokeWidth: 3 };
+
 /** Lines with the range of all seeds around their means. */
 const lines = (values, { y, x = 'iteration', scale = {}, width = 330 }) => ({
   facet: { column: { field: 'panel', title: null, sort: null } },
@@ -73,7 +76,7 @@ const lines = (values, { y, x = 'iteration', scale = {}, width = 330 }) => ({
       { mark: { type: 'area', opacity: 0.15 }, encoding: { y: { field: 'least', type: 'quantitative', scale }, y2: { field: 'most' } } },
       { mark: { type: 'line', strokeWidth: 2 }, encoding: { y: { field: 'mean', type: 'quantitative', title: y, scale } } },
     ],
-    encoding: { x: { field: 'round', type: 'quantitative', title: x }, color: { field: 'series', type: 'nominal', title: null, sort: null } },
+    encoding: { x: { field: 'round', type: 'quantitative', title: x }, color: { field: 'series', type: 'nominal', title: null, sort: null, legend: LINES } },
   },
   data: { values },
 });
@@ -88,7 +91,7 @@ function convergence(instance) {
   const values = Object.keys(readings).flatMap((reading) =>
     SWARMS.flatMap((method) => rows.filter((r) => r.method === method && r.reading === reading).map((r) => ({ ...pick(r), series: method, panel: readings[reading] }))));
   const title = { text: `Shortest path by iteration, ${instance}`, subtitle: 'Line: mean of 30 seeds; area: from the best to the worst of them' };
-  return { title, description: `Qu and Du, ${instance}: the shortest path of four swarms by iteration`, ...lines(values, { y: 'length, mm (log scale)', scale: { type: 'log', zero: false, nice: false } }) };
+  return { title, description: `Qu and Du, ${instance}: the shortest path of four swarms by iteration`, ...lines(values, { y: 'length, mm (log scale)', scale: { type: 'log', nice: false } }) };
 }
 
 /** Figure 2 of Qu & Du: eq. (18) for 600 iterations. */
@@ -121,18 +124,18 @@ function hullConvergence() {
   if (rows.length === 0) return null;
   const series = (r) => (r.reading === 'as-published' ? r.method : r.reading === 'encoding=permutation' ? `${r.method}, permutation` : null);
   const values = rows.flatMap((r) => (series(r) === null ? [] : [{ ...pick(r), series: series(r), panel: r.instance, encoding: r.reading === 'as-published' ? 'as published' : 'permutation', method: r.method }]));
-  const figure = lines(values, { y: 'empty travel, mm (log scale)', x: 'generation', scale: { type: 'log', zero: false, nice: false } });
-  figure.spec.encoding.color = { field: 'method', type: 'nominal', title: null, sort: null };
-  figure.spec.encoding.strokeDash = { field: 'encoding', type: 'nominal', title: 'encoding', sort: null };
-  figure.spec.layer[0].encoding.detail = { field: 'encoding' };
+  const figure = lines(values, { y: 'empty travel, mm (log scale)', x: 'generation', scale: { type: 'log', nice: false } });
+  figure.spec.encoding.color = { field: 'method', type: 'nominal', title: null, sort: null, legend: LINES };
+  figure.spec.encoding.detail = { field: 'encoding' };
+  figure.spec.layer[1].encoding.strokeDash = { field: 'encoding', type: 'nominal', title: 'encoding', sort: null };
   figure.resolve = { scale: { y: 'independent' } };
-  return { title: { text: 'Shortest empty travel by generation', subtitle: 'Line: mean of 30 seeds; area: from the best to the worst of them' }, description: 'Hull parts: shortest empty travel of five methods by generation on two sheets', ...figure };
+  return { title: { text: 'Shortest empty travel by generation', subtitle: 'Line: mean of the seeds; area: from the best to the worst of them' }, description: 'Hull parts: shortest empty travel of five methods by generation on two sheets', ...figure };
 }
 
 /** Shares of states and of crossovers of RLSGA at the end of a run, under both fitness readings. */
 function hullShares() {
   const kinds = { psx: 'PSX', rsx: 'RSX', isx: 'ISX', low: 'div < 0.25', middle: '0.25 to 0.75', high: 'div > 0.75' };
-  const readings = { 'as-published': 'fitness unscaled, as printed', 'scaled_fitness=true': 'fitness scaled' };
+  const readings = { 'as-published': 'unscaled', 'scaled_fitness=true': 'scaled' };
   const rows = read('hull').filter((r) => r.method === 'rlsga' && r.reading in readings);
   if (rows.length === 0) return null;
   const values = Object.entries(kinds).flatMap(([key, part]) =>
@@ -150,7 +153,7 @@ function hullShares() {
     },
   });
   return {
-    title: 'RLSGA: crossovers chosen, and states of the population', description: 'Shares of the three crossovers and the three states of RLSGA', data: { values },
+    title: { text: 'RLSGA: crossovers chosen, and states of the population', subtitle: 'Fitness unscaled, as printed, or scaled' }, description: 'Shares of the three crossovers and the three states of RLSGA', data: { values },
     hconcat: [panel('crossovers'), panel('states')], resolve: { scale: { color: 'independent' } },
   };
 }

@@ -28,6 +28,9 @@ const RULED = 'qu_du_43, feature points of the paper';
 /** The paper's populations. */
 const POPULATION = { 'hull-5-20': 100, 'hull-10-45': 200 };
 
+/** The curves that figures show. */
+export const DRAWN = ['shortest (G)', 'spread (κ)', 'threshold (τ)', 'share of particles that fly', 'shortest empty travel TL'];
+
 /** For each paper: its program, its instances, the rows of one reading on one instance, and the rounds between two points of a curve. */
 const PAPERS = {
   'qu-du': { bin: 'papers', instances: () => ['43 contours, fixed start', '43 contours, random start', '43 contours drawn, fixed start'], runs: quDu, every: 6 },
@@ -57,7 +60,7 @@ export async function kit(options) {
         const { seed, value, optimum = '', seconds, moves = '', found: best_at = '' } = row;
         all.push({ paper, method, reading, instance, seed, value, optimum, seconds, moves, best_at, commit, ...row.more });
       }
-      if (shown) points.push(...curves(found.map((r) => r.trace)).map((point) => ({ method, reading, instance, ...point })));
+      if (shown) points.push(...curves(found.map((r) => r.trace), every).filter((point) => DRAWN.includes(point.curve)).map((point) => ({ method, reading, instance, ...point })));
       // After each reading, so that an interrupted kit leaves what it has.
       writeFileSync(csv, write(all));
       if (traced !== undefined) writeFileSync(traced, write(points));

@@ -5,7 +5,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { curves } from '../../benches/papers/curves.mjs';
+import { curves, thinned } from '../../benches/papers/curves.mjs';
 import { parse, write } from '../../benches/papers/csv.mjs';
 import { drawn } from '../../benches/papers/figures.mjs';
 import { tests as tested, verdict } from '../../benches/papers/report.mjs';
@@ -38,6 +38,7 @@ describe('the kit', () => {
       { round: 4, curve: 'length', mean: 3, least: 2, most: 4 },
     ]);
     assert.deepEqual(curves([null]), []);
+    assert.deepEqual(thinned([0, 1, 3, 9, 12, 25, 26], 10), [0, 12, 25, 26]);
   });
 
   it('writes rows of several kinds to one CSV and reads them back', () => {

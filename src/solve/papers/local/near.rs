@@ -83,3 +83,26 @@ impl NearestItems {
         self.found.truncate(self.most);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::Measure;
+    use super::super::super::test_sheet::sheet;
+    use super::*;
+
+    #[test]
+    fn as_many_near_items_as_asked_for_and_all_where_the_lists_are_off() {
+        // Points at 0, 1, 3, 7 and 15.
+        let at = [0.0, 1.0, 3.0, 7.0, 15.0].map(|x| [[x, 0.0]]);
+        let contours: Vec<&[[f64; 2]]> = at.iter().map(<[_; 1]>::as_slice).collect();
+        let problem = sheet(&contours, None, "length");
+        let of = |most: u32, item: ItemId| -> Vec<ItemId> {
+            let (legs, all) = (Legs::new(&problem, Measure::Euclidean), Unvisited::all(&problem));
+            let mut near = NearItems::new(most);
+            while near.piece(&legs, &all).is_some() {}
+            near.of(item).iter().map(|n| n.1).collect()
+        };
+        assert_eq!((of(2, 2), of(1, 4)), (vec![1, 0], vec![3]));
+        assert_eq!(of(5, 2), [1, 0, 3, 4]);
+    }
+}

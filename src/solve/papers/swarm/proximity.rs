@@ -138,6 +138,7 @@ impl Proximity {
 #[cfg(test)]
 mod tests {
     use super::super::super::keys::Decode;
+    use super::super::settings::{Draws, SwarmSettings};
     use super::*;
     use crate::problem::Problem;
     use crate::solve::papers::Measure;
@@ -210,6 +211,23 @@ mod tests {
         assert_eq!(free[1], fixed[0]);
         // Even with no steps to spare, as many tours are constructed as paths are kept.
         assert_eq!(paths(&problem, None, 0).len(), 3);
+    }
+
+    #[test]
+    fn the_standard_swarm_can_begin_at_the_paths_of_the_proximity_method() {
+        let problem = problem(&SEVEN);
+        let settings = SwarmSettings { particles: 3, ..SwarmSettings::with(0.2, Draws::Key) };
+        let first = |initial| {
+            let mut swarm = Swarm::new(&problem, 1, &settings);
+            let mut initialisation = Initialisation::new(initial, PROXIMITY_STEPS);
+            while initialisation.piece(&mut swarm).is_some() {}
+            let Swarm { evaluator, particles, .. } = &swarm;
+            let tour = |keys: &[f64]| evaluator.keys.tour(&evaluator.space.legs, keys);
+            particles.iter().map(|p| tour(&p.keys)).collect::<Vec<_>>()
+        };
+        let shortest: Vec<Vec<NodeId>> = paths(&problem, None, u64::MAX).into_iter().map(|p| p.1).collect();
+        assert_eq!(first(Initial::Proximity), shortest);
+        assert!(first(Initial::Random).iter().all(|tour| !shortest.contains(tour)));
     }
 
     #[test]
