@@ -1,6 +1,7 @@
 /** One chart of a method from a paper: the curves that have one unit, by round, with a table of their current values as its legend. */
 
 import uPlot from 'uplot';
+import 'uplot/dist/uPlot.min.css';
 import type { Insight } from 'kerfway';
 import { colorOf } from '../core/color.js';
 import { h, setText } from '../core/dom.js';
