@@ -7,6 +7,7 @@ mod testkit;
 
 mod bed;
 mod boundary;
+mod boundary_any;
 mod common_cuts;
 mod common_cuts_exact;
 mod common_cuts_grids;

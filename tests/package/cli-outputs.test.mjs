@@ -1,30 +1,14 @@
 // Outputs are replaced completely or not at all: the disk fails, or a signal arrives, during every output of every command.
 
 import assert from 'node:assert/strict';
-import { execFileSync, spawn, spawnSync } from 'node:child_process';
-import {
-  chmodSync, chownSync, closeSync, existsSync, lstatSync, mkdirSync, mkdtempSync, openSync, readdirSync, readFileSync, readlinkSync, rmdirSync, rmSync, statSync, symlinkSync, writeFileSync, writeSync,
-} from 'node:fs';
-import { tmpdir } from 'node:os';
-import { dirname, join } from 'node:path';
+import { spawnSync } from 'node:child_process';
+import { chmodSync, chownSync, closeSync, existsSync, openSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { describe, it } from 'node:test';
-import { setTimeout as wait } from 'node:timers/promises';
-import { pathToFileURL } from 'node:url';
 import { COMMANDS } from '../../dist/sdk/cli/commands.js';
-import { CLI, dxf, folder, ROOT, square } from './support.mjs';
+import { contours, disk, faulty, fill, inputs, NOBODY, OLD, POSIX, QUICK, refused, ROOT_USER, run } from './outputs-support.mjs';
+import { CLI, folder } from './support.mjs';
 
-const POSIX = process.platform !== 'win32';
-const ROOT_USER = POSIX && process.getuid() === 0;
-/** A user without permissions. */
-const NOBODY = 65_534;
-
-const OLD = 'the old program, whole\n';
-/** Contours of many sizes, so that every output is longer than a page of memory. */
-const contours = (count) => dxf(...Array.from({ length: count }, (_, k) => square(30 * (k % 16), 30 * Math.floor(k / 16), 10 + k / 20)));
-const DRAWING = contours(120);
-const CITIES = Array.from({ length: 1500 }, (_, k) => `${k + 1} ${(k * 7919) % 1009} ${(k * 104_729) % 997}`);
-const INSTANCE = `NAME: t\nTYPE: TSP\nDIMENSION: ${CITIES.length}\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n${CITIES.join('\n')}\nEOF\n`;
-const QUICK = ['--moves', '5', '--seed', '1'];
 /** What a command reads, if not a drawing. */
 const INPUTS = { solve: 'a.tsp' };
 const ENDINGS = { gcode: 'a.nc', dxf: 'b.dxf' };
@@ -46,27 +30,6 @@ const WRITERS = Object.fromEntries(OUTPUTS.flatMap(({ command, quick, kinds }) =
   return [...single, [`${command}, all outputs`, writer(kinds)], [`${command}, into a folder`, intoFolder]];
 }));
 
-/** Runs the command line, if needed through other programs; resolves to its exit code or signal and its messages. */
-function run(args, { before = [], env = {}, preload = [], ...options } = {}) {
-  const [program, ...words] = [...before, process.execPath, ...preload, CLI, ...args];
-  return new Promise((resolve) => {
-    const child = spawn(program, words, { stdio: ['ignore', 'pipe', 'pipe'], env: { ...process.env, ...env }, ...options });
-    const out = { stdout: '', stderr: '' };
-    child.stdout?.on('data', (d) => (out.stdout += d));
-    child.stderr.on('data', (d) => (out.stderr += d));
-    child.on('close', (code, signal) => resolve({ ...out, code, signal }));
-  });
-}
-
-/** A folder with the inputs. */
-function inputs(t) {
-  const at = folder(t);
-  chmodSync(at, 0o755);
-  writeFileSync(join(at, 'a.dxf'), DRAWING);
-  writeFileSync(join(at, 'a.tsp'), INSTANCE);
-  return at;
-}
-
 /** Runs a command over old outputs, and checks that they are unchanged and that no other file is left. */
 async function survives(t, writer, to, { strays = [], prepare = () => {}, ...options }) {
   const [args, files] = WRITERS[writer](inputs(t), to);
@@ -79,43 +42,6 @@ async function survives(t, writer, to, { strays = [], prepare = () => {}, ...opt
   const more = readdirSync(to).filter((file) => !before.includes(file));
   assert.deepEqual(more.filter((file) => !strays.some((s) => s.test(file))), [], writer);
   return result;
-}
-
-const refused = ({ code, stderr }, why) => {
-  assert.equal(code, 3, stderr);
-  assert.match(stderr, new RegExp(`^kerfway: \\S+ cannot be written: ${why}\\. No file was changed\\. [A-Z][^\\n]*\\.\\n$`));
-};
-
-const faulty = (fault, more = {}) => ({
-  preload: ['--import', pathToFileURL(join(ROOT, 'tests', 'package', 'faulty-disk.mjs')).href],
-  env: { FAULT: fault, ...more },
-});
-
-/** A separate disk of this many pages, or the reason why it cannot be made. */
-function disk(t, pages) {
-  const at = mkdtempSync(join(tmpdir(), 'kerfway-'));
-  const options = `size=${pages * 4096}`;
-  const mounted = ROOT_USER && process.platform === 'linux' && spawnSync('mount', ['-t', 'tmpfs', '-o', options, 'tmpfs', at]).status === 0;
-  t.after(() => {
-    if (mounted) execFileSync('umount', ['--lazy', at]);
-    rmdirSync(at);
-  });
-  return mounted ? at : null;
-}
-
-/** Fills a disk; returns a function that empties it again. */
-function fill(at) {
-  const filler = join(at, 'filler');
-  const file = openSync(filler, 'w');
-  for (const size of [4096, 1]) {
-    try {
-      for (;;) writeSync(file, Buffer.alloc(size));
-    } catch (error) {
-      assert.equal(error.code, 'ENOSPC');
-    }
-  }
-  closeSync(file);
-  return () => rmSync(filler);
 }
 
 /** Each command once; the kinds of output of a plan are written by the same call. */
@@ -216,108 +142,5 @@ describe('outputs of one drawing', () => {
     assert.deepEqual([status, stdout], [0, '{']);
     assert.match(readFileSync(program, 'utf8'), /M5/);
     assert.deepEqual(readdirSync(to), ['a.nc']);
-  });
-});
-
-describe('an output replaces a file and keeps its properties', () => {
-  const gcode = async (t, to) => {
-    const { code, stderr } = await run(['plan', join(inputs(t), 'a.dxf'), ...QUICK, '--gcode', to]);
-    return { code, stderr };
-  };
-
-  it('keeps its permissions, and a new file gets the usual ones', { skip: !POSIX && 'there are no modes' }, async (t) => {
-    const at = folder(t);
-    writeFileSync(join(at, 'old.nc'), OLD);
-    chmodSync(join(at, 'old.nc'), 0o604);
-    for (const name of ['old.nc', 'new.nc']) assert.equal((await gcode(t, join(at, name))).code, 0);
-    writeFileSync(join(at, 'plain'), '');
-    const mode = (name) => statSync(join(at, name)).mode & 0o777;
-    assert.deepEqual([mode('old.nc'), mode('new.nc')], [0o604, mode('plain')]);
-  });
-
-  it('keeps its owner', { skip: !ROOT_USER && 'only root can give files away' }, async (t) => {
-    const file = join(folder(t), 'a.nc');
-    writeFileSync(file, OLD);
-    chownSync(file, NOBODY, NOBODY);
-    assert.equal((await gcode(t, file)).code, 0);
-    assert.deepEqual([statSync(file).uid, statSync(file).gid], [NOBODY, NOBODY]);
-  });
-
-  it('is refused if the file is read-only', { skip: !ROOT_USER && 'only root can run it as another user' }, async (t) => {
-    const at = folder(t);
-    const file = join(at, 'a.nc');
-    chmodSync(at, 0o777);
-    writeFileSync(file, OLD);
-    chmodSync(file, 0o444);
-    const result = await run(['plan', join(inputs(t), 'a.dxf'), ...QUICK, '--gcode', file], { uid: NOBODY, gid: NOBODY });
-    refused(result, 'the system does not allow it');
-    assert.equal(readFileSync(file, 'utf8'), OLD);
-  });
-
-  it('keeps links, also chains of links and dangling ones', { skip: !POSIX && 'links need a right there' }, async (t) => {
-    const at = folder(t);
-    mkdirSync(join(at, 'real'));
-    writeFileSync(join(at, 'real', 'old.nc'), OLD);
-    symlinkSync('real/old.nc', join(at, 'first'));
-    symlinkSync('first', join(at, 'second'));
-    symlinkSync('real/new.nc', join(at, 'dangling'));
-    for (const [link, file] of [['second', 'old.nc'], ['dangling', 'new.nc']]) {
-      assert.deepEqual(await gcode(t, join(at, link)), { code: 0, stderr: '' });
-      assert.match(readFileSync(join(at, 'real', file), 'utf8'), /M5/);
-    }
-    assert.deepEqual([readlinkSync(join(at, 'first')), readlinkSync(join(at, 'second'))], ['real/old.nc', 'first']);
-    assert.deepEqual(readdirSync(join(at, 'real')).sort(), ['new.nc', 'old.nc']);
-    symlinkSync('circle', join(at, 'circle'));
-    assert.match((await gcode(t, join(at, 'circle'))).stderr, /circle cannot be written: its links lead in a circle\. No file was changed/);
-  });
-
-  it('writes directly to pipes and to the path of standard output', { skip: process.platform !== 'linux' && 'Linux only' }, async (t) => {
-    const from = inputs(t);
-    const pipe = join(from, 'pipe');
-    execFileSync('mkfifo', [pipe]);
-    const read = run([], { before: ['/bin/sh', '-c', 'cat "$0"', pipe] });
-    assert.equal((await gcode(t, pipe)).code, 0);
-    assert.match((await read).stdout, /M5/);
-    assert.ok(lstatSync(pipe).isFIFO());
-    // Under Node's own pipes, which are sockets, the system opens no /dev/stdout.
-    const piped = ['/bin/sh', '-c', '"$@" | cat', 'sh'];
-    const { code, stdout } = await run(['plan', join(from, 'a.dxf'), ...QUICK, '--gcode', '/dev/stdout', '--svg', '/dev/null'], { before: piped });
-    assert.equal(code, 0);
-    assert.match(stdout, /M5/);
-    assert.ok(statSync('/dev/null').isCharacterDevice());
-    // If standard output is a file, it is not replaced, because the caller has it open.
-    const caught = openSync(join(from, 'caught'), 'w');
-    assert.equal((await run(['plan', join(from, 'a.dxf'), ...QUICK, '--gcode', '/dev/stdout'], { stdio: ['ignore', caught, 'pipe'] })).code, 0);
-    closeSync(caught);
-    assert.deepEqual(readdirSync(dirname(pipe)).sort(), ['a.dxf', 'a.tsp', 'caught', 'pipe']);
-  });
-});
-
-describe('--watch', () => {
-  it('keeps the old program on a full disk, reports it, and writes when there is room', async (t) => {
-    const at = disk(t, 64);
-    if (at === null) return t.skip('a small disk can be mounted by root on Linux only');
-    const from = inputs(t);
-    const [drawing, program] = [join(from, 'a.dxf'), join(at, 'a.nc')];
-    const child = spawn(process.execPath, [CLI, 'plan', drawing, ...QUICK, '--gcode', program, '--watch'], { stdio: ['ignore', 'ignore', 'pipe'] });
-    t.after(() => child.kill('SIGKILL'));
-    let said = '';
-    child.stderr.on('data', (d) => (said += d));
-    const until = async (what) => {
-      for (let k = 0; k < 600 && !what(); k++) await wait(50);
-      assert.ok(what(), `${what} ${said}`);
-    };
-    await until(() => existsSync(program));
-    const old = readFileSync(program, 'utf8');
-    const empty = fill(at);
-    writeFileSync(drawing, contours(100));
-    await until(() => said.includes('stale'));
-    assert.match(said, /a\.nc cannot be written: the disk is full\. No file was changed\..*\n.*a\.dxf was not planned\. \S+a\.nc on the disk is from an earlier drawing, and stale\./);
-    assert.equal(readFileSync(program, 'utf8'), old);
-    assert.deepEqual(readdirSync(at).sort(), ['a.nc', 'filler']);
-    empty();
-    writeFileSync(drawing, contours(90));
-    await until(() => readFileSync(program, 'utf8') !== old);
-    assert.match(readFileSync(program, 'utf8'), /M5/);
   });
 });
