@@ -1,6 +1,9 @@
 // Tables 1, 2 and 3 of Dewil et al. (2014), in form, on sheets made by their description:
 //
-//     npm run bench -- dewil [--table N]... [--only INSTANCE]... [--seeds K]
+//     npm run bench -- dewil [--table N]... [--only INSTANCE]... [--seeds K] [--machine plate|corners]
+//
+// Table 4 is ours: on set 3, pierce groups that may and that must not be left, with the paths of the exact and beam search
+// and with those of the paper's element insertion. The machine `corners` pauses in sharp corners.
 //
 // Seconds are those of air moves, piercings and pre-cuts, for the paper's plate and ours; cutting is left out, as there.
 // Printed values are of other sheets and another machine: only improvements over PFr compare. Every path of ours passes the
@@ -16,12 +19,19 @@ import { ROOT, run, Stop } from '../scripts/tools.mjs';
 import { mean, table } from './common/table.mjs';
 import { parallel } from './papers/parallel.mjs';
 import { native } from './papers/runs.mjs';
-import { MACHINE } from './dewil/machine.mjs';
+import { MACHINES } from './dewil/machine.mjs';
 import { PRINTED } from './dewil/printed.mjs';
 import { SHEETS } from './dewil/sheets.mjs';
 
 const tree = (name, parameters = {}) => ({ name, method: 'partition-tree', parameters });
 const PFR = { name: 'PFr', method: 'pfr', parameters: {} };
+// How the paths through pierce groups are found, and whether groups may be left.
+const VARIANTS = [
+  { suffix: '' },
+  { suffix: ', whole', whole: true },
+  { suffix: ', insertion', common_cuts: 'insertion' },
+  { suffix: ', insertion, whole', common_cuts: 'insertion', whole: true },
+];
 const TABLES = {
   1: [
     PFR,
@@ -39,14 +49,30 @@ const TABLES = {
     tree('C-MSP', { stall: 0, first: 'none', repartition: 'sequences' }),
     tree('C-LKH-FR', { stall: 0, first: 'all' }),
   ],
+  4: VARIANTS.flatMap(({ suffix, ...variant }) =>
+    [
+      PFR,
+      { name: 'GTSP', method: 'gtsp-lk', parameters: {} },
+      tree('F-R'),
+      { name: 'tour-tree', method: 'tour-tree', as_long_as: 'F-R', seconds: 1 },
+    ].map((run) => ({
+      ...run,
+      ...variant,
+      name: run.name + suffix,
+      ...(run.as_long_as === undefined ? {} : { as_long_as: run.as_long_as + suffix }),
+    })),
+  ),
 };
 // Where two methods end within a tenth of a per cent of each other, one seed says little: the mean of so many.
 const SEEDS = 5;
-const FORMS = { 1: first, 2: second, 3: third };
+const FORMS = { 1: first, 2: second, 3: third, 4: fourth };
 
 export async function bench(args) {
   const list = { type: 'string', multiple: true };
-  const { values } = parseArgs({ args, options: { table: list, only: list, seeds: { type: 'string' } } });
+  const text = { type: 'string' };
+  const { values } = parseArgs({ args, options: { table: list, only: list, seeds: text, machine: text } });
+  const machine = MACHINES[values.machine ?? 'plate'];
+  if (machine === undefined) throw new Stop(`There is no machine ${values.machine}: ${Object.keys(MACHINES).join(', ')}.`);
   const tables = values.table ?? Object.keys(TABLES);
   const wrong = tables.find((t) => !(t in TABLES));
   if (wrong !== undefined) throw new Stop(`There is no table ${wrong}: ${Object.keys(TABLES).join(', ')}.`);
@@ -58,9 +84,10 @@ export async function bench(args) {
   for (const t of tables) {
     const begun = Date.now();
     const runs = TABLES[t].map((r) => ({ seeds: Number(values.seeds ?? SEEDS), ...r }));
-    const argument = ([name]) => [join(ROOT, 'benches', 'dewil', 'sheets', `${name}.dxf`), JSON.stringify(MACHINE), JSON.stringify(runs)];
-    const results = await parallel(native('dewil'), sheets.map(argument), availableParallelism());
-    FORMS[t](sheets.map(([name, set, elements], k) => ({ name, set, elements, printed: PRINTED[name], rows: results[k] })));
+    const argument = ([name]) => [join(ROOT, 'benches', 'dewil', 'sheets', `${name}.dxf`), JSON.stringify(machine), JSON.stringify(runs)];
+    const chosen = t === '4' ? sheets.filter(([, set]) => set === 3) : sheets;
+    const results = await parallel(native('dewil'), chosen.map(argument), availableParallelism());
+    FORMS[t](chosen.map(([name, set, elements], k) => ({ name, set, elements, printed: PRINTED[name], rows: results[k] })));
     console.log(`${((Date.now() - begun) / 1000).toFixed(0)} s`);
   }
 }
@@ -139,5 +166,27 @@ function third(sheets) {
       { title: `${name}: paper`, number: (s) => s.printed[10 + k] },
       { title: 'ours', number: (s) => gain(of(s, name), of(s, 'PFr')) },
     ]),
+  ]);
+}
+
+function fourth(sheets) {
+  const paper = (k) => (s) => gain(s.printed[k], s.printed[0]);
+  const over = (name, suffix, what) => (s) => gain(of(s, name + suffix, what), of(s, `PFr${suffix}`));
+  const forms = VARIANTS.map((v) => v.suffix);
+  const title = (suffix) => suffix.replace(/^, /, '') || 'left';
+  print('Table 4: set 3 with pierce groups that may be left, or cut whole; improvement over PFr of the same column', sheets, [
+    { title: 'n', cell: (s) => String(s.elements) },
+    ...forms.map((f) => ({ title: `PFr, s: ${title(f)}`, cell: (s) => seconds(of(s, `PFr${f}`)) })),
+    { title: 'GTSP: paper', number: paper(1) },
+    ...forms.map((f) => ({ title: title(f), number: over('GTSP', f, TOUR) })),
+    { title: 'F-R: paper', number: paper(6) },
+    ...forms.map((f) => ({ title: title(f), number: over('F-R', f, REPAIRED) })),
+    ...['PFr', 'F-R', 'tour-tree'].map((name) => ({
+      title: `${name}: groups left`,
+      cell: (s) => of(s, name, (r) => r.left).toFixed(1),
+    })),
+    { title: 'F-R left over whole', number: (s) => gain(of(s, 'F-R'), of(s, 'F-R, whole')) },
+    { title: 'tour-tree left over whole', number: (s) => gain(of(s, 'tour-tree'), of(s, 'tour-tree, whole')) },
+    { title: 'F-R: best over insertion', number: (s) => gain(of(s, 'F-R'), of(s, 'F-R, insertion')) },
   ]);
 }

@@ -21,3 +21,10 @@ export const MACHINE = {
   dialect: 'grbl-m4',
   max_s: 1000,
 };
+
+// The same with the paper's macros: in a corner that turns by more than 75 degrees the beam pauses for a quarter of a second,
+// unless a cut begins or ends there.
+const CORNERS = { ...MACHINE, name: 'thick-plate-corners', title: 'Laser, thick plate, pauses in corners', sharp_corner: { angle: (75 * Math.PI) / 180, time: 0.25 } };
+
+/** The machines of the bench by name. */
+export const MACHINES = { plate: MACHINE, corners: CORNERS };

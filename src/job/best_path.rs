@@ -4,7 +4,7 @@ use super::Run;
 use crate::geometry::Segment;
 use crate::machine::{AirTime, Profile, cut_time};
 use crate::plan::{Move, Plan};
-use crate::problem::{Span, Stroke, SubPath};
+use crate::problem::{Span, Stroke};
 use crate::sheet::Sheet;
 
 /// The path of the head.
@@ -40,7 +40,7 @@ impl BestPath {
         for stop in &run.best().stops {
             let node = &problem.nodes[stop.node as usize];
             if let Some(sub_path) = problem.items.get(node.item as usize).and_then(|i| i.path(stop.node)) {
-                path.add_group(sub_path, sheet, &mut parts);
+                path.add_group(&sub_path.stretch(stop.along, stop.until), sheet, &mut parts);
                 continue;
             }
             let (entry, exit) = stop.ends(problem).unwrap_or((node.entry, node.exit));
@@ -62,12 +62,10 @@ impl BestPath {
         (path, plan)
     }
 
-    /// Adds a path through a pierce group: one stop for each stretch of a contour.
-    fn add_group(&mut self, sub_path: &SubPath, sheet: &Sheet, parts: &mut Vec<Vec<f64>>) {
-        let cuts = sub_path
-            .strokes
-            .iter()
-            .filter_map(|s| if let Stroke::Cut { spans, .. } = s { Some(spans) } else { None });
+    /// Adds a visit of a pierce group: one stop for each stretch of a contour.
+    fn add_group(&mut self, strokes: &[Stroke], sheet: &Sheet, parts: &mut Vec<Vec<f64>>) {
+        let cuts =
+            strokes.iter().filter_map(|s| if let Stroke::Cut { spans, .. } = s { Some(spans) } else { None });
         for spans in cuts {
             parts.push(spans.iter().map(|s| s.length).collect());
             self.add_spans(spans, sheet);

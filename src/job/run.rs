@@ -188,13 +188,10 @@ impl Run {
     }
 
     /// Lower bound of the total time of every plan in seconds: the bound of the search plus the fixed times; 0 until there
-    /// is one. The bound ignores sharp corners. Where leaving a contour in a corner takes less time than a pause, every
-    /// corner may save the difference, which is subtracted.
+    /// is one. The bound ignores sharp corners; what leaving contours and pierce groups may save is subtracted.
     pub fn bound(&self) -> f64 {
-        let saved =
-            |i: &Item| i.run.as_ref().map_or(0.0, |run| run.sharp_corners() as f64) * (-i.resume()).max(0.0);
-        let least = |i: &Item| i.fixed - if i.leave.is_some() { saved(i) } else { 0.0 };
-        let all = |prover: &LowerBound| self.problem().items.iter().map(least).sum::<f64>() + prover.value();
-        self.prover.as_ref().map_or(0.0, all)
+        let least =
+            |prover: &LowerBound| self.problem().items.iter().map(Item::least).sum::<f64>() + prover.value();
+        self.prover.as_ref().map_or(0.0, least)
     }
 }

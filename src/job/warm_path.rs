@@ -1,8 +1,9 @@
 //! A path from outside to start a search from: one that another search found, or a worker before it was replaced.
 
 use super::JobError;
-use crate::problem::{Item, Problem, Span};
+use crate::problem::{Item, NodeId, Problem, Span, SubPath};
 use crate::solve::{Solution, Stop};
+use rustc_hash::FxHashSet;
 use serde::{Deserialize, Serialize};
 
 /// The order of the contours, where each is entered and in which direction it is cut, as in [`super::BestPath`].
@@ -39,11 +40,11 @@ pub(super) fn solution(warm: &WarmPath, problem: &Problem) -> Result<Solution, J
             reversed: reversed != 0,
         })
         .collect();
-    let groups: Vec<&Item> = problem.items.iter().filter(|i| i.is_pierce_group()).collect();
+    let mut groups: Vec<Group> = problem.items.iter().filter_map(|i| Group::new(i, &all)).collect();
     let mut rest = all.as_slice();
     let stops = std::iter::from_fn(|| {
         let (visit, after) = rest.split_first()?;
-        let group = group_stop(problem, &groups, rest);
+        let group = groups.iter_mut().find_map(|g| g.stop(rest));
         rest = group.map_or(after, |(_, visits)| rest.get(visits..).unwrap_or_default());
         Some(group.map_or_else(|| stop(problem, visit), |(stop, _)| Some(stop)))
     });
@@ -68,20 +69,55 @@ struct Visit {
     reversed: bool,
 }
 
-/// The stop at the pierce group whose stretches these visits begin with, and the number of stretches.
-fn group_stop(problem: &Problem, groups: &[&Item], visits: &[Visit]) -> Option<(Stop, usize)> {
-    let is = |v: &Visit, s: &Span| {
-        let places = (v.along - s.along).abs().max((v.until - s.until).abs());
-        v.contour == s.contour && v.reversed == s.reversed && places <= SAME_PLACE
-    };
-    groups.iter().find_map(|item| {
-        item.nodes.clone().zip(&item.paths).find_map(|(node, path)| {
-            let spans = path.spans().count();
-            let alike =
-                spans > 0 && visits.len() >= spans && visits.iter().zip(path.spans()).all(|(v, s)| is(v, s));
-            alike.then(|| (Stop::at(problem, node), spans))
-        })
-    })
+/// A pierce group, and the path through it that a warm path takes.
+struct Group<'p> {
+    node: NodeId,
+    path: &'p SubPath,
+    /// Number of its stretches that have been cut.
+    cut: usize,
+    /// The place on the path up to which it has been cut, mm.
+    along: f64,
+}
+
+impl<'p> Group<'p> {
+    /// The group of an item; `None` if it is no group, or if the visits take none of its paths.
+    fn new(item: &'p Item, visits: &[Visit]) -> Option<Self> {
+        let contours: FxHashSet<u32> =
+            item.paths.iter().flat_map(SubPath::spans).map(|s| s.contour).collect();
+        let own: Vec<&Visit> = visits.iter().filter(|v| contours.contains(&v.contour)).collect();
+        let is_taken = |path: &&SubPath| {
+            own.len() == path.spans().count() && own.iter().zip(path.spans()).all(|(v, s)| v.is(s))
+        };
+        let taken = item.nodes.clone().zip(&item.paths).find(|(_, path)| is_taken(path));
+        taken.map(|(node, path)| Self { node, path, cut: 0, along: 0.0 })
+    }
+
+    /// The stop that cuts the stretches these visits begin with, and the number of stretches.
+    fn stop(&mut self, visits: &[Visit]) -> Option<(Stop, usize)> {
+        let left = self.path.spans().skip(self.cut);
+        let alike = visits.iter().zip(left).take_while(|(v, s)| v.is(s)).count();
+        let cut = self.cut + alike;
+        if alike == 0 {
+            return None;
+        }
+        let until = if self.path.spans().nth(cut).is_none() {
+            0.0
+        } else {
+            // The sum is made as the place of a leave point is: stretch by stretch.
+            self.path.spans().take(cut).map(|s| s.length).fold(0.0, |sum, length| sum + length)
+        };
+        let stop = Stop { node: self.node, along: self.along, until };
+        (self.cut, self.along) = (cut, until);
+        Some((stop, alike))
+    }
+}
+
+impl Visit {
+    /// Whether it is a stretch of a path through a pierce group.
+    fn is(&self, s: &Span) -> bool {
+        let places = (self.along - s.along).abs().max((self.until - s.until).abs());
+        self.contour == s.contour && self.reversed == s.reversed && places <= SAME_PLACE
+    }
 }
 
 /// The stop between two places: anywhere along a track, otherwise at nodes.
@@ -103,11 +139,12 @@ fn stop(problem: &Problem, visit: &Visit) -> Option<Stop> {
     Some(Stop { until: at(until)?.along, ..at(along)? })
 }
 
-/// An unfinished contour: where it was begun, and where it was left.
-struct Open {
+/// An unfinished item: where it was begun, where it was left, and the path through it if it is a pierce group.
+struct Open<'p> {
     item: usize,
     start: f64,
     left: f64,
+    path: Option<&'p SubPath>,
 }
 
 /// Whether a path is feasible: every item that can be visited is visited, once around; nothing is finished before what lies
@@ -119,7 +156,8 @@ fn is_feasible(stops: &[Stop], problem: &Problem) -> bool {
     let mut open: Vec<Open> = Vec::new();
     let mut rank = 0;
     for (k, stop) in stops.iter().enumerate() {
-        let item = problem.nodes[stop.node as usize].item as usize;
+        let Some(item) = problem.nodes.get(stop.node as usize).map(|n| n.item as usize) else { return false };
+        let path = problem.items[item].path(stop.node);
         let resumed = open.pop_if(|o| o.item == item);
         let start = resumed.as_ref().map_or(stop.along, |o| o.start);
         let joined = resumed.is_none_or(|o| o.left == stop.along) && !open.iter().any(|o| o.item == item);
@@ -129,13 +167,23 @@ fn is_feasible(stops: &[Stop], problem: &Problem) -> bool {
         rank = problem.items[item].rank;
         if stop.until == start {
             finished[item] = Some(k);
+            // Where a group was left for an item in one of its areas, the area must still hold.
+            let inside = open.iter().filter(|o| problem.items[item].before == u32::try_from(o.item).ok());
+            let due = |o: &Open| o.path.map_or(f64::INFINITY, |path| path.due(problem.items[item].area));
+            if inside.into_iter().any(|o| o.left >= due(o)) {
+                return false;
+            }
         } else {
             // Orders places by their position on a round from the start.
             let order = |place: f64| (place < start, place);
-            if problem.items[item].leave.is_none() || order(stop.until) <= order(stop.along) {
+            let may_be_left = match path {
+                Some(path) => path.leave_point(stop.until).is_some(),
+                None => problem.items[item].leave.is_some(),
+            };
+            if !may_be_left || order(stop.until) <= order(stop.along) {
                 return false;
             }
-            open.push(Open { item, start, left: stop.until });
+            open.push(Open { item, start, left: stop.until, path });
         }
     }
     let order = stops.iter().map(|s| problem.nodes[s.node as usize].item);

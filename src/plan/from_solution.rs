@@ -4,14 +4,14 @@ use super::evaluate::evaluate;
 use super::model::{Move, Plan};
 use crate::geometry::{DVec2, Path, Segment};
 use crate::machine::Profile;
-use crate::problem::{Problem, Stroke, SubPath};
+use crate::problem::{Problem, Stroke};
 use crate::sheet::{Operation, Sheet};
 use crate::solve::{Solution, Stop};
 
 /// The plan of a solution. `solution` must belong to `problem`, and `problem` to `sheet`.
 ///
 /// Cuts are pierced; marks are not. A contour that is left unfinished gets a pre-cut where it is left, if the machine
-/// charges for pre-cuts, and is resumed without piercing. A cut pauses in sharp corners. There is no air move if the head
+/// charges for pre-cuts, and is resumed without piercing; so is a pierce group. A cut pauses in sharp corners. There is no air move if the head
 /// is already in place.
 pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> Plan {
     let mut moves = Vec::with_capacity(3 * solution.stops.len() + 1);
@@ -23,10 +23,12 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
         let contour = node.item;
         let Some(known) = sheet.contours.get(contour as usize) else { continue };
-        if let Some(way) = problem.items.get(contour as usize).and_then(|i| i.path(stop.node)) {
-            go(&mut moves, &mut head, way.ends[0]);
-            through(&mut moves, &problem.machine, way);
-            head = way.ends[1];
+        if let Some(path) = problem.items.get(contour as usize).and_then(|i| i.path(stop.node)) {
+            if let Some((from, to)) = stop.ends(problem) {
+                go(&mut moves, &mut head, from);
+                through(&mut moves, &problem.machine, from, &path.stretch(stop.along, stop.until));
+                head = to;
+            }
             continue;
         }
         let path = path_of(&known.path, stop, node.reversed);
@@ -66,10 +68,9 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
     Plan { moves, summary }
 }
 
-/// The moves in a pierce group, once the head has reached it.
-fn through(moves: &mut Vec<Move>, machine: &Profile, way: &SubPath) {
-    let mut head = way.ends[0];
-    for stroke in &way.strokes {
+/// The moves of a visit of a pierce group, which begins at `head`.
+fn through(moves: &mut Vec<Move>, machine: &Profile, mut head: DVec2, strokes: &[Stroke]) {
+    for stroke in strokes {
         match stroke {
             Stroke::Air(to) => go(moves, &mut head, *to),
             Stroke::Pierce => moves.push(Move::Pierce),

@@ -21,7 +21,8 @@ use crate::sheet::{Contour, Operation, Sheet};
 ///   entries cost beyond that is charged by place.
 /// * Leaving: closed cuts may be left unfinished if the machine allows it, but not when parts are cut one by one.
 /// * Pierce groups: if the machine makes pre-cuts, the item of the group's first contour stands for all of them, and its
-///   nodes are paths through the group. The items of the other contours have no nodes.
+///   nodes are paths through the group. The items of the other contours have no nodes. A path may be left at its leave
+///   points, but not when parts are cut one by one.
 /// * Skipped contours: items without nodes.
 /// * Groups: the parts, if the sheet is cut part by part.
 ///
@@ -48,6 +49,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         items.push(Item {
             nodes: first..count(&nodes),
             before: joined.before(item),
+            area: joined.area(item),
             rank,
             fixed,
             run,

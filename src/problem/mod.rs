@@ -18,5 +18,5 @@ pub use groups::Groups;
 pub use ids::{ItemId, NodeId};
 pub use instance::{Fault, Instance, InstanceError, check, instance};
 pub use model::{Item, Node, Problem};
-pub use sub_path::{Span, Stroke, SubPath};
+pub use sub_path::{LeavePoint, Span, Stroke, SubPath};
 pub use table::Table;

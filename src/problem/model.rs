@@ -53,14 +53,18 @@ pub struct Item {
     /// Of a pierce group, that is contours cut as one: the path through it that each node stands for, in the order of the
     /// nodes. [`Item::fixed`] is the least of their seconds.
     pub paths: Vec<SubPath>,
+    /// Of an item that comes before a pierce group: the area of the group in which it lies. The group may be left for it
+    /// until this area falls out.
+    pub area: Option<u32>,
 }
 
 impl Item {
-    /// Seconds beyond [`Item::fixed`] if it is entered by one of its nodes, `along` mm from the start of its track. Never
-    /// negative.
+    /// Seconds beyond [`Item::fixed`] if it is entered by one of its nodes, `along` mm from the start of its track. Where a
+    /// path through a pierce group is resumed, these are the seconds of its leave point. Never negative, except at a leave
+    /// point that saves an air move.
     pub fn extra(&self, node: NodeId, along: f64) -> f64 {
         match self.path(node) {
-            Some(path) => path.seconds - self.fixed,
+            Some(path) => path.leave_point(along).map_or(path.seconds - self.fixed, |p| p.seconds),
             None => self.run.as_ref().map_or(0.0, |run| run.extra(along)),
         }
     }
@@ -73,6 +77,42 @@ impl Item {
     /// The path through a pierce group that one of its nodes stands for; none for any other item.
     pub fn path(&self, node: NodeId) -> Option<&SubPath> {
         self.paths.get(node.checked_sub(self.nodes.start)? as usize)
+    }
+
+    /// Whether it may be left unfinished for other items.
+    pub fn may_be_left(&self) -> bool {
+        self.leave.is_some() || self.paths.iter().any(|p| !p.leave_points.is_empty())
+    }
+
+    /// Seconds that every plan spends on it besides air moves between items, at least. It is [`Item::fixed`], minus what
+    /// leaving it may save: pauses in sharp corners, and air moves within a pierce group.
+    pub fn least(&self) -> f64 {
+        let saved = |p: &SubPath| p.leave_points.iter().map(|p| p.seconds.min(0.0)).sum::<f64>();
+        if self.is_pierce_group() {
+            return self.paths.iter().map(|p| p.seconds + saved(p)).fold(f64::INFINITY, f64::min);
+        }
+        let corners = self.run.as_ref().map_or(0.0, |run| run.sharp_corners() as f64);
+        self.fixed - if self.leave.is_some() { corners * (-self.resume()).max(0.0) } else { 0.0 }
+    }
+
+    /// The same item, cut in one go: it is never left. The paths of a pierce group keep their ends and seconds only.
+    pub fn in_one_go(&self) -> Self {
+        let bare = |p: &SubPath| SubPath {
+            ends: p.ends,
+            seconds: p.seconds,
+            strokes: Vec::new(),
+            leave_points: Vec::new(),
+            falls: Vec::new(),
+        };
+        let paths = self.paths.iter().map(bare).collect();
+        Self {
+            leave: None,
+            paths,
+            run: self.run.clone(),
+            track: self.track.clone(),
+            nodes: self.nodes.clone(),
+            ..*self
+        }
     }
 
     /// Whether its seconds depend on the place where it is entered.

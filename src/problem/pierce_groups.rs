@@ -3,6 +3,7 @@
 use super::ids::{ItemId, NodeId};
 use super::model::{Item, Node};
 use super::sub_path::SubPath;
+use crate::geometry::{Aabb, Segment, winding_number};
 use crate::machine::Profile;
 use crate::sheet::{Contour, PierceGroup, Sheet};
 
@@ -14,6 +15,8 @@ pub(super) struct PierceGroups<'s> {
     of: Vec<Option<u32>>,
     /// By contour: the group that closes it in, the smallest of several.
     within: Vec<Option<u32>>,
+    /// By contour: the area in which it lies, of the group that it comes directly before.
+    area: Vec<Option<u32>>,
 }
 
 impl<'s> PierceGroups<'s> {
@@ -21,7 +24,7 @@ impl<'s> PierceGroups<'s> {
     /// paths through each group.
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile, paths: &'s [Vec<SubPath>]) -> Self {
         let none = vec![None; sheet.contours.len()];
-        let mut all = Self { sheet, groups: Vec::new(), of: none.clone(), within: none };
+        let mut all = Self { sheet, groups: Vec::new(), of: none.clone(), within: none.clone(), area: none };
         let groups = sheet.cut_as_one(machine.makes_pre_cuts());
         for (group, paths) in groups.iter().zip(paths) {
             if paths.is_empty() {
@@ -40,7 +43,38 @@ impl<'s> PierceGroups<'s> {
             }
             all.groups.push((group, paths));
         }
+        all.find_areas();
         all
+    }
+
+    /// Finds the area of each contour that comes before a group which may be left for it.
+    fn find_areas(&mut self) {
+        for (group, paths) in &self.groups {
+            let inside = |c: &&u32| self.before(**c) == Some(group.contours[0]);
+            let inside: Vec<u32> = group.inside.iter().filter(inside).copied().collect();
+            if inside.is_empty() || paths.iter().all(|p| p.leave_points.is_empty()) {
+                continue;
+            }
+            let outlines = group.outlines();
+            let bounds: Vec<Aabb> = outlines
+                .iter()
+                .map(|o| o.iter().fold(Aabb::EMPTY, |b, s: &Segment| b.union(s.bounds())))
+                .collect();
+            for c in inside {
+                let path = &self.sheet.contours[c as usize].path;
+                // The middle is used because the ends may lie on the outline.
+                let Some(at) = path.at(0.5 * path.length()) else { continue };
+                let holds =
+                    |area: &usize| bounds[*area].contains(at) && winding_number(&outlines[*area], at) != 0;
+                self.area[c as usize] =
+                    (1..outlines.len()).find(holds).and_then(|area| u32::try_from(area).ok());
+            }
+        }
+    }
+
+    /// The area of a group in which a contour lies that comes directly before the group.
+    pub(super) fn area(&self, contour: u32) -> Option<u32> {
+        self.area[contour as usize]
     }
 
     /// The contour whose item stands for a contour: the first of its group.
@@ -75,7 +109,10 @@ impl<'s> PierceGroups<'s> {
         let (group, paths) = &self.groups[self.of[contour as usize]? as usize];
         let first = NodeId::try_from(nodes.len()).ok()?;
         let stands = group.contours[0] == contour;
-        let paths = if stands { paths.to_vec() } else { Vec::new() };
+        let mut paths = if stands { paths.to_vec() } else { Vec::new() };
+        if self.sheet.part_by_part {
+            paths.iter_mut().for_each(|p| p.leave_points.clear());
+        }
         for (path, id) in paths.iter().zip(first..) {
             let [entry, exit] = path.ends;
             let twin = first + ((id - first) ^ 1);
@@ -88,6 +125,7 @@ impl<'s> PierceGroups<'s> {
             rank,
             fixed: if stands { least } else { 0.0 },
             paths,
+            area: self.area(contour),
             ..Item::default()
         })
     }

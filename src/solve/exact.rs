@@ -5,7 +5,7 @@
 
 use super::traits::{Solution, Stop};
 use crate::machine::AirTime;
-use crate::problem::{ItemId, NodeId, Problem};
+use crate::problem::{Item, ItemId, NodeId, Problem};
 
 /// Most items.
 const MOST_ITEMS: usize = 14;
@@ -37,7 +37,7 @@ pub fn exact(problem: &Problem) -> Result<Solution, TooLarge> {
     if free > MOST_ITEMS || nodes << free > MOST_NUMBERS {
         return Err(TooLarge::Size { items, nodes });
     }
-    if problem.items.iter().any(|i| i.leave.is_some()) {
+    if problem.items.iter().any(Item::may_be_left) {
         return Err(TooLarge::Resumes);
     }
     let Some(start) = problem.start() else { return Ok(Sets::new(problem, free, None).solve()) };
@@ -66,7 +66,7 @@ impl<'p> Sets<'p> {
         let earlier = (0..)
             .zip(all)
             .map(|(id, item): (ItemId, _)| {
-                let before = |(o, other): (ItemId, &crate::problem::Item)| {
+                let before = |(o, other): (ItemId, &Item)| {
                     other.before == Some(id) || other.rank < item.rank || problem.pairs.contains(&(o, id))
                 };
                 (0..).zip(all).filter(|&o| before(o)).fold(0, |set, (o, _)| set | 1 << o)

@@ -28,6 +28,9 @@ pub struct SolverInfo {
 /// A contour that is left unfinished has several visits in order. Each begins where the previous one ended, and the last
 /// ends where the first began, so that together they are one loop. The stops between two visits of a contour are its child
 /// route: visits nest like brackets.
+///
+/// A pierce group is left and resumed in the same way: places are those on the path that its node stands for, and 0 is both
+/// its beginning and its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
     /// The node where its item is entered, or from which the entry has slid away.
@@ -59,6 +62,9 @@ impl Stop {
     pub fn ends(&self, problem: &Problem) -> Option<(DVec2, DVec2)> {
         let node = problem.nodes.get(self.node as usize)?;
         let item = problem.items.get(node.item as usize)?;
+        if let Some(path) = item.path(self.node) {
+            return path.arrival(self.along).zip(path.departure(self.until));
+        }
         #[expect(clippy::float_cmp, reason = "a stop that did not slide has its node's place bit for bit")]
         let slid = |along: f64| item.track.as_ref().filter(|_| along != node.along).and_then(|t| t.at(along));
         if self.is_whole() {

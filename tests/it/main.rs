@@ -22,6 +22,7 @@ mod geometry_curves;
 mod geometry_meet;
 mod geometry_shapes;
 mod golden;
+mod groups_left;
 mod inspect_dev;
 mod inspect_promises;
 mod instance_read;

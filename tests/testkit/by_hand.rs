@@ -11,7 +11,7 @@ use std::collections::HashMap;
 /// Side of a cell, mm.
 pub(crate) const CELL: f64 = 10.0;
 
-type Point = [i32; 2];
+pub(crate) type Point = [i32; 2];
 
 /// A place on the lattice. All corners are on it.
 fn point(p: DVec2) -> Point {
@@ -70,6 +70,23 @@ struct Done {
 impl<'m> ByHand<'m> {
     /// Least seconds from each node to each, of everything that is done in a group.
     pub(crate) fn new(group: &PierceGroup, machine: &'m Profile) -> Self {
+        let mut all = Self::net(group, machine);
+        let full = (1 << all.count()) - 1;
+        for e in 0..all.count() {
+            if all.stand(full ^ 1 << e).0 >> e & 1 == 1 {
+                let ends = all.elements[e].ends;
+                all.last.extend(ends);
+            }
+        }
+        for start in 0..all.nodes.len() {
+            let done = Done { cut: 0, head: usize::MAX, visited: 0, ready: 0, seconds: 0.0, run: Vec::new() };
+            all.go_on(start, &done);
+        }
+        all
+    }
+
+    /// The elements of a group and the cells of the lattice that they part.
+    pub(crate) fn net(group: &PierceGroup, machine: &'m Profile) -> Self {
         let mut nodes: Vec<DVec2> = Vec::new();
         let mut elements = Vec::new();
         for e in &group.elements {
@@ -98,19 +115,23 @@ impl<'m> ByHand<'m> {
             elements.push(Element { ends, walls, corners, length });
         }
         let least = vec![vec![f64::INFINITY; nodes.len()]; nodes.len()];
-        let mut all = Self { machine, nodes, elements, known: HashMap::new(), last: Vec::new(), least };
-        let full = (1 << all.count()) - 1;
-        for e in 0..all.count() {
-            if all.stand(full ^ 1 << e).0 >> e & 1 == 1 {
-                let ends = all.elements[e].ends;
-                all.last.extend(ends);
-            }
-        }
-        for start in 0..all.nodes.len() {
-            let done = Done { cut: 0, head: usize::MAX, visited: 0, ready: 0, seconds: 0.0, run: Vec::new() };
-            all.go_on(start, &done);
-        }
-        all
+        Self { machine, nodes, elements, known: HashMap::new(), last: Vec::new(), least }
+    }
+
+    /// Whether a cell lies in an area of the group.
+    pub(crate) fn covers(&self, cell: Point) -> bool {
+        let all = (1 << self.count()) - 1;
+        let cells = self.elements.iter().flat_map(|e| e.walls.iter().flatten());
+        let within = |k: usize| {
+            let span = || cells.clone().map(|c| c[k]);
+            (span().min().unwrap()..=span().max().unwrap()).contains(&cell[k])
+        };
+        within(0) && within(1) && !self.held(all).contains(&cell)
+    }
+
+    /// The nodes where an element ends, and its length.
+    pub(crate) fn element(&self, e: usize) -> ([usize; 2], f64) {
+        (self.elements[e].ends, self.elements[e].length)
     }
 
     pub(crate) fn count(&self) -> usize {
@@ -126,12 +147,9 @@ impl<'m> ByHand<'m> {
         all.map(seconds).fold(f64::INFINITY, f64::min)
     }
 
-    /// What may be cut next, and where something is loose, when these elements are cut: the cells are filled from outside,
-    /// through everything that is not cut.
-    fn stand(&mut self, cut: usize) -> (usize, usize) {
-        if let Some(known) = self.known.get(&cut) {
-            return *known;
-        }
+    /// The cells that hang on the sheet when these elements are cut: they are filled from outside, through everything that is
+    /// not cut.
+    pub(crate) fn held(&self, cut: usize) -> std::collections::HashSet<Point> {
         let cells = || self.elements.iter().flat_map(|e| e.walls.iter().flatten());
         let span =
             |k: usize| cells().map(|c| c[k]).min().unwrap() - 1..=cells().map(|c| c[k]).max().unwrap() + 1;
@@ -149,6 +167,15 @@ impl<'m> ByHand<'m> {
                 queue.extend(next.into_iter().filter(|n| !is_cut(c, *n)));
             }
         }
+        held
+    }
+
+    /// What may be cut next, and where something is loose, when these elements are cut.
+    pub(crate) fn stand(&mut self, cut: usize) -> (usize, usize) {
+        if let Some(known) = self.known.get(&cut) {
+            return *known;
+        }
+        let held = self.held(cut);
         let hangs = |e: &Element| e.walls.iter().flatten().any(|c| held.contains(c));
         let may = (0..self.elements.len()).filter(|&e| cut >> e & 1 == 0 && hangs(&self.elements[e]));
         let fell = |n: &DVec2| {

@@ -36,6 +36,7 @@ const PLANS: &[(&str, &str)] = &[
     ("paper-rlsga", include_str!("../golden/paper-rlsga.json")),
     ("shared-sides", include_str!("../golden/shared-sides.json")),
     ("one-kerf-apart", include_str!("../golden/one-kerf-apart.json")),
+    ("partition-tree-pauses", include_str!("../golden/partition-tree-pauses.json")),
 ];
 
 fn named<T: Copy>(list: &[(&str, T)], name: &str) -> T {

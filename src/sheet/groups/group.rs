@@ -1,6 +1,6 @@
 //! A pierce group: contours that share cuts, as a planar graph.
 
-use crate::geometry::{DVec2, Path};
+use crate::geometry::{DVec2, Path, Segment};
 
 /// Contours that share cuts.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,6 +45,21 @@ impl PierceGroup {
     /// Elements between two bounded faces, which are cut once for both.
     pub fn between_parts(&self) -> impl Iterator<Item = &GroupElement> {
         self.elements.iter().filter(|e| !e.faces.contains(&0))
+    }
+
+    /// The elements around each area, with the area on their left and in no particular order: enough for winding numbers.
+    pub fn outlines(&self) -> Vec<Vec<Segment>> {
+        let mut outlines = vec![Vec::new(); self.faces as usize];
+        for element in &self.elements {
+            let [left, right] = element.faces.map(|f| f as usize);
+            if left == right {
+                continue;
+            }
+            let path = self.path(element);
+            outlines[right].extend(path.reversed().segments);
+            outlines[left].extend(path.segments);
+        }
+        outlines
     }
 
     /// The geometry of an element, from beginning to end.

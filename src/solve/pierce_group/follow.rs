@@ -43,6 +43,8 @@ pub(super) struct At {
     pub(super) begins: bool,
     /// It is pierced, because nothing was cut at its start before.
     pub(super) pierced: bool,
+    /// Something at its start has come loose before it.
+    pub(super) loose: bool,
     /// Seconds that it adds to [`Net::cost`].
     pub(super) seconds: f64,
     /// The pre-cuts that it needs at its start and at its end, each as the number of steps done when it is made.
@@ -111,6 +113,7 @@ impl State {
             seconds += net.pre_cut() + std::mem::replace(&mut stop.0, 0.0);
             Some(stop.1)
         };
+        let loose = self.loose[from as usize];
         let before = if begins && !pierced { pre_cut(from) } else { None };
         let ahead = [before, if self.loose[to as usize] { pre_cut(to) } else { None }];
         self.done += 1;
@@ -124,7 +127,7 @@ impl State {
                 net.around[f as usize].iter().for_each(|&n| self.loose[n as usize] = true);
             }
         }
-        At { step, begins, pierced, seconds, ahead }
+        At { step, begins, pierced, loose, seconds, ahead }
     }
 
     /// Notes that the beam stops at a node now, or could stop there for this many seconds.

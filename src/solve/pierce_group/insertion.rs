@@ -55,3 +55,56 @@ impl Net<'_> {
         order.iter().rev().all(|&s| self.put_back(&mut held, s))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{DVec2, Path, Segment};
+    use crate::machine::preset;
+    use crate::problem::{Element, GroupProblem};
+
+    /// Two parts of 20 by 10 that share the side between nodes 0 and 1. `shared` is the number of that side among the three
+    /// elements; the outline of the left part comes before that of the right one.
+    fn two_parts(shared: usize) -> GroupProblem {
+        let place = |p: [f64; 2]| DVec2::from(p);
+        let path = |points: &[[f64; 2]]| {
+            let line = |w: &[[f64; 2]]| Segment::line(place(w[0]), place(w[1]));
+            Path::new(points.windows(2).map(line).collect(), false)
+        };
+        let element = |points: &[[f64; 2]], faces| Element {
+            contour: 0,
+            from: 0.0,
+            to: 0.0,
+            ends: [0, 1],
+            faces,
+            path: path(points),
+        };
+        let side = element(&[[20.0, 0.0], [20.0, 10.0]], [1, 2]);
+        let left = element(&[[20.0, 0.0], [0.0, 0.0], [0.0, 10.0], [20.0, 10.0]], [0, 1]);
+        let right = element(&[[20.0, 0.0], [40.0, 0.0], [40.0, 10.0], [20.0, 10.0]], [2, 0]);
+        let mut elements = vec![left, right];
+        elements.insert(shared, side);
+        GroupProblem { nodes: vec![place([20.0, 0.0]), place([20.0, 10.0])], elements, faces: 3 }
+    }
+
+    #[test]
+    fn the_cheapest_insertion_that_keeps_the_order_possible_by_hand() {
+        let machine = preset("fibre-6kw-thick").unwrap();
+        let group = two_parts(0);
+        let net = Net::new(&group, &machine, false);
+        // The order begins with the shared side upwards and ends with the left outline, both from 0 to 1. The right outline
+        // goes between them: downwards, from 1 to 0, it takes away the air move from 1 to 0; upwards it would add another.
+        assert_eq!(order(&net, 0, 1), Some(vec![0, 5, 2]));
+        // From 1 to 0 all directions are turned.
+        assert_eq!(order(&net, 1, 0), Some(vec![1, 4, 3]));
+        // Every node has an odd number of elements: without an air move nothing leads back to where it began, so the cheapest
+        // insertion has one, upwards from 0 after the head has come to 1.
+        let back = order(&net, 0, 0).unwrap();
+        assert_eq!((net.ends(&back), back.len()), ([0, 0], 3));
+
+        // If the order would end with the shared side, both of its parts had fallen out before: there is no such order.
+        let group = two_parts(1);
+        let net = Net::new(&group, &machine, false);
+        assert_eq!(order(&net, 0, 1), None);
+    }
+}

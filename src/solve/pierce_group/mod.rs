@@ -8,7 +8,7 @@
 //! * [`net`]: the elements and their possible orders. [`follow`]: the cost of an order.
 //! * [`insertion`]: the element insertion heuristic of the paper. [`exact`]: every order, for small groups.
 //!   [`beam`] and [`anneal`]: ours for larger ones.
-//! * [`strokes`]: an order as what the head does, and the exact seconds of it.
+//! * [`strokes`]: an order as what the head does, the exact seconds of it, and where it may be left for other items.
 
 mod anneal;
 mod beam;
@@ -62,6 +62,7 @@ fn between(net: &Net, mut path: SubPath, [entry, exit]: [DVec2; 2]) -> SubPath {
     path.seconds += net.air.seconds(entry, first) + net.air.seconds(last, exit);
     if entry != first {
         path.strokes.insert(0, Stroke::Air(first));
+        path.leave_points.iter_mut().for_each(|p| p.strokes += 1);
     }
     if last != exit {
         path.strokes.push(Stroke::Air(exit));
@@ -109,7 +110,7 @@ fn best(net: &Net, orders: &[Order]) -> Vec<SubPath> {
     if net.len() > exact::MOST {
         found.truncate(PAIRS);
     }
-    found.into_iter().flatten().collect()
+    found.into_iter().flatten().map(|path| strokes::priced(net, path)).collect()
 }
 
 /// The paths of the insertion heuristic, in pairs of forth and back, the cheapest first; empty if it finds none.
@@ -126,7 +127,8 @@ fn inserted(net: &Net) -> Vec<SubPath> {
     }
     sort_by(&mut found, |f| [real(f.0), 0, 0]);
     found.truncate(PAIRS);
-    found.into_iter().flat_map(|f| f.1).map(|order| strokes::sub_path(net, &order)).collect()
+    let path = |order: Order| strokes::priced(net, strokes::sub_path(net, &order));
+    found.into_iter().flat_map(|f| f.1).map(path).collect()
 }
 
 /// Candidates for the ends of a path: where an odd number of elements meet, a trail must begin or end anyway.

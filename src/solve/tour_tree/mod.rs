@@ -31,6 +31,7 @@ mod gates;
 mod improve;
 mod improve_entry;
 mod index;
+mod leave_places;
 mod neighbours;
 mod polish;
 mod queue;

@@ -34,8 +34,13 @@ impl Neighbours {
     /// Empty lists; [`Neighbours::extend`] fills them.
     pub(super) fn new(space: &Space) -> Self {
         let listed = if space.travel.by_table() { 0 } else { space.home + 1 };
+        // A pierce group is near everything for which it may be left.
+        let points = |item: u32| {
+            let leave = space.leave_places.points(item).iter().copied();
+            space.gates(item).map(|place| place.point).chain(leave)
+        };
         let gates: Vec<Gate> =
-            (0..listed).flat_map(|item| space.gates(item).map(move |place| (item, place.point))).collect();
+            (0..listed).flat_map(|item| points(item).map(move |point| (item, point))).collect();
         let room = space.gate_first.last().map_or(0, |&all| all as usize * PER_GATE);
         Self {
             gates: Gates::new(&gates),
@@ -66,6 +71,9 @@ impl Neighbours {
                     merge(&mut all, n);
                 }
             }
+        }
+        for &point in space.leave_places.points(item) {
+            self.nearest(space, item, point).into_iter().for_each(|n| merge(&mut all, n));
         }
         sort_by(&mut all, |n| [real(n.0), n.1.into(), 0]);
         all.truncate(CONFIG.neighbours.per_item);

@@ -9,7 +9,7 @@ use super::snapshot::TourSnapshot;
 use super::space::Space;
 use super::tour::Tour;
 use crate::geometry::{DVec2, Path, Segment};
-use crate::problem::Item;
+use crate::problem::{Item, LeavePoint};
 use crate::solve::{Solution, Stop};
 
 /// The inverse of the golden ratio.
@@ -77,6 +77,14 @@ impl<'p> Slide<'p> {
             (track, starts, space.reach(item))
         });
         Self { stop: space.stop(item, at), entry, exit, item: it, track }
+    }
+
+    /// A place where a pierce group is left, which does not slide.
+    pub(super) fn fixed(space: &Space<'p>, item: u32, place: &LeavePoint) -> Self {
+        let it = &space.problem.items[item as usize];
+        let stop = Stop::whole(it.nodes.start, place.along);
+        let [exit, entry] = place.ends;
+        Self { stop, entry, exit, item: it, track: None }
     }
 
     /// Moves the stop to the best point between the places next to its own; the head comes from `from` and goes `to`.

@@ -11,6 +11,7 @@
 
 use super::boxes::{ARCS, BoundingBox, arcs};
 use super::index::index;
+use super::leave_places::LeavePlaces;
 use super::ring::GATES;
 use super::ring::{Ring, nearest};
 use super::snapshot::TourSnapshot;
@@ -44,6 +45,8 @@ pub(super) struct Space<'p> {
     spacing: Vec<f64>,
     /// By item: the boxes of the arcs of its ring.
     pub(super) arcs: Vec<[BoundingBox; ARCS]>,
+    /// Where pierce groups may be left.
+    pub(super) leave_places: LeavePlaces<'p>,
     /// Items whose seconds depend on the direction: pierce groups.
     pub(super) direction_dependent: Vec<u32>,
     /// By item: the box of its places.
@@ -80,6 +83,7 @@ impl<'p> Space<'p> {
             kind: Vec::with_capacity(n + 1),
             spacing: Vec::with_capacity(n + 1),
             arcs: Vec::with_capacity(n + 1),
+            leave_places: LeavePlaces::new(problem),
             direction_dependent: (0..)
                 .zip(&problem.items)
                 .filter(|(_, i)| i.is_pierce_group())
@@ -226,6 +230,11 @@ impl<'p> Space<'p> {
     #[expect(clippy::float_cmp, reason = "an item without a track is left at a node, bit for bit")]
     pub(super) fn left_at(&self, stop: &Stop) -> u32 {
         let item = self.problem.nodes[stop.node as usize].item;
+        if self.leave_places.is_group(item) {
+            let places = self.leave_places.on_path(item, self.entered_at(stop));
+            let is_here = |k: &u32| self.leave_places.place(item, *k).is_some_and(|p| p.along == stop.until);
+            return places.clone().find(is_here).unwrap_or(places.start);
+        }
         if self.is_ring(item) {
             return self.nearest(item, stop.until);
         }

@@ -20,6 +20,7 @@ const CHOICES: Record<string, string[]> = {
   encoding: ['keys', 'permutation'],
   start: ['pfr', 'single', 'each'],
   first: ['free', 'all', 'none'],
+  nodes: ['entries', 'element-ends'],
   repartition: ['both', 'partitions', 'sequences'],
 };
 

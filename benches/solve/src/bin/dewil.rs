@@ -2,7 +2,9 @@
 //!
 //!     dewil FILE MACHINE RUNS
 //!
-//! MACHINE: a profile as JSON. RUNS: a JSON list of `{"name", "method", "parameters", "seeds", "as_long_as", "seconds"}`.
+//! MACHINE: a profile as JSON. RUNS: a JSON list of `{"name", "method", "parameters", "seeds", "as_long_as", "seconds",
+//! "common_cuts", "whole"}`. With `common_cuts` the paths through pierce groups are found in that way, with `whole` no group
+//! is left for other contours.
 //! Seconds are those of the processor, each method beginning with the same problem in hand. A method without an end works
 //! as long as the run of that name, which has one, and no longer: both are run in turn, again and again where that is
 //! short, and what counts is how many moves it gets done in that time in the median. With `seconds`, so many at least.
@@ -13,7 +15,7 @@ use kerfway::machine::Profile;
 use kerfway::plan::{self, LowerBound};
 use kerfway::problem::Problem;
 use kerfway::sheet::Sheet;
-use kerfway::solve::{self, Search, Status, papers};
+use kerfway::solve::{self, Search, Status, Stop, papers};
 use serde_json::{Value, json};
 
 /// Moves between two looks whether it goes on: some milliseconds.
@@ -37,14 +39,34 @@ fn bench() -> Result<(), String> {
     let bytes = std::fs::read(file).map_err(|_| format!("{file} cannot be read."))?;
     let machine: Profile = serde_json::from_str(machine).map_err(|e| e.to_string())?;
     let runs: Vec<Value> = serde_json::from_str(runs).map_err(|e| e.to_string())?;
-    let job = Job::load(bytes, file, &LoadOptions::default()).map_err(|e| e.to_string())?;
-    let clock = ThreadTime::now();
-    let problem = problem_of(job.sheet(), &machine);
-    println!("{}", json!({ "name": "problem", "seconds": clock.elapsed().as_secs_f64() }));
-    let case = Case { sheet: job.sheet(), machine: &machine, problem: &problem };
+    let mut problems: Vec<(&Value, &Value, Job, Problem)> = Vec::new();
+    for run in &runs {
+        let (cuts, whole) = (&run["common_cuts"], &run["whole"]);
+        if problems.iter().any(|p| (p.0, p.1) == (cuts, whole)) {
+            continue;
+        }
+        let common_cuts = serde_json::from_value(cuts.clone()).unwrap_or_default();
+        let load = LoadOptions { common_cuts, ..LoadOptions::default() };
+        let job = Job::load(bytes.clone(), file, &load).map_err(|e| e.to_string())?;
+        let clock = ThreadTime::now();
+        let mut problem = problem_of(job.sheet(), &machine);
+        if problems.is_empty() {
+            println!("{}", json!({ "name": "problem", "seconds": clock.elapsed().as_secs_f64() }));
+        }
+        if whole.as_bool() == Some(true) {
+            problem.items.iter_mut().flat_map(|i| &mut i.paths).for_each(|p| p.leave_points.clear());
+        }
+        problems.push((cuts, whole, job, problem));
+    }
     // Seconds of the best path by the search's measure, and what every path costs besides.
     let (mut best, mut fixed) = (f64::INFINITY, 0.0);
     for run in &runs {
+        let Some((_, _, job, problem)) =
+            problems.iter().find(|p| (p.0, p.1) == (&run["common_cuts"], &run["whole"]))
+        else {
+            continue;
+        };
+        let case = Case { sheet: job.sheet(), machine: &machine, problem };
         for seed in 1..=run["seeds"].as_u64().unwrap_or(1) {
             let other = runs.iter().find(|r| r["name"] == run["as_long_as"]);
             let (row, cost) = match (other, run["seconds"].as_f64()) {
@@ -71,10 +93,13 @@ fn bench() -> Result<(), String> {
             };
             best = best.min(cost);
             fixed = row["fixed"].as_f64().unwrap_or(0.0);
+            // What leaving groups may save is no part of a bound.
+            fixed -= problem.items.iter().map(|i| i.fixed - i.least()).sum::<f64>();
             println!("{row}");
         }
     }
-    let mut bound = LowerBound::new(&problem);
+    let Some((_, _, _, problem)) = problems.first() else { return Ok(()) };
+    let mut bound = LowerBound::new(problem);
     let clock = ThreadTime::now();
     while bound.improve(SLICE_OF_BOUND, best) && clock.elapsed().as_secs_f64() < BOUND_SECONDS {}
     println!("{}", json!({ "name": "bound", "value": bound.value() + fixed }));
@@ -149,9 +174,16 @@ impl<'c> Case<'c> {
         let value = s.total_time - s.cut_time;
         let row = json!({
             "name": run["name"], "method": run["method"], "seed": seed, "value": value, "fixed": value - best.cost,
-            "pre_cuts": s.pre_cuts, "pierces": s.pierces, "air": s.air_time, "moves": search.telemetry().moves,
+            "left": groups_left(self.problem, &best.stops), "pre_cuts": s.pre_cuts, "pierces": s.pierces, "air": s.air_time, "moves": search.telemetry().moves,
             "seconds": seconds, "contours": self.sheet.contours.len(), "insight": search.insight(),
         });
         Ok((row, best.cost))
     }
+}
+
+/// How often pierce groups are left for other contours.
+fn groups_left(problem: &Problem, stops: &[Stop]) -> usize {
+    let item = |s: &&Stop| &problem.items[problem.nodes[s.node as usize].item as usize];
+    let visits = stops.iter().filter(|s| item(s).is_pierce_group()).count();
+    visits - problem.items.iter().filter(|i| i.is_pierce_group()).count()
 }

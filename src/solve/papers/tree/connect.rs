@@ -52,7 +52,7 @@ impl Connections {
                 self.price(g, forest, None, to);
                 for &from in forest.at(route).iter().chain(g.near(to)) {
                     let own = forest.entry(g.item(from)) == from;
-                    if forest.route_of(g.item(from)) != route && (own || g.may_leave(g.item(from))) {
+                    if forest.route_of(g.item(from)) != route && (own || forest.may_leave(g, from)) {
                         self.price(g, forest, Some(from), to);
                     }
                 }
@@ -65,7 +65,10 @@ impl Connections {
     fn price(&mut self, g: &Graph, forest: &Forest, from: Option<NodeId>, to: NodeId) {
         let (parent, out, home) = match from {
             None => (ROOT, g.problem.home, g.problem.home),
-            Some(node) => (forest.route_of(g.item(node)), g.exit(node), g.entry(node)),
+            Some(node) => {
+                let hook = forest.hook(g, node);
+                (forest.route_of(g.item(node)), hook.out, hook.back)
+            }
         };
         let child = forest.route_of(g.item(to));
         let cost = g.air(out, g.entry(to)) + g.air(g.exit(to), home);
@@ -79,5 +82,5 @@ impl Connections {
 fn may_arrive(g: &Graph, forest: &Forest, to: NodeId) -> bool {
     let item = g.item(to);
     let alone = forest.items(forest.route_of(item)).len() == 1;
-    forest.entry(item) == to || (forest.may_enter(to) && (alone || g.may_leave(item)))
+    forest.entry(item) == to || (forest.may_enter(g, to) && (alone || g.may_leave(item)))
 }

@@ -1,6 +1,6 @@
 //! The partitions of a path, for drawing them.
 
-use crate::problem::Problem;
+use crate::problem::{Problem, SubPath};
 use crate::solve::{Parent, Partitions};
 use crate::solve::{Solution, Stop};
 
@@ -15,6 +15,13 @@ pub(super) fn partitions(problem: &Problem, path: &Solution) -> Partitions {
         let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
         let (item, begun) = open.pop_if(|o| o.0 == node.item).unwrap_or_else(|| {
             of[node.item as usize] = route;
+            // All contours of a pierce group are in its partition.
+            let path = problem.items.get(node.item as usize).and_then(|i| i.path(stop.node));
+            for span in path.into_iter().flat_map(SubPath::spans) {
+                if let Some(own) = of.get_mut(span.contour as usize) {
+                    *own = route;
+                }
+            }
             (node.item, stop.along)
         });
         route = of[item as usize];

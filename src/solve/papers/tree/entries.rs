@@ -73,12 +73,12 @@ pub(super) fn improve(g: &Graph, forest: &mut Forest, route: u32, keep: bool) ->
             .iter()
             .map(|&i| match frozen && forest.children(i) > 1 {
                 true => vec![forest.entry(i)],
-                false => g.nodes(i).filter(|&n| forest.may_enter(n)).collect(),
+                false => g.nodes(i).filter(|&n| forest.may_enter(g, n)).collect(),
             })
             .collect();
         work += layers.windows(2).map(|w| (w[0].len() * w[1].len()) as u64).sum::<u64>();
         let (cost, nodes) = cheapest(g, &layers, forest.ends(g, route));
-        let now = forest.route_seconds(g, route) - forest.at(route).map_or(0.0, |n| g.charge(n));
+        let now = forest.route_seconds(g, route) - forest.leaving(g, route);
         if cost >= now - EPSILON {
             return (false, work);
         }

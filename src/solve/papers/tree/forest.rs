@@ -1,11 +1,13 @@
 //! The partition-tree. Contours are divided into partitions. Each partition is a route that is attached to a node of a
 //! contour in its parent partition; the root is attached to home. At most one partition is attached to a node, and none to
-//! the node where its contour is entered.
+//! the node where its contour is entered. Partitions of a pierce group hang from nodes of its net, while the path through the
+//! group passes them.
 //!
 //! The cost is a sum over routes (air moves from the parent node around and back to it), entries and pre-cuts, in seconds.
 //! It does not depend on the order in which the partitions of a contour are visited. Precedence does; see `visits.rs`.
 
 use super::graph::Graph;
+use crate::order::{real, sort_by};
 use crate::problem::{ItemId, NodeId};
 use glam::DVec2;
 
@@ -13,6 +15,22 @@ use glam::DVec2;
 pub(super) const NONE: u32 = u32::MAX;
 /// The root partition, which is attached to home.
 pub(super) const ROOT: u32 = 0;
+
+/// Where a partition hangs: the points from which the head goes to it and to which it returns, and the seconds of leaving
+/// and resuming.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Hook {
+    pub(super) out: DVec2,
+    pub(super) back: DVec2,
+    pub(super) seconds: f64,
+}
+
+impl Hook {
+    /// Seconds of a partition that begins and ends at these nodes, without those inside it.
+    pub(super) fn around(&self, g: &Graph, first: NodeId, last: NodeId) -> f64 {
+        g.air(self.out, g.entry(first)) + g.air(g.exit(last), self.back) + self.seconds
+    }
+}
 
 /// A partition.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +65,7 @@ impl Forest {
             route_of: vec![NONE; items],
             pos: vec![0; items],
             entry: g.problem.items.iter().map(|i| i.nodes.start).collect(),
-            child: vec![NONE; g.problem.nodes.len()],
+            child: vec![NONE; g.count()],
             children: vec![0; items],
         }
     }
@@ -91,21 +109,112 @@ impl Forest {
         (0..).zip(&self.routes).filter(|(_, r)| !r.items.is_empty()).map(|(id, _)| id)
     }
 
-    /// Whether a partition may be attached to a node of an assigned contour.
-    pub(super) fn is_free(&self, g: &Graph, node: NodeId) -> bool {
+    /// Whether an item may be left at a node: a contour that may be left, or a pierce group whose path passes the node.
+    pub(super) fn may_leave(&self, g: &Graph, node: NodeId) -> bool {
         let item = g.item(node);
-        g.may_leave(item) && self.entry(item) != node && self.child[node as usize] == NONE
+        if g.is_group(item) { g.leave_point(self.entry(item), node).is_some() } else { g.may_leave(item) }
     }
 
-    /// Whether a contour may be entered at a node: no partition is attached to it.
-    pub(super) fn may_enter(&self, node: NodeId) -> bool {
-        self.child[node as usize] == NONE
+    /// Whether a partition may be attached to a node of an assigned contour.
+    pub(super) fn is_free(&self, g: &Graph, node: NodeId) -> bool {
+        self.entry(g.item(node)) != node && self.child[node as usize] == NONE && self.may_leave(g, node)
+    }
+
+    /// Whether a contour may be entered at a node: no partition is attached to it. A pierce group keeps its path while
+    /// partitions hang from it.
+    pub(super) fn may_enter(&self, g: &Graph, node: NodeId) -> bool {
+        let item = g.item(node);
+        let keeps_path = self.children(item) > 0 && g.is_group(item) && self.entry(item) != node;
+        self.child[node as usize] == NONE && !keeps_path
+    }
+
+    /// What a partition at a node costs besides its own route. Infinite seconds: the path of the group does not pass the
+    /// node.
+    pub(super) fn hook(&self, g: &Graph, node: NodeId) -> Hook {
+        let item = g.item(node);
+        if !g.is_group(item) || self.entry(item) == node {
+            let seconds = if g.is_group(item) { 0.0 } else { g.charge(node) };
+            return Hook { out: g.exit(node), back: g.entry(node), seconds };
+        }
+        match g.leave_point(self.entry(item), node) {
+            Some(point) => Hook { out: point.ends[0], back: point.ends[1], seconds: point.seconds },
+            None => Hook { out: g.problem.home, back: g.problem.home, seconds: f64::INFINITY },
+        }
+    }
+
+    /// Seconds of leaving and resuming an item for a route; 0 for the root.
+    pub(super) fn leaving(&self, g: &Graph, route: u32) -> f64 {
+        self.at(route).map_or(0.0, |node| self.hook(g, node).seconds)
+    }
+
+    /// The nodes of an item from which partitions hang, in the order in which it is left there.
+    pub(super) fn hanging(&self, g: &Graph, item: ItemId) -> Vec<NodeId> {
+        if g.is_group(item) { self.hanging_from_group(g, item) } else { self.around(g, item).collect() }
+    }
+
+    /// The node at which an item is left for the time after `done` others.
+    pub(super) fn next_hanging(&self, g: &Graph, item: ItemId, done: usize) -> Option<NodeId> {
+        if self.children(item) as usize <= done {
+            return None;
+        }
+        if g.is_group(item) {
+            self.hanging_from_group(g, item).get(done).copied()
+        } else {
+            self.around(g, item).nth(done)
+        }
+    }
+
+    /// The nodes of a contour from which partitions hang, from its entry on.
+    fn around(&self, g: &Graph, item: ItemId) -> impl Iterator<Item = NodeId> {
+        let (entry, nodes) = (self.entry(item), g.nodes(item));
+        let count = if self.children(item) == 0 { 0 } else { nodes.end - nodes.start };
+        (1..count)
+            .map(move |k| nodes.start + (entry - nodes.start + k) % count)
+            .filter(|&n| self.child(n).is_some())
+    }
+
+    /// The nodes of a pierce group from which partitions hang, along its path.
+    fn hanging_from_group(&self, g: &Graph, item: ItemId) -> Vec<NodeId> {
+        if self.children(item) == 0 {
+            return Vec::new();
+        }
+        let mut used: Vec<NodeId> = g.parent_nodes(item).filter(|&n| self.child(n).is_some()).collect();
+        let along = |n: NodeId| g.leave_point(self.entry(item), n).map_or(f64::INFINITY, |p| p.along);
+        sort_by(&mut used, |&n| [real(along(n)), n.into(), 0]);
+        used
+    }
+
+    /// The leave node of a pierce group by which a route depends on it, directly or through others.
+    pub(super) fn hangs_at(&self, g: &Graph, route: u32, group: ItemId) -> Option<NodeId> {
+        let parent =
+            |&r: &u32| self.routes.get(r as usize).and_then(|r| r.at).map(|n| self.route_of(g.item(n)));
+        std::iter::successors(Some(route), parent)
+            .filter_map(|r| self.routes.get(r as usize).and_then(|r| r.at))
+            .find(|&n| g.item(n) == group)
+    }
+
+    /// Whether a node of a pierce group is passed while the area around an item still holds.
+    pub(super) fn holds_at(&self, g: &Graph, node: NodeId, item: ItemId) -> bool {
+        let entry = self.entry(g.item(node));
+        let path = g.problem.items[g.item(node) as usize].path(entry);
+        let due = path.map_or(f64::INFINITY, |p| p.due(g.problem.items[item as usize].area));
+        g.leave_point(entry, node).is_none_or(|p| p.along < due)
+    }
+
+    /// Whether an item inside a pierce group is cut while the group is left, but after the area around it has fallen out.
+    pub(super) fn is_late(&self, g: &Graph, item: ItemId) -> bool {
+        let group = g.problem.items[item as usize].before.filter(|&o| g.is_group(o));
+        let at = group.and_then(|group| self.hangs_at(g, self.route_of(item), group));
+        at.is_some_and(|node| !self.holds_at(g, node, item))
     }
 
     /// Start and end point of a route; no end point for an open path.
     pub(super) fn ends(&self, g: &Graph, route: u32) -> (DVec2, Option<DVec2>) {
         match self.at(route) {
-            Some(node) => (g.entry(node), Some(g.entry(node))),
+            Some(node) => {
+                let hook = self.hook(g, node);
+                (hook.out, Some(hook.back))
+            }
             None => (g.problem.home, Some(g.problem.home).filter(|_| g.problem.closed)),
         }
     }
@@ -163,7 +272,7 @@ impl Forest {
             .filter_map(|k| self.after(g, route, k).map(|to| g.air(self.before(g, route, k), to)))
             .sum();
         let entries: f64 = items.iter().map(|&i| g.extra(self.entry(i))).sum();
-        air + entries + self.at(route).map_or(0.0, |node| g.charge(node))
+        air + entries + self.leaving(g, route)
     }
 
     /// Cost of all routes in seconds.
@@ -227,7 +336,7 @@ impl Forest {
 
     /// Enters a contour at another node, to which nothing is attached.
     pub(super) fn enter(&mut self, item: ItemId, node: NodeId) {
-        debug_assert!(self.may_enter(node), "something hangs at node {node}");
+        debug_assert!(self.child(node).is_none(), "something hangs at node {node}");
         self.entry[item as usize] = node;
     }
 
@@ -251,13 +360,14 @@ impl Forest {
     pub(super) fn is_sound(&self, g: &Graph) -> bool {
         let items = (0..).zip(&g.problem.items).filter(|(_, i)| !i.nodes.is_empty()).all(|(id, item)| {
             let route = self.route_of(id);
-            let hangs = item.nodes.clone().filter(|&n| self.child(n).is_some()).count();
+            let hangs = g.parent_nodes(id).filter(|&n| self.child(n).is_some()).count();
+            let may_be_left = self.hanging(g, id).into_iter().all(|n| self.may_leave(g, n));
             route != NONE
                 && self.items(route).get(self.pos(id)) == Some(&id)
                 && item.nodes.contains(&self.entry(id))
-                && self.may_enter(self.entry(id))
+                && self.may_enter(g, self.entry(id))
                 && hangs == self.children(id) as usize
-                && (hangs == 0 || item.leave.is_some())
+                && may_be_left
         });
         let routes = self.used().all(|r| match self.at(r) {
             Some(node) => self.child(node) == Some(r),

@@ -1,16 +1,30 @@
 //! The nodes of a problem as the method needs them: seconds between nodes, costs of leaving contours, near nodes, and
 //! nesting.
+//!
+//! Partitions hang from nodes. A contour is entered and left at the same nodes, those of the problem. A pierce group is
+//! entered by one of its paths, which are its nodes in the problem. It may be left at the nodes of its net, whatever the path:
+//! they have the numbers after all nodes of the problem. What leaving there costs depends on the path ([`Graph::leave_point`]).
 
 use crate::geometry::{Aabb, Buckets};
 use crate::machine::AirTime;
-use crate::problem::{ItemId, NodeId, Problem};
+use crate::problem::{ItemId, LeavePoint, NodeId, Problem};
 use glam::DVec2;
+use std::ops::Range;
 
 /// Number of near nodes of a node. With two per contour these cover the nearest six contours or more, which contain all but
 /// a few edges of good planar tours.
 const NEAR: usize = 12;
-/// Largest number of near nodes of the same contour. One may be its entry, to which nothing can be attached.
+/// Largest number of near nodes of the same contour. One may be its entry, to which nothing can be attached. The same number
+/// of nodes where a pierce group is left come in addition.
 const SAME: usize = 2;
+
+/// A node at which a pierce group may be left.
+struct LeaveNode<'p> {
+    item: ItemId,
+    place: DVec2,
+    /// By path: the cheapest leave point there, the first of several.
+    points: Vec<Option<&'p LeavePoint>>,
+}
 
 /// The nodes of a problem with their costs and neighbours.
 pub(super) struct Graph<'p> {
@@ -23,6 +37,9 @@ pub(super) struct Graph<'p> {
     pub(super) inner: Vec<Vec<ItemId>>,
     /// Contours that contain others, the most deeply nested first.
     pub(super) inwards: Vec<ItemId>,
+    leave_nodes: Vec<LeaveNode<'p>>,
+    /// By item: its leave nodes; empty if there are none.
+    leave_ranges: Vec<Range<NodeId>>,
 }
 
 impl<'p> Graph<'p> {
@@ -31,6 +48,11 @@ impl<'p> Graph<'p> {
         let mut buckets = Buckets::new(bounds, problem.nodes.len());
         for (id, node) in (0..).zip(&problem.nodes) {
             buckets.insert(id, node.entry);
+        }
+        let (leave_nodes, leave_ranges) = leave_nodes(problem);
+        let first = NodeId::try_from(problem.nodes.len()).unwrap_or(NodeId::MAX);
+        for (id, node) in (first..).zip(&leave_nodes) {
+            buckets.insert(id, node.place);
         }
         let mut inner = vec![Vec::new(); problem.items.len()];
         for (id, item) in (0..).zip(&problem.items) {
@@ -44,7 +66,8 @@ impl<'p> Graph<'p> {
         let mut inwards: Vec<ItemId> =
             (0..).zip(&inner).filter(|(_, list)| !list.is_empty()).map(|(id, _)| id).collect();
         crate::order::sort_by(&mut inwards, |&i| [u64::MAX - depth(i), 0, 0]);
-        Self { problem, air: AirTime::new(&problem.machine), near: Vec::new(), buckets, inner, inwards }
+        let air = AirTime::new(&problem.machine);
+        Self { problem, air, near: Vec::new(), buckets, inner, inwards, leave_nodes, leave_ranges }
     }
 
     /// Whether the paper's model covers a problem: precedence comes from nesting only.
@@ -66,11 +89,46 @@ impl<'p> Graph<'p> {
     }
 
     pub(super) fn item(&self, node: NodeId) -> ItemId {
-        self.problem.nodes[node as usize].item
+        self.leave_node(node).map_or_else(|| self.problem.nodes[node as usize].item, |n| n.item)
     }
 
-    pub(super) fn nodes(&self, item: ItemId) -> std::ops::Range<NodeId> {
+    fn leave_node(&self, node: NodeId) -> Option<&LeaveNode<'p>> {
+        self.leave_nodes.get((node as usize).checked_sub(self.problem.nodes.len())?)
+    }
+
+    /// Where a node is; of a node where an item is entered, where the head arrives.
+    fn place(&self, node: NodeId) -> DVec2 {
+        self.leave_node(node).map_or_else(|| self.entry(node), |n| n.place)
+    }
+
+    /// The nodes where an item is entered.
+    pub(super) fn nodes(&self, item: ItemId) -> Range<NodeId> {
         self.problem.items[item as usize].nodes.clone()
+    }
+
+    /// The nodes from which partitions of an item may hang, unless it is entered there.
+    pub(super) fn parent_nodes(&self, item: ItemId) -> Range<NodeId> {
+        if self.is_group(item) {
+            return self.leave_ranges.get(item as usize).cloned().unwrap_or_default();
+        }
+        self.nodes(item)
+    }
+
+    /// Number of all nodes, with those where pierce groups may be left.
+    pub(super) fn count(&self) -> usize {
+        self.problem.nodes.len() + self.leave_nodes.len()
+    }
+
+    /// Whether an item is a pierce group.
+    pub(super) fn is_group(&self, item: ItemId) -> bool {
+        self.problem.items[item as usize].is_pierce_group()
+    }
+
+    /// Where the path of a pierce group that is entered at `entry` may be left at one of its leave nodes.
+    pub(super) fn leave_point(&self, entry: NodeId, node: NodeId) -> Option<&'p LeavePoint> {
+        let node = self.leave_node(node)?;
+        let path = entry.checked_sub(self.nodes(node.item).start)?;
+        node.points.get(path as usize).copied().flatten()
     }
 
     /// Seconds of an air move between two points.
@@ -94,7 +152,8 @@ impl<'p> Graph<'p> {
         self.problem.items[item as usize].leave.is_some()
     }
 
-    /// Seconds of leaving a contour at a node and resuming it there: the pre-cut, and the cost of the place.
+    /// Seconds of leaving a contour at a node and resuming it there: the pre-cut, and the cost of the place. Pierce groups
+    /// have other nodes for that.
     pub(super) fn charge(&self, node: NodeId) -> f64 {
         self.problem.items[self.item(node) as usize].resume() + self.extra(node)
     }
@@ -129,7 +188,7 @@ impl<'p> Graph<'p> {
             }
             for other in self.buckets.ring(place, r).filter(|&other| self.item(other) != own) {
                 priced += 1;
-                self.keep(found, (self.air(place, self.entry(other)), other));
+                self.keep(found, (self.air(place, self.place(other)), other));
             }
         }
         priced
@@ -145,8 +204,9 @@ impl<'p> Graph<'p> {
             Some(known) => drop(found.remove(known)),
             None => {}
         }
-        let item = self.item(new.1);
-        let mut same = (0..found.len()).filter(|&k| self.item(found[k].1) == item);
+        let kind = |node: NodeId| (self.item(node), self.leave_node(node).is_some());
+        let own = kind(new.1);
+        let mut same = (0..found.len()).filter(|&k| kind(found[k].1) == own);
         if let Some(last) = same.nth(SAME - 1) {
             if found[last] <= new {
                 return;
@@ -157,4 +217,35 @@ impl<'p> Graph<'p> {
         found.insert(place, new);
         found.truncate(NEAR);
     }
+}
+
+/// The nodes at which pierce groups may be left, group by group, and those of each item.
+fn leave_nodes(problem: &Problem) -> (Vec<LeaveNode<'_>>, Vec<Range<NodeId>>) {
+    let (mut nodes, mut ranges) = (Vec::new(), Vec::new());
+    let count =
+        |nodes: &Vec<LeaveNode>| NodeId::try_from(problem.nodes.len() + nodes.len()).unwrap_or(NodeId::MAX);
+    for (id, item) in (0..).zip(&problem.items).filter(|(_, i)| i.is_pierce_group()) {
+        ranges.resize(problem.items.len(), 0..0);
+        let first = nodes.len();
+        // By node of the group's net: its leave node.
+        let mut known: Vec<Option<usize>> = Vec::new();
+        for (path, k) in item.paths.iter().zip(0..) {
+            for point in &path.leave_points {
+                let own = point.node as usize;
+                known.resize(known.len().max(own + 1), None);
+                let at = *known[own].get_or_insert_with(|| {
+                    let points = vec![None; item.paths.len()];
+                    nodes.push(LeaveNode { item: id, place: point.ends[0], points });
+                    nodes.len() - 1
+                });
+                let best: &mut Option<&LeavePoint> = &mut nodes[at].points[k];
+                if best.is_none_or(|b| point.seconds < b.seconds) {
+                    *best = Some(point);
+                }
+            }
+        }
+        let from = NodeId::try_from(problem.nodes.len() + first).unwrap_or(NodeId::MAX);
+        ranges[id as usize] = from..count(&nodes);
+    }
+    (nodes, ranges)
 }

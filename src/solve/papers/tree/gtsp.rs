@@ -4,7 +4,9 @@
 //! The paper transforms the GTSP by Noon and Bean (1991) into an asymmetric travelling salesman problem and solves that
 //! with LKH (Helsgaun 2000). Here the partition becomes a problem of its own, with its parent node as home, and the default
 //! search solves it: Or-opt, 2-opt and Or-3opt with other entries over neighbour lists, with kicks and annealing
-//! (`tour_tree`). For up to three contours all orders are tried. Precedence is ignored, as in the paper.
+//! (`tour_tree`). For up to three contours all orders are tried. Precedence is ignored, as in the paper. So are partitions
+//! that hang from pierce groups: they stay at their nodes, while the path of the group may change. The result is taken only if
+//! it is better with what they cost then.
 
 use super::entries::{MOST_ORDERED, cheapest, orders};
 use super::forest::Forest;
@@ -13,6 +15,7 @@ use crate::problem::{Groups, Item, ItemId, Node, NodeId, Problem};
 use crate::solve::epsilon::EPSILON;
 use crate::solve::tour_tree::TourTree;
 use crate::solve::{Running, Solution, Solver, Status, Stop};
+use glam::DVec2;
 
 /// Number of moves in one piece: about a millisecond.
 const SLICE: u64 = 1_000;
@@ -58,7 +61,7 @@ impl Gtsp {
             let count = |nodes: &Vec<NodeId>| NodeId::try_from(nodes.len()).unwrap_or(NodeId::MAX);
             let first = count(&nodes);
             let all = g.nodes(item);
-            for node in all.clone().filter(|&n| forest.may_enter(n)) {
+            for node in all.clone().filter(|&n| forest.child(n).is_none()) {
                 let own = &g.problem.nodes[node as usize];
                 // The two ends of an open contour are adjacent, because nothing is attached to them.
                 let twin = count(&nodes) + own.twin - node;
@@ -68,14 +71,19 @@ impl Gtsp {
                 problem.nodes.push(Node { item: id, twin, ..*own });
                 nodes.push(node);
             }
-            let bare = Item {
+            let whole = g.problem.items[item as usize].in_one_go();
+            problem.items.push(Item {
                 before: None,
                 rank: 0,
-                leave: None,
                 track: None,
-                ..g.problem.items[item as usize].clone()
-            };
-            problem.items.push(Item { nodes: first..count(&nodes), ..bare });
+                nodes: first..count(&nodes),
+                ..whole
+            });
+        }
+        let (out, back) = forest.ends(g, route);
+        let ends_elsewhere = back.filter(|&back| back != out);
+        if let Some(back) = ends_elsewhere {
+            stops.push(end_at(&mut problem, back));
         }
         let warm = Solution::new(&problem, stops.into_iter().map(|n| Stop::at(&problem, n)).collect());
         let left = each * items.len() as u64;
@@ -104,27 +112,51 @@ impl Gtsp {
             .best()
             .stops
             .iter()
-            .map(|s| self.nodes[s.node as usize])
+            .filter_map(|s| self.nodes.get(s.node as usize).copied())
             .collect();
         debug_assert_eq!(found.len(), self.items.len(), "every contour of a partition is visited");
         set(g, forest, self.route, &found);
     }
 }
 
-/// Sets the order and entries of a route by its nodes, if that is better.
+/// Makes the path of a problem end at a point: the head goes there last and not home.
+fn end_at(problem: &mut Problem, place: DVec2) -> NodeId {
+    let node = NodeId::try_from(problem.nodes.len()).unwrap_or(NodeId::MAX);
+    let item = ItemId::try_from(problem.items.len()).unwrap_or(ItemId::MAX);
+    problem.nodes.push(Node { item, entry: place, exit: place, along: 0.0, reversed: false, twin: node });
+    problem.items.push(Item { nodes: node..node + 1, rank: 1, ..Item::default() });
+    problem.closed = false;
+    node
+}
+
+/// Sets the order and entries of a route by its nodes, if that is better: with other paths through pierce groups, or else
+/// with the paths that partitions hang from.
 fn set(g: &Graph, forest: &mut Forest, route: u32, nodes: &[NodeId]) {
-    let before = forest.route_seconds(g, route);
+    let before = seconds(g, forest, route);
     let old: Vec<NodeId> = forest.items(route).iter().map(|&i| forest.entry(i)).collect();
-    forest.order(g, route, nodes);
-    if forest.route_seconds(g, route) > before - EPSILON {
-        forest.order(g, route, &old);
+    let fixed = |n: NodeId| g.is_group(g.item(n)) && forest.children(g.item(n)) > 0;
+    let kept = |&n: &NodeId| if fixed(n) { forest.entry(g.item(n)) } else { n };
+    let kept: Vec<NodeId> = nodes.iter().map(kept).collect();
+    for order in [nodes, &kept] {
+        forest.order(g, route, order);
+        if seconds(g, forest, route) <= before - EPSILON {
+            return;
+        }
     }
+    forest.order(g, route, &old);
+}
+
+/// Seconds of a route and of the partitions that hang from its pierce groups.
+fn seconds(g: &Graph, forest: &Forest, route: u32) -> f64 {
+    let groups = forest.items(route).iter().filter(|&&i| g.is_group(i));
+    let hanging = groups.flat_map(|&i| forest.hanging(g, i)).filter_map(|n| forest.child(n));
+    forest.route_seconds(g, route) + hanging.map(|r| forest.route_seconds(g, r)).sum::<f64>()
 }
 
 /// Tries every order of a few contours with the best entries of each. Returns the cost in moves.
 fn best_of_all_orders(g: &Graph, forest: &mut Forest, route: u32) -> u64 {
     let orders = orders(forest.items(route).len());
-    let layer = |&k: &usize| g.nodes(forest.items(route)[k]).filter(|&n| forest.may_enter(n)).collect();
+    let layer = |&k: &usize| g.nodes(forest.items(route)[k]).filter(|&n| forest.may_enter(g, n)).collect();
     let tried = orders.iter().map(|order| {
         let layers: Vec<Vec<NodeId>> = order.iter().map(layer).collect();
         cheapest(g, &layers, forest.ends(g, route))

@@ -1,8 +1,9 @@
 //! The three methods of the paper as solvers.
 
+use super::element_ends::AtElementEnds;
 use super::framework::Framework;
 use super::graph::Graph;
-use super::parameters::PartitionTree;
+use super::parameters::{PartitionTree, TreeNodes};
 use super::single::Single;
 use crate::problem::Problem;
 use crate::solve::papers::piecewise::PiecewiseSearch;
@@ -24,6 +25,19 @@ impl Solver for PartitionTree {
     }
 
     fn start<'p>(&self, problem: &'p Problem, seed: u64, _warm: Option<&Solution>) -> Box<dyn Search + 'p> {
+        match self.nodes {
+            TreeNodes::Entries => self.on_entries(problem, seed),
+            TreeNodes::ElementEnds => {
+                let method = *self;
+                Box::new(AtElementEnds::new(problem, move |p| method.on_entries(p, seed)))
+            }
+        }
+    }
+}
+
+impl PartitionTree {
+    /// Starts a search on the nodes of a problem as they are.
+    pub(super) fn on_entries<'p>(&self, problem: &'p Problem, seed: u64) -> Box<dyn Search + 'p> {
         if Graph::is_one_tree(problem) {
             Box::new(PiecewiseSearch(Framework::new(problem, *self, seed)))
         } else {

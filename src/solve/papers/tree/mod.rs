@@ -24,6 +24,7 @@
 //! * The paper solves the GTSP with LKH on the problem transformed by Noon and Bean. Here the moves of our default search
 //!   solve it (`gtsp.rs`), and a partition that has not changed is not solved again.
 //! * Nodes are the entries of [`Problem`](crate::problem::Problem): ends of elements and evenly spaced places between them.
+//!   The parameter `nodes` selects the ends of all elements instead (`element_ends.rs`).
 //! * Moves and connections are searched among near nodes (`graph.rs`), not among all. Sub-sequences have at most 50
 //!   contours.
 //! * When a partition is attached elsewhere, its ring may be opened elsewhere too, and a single contour may be entered
@@ -34,14 +35,18 @@
 //! * A contour that is moved by the repair leaves everything attached to it in its old place.
 //! * The best path is the best feasible one after the construction, step 1 and step 8. With PFr as the start it is never
 //!   worse than PFr. The value at the end is a separate curve.
-//! * Contours without pre-cuts (marks, open cuts, groups with common cuts, machines that do not leave contours) can be
-//!   parents only next to their entry. For ranks, groups, pairs and tables of costs see `single.rs`.
+//! * Contours without pre-cuts (marks, open cuts, machines that do not leave contours) can be parents only next to their
+//!   entry. For ranks, groups, pairs and tables of costs see `single.rs`.
+//! * A pierce group with common cuts is entered by one of the paths that were found through it beforehand, and left at the
+//!   nodes that this path passes (section 4.7). A partition that hangs from a group stays at its node when the path changes.
+//!   Where the path makes an air move anyway, the partition bridges it, as in figure 8d.
 //!
 //! [`GtspLk`] is one partition alone, [`Pfr`] the construction.
 
 mod connect;
 mod drawn_partitions;
 mod edmonds;
+mod element_ends;
 mod entries;
 mod forest;
 mod framework;

@@ -27,6 +27,16 @@ pub enum InitialTours {
     None,
 }
 
+/// The nodes at which closed contours are entered and left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum TreeNodes {
+    /// The entries of the problem: ends of elements, a choice of them on contours of many elements, and places between them.
+    Entries,
+    /// The ends of all elements, as in the paper.
+    ElementEnds,
+}
+
 /// The partition-tree framework.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PartitionTree {
@@ -36,6 +46,8 @@ pub struct PartitionTree {
     pub stall: u32,
     /// Which of PFr's initial partitions are solved as a GTSP.
     pub first: InitialTours,
+    /// The nodes of contours.
+    pub nodes: TreeNodes,
     /// The repartitioning moves.
     pub repartition: RepartitionMoves,
     /// Number of moves of the GTSP search for each contour. The paper uses LKH with its defaults.
@@ -48,6 +60,7 @@ impl Default for PartitionTree {
             start: InitialPartitions::Pfr,
             stall: 10,
             first: InitialTours::Free,
+            nodes: TreeNodes::Entries,
             repartition: RepartitionMoves::Both,
             // From 1,000 to 10,000 moves for each contour, the tours of the benchmark's sheets of small parts improve by
             // 0.3 % of all seconds.

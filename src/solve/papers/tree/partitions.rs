@@ -27,7 +27,7 @@ pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut Gainful
         } else {
             0.0
         };
-        inside + g.leg(at, node(first)) + g.leg(node(first + count - 1), at) + g.charge(at)
+        inside + forest.hook(g, at).around(g, node(first), node(first + count - 1))
     };
     let now = ring(0, at);
     let mut offer = |gain: f64, first: usize, to: NodeId, enter: Option<NodeId>| {
@@ -38,10 +38,10 @@ pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut Gainful
     };
     if count == 1 {
         let entered = forest.entry(item);
-        for enter in g.nodes(item).filter(|&n| forest.may_enter(n)) {
+        for enter in g.nodes(item).filter(|&n| forest.may_enter(g, n)) {
             let turned = g.extra(enter) - g.extra(entered);
             for &to in g.near(enter) {
-                let cost = g.leg(to, enter) + g.leg(enter, to) + g.charge(to) + turned;
+                let cost = forest.hook(g, to).around(g, enter, enter) + turned;
                 offer(now - cost, 0, to, Some(enter));
             }
         }
@@ -59,7 +59,7 @@ pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut Gainful
 /// Children of a contour that consist of one contour each.
 fn single_children(g: &Graph, forest: &Forest, item: ItemId) -> Vec<ItemId> {
     let singles = |n| forest.child(n).filter(|&r| forest.items(r).len() == 1);
-    g.nodes(item).filter_map(singles).map(|r| forest.items(r)[0]).collect()
+    g.parent_nodes(item).filter_map(singles).map(|r| forest.items(r)[0]).collect()
 }
 
 /// Finds mergers of a partition of one contour with its child, and with its grandchild.
@@ -78,8 +78,13 @@ fn merge(g: &Graph, forest: &Forest, items: &[ItemId], found: &mut GainfulMoves)
     let now: f64 = items.iter().map(|&i| forest.route_seconds(g, forest.route_of(i))).sum();
     // Nodes to which they are attached become free.
     let freed = |n: NodeId| items[1..].iter().any(|&i| forest.at(forest.route_of(i)) == Some(n));
-    let layer =
-        |i: ItemId| -> Vec<NodeId> { g.nodes(i).filter(|&n| forest.may_enter(n) || freed(n)).collect() };
+    let layer = |i: ItemId| -> Vec<NodeId> {
+        // A group that keeps other partitions keeps its path; otherwise all of its paths are possible again.
+        let merged =
+            items[1..].iter().filter(|&&c| forest.at(forest.route_of(c)).is_some_and(|n| g.item(n) == i));
+        let is_bare = g.is_group(i) && forest.children(i) as usize == merged.count();
+        g.nodes(i).filter(|&n| is_bare || forest.may_enter(g, n) || freed(n)).collect()
+    };
     let orders: Vec<Vec<Vec<NodeId>>> =
         orders(items.len()).iter().map(|o| o.iter().map(|&k| layer(items[k])).collect()).collect();
     let mut places: Vec<NodeId> = items
@@ -95,8 +100,9 @@ fn merge(g: &Graph, forest: &Forest, items: &[ItemId], found: &mut GainfulMoves)
     for to in places {
         for layers in &orders {
             found.priced += layers.windows(2).map(|w| (w[0].len() * w[1].len()) as u64).sum::<u64>();
-            let (cost, nodes) = cheapest(g, layers, (g.exit(to), Some(g.entry(to))));
-            let gain = now - cost - g.charge(to);
+            let hook = forest.hook(g, to);
+            let (cost, nodes) = cheapest(g, layers, (hook.out, Some(hook.back)));
+            let gain = now - cost - hook.seconds;
             if gain > best.as_ref().map_or(EPSILON, |b| b.0) {
                 best = Some((gain, nodes, to));
             }

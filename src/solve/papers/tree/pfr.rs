@@ -125,7 +125,7 @@ impl Pfr {
 
 /// Inserts an unassigned contour at the cheapest place before the end of `outer`. Returns the number of places priced.
 pub(super) fn insert(g: &Graph, forest: &mut Forest, item: ItemId, outer: Option<ItemId>) -> u64 {
-    let offers = offers(g, forest, outer);
+    let offers = offers(g, forest, item, outer);
     let mut best: Option<(f64, usize, NodeId)> = None;
     for node in g.nodes(item) {
         let (entry, exit, extra) = (g.entry(node), g.exit(node), g.extra(node));
@@ -154,8 +154,9 @@ pub(super) fn put(g: &Graph, forest: &mut Forest, slot: Slot, items: Vec<ItemId>
     }
 }
 
-/// All slots of the path, or those before the end of a contour.
-fn offers(g: &Graph, forest: &Forest, outer: Option<ItemId>) -> Vec<Offer> {
+/// All slots of the path for a contour, or those before the end of the contour around it. While a pierce group around it is
+/// left, those before its area falls out.
+fn offers(g: &Graph, forest: &Forest, item: ItemId, outer: Option<ItemId>) -> Vec<Offer> {
     let until = outer.map(|outer| {
         let (passed, ends) = times(g, forest);
         (ends[outer as usize], passed, ends)
@@ -170,8 +171,13 @@ fn offers(g: &Graph, forest: &Forest, outer: Option<ItemId>) -> Vec<Offer> {
             done <= *until
         })
     };
+    let group = outer.filter(|&o| g.is_group(o));
+    let holds = |node: NodeId| group != Some(g.item(node)) || forest.holds_at(g, node, item);
     let mut offers = Vec::new();
     for route in forest.used().chain((forest.items(ROOT).is_empty()).then_some(ROOT)) {
+        if !group.and_then(|group| forest.hangs_at(g, route, group)).is_none_or(holds) {
+            continue;
+        }
         for pos in 0..=forest.items(route).len() {
             if gap_in_time(route, pos) {
                 let (from, to) = (forest.before(g, route, pos), forest.after(g, route, pos));
@@ -180,11 +186,11 @@ fn offers(g: &Graph, forest: &Forest, outer: Option<ItemId>) -> Vec<Offer> {
             }
         }
         for &item in forest.items(route) {
-            for node in g.nodes(item).filter(|&n| forest.is_free(g, n)) {
+            for node in g.parent_nodes(item).filter(|&n| forest.is_free(g, n) && holds(n)) {
                 if until.as_ref().is_none_or(|(until, passed, _)| passed[node as usize] <= *until) {
-                    let place = g.entry(node);
+                    let hook = forest.hook(g, node);
                     let slot = Slot::Node(node);
-                    offers.push(Offer { slot, from: place, to: Some(place), base: g.charge(node) });
+                    offers.push(Offer { slot, from: hook.out, to: Some(hook.back), base: hook.seconds });
                 }
             }
         }

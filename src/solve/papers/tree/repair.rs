@@ -1,10 +1,11 @@
 //! Restores feasibility (section 4.6). A contour that is finished before something inside it is moved, as a whole, to after
-//! the last contour inside it. What was attached to it stays in its old place, in the order in which it was cut.
+//! the last contour inside it. What was attached to it stays in its old place, in the order in which it was cut. A pierce
+//! group is moved as a whole too, as in the paper; it must also be moved if an area of it falls out before something inside.
 
 use super::forest::Forest;
 use super::graph::Graph;
 use super::visits::finished;
-use crate::problem::{ItemId, NodeId};
+use crate::problem::ItemId;
 
 /// Repairs the contours from the innermost outwards, so that each is moved at most once. Returns the moved contours and the
 /// work in moves.
@@ -19,7 +20,8 @@ pub(super) fn repair(g: &Graph, forest: &mut Forest) -> (Vec<ItemId>, u64) {
             .copied()
             .filter(|&i| ends[i as usize] != u32::MAX)
             .max_by_key(|&i| ends[i as usize]);
-        let Some(last) = last.filter(|&i| ends[i as usize] > ends[outer as usize]) else { continue };
+        let late = g.inner[outer as usize].iter().any(|&i| forest.is_late(g, i));
+        let Some(last) = last.filter(|&i| late || ends[i as usize] > ends[outer as usize]) else { continue };
         shift(g, forest, outer, last);
         moved.push(outer);
     }
@@ -28,12 +30,8 @@ pub(super) fn repair(g: &Graph, forest: &mut Forest) -> (Vec<ItemId>, u64) {
 
 /// Moves a contour to after another one.
 fn shift(g: &Graph, forest: &mut Forest, item: ItemId, behind: ItemId) {
-    let nodes = g.nodes(item);
-    let entry = forest.entry(item);
-    let count = nodes.end - nodes.start;
-    let around = (1..count).map(|k| nodes.start + (entry - nodes.start + k) % count);
     let mut left: Vec<ItemId> = Vec::new();
-    for node in around.collect::<Vec<NodeId>>() {
+    for node in forest.hanging(g, item) {
         if let Some(route) = forest.child(node) {
             left.extend(forest.take(g, route, 0..forest.items(route).len()));
         }

@@ -65,8 +65,9 @@ pub(super) fn connect(g: &Graph, forest: &mut Forest, from: Option<NodeId>, to: 
 fn gaps(g: &Graph, forest: &Forest, from: Option<NodeId>) -> Option<(u32, [usize; 2])> {
     match from {
         None => Some((ROOT, [0, forest.items(ROOT).len()])),
-        // A contour that may not be left, and whose entry has changed since, can only be a parent next to its entry.
-        Some(node) if forest.entry(g.item(node)) == node || !g.may_leave(g.item(node)) => {
+        // A contour that may not be left, and whose entry has changed since, can only be a parent next to its entry; so can
+        // a pierce group whose new path does not pass the node.
+        Some(node) if forest.entry(g.item(node)) == node || !forest.may_leave(g, node) => {
             let pos = forest.pos(g.item(node));
             Some((forest.route_of(g.item(node)), [pos, pos + 1]))
         }
@@ -96,7 +97,10 @@ fn cost(g: &Graph, forest: &Forest, from: Option<NodeId>, items: &[ItemId]) -> f
         (Some((route, places)), _) => {
             places.into_iter().map(|pos| added(g, forest, route, pos, items)).fold(f64::INFINITY, f64::min)
         }
-        (None, Some(node)) => ends(g, forest, items, g.exit(node), Some(g.entry(node))),
+        (None, Some(node)) => {
+            let hook = forest.hook(g, node);
+            ends(g, forest, items, hook.out, Some(hook.back))
+        }
         (None, None) => 0.0,
     }
 }

@@ -36,7 +36,7 @@ pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut Gainful
     }
     let entered = forest.entry(item);
     let here = piece(g, forest, route, pos..pos + 1);
-    for enter in g.nodes(item).filter(|&n| n != entered && forest.may_enter(n)) {
+    for enter in g.nodes(item).filter(|&n| n != entered && forest.may_enter(g, n)) {
         let saved = here.saved + g.extra(entered) - g.extra(enter);
         let turned =
             Piece { places: here.places.clone(), ends: [enter; 2], enter: Some(enter), saved, ..here };
@@ -51,7 +51,7 @@ fn piece(g: &Graph, forest: &Forest, route: u32, places: Range<usize>) -> Piece 
     let on = to.map_or(0.0, |to| g.air(g.exit(ends[1]), to) - g.air(from, to));
     let mut saved = g.air(from, g.entry(ends[0])) + on;
     if places.len() == forest.items(route).len() {
-        saved += forest.at(route).map_or(0.0, |at| g.charge(at));
+        saved += forest.leaving(g, route);
     }
     Piece { route, places, ends, enter: None, saved }
 }
@@ -65,7 +65,7 @@ fn offer(g: &Graph, forest: &Forest, piece: &Piece, end: NodeId, found: &mut Gai
         let hangs = || forest.hangs_from(g, t, piece.route, &piece.places);
         // As a partition of its own. Whole partitions are moved by the first set.
         found.priced += 1;
-        let cost = g.charge(near) + g.leg(near, first) + g.leg(last, near);
+        let cost = forest.hook(g, near).around(g, first, last);
         if piece.saved - cost > EPSILON && !whole && forest.is_free(g, near) && !hangs() {
             let (route, places, enter) = (piece.route, piece.places.clone(), piece.enter);
             found.moves.push((piece.saved - cost, TreeMove::Own { route, places, node: near, enter }));

@@ -41,7 +41,7 @@ pub(super) struct Single<'p> {
 impl<'p> Single<'p> {
     /// Starts the search with `each` moves for each contour.
     pub(super) fn new(problem: &'p Problem, seed: u64, each: u64) -> Self {
-        let free = |item: &Item| Item { before: None, rank: 0, leave: None, track: None, ..item.clone() };
+        let free = |item: &Item| Item { before: None, rank: 0, track: None, ..item.in_one_go() };
         let relaxed = Problem {
             items: problem.items.iter().map(free).collect(),
             nodes: problem.nodes.clone(),

@@ -36,6 +36,7 @@ pub(super) fn may_move(g: Context, tree: &mut Tree, m: ChainMove) -> bool {
     };
     let may = ranks_allow(g, tree, first, last, to)
         && order_allows(g, tree, first, last, to)
+        && tree.areas_hold(g.space, first, last, to)
         && (!reversed || may_reverse(g, tree, first, last));
     tree.undo(g.space, mark);
     may
@@ -73,15 +74,19 @@ fn order_allows(g: Context, tree: &Tree, first: u32, last: u32, to: u32) -> bool
         .any(|i| precedence.waits(i, sooner) || precedence.before(i).iter().any(|&o| later(o)))
 }
 
-/// Whether a stretch may be reversed: nothing in it waits for anything else in it.
+/// Whether a stretch may be reversed: nothing in it waits for anything else in it, and no route hangs from a pierce group in
+/// it, because it hangs from the path that would be reversed.
 pub(super) fn may_reverse(g: Context, tree: &Tree, first: u32, last: u32) -> bool {
     let label = |i: u32| tree.finish_order.label(i);
     if g.space.rank[first as usize] != g.space.rank[last as usize] {
         return false;
     }
-    let stops = std::iter::successors(Some(first), |&stop| (stop != last).then(|| tree.next(stop)));
+    let stops = || std::iter::successors(Some(first), |&stop| (stop != last).then(|| tree.next(stop)));
+    if g.space.leave_places.any() && stops().any(|stop| tree.keeps_path(g.space, stop)) {
+        return false;
+    }
     !g.space.precedence.any
-        || !stops.into_iter().any(|stop| {
+        || !stops().any(|stop| {
             let later = label(stop) + 1..=label(last);
             let mut block = tree.finish_order.stretch(tree.head(stop), stop);
             block.any(|i| g.space.precedence.waits(i, |o| later.contains(&label(o))))

@@ -24,6 +24,11 @@ impl Tree {
     /// Stores where the head enters and leaves a touch.
     pub(super) fn locate(&mut self, space: &Space, touch: u32) {
         let (item, at) = (self.item(touch), self.at(touch));
+        if let Some(place) = self.leave_place(space, touch) {
+            let [exit, entry] = place.ends;
+            (self.entry[touch as usize], self.exit[touch as usize]) = (entry.into(), exit.into());
+            return;
+        }
         self.entry[touch as usize] = space.places(item).at(at);
         self.exit[touch as usize] = space.exit(item, at);
     }
@@ -31,9 +36,14 @@ impl Tree {
     /// Sorts the anchors of an item in the order along it from its entry. Returns whether anything changed.
     fn sort(&mut self, space: &Space, host: u32) -> bool {
         let (count, start) = (index(space.places(host).len()), self.at(host));
+        // The places of a pierce group are numbered along its path already.
+        let numbered = space.leave_places.is_group(host);
         let Self { anchors, at, .. } = self;
         // Routes from one place are sorted by number, so that a change that is taken back leaves no trace.
-        let along = |k: u32| ((at[k as usize] + count - start) % count, k);
+        let along = |k: u32| {
+            let at = at[k as usize];
+            (if numbered { at } else { (at + count - start) % count }, k)
+        };
         let anchors = &mut anchors[host as usize];
         let mut changed = false;
         for i in 1..anchors.len() {

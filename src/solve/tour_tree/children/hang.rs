@@ -19,7 +19,13 @@ pub(super) fn hang(g: Context, tree: &mut Tree, stop: u32) {
     let spots = g.near.of_item(stop).iter().zip(0..).map(|(&host, k)| (host, g.bridges.of(stop, k)));
     let mut spots: Vec<(f64, u32, Bridge)> = spots
         .filter(|s| may_be_left(g.space, s.0) && !g.space.two_ends(stop))
-        .map(|(host, bridge)| (bridge.seconds + leaving(g.space, host), host, bridge))
+        .filter_map(|(host, bridge)| {
+            if !g.space.leave_places.is_group(host) {
+                return Some((bridge.seconds + leaving(g.space, host), host, bridge));
+            }
+            let (to, from, seconds) = tree.hang_on(g.space, host, (stop, stop, stop))?;
+            Some((seconds, host, Bridge { from: from?, to, seconds }))
+        })
         .collect();
     sort_by(&mut spots, |s| [real(s.0), s.1.into(), 0]);
     for (_, host, bridge) in spots {

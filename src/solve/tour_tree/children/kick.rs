@@ -13,6 +13,7 @@ use super::chain_move::Target;
 use super::moves::{apply, freed, improve, improve_entry, may_be_left};
 use super::tree::leaving;
 use super::{ChildRoutes, Tree};
+use crate::solve::epsilon::EPSILON;
 use crate::solve::rng::{Draw, Rng};
 
 impl ChildRoutes {
@@ -60,7 +61,9 @@ impl ChildRoutes {
             self.tree.undo(space, 0);
             return;
         }
-        if change > 0.0 {
+        // A kick that changes the routes at the same cost must not take the place of the best: when that is saved depends on
+        // the slices.
+        if self.cost + change >= self.least - EPSILON {
             self.save_before(space);
         }
         self.cost += change;
@@ -122,6 +125,11 @@ fn draw(rng: &mut Rng, tree: &Tree, g: Context, first: u32) -> Option<ChainMove>
     if !may_be_left(space, other) {
         return None;
     }
+    if space.leave_places.is_group(other) {
+        let places = space.leave_places.on_path(other, tree.at(other));
+        let drawn = rng.below(places.len().max(1));
+        return places.clone().nth(drawn).and_then(|at| to_target(Target::Child(other, at)));
+    }
     let place =
         space.best_entry(other, Gap { from: tree.exit(last), to: Some(tree.entry(first)) }, f64::INFINITY).0;
     to_target(Target::Child(other, place))
@@ -143,6 +151,13 @@ fn gain(space: &Space, tree: &Tree, m: ChainMove) -> f64 {
                 - space.travel.seconds(tree.exit(to), enter)
                 - tree.leg_seconds(space, leave, next, tree.entry(next))
         }
+        Target::Child(host, at) if let Some(place) = space.leave_places.place(host, at) => {
+            let [out, back] = place.ends;
+            given
+                - place.seconds
+                - space.travel.seconds(out.into(), enter)
+                - space.travel.seconds(leave, back.into())
+        }
         Target::Child(host, at) => {
             let place = space.places(host).at(at);
             given
@@ -156,6 +171,9 @@ fn gain(space: &Space, tree: &Tree, m: ChainMove) -> f64 {
 
 /// Enters a stop at another place, if precedence allows it, and returns the extra cost in seconds.
 fn place_at(g: Context, tree: &mut Tree, stop: u32, at: u32) -> Option<f64> {
+    if tree.keeps_path(g.space, stop) {
+        return None;
+    }
     let cost = |tree: &Tree| {
         let (before, after) = (tree.previous(stop), tree.next(stop));
         tree.edge(g.space, before, stop) + tree.edge(g.space, stop, after) + tree.extra(g.space, stop)

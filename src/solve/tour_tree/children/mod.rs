@@ -1,4 +1,5 @@
-//! The search over all routes, where contours may be left unfinished: a child route may start at any place of a contour.
+//! The search over all routes, where contours may be left unfinished: a child route may start at any place of a contour,
+//! or where the path through a pierce group may be left (`groups.rs`).
 //!
 //! If leaving is free of charge, this is a rural postman problem: every contour is met at least once, and air moves meet
 //! every place an even number of times. With a charge each child route is a pre-cut (Dewil et al., 2014, "the partition
@@ -18,6 +19,7 @@ mod bridges;
 mod chain_move;
 mod change;
 mod finish_order;
+mod groups;
 mod hang;
 mod kick;
 mod moves;
@@ -35,6 +37,7 @@ use super::polish::unpolished;
 use super::queue::Queue;
 use super::snapshot::TourSnapshot;
 use super::space::Space;
+use crate::problem::Item;
 use crate::solve::Solution;
 use crate::solve::epsilon::EPSILON;
 use crate::solve::rng::Rng;
@@ -89,7 +92,7 @@ pub(super) struct ChildRoutes {
 /// Whether any item may be left unfinished: never where groups must be cut without interruption.
 pub(super) fn may_leave(space: &Space) -> bool {
     let problem = space.problem;
-    problem.items.iter().any(|i| i.leave.is_some()) && problem.groups.is_empty() && !space.travel.by_table()
+    problem.items.iter().any(Item::may_be_left) && problem.groups.is_empty() && !space.travel.by_table()
 }
 
 /// A solution as a tour: the items in the order in which they are finished.
@@ -268,7 +271,7 @@ impl ChildRoutes {
         if self.cost < self.least - EPSILON {
             self.least = self.cost;
             self.unsaved = true;
-            if self.tree.is_doubled() {
+            if self.tree.is_doubled(space) {
                 self.save(space);
                 self.least = self.best.cost;
             }
@@ -279,6 +282,11 @@ impl ChildRoutes {
     pub(super) fn save(&mut self, space: &Space) {
         if std::mem::take(&mut self.unsaved) {
             self.best = at_places(space, &self.tree);
+            debug_assert!(
+                self.tree.is_doubled(space)
+                    || (self.best.cost - self.least).abs() <= 1e-6 * self.least.abs().max(1.0),
+                "the best costs other than it was priced"
+            );
         }
     }
 
@@ -303,6 +311,10 @@ impl ChildRoutes {
 
 /// The solution of the routes, with entries at places.
 fn at_places(space: &Space, tree: &Tree) -> Solution {
-    let along = |t: u32| if t == space.home { 0.0 } else { space.stop(tree.item(t), tree.at(t)).along };
+    let along = |t: u32| match tree.leave_place(space, t) {
+        Some(place) => place.along,
+        None if t == space.home => 0.0,
+        None => space.stop(tree.item(t), tree.at(t)).along,
+    };
     Solution::new(space.problem, tree.stops(space, along))
 }

@@ -12,6 +12,7 @@ use super::super::space::Space;
 use super::super::travel::Gap;
 use super::allowed::{keeps_order, may_move};
 use super::chain_move::{ChainMove, Context, Target};
+use super::groups::{better_place, other_path};
 use super::swap_with_host::swap_with_host;
 use super::tree::{Tree, leaving};
 use super::two_opt::two_opt;
@@ -37,6 +38,13 @@ pub(super) fn improve_entry(g: Context, tree: &mut Tree, queue: &mut Queue, touc
     let (item, now) = (tree.item(touch), tree.at(touch));
     if g.space.places(item).len() == 1 {
         return None;
+    }
+    if tree.keeps_path(g.space, item) {
+        return if tree.is_anchor(touch) {
+            better_place(g, tree, queue, touch)
+        } else {
+            other_path(g, tree, queue, touch)
+        };
     }
     let (before, after) = (tree.previous(touch), tree.next(touch));
     let gap = tree.gap(before, after);
@@ -83,7 +91,8 @@ fn relocate(g: Context, tree: &mut Tree, queue: &mut Queue, touch: u32) -> Optio
             consider(g, tree, touch, first, last, &mut most, &mut best);
         }
         let host = tree.item(route);
-        if may_be_left(g.space, touch) {
+        let swap = |i: u32| may_be_left(g.space, i) && !g.space.leave_places.is_group(i);
+        if swap(touch) && swap(host) {
             consider(g, tree, touch, host, host, &mut most, &mut best);
         }
     }
@@ -109,7 +118,8 @@ fn consider(
     let enter = if swaps { touch } else { first };
     // A single stop saves its extra seconds, because it is priced at its new entry. A stop that changes places with its
     // host leaves an anchor where it was.
-    let mut charges = if first == last { tree.extra(g.space, first) } else { 0.0 };
+    let single = first == last && !tree.keeps_path(g.space, first);
+    let mut charges = if single { tree.extra(g.space, first) } else { 0.0 };
     if swaps {
         charges += leaving(g.space, first) - leaving(g.space, touch);
     }
@@ -145,13 +155,18 @@ fn consider(
             continue;
         }
         tree.priced += 1;
-        let (at, place, seconds) = if first == last && !g.space.two_ends(enter) {
+        // A single stop with two ends keeps its direction.
+        let kept = if single && g.space.two_ends(enter) { tree.extra(g.space, first) } else { 0.0 };
+        let (at, place, seconds) = if g.space.leave_places.is_group(b) {
+            let Some((place, at, seconds)) = tree.hang_on(g.space, b, (first, last, enter)) else { continue };
+            (at, place, seconds + kept)
+        } else if first == last && !g.space.two_ends(enter) {
             let bridge = g.bridges.of(touch, k);
             (Some(bridge.from), bridge.to, bridge.seconds)
         } else {
             let around = Gap { from: tree.exit(last), to: Some(tree.entry(first)) };
             let (place, seconds) = g.space.best_entry(b, around, freed - leaving(g.space, b) - *most);
-            (None, place, seconds)
+            (None, place, seconds + kept)
         };
         let m = ChainMove { target: Target::Child(b, place), at, ..move_after(b) };
         let gain = freed - seconds - leaving(g.space, b);
@@ -173,7 +188,7 @@ fn consider_gap(
     best: &mut Option<ChainMove>,
 ) {
     let ChainMove { first, last, enter, .. } = m;
-    if first == last {
+    if first == last && !tree.keeps_path(g.space, first) {
         let on = gap.to.map_or(0.0, |q| g.space.at_least(q, enter, true));
         if given - g.space.at_least(gap.from, enter, false) - on <= *most {
             return;
@@ -211,6 +226,7 @@ pub(super) fn freed(space: &Space, tree: &Tree, first: u32, last: u32) -> f64 {
 /// Whether an item may be left unfinished.
 pub(super) fn may_be_left(space: &Space, item: u32) -> bool {
     space.problem.items.get(item as usize).is_some_and(|i| i.leave.is_some())
+        || space.leave_places.may_leave(item)
 }
 
 /// Makes a chain move and calls `touched` with each touch around which the routes have changed.

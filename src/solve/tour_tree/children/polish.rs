@@ -11,7 +11,10 @@ use crate::solve::Solution;
 pub(super) fn polished(space: &Space, tree: &Tree) -> Solution {
     let touches = (0..=2 * space.home).map(|t| {
         let stands = tree.is_live(t) && t != space.home;
-        stands.then(|| Slide::new(space, tree.item(t), tree.at(t)))
+        stands.then(|| match tree.leave_place(space, t) {
+            Some(place) => Slide::fixed(space, tree.item(t), place),
+            None => Slide::new(space, tree.item(t), tree.at(t)),
+        })
     });
     let mut slides: Vec<Option<Slide>> = touches.collect();
     let solution = |slides: &[Option<Slide>]| {

@@ -11,7 +11,7 @@ use super::super::space::Space;
 use super::super::travel::Gap;
 use super::super::travel::Place;
 use super::finish_order::FinishOrder;
-use crate::problem::Item;
+use crate::problem::{Item, LeavePoint};
 
 /// The route of an anchor that is not in use.
 pub(super) const NONE: u32 = u32::MAX;
@@ -119,17 +119,32 @@ impl Tree {
     }
 
     /// Whether two routes hang from one place, or one from the entry of its item: as visits they cost less.
-    pub(super) fn is_doubled(&self) -> bool {
+    pub(super) fn is_doubled(&self, space: &Space) -> bool {
         let same = |a: u32, b: u32| self.at(a) == self.at(b);
         (0..self.home).any(|i| {
             let anchors = self.anchors(i);
-            anchors.first().is_some_and(|&k| same(k, i)) || anchors.windows(2).any(|k| same(k[0], k[1]))
+            let first = anchors.first().filter(|_| !space.leave_places.is_group(i));
+            first.is_some_and(|&k| same(k, i)) || anchors.windows(2).any(|k| same(k[0], k[1]))
         })
+    }
+
+    /// The place where a route hangs from a pierce group; `None` for other touches.
+    pub(super) fn leave_place<'p>(&self, space: &Space<'p>, touch: u32) -> Option<&'p LeavePoint> {
+        if touch <= self.home {
+            return None;
+        }
+        space.leave_places.place(self.item(touch), self.at(touch))
+    }
+
+    /// Whether an item is a pierce group from which routes hang: they belong to the path by which it is cut.
+    pub(super) fn keeps_path(&self, space: &Space, item: u32) -> bool {
+        space.leave_places.is_group(item) && !self.anchors(item).is_empty()
     }
 
     /// Extra seconds of a touch by its place: a run along a contour may take longer if it starts or stops there.
     pub(super) fn extra(&self, space: &Space, touch: u32) -> f64 {
-        space.extra(self.item(touch), self.at(touch))
+        let place = self.leave_place(space, touch);
+        place.map_or_else(|| space.extra(self.item(touch), self.at(touch)), |p| p.seconds)
     }
 
     /// Cost of a touch without its legs, s: its extra seconds and, for an anchor, the charge for leaving the item.

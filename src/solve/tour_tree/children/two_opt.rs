@@ -13,7 +13,12 @@ pub(super) fn two_opt(g: Context, tree: &mut Tree, queue: &mut Queue, touch: u32
         let pair = |t: u32| if ahead { (t, tree.next(t)) } else { (tree.previous(t), t) };
         let one = pair(touch);
         let given = tree.edge(g.space, one.0, one.1);
-        for &b in g.near.of_place(g.space, tree.item(touch), tree.at(touch)) {
+        // Lists by place are those of places of entry.
+        let near = match tree.leave_place(g.space, touch) {
+            Some(_) => g.near.of_item(tree.item(touch)),
+            None => g.near.of_place(g.space, tree.item(touch), tree.at(touch)),
+        };
+        for &b in near {
             for c in 0..=tree.anchors(b).len() {
                 let c = *tree.anchors(b).get(c).unwrap_or(&b);
                 if tree.route(c) != tree.route(touch)

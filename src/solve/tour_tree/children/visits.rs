@@ -58,7 +58,7 @@ impl Tree {
             } else {
                 open.push((item, start));
                 let mut at = space.left_at(stop);
-                if at == self.at[item as usize] {
+                if at == self.at[item as usize] && !space.leave_places.is_group(item) {
                     // The nearest place is the entry: one place ahead or back keeps the anchor on its side of it.
                     let count = index(space.places(item).len());
                     let perimeter = space.perimeter(item);
@@ -97,16 +97,20 @@ impl Tree {
                 std::mem::replace(&mut before, rank) <= rank && of_host
             });
         let waits = |i: u32| space.precedence.waits(i, |o| label(o) < label(i));
-        linked && (0..self.home).all(|i| space.places(i).is_empty() || (inside(i) && !waits(i))) && ranked
+        linked
+            && self.groups_are_sound(space)
+            && (0..self.home).all(|i| space.places(i).is_empty() || (inside(i) && !waits(i)))
+            && ranked
     }
 
     /// The visits of the routes; `along` gives the arc length of each touch along its item, mm.
     pub(super) fn stops(&self, space: &Space, along: impl Fn(u32) -> f64) -> Vec<Stop> {
         let mut out = Vec::with_capacity(self.home as usize);
-        let visit = |from: u32, to: u32| Stop {
-            until: along(to),
-            along: along(from),
-            ..space.stop(self.item(from), self.at(from))
+        let visit = |from: u32, to: u32| {
+            // A visit of a pierce group has the node of its path.
+            let item = self.item(from);
+            let begun = if space.leave_places.is_group(item) { item } else { from };
+            Stop { until: along(to), along: along(from), ..space.stop(item, self.at(begun)) }
         };
         // Unfinished items: the host, how many of its routes are done, and the touch where it was left.
         let mut open: Vec<(u32, usize, u32)> = Vec::new();
