@@ -13,7 +13,7 @@ use crate::testkit::outlines::drawing;
 use crate::testkit::plates::{rectangle, thick};
 use crate::testkit::rng::seeded;
 use kerfway::geometry::DVec2;
-use kerfway::job::{BestPath, Job, LoadOptions, MachineChoice, PlanOptions, WarmPath, problem_of};
+use kerfway::job::{BestPath, Job, LoadOptions, MachineChoice, PlanOptions, SliceEnd, WarmPath, problem_of};
 use kerfway::machine::Profile;
 use kerfway::plan::{self, LowerBound, Move, Plan, Violation};
 use kerfway::problem::{Item, Problem};
@@ -285,9 +285,10 @@ fn slices_and_warm_paths_give_the_same() {
             let mut job = load(&TALL, &OUTSIDE);
             job.start(&PlanOptions { warm, ..options.clone() }).unwrap();
             // A slice may be shorter than it was asked to be.
-            let mut left = 40_000;
-            while left > 0 {
-                left -= job.run_mut().unwrap().step(left.min(slice)).done;
+            let (mut left, mut end) = (40_000, SliceEnd::Running);
+            while left > 0 && end == SliceEnd::Running {
+                let done = job.run_mut().unwrap().step(left.min(slice));
+                (left, end) = (left - done.done, done.end);
             }
             job
         };
