@@ -10,6 +10,8 @@ import type { Insights } from '../session/insights.js';
 import { words } from '../core/words/index.js';
 
 const HEIGHT = 104;
+/** Rounds between two marks of the axis: whole numbers. */
+const ROUNDS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 100_000, 1_000_000];
 /** Number of colours for curves in `styles/tokens.css`. */
 const COLORS = 5;
 
@@ -62,7 +64,7 @@ export class InsightChart {
       cursor: { show: false },
       select: { show: false, left: 0, top: 0, width: 0, height: 0 },
       scales: { x: { time: false }, y: { range: (_u, low, high) => room(low, high) } },
-      axes: [{ ...axis, size: 22, space: 60 }, { ...axis, size: 52, space: 26, values: (_u, splits) => splits.map(short) }],
+      axes: [{ ...axis, size: 22, space: 60, incrs: ROUNDS }, { ...axis, size: 52, space: 26, values: (_u, splits) => splits.map(short) }],
       series: [{}, ...Array.from({ length: series }, (_, k) => ({ stroke: color(colorName(k)), width: 1.5, points: { show: false } }))],
     }, [[], ...Array.from({ length: series }, () => [])] as uPlot.AlignedData, this.holder);
   }
@@ -76,7 +78,7 @@ const indices = (title: string, curves: Insight['curves']): number[] => curves.f
 /** Some room above and below, also where all values are one. */
 function room(low: number | null, high: number | null): [number, number] {
   if (low === null || high === null) return [0, 1];
-  const more = Math.max((high - low) * 0.08, Math.abs(high) * 1e-3, 1e-6);
+  const more = high > low ? (high - low) * 0.08 : Math.max(Math.abs(high) * 0.1, 0.1);
   return [low - more, high + more];
 }
 
