@@ -101,7 +101,8 @@ function sources(quick) {
 function sdk() {
   console.log('build: the npm package');
   run('tsc', ['-p', join(ROOT, 'www', 'sdk')]);
-  for (const schema of ['plan.schema.json', 'quote.schema.json']) cpSync(join(ROOT, 'www', 'sdk', schema), join(SDK, schema));
+  cpSync(join(ROOT, 'src', 'machine', 'dialect', 'shipped'), join(SDK, 'dialects'), { recursive: true });
+  for (const schema of ['plan.schema.json', 'quote.schema.json', 'dialect.schema.json']) cpSync(join(ROOT, 'www', 'sdk', schema), join(SDK, schema));
   framePage();
   cpSync(WASM, join(SDK, 'pkg'), { recursive: true, filter: (f) => !f.endsWith('.stamp') });
   const bytes = readFileSync(join(WASM, 'kerfway_bg.wasm')).toString('base64');

@@ -4,7 +4,7 @@
 //! to and from workers, and geometry, which travels as typed arrays. After a change of a Rust type,
 //! `KERFWAY_BLESS=1 cargo test --lib typescript` writes the file again.
 
-use crate::{drawing, finding, job, machine, plan, quote, sheet, solve};
+use crate::{drawing, finding, job, machine, output, plan, quote, sheet, solve};
 use std::path::Path;
 use ts_rs::{Config, TS};
 
@@ -90,7 +90,19 @@ fn generated() -> String {
         machine::Axes,
         machine::Process,
         machine::SharpCorner,
-        machine::Dialect,
+        machine::dialect::FileUnit,
+        machine::dialect::Decimals,
+        machine::dialect::DwellUnit,
+        machine::dialect::Dwell,
+        machine::dialect::PowerBy,
+        machine::dialect::Power,
+        machine::dialect::PierceBy,
+        machine::dialect::Pierce,
+        machine::dialect::Air,
+        machine::dialect::Comments,
+        machine::dialect::LineEnd,
+        machine::dialect::Dialect,
+        machine::dialect::DialectChoice,
         machine::Profile,
         job::LayerChoice,
         job::LoadOptions,
@@ -100,6 +112,9 @@ fn generated() -> String {
         job::PlanOptions,
         job::ContourInfo<'static>,
         job::Loaded<'static>,
+        output::CheckCode,
+        output::CheckProblem,
+        output::Check,
         plan::Summary,
         job::Baselines,
         job::SliceEnd,

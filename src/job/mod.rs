@@ -15,6 +15,7 @@ mod problem_of;
 mod ranges;
 mod report;
 mod run;
+mod sample;
 #[cfg(feature = "research")]
 mod solving;
 mod warm_path;
@@ -27,6 +28,7 @@ pub use placement::{Place, Placed};
 pub use problem_of::problem_of;
 pub use report::{Baselines, ContourInfo, Geometry, Loaded};
 pub use run::{Run, Slice, SliceEnd};
+pub use sample::sample_program;
 #[cfg(feature = "research")]
 pub use solving::Solving;
 pub use warm_path::WarmPath;

@@ -2,8 +2,10 @@
 
 use super::{Job, JobError, Placed};
 use crate::drawing::Unit;
+use crate::finding::Severity;
 use crate::geometry::{Aabb, DVec2};
-use crate::output;
+use crate::machine::Profile;
+use crate::output::{self, Check, JobFacts, OutputError};
 use crate::plan::document::{self, Budget, Document, Input, Move, Options, Placement};
 use crate::plan::{self, Plan};
 use crate::quote::{self, Material, Quote};
@@ -20,12 +22,16 @@ pub enum OutputKind {
     Dxf,
     /// The plan document, `kerfway.plan/1`.
     Json,
+    /// A LightBurn project.
+    Lbrn2,
+    /// A Ruida file; experimental.
+    Rd,
 }
 
 impl OutputKind {
     /// Whether a machine runs it, so that it has to stay on the bed.
     pub fn is_program(self) -> bool {
-        self == Self::Gcode
+        matches!(self, Self::Gcode | Self::Lbrn2 | Self::Rd)
     }
 }
 
@@ -38,8 +44,10 @@ impl FromStr for OutputKind {
             "svg" => Ok(Self::Svg),
             "dxf" => Ok(Self::Dxf),
             "json" => Ok(Self::Json),
+            "lbrn2" => Ok(Self::Lbrn2),
+            "rd" => Ok(Self::Rd),
             _ => Err(JobError::Options(format!(
-                "There is no output named {name}. Choose one of: gcode, svg, dxf, json."
+                "There is no output named {name}. Choose one of: gcode, svg, dxf, json, lbrn2, rd."
             ))),
         }
     }
@@ -62,19 +70,63 @@ impl Job {
         }
     }
 
-    /// The best plan so far, checked and written in a format.
+    /// The best plan so far, checked and written in a format of text. A G-code program is also read back and checked; one
+    /// that fails is not returned.
     pub fn output(&self, kind: OutputKind) -> Result<String, JobError> {
-        let Placed { profile, start, .. } = &self.run()?.placed;
+        let plan = self.plan_for(kind)?;
+        let (sheet, profile) = (self.beam_sheet(), &self.run()?.placed.profile);
+        Ok(match kind {
+            OutputKind::Gcode => self.program(&plan)?,
+            OutputKind::Svg => output::svg(&plan, sheet, profile),
+            OutputKind::Dxf => output::dxf(&plan, sheet),
+            OutputKind::Json => output::json_text(&self.document_of(&plan)?),
+            OutputKind::Lbrn2 => output::lbrn2(&plan, sheet, profile)?,
+            OutputKind::Rd => {
+                return Err(JobError::Options("A Ruida file is no text: ask for its bytes.".into()));
+            }
+        })
+    }
+
+    /// The best plan so far, checked and written in any format.
+    pub fn output_bytes(&self, kind: OutputKind) -> Result<Vec<u8>, JobError> {
+        match kind {
+            OutputKind::Rd => Ok(output::rd(&self.plan_for(kind)?, &self.run()?.placed.profile)?),
+            _ => Ok(self.output(kind)?.into_bytes()),
+        }
+    }
+
+    /// What the check says of the G-code of the best plan so far: the preflight. A program that fails is refused by
+    /// [`Job::output`] with the first of its problems.
+    pub fn preflight(&self) -> Result<Check, JobError> {
+        self.written(&self.plan_for(OutputKind::Gcode)?).map(|(_, check)| check)
+    }
+
+    /// The plan for an output. Programs have to stay on the bed.
+    fn plan_for(&self, kind: OutputKind) -> Result<Plan, JobError> {
         if kind.is_program() {
             self.check_bed()?;
         }
-        let plan = self.placed_plan()?;
-        Ok(match kind {
-            OutputKind::Gcode => output::gcode(&plan, self.beam_sheet(), profile, &self.name, *start)?,
-            OutputKind::Svg => output::svg(&plan, self.beam_sheet(), profile),
-            OutputKind::Dxf => output::dxf(&plan, self.beam_sheet()),
-            OutputKind::Json => output::json_text(&self.document_of(&plan)?),
-        })
+        self.placed_plan()
+    }
+
+    /// The program of a plan, which has passed the check.
+    fn program(&self, plan: &Plan) -> Result<String, JobError> {
+        let (text, check) = self.written(plan)?;
+        match check.problems.iter().find(|p| p.severity == Severity::Error) {
+            Some(problem) => Err(OutputError::Preflight(problem.message.clone()).into()),
+            None => Ok(text),
+        }
+    }
+
+    fn written(&self, plan: &Plan) -> Result<(String, Check), JobError> {
+        let Placed { profile, start, .. } = &self.run()?.placed;
+        let facts = JobFacts { name: &self.name, hash: Some(&self.sha256), material: None };
+        let text = output::gcode(plan, self.beam_sheet(), profile, facts, *start)?;
+        // Whether the job is allowed on this bed has been decided before, with the options of its placement.
+        let machine = Profile { bed: None, ..profile.clone() };
+        let mut check = output::check_against(&text, &machine, plan).map_err(JobError::Options)?;
+        check.fits_bed = output::fits_bed(&check, profile).filter(|_| start.is_absolute());
+        Ok((text, check))
     }
 
     /// The best plan so far, checked, in the coordinates of the machine.

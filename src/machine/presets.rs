@@ -5,7 +5,8 @@
 //! 0.010 mm by default) and `$30` (full power, 1000) in the GRBL wiki; data sheets and cutting tables published by
 //! makers of such machines. The reason for each figure stands beside it.
 
-use super::profile::{Axes, Dialect, Process, Profile, Travel};
+use super::dialect::DialectChoice;
+use super::profile::{Axes, Process, Profile, Travel};
 use super::sharp_corner::SharpCorner;
 use super::valid::VERSION;
 use std::f64::consts::PI;
@@ -65,7 +66,7 @@ fn co2_100w() -> Profile {
         // A high-voltage CO2 supply rises and falls within a few ms.
         beam_on_delay: 0.005,
         beam_off_delay: 0.005,
-        dialect: Dialect::GrblM4,
+        dialect: DialectChoice::named("grbl-m4"),
         max_s: 1000.0,
     }
 }
@@ -100,7 +101,7 @@ fn diode_hobby() -> Profile {
         kerf_width: 0.0,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
-        dialect: Dialect::GrblM4,
+        dialect: DialectChoice::named("grbl-m4"),
         max_s: 1000.0,
     }
 }
@@ -138,7 +139,7 @@ fn fibre_3kw_thin() -> Profile {
         // The gas and the height control need time to settle.
         beam_on_delay: 0.05,
         beam_off_delay: 0.02,
-        dialect: Dialect::GrblM4,
+        dialect: DialectChoice::named("grbl-m4"),
         max_s: 1000.0,
     }
 }
@@ -205,7 +206,7 @@ fn length(name: &str, title: &str, travel: Travel) -> Profile {
         kerf_width: 0.0,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
-        dialect: Dialect::GrblM4,
+        dialect: DialectChoice::named("grbl-m4"),
         max_s: 1000.0,
     }
 }

@@ -1,5 +1,6 @@
 //! The machine profile: versioned data in mm, s and rad.
 
+use super::dialect::DialectChoice;
 use super::sharp_corner::SharpCorner;
 use crate::geometry::{Path, Segment};
 use glam::DVec2;
@@ -43,15 +44,6 @@ pub struct Process {
     pub accel: Option<f64>,
     /// Power as a fraction of full power, 0 to 1.
     pub power: f64,
-}
-
-/// Dialect of G-code.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub enum Dialect {
-    /// GRBL 1.1 in laser mode with dynamic power (M4).
-    GrblM4,
 }
 
 /// A machine with a material.
@@ -110,9 +102,9 @@ pub struct Profile {
     pub beam_on_delay: f64,
     /// Time for the beam to settle after a cut, s.
     pub beam_off_delay: f64,
-    /// Dialect of G-code.
-    pub dialect: Dialect,
-    /// S value at full power.
+    /// Dialect of G-code: the name of a shipped one, or a document.
+    pub dialect: DialectChoice,
+    /// Power value at full power, for dialects that do not state it.
     pub max_s: f64,
 }
 

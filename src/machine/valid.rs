@@ -3,6 +3,7 @@
 //! The limits are wide. They reject mistakes (a lost decimal point, metres instead of millimetres) and numbers that a
 //! controller cannot read, but not unusual machines.
 
+use super::dialect::Dialect;
 use super::profile::Profile;
 use crate::fields::{Field, Kind, Range, Shape, Shaped, out_of_range};
 use std::f64::consts::PI;
@@ -29,6 +30,9 @@ pub enum ProfileError {
         "The machine's field \"bed\" is [{0}, {1}, {2}, {3}]. Give [xmin, ymin, xmax, ymax] in mm, the least values first."
     )]
     Bed(f64, f64, f64, f64),
+    /// There is no such dialect, or its document contradicts itself.
+    #[error("{0}")]
+    Dialect(String),
 }
 
 const VERSIONS: Range = Range::new(1.0, 1.0, "", "this Kerfway reads machine profiles of version 1");
@@ -76,7 +80,7 @@ const SHAPE: Shape = Shape {
         Field::optional("kerf_width", Kind::Number(KERF)),
         Field::required("beam_on_delay", Kind::Number(DELAY)),
         Field::required("beam_off_delay", Kind::Number(DELAY)),
-        Field::required("dialect", Kind::Choice(&["grbl-m4"])),
+        Field::required("dialect", Kind::NameOr(&Dialect::SHAPE)),
         Field::required("max_s", Kind::Number(FULL)),
     ],
 };
@@ -135,7 +139,7 @@ impl Profile {
         match given.into_iter().find(|(_, value, range)| !range.holds(*value)) {
             None => match self.bed {
                 Some([x0, y0, x1, y1]) if x0 >= x1 || y0 >= y1 => Err(ProfileError::Bed(x0, y0, x1, y1)),
-                _ => Ok(()),
+                _ => self.dialect.document().map(|_| ()).map_err(ProfileError::Dialect),
             },
             Some((field, value, range)) => Err(ProfileError::Value { field, value, range }),
         }

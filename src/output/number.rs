@@ -18,6 +18,11 @@ pub(super) fn fixed(value: f64, decimals: usize) -> Fixed {
     Fixed { value, decimals }
 }
 
+/// Ten to the power of a number of decimals: the points of the grid in one unit.
+pub(super) fn power_of_ten(decimals: u32) -> f64 {
+    (0..decimals).fold(1.0, |n, _| n * 10.0)
+}
+
 impl Display for Fixed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = format!("{:.*}", self.decimals, self.value);

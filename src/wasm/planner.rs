@@ -4,14 +4,14 @@ use super::plain::{object, plain};
 use super::text::decode;
 use super::values::{bytes, geometry, handed, options, path, text};
 use crate::drawing::TextDecoder;
-use crate::job::{self, BestPath, Budget, LoadOptions};
-use crate::{machine, solve};
+use crate::job::{self, BestPath, Budget, LoadOptions, PlanOptions};
+use crate::{machine, output, solve};
 use js_sys::Uint32Array;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = "import type {
-  Baselines, Beam, BestPath, Budget, Finding, Geometry, Insight, Loaded, LoadOptions, MachineProfile, MethodInfo, Slice, StartOptions, Summary,
+  Baselines, Beam, BestPath, Budget, Dialect, Finding, Geometry, Insight, Loaded, LoadOptions, MachineProfile, MethodInfo, ProgramCheck, Slice, StartOptions, Summary,
   WarmPath,
 } from '../protocol.js';
 import type { Material, Quote } from '../quote.js';";
@@ -26,6 +26,30 @@ pub fn methods() -> Result<JsValue, JsError> {
 #[wasm_bindgen(unchecked_return_type = "MachineProfile[]")]
 pub fn machines() -> Result<JsValue, JsError> {
     plain(&machine::presets())
+}
+
+/// All shipped dialects of G-code, the default first.
+#[wasm_bindgen(unchecked_return_type = "Dialect[]")]
+pub fn dialects() -> Result<JsValue, JsError> {
+    plain(&machine::dialect::dialects())
+}
+
+/// Checks a program by the rules of a machine's dialect.
+#[wasm_bindgen(js_name = checkProgram, unchecked_return_type = "ProgramCheck")]
+pub fn check_program(
+    #[wasm_bindgen(unchecked_param_type = "string")] program: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
+) -> Result<JsValue, JsError> {
+    let machine = options::<PlanOptions>(&plan_options)?.machine.profile()?;
+    plain(&output::check(&text("program", &program)?, &machine).map_err(|e| JsError::new(&e))?)
+}
+
+/// A small program for a machine, which shows what its dialect looks like.
+#[wasm_bindgen(js_name = sampleProgram)]
+pub fn sample_program(
+    #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
+) -> Result<String, JsError> {
+    Ok(job::sample_program(options::<PlanOptions>(&plan_options)?.machine)?)
 }
 
 /// A seed for callers who give none, from the platform's random numbers. It is part of the result, so that the plan can be
@@ -171,6 +195,21 @@ impl Job {
         #[wasm_bindgen(unchecked_param_type = "string")] kind: JsValue,
     ) -> Result<String, JsError> {
         Ok(self.0.output(text("kind of output", &kind)?.parse()?)?)
+    }
+
+    /// The best plan so far, checked and written as bytes.
+    #[wasm_bindgen(js_name = outputBytes)]
+    pub fn output_bytes(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "string")] kind: JsValue,
+    ) -> Result<Vec<u8>, JsError> {
+        Ok(self.0.output_bytes(text("kind of output", &kind)?.parse()?)?)
+    }
+
+    /// What the check says of the G-code of the best plan so far.
+    #[wasm_bindgen(unchecked_return_type = "ProgramCheck")]
+    pub fn preflight(&self) -> Result<JsValue, JsError> {
+        plain(&self.0.preflight()?)
     }
 
     /// What a price needs of the best plan so far, which is checked first.

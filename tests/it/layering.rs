@@ -33,7 +33,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("output", &["drawing", "machine", "sheet", "plan"]),
     ("quote", &["drawing", "machine", "sheet", "plan", "output"]),
     ("job", &["drawing", "dxf", "svg", "machine", "sheet", "problem", "solve", "plan", "output", "quote"]),
-    ("typescript", &["drawing", "machine", "sheet", "plan", "solve", "quote", "job"]),
+    ("typescript", &["drawing", "machine", "sheet", "plan", "output", "solve", "quote", "job"]),
     ("wasm", &["drawing", "machine", "sheet", "problem", "solve", "plan", "output", "quote", "job"]),
 ];
 

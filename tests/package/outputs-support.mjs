@@ -18,6 +18,7 @@ export const OLD = 'the old program, whole\n';
 export const contours = (count) => dxf(...Array.from({ length: count }, (_, k) => square(30 * (k % 16), 30 * Math.floor(k / 16), 10 + k / 20)));
 const DRAWING = contours(120);
 const CITIES = Array.from({ length: 1500 }, (_, k) => `${k + 1} ${(k * 7919) % 1009} ${(k * 104_729) % 997}`);
+const PROGRAM = 'G21 G90\nM4 S0\nG0 X10 Y10\nG1 X20 S500 F600\nM5 S0\nM2\n';
 const INSTANCE = `NAME: t\nTYPE: TSP\nDIMENSION: ${CITIES.length}\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n${CITIES.join('\n')}\nEOF\n`;
 export const QUICK = ['--moves', '5', '--seed', '1'];
 
@@ -39,6 +40,7 @@ export function inputs(t) {
   chmodSync(at, 0o755);
   writeFileSync(join(at, 'a.dxf'), DRAWING);
   writeFileSync(join(at, 'a.tsp'), INSTANCE);
+  writeFileSync(join(at, 'a.ngc'), PROGRAM);
   return at;
 }
 

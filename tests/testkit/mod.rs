@@ -14,6 +14,7 @@
     reason = "small sheets, and arithmetic that is independent of the crate it judges"
 )]
 
+pub mod beam_machine;
 pub mod by_hand;
 pub mod compare;
 pub mod drawings;

@@ -12,7 +12,8 @@ use kerfway::drawing::{Drawing, ReadOptions, Unit, Units, UnitsSource};
 use kerfway::finding::{Code, Finding, Severity};
 use kerfway::geometry::{Arc, Path, Segment};
 use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions};
-use kerfway::machine::{Axes, Dialect, Process, Profile, Travel, preset};
+use kerfway::machine::dialect::DialectChoice;
+use kerfway::machine::{Axes, Process, Profile, Travel, preset};
 use kerfway::output;
 use kerfway::plan::document::{Budget, Document, Input, Move as Step, Options, SCHEMA, contours};
 use kerfway::plan::{Move, Plan, Summary};
@@ -40,7 +41,7 @@ pub(crate) fn machine() -> Profile {
         pre_cut_time: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
-        dialect: Dialect::GrblM4,
+        dialect: DialectChoice::named("grbl-m4"),
         max_s: 1000.0,
     }
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env node
 /** The command line. `cli/commands.ts` lists its commands and options. `EXIT` in `cli/io.ts` lists the exit codes. */
 
+import { check } from './cli/check.js';
 import { COMMANDS, commandsInWords, type Command } from './cli/commands.js';
 import { completion } from './cli/completion.js';
 import { manual, overview, version } from './cli/help.js';
@@ -12,7 +13,7 @@ import { quote } from './cli/quote.js';
 import { complain } from './cli/safe-text.js';
 import { solve } from './cli/solve.js';
 
-const RUNS = new Map(Object.entries({ plan, inspect, quote, methods, solve, completion }));
+const RUNS = new Map(Object.entries({ plan, inspect, quote, check, methods, solve, completion }));
 
 async function main([command, ...rest]: string[]): Promise<void> {
   if (command === undefined) throw new WrongUse(`Name a command: kerfway ${commandsInWords()}.`);

@@ -406,9 +406,396 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material', Shape>
               },
               {
                 "kind": {
-                  "choice": [
-                    "grbl-m4"
-                  ]
+                  "nameOr": {
+                    "fields": [
+                      {
+                        "kind": {
+                          "choice": [
+                            "kerfway.dialect/1"
+                          ]
+                        },
+                        "name": "schema",
+                        "nullable": false,
+                        "required": true
+                      },
+                      {
+                        "kind": "text",
+                        "name": "name",
+                        "nullable": false,
+                        "required": true
+                      },
+                      {
+                        "kind": "text",
+                        "name": "title",
+                        "nullable": false,
+                        "required": true
+                      },
+                      {
+                        "kind": "text",
+                        "name": "controller",
+                        "nullable": false,
+                        "required": true
+                      },
+                      {
+                        "kind": {
+                          "choice": [
+                            "mm",
+                            "inch"
+                          ]
+                        },
+                        "name": "units",
+                        "nullable": false,
+                        "required": true
+                      },
+                      {
+                        "kind": {
+                          "object": [
+                            {
+                              "kind": {
+                                "whole": {
+                                  "least": 2.0,
+                                  "most": 6.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "fewer decimals are visible in the cut, and no controller keeps more"
+                                }
+                              },
+                              "name": "xy",
+                              "nullable": false,
+                              "required": true
+                            },
+                            {
+                              "kind": {
+                                "whole": {
+                                  "least": 2.0,
+                                  "most": 7.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "fewer decimals make the two radii of an arc differ"
+                                }
+                              },
+                              "name": "ij",
+                              "nullable": false,
+                              "required": true
+                            },
+                            {
+                              "kind": {
+                                "whole": {
+                                  "least": 0.0,
+                                  "most": 4.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "no controller keeps more"
+                                }
+                              },
+                              "name": "feed",
+                              "nullable": false,
+                              "required": true
+                            }
+                          ]
+                        },
+                        "name": "decimals",
+                        "nullable": false,
+                        "required": true
+                      },
+                      {
+                        "kind": {
+                          "object": [
+                            {
+                              "kind": {
+                                "choice": [
+                                  "P",
+                                  "S",
+                                  "X",
+                                  "F"
+                                ]
+                              },
+                              "name": "word",
+                              "nullable": false,
+                              "required": true
+                            },
+                            {
+                              "kind": {
+                                "choice": [
+                                  "s",
+                                  "ms"
+                                ]
+                              },
+                              "name": "unit",
+                              "nullable": false,
+                              "required": true
+                            },
+                            {
+                              "kind": {
+                                "whole": {
+                                  "least": 0.0,
+                                  "most": 4.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "no controller waits more exactly"
+                                }
+                              },
+                              "name": "decimals",
+                              "nullable": false,
+                              "required": true
+                            }
+                          ]
+                        },
+                        "name": "dwell",
+                        "nullable": true,
+                        "required": false
+                      },
+                      {
+                        "kind": {
+                          "object": [
+                            {
+                              "kind": {
+                                "choice": [
+                                  "laser-m4",
+                                  "laser-m3",
+                                  "spindle-m3",
+                                  "output-m67",
+                                  "inline-m3",
+                                  "fan-m106",
+                                  "motion",
+                                  "macro"
+                                ]
+                              },
+                              "name": "by",
+                              "nullable": false,
+                              "required": true
+                            },
+                            {
+                              "kind": {
+                                "choice": [
+                                  "S",
+                                  "Q"
+                                ]
+                              },
+                              "name": "word",
+                              "nullable": false,
+                              "required": true
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.001,
+                                  "most": 1000000.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "controllers take numbers of a few digits for full power"
+                                }
+                              },
+                              "name": "full",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "whole": {
+                                  "least": 0.0,
+                                  "most": 4.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "no controller keeps more"
+                                }
+                              },
+                              "name": "decimals",
+                              "nullable": false,
+                              "required": true
+                            },
+                            {
+                              "kind": {
+                                "whole": {
+                                  "least": 0.0,
+                                  "most": 99.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "controllers number their outputs from 0"
+                                }
+                              },
+                              "name": "output",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "list": "text"
+                              },
+                              "name": "on",
+                              "nullable": false,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "list": "text"
+                              },
+                              "name": "off",
+                              "nullable": false,
+                              "required": false
+                            }
+                          ]
+                        },
+                        "name": "power",
+                        "nullable": false,
+                        "required": true
+                      },
+                      {
+                        "kind": {
+                          "object": [
+                            {
+                              "kind": {
+                                "choice": [
+                                  "dwell-m3",
+                                  "dwell-m68",
+                                  "dwell-standard",
+                                  "creep",
+                                  "macro"
+                                ]
+                              },
+                              "name": "by",
+                              "nullable": false,
+                              "required": true
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.01,
+                                  "most": 10.0,
+                                  "or_zero": false,
+                                  "unit": "mm",
+                                  "why": "a longer way would not be pierced but cut"
+                                }
+                              },
+                              "name": "length",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "list": "text"
+                              },
+                              "name": "lines",
+                              "nullable": false,
+                              "required": false
+                            }
+                          ]
+                        },
+                        "name": "pierce",
+                        "nullable": true,
+                        "required": false
+                      },
+                      {
+                        "kind": "flag",
+                        "name": "rapids_dark",
+                        "nullable": false,
+                        "required": true
+                      },
+                      {
+                        "kind": "flag",
+                        "name": "rapid_feed",
+                        "nullable": false,
+                        "required": false
+                      },
+                      {
+                        "kind": {
+                          "number": {
+                            "least": 0.001,
+                            "most": 0.5,
+                            "or_zero": false,
+                            "unit": "mm",
+                            "why": "finer chords are lost in rounding, and coarser ones are visible"
+                          }
+                        },
+                        "name": "chords",
+                        "nullable": true,
+                        "required": false
+                      },
+                      {
+                        "kind": {
+                          "object": [
+                            {
+                              "kind": "text",
+                              "name": "on",
+                              "nullable": false,
+                              "required": true
+                            },
+                            {
+                              "kind": "text",
+                              "name": "off",
+                              "nullable": false,
+                              "required": true
+                            }
+                          ]
+                        },
+                        "name": "air",
+                        "nullable": true,
+                        "required": false
+                      },
+                      {
+                        "kind": "flag",
+                        "name": "z",
+                        "nullable": false,
+                        "required": false
+                      },
+                      {
+                        "kind": {
+                          "choice": [
+                            "semicolon",
+                            "parentheses",
+                            "none"
+                          ]
+                        },
+                        "name": "comments",
+                        "nullable": false,
+                        "required": true
+                      },
+                      {
+                        "kind": {
+                          "whole": {
+                            "least": 70.0,
+                            "most": 1000.0,
+                            "or_zero": false,
+                            "unit": "characters",
+                            "why": "the longest line of a motion must fit into it"
+                          }
+                        },
+                        "name": "line_length",
+                        "nullable": false,
+                        "required": true
+                      },
+                      {
+                        "kind": {
+                          "choice": [
+                            "lf",
+                            "crlf"
+                          ]
+                        },
+                        "name": "line_end",
+                        "nullable": false,
+                        "required": true
+                      },
+                      {
+                        "kind": {
+                          "list": "text"
+                        },
+                        "name": "header",
+                        "nullable": false,
+                        "required": true
+                      },
+                      {
+                        "kind": {
+                          "list": "text"
+                        },
+                        "name": "footer",
+                        "nullable": false,
+                        "required": true
+                      }
+                    ],
+                    "item": "field",
+                    "owner": "The dialect",
+                    "value": "The dialect's field"
+                  }
                 },
                 "name": "dialect",
                 "nullable": false,

@@ -1,23 +1,23 @@
 /**
- * The four functions of the package: `inspect`, `plan`, `quote` and `render`. Each uses a planner for one drawing. A
+ * The functions of the package: `inspect`, `plan`, `quote`, `render` and `check`. Each uses a planner for one drawing. A
  * `WithPlanner` provides it: a new one for every call, or one of a pool. Browsers and Node share this code.
  */
 
 import { quietAtClose } from './closed.js';
 import { checkOptions, planning, reading } from './options.js';
-import type { InspectOptions, PlanJobOptions, PlanningOptions, QuoteOptions, RenderOptions, Source } from './options.js';
+import type { Bytes, CheckOptions, InspectOptions, PlanJobOptions, PlanningOptions, QuoteOptions, RenderOptions, Source } from './options.js';
 import type { Started } from './plan-handle.js';
 import type { Planner } from './planner.js';
 import { ProgressStream } from './progress-stream.js';
 import type { Quote } from './quote.js';
 import { quoteBudget } from './quote-budget.js';
-import type { BestPath, DoneReason, Loaded, OutputKind, Progress, Summary } from './protocol.js';
+import type { BestPath, BinaryKind, DoneReason, Loaded, OutputKind, ProgramCheck, Progress, Summary } from './protocol.js';
 
 /** Runs some work on a planner. Rejects with the reason of the signal as soon as it aborts. */
 export type WithPlanner = <T>(work: (planner: Planner) => Promise<T>, signal?: AbortSignal) => Promise<T>;
 
-/** The outputs by kind: text, or the bytes of a PNG. */
-export type Outputs<K extends OutputKind> = { [Kind in K]: Kind extends 'png' ? Uint8Array : string };
+/** The outputs by kind: text, or bytes. */
+export type Outputs<K extends OutputKind> = { [Kind in K]: Kind extends BinaryKind ? Uint8Array : string };
 
 /** The result of a plan. It is plain data: it can be stored, sent to another thread, or rendered later. */
 export interface Planned<K extends OutputKind = never> extends Started {
@@ -74,6 +74,13 @@ export interface Functions {
    * written by `plan` only.
    */
   render<K extends Exclude<OutputKind, 'json'>>(source: Source, planned: Omit<Planned, 'outputs'>, kind: K, options?: RenderOptions): Promise<Outputs<K>[K]>;
+  /**
+   * Reads a G-code program back by the rules of a machine's dialect: does it fit the bed, is each contour cut once, is the beam off
+   * on every rapid, and how long does it take. Programs of others can be checked too.
+   *
+   *     const { passed, problems } = await check(text, { machine: 'co2-100w' });
+   */
+  check(program: string | Bytes, options?: CheckOptions): Promise<ProgramCheck>;
 }
 
 /** Name of a drawing that is given without one. */
@@ -140,6 +147,15 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
       return quietAtClose(async () => {
         checkOptions(options, 'quote');
         return withPlanner(work, options.signal);
+      });
+    },
+
+    check(program, options = {}) {
+      return quietAtClose(async () => {
+        const { signal, ...on } = options;
+        checkOptions(options, 'check');
+        const text = typeof program === 'string' ? program : new TextDecoder().decode(program);
+        return withPlanner((planner) => planner.check(text, on), signal);
       });
     },
 

@@ -42,5 +42,8 @@ export const quote: Entry['quote'] = own.quote;
 /** Writes a finished plan as G-code, DXF, SVG or PNG: see {@link Functions.render}. */
 export const render: Entry['render'] = own.render;
 
+/** Reads a G-code program back and says what it would do on a machine: see {@link Functions.check}. */
+export const check: Entry['check'] = own.check;
+
 /** Makes a pool of workers that plan many files: see {@link Pool}. */
 export const createPool: Entry['createPool'] = own.createPool;

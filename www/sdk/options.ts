@@ -6,7 +6,7 @@
 import { check, checkOne, optional, type Field, type Range, type Shape } from './check.js';
 import { SHAPES } from './fields.js';
 import type { Material } from './quote.js';
-import type { Loaded, LoadOptions, OutputKind, PlanOptions, Progress } from './protocol.js';
+import type { CheckedOn, Loaded, LoadOptions, OutputKind, PlanOptions, Progress } from './protocol.js';
 
 /** The default budget in seconds, when neither seconds nor moves are given. */
 export const DEFAULT_SECONDS = 10;
@@ -57,6 +57,9 @@ export interface RenderOptions {
   signal?: AbortSignal;
 }
 
+/** Options of `check`. */
+export interface CheckOptions extends CheckedOn, Pick<JobOptions, 'signal'> {}
+
 const { reading: READING, planning: PLANNING, material: MATERIAL } = SHAPES;
 
 const shapeOf = (owner: string, ...fields: Field[]): Shape => ({ owner, item: 'option', value: 'The option', fields });
@@ -65,7 +68,7 @@ const shapeOf = (owner: string, ...fields: Field[]): Shape => ({ owner, item: 'o
 const PLANNING_OPTIONS = PLANNING.fields.filter(({ name }) => name !== 'member');
 const JOB = [optional('name', 'text'), optional('signal', 'signal')];
 /** The formats in which a plan can be written. */
-export const OUTPUTS: readonly OutputKind[] = ['gcode', 'svg', 'dxf', 'json', 'png'];
+export const OUTPUTS: readonly OutputKind[] = ['gcode', 'svg', 'dxf', 'json', 'png', 'lbrn2', 'rd'];
 /** The width of a picture. */
 const WIDTH: Range = { least: 64, most: 8192, or_zero: false, unit: 'pixels', why: 'smaller ones show nothing, larger ones take a gigabyte' };
 
@@ -80,6 +83,8 @@ const KNOWN = {
   quote: shapeOf('quote', ...READING.fields, ...PLANNING_OPTIONS, ...JOB,
     optional('material', { object: MATERIAL.fields }), optional('onProgress', 'callback')),
   render: shapeOf('render', optional('width', { whole: WIDTH }), optional('signal', 'signal')),
+  checkedOn: shapeOf('check', ...PLANNING.fields.filter(({ name }) => name === 'machine')),
+  check: shapeOf('check', ...PLANNING.fields.filter(({ name }) => name === 'machine'), optional('signal', 'signal')),
   planning: shapeOf('Planning', ...PLANNING_OPTIONS),
   readingAndPlanning: shapeOf('Planning', ...READING.fields, ...PLANNING_OPTIONS),
   material: MATERIAL,
@@ -109,6 +114,11 @@ export function checkMachine(machine: unknown): void {
 export function checkOutput(kind: unknown, width: unknown): void {
   checkOne('The option', 'kind', { choice: OUTPUTS }, kind);
   checkOptions({ width }, 'render');
+}
+
+/** Throws one sentence unless this is the text of a program, or nothing. */
+export function checkProgram(program: unknown): void {
+  if (program !== null && typeof program !== 'string') throw new TypeError('The program is not given as text. Give a string, or the bytes of a file.');
 }
 
 /** Throws one sentence unless these are the bytes of a file and its name. */

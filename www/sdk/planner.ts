@@ -5,7 +5,7 @@
 
 import { ClosedError, quietAtClose } from './closed.js';
 import { MultiSearch, type Drawing } from './multi-search.js';
-import { checkFile, checkOptions, checkOutput } from './options.js';
+import { checkFile, checkOptions, checkOutput, checkProgram } from './options.js';
 import { RunningPlan, type PlanHandle, type PlanMessage } from './plan-handle.js';
 import type { Material, Quote } from './quote.js';
 import { Requests } from './requests.js';
@@ -16,6 +16,9 @@ import { WorkerStart } from './worker-start.js';
 import type {
   Budget,
   FromWorker,
+  BinaryKind,
+  CheckedOn,
+  Dialect,
   LoadOptions,
   Loaded,
   MachineProfile,
@@ -23,6 +26,7 @@ import type {
   OutputKind,
   PaperMethod,
   PlanOptions,
+  ProgramCheck,
   Progress,
   ToWorker,
 } from './protocol.js';
@@ -53,6 +57,8 @@ export class Planner {
   methods: readonly MethodInfo[] = [];
   /** The machine presets, the default first. */
   machines: readonly MachineProfile[] = [];
+  /** The shipped dialects of G-code, the default first. */
+  dialects: readonly Dialect[] = [];
   /** Why the worker was last replaced; `null` if it never was. */
   replaced: string | null = null;
 
@@ -145,8 +151,8 @@ export class Planner {
   }
 
   /** Checks the best plan so far and writes it in one of the formats. `width` is the width of a PNG in pixels. */
-  output(kind: 'png', width?: number): Promise<Uint8Array>;
-  output(kind: Exclude<OutputKind, 'png'>): Promise<string>;
+  output(kind: BinaryKind, width?: number): Promise<Uint8Array>;
+  output(kind: Exclude<OutputKind, BinaryKind>): Promise<string>;
   output(kind: OutputKind, width?: number): Promise<string | Uint8Array>;
   output(kind: OutputKind, width?: number): Promise<string | Uint8Array> {
     return quietAtClose(async () => {
@@ -154,6 +160,28 @@ export class Planner {
       await this.ready;
       const size = width === undefined ? {} : { width };
       return (await this.ask<'output'>((id) => ({ type: 'output', id, kind, ...size }))).data;
+    });
+  }
+
+  /**
+   * Reads a G-code program back by the rules of a machine's dialect and says what it would do there. Without a program it is that of
+   * the best plan so far: `output` refuses one that fails.
+   */
+  check(program: string | null = null, options: CheckedOn = {}): Promise<ProgramCheck> {
+    return quietAtClose(async () => {
+      checkProgram(program);
+      checkOptions(options, 'checkedOn');
+      await this.ready;
+      return (await this.ask<'check'>((id) => ({ type: 'check', id, program, options }))).check;
+    });
+  }
+
+  /** A small program for a machine, a square with a hole, which shows what its dialect looks like. */
+  sampleProgram(options: CheckedOn = {}): Promise<string> {
+    return quietAtClose(async () => {
+      checkOptions(options, 'checkedOn');
+      await this.ready;
+      return (await this.ask<'sample'>((id) => ({ type: 'sample', id, options }))).program;
     });
   }
 
@@ -236,6 +264,7 @@ export class Planner {
     if (message.type === 'ready') {
       this.methods = message.methods;
       this.machines = message.machines;
+      this.dialects = message.dialects;
       this.starting.succeed();
     } else if ('id' in message) {
       this.deliver(message);

@@ -35,5 +35,8 @@ export const quote: Entry['quote'] = own.quote;
 /** Writes a finished plan as G-code, DXF or SVG: see {@link Functions.render}. */
 export const render: Entry['render'] = own.render;
 
+/** Reads a G-code program back and says what it would do on a machine: see {@link Functions.check}. */
+export const check: Entry['check'] = own.check;
+
 /** Makes a queue of calls, which one planner of this thread answers: see {@link Pool}. */
 export const createPool: Entry['createPool'] = own.createPool;

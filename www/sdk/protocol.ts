@@ -8,7 +8,7 @@
 
 import type * as core from './generated/types.js';
 import type {
-  Baselines, Budget, ContourInfo, Finding, Insight, MachineProfile, Material, MethodInfo, PaperMethod, Quote, Summary,
+  Baselines, Budget, ContourInfo, Dialect, Finding, Insight, MachineProfile, Material, MethodInfo, PaperMethod, ProgramCheck, Quote, Summary,
 } from './generated/types.js';
 import type { WasmModule } from './wasm-module.js';
 
@@ -50,6 +50,9 @@ export interface PlanOptions extends Partial<Omit<core.StartOptions, 'parameters
   /** The seed of all random choices. Default: a random seed, which the result contains. */
   seed?: number;
 }
+
+/** The machine by whose rules a program is read. */
+export interface CheckedOn extends Pick<PlanOptions, 'machine'> {}
 
 /** The part of a path that a search needs to start from it. */
 export type WarmPath = Pick<BestPath, 'contours' | 'along' | 'reversed'> & Partial<Pick<BestPath, 'until'>>;
@@ -96,7 +99,10 @@ export interface Progress {
 }
 
 /** The format of an output. */
-export type OutputKind = 'gcode' | 'svg' | 'dxf' | 'json' | 'png';
+export type OutputKind = 'gcode' | 'svg' | 'dxf' | 'json' | 'png' | 'lbrn2' | 'rd';
+
+/** The formats that are bytes instead of text. */
+export type BinaryKind = 'png' | 'rd';
 
 /** Why a plan ended. `replaced`: its worker died, and the best plan that it had reported is kept. */
 export type DoneReason = 'budget' | 'stopped' | 'exhausted' | 'replaced';
@@ -118,11 +124,15 @@ export type ToWorker =
   | { type: 'stop' }
   | { type: 'papers'; id: number }
   | { type: 'quote'; id: number; material: Material }
+  /** Checks a program for a machine; without a program, that of the best plan so far. */
+  | { type: 'check'; id: number; program: string | null; options: CheckedOn }
+  /** Writes a small program for a machine. */
+  | { type: 'sample'; id: number; options: CheckedOn }
   | { type: 'output'; id: number; kind: OutputKind; width?: number };
 
 /** Messages from a worker. */
 export type FromWorker =
-  | { type: 'ready'; methods: MethodInfo[]; machines: MachineProfile[] }
+  | { type: 'ready'; methods: MethodInfo[]; machines: MachineProfile[]; dialects: Dialect[] }
   | { type: 'loaded'; id: number; loaded: Loaded }
   | { type: 'started'; id: number; seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry | null; shift: [number, number] }
   | { type: 'progress'; id: number; progress: Progress }
@@ -132,6 +142,8 @@ export type FromWorker =
   | { type: 'done'; id: number; reason: DoneReason; progress: Progress }
   | { type: 'papers'; id: number; methods: PaperMethod[] }
   | { type: 'quote'; id: number; quote: Quote }
+  | { type: 'check'; id: number; check: ProgramCheck }
+  | { type: 'sample'; id: number; program: string }
   | { type: 'output'; id: number; kind: OutputKind; data: string | Uint8Array }
   /** One sentence for people. */
   | { type: 'failed'; id: number; message: string }

@@ -8,8 +8,10 @@ export interface Responses {
   output: Extract<FromWorker, { type: 'output' }>;
   papers: Extract<FromWorker, { type: 'papers' }>;
   quote: Extract<FromWorker, { type: 'quote' }>;
+  check: Extract<FromWorker, { type: 'check' }>;
+  sample: Extract<FromWorker, { type: 'sample' }>;
   restore: Extract<FromWorker, { type: 'done' }>;
 }
 
 /** The types of messages that settle a request. */
-export const FINAL: ReadonlySet<string> = new Set(['loaded', 'output', 'papers', 'quote', 'done', 'failed']);
+export const FINAL: ReadonlySet<string> = new Set(['loaded', 'output', 'papers', 'quote', 'check', 'sample', 'done', 'failed']);

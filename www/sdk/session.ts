@@ -6,7 +6,7 @@
 import * as planner from './pkg/kerfway.js';
 import { DEFAULT_SECONDS } from './options.js';
 import type { Job } from './pkg/kerfway.js';
-import type { FromWorker, LoadOptions, Membership, OutputKind, PlanOptions, ToWorker } from './protocol.js';
+import type { CheckedOn, FromWorker, LoadOptions, Membership, OutputKind, PlanOptions, ProgramCheck, ToWorker } from './protocol.js';
 import type { Material, Quote } from './quote.js';
 import { Search } from './search.js';
 
@@ -64,7 +64,7 @@ export class Session {
     switch (message.type) {
       case 'init':
         planner.initSync({ module: message.planner });
-        this.host.post({ type: 'ready', methods: planner.methods(), machines: planner.machines() });
+        this.host.post({ type: 'ready', methods: planner.methods(), machines: planner.machines(), dialects: planner.dialects() });
         return;
       case 'load':
         this.search?.stop();
@@ -110,6 +110,12 @@ export class Session {
         return;
       case 'quote':
         this.host.post({ type: 'quote', id: message.id, quote: this.quote(message.material) });
+        return;
+      case 'check':
+        this.host.post({ type: 'check', id: message.id, check: this.check(message.program, message.options) });
+        return;
+      case 'sample':
+        this.host.post({ type: 'sample', id: message.id, program: this.build.sampleProgram(message.options) });
         return;
       case 'output':
         void this.reply(message.id, () => this.output(message.id, message.kind, message.width));
@@ -185,11 +191,19 @@ export class Session {
     return [{ type: 'papers', id, methods: (await this.host.research()).paperMethods() }];
   }
 
+  private check(program: string | null, options: CheckedOn): ProgramCheck {
+    return program === null ? this.loaded().preflight() : this.build.checkProgram(program, given(options));
+  }
+
   private quote(material: Material): Quote {
     return this.loaded().quote(material);
   }
 
   private async output(id: number, kind: OutputKind, width = PNG_WIDTH): Promise<[FromWorker, ArrayBuffer[]?]> {
+    if (kind === 'rd') {
+      const data = this.loaded().outputBytes(kind);
+      return [{ type: 'output', id, kind, data }, buffers([data])];
+    }
     if (kind !== 'png') return [{ type: 'output', id, kind, data: this.loaded().output(kind) }];
     const json = this.loaded().output('json');
     this.png ??= await this.host.png();

@@ -1,43 +1,51 @@
-//! Writes a plan as G-code for GRBL 1.1 in laser mode (setting 32 at 1), in mm, mm/min and seconds.
+//! Writes a plan as G-code, in the dialect of the machine (`machine::dialect`).
 //!
-//! **Beam off on air moves.** M4 (dynamic power) is selected once, at the head of the program. Between contours, the
-//! line of the rapid also sets S to 0. Two independent mechanisms keep the beam off there: the power is 0, and in laser
-//! mode GRBL passes no power to any motion but G1, G2 and G3. Switching M5 and M4 around every contour would add
-//! nothing, and each switch empties the planner's buffer.
+//! The moves are the same for every dialect; `beam.rs` has what differs between controllers.
 //!
-//! **Piercing.** Under M4 the power follows the speed, so at standstill the beam is off and a dwell pierces nothing. A
-//! pierce at the entry is therefore `G1 M3 S.. F..` (constant power; G1 is on the same line because in the motion mode
-//! G0, left by the rapid, GRBL would keep the beam off), `G4 P..` with the beam on, and `M4` back to dynamic power. The
-//! settling time of the beam before a cut is part of that dwell; the one after a cut is a dwell at S0.
+//! **Beam off on air moves.** The power is set to 0 before or on the line of every rapid, on every controller, also where
+//! the controller itself keeps the beam off on G0: two independent mechanisms. GRBL's M4 is selected once, at the head of
+//! the program, because switching M5 and M4 around every contour would empty the planner's buffer and add nothing.
 //!
-//! **Partial cuts.** A contour is resumed from its pre-cut under M4 without a pierce, so a cut without a pierce before
-//! it has no dwell. A pre-cut with a length is cut in advance, and the head returns with the beam off.
+//! **Piercing on GRBL.** Under M4 the power follows the speed, so at standstill the beam is off and a dwell pierces
+//! nothing. A pierce at the entry is therefore `G1 M3 S.. F..` (constant power; G1 is on the same line because in the
+//! motion mode G0, left by the rapid, GRBL would keep the beam off), `G4 P..` with the beam on, and `M4` back to dynamic
+//! power. The settling time of the beam before a cut is part of that dwell; the one after a cut is a dwell with the beam
+//! off. On a controller whose beam fires only during motions, the head *creeps*: it cuts a short length at the beginning
+//! so slowly that this takes the piercing time.
 //!
-//! **Sharp corners** are a dwell with the beam off in the corner (`S0`, `G4 P..`); then the cut goes on.
+//! **Partial cuts.** A contour is resumed from its pre-cut without a pierce, so a cut without a pierce before it has no
+//! dwell. A pre-cut with a length is cut in advance, and the head returns with the beam off.
 //!
-//! **Comments** begin with a semicolon, which needs no closing and cannot be nested. GRBL picks its real-time commands
-//! (`?`, `!`, `~`, and every byte from 0x80) out of the stream before it recognises comments, so names are reduced to
-//! plain letters, digits and a few marks. Lines are shorter than the 80 characters that GRBL holds.
+//! **Sharp corners** are a dwell with the beam off in the corner; then the cut goes on.
 //!
-//! Source: GRBL 1.1, gcode.c (steps 4 and 7 of the block), spindle_control.c, protocol.c, wiki "Grbl v1.1 Laser Mode".
+//! What a dialect cannot do is refused in a sentence that names it, and nothing is written.
+//!
+//! Sources: GRBL 1.1, gcode.c (steps 4 and 7 of the block), spindle_control.c, protocol.c, wiki "Grbl v1.1 Laser Mode";
+//! LinuxCNC, "G-codes" and "M-codes"; Marlin, M3, M5, M106, G4; Smoothieware, "Laser".
 
+mod beam;
+mod check;
+mod facts;
 mod grbl_arc;
 mod pen;
+mod text;
 
 use super::cuts::cuts;
-use super::number::fixed;
-use crate::geometry::{Aabb, DVec2, Segment};
-use crate::machine::{Dialect, Process, Profile, Start, far_out};
+use super::process::CutProcess;
+use crate::geometry::{Aabb, DVec2, Path, Segment};
+use crate::machine::dialect::{Dialect, Pierce, PierceBy};
+use crate::machine::{Profile, Start, far_out};
 use crate::plan::{Move, Plan};
 use crate::sheet::Sheet;
+use beam::Beam;
+pub use check::{Check, CheckCode, CheckProblem, check, check_against, fits_bed};
+use facts::Facts;
+pub use facts::JobFacts;
 use pen::Pen;
 use std::mem;
 
-/// Longest comment in characters. With the semicolon and a space it is well below the 80 that GRBL holds.
-const MAX_COMMENT: usize = 66;
-
 /// Why a plan cannot be written as a program, as one sentence for people.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OutputError {
     /// The job reaches a place where the controller's numbers are too coarse.
@@ -53,18 +61,29 @@ pub enum OutputError {
         /// Distance between neighbouring numbers there, mm.
         spacing: f64,
     },
+    /// The dialect cannot do what the plan asks for.
+    #[error("{0}")]
+    Dialect(String),
+    /// The program does not pass the check that reads it back.
+    #[error("The program does not pass its own check, so it was not written: {0}")]
+    Preflight(String),
+    /// The format has too few places for this plan.
+    #[error("{0}")]
+    Format(String),
 }
 
-/// The program of a plan for a machine; `name` is the name of the job for the comment at its head. Coordinates are in mm.
-/// With [`Start::Absolute`] they are those of the work coordinates active on the machine. The head may be anywhere at
-/// the start, because the program first moves it to the plan's home. With [`Start::Current`] every motion is given as
-/// seen from the one before (G91), so the job lies where the head stands when the program begins. The result is an error where the controller's 32-bit numbers are too
-/// coarse for the job.
-pub fn gcode(
+/// The program of a plan for a machine; `job` says what the comments at its head name. With
+/// [`Start::Absolute`] coordinates are the work coordinates active on the machine. The head may be anywhere at the start,
+/// because the program first moves it to the plan's home. With [`Start::Current`] every motion is given as seen from the
+/// one before (G91), so the job lies where the head stands when the program begins.
+///
+/// # Errors
+/// The controller's 32-bit numbers are too coarse for the job, or the dialect cannot do what the plan asks for.
+pub fn gcode<'a>(
     plan: &Plan,
     sheet: &Sheet,
     profile: &Profile,
-    name: &str,
+    job: impl Into<JobFacts<'a>>,
     start: Start,
 ) -> Result<String, OutputError> {
     let [x0, y0, x1, y1] = plan.summary.bounds;
@@ -72,117 +91,152 @@ pub fn gcode(
     if let Some(far) = far_out(&bounds.with(profile.home())) {
         return Err(OutputError::FarFromOrigin { x: far.at.x, y: far.at.y, spacing: far.spacing });
     }
-    Ok(match profile.dialect {
-        Dialect::GrblM4 => grbl(plan, sheet, profile, name, start),
+    let dialect = profile.dialect.document().map_err(OutputError::Dialect)?;
+    let writer = Writer::new(profile, &dialect, start);
+    writer.refuse(plan)?;
+    let facts = Facts::of(plan, profile, &dialect, &job.into());
+    writer.program(plan, sheet, &facts).map_err(|line| {
+        OutputError::Dialect(format!(
+            "A line of the program is longer than the {} characters of the dialect \"{}\": {line}",
+            dialect.line_length, dialect.name
+        ))
     })
 }
 
-fn grbl(plan: &Plan, sheet: &Sheet, profile: &Profile, name: &str, start: Start) -> String {
-    let mut pen = Pen::new(profile.home(), start);
-    head(&mut pen, plan, profile, name);
+/// Writes one plan.
+struct Writer<'d> {
+    profile: &'d Profile,
+    dialect: &'d Dialect,
+    pen: Pen<'d>,
+}
 
-    // The move home is run with the laser switched off.
-    let (work, way_home) = match plan.moves.split_last() {
-        Some((Move::Air { to }, work)) => (work, Some(*to)),
-        _ => (plan.moves.as_slice(), None),
-    };
-    let all = cuts(plan).len();
-    let (mut order, mut pierce, mut goes_on) = (0, 0.0, false);
-    for step in work {
-        match step {
-            Move::Air { to } => pen.rapid(*to),
-            Move::Pierce => pierce += profile.pierce_time,
-            // A pre-cut without length is only a charge of time, so nothing is cut.
-            Move::PreCut { contour, to, ahead } if !ahead.is_empty() => {
-                comment(&mut pen, &format!("pre-cut into contour {contour}"));
-                write_contour(&mut pen, profile, &profile.cut, ahead, mem::take(&mut pierce));
-                pen.rapid(*to);
+impl<'d> Writer<'d> {
+    fn new(profile: &'d Profile, dialect: &'d Dialect, start: Start) -> Self {
+        let rapid = profile.rapid.speed[0].max(profile.rapid.speed[1]);
+        Self { profile, dialect, pen: Pen::new(dialect, profile.home(), profile.max_s, rapid, start) }
+    }
+
+    /// Refuses what the dialect cannot do.
+    fn refuse(&self, plan: &Plan) -> Result<(), OutputError> {
+        let Dialect { name, controller, .. } = self.dialect;
+        let refuse =
+            |why: &str| Err(OutputError::Dialect(format!("{controller} (dialect \"{name}\") {why}")));
+        let has = |wanted: fn(&Move) -> bool| plan.moves.iter().any(wanted);
+        let waits = |seconds: f64| seconds > 0.0 && self.dialect.dwell.is_none();
+        if self.dialect.pierce.is_none() && self.pierce_time() > 0.0 && has(|m| matches!(m, Move::Pierce)) {
+            return refuse(
+                "cannot pierce at rest: set the machine's piercing time and beam-on delay to 0, or choose a dialect that pierces.",
+            );
+        }
+        if has(|m| matches!(m, Move::Macro { .. })) {
+            if waits(self.profile.macro_time()) {
+                return refuse("cannot wait in sharp corners: switch them off in the machine.");
             }
-            Move::PreCut { .. } => {}
-            Move::Macro { .. } => pen.settle_dark(profile.macro_time()),
-            Move::Cut { contour, path, mark, .. } => {
-                if !goes_on {
-                    order += 1;
-                    let layer = sheet.layer_name(*contour);
-                    let verb = if *mark { "mark" } else { "cut" };
-                    let words = format!("{order} of {all}: {verb} contour {contour}, layer ");
-                    comment_naming(&mut pen, &words, layer);
-                }
-                write_contour(&mut pen, profile, profile.process(*mark), path, mem::take(&mut pierce));
+            if !Beam::new(self.dialect).goes_off_at_rest() {
+                return refuse(
+                    "cannot switch the beam off at rest, as sharp corners need: switch them off in the machine.",
+                );
             }
         }
-        goes_on = matches!(step, Move::Macro { .. });
+        if !Beam::new(self.dialect).goes_off_at_rest() && !matches!(plan.moves.last(), Some(Move::Air { .. }))
+        {
+            return refuse(
+                "switches the beam off with the next motion only, so the program must end with one: let the machine return home.",
+            );
+        }
+        if waits(self.profile.beam_off_delay) {
+            return refuse("cannot wait: set the machine's beam-off delay to 0.");
+        }
+        let processes = [false, true].map(|mark| CutProcess::of(self.profile, mark));
+        if self.dialect.air.is_none() && processes.iter().any(|p| p.air) {
+            return refuse(
+                "has no command for air: switch the air off in the layers, or give \"air\" in the dialect.",
+            );
+        }
+        if !self.dialect.z && processes.iter().any(|p| p.z != 0.0) {
+            return refuse("has no Z axis: set the z step of the passes to 0.");
+        }
+        Ok(())
     }
 
-    pen.off();
-    if let Some(home) = way_home {
-        pen.rapid(home);
+    fn pierce_time(&self) -> f64 {
+        self.profile.pierce_time + self.profile.beam_on_delay
     }
-    if !start.is_absolute() {
-        pen.command("G90");
+
+    fn program(mut self, plan: &Plan, sheet: &Sheet, facts: &Facts) -> Result<String, String> {
+        self.pen.header(facts);
+        self.pen.find_start();
+
+        // The move home is run with the laser switched off.
+        let (work, way_home) = match plan.moves.split_last() {
+            Some((Move::Air { to }, work)) => (work, Some(*to)),
+            _ => (plan.moves.as_slice(), None),
+        };
+        let all = cuts(plan).len();
+        let (mut order, mut pierce, mut goes_on) = (0, 0.0, false);
+        for step in work {
+            match step {
+                Move::Air { to } => self.pen.rapid(*to),
+                Move::Pierce => pierce += self.profile.pierce_time,
+                // A pre-cut without length is only a charge of time, so nothing is cut.
+                Move::PreCut { contour, to, ahead } if !ahead.is_empty() => {
+                    self.pen.lines.comment_naming(&format!("pre-cut into contour {contour}"), "");
+                    self.contour(&CutProcess::of(self.profile, false), ahead, mem::take(&mut pierce));
+                    self.pen.rapid(*to);
+                }
+                Move::PreCut { .. } => {}
+                Move::Macro { .. } => self.pen.settle_dark(self.profile.macro_time()),
+                Move::Cut { contour, path, mark, .. } => {
+                    if !goes_on {
+                        order += 1;
+                        let layer = sheet.layer_name(*contour);
+                        let verb = if *mark { "mark" } else { "cut" };
+                        let words = format!("{order} of {all}: {verb} contour {contour}, layer ");
+                        self.pen.lines.comment_naming(&words, layer);
+                    }
+                    self.contour(&CutProcess::of(self.profile, *mark), path, mem::take(&mut pierce));
+                }
+            }
+            goes_on = matches!(step, Move::Macro { .. });
+        }
+
+        self.pen.off();
+        if let Some(home) = way_home {
+            self.pen.rapid(home);
+        }
+        self.pen.footer(facts);
+        self.pen.lines.into_program()
     }
-    pen.command("M2");
-    pen.into_program()
-}
 
-/// Writes one contour: the dwell with the beam on, the path, and the dwell after it.
-fn write_contour(pen: &mut Pen, profile: &Profile, process: &Process, path: &[Segment], pierce: f64) {
-    pen.set_process(process.speed * 60.0, process.power * profile.max_s);
-    pen.pierce(pierce + profile.beam_on_delay);
-    for segment in path {
-        pen.cut(segment);
+    /// Writes one contour: the piercing, the path, and the dwell after it.
+    fn contour(&mut self, process: &CutProcess, path: &[Segment], pierce: f64) {
+        let seconds = pierce + self.profile.beam_on_delay;
+        self.pen.set_process(process);
+        let mut rest = None;
+        match self.dialect.pierce.as_ref() {
+            Some(Pierce { by: PierceBy::Creep, length: Some(length), .. }) if seconds > 0.0 => {
+                rest = Some(self.creep(process, path, *length, seconds));
+            }
+            Some(how) => self.pen.pierce(how, seconds),
+            None => {}
+        }
+        for segment in rest.as_deref().unwrap_or(path) {
+            self.pen.cut(segment);
+        }
+        self.pen.settle_dark(self.profile.beam_off_delay);
     }
-    pen.settle_dark(profile.beam_off_delay);
-}
 
-fn head(pen: &mut Pen, plan: &Plan, profile: &Profile, name: &str) {
-    let sums = &plan.summary;
-    let version = env!("CARGO_PKG_VERSION");
-    comment_naming(pen, &format!("Kerfway {version}, "), name);
-    comment_naming(pen, "machine ", &profile.name);
-    comment_naming(pen, "", &profile.title);
-    comment(pen, &format!("{} contours, {} pierces", sums.contours, sums.pierces));
-    let [cut, air] = [sums.cut_length, sums.air_length].map(|v| fixed(v, 1));
-    comment(pen, &format!("cut {cut} mm, air {air} mm"));
-    comment(pen, &format!("time: about {} s", fixed(sums.total_time, 1)));
-    comment(pen, "unit: mm");
-    let [x0, y0, x1, y1] = sums.bounds.map(|v| fixed(v, 1));
-    comment(pen, &format!("x {x0} to {x1}, y {y0} to {y1}"));
-    comment(pen, "GRBL 1.1, laser mode on, setting 32 at 1");
-    pen.off();
-    pen.select_units();
-    pen.command("M4 S0");
-    pen.find_start();
-}
-
-/// Writes a comment line, in plain characters.
-fn comment(pen: &mut Pen, text: &str) {
-    debug_assert!(text.len() <= MAX_COMMENT, "a comment that its line cannot hold: {text}");
-    let text = plain(text);
-    pen.command(&format!("; {}", text.trim_end()));
-}
-
-/// Writes a comment line that ends in a name given by the user. A name that is too long for the line is shortened in
-/// its middle, so that its start and a file's extension remain.
-fn comment_naming(pen: &mut Pen, words: &str, name: &str) {
-    const GAP: &str = "...";
-    let (name, room) = (plain(name), MAX_COMMENT.saturating_sub(words.len()));
-    if name.len() <= room {
-        return comment(pen, &format!("{words}{name}"));
+    /// Cuts the beginning of a path in `seconds`, and returns its rest. A path that is cut in less time than that is
+    /// pierced no faster than it is cut.
+    fn creep(&mut self, process: &CutProcess, path: &[Segment], length: f64, seconds: f64) -> Vec<Segment> {
+        let path = Path::new(path.to_vec(), false);
+        let whole = path.length();
+        let length = length.min(whole * 0.5).min(process.speed * seconds);
+        self.pen.set_speed(length / seconds);
+        for segment in path.between(0.0, length) {
+            self.pen.cut(&segment);
+        }
+        self.pen.set_speed(process.speed);
+        path.between(length, whole)
     }
-    let kept = room.saturating_sub(GAP.len());
-    // Plain characters take one byte each.
-    let (start, end) = (&name[..kept - kept / 2], &name[name.len() - kept / 2..]);
-    comment(pen, &format!("{words}{start}{GAP}{end}"));
-}
-
-/// Replaces characters that a controller may act upon. Parentheses are removed, because they delimit comments in other
-/// dialects.
-fn plain(text: &str) -> String {
-    let plain = |c: char| match c {
-        ' ' | '.' | ',' | ':' | '_' | '+' | '-' | '=' | '/' => c,
-        c if c.is_ascii_alphanumeric() => c,
-        _ => '_',
-    };
-    text.chars().filter(|c| !matches!(c, '(' | ')')).map(plain).collect()
 }

@@ -1,179 +1,271 @@
 //! The state of the controller: the rounded position, the feed and the power in force, and the program lines that
 //! change them.
 //!
-//! Coordinates are rounded to 0.001 mm from their absolute values, so errors do not add up. An arc is written in pieces
-//! of at most half a turn, as G2 or G3 with I and J: a full circle becomes two halves, because controllers differ on
-//! arcs that end where they start. I and J are computed from the rounded ends: the centre is moved onto the
-//! perpendicular bisector of the rounded chord, so both radii agree up to the rounding of I and J themselves, 0.0001
-//! mm. An arc that coincides with its chord after rounding is written as a line, and an element that rounds to one
-//! point is skipped. An arc that the controller might refuse or distort because of its 32-bit numbers is written as
-//! chords (`grbl_arc.rs`).
+//! Coordinates are rounded to the dialect's decimals from their absolute values, so errors do not add up. An arc is
+//! written in pieces of at most half a turn, as G2 or G3 with I and J: a full circle becomes two halves, because
+//! controllers differ on arcs that end where they start. I and J are computed from the rounded ends: the centre is moved
+//! onto the perpendicular bisector of the rounded chord, so both radii agree up to the rounding of I and J themselves. An
+//! arc that coincides with its chord after rounding is written as a line, and an element that rounds to one point is
+//! skipped. An arc that a controller might refuse or distort because of its 32-bit numbers is written as chords
+//! (`grbl_arc.rs`), as is every arc in a dialect without arcs.
 //!
-//! Every motion, as written, lies within 0.002 mm of its element.
+//! Every motion, as written, lies within 0.002 mm of its element, or within the dialect's tolerance of chords.
 
-use super::super::number::fixed;
+use super::super::number::{Fixed, fixed, power_of_ten};
+use super::super::process::CutProcess;
+use super::beam::{Beam, filled};
+use super::facts::Facts;
 use super::grbl_arc;
+use super::text::Lines;
 use crate::geometry::{Arc, DVec2, Segment, arcs};
 use crate::machine::Start;
+use crate::machine::dialect::{Dialect, Pierce, PierceBy, PowerBy};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-/// Decimals of X, Y, F, S and P. A micrometre is ten times finer than the step of any such machine.
-const DECIMALS: usize = 3;
-/// Grid points per mm at these decimals.
-const GRID: f64 = 1000.0;
-/// Slowest feed that these decimals can express, mm/min.
-const SLOWEST: f64 = 1.0 / GRID;
-/// Decimals of I and J: one more, so that the two radii of an arc agree to a tenth of the grid.
-const CENTER_DECIMALS: usize = 4;
-/// An arc flatter than half the grid is a line, mm, because rounding its ends moves it as far.
-const MIN_SAGITTA: f64 = 0.5 / GRID;
-/// Largest distance between an arc and the chords written for it, mm. With the rounding of their ends, 0.0007 mm, it is
-/// less than the 0.002 mm that GRBL itself allows for the chords of an arc.
+/// Largest distance between an arc and the chords written for it in a dialect with arcs, mm. With the rounding of their
+/// ends, 0.0007 mm, it is less than the 0.002 mm that GRBL itself allows for the chords of an arc.
 const CHORD_DEVIATION: f64 = 0.001;
+/// Share of a dialect's tolerance that chords take; the rest is for the rounding of their ends.
+const CHORD_SHARE: f64 = 0.5;
 
 /// Writes the program and keeps track of the state in force.
-pub(super) struct Pen {
-    program: String,
+pub(super) struct Pen<'d> {
+    dialect: &'d Dialect,
     /// Whether places are written as they are, or as seen from the one before.
     start: Start,
-    /// Rounded position of the head, mm.
+    beam: Beam<'d>,
+    pub(super) lines: Lines<'d>,
+    /// Points of the coordinate grid in one unit of the file.
+    grid: f64,
+    /// Power value at full power.
+    full: f64,
+    /// Feed of rapids in units of the file a minute, if the dialect writes it.
+    rapid_feed: Option<String>,
+    /// Rounded position of the head, in units of the file.
     at: DVec2,
-    /// Feed for the next cuts, mm/min, and the F word in force.
+    /// Feed for the next cuts, and the F word in force.
     feed: String,
     feed_in_force: String,
-    /// Power for the next cuts, and the S word in force.
+    /// Power for the next cuts, and the power in force.
     power: String,
     power_in_force: String,
+    /// A wait that the controller can make dark only after its next motion, s.
+    owed: f64,
+    z: f64,
+    air: bool,
 }
 
-impl Pen {
-    /// Starts at `home` with the beam off and an empty program.
-    pub(super) fn new(home: DVec2, start: Start) -> Self {
+impl<'d> Pen<'d> {
+    /// Starts at `home` (mm) with the beam off and an empty program. `full` is the machine's power value at full power,
+    /// `rapid` its speed of rapids in mm/s.
+    pub(super) fn new(dialect: &'d Dialect, home: DVec2, full: f64, rapid: f64, start: Start) -> Self {
         let dark = || "0".to_owned();
-        Self {
-            program: String::new(),
+        let mut pen = Self {
+            dialect,
             start,
-            at: rounded(home),
+            beam: Beam::new(dialect),
+            lines: Lines::new(dialect),
+            grid: power_of_ten(dialect.decimals.xy),
+            full: dialect.power.full.unwrap_or(full),
+            rapid_feed: None,
+            at: DVec2::ZERO,
             feed: String::new(),
             feed_in_force: String::new(),
             power: dark(),
             power_in_force: dark(),
-        }
-    }
-
-    /// Selects mm, the kind of coordinates, the plane and the kind of feed.
-    pub(super) fn select_units(&mut self) {
-        let places = if self.start.is_absolute() { "G90" } else { "G91" };
-        self.command(&format!("G21 {places} G91.1 G17 G94"));
+            owed: 0.0,
+            z: 0.0,
+            air: false,
+        };
+        pen.at = pen.rounded(home);
+        pen.rapid_feed = dialect.rapid_feed.then(|| pen.feed_word(rapid));
+        pen
     }
 
     /// Moves the head from wherever it is to the pen's position, unless the job starts where the head stands.
     pub(super) fn find_start(&mut self) {
         if self.start.is_absolute() {
-            let line = format!("G0{}", XyWords(self.at));
-            self.command(&line);
+            let line = self.rapid_line(self.at);
+            self.lines.push(&line);
         }
     }
 
-    /// The X and Y words of the next place. Differences of rounded places are as exact as the places, so nothing adds up.
-    fn words(&self, to: DVec2) -> XyWords {
-        XyWords(if self.start.is_absolute() { to } else { to - self.at })
+    /// Writes the lines of the dialect's header. A job that starts where the head stands selects G91 instead of G90.
+    pub(super) fn header(&mut self, facts: &Facts) {
+        for line in &self.dialect.header {
+            if self.start.is_absolute() || line.starts_with(';') {
+                self.lines.push_template(line, facts);
+            } else {
+                let relative = line.split(' ').map(|word| if word == "G90" { "G91" } else { word });
+                self.lines.push_template(&relative.collect::<Vec<_>>().join(" "), facts);
+            }
+        }
     }
 
-    /// The whole program, one command per line.
-    pub(super) fn into_program(self) -> String {
-        self.program
+    /// Writes the lines of the dialect's footer, in absolute coordinates again.
+    pub(super) fn footer(&mut self, facts: &Facts) {
+        if !self.start.is_absolute() {
+            self.lines.push("G90");
+        }
+        for line in &self.dialect.footer {
+            self.lines.push_template(line, facts);
+        }
     }
 
-    /// Writes a line unchanged.
-    pub(super) fn command(&mut self, line: &str) {
-        self.program.push_str(line);
-        self.program.push('\n');
-    }
-
-    /// Switches the laser off.
+    /// Switches the beam off, and the air with it.
     pub(super) fn off(&mut self) {
-        self.command("M5 S0");
-        "0".clone_into(&mut self.power_in_force);
+        self.push_all(self.beam.off_now());
+        // The S of Smoothieware's motions stays in force, and the next rapid sets it to 0.
+        if self.dialect.power.by != PowerBy::Motion {
+            "0".clone_into(&mut self.power_in_force);
+        }
+        self.set_air(false);
+        self.lower_to(0.0);
     }
 
-    /// Sets feed (mm/min) and power (S) for the following cuts. A feed of 0, which GRBL refuses, is never written.
-    pub(super) fn set_process(&mut self, feed: f64, power: f64) {
-        self.feed = fixed(feed.max(SLOWEST), DECIMALS).to_string();
-        self.power = fixed(power, DECIMALS).to_string();
+    /// Sets how the following cuts are made. The beam is off. A feed of 0, which controllers refuse, is never written.
+    pub(super) fn set_process(&mut self, process: &CutProcess) {
+        self.feed = self.feed_word(process.speed);
+        self.power = fixed(process.power * self.full, self.dialect.power.decimals as usize).to_string();
+        self.set_air(process.air);
+        self.lower_to(process.z);
     }
 
     /// Moves to a place with the beam off.
     pub(super) fn rapid(&mut self, to: DVec2) {
-        let to = rounded(to);
-        let mut line = String::new();
-        if !same(self.at, to) {
-            let _ = write!(line, "G0{}", self.words(to));
+        let to = self.rounded(to);
+        let moves = !self.same(self.at, to);
+        if self.power_in_force != "0" && !self.beam.is_on_motions() {
+            self.push_all(self.beam.off_for_motion());
+            "0".clone_into(&mut self.power_in_force);
         }
-        if self.power_in_force != "0" {
-            line.push_str(if line.is_empty() { "S0" } else { " S0" });
+        let mut line = if moves { self.rapid_line(to) } else { String::new() };
+        if self.power_in_force != "0" && (moves || self.beam.takes_bare_power()) {
+            let _ = write!(line, "{}{}0", if line.is_empty() { "" } else { " " }, self.dialect.power.word);
             "0".clone_into(&mut self.power_in_force);
         }
         if !line.is_empty() {
-            self.command(&line);
+            self.lines.push(&line);
         }
         self.at = to;
+        let owed = std::mem::take(&mut self.owed);
+        self.dwell(owed);
     }
 
     /// Dwells for `seconds` with the beam on; writes nothing if that rounds to 0.
-    pub(super) fn pierce(&mut self, seconds: f64) {
-        let seconds = fixed(seconds, DECIMALS).to_string();
-        if seconds == "0" {
+    pub(super) fn pierce(&mut self, pierce: &Pierce, seconds: f64) {
+        if self.dwell_text(seconds).is_none() {
             return;
         }
-        let line = format!("G1 M3 S{} F{}", self.power, self.feed);
-        self.command(&line);
-        self.command(&format!("G4 P{seconds}"));
-        self.command("M4");
-        self.power_in_force.clone_from(&self.power);
-        self.feed_in_force.clone_from(&self.feed);
+        let [power, feed, word] = [&self.power, &self.feed, &self.dialect.power.word].map(Clone::clone);
+        match pierce.by {
+            PierceBy::DwellM3 => {
+                self.lines.push(&format!("G1 M3 {word}{power} F{feed}"));
+                self.dwell(seconds);
+                if self.dialect.power.by == PowerBy::LaserM4 {
+                    self.lines.push("M4");
+                }
+                self.feed_in_force = feed;
+            }
+            PierceBy::DwellM68 => {
+                self.lines.push(&format!("M68 E{} {word}{power}", self.dialect.power.output.unwrap_or(0)));
+                self.dwell(seconds);
+            }
+            PierceBy::DwellStandard if self.dialect.power.by == PowerBy::InlineM3 => {
+                self.lines.push("M5 I");
+                self.lines.push(&format!("M3 {word}{power}"));
+                self.dwell(seconds);
+                self.lines.push("M5");
+                self.lines.push("M3 I");
+                "0".clone_into(&mut self.power_in_force);
+                return;
+            }
+            PierceBy::DwellStandard => {
+                self.push_all(self.beam.on(&power));
+                self.dwell(seconds);
+            }
+            PierceBy::Macro => {
+                let seconds = fixed(seconds, 3).to_string();
+                self.push_all(filled(&pierce.lines, &power, &seconds));
+            }
+            PierceBy::Creep => return,
+        }
+        self.power_in_force = power;
     }
 
     /// Dwells for `seconds` with the beam off; writes nothing if that rounds to 0.
     pub(super) fn settle_dark(&mut self, seconds: f64) {
-        let seconds = fixed(seconds, DECIMALS).to_string();
-        if seconds == "0" {
+        if self.dwell_text(seconds).is_none() {
             return;
         }
-        self.command("S0");
-        self.command(&format!("G4 P{seconds}"));
+        if !self.beam.goes_off_at_rest() {
+            // With the next motion the beam is off.
+            self.owed += seconds;
+            return;
+        }
+        match self.dialect.power.by {
+            PowerBy::LaserM4 | PowerBy::LaserM3 => self.lines.push(&format!("{}0", self.dialect.power.word)),
+            // Dark at rest by itself; the S of the motions stays in force.
+            PowerBy::Motion => return self.dwell(seconds),
+            _ => self.push_all(self.beam.off_now()),
+        }
+        self.dwell(seconds);
+        if self.dialect.power.by == PowerBy::InlineM3 {
+            self.lines.push("M3 I");
+        }
         "0".clone_into(&mut self.power_in_force);
     }
 
     /// Moves along an element with the beam on.
     pub(super) fn cut(&mut self, segment: &Segment) {
         match segment {
-            Segment::Line(l) => self.straight(rounded(l.end)),
-            Segment::Arc(a) => arcs::split(a, PI).for_each(|piece| self.arc(&piece)),
+            Segment::Line(l) => self.straight(self.rounded(l.end)),
+            Segment::Arc(a) => match self.dialect.chords {
+                Some(tolerance) => self.chords(a, tolerance * CHORD_SHARE),
+                None => arcs::split(a, PI).for_each(|piece| self.arc(&piece)),
+            },
         }
     }
 
+    /// The F word for a speed in mm/s.
+    pub(super) fn feed_word(&self, speed: f64) -> String {
+        let decimals = self.dialect.decimals.feed;
+        let feed = speed * 60.0 / self.dialect.units.mm();
+        fixed(feed.max(1.0 / power_of_ten(decimals)), decimals as usize).to_string()
+    }
+
+    /// Sets the feed of the next motions to that of a speed in mm/s.
+    pub(super) fn set_speed(&mut self, speed: f64) {
+        self.feed = self.feed_word(speed);
+    }
+
+    fn chords(&mut self, arc: &Arc, deviation: f64) {
+        arcs::flattened(arc, deviation).for_each(|end| self.straight(self.rounded(end)));
+    }
+
     fn straight(&mut self, to: DVec2) {
-        if !same(self.at, to) {
-            self.motion(format!("G1{}", self.words(to)), to);
+        if !self.same(self.at, to) {
+            self.motion(format!("G1{}", self.xy_words(to)), to);
         }
     }
 
     fn arc(&mut self, arc: &Arc) {
-        let to = rounded(arc.end);
-        if same(self.at, to) || arcs::sagitta(arc) <= MIN_SAGITTA {
+        let (unit, to) = (self.dialect.units.mm(), self.rounded(arc.end));
+        // An arc flatter than half the grid is a line, because rounding its ends moves it as far.
+        if self.same(self.at, to) || arcs::sagitta(arc) <= self.half_grid() * unit {
             return self.straight(to);
         }
         let middle = (self.at + to) * 0.5;
         let across = (to - self.at).perp().normalize_or_zero();
-        let offset = middle + across * (arc.center - middle).dot(across) - self.at;
-        if !grbl_arc::is_safe(self.at, to, offset) {
-            return arcs::flattened(arc, CHORD_DEVIATION).for_each(|end| self.straight(rounded(end)));
+        let offset = middle + across * (arc.center / unit - middle).dot(across) - self.at;
+        if !grbl_arc::is_safe(self.at * unit, to * unit, offset * unit) {
+            return self.chords(arc, CHORD_DEVIATION);
         }
         let word = if arc.ccw() { "G3" } else { "G2" };
-        let (i, j) = (fixed(offset.x, CENTER_DECIMALS), fixed(offset.y, CENTER_DECIMALS));
-        self.motion(format!("{word}{} I{i} J{j}", self.words(to)), to);
+        let decimals = self.dialect.decimals.ij as usize;
+        let (i, j) = (fixed(offset.x, decimals), fixed(offset.y, decimals));
+        self.motion(format!("{word}{} I{i} J{j}", self.xy_words(to)), to);
     }
 
     /// Writes a motion with the beam on, with the feed and power words it needs.
@@ -183,28 +275,85 @@ impl Pen {
             self.feed_in_force.clone_from(&self.feed);
         }
         if self.power != self.power_in_force {
-            let _ = write!(line, " S{}", self.power);
+            if self.beam.is_on_motions() {
+                let _ = write!(line, " {}{}", self.dialect.power.word, self.power);
+            } else {
+                self.push_all(self.beam.on(&self.power));
+            }
             self.power_in_force.clone_from(&self.power);
         }
-        self.command(&line);
+        self.lines.push(&line);
         self.at = to;
     }
-}
 
-/// The X and Y words of a place.
-struct XyWords(DVec2);
-
-impl std::fmt::Display for XyWords {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, " X{} Y{}", fixed(self.0.x, DECIMALS), fixed(self.0.y, DECIMALS))
+    fn rapid_line(&mut self, to: DVec2) -> String {
+        let mut line = format!("G0{}", self.xy_words(to));
+        if let Some(feed) = &self.rapid_feed
+            && *feed != self.feed_in_force
+        {
+            let _ = write!(line, " F{feed}");
+            self.feed_in_force.clone_from(feed);
+        }
+        line
     }
-}
 
-fn rounded(p: DVec2) -> DVec2 {
-    (p * GRID).round() / GRID
-}
+    fn dwell(&mut self, seconds: f64) {
+        if let Some(text) = self.dwell_text(seconds) {
+            self.lines.push(&text);
+        }
+    }
 
-/// Whether two rounded places are the same.
-fn same(a: DVec2, b: DVec2) -> bool {
-    (a - b).abs().max_element() < MIN_SAGITTA
+    /// The line of a dwell; `None` if it rounds to 0 or the dialect has no dwell.
+    fn dwell_text(&self, seconds: f64) -> Option<String> {
+        // A macro that pierces is told the seconds, with a dwell or without.
+        let Some(dwell) = &self.dialect.dwell else { return (seconds > 0.0).then(String::new) };
+        let time = fixed(seconds * dwell.unit.per_second(), dwell.decimals as usize).to_string();
+        (time != "0").then(|| format!("G4 {}{time}", dwell.word))
+    }
+
+    fn set_air(&mut self, on: bool) {
+        if self.air == on {
+            return;
+        }
+        if let Some(air) = &self.dialect.air {
+            self.lines.push(if on { &air.on } else { &air.off });
+        }
+        self.air = on;
+    }
+
+    fn lower_to(&mut self, z: f64) {
+        if (self.z - z).abs() < self.half_grid() {
+            return;
+        }
+        let height: Fixed = fixed(z / self.dialect.units.mm(), self.dialect.decimals.xy as usize);
+        self.lines.push(&format!("G0 Z{height}"));
+        self.z = z;
+    }
+
+    fn push_all(&mut self, lines: Vec<String>) {
+        for line in lines {
+            self.lines.push(&line);
+        }
+    }
+
+    /// The X and Y words of the next place. Differences of rounded places are as exact as the places, so nothing adds up.
+    fn xy_words(&self, to: DVec2) -> String {
+        let to = if self.start.is_absolute() { to } else { to - self.at };
+        let decimals = self.dialect.decimals.xy as usize;
+        format!(" X{} Y{}", fixed(to.x, decimals), fixed(to.y, decimals))
+    }
+
+    /// A place in mm, rounded in units of the file.
+    fn rounded(&self, p: DVec2) -> DVec2 {
+        (p / self.dialect.units.mm() * self.grid).round() / self.grid
+    }
+
+    fn half_grid(&self) -> f64 {
+        0.5 / self.grid
+    }
+
+    /// Whether two rounded places are the same.
+    fn same(&self, a: DVec2, b: DVec2) -> bool {
+        (a - b).abs().max_element() < self.half_grid()
+    }
 }

@@ -18,6 +18,8 @@ const DOWNLOADS: Record<OutputKind, { suffix: string; type: string }> = {
   svg: { suffix: '.svg', type: 'image/svg+xml' },
   png: { suffix: '.png', type: 'image/png' },
   json: { suffix: '.plan.json', type: 'application/json' },
+  lbrn2: { suffix: '.lbrn2', type: 'application/xml' },
+  rd: { suffix: '.rd', type: 'application/octet-stream' },
 };
 
 export class Files {

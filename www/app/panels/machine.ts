@@ -3,6 +3,7 @@
 import { button, h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
+import { dialectEditor } from './dialect.js';
 import { ownMachines } from './own-machines.js';
 import { check, field, section, select } from './section.js';
 import { words } from '../core/words/index.js';
@@ -98,11 +99,12 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     const original = preset();
     if (original) session.setMachine(structuredClone(original));
   } });
+  const dialect = dialectEditor(session, edit);
   const own = ownMachines(session, notify);
   const advanced = h('details', { class: 'more' }, h('summary', {}, words.machine.advanced),
     h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!, q.unit), hintOf(q)]), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
-  body.append(h('div', { class: 'stack' }, choice.root, partialCuts.root, pausing.root, advanced, own.root));
+  body.append(h('div', { class: 'stack' }, choice.root, partialCuts.root, pausing.root, dialect.root, advanced, own.root));
 
   const show = () => {
     const { machine } = session.state;
@@ -117,6 +119,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     pausing.input.checked = Boolean(machine.sharp_corner);
     back.hidden = !changed;
     own.show(machine);
+    dialect.show(machine);
     QUANTITIES.forEach((q, i) => {
       const input = inputs[i]!;
       if (document.activeElement !== input) input.value = shown(q.get(machine));

@@ -8,6 +8,7 @@ import type { State } from '../session/state.js';
 import type { Theme } from '../core/theme.js';
 import { chart } from './chart.js';
 import { insightPanel } from './insight.js';
+import { preflight } from './preflight.js';
 import { section } from './section.js';
 import { words } from '../core/words/index.js';
 
@@ -17,7 +18,7 @@ const ROWS = [
   { key: 'now', label: words.result.now, line: 'solid' },
 ] as const;
 
-const DOWNLOADS: readonly OutputKind[] = ['gcode', 'dxf', 'svg', 'png', 'json'];
+const DOWNLOADS: readonly OutputKind[] = ['gcode', 'dxf', 'svg', 'png', 'json', 'lbrn2', 'rd'];
 
 export function resultPanel(session: Session, theme: Theme, download: (kind: OutputKind) => void): HTMLElement {
   const { root, body } = section(words.result.title, true);
@@ -29,9 +30,11 @@ export function resultPanel(session: Session, theme: Theme, download: (kind: Out
     h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, words.result.order), ...[[words.result.job, ''], [words.result.air, 'air'], [words.result.travel, '']].map(([t, key]) => h('th', { scope: 'col', class: `number ${key}` }, t!)))),
     ...rows.map((r) => r.root));
   const parts = h('dl', { class: 'parts' });
+  const buttons = DOWNLOADS.map((kind) => button(words.result.kinds[kind], { class: 'small', title: words.result.downloadKind(words.result.kinds[kind]), onclick: () => download(kind) }));
   const files = h('div', { class: 'downloads', role: 'group', 'aria-label': words.result.download },
-    ...DOWNLOADS.map((kind) => button(words.result.kinds[kind], { class: 'small', title: words.result.downloadKind(words.result.kinds[kind]), onclick: () => download(kind) })));
-  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insightPanel(session, theme), parts, files);
+    ...buttons);
+  const check = preflight(session, (passed) => (buttons[0]!.disabled = !passed));
+  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insightPanel(session, theme), parts, files, check);
   const empty = h('p', { class: 'soft' }, words.result.none);
   body.append(empty, content);
 

@@ -3,7 +3,7 @@
  * drawing, the machine or the options. Every choice can be undone.
  */
 
-import type { LoadOptions, MachineProfile, Material, OutputKind, Planner, Quote } from 'kerfway';
+import type { LoadOptions, MachineProfile, Material, OutputKind, Planner, ProgramCheck, Quote } from 'kerfway';
 import { type Shared, written } from './address.js';
 import { Catalog } from './catalog.js';
 import { Drawing, type Source } from './drawing.js';
@@ -83,6 +83,16 @@ export class Session {
   /** One of the outputs of the best plan. */
   async output(kind: OutputKind, width?: number): Promise<string | Uint8Array> {
     return (await this.catalog.ready).output(kind, width);
+  }
+
+  /** What the check says of the program of the best plan. */
+  async preflight(): Promise<ProgramCheck> {
+    return (await this.catalog.ready).check();
+  }
+
+  /** A small program, which shows what the dialect of a machine looks like. */
+  async sampleProgram(machine: MachineProfile): Promise<string> {
+    return (await this.catalog.ready).sampleProgram({ machine });
   }
 
   /** The report that a quote of the best plan is based on. */

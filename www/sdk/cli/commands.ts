@@ -14,7 +14,7 @@ export const STARTS = ['absolute', 'current'] as const;
 export const SHELLS = ['bash', 'zsh', 'fish'] as const;
 
 /** The completions of a value: a list, or the names that the planner knows. */
-export type Choices = readonly string[] | 'machines' | 'methods';
+export type Choices = readonly string[] | 'machines' | 'methods' | 'dialects';
 
 export interface Option {
   about: string;
@@ -55,6 +55,7 @@ const READING: Options = {
 
 const PLANNING: Options = {
   machine: { value: 'NAME|FILE', about: "the name of a preset, or a JSON file with a machine profile (default co2-100w)", choices: 'machines' },
+  dialect: { value: 'NAME|FILE', about: "the dialect of G-code: the name of a shipped one, or a JSON file (default: the machine's)", choices: 'dialects' },
   method: { value: 'NAME', about: 'the planning method: see kerfway methods', choices: 'methods' },
   set: { value: 'NAME=VALUE', about: 'a parameter of a method from a paper', repeat: true },
   seconds: { value: 'S', about: 'how long to search each drawing (default 10)' },
@@ -94,6 +95,8 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
         svg: { value: 'OUT', about: 'a picture with order and direction' },
         dxf: { value: 'OUT', about: 'contours in cutting order' },
         png: { value: 'OUT', about: 'a picture in pixels' },
+        lbrn2: { value: 'OUT', about: 'a LightBurn project' },
+        rd: { value: 'OUT', about: 'a file for Ruida controllers (experimental)' },
       },
       'Where on the bed': PLACING,
       'How to plan': PLANNING,
@@ -104,6 +107,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       ['kerfway plan plate.dxf --gcode plate.nc', 'G-code after ten seconds of search'],
       ['kerfway plan plate.dxf --place lower-left@10,10 --turn 90 --gcode plate.nc', 'turned, and 10 mm from the corner of the bed'],
       ["kerfway plan a.dxf 'orders/**/*.dxf' --gcode out/ --seconds 5", 'one file of G-code for each drawing'],
+      ['kerfway plan plate.dxf --gcode plate.ngc --dialect linuxcnc-m67', 'G-code for LinuxCNC'],
       ['kerfway plan plate.dxf --moves 1000000 --seed 7 --json -', 'the same bytes everywhere'],
       ['kerfway plan plate.dxf --svg plate.svg --watch', 'a picture that follows the drawing'],
     ],
@@ -136,6 +140,23 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
     examples: [
       ['kerfway quote plate.dxf --thickness 3 --density 7.85', 'figures and weight, as text'],
       ["kerfway quote 'orders/*.dxf' --moves 100000 --seed 1 --json quotes/", 'reports whose hashes another computer can confirm'],
+    ],
+  },
+  check: {
+    about: 'read a G-code program back and say what it would do',
+    words: 'FILE.nc...',
+    text:
+      "Follows the head and the beam through each program by the rules of the machine's dialect: does it fit the bed, is each contour cut once, " +
+      'is the beam off on every rapid, is every word in range, how long does it take. Files of other programs can be checked too. ' +
+      'The exit code is 0 only if every program passes.',
+    options: {
+      'The machine': { machine: PLANNING['machine'] as Option, dialect: PLANNING['dialect'] as Option },
+      Output: { json: { value: 'OUT', about: 'the whole report' } },
+      'When': WATCHING, 'Messages': MESSAGES,
+    },
+    examples: [
+      ['kerfway check plate.nc --machine co2-100w', 'before it goes to the machine'],
+      ['kerfway check other.ngc --dialect linuxcnc-m67 --json -', 'the report, for a program'],
     ],
   },
   methods: {

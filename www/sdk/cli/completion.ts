@@ -31,6 +31,7 @@ export async function completion(args: string[]): Promise<void> {
   planner.close();
   const names = {
     machines: planner.machines.map((m) => m.name),
+    dialects: planner.dialects.map((d) => d.name),
     methods: [...planner.methods, ...papers].map((m) => m.name),
   };
   const listed = (choices: Choices = []) => (typeof choices === 'string' ? names[choices] : choices);

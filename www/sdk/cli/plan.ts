@@ -10,7 +10,7 @@ import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { duration, percent, meters, plural } from './words.js';
 
-const OUTPUTS: readonly OutputKind[] = ['json', 'gcode', 'svg', 'dxf', 'png'];
+const OUTPUTS: readonly OutputKind[] = ['json', 'gcode', 'svg', 'dxf', 'png', 'lbrn2', 'rd'];
 
 export async function plan(args: string[]): Promise<void> {
   const given = parsed('plan', args);

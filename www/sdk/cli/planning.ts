@@ -2,15 +2,14 @@
 
 import { basename } from 'node:path';
 import { budgeted, type DefaultBudget } from '../functions.js';
-import { checkMachine, checkOptions } from '../options.js';
+import { checkOptions } from '../options.js';
 import { createPlanner, type Planner, type PlanResult } from '../node.js';
-import type { Loaded, MachineProfile, PlanOptions } from '../protocol.js';
+import type { Loaded, PlanOptions } from '../protocol.js';
 import { loadOptions, oneOf, parameters, placingOptions, seconds, text, whole, type Words } from './arguments.js';
+import { checked, machineFiles, machineOf } from './machine.js';
 import { eachFile, type Requested, type Outlet, type Place } from './batch.js';
-import { bytesOf, Unusable, usable, WrongUse } from './io.js';
+import { bytesOf, usable, WrongUse } from './io.js';
 import { progressLine } from './progress.js';
-
-const DEFAULT_MACHINE = 'co2-100w';
 
 /** A planned drawing. */
 export interface PlannedFile {
@@ -32,8 +31,7 @@ export async function planFiles(given: Words, requested: Requested & { defaultBu
   const planner = await createPlanner();
   try {
     const options: PlanOptions = { ...budget, ...(await choices(given, planner)) };
-    const profile = profileFile(given, planner);
-    await eachFile(given, { ...requested, inputs: profile === null ? [] : [profile] }, async (file, place, to) => {
+    await eachFile(given, { ...requested, inputs: machineFiles(given, planner) }, async (file, place, to) => {
       const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), load));
       // A misspelt layer changes what is cut, so it is reported here and not only by `inspect`.
       for (const { message } of loaded.findings.filter((f) => f.code === 'layer-unknown')) {
@@ -58,49 +56,9 @@ async function choices({ values }: Words, planner: Planner): Promise<PlanOptions
     const papers = own.includes(method) ? [] : (await planner.paperMethods()).map((m) => m.name);
     options.method = oneOf('--method', method, [...own, ...papers]);
   }
-  const machine = await machineOf(text(values, 'machine') ?? DEFAULT_MACHINE, planner);
+  const machine = await machineOf({ words: [], values }, planner);
   options.machine = values['no-return'] === true ? { ...machine, return_home: false } : machine;
   return { ...options, ...placingOptions(values, machine) };
-}
-
-/** The file with the machine profile; `null` for a preset. */
-function profileFile({ values }: Words, { machines }: Planner): string | null {
-  const word = text(values, 'machine');
-  return word === undefined || machines.some((m) => m.name === word) ? null : word;
-}
-
-/** The preset with this name, or the profile in the file with this name. */
-async function machineOf(word: string, { machines }: Planner): Promise<MachineProfile> {
-  const preset = machines.find((m) => m.name === word);
-  if (preset !== undefined) return preset;
-  if (!/[./\\]/.test(word)) return Promise.reject(unknownMachine(word, machines));
-  const content = json(word, await bytesOf(word)) as MachineProfile | { schema: string; profile: MachineProfile } | null;
-  // A profile that the page has exported is wrapped in an object with its schema.
-  const profile = content !== null && typeof content === 'object' && 'profile' in content ? content.profile : content;
-  checked(() => checkMachine(profile), Unusable, `${word}: `);
-  return profile as MachineProfile;
-}
-
-function json(word: string, bytes: Uint8Array): unknown {
-  try {
-    return JSON.parse(new TextDecoder().decode(bytes));
-  } catch {
-    throw new Unusable(`${word} is not JSON: a machine profile is an object like those of the presets.`);
-  }
-}
-
-/** Runs a check and turns its error into a failure of the command line. */
-function checked(check: () => void, Failure: typeof Unusable | typeof WrongUse, where: string): void {
-  try {
-    check();
-  } catch (error) {
-    throw new Failure(`${where}${(error as Error).message}`);
-  }
-}
-
-function unknownMachine(word: string, machines: readonly MachineProfile[]): WrongUse {
-  const names = machines.map((m) => m.name).join(', ');
-  return new WrongUse(`--machine ${word}: choose one of ${names}, or name a file ending in .json.`);
 }
 
 async function searched(planner: Planner, options: PlanOptions, file: string, place: Place, quiet: boolean): Promise<PlanResult> {

@@ -131,8 +131,127 @@ export interface SharpCorner {
   time: number,
 }
 
-/** Dialect of G-code. */
-export type Dialect = "grbl-m4";
+/** Unit of coordinates in the program. */
+export type FileUnit = "mm" | "inch";
+
+/** Numbers of decimals. */
+export interface Decimals {
+  /** Of X, Y and Z. */
+  xy: number,
+  /** Of I and J: one more than of X and Y lets the two radii of an arc agree. */
+  ij: number,
+  /** Of F. */
+  feed: number,
+}
+
+/** Unit of a dwell. */
+export type DwellUnit = "s" | "ms";
+
+/** How a program waits. */
+export interface Dwell {
+  /** The word after G4 that holds the time: `P`, `S` or `X`. */
+  word: string,
+  /** Its unit. */
+  unit: DwellUnit,
+  /** Its decimals. */
+  decimals: number,
+}
+
+/** By which commands the power is set. The reader follows the beam by the same choice. */
+export type PowerBy = "laser-m4" | "laser-m3" | "spindle-m3" | "output-m67" | "inline-m3" | "fan-m106" | "motion" | "macro";
+
+/** How the power of the beam is set. */
+export interface Power {
+  /** By which commands. */
+  by: PowerBy,
+  /** The word that holds it: `S` or `Q`. */
+  word: string,
+  /** Number at full power; `null`: `max_s` of the machine. */
+  full: number | null,
+  /** Its decimals. */
+  decimals: number,
+  /** Number of the output (E of M67, P of M106). */
+  output?: number | null,
+  /** With `macro`: the lines that switch the beam on, with `{power}`. */
+  on?: Array<string>,
+  /** With `macro`: the lines that switch it off. */
+  off?: Array<string>,
+}
+
+/** The ways to pierce. */
+export type PierceBy = "dwell-m3" | "dwell-m68" | "dwell-standard" | "creep" | "macro";
+
+/** How the material is pierced. */
+export interface Pierce {
+  /** In which way. */
+  by: PierceBy,
+  /** With `creep`: the length that is cut slowly, mm. */
+  length?: number | null,
+  /** With `macro`: its lines, with `{seconds}` and `{power}`. They leave the beam on. */
+  lines?: Array<string>,
+}
+
+/** The commands of the air assist. */
+export interface Air {
+  /** Line that switches it on. */
+  on: string,
+  /** Line that switches it off. */
+  off: string,
+}
+
+/** How comments are written. */
+export type Comments = "semicolon" | "parentheses" | "none";
+
+/** What ends a line. */
+export type LineEnd = "lf" | "crlf";
+
+/** How a controller is spoken to. */
+export interface Dialect {
+  /** Name and version of this format: `kerfway.dialect/1`. */
+  schema: 'kerfway.dialect/1',
+  /** Name of the dialect (`grbl-m4`). */
+  name: string,
+  /** Title for people. */
+  title: string,
+  /** The controllers it is for, as sentences name them (`GRBL 1.1`). */
+  controller: string,
+  /** Unit of coordinates and feeds. The header must select it. */
+  units: FileUnit,
+  /** Decimals of numbers. */
+  decimals: Decimals,
+  /** How the program waits; `null` if the controller cannot. */
+  dwell: Dwell | null,
+  /** How the power of the beam is set. */
+  power: Power,
+  /** How the material is pierced; `null` if the controller cannot: a plan with a piercing time is refused. */
+  pierce: Pierce | null,
+  /** Whether the controller itself keeps the beam off on G0. The power is set to 0 before every rapid in any case. */
+  rapids_dark: boolean,
+  /** Whether the controller runs G0 with the feed in force, so that rapids need an F word of their own. */
+  rapid_feed?: boolean,
+  /** Largest distance between an arc and the chords written for it, mm; `null`: arcs are written as G2 and G3. */
+  chords: number | null,
+  /** The commands of the air assist; `null` if there are none: a plan with air is refused. */
+  air: Air | null,
+  /** Whether the controller has a Z axis. Without one, a plan that lowers the head between passes is refused. */
+  z?: boolean,
+  /** How comments are written. */
+  comments: Comments,
+  /** Longest line in characters. */
+  line_length: number,
+  /** What ends a line. */
+  line_end: LineEnd,
+  /**
+   * Lines before the first move. A line that begins with `;` is a comment, written in the style of `comments`.
+   * Placeholders such as `{seconds}` are replaced; a line whose placeholder has no value is left out.
+   */
+  header: Array<string>,
+  /** Lines at the end, after the beam is off and the head is home. */
+  footer: Array<string>,
+}
+
+/** The name of a shipped dialect, or a dialect of one's own. */
+export type DialectChoice = string | Dialect;
 
 /** A machine with a material. */
 export interface MachineProfile {
@@ -186,9 +305,9 @@ export interface MachineProfile {
   beam_on_delay: number,
   /** Time for the beam to settle after a cut, s. */
   beam_off_delay: number,
-  /** Dialect of G-code. */
-  dialect: Dialect,
-  /** S value at full power. */
+  /** Dialect of G-code: the name of a shipped one, or a document. */
+  dialect: DialectChoice,
+  /** Power value at full power, for dialects that do not state it. */
   max_s: number,
 }
 
@@ -335,6 +454,57 @@ export interface LoadedReport {
   bounds: [number, number, number, number],
   /** Findings of the reader, then of the sheet. */
   findings: Array<Finding>,
+}
+
+/** What kind of thing is wrong. */
+export type CheckCode = "unreadable" | "bad-line" | "units-unknown" | "beam-on-rapid" | "power-on-rapid" | "dark-cut" | "dark-pierce" | "power-out-of-range" | "feed-out-of-range" | "wait-out-of-range" | "bad-arc" | "off-bed" | "cut-twice" | "beam-on-at-end" | "incomplete" | "differs" | "empty";
+
+/** Something wrong with a program. */
+export interface CheckProblem {
+  /** What kind of thing. */
+  code: CheckCode,
+  /** An error: the program must not be run. A warning: look at it. */
+  severity: Severity,
+  /** What, where, and what it means, in one sentence. */
+  message: string,
+  /** Number of the first line, counted from 1. */
+  line: number | null,
+  /** How often it was found. */
+  count: number,
+}
+
+/** What a program does, and what is wrong with it. */
+export interface ProgramCheck {
+  /** Whether the program may be run: it has no problem of severity error. */
+  passed: boolean,
+  /** Name of the dialect by whose rules it was read. */
+  dialect: string,
+  /** Name of the machine. */
+  machine: string,
+  /** Number of lines. */
+  lines: number,
+  /** Number of different contours. */
+  contours: number,
+  /** How often each contour is cut; 0 if they differ or there are none. */
+  passes: number,
+  /** Number of parts: closed contours inside an even number of others. */
+  parts: number,
+  /** Number of piercings at rest. */
+  pierces: number,
+  /** Length of cuts, mm. */
+  cut_length: number,
+  /** Length of rapids, mm. */
+  air_length: number,
+  /** Seconds on this machine. */
+  seconds: number,
+  /** Box of everything cut, mm: xmin, ymin, xmax, ymax; `null` if nothing is cut. */
+  bounds: [number, number, number, number] | null,
+  /** Whether the head stays on the bed; `null` if the machine's bed is not known. */
+  fits_bed: boolean | null,
+  /** Whether the beam is off on every rapid. */
+  dark_rapids: boolean,
+  /** What is wrong, one entry for each kind. */
+  problems: Array<CheckProblem>,
 }
 
 /** The sums of a plan. Lengths are in mm, times in s. */

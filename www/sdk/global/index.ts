@@ -20,6 +20,6 @@ const start = webWorkers(() => {
   return new Worker(address);
 });
 
-export const { createPlanner, createPool, inspect, plan, quote, render } = entry(() => WebAssembly.compile(wasm), start, () => navigator.hardwareConcurrency);
+export const { createPlanner, createPool, inspect, plan, quote, render, check } = entry(() => WebAssembly.compile(wasm), start, () => navigator.hardwareConcurrency);
 
 defineElements(() => createPlanner());

@@ -191,7 +191,7 @@ export const en = {
     rapidX: 'Rapid speed, x', rapidY: 'Rapid speed, y', rapidAccelX: 'Rapid acceleration, x', rapidAccelY: 'Rapid acceleration, y', corners: 'Corner deviation',
     pierce: 'Pierce time', preCut: 'Pre-cut time', preCutLength: 'Pre-cut length', sharpAngle: 'Pause in corners below', sharpTime: 'Pause in a corner', noPauses: 'no pauses', kerf: 'Kerf width',
     kerfHint: 'Parts keep their drawn size: the beam is offset by half the kerf. Outlines that are one kerf apart are cut once. 0: the beam follows the drawn lines.',
-    beamOn: 'Beam on delay', beamOff: 'Beam off delay', homeX: 'Home, x', homeY: 'Home, y', bedX0: 'Bed from x', bedX1: 'Bed to x', bedY0: 'Bed from y', bedY1: 'Bed to y', noBed: 'not known', fullPower: 'S value at full power',
+    beamOn: 'Beam on delay', beamOff: 'Beam off delay', homeX: 'Home, x', homeY: 'Home, y', bedX0: 'Bed from x', bedX1: 'Bed to x', bedY0: 'Bed from y', bedY1: 'Bed to y', noBed: 'not known', fullPower: 'Power value at full power',
     own: 'Your machines', name: 'Name of your machine', notSaved: 'This browser does not store data for this page: export the machine to a file instead.',
     save: 'Save', remove: 'Delete', export: 'Export', import: 'Import',
     noJson: 'This file is not a machine profile: it is not JSON.', noSchema: (schema: string) => `This file is not a machine profile: its "schema" is not ${schema}.`,
@@ -222,12 +222,26 @@ export const en = {
   result: {
     title: 'Result', none: 'Results appear here when the first path is ready.', compare: 'Before and after', order: 'Order', job: 'Job', air: 'Air', travel: 'Travel',
     drawing: 'Drawing order', greedy: 'Nearest first', now: 'Now', download: 'Download', downloadKind: (kind: string) => `Download ${kind}`,
-    kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)' },
+    kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)' },
     saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (time: string, share: string) => `of ${time} in drawing order, ${share}`,
     cut: 'Cut', pierce: 'Pierce', piercings: (n: string) => `${n} piercings`, preCuts: 'Pre-cuts', corners: 'Corners', gap: 'Gap', atMost: (share: string) => `at most ${share} above the optimum`,
     chart: 'Job time while searching', chartAxis: 'Job time while searching', chartAbove: (time: string) => `as drawn ${time} ↑`, chartNone: 'Job time while searching: no values yet.',
     chartWords: (first: string, last: string, time: string) => `Job time while searching: from ${first} to ${last} in ${time}.`,
     chartOrders: (drawing: string, greedy: string) => ` Drawing order takes ${drawing}, nearest first ${greedy}.`,
+  },
+
+  preflight: {
+    title: 'Check of the program', passes: 'The program passes its check', fails: 'The program fails its check and is not handed out',
+    parts: (n: number, written: string) => counted(n, written, 'part'), once: (n: number, written: string) => `${counted(n, written, 'contour')}, each cut once`,
+    times: (n: string, times: string) => `${n} contours, each cut ${times} times`, uneven: (n: string) => `${n} contours, not all cut equally often`,
+    dark: 'beam off on every rapid', lit: 'beam on during a rapid', onBed: 'on the bed', offBed: 'off the bed', read: (dialect: string) => `read back as ${dialect}`,
+    more: (message: string, n: string) => `${message} And ${n} more like it.`,
+  },
+
+  dialect: {
+    title: 'G-code dialect', own: 'Edit the dialect', document: 'Dialect document (JSON)', preview: 'First lines of a program', take: 'Use this dialect', import: 'Import', export: 'Export',
+    hint: 'A dialect says how your controller takes power, waits and units. Change it here, and give it a name of its own.', mine: (title: string) => `${title} (yours)`,
+    noJson: (why: string) => `This is not JSON: ${why}.`,
   },
 
   quote: {

@@ -1,0 +1,317 @@
+//! Follows a program line by line under the rules of its dialect: where the head goes, and what the beam does meanwhile.
+//!
+//! Written from the controllers' rules; it shares no code with the writer.
+
+use super::beam::{Beam, Power};
+use super::problem::{Code, Problems};
+use super::words::{self, Line};
+use crate::geometry::{Arc, DVec2, Segment};
+use crate::machine::dialect::{Dialect, PowerBy};
+
+/// What the head does.
+#[derive(Clone, Debug)]
+pub(super) enum Event {
+    /// Moves.
+    Move {
+        line: u32,
+        rapid: bool,
+        path: Segment,
+        power: Power,
+        /// mm/s.
+        feed: f64,
+    },
+    /// Stands still.
+    Dwell { line: u32, seconds: f64, power: Power },
+    /// A comment of Kerfway's says that another contour begins.
+    Contour,
+}
+
+/// A program that was followed to its end.
+#[derive(Debug, Default)]
+pub(super) struct Program {
+    pub(super) events: Vec<Event>,
+    pub(super) comments: Vec<String>,
+    /// The powers that lines set, with their lines.
+    pub(super) powers: Vec<(u32, f64)>,
+    /// Number of lines.
+    pub(super) lines: u32,
+    /// The commands without comments, in order: the last few.
+    pub(super) tail: Vec<String>,
+    /// Whether the beam is off at the end.
+    pub(super) dark_at_end: bool,
+}
+
+/// Differences of the two radii of an arc that every controller accepts, mm and as a fraction (LinuxCNC, GRBL).
+const RADIUS: (f64, f64) = (0.005, 0.001);
+/// Commands that are left over at the end, for comparing them with the footer.
+const TAIL: usize = 24;
+
+struct Reader<'d, 'p> {
+    dialect: &'d Dialect,
+    beam: Beam<'d>,
+    program: Program,
+    problems: &'p mut Problems,
+    /// mm in a unit of the file; `None` before the program has said so.
+    unit: Option<f64>,
+    relative: bool,
+    centers_absolute: bool,
+    motion: i64,
+    /// mm/s.
+    feed: f64,
+    at: DVec2,
+    number: u32,
+}
+
+/// Follows a program. What cannot be read becomes a problem, and the reading goes on.
+pub(super) fn follow(text: &str, dialect: &Dialect, problems: &mut Problems) -> Program {
+    let mut reader = Reader {
+        dialect,
+        beam: Beam::new(dialect),
+        program: Program::default(),
+        problems,
+        unit: None,
+        relative: false,
+        centers_absolute: false,
+        motion: 0,
+        feed: 0.0,
+        at: DVec2::ZERO,
+        number: 0,
+    };
+    for line in text.lines() {
+        reader.number = reader.number.saturating_add(1);
+        reader.line(line);
+    }
+    let mut program = reader.program;
+    program.lines = reader.number;
+    program.dark_at_end = reader.beam.is_off();
+    program
+}
+
+impl Reader<'_, '_> {
+    fn line(&mut self, text: &str) {
+        let (number, most) = (Some(self.number), self.dialect.line_length as usize);
+        if text.len() > most {
+            self.problems.error(Code::BadLine, number, || {
+                format!(
+                    "Line {} has {} characters, and this controller holds {most}.",
+                    self.number,
+                    text.len()
+                )
+            });
+        }
+        let acted_upon = matches!(self.dialect.power.by, PowerBy::LaserM4 | PowerBy::LaserM3);
+        if acted_upon && let Some(c) = text.chars().find(|&c| matches!(c, '?' | '!' | '~') || c > '\u{7f}') {
+            self.problems.error(Code::BadLine, number, || {
+                format!(
+                    "Line {} contains {c:?}, on which the controller acts at once, even in a comment.",
+                    self.number
+                )
+            });
+        }
+        let line = match words::read(text) {
+            Ok(line) => line,
+            Err(why) => return self.unreadable(&why),
+        };
+        if line.comments.iter().any(|c| announces(c)) {
+            self.program.events.push(Event::Contour);
+        }
+        self.program.comments.extend(line.comments.iter().cloned());
+        if line.command.is_empty() {
+            return;
+        }
+        if self.program.tail.len() == TAIL {
+            self.program.tail.remove(0);
+        }
+        self.program.tail.push(line.command.clone());
+        if !self.run_macro(&line.command) {
+            self.command(&line);
+        }
+    }
+
+    fn unreadable(&mut self, why: &str) {
+        let number = self.number;
+        self.problems.error(Code::Unreadable, Some(number), || format!("Line {number} {why}."));
+    }
+
+    /// Whether the line is one of the dialect's own macros.
+    fn run_macro(&mut self, command: &str) -> bool {
+        if self.dialect.power.by != PowerBy::Macro {
+            return false;
+        }
+        if let Some(line) = self.dialect.power.on.last()
+            && let Some([power, _]) = matched(line, command)
+        {
+            self.set_macro(power.unwrap_or(1.0));
+            return true;
+        }
+        if self.dialect.power.off.iter().any(|line| line == command) {
+            self.set_macro(0.0);
+            return true;
+        }
+        let pierce = self.dialect.pierce.as_ref().and_then(|p| p.lines.last());
+        if let Some([power, seconds]) = pierce.and_then(|line| matched(line, command)) {
+            let power = power.unwrap_or(1.0);
+            self.set_macro(power);
+            let (line, power) = (self.number, self.beam.standing(true));
+            self.program.events.push(Event::Dwell { line, seconds: seconds.unwrap_or(0.0), power });
+            return true;
+        }
+        self.dialect.air.as_ref().is_some_and(|air| air.on == command || air.off == command)
+    }
+
+    fn set_macro(&mut self, power: f64) {
+        self.program.powers.push((self.number, power));
+        self.beam.macro_sets(power);
+    }
+
+    fn command(&mut self, line: &Line) {
+        let is = |letter: char, code: i64| line.codes(letter).any(|c| c == code);
+        for code in line.codes('G') {
+            match code {
+                0 | 10 | 20 | 30 => self.motion = code / 10,
+                200 | 210 => self.unit = Some(if code == 200 { 25.4 } else { 1.0 }),
+                900 | 910 => self.relative = code == 910,
+                901 | 911 => self.centers_absolute = code == 901,
+                // The plane, the feed a minute, no compensation, path modes, cycles off, and the work coordinates in use.
+                40 | 170 | 400 | 490 | 540 | 610 | 640 | 800 | 940 => {}
+                _ => {
+                    let (number, g) = (self.number, code as f64 / 10.0);
+                    self.problems.error(Code::Unreadable, Some(number), || {
+                        format!("Line {number} has G{g}, which this check does not follow, so it cannot say where the head goes.")
+                    });
+                }
+            }
+        }
+        let unit = self.unit.unwrap_or(self.dialect.units.mm());
+        if let Some(feed) = line.value('F') {
+            self.feed = feed * unit / 60.0;
+        }
+        let set = self.beam.line(line);
+        self.program.powers.extend(set.into_iter().map(|p| (self.number, p)));
+        if is('G', 40) {
+            return self.dwell(line);
+        }
+        if line.has('X') || line.has('Y') {
+            self.moves(line, unit);
+        } else if line.has('I') && line.has('J') && self.motion >= 2 {
+            // A full circle without an end.
+            self.moves(line, unit);
+        }
+    }
+
+    fn dwell(&mut self, line: &Line) {
+        let number = self.number;
+        let Some(dwell) = &self.dialect.dwell else {
+            return self.unreadable("waits, which this dialect cannot");
+        };
+        let word = dwell.word.chars().next().unwrap_or('P');
+        // Marlin takes seconds as S as well, and S wins.
+        let seconds = match (line.value(word), line.value('S')) {
+            (_, Some(s))
+                if self.dialect.power.by == PowerBy::InlineM3
+                    || self.dialect.power.by == PowerBy::FanM106 =>
+            {
+                s
+            }
+            (Some(time), _) => time / dwell.unit.per_second(),
+            _ => return self.unreadable(&format!("waits without the word {word}")),
+        };
+        let power = self.beam.standing(self.motion != 0);
+        if power.asked > 0.0 && power.lit == 0.0 {
+            self.problems.error(Code::DarkPierce, Some(number), || {
+                format!(
+                    "Line {number} waits {seconds} s with the beam off, although the power {} is in force: on {} it acts only with a motion.",
+                    power.asked, self.dialect.controller
+                )
+            });
+        }
+        self.program.events.push(Event::Dwell { line: number, seconds, power });
+    }
+
+    fn moves(&mut self, line: &Line, unit: f64) {
+        let number = self.number;
+        if self.unit.is_none() {
+            self.problems.error(Code::UnitsUnknown, Some(number), || {
+                format!("Line {number} moves before the program has said whether its numbers are millimetres (G21) or inches (G20).")
+            });
+            self.unit = Some(unit);
+        }
+        let base = if self.relative { self.at } else { DVec2::ZERO };
+        let coordinate =
+            |letter: char, base: f64, now: f64| line.value(letter).map_or(now, |v| base + v * unit);
+        let to = DVec2::new(coordinate('X', base.x, self.at.x), coordinate('Y', base.y, self.at.y));
+        let rapid = self.motion == 0;
+        let path = if self.motion < 2 { Segment::line(self.at, to) } else { self.arc(line, to, unit) };
+        let power = self.beam.moving(rapid);
+        if !rapid && self.feed <= 0.0 {
+            self.problems.error(Code::FeedOutOfRange, Some(number), || {
+                format!("Line {number} cuts without a feed (F).")
+            });
+        }
+        self.program.events.push(Event::Move { line: number, rapid, path, power, feed: self.feed });
+        self.at = to;
+    }
+
+    fn arc(&mut self, line: &Line, to: DVec2, unit: f64) -> Segment {
+        let ccw = self.motion == 3;
+        let (from, number) = (self.at, self.number);
+        let center = if let Some(r) = line.value('R') {
+            by_radius(from, to, r * unit, ccw)
+        } else {
+            let base = if self.centers_absolute { DVec2::ZERO } else { from };
+            let [i, j] = ['I', 'J'].map(|letter| line.value(letter).unwrap_or(0.0) * unit);
+            Some(base + DVec2::new(i, j))
+        };
+        let radii = center.map(|c| (c.distance(from), c.distance(to)));
+        match (center, radii) {
+            (Some(center), Some((a, b))) if a > 0.0 && (a - b).abs() <= RADIUS.0.max(RADIUS.1 * a) => {
+                Segment::Arc(Arc::new(from, to, center, ccw))
+            }
+            _ => {
+                self.problems.error(Code::BadArc, Some(number), || {
+                    format!("Line {number} is an arc whose ends are not equally far from its centre: the controller refuses it.")
+                });
+                Segment::line(from, to)
+            }
+        }
+    }
+}
+
+/// The centre of an arc given by its radius; a negative one takes the longer way round.
+fn by_radius(from: DVec2, to: DVec2, r: f64, ccw: bool) -> Option<DVec2> {
+    let chord = to - from;
+    let height2 = r * r - chord.length_squared() * 0.25;
+    if chord.length() == 0.0 || height2 < -1e-6 {
+        return None;
+    }
+    let side = if ccw == (r > 0.0) { 1.0 } else { -1.0 };
+    Some((from + to) * 0.5 + chord.perp().normalize() * height2.max(0.0).sqrt() * side)
+}
+
+/// Whether a comment is Kerfway's `3 of 7: cut contour 5, layer 0`.
+fn announces(comment: &str) -> bool {
+    comment.split_once(" contour ").is_some_and(|(before, _)| {
+        before.starts_with("pre-cut")
+            || before.split_once(" of ").is_some_and(|(n, _)| n.parse::<u32>().is_ok())
+    })
+}
+
+/// The values of `{power}` and `{seconds}` if a line is written after this template.
+fn matched(template: &str, line: &str) -> Option<[Option<f64>; 2]> {
+    let mut values = [None, None];
+    let (mut template, mut line) = (template, line);
+    while let Some((before, open)) = template.split_once('{') {
+        let (name, after) = open.split_once('}')?;
+        line = line.strip_prefix(before)?;
+        let end = line.find(|c: char| !matches!(c, '0'..='9' | '.' | '-')).unwrap_or(line.len());
+        let value = lexical_parse_float::FromLexical::from_lexical(&line.as_bytes()[..end]).ok()?;
+        match name {
+            "power" => values[0] = Some(value),
+            "seconds" => values[1] = Some(value),
+            _ => {}
+        }
+        line = &line[end..];
+        template = after;
+    }
+    (line == template).then_some(values)
+}

@@ -1,0 +1,172 @@
+//! What a check says: the figures of the program, and its problems.
+
+use super::contours::{self, Cut};
+use super::problem::{Problem, Problems};
+use super::reader::{Event, Program};
+use crate::finding::Severity;
+use crate::geometry::{Aabb, DVec2, Segment};
+use crate::machine::dialect::Dialect;
+use crate::machine::{AirTime, Process, Profile, cut_time};
+use serde::Serialize;
+
+/// What a program does, and what is wrong with it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ProgramCheck"))]
+pub struct Check {
+    /// Whether the program may be run: it has no problem of severity error.
+    pub passed: bool,
+    /// Name of the dialect by whose rules it was read.
+    pub dialect: String,
+    /// Name of the machine.
+    pub machine: String,
+    /// Number of lines.
+    pub lines: u32,
+    /// Number of different contours.
+    pub contours: u32,
+    /// How often each contour is cut; 0 if they differ or there are none.
+    pub passes: u32,
+    /// Number of parts: closed contours inside an even number of others.
+    pub parts: u32,
+    /// Number of piercings at rest.
+    pub pierces: u32,
+    /// Length of cuts, mm.
+    pub cut_length: f64,
+    /// Length of rapids, mm.
+    pub air_length: f64,
+    /// Seconds on this machine.
+    pub seconds: f64,
+    /// Box of everything cut, mm: xmin, ymin, xmax, ymax; `None` if nothing is cut.
+    pub bounds: Option<[f64; 4]>,
+    /// Whether the head stays on the bed; `None` if the machine's bed is not known.
+    pub fits_bed: Option<bool>,
+    /// Whether the beam is off on every rapid.
+    pub dark_rapids: bool,
+    /// What is wrong, one entry for each kind.
+    pub problems: Vec<Problem>,
+}
+
+/// The figures of a program.
+#[derive(Debug)]
+pub(super) struct Figures {
+    pub(super) lines: u32,
+    pub(super) stretches: u32,
+    /// Line and number of cuts of each different contour.
+    pub(super) repeats: Vec<(u32, u32)>,
+    pub(super) parts: u32,
+    pub(super) pierces: u32,
+    pub(super) cut_length: f64,
+    air_length: f64,
+    pub(super) seconds: f64,
+    pub(super) bounds: Aabb,
+    pub(super) fits_bed: Option<bool>,
+    dark_rapids: bool,
+    pub(super) dark_at_end: bool,
+    pub(super) tail: Vec<String>,
+}
+
+/// Off the bed by more than this is off the bed, mm: coordinates are rounded.
+const BED_SLACK: f64 = 0.01;
+
+pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Figures {
+    let mut reach = Aabb::EMPTY;
+    let (mut air_length, mut pierces, mut dark_rapids) = (0.0, 0, true);
+    let mut first = true;
+    for event in &program.events {
+        match event {
+            Event::Move { rapid, path, power, .. } => {
+                // Where the head comes from is not known.
+                reach = if first { reach.with(path.end()) } else { reach.union(path.bounds()) };
+                air_length += if *rapid && !first { path.length() } else { 0.0 };
+                dark_rapids &= !(*rapid && power.lit > 0.0);
+                first = false;
+            }
+            Event::Dwell { seconds, power, .. } => pierces += u32::from(*seconds > 0.0 && power.lit > 0.0),
+            Event::Contour => {}
+        }
+    }
+    Figures {
+        lines: program.lines,
+        stretches: u32::try_from(cuts.len()).unwrap_or(u32::MAX),
+        repeats: contours::repeats(cuts),
+        parts: contours::parts(cuts),
+        pierces,
+        cut_length: cuts.iter().map(Cut::length).sum(),
+        air_length,
+        seconds: seconds(program, profile),
+        bounds: cuts.iter().flat_map(|c| &c.path).fold(Aabb::EMPTY, |b, s| b.union(s.bounds())),
+        fits_bed: fits(&reach, profile),
+        dark_rapids,
+        dark_at_end: program.dark_at_end,
+        tail: program.tail.clone(),
+    }
+}
+
+/// Whether what a program cuts lies on the bed of a machine; `None` if the bed is not known.
+pub fn fits_bed(check: &Check, profile: &Profile) -> Option<bool> {
+    let [x0, y0, x1, y1] = check.bounds?;
+    fits(&Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) }, profile)
+}
+
+fn fits(reach: &Aabb, profile: &Profile) -> Option<bool> {
+    let [x0, y0, x1, y1] = profile.bed?;
+    let bed = Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) };
+    Some(reach.is_empty() || bed.grown(BED_SLACK).contains_box(reach))
+}
+
+/// Seconds of the program on the machine. Each run of the same speed is a run of the planner.
+fn seconds(program: &Program, profile: &Profile) -> f64 {
+    let air = AirTime::new(profile);
+    let mut total = 0.0;
+    let mut run: Vec<Segment> = Vec::new();
+    let mut speed = 0.0;
+    let mut first = true;
+    let finish = |run: &mut Vec<Segment>, speed: f64| {
+        let process = Process { speed, ..profile.cut };
+        let seconds = if run.is_empty() || speed <= 0.0 { 0.0 } else { cut_time(profile, &process, run) };
+        run.clear();
+        seconds
+    };
+    for event in &program.events {
+        match event {
+            Event::Move { rapid: false, path, feed, .. } => {
+                if (feed - speed).abs() > 1e-9 {
+                    total += finish(&mut run, speed);
+                }
+                speed = *feed;
+                run.push(*path);
+                first = false;
+            }
+            Event::Move { path, .. } => {
+                total += finish(&mut run, speed);
+                total += if first { 0.0 } else { air.seconds(path.start(), path.end()) };
+                first = false;
+            }
+            Event::Dwell { seconds, .. } => total += finish(&mut run, speed) + seconds,
+            Event::Contour => {}
+        }
+    }
+    total + finish(&mut run, speed)
+}
+
+pub(super) fn report(figures: Figures, problems: Problems, profile: &Profile, dialect: &Dialect) -> Check {
+    let passes = figures.repeats.first().map_or(0, |(_, n)| *n);
+    let even = figures.repeats.iter().all(|(_, n)| *n == passes);
+    let b = figures.bounds;
+    Check {
+        passed: problems.0.iter().all(|p| p.severity != Severity::Error),
+        dialect: dialect.name.clone(),
+        machine: profile.name.clone(),
+        lines: figures.lines,
+        contours: u32::try_from(figures.repeats.len()).unwrap_or(u32::MAX),
+        passes: if even { passes } else { 0 },
+        parts: figures.parts,
+        pierces: figures.pierces,
+        cut_length: figures.cut_length,
+        air_length: figures.air_length,
+        seconds: figures.seconds,
+        bounds: (!b.is_empty()).then_some([b.min.x, b.min.y, b.max.x, b.max.y]),
+        fits_bed: figures.fits_bed,
+        dark_rapids: figures.dark_rapids,
+        problems: problems.0,
+    }
+}

@@ -1,0 +1,203 @@
+//! What a program must keep to: rules of every controller, and agreement with its machine and its plan.
+
+use super::super::super::number::power_of_ten;
+use super::expected::Expected;
+use super::problem::{Code, Problems};
+use super::reader::{Event, Program};
+use super::report::Figures;
+use crate::finding::Severity;
+use crate::machine::Profile;
+use crate::machine::dialect::{Dialect, PierceBy};
+
+/// Largest difference of seconds from the plan, as a fraction and in s. Rounding of coordinates and dwells explains less;
+/// a wait in the wrong unit is far more.
+const SECONDS: (f64, f64) = (0.02, 0.1);
+/// The same where arcs are chords or the piercing is a slow motion, which the plan's seconds do not know.
+const SECONDS_ROUGH: (f64, f64) = (0.15, 1.0);
+/// Largest difference of the box of all cuts from the plan, mm.
+const BOUNDS: f64 = 0.01;
+/// Largest difference of the length of cuts: mm for each contour, and as a fraction.
+const LENGTH: (f64, f64) = (0.05, 1e-3);
+/// Piercings of one wait: a plan may pierce a few times at one place.
+const PIERCES_AT_ONCE: u32 = 4;
+
+/// The rules about beam, power, feed and waits, motion by motion.
+pub(super) fn beam(
+    program: &Program,
+    dialect: &Dialect,
+    profile: &Profile,
+    expected: &Expected,
+    problems: &mut Problems,
+) {
+    let strict = expected.by_kerfway;
+    let doubtful = if strict { Severity::Error } else { Severity::Warning };
+    let full = dialect.power.full.unwrap_or(profile.max_s);
+    // Half of the last decimal is rounding.
+    let slack = 0.5 / power_of_ten(dialect.power.decimals);
+    for &(line, power) in &program.powers {
+        if !(0.0..=full + slack).contains(&power) {
+            problems.error(Code::PowerOutOfRange, Some(line), || {
+                format!("Line {line} sets the power {power}; it goes from 0 to {full} on this machine.")
+            });
+        }
+    }
+    let fastest =
+        profile.rapid.speed[0].max(profile.rapid.speed[1]).max(profile.cut.speed).max(profile.mark.speed);
+    for event in &program.events {
+        match event {
+            Event::Move { line, rapid: true, path, power, .. } => {
+                let (n, to) = (*line, path.end());
+                if power.lit > 0.0 {
+                    problems.error(Code::BeamOnRapid, Some(n), || {
+                        format!(
+                            "Line {n} is a rapid to {:.3}, {:.3} with the beam on, at power {}.",
+                            to.x, to.y, power.lit
+                        )
+                    });
+                } else if power.asked > 0.0 {
+                    problems.add(Code::PowerOnRapid, doubtful, Some(n), || {
+                        format!(
+                            "Line {n} is a rapid with the power {} in force: only {} itself keeps the beam off, if it is set up for that.",
+                            power.asked, dialect.controller
+                        )
+                    });
+                }
+            }
+            Event::Move { line, path, power, feed, .. } => {
+                let n = *line;
+                if power.lit <= 0.0 && path.length() > 0.0 && strict {
+                    problems
+                        .error(Code::DarkCut, Some(n), || format!("Line {n} is a cut with the beam off."));
+                }
+                if *feed > fastest * 1.001 {
+                    problems.add(Code::FeedOutOfRange, doubtful, Some(n), || {
+                        format!(
+                            "Line {n} cuts with {:.0} mm/min; this machine moves with at most {:.0}.",
+                            feed * 60.0,
+                            fastest * 60.0
+                        )
+                    });
+                }
+            }
+            Event::Dwell { line, seconds, .. } => wait(*line, *seconds, dialect, profile, strict, problems),
+            Event::Contour => {}
+        }
+    }
+}
+
+/// A wait of Kerfway's is one that the machine asks for; of others, one that a laser may ask for.
+fn wait(
+    line: u32,
+    seconds: f64,
+    dialect: &Dialect,
+    profile: &Profile,
+    strict: bool,
+    problems: &mut Problems,
+) {
+    const LONGEST: f64 = 600.0;
+    let rounding =
+        dialect.dwell.as_ref().map_or(1e-3, |d| 0.5 / power_of_ten(d.decimals) / d.unit.per_second());
+    let near = |wanted: f64| wanted > 0.0 && (seconds - wanted).abs() <= rounding + 1e-9;
+    let pierces = (0..=PIERCES_AT_ONCE).map(|k| f64::from(k) * profile.pierce_time + profile.beam_on_delay);
+    let of_machine =
+        near(profile.beam_off_delay) || near(profile.macro_time()) || pierces.into_iter().any(near);
+    if (strict && !of_machine) || !(0.0..=LONGEST).contains(&seconds) {
+        problems.error(Code::WaitOutOfRange, Some(line), || {
+            format!(
+                "Line {line} waits {seconds} s; this machine pierces in {} s. Look at the unit of the wait (seconds or milliseconds).",
+                profile.pierce_time + profile.beam_on_delay
+            )
+        });
+    }
+}
+
+/// The rules about the program as a whole.
+pub(super) fn compare(
+    figures: &Figures,
+    e: &Expected,
+    dialect: &Dialect,
+    profile: &Profile,
+    problems: &mut Problems,
+) {
+    if figures.stretches == 0 {
+        problems.error(Code::Empty, None, || "The program cuts nothing.".into());
+    }
+    if !figures.dark_at_end {
+        problems.error(Code::BeamOnAtEnd, Some(figures.lines), || {
+            "The program ends without switching the beam off.".into()
+        });
+    }
+    if figures.fits_bed == Some(false) {
+        problems.error(Code::OffBed, None, || "The head leaves the bed of the machine.".into());
+    }
+    once(figures, e, problems);
+    if e.by_kerfway {
+        ending(figures, dialect, problems);
+    }
+    let mut differs = |what: &str, is: String, should: String| {
+        problems.error(Code::Differs, None, || format!("The program {what} {is}; it should be {should}."));
+    };
+    let rests = dialect.pierce.as_ref().is_some_and(|p| p.by != PierceBy::Creep) && profile.pierce_time > 0.0;
+    // Marks are not pierced, but wait for the beam.
+    if let Some(pierces) = e.pierces.filter(|&n| rests && n > figures.pierces) {
+        differs("pierces", format!("{} times with the beam on", figures.pierces), pierces.to_string());
+    }
+    if let Some(length) = e.cut_length {
+        let slack = e.precision + LENGTH.0 * f64::from(figures.stretches) + LENGTH.1 * length;
+        if (figures.cut_length - length).abs() > slack {
+            differs("cuts", format!("{:.1} mm", figures.cut_length), format!("{length:.1} mm"));
+        }
+    }
+    let b = figures.bounds;
+    if let Some(bounds) = e.bounds.filter(|_| !b.is_empty()) {
+        let chords = dialect.chords.unwrap_or(0.0);
+        let off = [b.min.x, b.min.y, b.max.x, b.max.y]
+            .iter()
+            .zip(bounds)
+            .fold(0.0, |d: f64, (a, b)| d.max((a - b).abs()));
+        if off > e.precision + BOUNDS + chords {
+            let shown = |[x0, y0, x1, y1]: [f64; 4]| format!("x {x0:.1} to {x1:.1}, y {y0:.1} to {y1:.1} mm");
+            differs("reaches", shown([b.min.x, b.min.y, b.max.x, b.max.y]), shown(bounds));
+        }
+    }
+    if let Some(seconds) = e.seconds {
+        let rough = dialect.chords.is_some() || !rests;
+        let (share, least) = if rough { SECONDS_ROUGH } else { SECONDS };
+        if (figures.seconds - seconds).abs() > e.precision + least + share * seconds {
+            differs("takes", format!("{:.1} s", figures.seconds), format!("{seconds:.1} s"));
+        }
+    }
+}
+
+/// Every contour is cut as often as planned. Of a program of others it is only known what most contours have.
+fn once(figures: &Figures, e: &Expected, problems: &mut Problems) {
+    if let Some(stretches) = e.stretches {
+        if figures.stretches > stretches {
+            problems.error(Code::CutTwice, None, || {
+                format!(
+                    "The program makes {} cuts instead of {stretches}: something is cut more than once.",
+                    figures.stretches
+                )
+            });
+        }
+        return;
+    }
+    let Some(normal) = figures.repeats.iter().map(|(_, n)| *n).min() else { return };
+    for &(line, n) in figures.repeats.iter().filter(|(_, n)| *n != normal) {
+        problems.add(Code::CutTwice, Severity::Warning, Some(line), || {
+            format!("The contour that begins at line {line} is cut {n} times, and others {normal} times.")
+        });
+    }
+}
+
+/// The footer is there, command by command, so the program was not cut off.
+fn ending(figures: &Figures, dialect: &Dialect, problems: &mut Problems) {
+    let footer: Vec<&String> =
+        dialect.footer.iter().filter(|l| !l.starts_with(';') && !l.contains('{')).collect();
+    let tail = figures.tail.iter().rev().take(footer.len()).rev();
+    if !tail.eq(footer.iter().copied()) {
+        problems.error(Code::Incomplete, Some(figures.lines), || {
+            "The end of the program is missing, as if it had been cut off.".into()
+        });
+    }
+}

@@ -1,0 +1,394 @@
+//! Every dialect over every drawing: a beam machine that knows only the controllers' rules follows the programs, and the
+//! preflight passes them.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::float_cmp,
+    clippy::disallowed_methods,
+    reason = "tests stop where they cannot go on, compare what must be equal, and share no arithmetic with the product"
+)]
+
+use crate::testkit::beam_machine::{Controller, Run, Step, run};
+use crate::testkit::paths::{Element, assert_same_path};
+use crate::testkit::{files, fixtures, name, plans};
+use kerfway::geometry::Segment;
+use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions};
+use kerfway::machine::dialect::{Dialect, DialectChoice, FileUnit, dialects};
+use kerfway::machine::{Profile, Start};
+use kerfway::output;
+use kerfway::plan::{Move, Plan};
+use kerfway::sheet::Sheet;
+use std::path::{Path, PathBuf};
+
+/// Largest distance between a motion and the element it stands for, mm.
+const DEVIATION: f64 = 0.002;
+
+/// The drawings: real ones, the sheets of 100 and 500 contours, and the samples of the page.
+fn drawings() -> Vec<PathBuf> {
+    let top = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut all = files(&fixtures().join("dxf-dev"), "dxf");
+    all.extend(files(&top.join("www/app/public/samples"), "dxf"));
+    // More of them, for looking further.
+    if let Some(folder) = std::env::var_os("KERFWAY_DRAWINGS") {
+        all.extend(files(Path::new(&folder), "dxf"));
+    }
+    all
+}
+
+/// A machine that pierces, waits after cuts and marks; the waits are long enough to be written by every dialect.
+fn machine() -> Profile {
+    Profile { pierce_time: 0.25, beam_on_delay: 0.004, beam_off_delay: 0.002, ..plans::machine() }
+}
+
+/// The best plan after a few moves, with the sheet that it cuts.
+fn planned(file: &Path, machine: &Profile) -> Option<(Job, Plan)> {
+    let bytes = std::fs::read(file).unwrap();
+    let mut job = Job::load(bytes, &name(file), &LoadOptions::default()).ok()?;
+    let machine = MachineChoice::Profile(Box::new(machine.clone()));
+    job.start(&PlanOptions { machine, seed: 1, moves: Some(50), ..PlanOptions::default() }).ok()?;
+    job.run_mut().unwrap().step(50);
+    let plan = job.plan().unwrap();
+    Some((job, plan))
+}
+
+fn with(machine: &Profile, dialect: DialectChoice) -> Profile {
+    Profile { dialect, ..machine.clone() }
+}
+
+/// What is cut between two announcements of contours.
+fn stretches(run: &Run) -> Vec<Vec<Element>> {
+    let mut all = Vec::new();
+    for step in &run.steps {
+        match step {
+            Step::Contour => all.push(Vec::new()),
+            Step::Move { rapid: false, path, .. } => all.last_mut().unwrap().push(*path),
+            _ => {}
+        }
+    }
+    all
+}
+
+/// No lit rapid, no dark cut, no dark piercing; the path, the powers and the waits of the plan.
+fn assert_right(
+    text: &str,
+    plan: &Plan,
+    profile: &Profile,
+    dialect: &Dialect,
+    controller: Controller,
+    what: &str,
+) {
+    let run = run(text, controller).unwrap_or_else(|e| panic!("{what}: {e}"));
+    assert!(!run.armed, "{what}: the beam is on at the end");
+    let full = dialect.power.full.unwrap_or(profile.max_s);
+    let rounding = 0.51 * 10_f64.powi(-(dialect.power.decimals as i32));
+    let powers = [profile.cut.power * full, profile.mark.power * full];
+    let creeps = dialect.pierce.as_ref().is_some_and(|p| p.length.is_some());
+    let (mut lit, mut waited) = (0, 0.0);
+    for step in &run.steps {
+        match step {
+            Step::Move { rapid: true, beam, asked, feed, line, .. } => {
+                assert!(
+                    *beam == 0.0 && *asked == 0.0,
+                    "{what}, line {line}: beam {beam}, power {asked} on a rapid"
+                );
+                assert!(
+                    *feed >= profile.rapid.speed[0] * 60.0 - 1.0,
+                    "{what}, line {line}: a rapid at {feed} mm/min"
+                );
+            }
+            Step::Move { beam, line, .. } => {
+                assert!(
+                    powers.iter().any(|p| (p - beam).abs() <= rounding),
+                    "{what}, line {line}: {beam} at a cut"
+                );
+            }
+            Step::Wait { seconds, beam, line } => {
+                let pierces = (seconds - profile.pierce_time).abs() < 0.1;
+                assert!(!pierces || *beam > 0.0, "{what}, line {line}: a dark piercing");
+                assert!(pierces || *seconds < 0.01, "{what}, line {line}: waits {seconds} s");
+                lit += u32::from(pierces);
+                waited += seconds;
+            }
+            Step::Contour => {}
+        }
+    }
+    let stretches = stretches(&run);
+    let cuts: Vec<&[Segment]> = plan
+        .moves
+        .iter()
+        .filter_map(|m| if let Move::Cut { path, .. } = m { Some(path.as_slice()) } else { None })
+        .collect();
+    assert_eq!(stretches.len(), cuts.len(), "{what}");
+    let deviation = dialect.chords.unwrap_or(DEVIATION);
+    for (elements, path) in stretches.iter().zip(&cuts) {
+        assert_same_path(elements, path, deviation);
+    }
+    if !creeps {
+        assert_eq!(lit, plan.summary.pierces, "{what}: piercings");
+        let planned = plan.summary.pierce_time;
+        let each = 0.51 * 10_f64.powi(-(dialect.dwell.as_ref().unwrap().decimals as i32))
+            / dialect.dwell.as_ref().unwrap().unit.per_second();
+        assert!(
+            (waited - planned).abs() <= each * 3.0 * f64::from(plan.summary.contours) + 1e-9,
+            "{what}: waits {waited}, not {planned}"
+        );
+    }
+}
+
+fn assert_all(file: &Path, dialects: &[(DialectChoice, Dialect, Controller)]) {
+    let machine = machine();
+    let Some((job, plan)) = planned(file, &machine) else { return };
+    let sheet: &Sheet = job.beam_sheet();
+    for (choice, dialect, controller) in dialects {
+        let what = format!("{} in {}", name(file), dialect.name);
+        let profile = with(&machine, choice.clone());
+        let text = output::gcode(&plan, sheet, &profile, name(file).as_str(), Start::Absolute)
+            .unwrap_or_else(|e| panic!("{what}: {e}"));
+        assert_right(&text, &plan, &profile, dialect, *controller, &what);
+        let check = output::check_against(&text, &profile, &plan).unwrap();
+        assert!(check.passed, "{what}: {:?}", check.problems);
+        assert!(check.dark_rapids && check.passes == 1 || check.contours == 0, "{what}: {check:?}");
+        // The file alone, against its own header.
+        let alone = output::check(&text, &profile).unwrap();
+        assert!(alone.passed, "{what}, alone: {:?}", alone.problems);
+    }
+}
+
+fn shipped() -> Vec<(DialectChoice, Dialect, Controller)> {
+    let own = |d: Dialect| (DialectChoice::named(&d.name), d.clone(), Controller::of(&d.name));
+    dialects().into_iter().map(own).collect()
+}
+
+#[test]
+fn every_dialect_cuts_every_drawing_with_the_beam_on_where_it_should_be() {
+    let all = drawings();
+    assert!(all.len() >= 24, "{} drawings", all.len());
+    let dialects = shipped();
+    assert_eq!(dialects.len(), 11);
+    for file in all {
+        assert_all(&file, &dialects);
+    }
+}
+
+#[test]
+fn inches_and_chords_stay_within_their_tolerance() {
+    let mut own = Vec::new();
+    for mut dialect in dialects().into_iter().filter(|d| d.name == "linuxcnc-m67" || d.name == "smoothie") {
+        let controller = Controller::of(&dialect.name);
+        dialect.chords = Some(0.02);
+        own.push((DialectChoice::Document(Box::new(dialect.clone())), dialect.clone(), controller));
+        dialect.chords = None;
+        dialect.units = FileUnit::Inch;
+        (dialect.decimals.xy, dialect.decimals.ij, dialect.decimals.feed) = (5, 6, 4);
+        for line in &mut dialect.header {
+            *line = line.replace("G21", "G20");
+        }
+        own.push((DialectChoice::Document(Box::new(dialect.clone())), dialect, controller));
+    }
+    for file in files(&fixtures().join("dxf-dev"), "dxf").iter().take(6) {
+        assert_all(file, &own);
+    }
+}
+
+/// A program of the small plan, with the piercing that most mutants change.
+fn program(dialect: &str) -> (Profile, Plan, String) {
+    // Without a wait after cuts, every rapid has its own S0.
+    let machine = Profile { beam_off_delay: 0.0, ..machine() };
+    let profile = with(&machine, DialectChoice::named(dialect));
+    let (sheet, plan) = plans::small();
+    let text = output::gcode(&plan, &sheet, &profile, "test.dxf", Start::Absolute).unwrap();
+    (profile, plan, text)
+}
+
+/// Whether the check refuses a changed program, both alone and against the plan, and accepts the original.
+fn assert_refused(dialect: &str, mutant: &str, change: impl Fn(&str) -> String, codes: &[&str]) {
+    let (profile, _, text) = program(dialect);
+    let changed = change(&text);
+    assert_ne!(changed, text, "{mutant} changes nothing in {dialect}");
+    let check = output::check(&changed, &profile).unwrap();
+    assert!(!check.passed, "{mutant} passes in {dialect}:\n{changed}");
+    let found: Vec<String> = check.problems.iter().map(|p| output::json_text(&p.code)).collect();
+    assert!(
+        codes.iter().all(|c| found.contains(&format!("\"{c}\""))),
+        "{mutant} in {dialect}: {codes:?} not in {found:?}"
+    );
+}
+
+/// Multiplies the number of every word with this letter in lines that match.
+fn scaled(text: &str, letter: char, factor: f64, lines: impl Fn(&str) -> bool) -> String {
+    let word = |w: &str| match w.strip_prefix(letter).and_then(|n| n.parse::<f64>().ok()) {
+        Some(n) => format!("{letter}{}", n * factor),
+        None => w.to_owned(),
+    };
+    let line = |l: &str| {
+        if l.starts_with(';') || l.starts_with('(') || !lines(l) {
+            return l.to_owned();
+        }
+        l.split(' ').map(word).collect::<Vec<_>>().join(" ")
+    };
+    text.lines().map(|l| line(l) + "\n").collect()
+}
+
+#[test]
+fn every_mutant_fails_the_preflight() {
+    let is_wait = |l: &str| l.starts_with("G4 ");
+    for dialect in ["grbl-m4", "grbl-m3", "fluidnc", "grblhal", "linuxcnc-m67", "linuxcnc-spindle"] {
+        assert_refused(
+            dialect,
+            "milliseconds for seconds",
+            |t| scaled(t, 'P', 1000.0, is_wait),
+            &["wait-out-of-range"],
+        );
+    }
+    for dialect in ["marlin-inline", "marlin-fan"] {
+        assert_refused(
+            dialect,
+            "seconds for milliseconds",
+            |t| scaled(t, 'P', 0.001, is_wait),
+            &["wait-out-of-range"],
+        );
+    }
+    for (dialect, letter) in [
+        ("grbl-m4", 'S'),
+        ("fluidnc", 'S'),
+        ("marlin-inline", 'S'),
+        ("smoothie", 'S'),
+        ("linuxcnc-m67", 'Q'),
+        ("mach4-m67", 'Q'),
+    ] {
+        let is_power = |l: &str| !l.starts_with("G4 ") && !l.starts_with("G64");
+        assert_refused(
+            dialect,
+            "power times 255",
+            |t| scaled(t, letter, 255.0, is_power),
+            &["power-out-of-range"],
+        );
+    }
+    assert_refused("linuxcnc-m67", "M67 for M68", |t| t.replace("M68", "M67"), &["dark-pierce"]);
+    let without_s0 = |t: &str| {
+        let line = |l: &str| if l.starts_with("G0") { l.replace(" S0", "") } else { l.to_owned() };
+        t.lines().map(|l| line(l) + "\n").collect::<String>()
+    };
+    for dialect in ["grbl-m4", "grbl-m3", "grblhal", "smoothie", "marlin-inline"] {
+        assert_refused(dialect, "a dropped S0", without_s0, &["power-on-rapid"]);
+    }
+    assert_refused("fluidnc", "a dropped S0", without_s0, &["beam-on-rapid"]);
+    for dialect in dialects() {
+        let shift = |t: &str| {
+            let moved = |w: &str| match w.strip_prefix('X').and_then(|n| n.parse::<f64>().ok()) {
+                Some(n) => format!("X{}", n + 3.0),
+                None => w.to_owned(),
+            };
+            t.lines().map(|l| if l.starts_with('G') { l.split(' ').map(moved).collect::<Vec<_>>().join(" ") } else { l.to_owned() } + "\n").collect::<String>()
+        };
+        assert_refused(&dialect.name, "a shifted origin", shift, &["differs"]);
+        let doubled = |t: &str| {
+            let lines: Vec<&str> = t.lines().collect();
+            let starts: Vec<usize> = (0..lines.len()).filter(|&k| lines[k].contains(" contour ")).collect();
+            let contour = lines[starts[1]..starts[2]].join("\n") + "\n";
+            let at = lines[..starts[2]].join("\n").len() + 1;
+            // Back to where the contour begins, then the contour again.
+            let back = lines[starts[1] - 1..starts[1]].join("\n") + "\n";
+            let text = lines.join("\n") + "\n";
+            format!("{}{back}{contour}{}", &text[..at], &text[at..])
+        };
+        assert_refused(&dialect.name, "a doubled contour", doubled, &["cut-twice"]);
+        let truncated =
+            |t: &str| t.lines().take(t.lines().count() - 4).map(|l| l.to_owned() + "\n").collect();
+        assert_refused(&dialect.name, "half a program", truncated, &["incomplete"]);
+    }
+    for (dialect, off) in [
+        ("grbl-m4", "M5 S0"),
+        ("grbl-m3", "M5 S0"),
+        ("fluidnc", "M5 S0"),
+        ("grblhal", "M5 S0"),
+        ("linuxcnc-spindle", "M5"),
+        ("linuxcnc-m67", "M68 E0 Q0"),
+        ("marlin-fan", "M107 P0"),
+        ("template", "M98 P9002"),
+    ] {
+        let missing = |t: &str| {
+            let last_cut = t.rfind("\nG1").or(t.rfind("\nG3")).unwrap();
+            let (work, end) = t.split_at(last_cut);
+            format!(
+                "{work}{}",
+                end.lines()
+                    .filter(|l| *l != off && !l.starts_with("M67"))
+                    .map(|l| l.to_owned() + "\n")
+                    .collect::<String>()
+            )
+        };
+        assert_refused(dialect, "a missing M5", missing, &["beam-on-at-end"]);
+    }
+}
+
+#[test]
+fn what_a_dialect_cannot_do_is_refused_in_a_sentence_that_names_it() {
+    let (sheet, plan) = plans::small();
+    let mut smoothie = dialects().into_iter().find(|d| d.name == "smoothie").unwrap();
+    smoothie.pierce = None;
+    let profile = with(&machine(), DialectChoice::Document(Box::new(smoothie)));
+    let error = output::gcode(&plan, &sheet, &profile, "x", Start::Absolute).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "Smoothieware (dialect \"smoothie\") cannot pierce at rest: set the machine's piercing time and beam-on delay to 0, \
+         or choose a dialect that pierces."
+    );
+    let stays = Profile { return_home: false, ..with(&machine(), DialectChoice::named("mach4-m67")) };
+    let stop = plans::Stop {
+        layer: 0,
+        operation: kerfway::sheet::Operation::Cut,
+        path: kerfway::geometry::Path::new(vec![Segment::line(glam::DVec2::X, glam::DVec2::Y)], false),
+    };
+    let (sheet, plan) = plans::plan_of(vec![stop], &[("0", 7)], &stays);
+    let error = output::gcode(&plan, &sheet, &stays, "x", Start::Absolute).unwrap_err().to_string();
+    assert!(
+        error.starts_with("Mach4 (dialect \"mach4-m67\") switches the beam off with the next motion only"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_dialect_that_contradicts_itself_is_refused() {
+    let of = |change: fn(&mut Dialect)| {
+        let mut dialect = dialects().into_iter().find(|d| d.name == "smoothie").unwrap();
+        change(&mut dialect);
+        let profile = with(&machine(), DialectChoice::Document(Box::new(dialect)));
+        profile.validate().unwrap_err().to_string()
+    };
+    use kerfway::machine::dialect::PierceBy;
+    let error = of(|d| d.pierce.as_mut().unwrap().by = PierceBy::DwellM3);
+    assert!(
+        error.contains("pierces by \"dwell-m3\", which does not work with power by \"motion\""),
+        "{error}"
+    );
+    let error = of(|d| d.header.push("G21 {secnds}".into()));
+    assert!(error.contains("no placeholder named \"secnds\". Did you mean \"seconds\"?"), "{error}");
+    let error = of(|d| d.footer.push("M5 ß".into()));
+    assert!(error.contains("'ß'"), "{error}");
+    let error = of(|d| d.pierce.as_mut().unwrap().length = None);
+    assert!(error.contains("give \"pierce.length\""), "{error}");
+}
+
+#[test]
+fn the_header_tells_time_size_bounds_machine_material_and_hash_on_lines_of_their_own() {
+    let (sheet, plan) = plans::small();
+    let hash = "0123456789abcdef".repeat(4);
+    for dialect in dialects().into_iter().filter(|d| d.name != "grbl-m4") {
+        let profile = with(&machine(), DialectChoice::named(&dialect.name));
+        let facts =
+            output::JobFacts { name: "plate.dxf", hash: Some(&hash), material: Some("3 mm birch ply") };
+        let text = output::gcode(&plan, &sheet, &profile, facts, Start::Absolute).unwrap();
+        let comments = run(&text, Controller::of(&dialect.name)).unwrap().comments;
+        let has = |line: &str| {
+            assert!(comments.iter().any(|c| c == line), "{}: no {line:?} in {comments:#?}", dialect.name)
+        };
+        has("machine test");
+        has("material 3 mm birch ply");
+        has("size 40 x 30 mm");
+        has("x 10 to 50, y 10 to 40 mm");
+        assert!(comments.iter().any(|c| c.starts_with("time: about ") && c.ends_with(" s")));
+        assert!(comments.iter().any(|c| c.ends_with(&hash)), "{}: {comments:#?}", dialect.name);
+        assert!(text.lines().all(|l| l.len() <= dialect.line_length as usize));
+    }
+}

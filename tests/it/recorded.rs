@@ -1,0 +1,129 @@
+//! Programs that other people's interpreters have read: LinuxCNC's `rs274` and MeerK40t's `rdjob`. They ran once, by
+//! `tests/oracle/rs274.py` and `tests/oracle/rdjob.py`, which recorded what they found. Here the programs are written again,
+//! and must be the same.
+//!
+//! After a change of programs: `KERFWAY_PROGRAMS=FOLDER cargo test --features png --test it recorded` writes them to a folder, then
+//! the scripts with that folder record again.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use crate::testkit::{files, fixtures, name, plans};
+use kerfway::geometry::Segment;
+use kerfway::job::{Job, LoadOptions, MachineChoice, OutputKind, PlanOptions};
+use kerfway::machine::dialect::DialectChoice;
+use kerfway::machine::{Profile, Start};
+use kerfway::output;
+use kerfway::plan::Move;
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+use std::fs;
+use std::path::Path;
+
+/// Plans every drawing and the samples, and calls `visit` with the name, the job and its machine.
+fn each(mut visit: impl FnMut(&str, &Job, &Profile)) {
+    let machine =
+        Profile { pierce_time: 0.25, beam_on_delay: 0.004, beam_off_delay: 0.002, ..plans::machine() };
+    let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/app/public/samples");
+    for file in files(&fixtures().join("dxf-dev"), "dxf").into_iter().chain(files(&samples, "dxf")) {
+        let Ok(mut job) = Job::load(fs::read(&file).unwrap(), &name(&file), &LoadOptions::default()) else {
+            continue;
+        };
+        let options = PlanOptions {
+            machine: MachineChoice::Profile(Box::new(machine.clone())),
+            seed: 1,
+            moves: Some(50),
+            ..PlanOptions::default()
+        };
+        if job.start(&options).is_ok() {
+            job.run_mut().unwrap().step(50);
+            visit(&name(&file), &job, &machine);
+        }
+    }
+}
+
+fn recorded(file: &str) -> Value {
+    serde_json::from_str(&fs::read_to_string(fixtures().join("recorded").join(file)).unwrap()).unwrap()
+}
+
+/// Writes a file for the scripts, if they ask for it.
+fn hand_out(name: &str, bytes: &[u8]) -> bool {
+    let Some(folder) = std::env::var_os("KERFWAY_PROGRAMS") else { return false };
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(Path::new(&folder).join(name), bytes).unwrap();
+    true
+}
+
+fn hash(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
+}
+
+#[test]
+fn linuxcnc_has_run_these_programs_and_waited_as_long_as_planned() {
+    let record = recorded("rs274.json");
+    let mut compared = 0;
+    each(|name, job, machine| {
+        for dialect in ["linuxcnc-m67", "linuxcnc-spindle"] {
+            let profile = Profile { dialect: DialectChoice::named(dialect), ..machine.clone() };
+            let plan = job.plan().unwrap();
+            let text = output::gcode(&plan, job.beam_sheet(), &profile, name, Start::Absolute).unwrap();
+            // The comments hold the version.
+            let code: String =
+                text.lines().filter(|l| !l.starts_with(';')).map(|l| format!("{l}\n")).collect();
+            let program = format!("{name}.{dialect}.ngc");
+            if hand_out(&program, code.as_bytes()) {
+                continue;
+            }
+            let run = &record["programs"][&program];
+            assert_eq!(run["sha256"], hash(code.as_bytes()), "{program} has changed: record it again");
+            assert_eq!(run["exit"], 0, "{program}");
+            let waited = run["dwell"].as_f64().unwrap();
+            let planned = plan.summary.pierce_time + plan.summary.macro_time;
+            assert!((waited - planned).abs() <= 0.001, "{program} waits {waited} s, not {planned}");
+            compared += 1;
+        }
+    });
+    assert!(compared >= 48 || std::env::var_os("KERFWAY_PROGRAMS").is_some(), "{compared} programs");
+}
+
+#[test]
+fn meerk40t_has_read_these_ruida_files_as_planned() {
+    let record = recorded("rdjob.json");
+    let mut compared = 0;
+    each(|name, job, machine| {
+        let bytes = job.output_bytes(OutputKind::Rd).unwrap();
+        let program = format!("{name}.rd");
+        if hand_out(&program, &bytes) {
+            hand_out(&format!("{program}.json"), planned(job, machine).to_string().as_bytes());
+            return;
+        }
+        let run = &record["files"][&program];
+        assert_eq!(run["sha256"], hash(&bytes), "{program} has changed: record it again");
+        assert!(run["off"].as_f64().unwrap() <= 0.002, "{program}: {run}");
+        assert_eq!(run["contours"], job.plan().unwrap().summary.contours, "{program}");
+        assert_eq!(run["settings"], true, "{program}: speed and power");
+        compared += 1;
+    });
+    assert!(compared >= 24 || std::env::var_os("KERFWAY_PROGRAMS").is_some(), "{compared} files");
+}
+
+/// The plan as the script compares it: of each cut its elements, speed in mm/s and power in per cent.
+fn planned(job: &Job, machine: &Profile) -> Value {
+    let element = |s: &Segment| match s {
+        Segment::Line(l) => json!({ "to": [l.end.x, l.end.y] }),
+        Segment::Arc(a) => {
+            json!({ "to": [a.end.x, a.end.y], "center": [a.center.x, a.center.y], "sweep": a.sweep })
+        }
+    };
+    let cuts: Vec<Value> = job
+        .plan()
+        .unwrap()
+        .moves
+        .iter()
+        .filter_map(|m| {
+            let Move::Cut { path, mark, .. } = m else { return None };
+            let (start, process) = (path.first()?.start(), machine.process(*mark));
+            let path: Vec<Value> = path.iter().map(element).collect();
+            Some(json!({ "from": [start.x, start.y], "path": path, "speed": process.speed, "power": process.power * 100.0 }))
+        })
+        .collect();
+    json!({ "cuts": cuts })
+}

@@ -1,0 +1,84 @@
+// `kerfway check`, and the dialect, LightBurn and Ruida outputs of `kerfway plan`.
+
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { it } from 'node:test';
+import { circle, dxf, folder, kerfway, square } from './support.mjs';
+
+const PLAN = ['--moves', '0', '--seed', '1', '--quiet'];
+
+/** A folder with a drawing, and the path of a file in it. */
+function workshop(t) {
+  const at = folder(t);
+  writeFileSync(join(at, 'plate.dxf'), dxf(square(10, 10, 40), circle(30, 30, 5)));
+  return (name) => join(at, name);
+}
+
+it('a program passes its check, and a broken one fails with exit code 1', async (t) => {
+  const at = workshop(t);
+  assert.equal((await kerfway('plan', at('plate.dxf'), '--gcode', at('plate.nc'), ...PLAN)).code, 0);
+  const passed = await kerfway('check', at('plate.nc'));
+  assert.equal(passed.code, 0, passed.stderr);
+  assert.match(passed.stdout, /^plate\.nc: passes, read as grbl-m4 on co2-100w\nContours   2 contours, each cut once; 1 part, 2 piercings\n/);
+  assert.match(passed.stdout, /Beam       off on every rapid\n/);
+  assert.match(passed.stdout, /on the bed/);
+
+  writeFileSync(at('broken.nc'), readFileSync(at('plate.nc'), 'utf8').replace('M5 S0\nG0 X0 Y0\nM2', 'G0 X0 Y0\nM2'));
+  const broken = await kerfway('check', at('broken.nc'), '--json', at('broken.json'));
+  assert.equal(broken.code, 1);
+  assert.match(broken.stderr, /broken\.nc fails: /);
+  const report = JSON.parse(readFileSync(at('broken.json'), 'utf8'));
+  assert.equal(report.passed, false);
+  assert.ok(report.problems.some((p) => p.code === 'beam-on-at-end'), JSON.stringify(report.problems));
+  const both = await kerfway('check', at('plate.nc'), at('broken.nc'));
+  assert.equal(both.code, 4);
+});
+
+it('a program off the bed fails', async (t) => {
+  const at = workshop(t);
+  writeFileSync(at('far.nc'), 'G21 G90\nM4 S0\nG0 X-50 Y0\nG1 X-40 S500 F600\nG0 X0 Y0 S0\nM5\nM2\n');
+  const { code, stderr } = await kerfway('check', at('far.nc'));
+  assert.equal(code, 1);
+  assert.match(stderr, /far\.nc fails: The head leaves the bed/);
+});
+
+it('--dialect takes a shipped name or a file of one\'s own', async (t) => {
+  const at = workshop(t);
+  const linux = await kerfway('plan', at('plate.dxf'), '--gcode', at('plate.ngc'), '--dialect', 'linuxcnc-m67', ...PLAN);
+  assert.equal(linux.code, 0, linux.stderr);
+  assert.match(readFileSync(at('plate.ngc'), 'utf8'), /M68 E0 Q850\nG4 P0\.105\n/);
+  assert.equal((await kerfway('check', at('plate.ngc'), '--dialect', 'linuxcnc-m67')).code, 0);
+
+  const shipped = JSON.parse(readFileSync(new URL('../../src/machine/dialect/shipped/marlin-inline.json', import.meta.url), 'utf8'));
+  writeFileSync(at('mine.json'), JSON.stringify({ ...shipped, name: 'mine', chords: 0.02 }));
+  assert.equal((await kerfway('plan', at('plate.dxf'), '--gcode', at('mine.gcode'), '--dialect', at('mine.json'), ...PLAN)).code, 0);
+  const mine = readFileSync(at('mine.gcode'), 'utf8');
+  assert.doesNotMatch(mine, /^G[23] /m);
+  assert.match(mine, /^G4 P105$/m);
+
+  writeFileSync(at('wrong.json'), JSON.stringify({ ...shipped, rapid_dark: true }));
+  const wrong = await kerfway('plan', at('plate.dxf'), '--gcode', '-', '--dialect', at('wrong.json'), ...PLAN);
+  assert.equal(wrong.code, 1);
+  assert.match(wrong.stderr, /wrong\.json: The dialect has no field "rapid_dark"\. Did you mean "rapids_dark"\?/);
+  const unknown = await kerfway('plan', at('plate.dxf'), '--gcode', '-', '--dialect', 'marlin', ...PLAN);
+  assert.equal(unknown.code, 2);
+  assert.match(unknown.stderr, /--dialect marlin: choose one of grbl-m4, .*template, or name a file ending in \.json\./);
+});
+
+it('LightBurn projects and Ruida files are written', async (t) => {
+  const at = workshop(t);
+  const { code, stderr } = await kerfway('plan', at('plate.dxf'), '--lbrn2', at('plate.lbrn2'), '--rd', at('plate.rd'), ...PLAN);
+  assert.equal(code, 0, stderr);
+  assert.match(readFileSync(at('plate.lbrn2'), 'utf8'), /<LightBurnProject/);
+  // The scrambled D8 10: absolute coordinates from the machine's zero.
+  assert.deepEqual([...readFileSync(at('plate.rd')).subarray(0, 2)], [0xd2, 0x99]);
+});
+
+it('nothing is written for a dialect that cannot do what the plan asks', async (t) => {
+  const at = workshop(t);
+  const { code, stderr } = await kerfway('plan', at('plate.dxf'), '--gcode', at('plate.nc'), '--dialect', 'mach4-m67', '--no-return', ...PLAN);
+  assert.equal(code, 1);
+  assert.match(stderr, /Mach4 \(dialect "mach4-m67"\) switches the beam off with the next motion only/);
+  assert.equal(existsSync(at('plate.nc')), false);
+});

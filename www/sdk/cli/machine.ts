@@ -1,0 +1,71 @@
+/** The machine and the dialect of a command: presets and shipped documents by name, or files of one's own. */
+
+import type { Planner } from '../node.js';
+import { checkMachine } from '../options.js';
+import type { Dialect, MachineProfile } from '../protocol.js';
+import { text, type Words } from './arguments.js';
+import { bytesOf, Unusable, WrongUse } from './io.js';
+
+const DEFAULT_MACHINE = 'co2-100w';
+
+/** The machine of the options `--machine` and `--dialect`. */
+export async function machineOf({ values }: Words, planner: Planner): Promise<MachineProfile> {
+  const machine = await named(text(values, 'machine') ?? DEFAULT_MACHINE, planner);
+  const dialect = text(values, 'dialect');
+  return dialect === undefined ? machine : { ...machine, dialect: await dialectOf(dialect, machine, planner) };
+}
+
+/** The files with a machine profile or a dialect that the options name. */
+export function machineFiles({ values }: Words, { machines, dialects }: Planner): string[] {
+  const files = (option: string, known: readonly { name: string }[]) => {
+    const word = text(values, option);
+    return word === undefined || known.some((k) => k.name === word) ? [] : [word];
+  };
+  return [...files('machine', machines), ...files('dialect', dialects)];
+}
+
+/** The preset with this name, or the profile in the file with this name. */
+async function named(word: string, { machines }: Planner): Promise<MachineProfile> {
+  const preset = machines.find((m) => m.name === word);
+  if (preset !== undefined) return preset;
+  if (!isFile(word)) throw unknown('machine', word, machines);
+  const content = await json(word, 'a machine profile is an object like those of the presets.') as MachineProfile | { schema: string; profile: MachineProfile } | null;
+  // A profile that the page has exported is wrapped in an object with its schema.
+  const profile = content !== null && typeof content === 'object' && 'profile' in content ? content.profile : content;
+  checked(() => checkMachine(profile), Unusable, `${word}: `);
+  return profile as MachineProfile;
+}
+
+/** The shipped dialect with this name, or the document in the file with this name. */
+async function dialectOf(word: string, machine: MachineProfile, { dialects }: Planner): Promise<MachineProfile['dialect']> {
+  if (dialects.some((d) => d.name === word)) return word;
+  if (!isFile(word)) throw unknown('dialect', word, dialects);
+  const document = await json(word, 'a dialect is an object like those of kerfway/dialects.');
+  if (typeof document !== 'object') throw new Unusable(`${word} holds no dialect: it is an object like those of kerfway/dialects.`);
+  checked(() => checkMachine({ ...machine, dialect: document as Dialect }), Unusable, `${word}: `);
+  return document as Dialect;
+}
+
+const isFile = (word: string) => /[./\\]/.test(word);
+
+async function json(word: string, remedy: string): Promise<unknown> {
+  const bytes = await bytesOf(word);
+  try {
+    return JSON.parse(new TextDecoder().decode(bytes));
+  } catch {
+    throw new Unusable(`${word} is not JSON: ${remedy}`);
+  }
+}
+
+/** Runs a check and turns its error into a failure of the command line. */
+export function checked(check: () => void, Failure: typeof Unusable | typeof WrongUse, where: string): void {
+  try {
+    check();
+  } catch (error) {
+    throw new Failure(`${where}${(error as Error).message}`);
+  }
+}
+
+function unknown(option: string, word: string, known: readonly { name: string }[]): WrongUse {
+  return new WrongUse(`--${option} ${word}: choose one of ${known.map((k) => k.name).join(', ')}, or name a file ending in .json.`);
+}
