@@ -1,0 +1,35 @@
+// The dialect editor with its preview, and the check of the program below the downloads.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { openPage, phase } from './page-support.mjs';
+
+test('a program is checked below the downloads, and a dialect of one\'s own is tried while it is typed', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'done');
+  const preflight = page.locator('.preflight');
+  await preflight.waitFor({ state: 'visible' });
+  assert.match(await preflight.innerText(), /The program passes its check[^]*500 contours, each cut once[^]*beam off on every rapid[^]*read back as grbl-m4/);
+
+  const machine = page.locator('details.section', { has: page.locator('h2', { hasText: 'Machine' }) });
+  await machine.locator('> summary').click();
+  await machine.getByLabel('G-code dialect').selectOption('linuxcnc-m67');
+  await machine.getByText('Edit the dialect').click();
+  const preview = page.locator('pre.program');
+  await page.waitForFunction(() => document.querySelector('pre.program')?.textContent?.includes('M68 E0 Q0'));
+
+  const text = machine.getByLabel('Dialect document (JSON)');
+  const document = JSON.parse(await text.inputValue());
+  await text.fill(JSON.stringify({ ...document, name: 'mine', title: 'My LinuxCNC', header: ['G21 G90', 'M64 P0'] }));
+  await page.waitForFunction(() => document.querySelector('pre.program')?.textContent?.includes('M64 P0'));
+  assert.match(await preview.innerText(), /^G21 G90\nM64 P0\nG0 X0 Y0\n/);
+  await text.fill(JSON.stringify({ ...document, pierce: { by: 'dwell-m3' } }));
+  await machine.getByText(/pierces by "dwell-m3", which does not work/).waitFor();
+  assert.equal(await machine.getByRole('button', { name: 'Use this dialect' }).isDisabled(), true);
+
+  await text.fill(JSON.stringify({ ...document, name: 'mine', title: 'My LinuxCNC' }));
+  await page.waitForFunction(() => !document.querySelector('.section-body button.primary')?.disabled);
+  await machine.getByRole('button', { name: 'Use this dialect' }).click();
+  await phase(page, 'done');
+  await page.waitForFunction(() => document.querySelector('.preflight')?.textContent?.includes('read back as mine'));
+});
