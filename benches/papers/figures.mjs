@@ -143,7 +143,7 @@ function hullShares() {
       Object.entries(readings).map(([reading, label]) => {
         const own = rows.filter((r) => r.instance === instance && r.reading === reading);
         const share = own.reduce((sum, r) => sum + r[key], 0) / own.length;
-        return { share, part, kind: key.endsWith('sx') ? 'crossovers' : 'states', bar: `${instance}, ${label}` };
+        return { share, part, order: Object.keys(kinds).indexOf(key), kind: key.endsWith('sx') ? 'crossovers' : 'states', bar: `${instance}, ${label}` };
       })));
   const panel = (kind) => ({
     title: { text: `Share of the ${kind}`, fontSize: 12 }, width: 260, height: { step: 26 }, transform: [{ filter: { field: 'kind', equal: kind } }], mark: 'bar',
@@ -169,14 +169,14 @@ function dewilShares() {
   const values = Object.entries(bars).flatMap(([bar, set]) =>
     Object.entries(steps).map(([key, part]) => {
       const own = rows.filter((r) => setOf[r.instance] === set);
-      return { bar, part, share: set === null ? printed[key] : own.reduce((sum, r) => sum + r[key], 0) / own.length };
+      return { bar, part, order: Object.keys(steps).indexOf(key), share: set === null ? printed[key] : own.reduce((sum, r) => sum + r[key], 0) / own.length };
     }));
   return {
     title: { text: 'Where the partition tree spends its effort', subtitle: 'Printed: share of the time. Ours: share of the moves that are priced' }, description: 'Shares of the steps of the partition-tree framework',
     width: 420, height: { step: 30 }, data: { values }, mark: 'bar',
     encoding: {
       x: { field: 'share', type: 'quantitative', title: 'share', scale: { domain: [0, 1] } }, y: { field: 'bar', type: 'nominal', title: null, sort: null },
-      color: { field: 'part', type: 'nominal', title: null, sort: null },
+      color: { field: 'part', type: 'nominal', title: null, sort: null }, order: { field: 'order' },
     },
   };
 }
