@@ -20,11 +20,13 @@ pub(super) fn orders(contours: usize) -> &'static [&'static [usize]] {
     }
 }
 
-/// The cheapest nodes for layers that are visited in order between two points, and their cost.
+/// The cheapest nodes for layers that are visited in order between two points, and their cost. `extra` gives the seconds of
+/// each node besides air moves.
 pub(super) fn cheapest(
     g: &Graph,
     layers: &[Vec<NodeId>],
     (from, to): (DVec2, Option<DVec2>),
+    extra: impl Fn(NodeId) -> f64,
 ) -> (f64, Vec<NodeId>) {
     // Least seconds to each node of the last layer, and the node of the layer before.
     let mut costs: Vec<f64> = Vec::new();
@@ -42,7 +44,7 @@ pub(super) fn cheapest(
                     .zip(0..)
                     .fold((f64::INFINITY, 0), |best, this| if this.0 < best.0 { this } else { best }),
             };
-            next.push(best.0 + g.extra(node));
+            next.push(best.0 + extra(node));
             back.push(best.1);
         }
         costs = next;
@@ -77,7 +79,7 @@ pub(super) fn improve(g: &Graph, forest: &mut Forest, route: u32, keep: bool) ->
             })
             .collect();
         work += layers.windows(2).map(|w| (w[0].len() * w[1].len()) as u64).sum::<u64>();
-        let (cost, nodes) = cheapest(g, &layers, forest.ends(g, route));
+        let (cost, nodes) = cheapest(g, &layers, forest.ends(g, route), |n| forest.extra(g, n));
         let now = forest.route_seconds(g, route) - forest.leaving(g, route);
         if cost >= now - EPSILON {
             return (false, work);

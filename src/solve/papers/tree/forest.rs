@@ -8,7 +8,7 @@
 
 use super::graph::Graph;
 use crate::order::{real, sort_by};
-use crate::problem::{ItemId, NodeId};
+use crate::problem::{ItemId, LeavePoint, NodeId};
 use glam::DVec2;
 
 /// The index of no partition.
@@ -26,6 +26,10 @@ pub(super) struct Hook {
 }
 
 impl Hook {
+    fn at(point: &LeavePoint) -> Self {
+        Self { out: point.ends[0], back: point.ends[1], seconds: point.seconds }
+    }
+
     /// Seconds of a partition that begins and ends at these nodes, without those inside it.
     pub(super) fn around(&self, g: &Graph, first: NodeId, last: NodeId) -> f64 {
         g.air(self.out, g.entry(first)) + g.air(g.exit(last), self.back) + self.seconds
@@ -120,12 +124,33 @@ impl Forest {
         self.entry(g.item(node)) != node && self.child[node as usize] == NONE && self.may_leave(g, node)
     }
 
-    /// Whether a contour may be entered at a node: no partition is attached to it. A pierce group keeps its path while
-    /// partitions hang from it.
+    /// Whether a contour may be entered at a node: no partition is attached to it. A pierce group may be cut by another path
+    /// if that passes the nodes from which partitions hang.
     pub(super) fn may_enter(&self, g: &Graph, node: NodeId) -> bool {
-        let item = g.item(node);
-        let keeps_path = self.children(item) > 0 && g.is_group(item) && self.entry(item) != node;
-        self.child[node as usize] == NONE && !keeps_path
+        self.child[node as usize] == NONE && self.hung_seconds(g, node).is_finite()
+    }
+
+    /// Seconds of what hangs from a pierce group that is entered at a node: leaving and resuming it, and the air moves to its
+    /// partitions and back. Infinite if the path does not pass one of their nodes; 0 for a contour, whose nodes stay.
+    pub(super) fn hung_seconds(&self, g: &Graph, entry: NodeId) -> f64 {
+        let item = g.item(entry);
+        if self.children(item) == 0 || !g.is_group(item) {
+            return 0.0;
+        }
+        let seconds = |n: NodeId| {
+            let items = self.items(self.child(n)?);
+            let (first, last) = (self.entry(*items.first()?), self.entry(*items.last()?));
+            let hook = g.leave_point(entry, n).map(Hook::at);
+            Some(hook.map_or(f64::INFINITY, |hook| hook.around(g, first, last)))
+        };
+        g.parent_nodes(item).filter_map(seconds).sum()
+    }
+
+    /// Seconds that an entry costs by its place, with what hangs from a pierce group, beyond what that costs now.
+    pub(super) fn extra(&self, g: &Graph, entry: NodeId) -> f64 {
+        let now = self.entry(g.item(entry));
+        let hung = if now == entry { 0.0 } else { self.hung_seconds(g, entry) - self.hung_seconds(g, now) };
+        g.extra(entry) + hung
     }
 
     /// What a partition at a node costs besides its own route. Infinite seconds: the path of the group does not pass the
@@ -137,7 +162,7 @@ impl Forest {
             return Hook { out: g.exit(node), back: g.entry(node), seconds };
         }
         match g.leave_point(self.entry(item), node) {
-            Some(point) => Hook { out: point.ends[0], back: point.ends[1], seconds: point.seconds },
+            Some(point) => Hook::at(point),
             None => Hook { out: g.problem.home, back: g.problem.home, seconds: f64::INFINITY },
         }
     }

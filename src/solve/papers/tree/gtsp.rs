@@ -5,8 +5,8 @@
 //! with LKH (Helsgaun 2000). Here the partition becomes a problem of its own, with its parent node as home, and the default
 //! search solves it: Or-opt, 2-opt and Or-3opt with other entries over neighbour lists, with kicks and annealing
 //! (`tour_tree`). For up to three contours all orders are tried. Precedence is ignored, as in the paper. So are partitions
-//! that hang from pierce groups: they stay at their nodes, while the path of the group may change. The result is taken only if
-//! it is better with what they cost then.
+//! that hang from pierce groups: they stay at their nodes, while the path of the group may change, and what they cost then is
+//! part of the seconds of each path. The result is taken only if it is better.
 
 use super::entries::{MOST_ORDERED, cheapest, orders};
 use super::forest::Forest;
@@ -19,6 +19,9 @@ use glam::DVec2;
 
 /// Number of moves in one piece: about a millisecond.
 const SLICE: u64 = 1_000;
+
+/// Seconds of a path that must not be taken: more than any partition takes, and small enough that sums stay exact.
+const NEVER: f64 = 1e6;
 
 /// The search on one partition.
 pub(super) struct Gtsp {
@@ -71,7 +74,10 @@ impl Gtsp {
                 problem.nodes.push(Node { item: id, twin, ..*own });
                 nodes.push(node);
             }
-            let whole = g.problem.items[item as usize].in_one_go();
+            let mut whole = g.problem.items[item as usize].in_one_go();
+            for (path, node) in whole.paths.iter_mut().zip(all) {
+                path.seconds += forest.hung_seconds(g, node).min(NEVER);
+            }
             problem.items.push(Item {
                 before: None,
                 rank: 0,
@@ -159,7 +165,7 @@ fn best_of_all_orders(g: &Graph, forest: &mut Forest, route: u32) -> u64 {
     let layer = |&k: &usize| g.nodes(forest.items(route)[k]).filter(|&n| forest.may_enter(g, n)).collect();
     let tried = orders.iter().map(|order| {
         let layers: Vec<Vec<NodeId>> = order.iter().map(layer).collect();
-        cheapest(g, &layers, forest.ends(g, route))
+        cheapest(g, &layers, forest.ends(g, route), |n| forest.extra(g, n))
     });
     if let Some((_, nodes)) = tried.reduce(|a, b| if b.0 < a.0 { b } else { a }) {
         set(g, forest, route, &nodes);

@@ -39,7 +39,7 @@ pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut Gainful
     if count == 1 {
         let entered = forest.entry(item);
         for enter in g.nodes(item).filter(|&n| forest.may_enter(g, n)) {
-            let turned = g.extra(enter) - g.extra(entered);
+            let turned = forest.extra(g, enter) - g.extra(entered);
             for &to in g.near(enter) {
                 let cost = forest.hook(g, to).around(g, enter, enter) + turned;
                 offer(now - cost, 0, to, Some(enter));
@@ -82,8 +82,10 @@ fn merge(g: &Graph, forest: &Forest, items: &[ItemId], found: &mut GainfulMoves)
         // A group that keeps other partitions keeps its path; otherwise all of its paths are possible again.
         let merged =
             items[1..].iter().filter(|&&c| forest.at(forest.route_of(c)).is_some_and(|n| g.item(n) == i));
-        let is_bare = g.is_group(i) && forest.children(i) as usize == merged.count();
-        g.nodes(i).filter(|&n| is_bare || forest.may_enter(g, n) || freed(n)).collect()
+        if g.is_group(i) && forest.children(i) as usize != merged.count() {
+            return vec![forest.entry(i)];
+        }
+        g.nodes(i).filter(|&n| forest.child(n).is_none() || freed(n)).collect()
     };
     let orders: Vec<Vec<Vec<NodeId>>> =
         orders(items.len()).iter().map(|o| o.iter().map(|&k| layer(items[k])).collect()).collect();
@@ -101,7 +103,7 @@ fn merge(g: &Graph, forest: &Forest, items: &[ItemId], found: &mut GainfulMoves)
         for layers in &orders {
             found.priced += layers.windows(2).map(|w| (w[0].len() * w[1].len()) as u64).sum::<u64>();
             let hook = forest.hook(g, to);
-            let (cost, nodes) = cheapest(g, layers, (hook.out, Some(hook.back)));
+            let (cost, nodes) = cheapest(g, layers, (hook.out, Some(hook.back)), |n| g.extra(n));
             let gain = now - cost - hook.seconds;
             if gain > best.as_ref().map_or(EPSILON, |b| b.0) {
                 best = Some((gain, nodes, to));

@@ -7,6 +7,7 @@ use super::graph::Graph;
 use super::moves::{GainfulMoves, TreeMove};
 use crate::problem::{ItemId, NodeId};
 use crate::solve::epsilon::EPSILON;
+use glam::DVec2;
 use std::ops::Range;
 
 /// Largest number of contours in a sub-sequence. Longer ones save next to nothing on large sheets, and the work grows with
@@ -37,7 +38,7 @@ pub(super) fn look(g: &Graph, forest: &Forest, item: ItemId, found: &mut Gainful
     let entered = forest.entry(item);
     let here = piece(g, forest, route, pos..pos + 1);
     for enter in g.nodes(item).filter(|&n| n != entered && forest.may_enter(g, n)) {
-        let saved = here.saved + g.extra(entered) - g.extra(enter);
+        let saved = here.saved + g.extra(entered) - forest.extra(g, enter);
         let turned =
             Piece { places: here.places.clone(), ends: [enter; 2], enter: Some(enter), saved, ..here };
         offer(g, forest, &turned, enter, found);
@@ -48,9 +49,12 @@ fn piece(g: &Graph, forest: &Forest, route: u32, places: Range<usize>) -> Piece 
     let node = |k: usize| forest.entry(forest.items(route)[k]);
     let ends = [node(places.start), node(places.end - 1)];
     let (from, to) = (forest.before(g, route, places.start), forest.after(g, route, places.end));
-    let on = to.map_or(0.0, |to| g.air(g.exit(ends[1]), to) - g.air(from, to));
+    let whole = places.len() == forest.items(route).len();
+    // An empty partition is gone: no air move takes its place.
+    let left = |to: DVec2| if whole { 0.0 } else { g.air(from, to) };
+    let on = to.map_or(0.0, |to| g.air(g.exit(ends[1]), to) - left(to));
     let mut saved = g.air(from, g.entry(ends[0])) + on;
-    if places.len() == forest.items(route).len() {
+    if whole {
         saved += forest.leaving(g, route);
     }
     Piece { route, places, ends, enter: None, saved }

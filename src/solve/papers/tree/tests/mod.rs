@@ -6,9 +6,10 @@ mod resolution;
 
 use super::forest::{Forest, ROOT};
 use super::graph::Graph;
-use crate::problem::{NodeId, Problem};
+use crate::problem::{LeavePoint, NodeId, Problem, SubPath};
 use crate::solve::papers::test_sheet;
 use crate::solve::rng::{Draw, Rng};
+use glam::DVec2;
 
 /// Seconds of leaving a contour in most tests.
 const PRE_CUT: f64 = 1.0;
@@ -41,6 +42,49 @@ fn random(contours: usize, corners: usize, rng: &mut Rng) -> Problem {
     problem
 }
 
+/// Makes the contours of an even number of corners pierce groups, every other one: each pair of corners are the ends of a path
+/// and the path back, which pass some of three nodes in a random order.
+fn with_groups(mut problem: Problem, rng: &mut Rng) -> Problem {
+    for item in problem.items.iter_mut().step_by(2).filter(|i| i.nodes.len() % 2 == 0) {
+        let places: Vec<DVec2> =
+            (0..3).map(|_| DVec2::new(rng.uniform() * 100.0, rng.uniform() * 100.0)).collect();
+        item.leave = None;
+        for node in item.nodes.clone() {
+            let twin = item.nodes.start + ((node - item.nodes.start) ^ 1);
+            let exit = problem.nodes[twin as usize].entry;
+            let own = &mut problem.nodes[node as usize];
+            (own.exit, own.twin, own.along) = (exit, twin, 0.0);
+            let mut leave_points = Vec::new();
+            for k in 0..3 {
+                let node = u32::try_from(rng.below(3)).unwrap();
+                let returns = if rng.below(3) == 0 { rng.below(3) } else { node as usize };
+                leave_points.push(LeavePoint {
+                    along: 1.0 + f64::from(k),
+                    node,
+                    ends: [places[node as usize], places[returns]],
+                    seconds: rng.uniform() * 20.0 - 5.0,
+                    strokes: 0,
+                    spans: 0,
+                    pre_cut: None,
+                });
+            }
+            let falls = vec![f64::INFINITY, 1.0 + rng.uniform() * 3.0];
+            let seconds = rng.uniform() * 10.0;
+            item.paths.push(SubPath {
+                ends: [own.entry, exit],
+                strokes: Vec::new(),
+                seconds,
+                leave_points,
+                falls,
+            });
+        }
+    }
+    for k in 0..problem.items.len() {
+        problem.items[k].area = (rng.below(2) == 0).then_some(1);
+    }
+    problem
+}
+
 /// The graph with all near nodes.
 fn graph(problem: &Problem) -> Graph<'_> {
     let mut g = Graph::new(problem);
@@ -55,7 +99,7 @@ fn random_forest(g: &Graph, rng: &mut Rng) -> Forest {
         let nodes = g.nodes(item);
         forest.enter(item, nodes.start + NodeId::try_from(rng.below(nodes.len())).unwrap());
         let other = u32::try_from(rng.below(k.max(1))).unwrap();
-        let free: Vec<NodeId> = g.nodes(other).filter(|&n| k > 0 && forest.is_free(g, n)).collect();
+        let free: Vec<NodeId> = g.parent_nodes(other).filter(|&n| k > 0 && forest.is_free(g, n)).collect();
         if free.is_empty() || rng.below(2) == 0 {
             let (route, pos) =
                 if k > 0 { (forest.route_of(other), forest.pos(other) + 1) } else { (ROOT, 0) };

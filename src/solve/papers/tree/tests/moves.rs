@@ -8,7 +8,7 @@ use super::super::visits::{keeps_precedence, solution};
 use super::super::{
     connect::Connections, edmonds::arborescence, partitions, repair::repair, resolve::resolve, sequences,
 };
-use super::{PRE_CUT, graph, near, random, random_forest, sheet};
+use super::{PRE_CUT, graph, near, random, random_forest, sheet, with_groups};
 use crate::problem::NodeId;
 use crate::solve::rng::seeded;
 use std::mem::discriminant;
@@ -43,6 +43,48 @@ fn every_move_gains_what_it_says_and_leaves_a_tree() {
         }
     }
     assert_eq!(kinds.len(), 4, "all kinds of moves were tried");
+}
+
+#[test]
+fn every_move_around_pierce_groups_gains_what_it_says_and_leaves_a_tree() {
+    let mut rng = seeded(7);
+    let (mut hung, mut turned) = (0, 0);
+    for round in 0..80 {
+        let problem = random(3 + round % 9, [2, 4, 6][round % 3], &mut rng);
+        let problem = with_groups(problem, &mut rng);
+        let g = graph(&problem);
+        let forest = random_forest(&g, &mut rng);
+        near(solution(&g, &forest).cost, forest.seconds(&g));
+        for (gain, change) in found(&g, &forest) {
+            let mut next = forest.clone();
+            change.apply(&g, &mut next);
+            assert!(next.is_sound(&g), "{change:?}");
+            let saved = forest.seconds(&g) - next.seconds(&g);
+            assert!((saved - gain).abs() < 1e-9, "{change:?}: {saved} is not {gain}");
+            near(solution(&g, &next).cost, next.seconds(&g));
+            for item in (0..).take(problem.items.len()).filter(|&i| g.is_group(i) && next.children(i) > 0) {
+                hung += 1;
+                turned += usize::from(next.entry(item) != forest.entry(item));
+            }
+        }
+    }
+    assert!(hung > 100 && turned > 10, "{hung} {turned}");
+}
+
+#[test]
+fn the_repair_puts_a_group_behind_what_would_be_too_late() {
+    let mut rng = seeded(8);
+    let mut late = 0;
+    for round in 0..200 {
+        let problem = random(3 + round % 6, 4, &mut rng);
+        let problem = with_groups(problem, &mut rng);
+        let g = graph(&problem);
+        let mut forest = random_forest(&g, &mut rng);
+        late += (0..).take(problem.items.len()).filter(|&i| forest.is_late(&g, i)).count();
+        repair(&g, &mut forest);
+        assert!(forest.is_sound(&g) && keeps_precedence(&g, &forest));
+    }
+    assert!(late > 10, "{late}");
 }
 
 #[test]
