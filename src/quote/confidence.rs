@@ -70,8 +70,8 @@ pub(super) fn confidence(input: &Input, defects: &[Defect], contours: &[Contour]
         _ => doubt(Level::Medium, format!("{open} contours that are cut are open: they enclose no part.")),
     }
     for Defect { code, severity, count } in defects {
-        // The sentence above already names the open contours that are cut.
-        if *code == Code::OpenContour && open > 0 {
+        // The sentence above already names the open contours that are cut, and where a job lies changes no figure of it.
+        if (*code == Code::OpenContour && open > 0) || *code == Code::OffBed {
             continue;
         }
         let at_least = if *severity == Severity::Error { Level::Low } else { Level::Medium };

@@ -73,8 +73,8 @@ impl Source {
 
     /// A sheet whose nodes are the feature points of Qu & Du, and whose path does not return.
     fn by_feature_points(&self) -> Option<Self> {
-        let Kind::Sheet(sheet) = &self.kind else { return None };
-        let mut problem = papers::with_feature_points(sheet, &self.problem);
+        let Kind::Sheet(_) = &self.kind else { return None };
+        let mut problem = papers::with_feature_points(&self.problem);
         problem.closed = false;
         problem.items.iter_mut().for_each(|i| i.before = None);
         let name = format!("{}, feature points of the paper", self.name);

@@ -9,7 +9,6 @@
 
 use crate::geometry::{DVec2, Path, Segment};
 use crate::problem::{Item, Node, NodeId, Problem};
-use crate::sheet::Sheet;
 
 /// Below this angle the centre of an arc is a feature point, rad.
 const SHORT_ARC: f64 = std::f64::consts::FRAC_PI_4;
@@ -43,21 +42,21 @@ pub fn feature_points(path: &Path) -> Vec<DVec2> {
     points
 }
 
-/// A sheet's problem with the feature points of the paper in place of its nodes. Contours are never left, and open contours
-/// keep their two ends.
-pub fn with_feature_points(sheet: &Sheet, problem: &Problem) -> Problem {
+/// A problem with the feature points of the paper in place of its nodes, where the track of an item is known: closed contours
+/// of a drawing. Contours are never left, and open contours keep their two ends.
+pub fn with_feature_points(problem: &Problem) -> Problem {
     let mut nodes: Vec<Node> = Vec::new();
     let mut items = Vec::with_capacity(problem.items.len());
     let count = |nodes: &Vec<Node>| NodeId::try_from(nodes.len()).unwrap_or(NodeId::MAX);
-    for ((old, contour), item) in problem.items.iter().zip(&sheet.contours).zip(0..) {
+    for (old, item) in problem.items.iter().zip(0..) {
         let first = count(&nodes);
-        let own = old.nodes.clone().filter_map(|n| problem.nodes.get(n as usize));
-        if contour.path.closed && !old.nodes.is_empty() {
-            for (entry, along) in feature_points(&contour.path).into_iter().zip(0_u32..) {
+        if let Some(track) = old.track.as_ref().filter(|_| !old.nodes.is_empty()) {
+            for (entry, along) in feature_points(track).into_iter().zip(0_u32..) {
                 let twin = count(&nodes);
                 nodes.push(Node { item, entry, exit: entry, along: along.into(), reversed: false, twin });
             }
         } else {
+            let own = old.nodes.clone().filter_map(|n| problem.nodes.get(n as usize));
             let shift = |twin: NodeId| first + twin.saturating_sub(old.nodes.start);
             nodes.extend(own.map(|n| Node { twin: shift(n.twin), ..*n }));
         }
@@ -107,37 +106,6 @@ fn lowest(path: &Path) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::{Job, LoadOptions};
-
-    #[test]
-    fn the_drawing_of_43_contours_has_the_printed_feature_points() {
-        let file = std::fs::read("tests/fixtures/qu-du-43/qu_du_43.dxf").unwrap();
-        let job = Job::load(file, "43", &LoadOptions::default()).unwrap();
-        let text = std::fs::read_to_string("tests/fixtures/qu-du-43/qu_du_43.json").unwrap();
-        let data: serde_json::Value = serde_json::from_str(&text).unwrap();
-        let number = |v: &serde_json::Value| v.as_f64().unwrap();
-        let printed: Vec<(DVec2, String)> = data["contours"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .flat_map(|c| c["points"].as_array().unwrap())
-            .map(|p| (DVec2::new(number(&p["x"]), number(&p["y"])), p["id"].as_str().unwrap().to_owned()))
-            .collect();
-        let contours: Vec<&crate::sheet::Contour> =
-            job.sheet().contours.iter().filter(|c| c.is_processed()).collect();
-        assert_eq!(contours.len(), 43);
-        let found: Vec<DVec2> = contours.iter().flat_map(|c| feature_points(&c.path)).collect();
-        let far: Vec<&str> = printed
-            .iter()
-            .filter(|(p, _)| found.iter().all(|f| f.distance(*p) > 1.5))
-            .map(|(_, id)| id.as_str())
-            .collect();
-        // Printed centres of half circles, which the rule of the text does not give; a misprint (S14_3); and an ellipse whose
-        // printed points contradict each other by a millimetre.
-        let named = ["S4_6", "S14_3", "S34_2", "S34_4", "S34_6", "S34_8", "S40_6"];
-        assert_eq!(far, named);
-        assert_eq!(found.len(), 267, "as many as printed");
-    }
 
     #[test]
     fn feature_points_by_hand() {
