@@ -120,7 +120,7 @@ describe('kerfway methods', () => {
   });
 });
 
-const COMMANDS = ['plan', 'inspect', 'quote', 'methods', 'solve', 'completion'];
+const COMMANDS = ['plan', 'inspect', 'quote', 'check', 'methods', 'solve', 'completion'];
 
 describe('kerfway', () => {
   it('prints its version with the hash of its wasm file, and its options', async () => {
