@@ -22,6 +22,8 @@ pub(super) struct Expected {
     pub(super) bounds: Option<[f64; 4]>,
     /// Seconds of the whole job.
     pub(super) seconds: Option<f64>,
+    /// Seconds among them that are charged for pre-cuts.
+    pub(super) pre_cut_seconds: Option<f64>,
     /// How exactly lengths are given, mm.
     pub(super) precision: f64,
 }
@@ -46,6 +48,7 @@ impl Expected {
             cut_length: Some(sums.cut_length + ahead),
             bounds: (sums.contours > 0).then_some(sums.bounds),
             seconds: Some(sums.total_time),
+            pre_cut_seconds: Some(sums.pre_cut_time),
             precision: 0.0,
         }
     }

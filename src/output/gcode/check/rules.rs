@@ -163,7 +163,11 @@ pub(super) fn compare(
     if let Some(seconds) = e.seconds {
         let rough = dialect.chords.is_some() || !rests;
         let (share, least) = if rough { SECONDS_ROUGH } else { SECONDS };
-        if (figures.seconds - seconds).abs() > e.precision + least + share * seconds {
+        // A pre-cut is charged with a time of the profile, whatever its motion takes; without a length it has none. A header
+        // does not say how many there are: at most one before each stretch.
+        let most = profile.pre_cut_time.unwrap_or(0.0) * f64::from(figures.stretches);
+        let charged = e.pre_cut_seconds.unwrap_or(most);
+        if (figures.seconds - seconds).abs() > e.precision + least + share * seconds + charged {
             differs("takes", format!("{:.1} s", figures.seconds), format!("{seconds:.1} s"));
         }
     }
