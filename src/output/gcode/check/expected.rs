@@ -47,7 +47,8 @@ impl Expected {
             pierces: Some(sums.pierces),
             cut_length: Some(sums.cut_length + ahead),
             bounds: (sums.contours > 0).then_some(sums.bounds),
-            seconds: Some(sums.total_time),
+            // What is cut in advance takes its own time, and the plan charges a time of the profile instead.
+            seconds: (ahead <= 0.0).then_some(sums.total_time),
             pre_cut_seconds: Some(sums.pre_cut_time),
             precision: 0.0,
         }
@@ -75,10 +76,10 @@ impl Expected {
                 _ => {}
             }
         }
-        // What is cut in advance for a pre-cut is not in the header.
+        // What is cut in advance for a pre-cut is not in the header, neither its length nor its time.
         let ahead = comments.iter().filter(|c| c.starts_with("pre-cut ")).count();
         if ahead > 0 {
-            e.cut_length = None;
+            (e.cut_length, e.seconds) = (None, None);
             e.stretches = e.stretches.map(|n| n.saturating_add(u32::try_from(ahead).unwrap_or(u32::MAX)));
         }
         e
