@@ -46,6 +46,7 @@ function near(draw, kind) {
   const range = kind.number ?? kind.whole;
   if (range) return one([range.least, range.most, range.least + 1]);
   if (kind.pair) return [near(draw, kind.pair), near(draw, kind.pair)];
+  if (kind.four) return Array.from({ length: 4 }, () => near(draw, kind.four));
   if (kind.list) return Array.from({ length: draw(3) }, () => near(draw, kind.list));
   if (kind.object) return object(draw, kind.object);
   return draw(2) === 0 ? 'co2-100w' : object(draw, kind.nameOr.fields);

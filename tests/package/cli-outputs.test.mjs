@@ -65,7 +65,7 @@ for (const writer of Object.keys(WRITERS)) {
     });
 
     it('a limit of file sizes', { skip: !POSIX && 'there is no ulimit' }, async (t) => {
-      const limited = ['/bin/sh', '-c', 'ulimit -f 1; exec "$@"', 'sh'];
+      const limited = ['/bin/sh', '-c', 'ulimit -f 0; exec "$@"', 'sh'];
       refused(await survives(t, writer, folder(t), { before: limited }), 'the file would be larger than the system allows');
     });
 
