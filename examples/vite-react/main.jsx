@@ -24,7 +24,7 @@ function Quote({ pricePerMinute }) {
         </select>
       </label>
       <kerfway-planner
-        options={{ machine: MATERIALS[material], seconds: 3, seed: 1 }}
+        options={{ machine: MATERIALS[material], seconds: 3, seed: 1, allowOffBed: true }} // A price does not depend on where the drawing lies.
         onresult={({ detail }) => took(detail)}
         onerror={({ detail }) => took(detail)}
       />

@@ -81,7 +81,7 @@ describe('<kerfway-planner>', () => {
   });
 
   it('stops when told, and keeps the best', async (t) => {
-    const { page } = await open(t, 'seed="1" seconds="60"');
+    const { page } = await open(t, 'seed="1" seconds="60" allow-off-bed');
     await choose(page, 'keyboard.dxf', bytes(KEYBOARD));
     await page.getByRole('button', { name: 'Stop' }).click();
     await state(page, 'done');

@@ -17,7 +17,7 @@ export function preflight(session: Session, usable: (passed: boolean) => void): 
   const verdict = h('p', { class: 'verdict' });
   const facts = h('p', { class: 'soft' });
   const problems = h('ul', { class: 'problems' });
-  const root = h('section', { class: 'preflight', 'aria-label': words.preflight.title, 'aria-live': 'polite' }, verdict, facts, problems);
+  const root = h('section', { class: 'preflight', 'aria-label': words.preflight.title }, verdict, facts, problems);
   let asked = 0;
 
   const show = (report: ProgramCheck | null, refusal: string | null) => {
