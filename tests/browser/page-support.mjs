@@ -150,12 +150,12 @@ export async function download(page, press) {
 /** A file of the page's own samples. */
 export const sample = (name) => readFileSync(join(ROOT, 'www', 'app', 'public', 'samples', name));
 
-/** A DXF of circles and squares on a grid, `count` contours in all, mm. */
+/** A DXF of circles and squares on a grid, `count` contours in all, mm; above and right of the origin, so on every bed. */
 export function grid(count, { units = 4, step = 12 } = {}) {
   const columns = Math.ceil(Math.sqrt(count * 2));
   const text = ['0', 'SECTION', '2', 'HEADER', ...(units === null ? [] : ['9', '$INSUNITS', '70', units]), '0', 'ENDSEC', '0', 'SECTION', '2', 'ENTITIES'];
   for (let i = 0; i < count; i += 1) {
-    const x = (i % columns) * step, y = Math.floor(i / columns) * step;
+    const x = (i % columns + 0.5) * step, y = (Math.floor(i / columns) + 0.5) * step;
     if (i % 3 > 0) text.push('0', 'CIRCLE', '8', 'HOLES', '10', x, '20', y, '40', step * (0.2 + (i % 5) * 0.04));
     else {
       text.push('0', 'LWPOLYLINE', '8', 'CUT', '90', 4, '70', 1);
