@@ -1,13 +1,14 @@
 // The report of a quote: from the package, from the command line, by its schema.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { Ajv2020 } from 'ajv/dist/2020.js';
 import { createPlanner, createPool, quote } from 'kerfway';
 import { quoteBudget } from '../../dist/sdk/quote-budget.js';
-import { bytes, circle, dxf, fixture, KEYBOARD, kerfway, square } from './support.mjs';
+import { bytes, circle, dxf, fixture, folder, KEYBOARD, kerfway, square } from './support.mjs';
 
 /** Seconds, from `npm run bench -- quote`: the air of 160 million moves, ten times the default. */
 const AIR_OF_LONGER_SEARCH = 15.588;
@@ -62,6 +63,17 @@ describe('quote', () => {
   it('searches longer by default when there are more contours', () => {
     const moves = (count) => quoteBudget({ contours: Array.from({ length: count }, () => ({ operation: 'cut' })) }).moves;
     assert.deepEqual([1, 40, 100, 1_000, 10_000].map(moves), [250_000, 10_000_000, 25_000_000, 25_000_000, 150_000_000]);
+  });
+
+  // The command line gave `moves: undefined`, which hid the default: it searched for ten seconds and gave another hash.
+  it('plans the same on the command line by default', async (t) => {
+    const plate = dxf(square(10, 10, 30), circle(25, 25, 5), circle(60, 25, 5));
+    const file = join(folder(t), 'plate.dxf');
+    writeFileSync(file, plate);
+    const { hash, moves } = await quote(plate, { name: 'plate.dxf' });
+    const { stdout } = await kerfway('quote', file, '--json', '-');
+    const other = JSON.parse(stdout);
+    assert.deepEqual([other.hash, other.moves], [hash, moves]);
   });
 
   // With 5,000 moves for each contour, this drawing had 5 % more air.
