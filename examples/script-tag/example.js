@@ -5,7 +5,9 @@ const stop = document.querySelector('#stop');
 
 document.querySelector('#file').addEventListener('change', async ({ target }) => {
   const [file] = target.files;
-  const run = Kerfway.plan(await file.arrayBuffer(), { name: file.name, seconds: 5, outputs: ['gcode'] });
+  // The lower left corner of the job lies at x 10, y 10 of the bed, wherever the drawing lies.
+  const place = { at: [10, 10] };
+  const run = Kerfway.plan(await file.arrayBuffer(), { name: file.name, seconds: 5, place, outputs: ['gcode'] });
   stop.disabled = false;
   stop.onclick = () => run.stop();
   try {
