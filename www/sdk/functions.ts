@@ -185,9 +185,7 @@ function read(done: Promise<unknown>, stream: ProgressStream): AsyncIterator<Pro
 /** The options of a search with the default budget where none is given. */
 export function budgeted(options: PlanningOptions, loaded: Loaded, defaultBudget: DefaultBudget = () => ({})): PlanningOptions {
   const isFree = options.moves === undefined && options.seconds === undefined;
-  // What is given as undefined is not given: it must not hide a default.
-  const given = Object.fromEntries(Object.entries(planning(options)).filter(([, value]) => value !== undefined));
-  return { ...(isFree ? defaultBudget(loaded) : {}), ...given };
+  return { ...(isFree ? defaultBudget(loaded) : {}), ...planning(options) };
 }
 
 async function bytesOf(source: Source): Promise<ArrayBuffer | Uint8Array> {

@@ -131,6 +131,8 @@ export function checkFile(bytes: unknown, name: unknown): void {
   checkOne('The option', 'name', 'text', name);
 }
 
+/** The options among these fields. What is given as undefined is not given: it must not hide a default. */
 function picked<T extends object>(options: T, fields: readonly Field[]): T {
-  return Object.fromEntries(Object.entries(options).filter(([name]) => fields.some((f) => f.name === name))) as T;
+  const isGiven = ([name, value]: [string, unknown]) => value !== undefined && fields.some((f) => f.name === name);
+  return Object.fromEntries(Object.entries(options).filter(isGiven)) as T;
 }

@@ -305,7 +305,7 @@ impl<'d> Pen<'d> {
 
     /// The line of a dwell; `None` if it rounds to 0 or the dialect has no dwell.
     fn dwell_text(&self, seconds: f64) -> Option<String> {
-        // A macro that pierces is told the seconds, with a dwell or without.
+        // A macro that pierces gets the seconds as a value, whether the dialect has a dwell or not.
         let Some(dwell) = &self.dialect.dwell else { return (seconds > 0.0).then(String::new) };
         let time = fixed(seconds * dwell.unit.per_second(), dwell.decimals as usize).to_string();
         (time != "0").then(|| format!("G4 {}{time}", dwell.word))

@@ -14,7 +14,7 @@ const PINCH_RATE = 0.012;
 export interface Picks {
   /** The pointer is over this place; null when it has left. */
   hover(at: { x: number; y: number } | null): void;
-  /** A pointer drags from a place by so many pixels; returns whether something else than the view follows it. */
+  /** A pointer drags from a place by a number of pixels; returns whether something other than the view follows it. */
   drag?(dx: number, dy: number): boolean;
   /** A drag has ended. */
   drop?(): void;

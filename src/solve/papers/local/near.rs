@@ -12,7 +12,7 @@ pub(in super::super) struct NearItems {
 }
 
 impl NearItems {
-    /// Lists of at most so many near items, which are not filled yet.
+    /// Empty lists with room for at most this number of near items.
     pub(in super::super) fn new(most: u32) -> Self {
         Self { of: Vec::new(), most: most.max(1) as usize }
     }

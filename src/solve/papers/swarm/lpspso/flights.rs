@@ -18,7 +18,7 @@ pub(super) struct Flight {
 }
 
 impl Flight {
-    /// Flights over an order of so many items.
+    /// Flights over an order with this number of items.
     pub(super) fn new(by: &Lpspso, items: usize) -> Self {
         let positions = by.levy_step;
         let fraction = positions / items.max(1) as f64;

@@ -40,7 +40,7 @@ pub(super) struct LpspsoGuide {
 }
 
 impl LpspsoGuide {
-    /// The rules for an order of so many items.
+    /// The rules for an order with this number of items.
     pub(super) fn new(by: Lpspso, items: usize) -> Self {
         Self {
             initialisation: Initialisation::new(by.initial, by.proximity_steps),
