@@ -30,7 +30,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     for operation in [Operation::Cut, Operation::Mark] {
         let lines = layers::lines_of(drawing, &layers, operation);
         let chains = clean(source, &lines, copy, join, &mut findings);
-        for a in assemble(source, &chains, join, &mut findings) {
+        for a in assemble(source, &chains, join, operation == Operation::Cut, &mut findings) {
             contours.push(contour(drawing, a, operation, &mut findings));
         }
     }
@@ -157,7 +157,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         ));
     }
     let length = a.path.length();
-    if !a.path.closed && !a.is_rest && operation == Operation::Cut {
+    if !a.path.closed && a.rest_of.is_none() && operation == Operation::Cut {
         let message = format!(
             "This contour of {length:.3} mm does not close: it is cut as an open line and frees no part. \
              Close it in the drawing, or raise the joining tolerance."
@@ -182,6 +182,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         self_crossing: false,
         pin: Pin::None,
         first_shape: a.first_shape,
+        rest_of: a.rest_of.filter(|_| !a.path.closed),
         outline: a.outline,
         drawn: None,
         path: a.path,

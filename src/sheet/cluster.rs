@@ -34,14 +34,21 @@ pub(super) fn cluster(points: &[DVec2], radius: f64) -> Vec<u32> {
 }
 
 /// Disjoint sets; the smallest member is the root, so numbering follows first members.
-struct Union(Vec<u32>);
+pub(super) struct Union(Vec<u32>);
 
 impl Union {
-    fn new(n: usize) -> Self {
+    pub(super) fn new(n: usize) -> Self {
         Self((0_u32..).take(n).collect())
     }
 
-    fn root(&mut self, mut i: u32) -> u32 {
+    /// Adds a set of one member, and returns it.
+    pub(super) fn add(&mut self) -> u32 {
+        let next = u32::try_from(self.0.len()).unwrap_or(u32::MAX);
+        self.0.push(next);
+        next
+    }
+
+    pub(super) fn root(&mut self, mut i: u32) -> u32 {
         while self.0[i as usize] != i {
             let up = self.0[self.0[i as usize] as usize];
             self.0[i as usize] = up;
@@ -50,7 +57,7 @@ impl Union {
         i
     }
 
-    fn join(&mut self, a: u32, b: u32) {
+    pub(super) fn join(&mut self, a: u32, b: u32) {
         let (a, b) = (self.root(a), self.root(b));
         self.0[a.max(b) as usize] = a.min(b);
     }

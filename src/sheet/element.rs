@@ -44,6 +44,8 @@ pub(super) struct Chains {
     pub(super) chains: Vec<Chain>,
     /// Closed shapes that lost a part because it lies along another one.
     pub(super) outlines: Vec<Path>,
+    /// Closed shapes that lost everything: copies of others, and shapes all of whose sides are shared.
+    pub(super) covered: Vec<Vec<Element>>,
 }
 
 impl Chains {

@@ -18,7 +18,7 @@ pub(super) fn exclude(contours: &mut [Contour], ids: &[u32], tolerance: f64, fin
         let Some(c) = contours.get_mut(id as usize).filter(|c| c.is_processed()) else { continue };
         let operation = std::mem::replace(&mut c.operation, Operation::Ignore);
         let path = std::mem::take(&mut c.path);
-        let shape = c.first_shape;
+        let shape = c.rest_of;
         at = path.start().unwrap_or(at);
         left += 1;
         findings.withdraw(|f| f.at == Some(at) && matches!(f.code, Code::OpenContour | Code::SeveralLayers));
@@ -34,18 +34,20 @@ pub(super) fn exclude(contours: &mut [Contour], ids: &[u32], tolerance: f64, fin
 
 /// Restores the outlines of contours that shared a side with the excluded one, because nothing else cuts that side now.
 /// A side that they share with a third contour is then cut with both.
-fn restore_outlines(contours: &mut [Contour], gone: &Path, of: (Operation, u32), tolerance: f64) {
+fn restore_outlines(contours: &mut [Contour], gone: &Path, of: (Operation, Option<u32>), tolerance: f64) {
     for i in 0..contours.len() {
         let c = &mut contours[i];
-        let shape = c.first_shape;
+        let shape = c.rest_of;
         // The parts of one shape restore nothing to each other.
-        if c.operation != of.0 || shape == of.1 {
+        if c.operation != of.0 || shape.is_none() || shape == of.1 {
             continue;
         }
         let Some(whole) = c.outline.take_if(|outline| shares(outline, gone, tolerance)) else { continue };
         (c.length, c.bounds, c.path) = (whole.length(), whole.bounds(), whole);
         // The other rests of the same shape become part of the restored outline.
-        for rest in contours.iter_mut().filter(|r| r.first_shape == shape && !r.path.closed) {
+        for rest in
+            contours.iter_mut().filter(|r| r.rest_of == shape && r.operation == of.0 && !r.path.closed)
+        {
             rest.operation = Operation::Ignore;
         }
     }

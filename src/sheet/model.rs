@@ -121,6 +121,8 @@ pub struct Contour {
     pub self_crossing: bool,
     /// Smallest index of the shapes it consists of, which gives the drawing order.
     pub first_shape: u32,
+    /// If it is the open rest of a closed shape: a number that all rests of that shape share.
+    pub rest_of: Option<u32>,
 }
 
 impl Contour {

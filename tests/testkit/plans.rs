@@ -94,6 +94,7 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
             self_crossing: false,
             pin: Pin::None,
             first_shape: id as u32,
+            rest_of: None,
             path: stop.path,
         });
     }

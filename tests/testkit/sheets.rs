@@ -112,6 +112,7 @@ impl Builder {
             self_crossing: false,
             pin: Pin::None,
             first_shape: id,
+            rest_of: None,
             path,
         });
         id

@@ -26,8 +26,11 @@ pub(super) fn join(ends: &mut Ends) -> Vec<Branch> {
     let free = ends.all_free();
     let points: Vec<DVec2> = free.iter().map(|&e| ends.point[e as usize]).collect();
     let node_of = cluster(&points, 2.0 * ROUNDING);
-    let mut by_node: Vec<(u32, u32)> = node_of.into_iter().zip(free).collect();
-    order::sort_by(&mut by_node, |n| [n.0.into(), n.1.into(), 0]);
+    // Rests of one shape only meet each other.
+    let shape = |e: u32| ends.rest_of[e as usize].map_or(0, |of| of + 1);
+    let mut by_node: Vec<((u32, u32), u32)> =
+        node_of.into_iter().zip(free).map(|(n, e)| ((n, shape(e)), e)).collect();
+    order::sort_by(&mut by_node, |n| [n.0.0.into(), n.0.1.into(), n.1.into()]);
     let nodes = || by_node.chunk_by(|a, b| a.0 == b.0);
     for node in nodes() {
         if let [(_, a), (_, b)] = *node

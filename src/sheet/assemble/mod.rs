@@ -6,9 +6,11 @@
 //!    The remaining ends stay open, so all length is still cut.
 //! 2. **Gaps** ([`gaps`]). Free ends are joined across gaps up to the tolerance, globally in order of ascending
 //!    distance. Ties are decided by the same layer, then by the straighter continuation.
-//! 3. **Trace** ([`trace`]). Joined chains become paths whose elements meet bit for bit.
+//! 3. **Faces** ([`network`]). Where lines serve two parts (branches, ends that meet the middle of another line), the
+//!    areas that they enclose together become contours.
+//! 4. **Trace** ([`trace`]). Joined chains become paths whose elements meet bit for bit.
 //!
-//! An end that touches the middle of another contour is not joined to it. The work is bounded for any drawing: points
+//! The work is bounded for any drawing: points
 //! are united in linear time, a branch of n ends compares O(n log n) pairs, and gaps are closed in rising steps of
 //! distance, each of which leaves the free ends too far apart to crowd the next one.
 
@@ -16,26 +18,55 @@ mod close;
 mod ends;
 mod gaps;
 mod junctions;
+mod network;
+mod roles;
 mod trace;
 
 use super::element::Chains;
 use super::source::Source;
-use crate::finding::Findings;
-
+use crate::finding::{Code, Finding, Findings, Severity};
 use ends::Ends;
+use junctions::Branch;
+use network::Outcome;
 
 pub(super) use trace::Assembled;
 
-/// Joins the chains into contours. `tolerance` is in mm.
+/// Joins the chains into contours. `tolerance` is in mm. With `faces`, lines that enclose an area together become
+/// contours.
 pub(super) fn assemble(
     source: Source,
     chains: &Chains,
     tolerance: f64,
+    faces: bool,
     findings: &mut Findings,
 ) -> Vec<Assembled> {
+    let (ends, branches) = joined(chains, tolerance);
+    let outcome =
+        if faces { network::resolve(&roles::of(chains, &ends, tolerance)) } else { Outcome::Unchanged };
+    let resolved = match outcome {
+        Outcome::Faces(resolved) => Some(resolved),
+        Outcome::Unchanged => None,
+        Outcome::TooMany => {
+            let message = "So many lines lie over each other that the areas they enclose together were not searched for.";
+            findings.push(Finding::new(Code::NotAllChecked, Severity::Info, message));
+            None
+        }
+    };
+    let (chains, ends, branches) = match &resolved {
+        Some(resolved) => {
+            let (ends, branches) = joined(resolved, tolerance);
+            (resolved, ends, branches)
+        }
+        None => (chains, ends, branches),
+    };
+    gaps::report(source, &ends, &branches, tolerance, findings);
+    trace::contours(source, chains, &ends, tolerance, findings)
+}
+
+/// Joins the ends of chains; returns them with the branches.
+fn joined(chains: &Chains, tolerance: f64) -> (Ends, Vec<Branch>) {
     let mut ends = Ends::new(chains, tolerance);
     let branches = junctions::join(&mut ends);
     gaps::join(&mut ends, tolerance);
-    gaps::report(source, &ends, &branches, tolerance, findings);
-    trace::contours(source, chains, &ends, tolerance, findings)
+    (ends, branches)
 }

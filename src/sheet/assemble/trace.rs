@@ -17,8 +17,8 @@ pub(crate) struct Assembled {
     pub(crate) first_shape: u32,
     /// Layer index and length (mm) of each element.
     pub(crate) layers: Vec<(u32, f64)>,
-    /// Whether it is the rest of a closed shape whose other part is cut with another contour.
-    pub(crate) is_rest: bool,
+    /// If it is the rest of a closed shape whose other part is cut with another contour: the number of that shape.
+    pub(crate) rest_of: Option<u32>,
     /// The outline of that shape; set on the longest of its rests only.
     pub(crate) outline: Option<Path>,
 }
@@ -67,7 +67,7 @@ pub(super) fn contours(
         }
         builder.report_gaps(source, findings);
         if let Some(of) = chains.chains[first as usize].rest_of {
-            builder.contour.is_rest = true;
+            builder.contour.rest_of = Some(of);
             rests.push((of, out.len()));
         }
         out.push(builder.contour);
@@ -126,7 +126,7 @@ impl Default for ContourBuilder {
             path: Path::default(),
             first_shape: u32::MAX,
             layers: Vec::new(),
-            is_rest: false,
+            rest_of: None,
             outline: None,
         };
         Self { contour, closed: false, gaps: Vec::new() }

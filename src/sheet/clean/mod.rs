@@ -7,7 +7,9 @@
 //!    co-circular overlap, in O(n log n) however many lie on top of each other.
 //! 3. **Near copies** ([`near`]). Elements within the tolerance of another element on a different carrier are found:
 //!    an arc beside its chord, a spline fitted twice, a slightly rotated line.
-//! 4. **Rebuild.** Runs are divided where something was removed, and become chains. A closed shape that shares a side
+//! 4. **Loops** ([`loops`]). If outlines that are drawn in pieces lost something, they become closed runs, and steps 2 and
+//!    3 are done again.
+//! 5. **Rebuild.** Runs are divided where something was removed, and become chains. A closed shape that shares a side
 //!    with another one loses that side, because it is cut once. Its rest is not joined to other chains and keeps the
 //!    shape's outline, so that it still contains what lies inside the shape.
 //!
@@ -18,6 +20,7 @@
 
 mod carriers;
 mod cover;
+mod loops;
 mod near;
 mod remainder;
 mod report;
@@ -31,7 +34,11 @@ use crate::order;
 use remainder::Remainder;
 use std::ops::Range;
 
-/// Elements of one shape that follow each other bit for bit.
+/// Number of times that loops are looked for. Two passes find all loops of a sheet; chains of shapes that each overlap
+/// the next one only at a corner need more.
+const MAX_LOOP_PASSES: usize = 4;
+
+/// Elements of one shape that follow each other bit for bit, or a loop of several shapes.
 struct Run {
     elements: Range<usize>,
     closed: bool,
@@ -46,11 +53,15 @@ pub(super) fn clean(
     join: f64,
     findings: &mut Findings,
 ) -> Chains {
-    let (elements, runs) = explode(source, lines, findings);
-    let mut kept = vec![Remainder::Whole; elements.len()];
-    let rank = ranks(&elements, &runs, join);
-    carriers::unite(&elements, &rank, tolerance, &mut kept);
-    if !near::unite(&elements, &rank, tolerance, &mut kept) {
+    let (mut elements, mut runs) = explode(source, lines, findings);
+    let (mut kept, mut complete) = united(&elements, &runs, tolerance, join);
+    // A loop that becomes a closed shape takes overlaps from another one, which is then found to be a loop, too.
+    for _ in 0..MAX_LOOP_PASSES {
+        let Some(closed) = loops::closed(&elements, &runs, &kept) else { break };
+        (elements, runs) = closed;
+        (kept, complete) = united(&elements, &runs, tolerance, join);
+    }
+    if !complete {
         findings.push(Finding::new(
             Code::NotAllChecked,
             Severity::Info,
@@ -59,6 +70,15 @@ pub(super) fn clean(
     }
     report::removed(source, &elements, &kept, findings);
     rebuild(&elements, &runs, &kept, tolerance)
+}
+
+/// The remainders of all elements, and whether all near copies were checked.
+fn united(elements: &[Element], runs: &[Run], tolerance: f64, join: f64) -> (Vec<Remainder>, bool) {
+    let mut kept = vec![Remainder::Whole; elements.len()];
+    let rank = ranks(elements, runs, join);
+    carriers::unite(elements, &rank, tolerance, &mut kept);
+    let complete = near::unite(elements, &rank, tolerance, &mut kept);
+    (kept, complete)
 }
 
 /// Divides paths into elements and runs, and drops elements shorter than rounding.
@@ -130,15 +150,12 @@ fn ranks(elements: &[Element], runs: &[Run], join: f64) -> Vec<u32> {
     }
     let mut keys = Vec::with_capacity(elements.len());
     for run in runs {
+        let shape = elements[run.elements.clone()].iter().map(|e| e.shape).min().unwrap_or(0);
         for i in run.elements.clone() {
             let loose = meeting[2 * i..2 * i + 2].iter().filter(|&&c| count[c as usize] < 2).count();
             #[allow(clippy::cast_possible_truncation, reason = "lengths are under 1e13 roundings")]
             let length = (elements[i].segment.length() / ROUNDING).round() as i64;
-            keys.push(if run.closed {
-                (0, 0, i64::from(elements[i].shape), i)
-            } else {
-                (1, loose, -length, i)
-            });
+            keys.push(if run.closed { (0, 0, i64::from(shape), i) } else { (1, loose, -length, i) });
         }
     }
     order::sort_by(&mut keys, |k| [k.0, k.1 as u64, order::whole(k.2)]);
@@ -166,6 +183,9 @@ fn rebuild(elements: &[Element], runs: &[Run], kept: &[Remainder], tolerance: f6
         }
         let mut chains = broken(&elements[range.clone()], &kept[range.clone()], run.closed);
         let mut rest_of = None;
+        if run.closed && chains.is_empty() {
+            out.covered.push(elements[range.clone()].to_vec());
+        }
         if run.closed && !chains.is_empty() {
             chains = divided(chains, tolerance);
             rest_of = u32::try_from(out.outlines.len()).ok();

@@ -129,7 +129,7 @@ fn cut_once(sheet: &mut Sheet, moved: &[Option<Path>], [copy, join]: [f64; 2], f
     let mut quiet = Findings::default();
     let chains = clean(Source::MovedContours, &moved, copy, join, &mut quiet);
     let mut lines: Vec<Vec<(Path, Option<Path>)>> = vec![Vec::new(); sheet.contours.len()];
-    for a in super::assemble::assemble(Source::MovedContours, &chains, join, &mut quiet) {
+    for a in super::assemble::assemble(Source::MovedContours, &chains, join, false, &mut quiet) {
         // The contour gets the piece that bounds its area.
         let of = &mut lines[a.first_shape as usize];
         let place = if a.path.closed || a.outline.is_some() { 0 } else { of.len() };

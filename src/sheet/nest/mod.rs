@@ -156,7 +156,8 @@ impl<'c> Search<'c> {
             let other = &contours[j as usize];
             let Some(around) = other.boundary() else { return false };
             // The rest of a shape runs along the shape's outline, not inside it.
-            let same_shape = other.outline.is_some() && other.first_shape == c.first_shape;
+            let same_shape =
+                other.outline.is_some() && other.rest_of == c.rest_of && other.operation == c.operation;
             let slabs = slabs[j as usize].get_or_insert_with(|| Slabs::new(around));
             let held =
                 || witnesses.iter().filter(|p| winding_number(slabs.at(around, p.y), **p) != 0).count();

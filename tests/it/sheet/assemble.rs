@@ -134,8 +134,9 @@ fn at_a_branch_loops_close_first_and_all_length_is_cut() {
     assert_eq!(counts(&s), (1, 1));
     close(total_length(&s), 90.0);
     close(s.contours[1].area, 200.0);
-    let told = findings(&s, Code::Branch);
-    assert_eq!((told.len(), told[0].at), (1, Some(p(20.0, 0.0))));
+    // Only the square can be meant, so there is nothing to check at the branch.
+    assert!(findings(&s, Code::Branch).is_empty());
+    assert_eq!(findings(&s, Code::OpenContour).len(), 1);
 }
 
 #[test]

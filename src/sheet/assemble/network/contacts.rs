@@ -1,0 +1,341 @@
+//! Contacts: where the chains of a network meet.
+
+use super::{Joined, Role};
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, intersect};
+use crate::order::{real, sort_by};
+use crate::sheet::cluster::{Union, cluster};
+use crate::sheet::element::{Element, ROUNDING};
+
+/// Number of boxes visited per element on average, and for a small drawing in total. Real networks need a few for each
+/// element; a star of thousands of lines from one point needs thousands.
+const BOXES_PER_ELEMENT: usize = 60;
+const MIN_BOXES: usize = 500_000;
+/// Number of pairs of candidates intersected per element on average, and for a small drawing in total.
+const PAIRS_PER_ELEMENT: usize = 8;
+const MIN_PAIRS: usize = 50_000;
+/// A place within this fraction of an element's length from its end is not moved to that end, however short the element.
+const MAX_SNAP: f64 = 0.25;
+/// A chain that returns to its own end within this many tolerances of length does not touch itself there.
+const OWN_END: f64 = 4.0;
+
+/// A place on a chain: the element, and the fraction along it, less than 1. The end of an open chain is the start of the
+/// element after its last.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Place {
+    pub(super) element: usize,
+    pub(super) fraction: f64,
+}
+
+/// A place where a chain has a node.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Break {
+    pub(super) chain: u32,
+    pub(super) place: Place,
+    pub(super) node: u32,
+}
+
+/// The nodes of all chains that meet.
+pub(super) struct Net {
+    /// Sorted by chain, then by place. Every place is listed once.
+    pub(super) breaks: Vec<Break>,
+    /// For each chain the connected set that it belongs to, by number of its first chain.
+    pub(super) set: Vec<u32>,
+    /// Whether the sets hold anything to be found, by number of the first chain.
+    pub(super) active: Vec<bool>,
+}
+
+impl Net {
+    /// The net; `None` if there are too many lines over each other.
+    pub(super) fn new(joined: &Joined, covered: &[Path]) -> Option<Self> {
+        let mut search = Search::new(joined);
+        search.ends();
+        search.crossings();
+        let mut touched = Vec::new();
+        for outline in covered {
+            let mut first = None;
+            for corner in outline.segments.iter().map(Segment::start) {
+                let node = search.new_node();
+                for (chain, place) in search.around(corner) {
+                    let node_of = search.at(chain, place, node);
+                    search.union.join(node, node_of);
+                    search.sets.join(chain, *first.get_or_insert(chain));
+                }
+            }
+            touched.extend(first);
+        }
+        search.finish(&touched)
+    }
+}
+
+/// An element of a chain.
+#[derive(Clone, Copy)]
+struct At {
+    chain: u32,
+    element: usize,
+}
+
+struct Search<'a> {
+    joined: &'a Joined<'a>,
+    elements: Vec<At>,
+    index: BoxIndex,
+    /// The first node of each chain end is its own number; others follow.
+    union: Union,
+    sets: Union,
+    breaks: Vec<Break>,
+    boxes_left: usize,
+    pairs_left: usize,
+}
+
+impl<'a> Search<'a> {
+    fn new(joined: &'a Joined<'a>) -> Self {
+        let chains = &joined.chains.chains;
+        let mut elements = Vec::with_capacity(joined.chains.elements.len());
+        for (chain, c) in (0_u32..).zip(chains) {
+            elements.extend((0..c.elements.len()).map(|element| At { chain, element }));
+        }
+        let of = |at: &At| &joined.chains.elements[chains[at.chain as usize].elements.start + at.element];
+        let index = BoxIndex::new(elements.iter().map(|at| of(at).segment.bounds()));
+        let n = elements.len();
+        Self {
+            joined,
+            index,
+            union: Union::new(2 * chains.len()),
+            sets: Union::new(chains.len()),
+            breaks: Vec::new(),
+            boxes_left: (BOXES_PER_ELEMENT * n).max(MIN_BOXES),
+            pairs_left: (PAIRS_PER_ELEMENT * n).max(MIN_PAIRS),
+            elements,
+        }
+    }
+
+    fn of(&self, chain: u32) -> &'a [Element] {
+        self.joined.chain(chain).map_or(&[], |c| self.joined.chains.of(c))
+    }
+
+    fn new_node(&mut self) -> u32 {
+        self.union.add()
+    }
+
+    /// The chains and places within the tolerance of a point.
+    fn around(&mut self, p: DVec2) -> Vec<(u32, Place)> {
+        let tolerance = self.joined.tolerance.max(ROUNDING);
+        let mut found = Vec::new();
+        let mut left = self.boxes_left;
+        self.index.visit(Aabb::of(p).grown(tolerance), |k| {
+            found.push(self.elements[k]);
+            left = left.saturating_sub(1);
+            left > 0
+        });
+        self.boxes_left = left;
+        let mut places: Vec<(u32, Place)> = found
+            .into_iter()
+            .filter_map(|at| {
+                let (fraction, d2) = self.of(at.chain).get(at.element)?.segment.nearest(p);
+                let near = d2 <= tolerance * tolerance;
+                near.then(|| (at.chain, self.place(at, fraction)))
+            })
+            .collect();
+        sort_by(&mut places, |(c, at)| [(*c).into(), at.element as u64, real(at.fraction)]);
+        places.dedup();
+        places
+    }
+
+    /// A place on an element, moved to an end of it that is within the tolerance.
+    fn place(&self, at: At, fraction: f64) -> Place {
+        let elements = self.of(at.chain);
+        let length = elements.get(at.element).map_or(0.0, |e| e.segment.length());
+        let closed = self.joined.chain(at.chain).is_some_and(|c| c.closed);
+        let snap = self.joined.tolerance.max(ROUNDING).min(MAX_SNAP * length);
+        // The start of a full circle is no corner.
+        let seamless = closed && elements.len() == 1;
+        if fraction * length <= snap && !seamless {
+            Place { element: at.element, fraction: 0.0 }
+        } else if (1.0 - fraction) * length <= snap && !seamless {
+            let next = at.element + 1;
+            Place { element: if closed && next == elements.len() { 0 } else { next }, fraction: 0.0 }
+        } else if fraction >= 1.0 {
+            Place { element: at.element, fraction: 0.0 }
+        } else {
+            Place { element: at.element, fraction }
+        }
+    }
+
+    /// The node at a place of a chain: that of its end, or `node`, which the chain gets there.
+    fn at(&mut self, chain: u32, place: Place, node: u32) -> u32 {
+        let closed = self.joined.chain(chain).is_some_and(|c| c.closed);
+        let n = self.of(chain).len();
+        match place {
+            Place { element: 0, fraction } if !closed && fraction <= 0.0 => 2 * chain,
+            Place { element, .. } if !closed && element == n => 2 * chain + 1,
+            _ => {
+                self.breaks.push(Break { chain, place, node });
+                node
+            }
+        }
+    }
+
+    /// Nodes where open chains end.
+    fn ends(&mut self) {
+        let points: Vec<DVec2> = (0..self.joined.mates.len()).map(|end| self.point(end)).collect();
+        // Ends in one point ask for its surroundings once.
+        let point_of = cluster(&points, 2.0 * ROUNDING);
+        let mut asked: Vec<Option<u32>> = vec![None; points.len()];
+        for (end, &mate) in (0_u32..).zip(self.joined.mates) {
+            let chain = end / 2;
+            match self.joined.roles.get(chain as usize) {
+                Some(Role::Candidate | Role::Rest(_)) => {}
+                // Loops are closed, so their ends only need to know each other.
+                Some(Role::Loop(_)) if mate != u32::MAX => {
+                    self.union.join(end, mate);
+                    self.sets.join(chain, mate / 2);
+                    continue;
+                }
+                _ => continue,
+            }
+            if mate != u32::MAX {
+                self.union.join(end, mate);
+                self.sets.join(chain, mate / 2);
+            }
+            if let Some(first) = asked[point_of[end as usize] as usize] {
+                self.union.join(first, end);
+                self.sets.join(first / 2, chain);
+                continue;
+            }
+            asked[point_of[end as usize] as usize] = Some(end);
+            for (other, place) in self.around(points[end as usize]) {
+                if other == chain && self.is_own_end(chain, end % 2 == 1, place) {
+                    continue;
+                }
+                let node = self.at(other, place, end);
+                self.union.join(end, node);
+                self.sets.join(chain, other);
+            }
+        }
+        // The rests of one shape belong together.
+        let mut first: Vec<Option<u32>> = vec![None; self.joined.chains.outlines.len()];
+        for (chain, role) in (0_u32..).zip(&self.joined.roles) {
+            if let Role::Rest(of) = role
+                && let Some(first) = first.get_mut(*of as usize)
+            {
+                self.sets.join(chain, *first.get_or_insert(chain));
+            }
+        }
+    }
+
+    /// The place of a chain end.
+    fn point(&self, end: usize) -> DVec2 {
+        let elements = u32::try_from(end / 2).map_or(&[][..], |chain| self.of(chain));
+        let at = match end % 2 {
+            0 => elements.first().map(|e| e.segment.start()),
+            _ => elements.last().map(|e| e.segment.end()),
+        };
+        at.unwrap_or_default()
+    }
+
+    /// Whether a place of a chain is so near to its end along the chain that the end does not touch it there.
+    fn is_own_end(&self, chain: u32, last: bool, place: Place) -> bool {
+        let elements = self.of(chain);
+        let least = OWN_END * self.joined.tolerance.max(ROUNDING);
+        let length = |range: &[Element]| range.iter().map(|e| e.segment.length()).sum::<f64>();
+        let part = elements.get(place.element).map_or(0.0, |e| e.segment.length() * place.fraction);
+        let from = if last { place.element..elements.len() } else { 0..place.element };
+        // Only a few elements need to be measured.
+        let mut along = if last { -part } else { part };
+        for e in elements.get(from).unwrap_or(&[]) {
+            along += length(std::slice::from_ref(e));
+            if along > least {
+                return false;
+            }
+        }
+        along <= least
+    }
+
+    /// Nodes where candidates cross or touch each other away from their ends.
+    fn crossings(&mut self) {
+        let is_candidate = |at: &At| self.joined.roles[at.chain as usize] == Role::Candidate;
+        let candidates: Vec<At> = self.elements.iter().copied().filter(is_candidate).collect();
+        let segment = |at: At| self.of(at.chain).get(at.element).map(|e| e.segment);
+        let index = BoxIndex::new(candidates.iter().filter_map(|&at| segment(at)).map(|s| s.bounds()));
+        let tolerance = self.joined.tolerance.max(ROUNDING);
+        let mut found: Vec<(At, f64, At, f64)> = Vec::new();
+        let (mut boxes, mut pairs) = (self.boxes_left, self.pairs_left);
+        for (i, &a) in candidates.iter().enumerate() {
+            let Some(first) = segment(a) else { continue };
+            index.visit(first.bounds(), |j| {
+                boxes = boxes.saturating_sub(1);
+                if j > i
+                    && let Some(second) = segment(candidates[j])
+                {
+                    pairs = pairs.saturating_sub(1);
+                    let meetings = intersect(&first, &second, tolerance).points;
+                    found.extend(meetings.into_iter().map(|m| (a, m.a, candidates[j], m.b)));
+                }
+                boxes > 0 && pairs > 0
+            });
+        }
+        (self.boxes_left, self.pairs_left) = (boxes, pairs);
+        for (a, fa, b, fb) in found {
+            let (pa, pb) = (self.place(a, fa), self.place(b, fb));
+            // Ends have been found already; neighbours meet in their common corner.
+            if self.is_end(a.chain, pa) || self.is_end(b.chain, pb) || (a.chain == b.chain && pa == pb) {
+                continue;
+            }
+            let node = self.new_node();
+            self.at(a.chain, pa, node);
+            self.at(b.chain, pb, node);
+            self.sets.join(a.chain, b.chain);
+        }
+    }
+
+    fn is_end(&self, chain: u32, place: Place) -> bool {
+        let closed = self.joined.chain(chain).is_some_and(|c| c.closed);
+        !closed && place.fraction <= 0.0 && (place.element == 0 || place.element == self.of(chain).len())
+    }
+
+    /// Unites the nodes at equal places and adds the ends of open chains.
+    fn finish(mut self, touched: &[u32]) -> Option<Net> {
+        if self.boxes_left == 0 || self.pairs_left == 0 {
+            return None;
+        }
+        let joined = self.joined;
+        for (chain, c) in (0_u32..).zip(&joined.chains.chains) {
+            if !c.closed {
+                let end = Place { element: c.elements.len(), fraction: 0.0 };
+                let start = Place { element: 0, fraction: 0.0 };
+                self.breaks.push(Break { chain, place: start, node: 2 * chain });
+                self.breaks.push(Break { chain, place: end, node: 2 * chain + 1 });
+            }
+        }
+        sort_by(&mut self.breaks, |b| [b.chain.into(), b.place.element as u64, real(b.place.fraction)]);
+        let mut breaks: Vec<Break> = Vec::with_capacity(self.breaks.len());
+        for b in std::mem::take(&mut self.breaks) {
+            let length = |b: &Break| {
+                let element = self.of(b.chain).get(b.place.element);
+                b.place.fraction * element.map_or(0.0, |e| e.segment.length())
+            };
+            match breaks.last() {
+                Some(last)
+                    if last.chain == b.chain
+                        && last.place.element == b.place.element
+                        && length(&b) - length(last) <= 2.0 * ROUNDING =>
+                {
+                    self.union.join(last.node, b.node);
+                }
+                _ => breaks.push(b),
+            }
+        }
+        for b in &mut breaks {
+            b.node = self.union.root(b.node);
+        }
+        let n = joined.chains.chains.len();
+        let set: Vec<u32> = (0..).take(n).map(|c| self.sets.root(c)).collect();
+        let mut active = vec![false; n];
+        for (role, &s) in joined.roles.iter().zip(&set) {
+            active[s as usize] |= matches!(role, Role::Candidate | Role::Rest(_));
+        }
+        for &c in touched {
+            active[set[c as usize] as usize] = true;
+        }
+        Some(Net { breaks, set, active })
+    }
+}

@@ -1,0 +1,106 @@
+//! Closed shapes drawn in pieces.
+//!
+//! An outline of LINEs and ARCs is closed as a polyline is, but joining comes after the removal of overlaps, and a side
+//! that it shares with another outline would be gone by then. So loops that lose something to overlaps are found
+//! before: loops in which every end meets exactly one other end. From then on they count as closed shapes, with the
+//! same rights as polylines. Outlines that meet in a corner are not found here, but by the network of the assembly.
+
+use super::Run;
+use super::remainder::Remainder;
+use crate::geometry::DVec2;
+use crate::sheet::cluster::cluster;
+use crate::sheet::element::{Element, ROUNDING, with_start};
+
+/// Elements and runs in which loops that lost something are closed runs; `None` if there are no such loops.
+pub(super) fn closed(
+    elements: &[Element],
+    runs: &[Run],
+    kept: &[Remainder],
+) -> Option<(Vec<Element>, Vec<Run>)> {
+    let lost = |run: &Run| kept[run.elements.clone()].iter().any(|k| *k != Remainder::Whole);
+    if !runs.iter().any(|run| !run.closed && lost(run)) {
+        return None;
+    }
+    let copy = |run: &Run| kept[run.elements.clone()].iter().all(|k| *k == Remainder::Copy);
+    let open: Vec<usize> = (0..runs.len()).filter(|&r| !runs[r].closed && !copy(&runs[r])).collect();
+    let points: Vec<DVec2> = open
+        .iter()
+        .flat_map(|&r| {
+            let (first, last) = (runs[r].elements.start, runs[r].elements.end - 1);
+            [elements[first].segment.start(), elements[last].segment.end()]
+        })
+        .collect();
+    let node = cluster(&points, 2.0 * ROUNDING);
+    // For a node of two ends, the sum of their numbers tells the other one.
+    let mut ends = vec![(0_usize, 0_usize); points.len()];
+    for (end, &n) in node.iter().enumerate() {
+        let (count, sum) = &mut ends[n as usize];
+        (*count, *sum) = (*count + 1, *sum + end);
+    }
+    let other = |end: usize| {
+        let (count, sum) = ends[node[end] as usize];
+        (count == 2 && sum != 2 * end).then(|| sum - end)
+    };
+    let mut seen = vec![false; open.len()];
+    // For each run, the loop that begins with it; runs inside a loop are dropped.
+    let mut loop_at: Vec<Option<Vec<usize>>> = vec![None; runs.len()];
+    let mut inside = vec![false; runs.len()];
+    for first in 0..open.len() {
+        if seen[first] {
+            continue;
+        }
+        let mut way = Vec::new();
+        let mut end = 2 * first;
+        let closes = loop {
+            seen[end / 2] = true;
+            way.push(end);
+            match other(end ^ 1) {
+                Some(next) if next == 2 * first => break true,
+                Some(next) if !seen[next / 2] => end = next,
+                _ => break false,
+            }
+        };
+        if closes && way.iter().any(|end| lost(&runs[open[end / 2]])) {
+            way.iter().for_each(|end| inside[open[end / 2]] = true);
+            loop_at[open[first]] = Some(way);
+        }
+    }
+    if !inside.contains(&true) {
+        return None;
+    }
+    let mut out: (Vec<Element>, Vec<Run>) = (Vec::with_capacity(elements.len()), Vec::new());
+    for (r, run) in runs.iter().enumerate() {
+        let from = out.0.len();
+        match &loop_at[r] {
+            Some(way) => {
+                for end in way {
+                    append(&mut out.0, from, &elements[runs[open[end / 2]].elements.clone()], end % 2 == 1);
+                }
+                if let [first, .., last] = &mut out.0[from..] {
+                    first.segment = with_start(first.segment, last.segment.end());
+                }
+                out.1.push(Run { elements: from..out.0.len(), closed: true });
+            }
+            None if !inside[r] => {
+                out.0.extend_from_slice(&elements[run.elements.clone()]);
+                out.1.push(Run { elements: from..out.0.len(), closed: run.closed });
+            }
+            None => {}
+        }
+    }
+    Some(out)
+}
+
+/// Appends a run, or the run reversed, so that it meets the elements since `from` bit for bit.
+fn append(out: &mut Vec<Element>, from: usize, run: &[Element], reversed: bool) {
+    for k in 0..run.len() {
+        let mut e = if reversed { run[run.len() - 1 - k] } else { run[k] };
+        if reversed {
+            e.segment = e.segment.reversed();
+        }
+        if let Some(last) = out[from..].last() {
+            e.segment = with_start(e.segment, last.segment.end());
+        }
+        out.push(e);
+    }
+}
