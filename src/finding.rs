@@ -75,6 +75,8 @@ pub enum Code {
     CommonCut,
     /// Elements without length were dropped.
     ZeroLength,
+    /// A closed shape narrower than the copy tolerance is cut as one line.
+    SliverCollapsed,
     /// A contour crosses itself.
     SelfCrossing,
     /// Two contours cross each other.
@@ -83,8 +85,12 @@ pub enum Code {
     OpenContour,
     /// One contour runs over several layers.
     SeveralLayers,
-    /// A single border around everything, which is probably the sheet and not a cut.
+    /// A single border around everything, which shows the sheet and is not a cut, or may be one.
     SheetOutline,
+    /// Many small open strokes close together: single-line lettering, with what is done with it.
+    Lettering,
+    /// Open lines that lead to lettering.
+    Leaders,
     /// A layer whose name suggests that it is not meant to be cut.
     LayerSuggestion,
     /// A layer that is not cut, with the number of shapes it holds.

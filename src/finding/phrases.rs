@@ -74,6 +74,11 @@ impl Code {
             Self::SeveralLayers => {
                 Counted("contour lies on several layers", "contours lie on several layers")
             }
+            Self::SliverCollapsed => Counted("sliver is cut as one line", "slivers are cut as one line each"),
+            Self::Lettering => {
+                Counted("small stroke looks like lettering", "small strokes look like lettering")
+            }
+            Self::Leaders => Counted("open line leads to lettering", "open lines lead to lettering"),
             Self::SheetOutline => Whole("The border around everything may be the sheet"),
             Self::LayerSuggestion => Counted(
                 "shape is on a layer whose name suggests another operation",

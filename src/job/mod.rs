@@ -22,7 +22,7 @@ mod warm_path;
 
 pub use best_path::BestPath;
 pub use error::JobError;
-pub use options::{Budget, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
+pub use options::{Budget, GroupChoice, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
 pub use outputs::OutputKind;
 pub use placement::{Place, Placed};
 pub use problem_of::problem_of;

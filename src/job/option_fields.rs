@@ -29,6 +29,8 @@ impl Shaped for LoadOptions {
             Field::optional("layers", Kind::List(&Kind::Object(LAYER))),
             Field::optional("orderByLayer", Kind::Flag),
             Field::optional("ignoreOutline", Kind::Flag),
+            Field::optional("keepBorder", Kind::Flag),
+            Field::optional("groups", Kind::List(&Kind::Object(GROUP))),
             Field::optional("partByPart", Kind::Flag),
             Field::optional("commonCuts", Kind::Choice(&["best", "insertion", "off"])),
             Field::optional("first", IDS),
@@ -40,6 +42,11 @@ impl Shaped for LoadOptions {
 
 const LAYER: &[Field] = &[
     Field::required("name", Kind::Text),
+    Field::required("operation", Kind::Choice(&["cut", "mark", "ignore"])),
+];
+
+const GROUP: &[Field] = &[
+    Field::required("name", Kind::Choice(&["lettering", "leaders"])),
     Field::required("operation", Kind::Choice(&["cut", "mark", "ignore"])),
 ];
 

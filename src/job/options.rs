@@ -9,7 +9,7 @@ use super::{JobError, WarmPath};
 use crate::drawing::{ReadOptions, TextDecoder, Unit};
 use crate::fields::{Range, no_such, out_of_range};
 use crate::machine::{self, Profile, Start};
-use crate::sheet::{CommonCuts, Operation, SheetOptions};
+use crate::sheet::{CommonCuts, Group, Operation, SheetOptions};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -22,6 +22,17 @@ use std::fmt;
 pub struct LayerChoice {
     /// Name of the layer.
     pub name: String,
+    /// Cut, mark or ignore.
+    pub operation: Operation,
+}
+
+/// The operation for a group of contours.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct GroupChoice {
+    /// The group.
+    pub name: Group,
     /// Cut, mark or ignore.
     pub operation: Operation,
 }
@@ -45,8 +56,13 @@ pub struct LoadOptions {
     pub layers: Vec<LayerChoice>,
     /// Whether layers are processed one after the other. Default false.
     pub order_by_layer: bool,
-    /// Whether a single border around everything is ignored. Default false.
+    /// Whether the single border around everything is ignored even if it may be a cut. If it clearly shows the sheet, it is
+    /// ignored in any case. Default false.
     pub ignore_outline: bool,
+    /// Whether the border around everything is cut even if it clearly shows the sheet. Default false.
+    pub keep_border: bool,
+    /// The operation of groups of contours that are recognised by their look. Default: they are cut.
+    pub groups: Vec<GroupChoice>,
     /// Whether a part is finished, with everything inside its holes, before the next one. Default false.
     pub part_by_part: bool,
     /// How contours that share cuts are cut on machines that make pre-cuts. Default `best`.
@@ -76,6 +92,8 @@ impl Default for LoadOptions {
             layers: Vec::new(),
             order_by_layer: sheet.order_by_layer,
             ignore_outline: sheet.ignore_outline,
+            keep_border: sheet.keep_border,
+            groups: Vec::new(),
             part_by_part: sheet.part_by_part,
             common_cuts: sheet.common_cuts,
             first: sheet.first,
@@ -111,6 +129,8 @@ impl LoadOptions {
             layers: self.layers.iter().map(|l| (l.name.clone(), l.operation)).collect(),
             order_by_layer: self.order_by_layer,
             ignore_outline: self.ignore_outline,
+            keep_border: self.keep_border,
+            groups: self.groups.iter().map(|g| (g.name, g.operation)).collect(),
             part_by_part: self.part_by_part,
             common_cuts: self.common_cuts,
             first: self.first.clone(),

@@ -74,7 +74,9 @@ pub(super) fn confidence(input: &Input, defects: &[Defect], contours: &[Contour]
         if (*code == Code::OpenContour && open > 0) || *code == Code::OffBed {
             continue;
         }
-        let at_least = if *severity == Severity::Error { Level::Low } else { Level::Medium };
+        // A border that is cut changes the number of parts and all areas.
+        let grave = *severity == Severity::Error || *code == Code::SheetOutline;
+        let at_least = if grave { Level::Low } else { Level::Medium };
         doubt(at_least, format!("{}.", code.in_words(*count)));
     }
     Confidence { level, reasons }

@@ -22,7 +22,7 @@ pub struct PartGroup {
     pub count: u32,
     /// Area of one part without its holes.
     pub net_area: f64,
-    /// Length of the cuts of one part: outer contour and holes.
+    /// Length of the outlines of one part: outer contour and holes. A side shared with another part counts for both.
     pub cut_length: f64,
     /// Number of holes in one part.
     pub holes: usize,
@@ -101,7 +101,7 @@ pub(super) fn groups(parts: &[Part], contours: &[Contour], shapes: &[Shape]) -> 
     sort_by(&mut order, |(features, part)| [real(features.length), part.outer as u64, 0]);
     for (features, part) in order {
         let holes = |what: fn(&Contour) -> f64| part.holes.iter().map(|&h| what(&contours[h])).sum::<f64>();
-        let cut_length = contours[part.outer].length + holes(|c| c.length);
+        let cut_length = contours[part.outer].outline_length() + holes(Contour::outline_length);
         let near = known
             .iter_mut()
             .rev()
@@ -109,7 +109,6 @@ pub(super) fn groups(parts: &[Part], contours: &[Contour], shapes: &[Shape]) -> 
         let mut near = near.filter(|(f, _)| f.same(&features));
         if let Some((_, group)) = near.next() {
             group.count += 1;
-            group.cut_length += cut_length;
             group.contours.push(id(part));
         } else {
             let group = PartGroup {
@@ -124,8 +123,6 @@ pub(super) fn groups(parts: &[Part], contours: &[Contour], shapes: &[Shape]) -> 
     }
     let mut groups: Vec<PartGroup> = known.into_iter().map(|(_, g)| g).collect();
     for g in &mut groups {
-        // The mean: what is cut once for two parts is counted with one of them.
-        g.cut_length /= g.count as f64;
         sort_by(&mut g.contours, |&id| [id.into(), 0, 0]);
     }
     sort_by(&mut groups, |g| [!real(g.net_area), g.contours[0].into(), 0]);

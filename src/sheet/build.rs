@@ -4,7 +4,9 @@ use super::assemble::{Assembled, assemble};
 use super::clean::clean;
 use super::findings::{self, layer_name, plural};
 use super::groups::{self, PierceGroup};
+use super::lettering;
 use super::model::{CommonCuts, Contour, Ignored, LayerUse, Operation, Pin, Sheet, SheetOptions};
+use super::outline::{Decision, Evidence};
 use super::source::Source;
 use super::{crossings, exclude, layers, narrow, nest, outline, parts};
 use crate::drawing::Drawing;
@@ -36,20 +38,32 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     }
     sort_by(&mut contours, |c| [c.first_shape.into(), 0, 0]);
     exclude::exclude(&mut contours, &options.exclude, copy, &mut findings);
+    lettering::find(drawing, &mut contours, &options.groups, &mut findings);
     let mut crossing = crossings::find(source, &mut contours, copy.max(MIN_CROSSING_DEPTH), &mut findings);
     if !nest::nest(&mut contours, &crossing, join) {
         let message =
             "So many contours interlock that it was only partly determined which lies inside which.";
         findings.push(Finding::new(Code::NotAllChecked, Severity::Warning, message));
     }
-    let mut border = outline::find(&contours, &layers);
-    if let Some(index) = border {
-        findings.push(outline::finding(drawing, &contours[index as usize], options.ignore_outline));
-        if options.ignore_outline {
+    let border = outline::find(&contours, &layers);
+    let mut outline = border.as_ref().map(|b| b.contour);
+    if let (Some(border), Some(index)) = (border, outline) {
+        let decision = match (options.keep_border, options.ignore_outline, border.evidence) {
+            (true, ..) => Decision::Kept,
+            (false, true, _) | (false, false, Evidence::Clear) => Decision::Ignored,
+            (false, false, Evidence::Thin) => Decision::Open,
+        };
+        findings.push(outline::finding(drawing, &contours[index as usize], &border, decision));
+        if decision == Decision::Ignored {
             contours[index as usize].operation = Operation::Ignore;
             crossing.retain(|&(a, b)| a != index && b != index);
             nest::nest(&mut contours, &crossing, join);
-            border = None;
+            outline = None;
+            // One finding about the border is enough.
+            let layer = layers[contours[index as usize].layer as usize].name.clone();
+            if contours.iter().filter(|c| c.layer == contours[index as usize].layer).count() == 1 {
+                findings.withdraw(|f| f.code == Code::LayerSuggestion && f.layer.as_deref() == Some(&layer));
+            }
         }
     }
     narrow::find(drawing, &contours, narrow::Limit::FinestBeam, &mut findings);
@@ -78,7 +92,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         contours,
         layers,
         ignored,
-        outline: border,
+        outline,
         findings: findings.into_list(),
     }
 }

@@ -89,6 +89,52 @@ const IGNORE: &[&str] = &[
     "BIEGELINIEN",
 ];
 
+/// Words for the sheet itself.
+const SHEET: &[&str] = &[
+    "SHEET", "SHEETS", "BORDER", "BORDERS", "FRAME", "RAHMEN", "BLECH", "TAFEL", "STOCK", "MATERIAL", "BED",
+    "PAGE",
+];
+/// Words for parts and their outlines.
+const PART: &[&str] = &[
+    "PART",
+    "PARTS",
+    "OUTLINE",
+    "OUTLINES",
+    "BOUNDARY",
+    "BOUNDARIES",
+    "CONTOUR",
+    "CONTOURS",
+    "PROFILE",
+    "PROFILES",
+    "OUTER",
+    "OUTSIDE",
+    "PERIMETER",
+    "EDGE",
+    "EDGES",
+    "BODY",
+    "KONTUR",
+    "KONTUREN",
+    "UMRISS",
+    "TEIL",
+    "TEILE",
+    "CONTORNO",
+];
+
+/// Whether a layer's name says that the sheet is drawn on it. PART_FRAME and CUT_BORDER do not.
+pub(super) fn names_sheet(name: &str) -> bool {
+    let has = |words: &[&str]| has_word(name, words);
+    has(SHEET) && !has(CUT) && !has(&["PART", "PARTS", "TEIL", "TEILE"])
+}
+
+/// Whether a layer's name says that outlines of parts are drawn on it.
+pub(super) fn names_parts(name: &str) -> bool {
+    !names_sheet(name) && (has_word(name, PART) || has_word(name, CUT))
+}
+
+fn has_word(name: &str, list: &[&str]) -> bool {
+    words(name).iter().any(|w| list.iter().any(|l| l.eq_ignore_ascii_case(w)))
+}
+
 /// The operation that a layer's name suggests; `None` if it suggests nothing.
 pub(super) fn suggestion(name: &str) -> Option<Operation> {
     let words = words(name);
@@ -138,6 +184,19 @@ pub(super) fn lower(c: char) -> char {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_of_the_sheet_and_of_part_outlines() {
+        for name in ["SHEET", "Sheet_Outline", "BORDER", "Rahmen", "stock", "frame-1"] {
+            assert!(names_sheet(name) && !names_parts(name), "{name}");
+        }
+        for name in ["part_boundary", "outline", "OUTER", "Profile 1", "CUT", "cut_border", "part_frame"] {
+            assert!(names_parts(name) && !names_sheet(name), "{name}");
+        }
+        for name in ["0", "Layer 1", "PARTITION", "HOLES"] {
+            assert!(!names_parts(name) && !names_sheet(name), "{name}");
+        }
+    }
 
     #[test]
     fn only_whole_words_count() {

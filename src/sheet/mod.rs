@@ -5,6 +5,7 @@
 //!        -> clean: every line and arc once (zero lengths, copies, overlaps)
 //!        -> assemble: chains joined end to end, best match first; gaps closed bit for bit
 //!        -> exclude: contours excluded one by one
+//!        -> lettering: strokes of single-line lettering and leaders, as groups
 //!        -> crossings: contours that cross themselves or each other
 //!        -> nest: containment tree of any depth; the sheet's own border recognised
 //!        -> groups: contours that share cuts, and what they enclose
@@ -30,14 +31,16 @@ mod groups;
 mod kerf;
 mod layer_names;
 mod layers;
+mod lettering;
 mod model;
 mod narrow;
 mod nest;
 mod outline;
 mod parts;
+mod sliver;
 mod source;
 
 pub use build::build;
 pub use groups::{GroupElement, PierceGroup};
 pub(crate) use kerf::compensated;
-pub use model::{CommonCuts, Contour, Ignored, LayerUse, Operation, Part, Pin, Sheet, SheetOptions};
+pub use model::{CommonCuts, Contour, Group, Ignored, LayerUse, Operation, Part, Pin, Sheet, SheetOptions};

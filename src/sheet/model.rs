@@ -36,6 +36,17 @@ pub enum CommonCuts {
     Off,
 }
 
+/// A group of contours that are recognised by their look, not by a layer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub enum Group {
+    /// Many small open strokes close together: single-line lettering, glyph templates.
+    Lettering,
+    /// Open lines that lead to lettering.
+    Leaders,
+}
+
 /// Options for building a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SheetOptions {
@@ -47,8 +58,12 @@ pub struct SheetOptions {
     pub layers: Vec<(String, Operation)>,
     /// Whether to process layer after layer, in the order of `layers`, then of the file.
     pub order_by_layer: bool,
-    /// Whether to ignore the single border around everything.
+    /// Whether to ignore the single border around everything, even where it is not clear that it is one.
     pub ignore_outline: bool,
+    /// Whether to cut the border around everything, however clear it is that it shows the sheet.
+    pub keep_border: bool,
+    /// Operations chosen for groups of contours. The last choice for a group counts.
+    pub groups: Vec<(Group, Operation)>,
     /// Whether to finish each part, with everything in its holes, before the next one.
     pub part_by_part: bool,
     /// Whether contours that share cuts are cut as one.
@@ -70,6 +85,8 @@ impl Default for SheetOptions {
             layers: Vec::new(),
             order_by_layer: false,
             ignore_outline: false,
+            keep_border: false,
+            groups: Vec::new(),
             part_by_part: false,
             common_cuts: CommonCuts::default(),
             first: Vec::new(),

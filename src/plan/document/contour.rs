@@ -3,6 +3,7 @@
 use super::moves::{Element, place, segments};
 use crate::geometry::{Affine, DVec2, Path, Segment};
 use crate::machine::Profile;
+use crate::order::sort_by;
 use crate::sheet::{Operation, Sheet};
 use serde::{Deserialize, Serialize};
 
@@ -46,6 +47,12 @@ impl Contour {
         drawn || (self.closed && self.operation == Operation::Cut)
     }
 
+    /// Length of its outline, mm, including sides that are cut with another contour.
+    pub fn outline_length(&self) -> f64 {
+        let outline = self.drawn.as_ref().filter(|_| !self.closed);
+        outline.map_or(self.length, |o| o.segments().iter().map(Segment::length).sum())
+    }
+
     /// Whether it frees no part.
     pub fn is_open(&self) -> bool {
         !self.closed && self.drawn.is_none()
@@ -76,6 +83,18 @@ pub fn contours(sheet: &Sheet, machine: &Profile, shift: DVec2) -> Vec<Contour> 
             *known = true;
         }
     }
+    // What is left of a closed shape in several pieces is no open contour, so each piece has the outline of the shape.
+    let mut shapes: Vec<(u32, &Path)> =
+        sheet.contours.iter().filter_map(|c| Some((c.rest_of?, c.outline.as_ref()?))).collect();
+    sort_by(&mut shapes, |(shape, _)| [(*shape).into(), 0, 0]);
+    let shape_of = |c: &crate::sheet::Contour| {
+        let shape = c.rest_of.filter(|_| c.operation == Operation::Cut && !c.path.closed)?;
+        shapes
+            .binary_search_by_key(&shape, |(s, _)| *s)
+            .ok()
+            .and_then(|k| shapes.get(k))
+            .map(|(_, path)| *path)
+    };
     let contour = |(id, (c, in_group)): (u32, (&crate::sheet::Contour, bool))| Contour {
         id,
         closed: c.path.closed,
@@ -87,6 +106,7 @@ pub fn contours(sheet: &Sheet, machine: &Profile, shift: DVec2) -> Vec<Contour> 
         drawn: c
             .part_outline()
             .or_else(|| c.boundary().filter(|_| in_group))
+            .or_else(|| shape_of(c))
             .and_then(|path| Outline::of(path, shift)),
     };
     (0..).zip(sheet.contours.iter().zip(in_group)).map(contour).collect()

@@ -6,7 +6,7 @@ use super::moves::Move;
 use crate::drawing::{ReadOptions, Unit, UnitsSource};
 use crate::finding::Finding;
 use crate::machine::{Profile, Start};
-use crate::sheet::{CommonCuts, Operation, SheetOptions};
+use crate::sheet::{CommonCuts, Group, Operation, SheetOptions};
 use serde::{Deserialize, Serialize};
 
 /// The name and version of the format.
@@ -105,8 +105,14 @@ pub struct Options {
     pub layers: Vec<LayerOperation>,
     /// Whether layers were worked one after the other.
     pub order_by_layer: bool,
-    /// Whether a lone border around everything was left out.
+    /// Whether a lone border around everything was left out even if it may be a cut.
     pub ignore_outline: bool,
+    /// Whether a lone border around everything was cut even if it clearly shows the sheet.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub keep_border: bool,
+    /// What a person said is done with groups of contours.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub groups: Vec<GroupOperation>,
     /// Whether a part was worked wholly before the next one.
     pub part_by_part: bool,
     /// What was done with cuts that contours share.
@@ -118,6 +124,15 @@ pub struct Options {
     /// Contours left out, by id.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub exclude: Vec<u32>,
+}
+
+/// What is done with a group of contours.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GroupOperation {
+    /// The group.
+    pub name: Group,
+    /// What is done with it.
+    pub operation: Operation,
 }
 
 /// What is done with a layer.
@@ -167,6 +182,12 @@ impl Options {
             layers: arrange.layers.iter().map(layer).collect(),
             order_by_layer: arrange.order_by_layer,
             ignore_outline: arrange.ignore_outline,
+            keep_border: arrange.keep_border,
+            groups: arrange
+                .groups
+                .iter()
+                .map(|&(name, operation)| GroupOperation { name, operation })
+                .collect(),
             part_by_part: arrange.part_by_part,
             common_cuts: arrange.common_cuts,
             first: arrange.first.clone(),

@@ -79,11 +79,11 @@ pub(super) fn closed(
                 if let [first, .., last] = &mut out.0[from..] {
                     first.segment = with_start(first.segment, last.segment.end());
                 }
-                out.1.push(Run { elements: from..out.0.len(), closed: true });
+                out.1.push(Run { elements: from..out.0.len(), closed: true, is_loop: true });
             }
             None if !inside[r] => {
                 out.0.extend_from_slice(&elements[run.elements.clone()]);
-                out.1.push(Run { elements: from..out.0.len(), closed: run.closed });
+                out.1.push(Run { elements: from..out.0.len(), ..*run });
             }
             None => {}
         }

@@ -1,6 +1,7 @@
 //! Cleaning: every line and arc remains once.
 //!
-//! 1. **Explode.** Shapes are divided into elements; those without length are dropped. Elements of a shape that follow
+//! 1. **Explode.** Closed shapes narrower than the tolerance collapse to a line. Shapes are divided into elements; those
+//!    without length are dropped. Elements of a shape that follow
 //!    each other bit for bit form a run.
 //! 2. **Carriers** ([`carriers`]). Lines on one straight line and arcs on one circle are merged as intervals on it.
 //!    This finds exact and reversed copies, circles drawn twice from different starts, and every collinear and
@@ -14,7 +15,7 @@
 //!    shape's outline, so that it still contains what lies inside the shape.
 //!
 //! The union of all elements is kept: of two elements on top of each other one stays whole, and the other loses the
-//! covered part. The order decides which shapes stay closed. Closed shapes come first (a whole shape before the next),
+//! covered part. The order decides which shapes stay closed. Closed shapes come first (a whole shape before the next, loops last),
 //! then elements whose two ends meet other ends (the sides of a square made of lines, before a long line that passes
 //! along it), then the longer element, then the one drawn first.
 
@@ -27,6 +28,7 @@ mod report;
 
 use super::cluster::cluster;
 use super::element::{Chain, Chains, Element, ROUNDING, with_start};
+use super::sliver;
 use super::source::{Line, Source};
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{DVec2, Path, Segment};
@@ -42,6 +44,8 @@ const MAX_LOOP_PASSES: usize = 4;
 struct Run {
     elements: Range<usize>,
     closed: bool,
+    /// Whether it is a loop of several shapes. Closed shapes that are drawn as one come before loops.
+    is_loop: bool,
 }
 
 /// Cleans the given paths. `tolerance` (mm) is the distance up to which elements are copies of each other, `join` (mm)
@@ -53,7 +57,7 @@ pub(super) fn clean(
     join: f64,
     findings: &mut Findings,
 ) -> Chains {
-    let (mut elements, mut runs) = explode(source, lines, findings);
+    let (mut elements, mut runs) = explode(source, lines, tolerance, findings);
     let (mut kept, mut complete) = united(&elements, &runs, tolerance, join);
     // A loop that becomes a closed shape takes overlaps from another one, which is then found to be a loop, too.
     for _ in 0..MAX_LOOP_PASSES {
@@ -82,10 +86,20 @@ fn united(elements: &[Element], runs: &[Run], tolerance: f64, join: f64) -> (Vec
 }
 
 /// Divides paths into elements and runs, and drops elements shorter than rounding.
-fn explode(source: Source, lines: &[Line], findings: &mut Findings) -> (Vec<Element>, Vec<Run>) {
+fn explode(
+    source: Source,
+    lines: &[Line],
+    tolerance: f64,
+    findings: &mut Findings,
+) -> (Vec<Element>, Vec<Run>) {
     let mut elements: Vec<Element> = Vec::new();
     let mut runs: Vec<Run> = Vec::new();
     for &Line { index, layer, path } in lines {
+        let line = sliver::collapsed(path, tolerance);
+        if line.is_some() {
+            findings.push(report::sliver(source, index, path, tolerance));
+        }
+        let path = line.as_ref().unwrap_or(path);
         let first_run = runs.len();
         let mut dropped = 0;
         for &segment in &path.segments {
@@ -104,7 +118,9 @@ fn explode(source: Source, lines: &[Line], findings: &mut Findings) -> (Vec<Elem
                 {
                     element.segment = with_start(segment, last.segment.end());
                 }
-                _ => runs.push(Run { elements: elements.len()..elements.len(), closed: false }),
+                _ => {
+                    runs.push(Run { elements: elements.len()..elements.len(), closed: false, is_loop: false })
+                }
             }
             elements.push(element);
             if let Some(run) = runs.last_mut() {
@@ -155,7 +171,11 @@ fn ranks(elements: &[Element], runs: &[Run], join: f64) -> Vec<u32> {
             let loose = meeting[2 * i..2 * i + 2].iter().filter(|&&c| count[c as usize] < 2).count();
             #[allow(clippy::cast_possible_truncation, reason = "lengths are under 1e13 roundings")]
             let length = (elements[i].segment.length() / ROUNDING).round() as i64;
-            keys.push(if run.closed { (0, 0, i64::from(shape), i) } else { (1, loose, -length, i) });
+            keys.push(if run.closed {
+                (0, usize::from(run.is_loop), i64::from(shape), i)
+            } else {
+                (1, loose, -length, i)
+            });
         }
     }
     order::sort_by(&mut keys, |k| [k.0, k.1 as u64, order::whole(k.2)]);

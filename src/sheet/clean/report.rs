@@ -18,6 +18,15 @@ pub(super) fn zero_length(source: Source, index: u32, path: &Path, dropped: usiz
     source.finding(index, Code::ZeroLength, Severity::Info, message, path.start()).times(count(dropped))
 }
 
+/// Reports a closed shape that collapsed to a line.
+pub(super) fn sliver(source: Source, index: u32, path: &Path, tolerance: f64) -> Finding {
+    let kind = source.kind(index);
+    let message = format!(
+        "This closed {kind} is narrower than the tolerance of {tolerance} mm: it is cut once, as a line, and is no part."
+    );
+    source.finding(index, Code::SliverCollapsed, Severity::Warning, message, path.start())
+}
+
 /// Reports every shape that lost something to another one.
 pub(super) fn removed(source: Source, elements: &[Element], kept: &[Remainder], findings: &mut Findings) {
     let mut from = 0;

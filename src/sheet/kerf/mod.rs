@@ -47,6 +47,11 @@ pub(crate) fn compensated(
     let copy = length_or(options.copy_tolerance, 0.0).min(join);
     let clearance = Clearance::new(&sheet.contours, width, copy.min(WIDTH_TOLERANCE * width));
     let lines = moved(drawing, sheet, &clearance, width, &mut findings);
+    // Whoever keeps the border has decided that it is a part.
+    let border = sheet.outline.filter(|_| !options.keep_border);
+    if let Some(border) = border.and_then(|id| sheet.contours.get(id as usize)) {
+        findings.push(findings::border(drawing, border));
+    }
     let mut out = sheet.clone();
     // Widths are measured again, against this kerf.
     out.findings.retain(|f| f.code != Code::FeatureTooSmall);
@@ -92,9 +97,6 @@ fn moved(
             Err(())
         };
         lines.push(line.ok());
-    }
-    if let Some(border) = sheet.outline.and_then(|id| sheet.contours.get(id as usize)) {
-        findings.push(findings::border(drawing, border));
     }
     if clearance.cut_short {
         findings.push(findings::partly_checked());

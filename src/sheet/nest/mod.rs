@@ -152,6 +152,7 @@ impl<'c> Search<'c> {
         let Self { contours, all, crossed, slabs, slack, complete } = self;
         let c = &contours[i as usize];
         let (inner, witnesses) = (shrunk(own.bounds(), *slack), witnesses(own));
+        let is_rest = c.rest_of.is_some() && !own.closed;
         let mut holds = |j: u32| {
             let other = &contours[j as usize];
             let Some(around) = other.boundary() else { return false };
@@ -159,8 +160,10 @@ impl<'c> Search<'c> {
             let same_shape =
                 other.outline.is_some() && other.rest_of == c.rest_of && other.operation == c.operation;
             let slabs = slabs[j as usize].get_or_insert_with(|| Slabs::new(around));
-            let held =
-                || witnesses.iter().filter(|p| winding_number(slabs.at(around, p.y), **p) != 0).count();
+            // The rest of a shape may run along the outline of its neighbour, which is neither inside nor outside.
+            let on_line = |p: DVec2| around.segments.iter().any(|s| s.nearest(p).1 <= *slack * *slack);
+            let inside = |p: DVec2| winding_number(slabs.at(around, p.y), p) != 0 && !(is_rest && on_line(p));
+            let held = || witnesses.iter().filter(|p| inside(**p)).count();
             j != i && !same_shape && 2 * held() > witnesses.len()
         };
         let mut left = MAX_FAILED_BOXES;

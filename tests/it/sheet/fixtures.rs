@@ -7,13 +7,9 @@ use kerfway::finding::Code;
 use kerfway::sheet::{Operation, Sheet, SheetOptions};
 use serde_json::Value;
 
-fn options(ignore_outline: bool) -> SheetOptions {
-    let layers = if ignore_outline {
-        vec![("mark".to_owned(), Operation::Mark)]
-    } else {
-        vec![("Sheet".to_owned(), Operation::Ignore), ("mark".to_owned(), Operation::Mark)]
-    };
-    SheetOptions { layers, ignore_outline, ..SheetOptions::default() }
+fn options() -> SheetOptions {
+    let layers = vec![("Sheet".to_owned(), Operation::Ignore), ("mark".to_owned(), Operation::Mark)];
+    SheetOptions { layers, ..SheetOptions::default() }
 }
 
 fn load(name: &str, options: &SheetOptions) -> (Sheet, Value) {
@@ -47,7 +43,7 @@ fn matched(sheet: &Sheet, items: &[Value]) -> Vec<u32> {
 }
 
 fn equals_truth(name: &str) {
-    let (sheet, truth) = load(name, &options(false));
+    let (sheet, truth) = load(name, &options());
     let items = truth["items"].as_array().unwrap();
     assert_eq!(counts(&sheet), (items.len(), 0));
     // The truth is the length of fine polygons: a little short of arcs.
@@ -79,18 +75,20 @@ fn the_sheet_of_500_contours_equals_its_truth() {
 }
 
 #[test]
-fn the_border_of_a_sheet_is_suggested_and_skipped_on_request() {
-    let (with, _) = load("sheet_100", &SheetOptions::default());
+fn the_border_of_a_sheet_is_ignored_and_comes_back_on_request() {
+    let keep = SheetOptions { keep_border: true, ..SheetOptions::default() };
+    let (with, _) = load("sheet_100", &keep);
     let border = with.outline.unwrap();
     assert_eq!(with.contours.len(), 101);
     assert!((with.contours[border as usize].area - 500_000.0).abs() < 1e-6);
     assert_eq!(findings(&with, Code::SheetOutline).len(), 1);
     assert_eq!(findings(&with, Code::LayerSuggestion)[0].layer.as_deref(), Some("SHEET"));
-    let (without, _) = load("sheet_100", &options(true));
+    let layers = vec![("mark".to_owned(), Operation::Mark)];
+    let (without, _) = load("sheet_100", &SheetOptions { layers, ..SheetOptions::default() });
     // The others keep their ids.
     let worked = || without.contours.iter().filter(|c| c.is_processed());
     assert_eq!((worked().count(), without.ignored.len(), without.outline), (100, 1, None));
-    let (plain, _) = load("sheet_100", &options(false));
+    let (plain, _) = load("sheet_100", &options());
     for (c, p) in worked().zip(&plain.contours) {
         assert_eq!((&c.path, c.depth, c.inside.is_some()), (&p.path, p.depth, p.inside.is_some()));
     }

@@ -112,13 +112,17 @@ fn sheet_of_parts(border: &'static str, parts: &'static str) -> Drawing {
 
 #[test]
 fn a_lone_border_is_recognised_by_the_parts_in_it() {
-    let s = arranged(&sheet_of_parts("0", "0"));
+    let keep = SheetOptions { keep_border: true, ..SheetOptions::default() };
+    let s = built(&sheet_of_parts("0", "0"), &keep);
     assert_eq!(s.outline, Some(0));
     let told = findings(&s, Code::SheetOutline);
     assert_eq!((told.len(), told[0].handle.as_deref()), (1, Some("100")));
+    assert_eq!(told[0].severity, Severity::Info, "the person has decided");
     assert_eq!(s.parts.len(), 3);
-    let s =
-        built(&sheet_of_parts("0", "0"), &SheetOptions { ignore_outline: true, ..SheetOptions::default() });
+    let s = arranged(&sheet_of_parts("0", "0"));
+    let told = findings(&s, Code::SheetOutline);
+    assert_eq!((told.len(), told[0].severity, told[0].at), (1, Severity::Info, Some(p(0.0, 0.0))));
+    assert!(told[0].message.contains("2 parts lie inside it, and sheets of 300 x 200 mm are sold"));
     assert_eq!((s.outline, s.ignored.len(), s.contours.len(), s.parts.len()), (None, 1, 5, 2));
     assert_eq!(s.contours.iter().map(|c| c.depth).collect::<Vec<_>>(), [0, 0, 1, 0, 1]);
     close(s.bounds.size().x, 240.0);
@@ -146,8 +150,46 @@ fn a_border_on_a_layer_with_that_name_needs_no_parts_with_holes() {
             ("0", circle(200.0, 50.0, 30.0)),
         ])
     };
-    assert_eq!(arranged(&plates("Rahmen")).outline, Some(0));
-    assert_eq!(arranged(&plates("0")).outline, None);
+    let framed = arranged(&plates("Rahmen"));
+    assert_eq!((framed.outline, framed.ignored.len(), framed.parts.len()), (None, 1, 2));
+    assert!(findings(&framed, Code::LayerSuggestion).is_empty(), "one finding about the border is enough");
+    let plate = arranged(&plates("0"));
+    assert_eq!(
+        (plate.outline, plate.ignored.len(), findings(&plate, Code::SheetOutline).len()),
+        (None, 0, 0)
+    );
+}
+
+#[test]
+fn a_frame_that_may_be_a_part_is_asked_about_and_cut_until_then() {
+    // A picture frame with a part in its opening, of no size in which sheets are sold.
+    let frame = |layer: &'static str| {
+        drawing([
+            (layer, rect(0.0, 0.0, 310.0, 215.0)),
+            ("0", rect(20.0, 20.0, 270.0, 175.0)),
+            ("0", circle(100.0, 100.0, 20.0)),
+        ])
+    };
+    let s = arranged(&frame("0"));
+    let told = findings(&s, Code::SheetOutline);
+    assert_eq!((s.outline, told.len(), told[0].severity), (Some(0), 1, Severity::Warning));
+    assert_eq!(s.parts.len(), 2);
+    let ignored = built(&frame("0"), &SheetOptions { ignore_outline: true, ..SheetOptions::default() });
+    assert_eq!((ignored.outline, ignored.parts.len()), (None, 1));
+    for layer in ["part_boundary", "outline", "CUT"] {
+        let s = arranged(&frame(layer));
+        assert_eq!((s.outline, findings(&s, Code::SheetOutline).len()), (None, 0), "{layer}");
+    }
+}
+
+#[test]
+fn countersunk_holes_are_no_parts_on_a_sheet() {
+    let mut paths = vec![rect(0.0, 0.0, 300.0, 200.0)];
+    for x in [30.0, 150.0, 270.0] {
+        paths.extend([circle(x, 100.0, 8.0), circle(x, 100.0, 4.0)]);
+    }
+    let s = sheet(paths);
+    assert_eq!((s.outline, findings(&s, Code::SheetOutline).len()), (None, 0));
 }
 
 #[test]

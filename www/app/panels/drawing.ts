@@ -6,9 +6,10 @@ import { activeContours, type Finding, type Loaded } from 'kerfway';
 import type { Preview } from '../session/preview.js';
 import { type Rule, RULES } from '../session/rules.js';
 import type { Session } from '../session/session.js';
+import { findingActions } from './finding-actions.js';
 import { FindingList, problemCounts } from './findings.js';
 import { layerList } from './layers.js';
-import { check, section } from './section.js';
+import { section } from './section.js';
 import { tolerances } from './tolerances.js';
 import { words } from '../core/words/index.js';
 
@@ -22,10 +23,9 @@ export function drawingPanel(session: Session, preview: Preview, onFinding: (fin
   const { root, body, setGist } = section(words.drawing.title, innerHeight >= ROOMY);
   const layers = h('div');
   const counts = h('p', { class: 'soft' });
-  const findings = new FindingList(onFinding);
-  const outline = check(words.drawing.outline, (on) => session.drawing.change({ ignoreOutline: on }));
+  const findings = new FindingList(onFinding, (finding) => findingActions(session, finding));
   const pins = h('div', { class: 'stack' });
-  const content = h('div', { class: 'stack' }, counts, layers, outline.root, pins, findings.root, tolerances(session, preview));
+  const content = h('div', { class: 'stack' }, counts, layers, pins, findings.root, tolerances(session, preview));
   const empty = h('p', { class: 'soft' }, words.drawing.none);
   body.append(empty, content);
 
@@ -37,7 +37,7 @@ export function drawingPanel(session: Session, preview: Preview, onFinding: (fin
     findings.show([...ofDrawing, ...planFindings]);
   };
   const show = () => {
-    const { loaded, load } = session.state;
+    const { loaded } = session.state;
     empty.hidden = loaded !== null;
     content.hidden = loaded === null;
     if (!loaded) {
@@ -53,8 +53,6 @@ export function drawingPanel(session: Session, preview: Preview, onFinding: (fin
       .filter(Boolean).join(' · '));
     layers.replaceChildren(layerList(session, loaded));
     pins.replaceChildren(...RULES.flatMap((rule) => ruleList(session, rule, onContour)));
-    outline.root.hidden = !load.ignoreOutline && (loaded.outline === null || isSuggestedByLayer(loaded, loaded.outline));
-    outline.input.checked = load.ignoreOutline ?? false;
     showFindings();
   };
   session.store.on('loaded', ({ loaded, fresh }) => {
@@ -86,12 +84,6 @@ function ruleList(session: Session, rule: Rule, onContour: (contour: number) => 
 /** Whether there is something in a drawing that a person should decide or see. */
 function needsAttention({ findings, layers, outline }: Loaded): boolean {
   return outline !== null || findings.some((f) => f.severity !== 'info') || layers.some((l) => l.suggestion !== null);
-}
-
-/** Whether the border is alone on a layer that the page already suggests to ignore, as one suggestion is enough. */
-function isSuggestedByLayer({ contours, layers }: Loaded, outline: number): boolean {
-  const layer = layers.find((l) => l.name === contours[outline]?.layer);
-  return layer?.suggestion === 'ignore' && layer.contours === 1;
 }
 
 const VERSIONS: Record<string, string> = {

@@ -3,7 +3,7 @@
  * (things that cannot be cut as drawn) are red octagons.
  */
 
-import { h, icon, setText } from '../core/dom.js';
+import { button, h, icon, setText } from '../core/dom.js';
 import { count } from '../core/format.js';
 import type { Finding, Severity } from 'kerfway';
 import { words } from '../core/words/index.js';
@@ -14,13 +14,22 @@ const LISTED = 60;
 const GRAVITY: Record<Severity, number> = { error: 0, warning: 1, info: 2 };
 const ICONS = { error: 'error', warning: 'warning', info: 'info' } as const;
 
+/** A choice that a finding offers. */
+export interface Action {
+  label: string;
+  /** What it does, for those who do not see the finding beside it. */
+  name: string;
+  act: () => void;
+}
+
 export class FindingList {
   readonly root: HTMLDetailsElement;
   private readonly list = h('div', { class: 'findings' });
   private readonly head = h('span');
   private readonly buttons = new Map<Finding, HTMLButtonElement>();
 
-  constructor(private readonly onShow: (finding: Finding) => void) {
+  /** `actions` gives the choices that a finding offers. */
+  constructor(private readonly onShow: (finding: Finding) => void, private readonly actions: (finding: Finding) => readonly Action[]) {
     this.root = h('details', { class: 'more' }, h('summary', {}, this.head), this.list);
   }
 
@@ -67,10 +76,12 @@ export class FindingList {
     const text = h('span', {}, finding.message);
     const where = [finding.layer && words.findings.layer(finding.layer), finding.handle && words.findings.entity(finding.handle)].filter(Boolean).join(', ');
     const inner = [mark(finding.severity), h('span', { class: 'finding-text' }, text, where ? h('span', { class: 'soft' }, ` ${where}`) : null)];
-    if (!finding.at) return h('div', { class: 'finding' }, ...inner);
+    const actions = this.actions(finding).map(({ label, name, act }) => button(label, { class: 'small', 'aria-label': name, onclick: act }));
+    const withActions = (item: HTMLElement) => (actions.length > 0 ? h('div', { class: 'finding-choice' }, item, h('div', { class: 'finding-actions' }, ...actions)) : item);
+    if (!finding.at) return withActions(h('div', { class: 'finding' }, ...inner));
     const item = h('button', { type: 'button', class: 'finding', onclick: () => this.onShow(finding) }, ...inner, h('span', { class: 'show' }, words.findings.show));
     this.buttons.set(finding, item);
-    return item;
+    return withActions(item);
   }
 }
 

@@ -1,6 +1,6 @@
 /**
  * What the page must know before it plans, asked in a card over the sheet: which units are right where the file leaves that open, with the
- * size that each would give; and what to do with damaged entities.
+ * size that each would give; what to do with damaged entities; and whether a rectangle around everything is the sheet or a cut.
  */
 
 import { button, h } from '../core/dom.js';
@@ -8,7 +8,8 @@ import { count, extent } from '../core/format.js';
 import { UNIT_SIZES } from '../core/strings.js';
 import type { Loaded, Unit } from 'kerfway';
 import type { Session } from '../session/session.js';
-import type { State } from '../session/state.js';
+import { borderInDoubt } from '../session/drawing.js';
+import type { Question, State } from '../session/state.js';
 import { words } from '../core/words/index.js';
 
 /** The units offered in the card; the others are in the menu of the top bar. */
@@ -23,11 +24,13 @@ export function questionCard(session: Session): HTMLElement {
     asked = now;
     root.hidden = now === '';
     if (!loaded || now === '') return;
-    root.replaceChildren(...(question === 'units' ? units(session, loaded) : damaged(session, loaded)));
+    root.replaceChildren(...CARDS[question!](session, loaded));
     root.querySelector('button')?.focus({ preventScroll: true });
   });
   return root;
 }
+
+const CARDS: Record<Question, (session: Session, loaded: Loaded) => HTMLElement[]> = { units, damaged, border };
 
 /** Width and height of the drawing if it were read in another unit. */
 export function sizeIn({ loaded, extent: [x0, y0, x1, y1] }: State, unit: Unit): string {
@@ -55,5 +58,15 @@ function damaged(session: Session, loaded: Loaded): HTMLElement[] {
     h('div', { class: 'choices' },
       button(words.question.skip, { class: 'primary', onclick: () => session.drawing.answer('damaged') }),
       button(words.question.keep, { onclick: () => session.drawing.answer('damaged', { keepDamaged: true }) })),
+  ];
+}
+
+function border(session: Session, loaded: Loaded): HTMLElement[] {
+  return [
+    h('h2', { id: 'question' }, words.question.border),
+    h('p', {}, borderInDoubt(loaded)?.message ?? ''),
+    h('div', { class: 'choices' },
+      button(words.question.ignoreBorder, { class: 'primary', onclick: () => session.drawing.answer('border', { ignoreOutline: true }) }),
+      button(words.question.keepBorder, { onclick: () => session.drawing.answer('border', { keepBorder: true }) })),
   ];
 }

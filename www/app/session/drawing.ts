@@ -3,7 +3,7 @@
  * itself. Only the newest reading counts; the results of older ones are discarded.
  */
 
-import type { Loaded, LoadOptions, Operation, Unit } from 'kerfway';
+import type { Finding, Loaded, LoadOptions, Operation, Unit } from 'kerfway';
 import { Latest } from '../core/latest.js';
 import { messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
@@ -12,6 +12,11 @@ import type { Planning } from './planning.js';
 import { type Rule, RULES, sameContours, withoutRules, withRule } from './rules.js';
 import type { Question } from './state.js';
 import type { Store } from './store.js';
+
+/** The finding about a rectangle around everything that may be the sheet; undefined if that is clear or decided. */
+export function borderInDoubt({ findings }: Loaded): Finding | undefined {
+  return findings.find((f) => f.code === 'sheet-outline' && f.severity === 'warning');
+}
 
 /** A drawing as it was given. */
 export interface Source {
@@ -104,7 +109,7 @@ export class Drawing {
     this.change({ layers });
   }
 
-  /** Answers a question: the units are right, or damaged entities are skipped or kept. */
+  /** Answers a question: the units are right, damaged entities are skipped or kept, or the border is. */
   answer(question: Question, options: LoadOptions = {}): void {
     this.answered.add(question);
     if (Object.keys(options).length > 0) this.change(options);
@@ -152,6 +157,7 @@ export class Drawing {
     const damaged = loaded.findings.some((f) => f.code === 'damaged-entity');
     if (loaded.units.doubtful && !this.answered.has('units')) this.store.ask('units');
     else if (damaged && !load.keepDamaged && !this.answered.has('damaged')) this.store.ask('damaged');
+    else if (borderInDoubt(loaded) && !this.answered.has('border')) this.store.ask('border');
     else {
       this.store.questionsAnswered();
       this.planning.start();

@@ -10,13 +10,10 @@ export interface Sample {
   options: LoadOptions;
 }
 
-/** The border of the sheets is the sheet itself, not a cut. */
-const BORDER: LoadOptions = { layers: [{ name: 'SHEET', operation: 'ignore' }] };
-
 /** The first is shown on a first visit. */
 export const SAMPLES: readonly Sample[] = [
-  { file: 'sheet_500.dxf', options: BORDER },
-  { file: 'sheet_100.dxf', options: BORDER },
+  { file: 'sheet_500.dxf', options: {} },
+  { file: 'sheet_100.dxf', options: {} },
   { file: 'qu_du_43.dxf', options: {} },
   { file: 'gaps-and-copies.dxf', options: {} },
   { file: 'layers.dxf', options: {} },

@@ -13,7 +13,7 @@ import type { Baselines, Beam, BestPath, DoneReason, Finding, Geometry, LoadOpti
 export type Phase = 'starting' | 'reading' | 'question' | 'ready' | 'planning' | 'paused' | 'done' | 'failed';
 
 /** What the page may have to ask before planning. */
-export type Question = 'units' | 'damaged';
+export type Question = 'units' | 'damaged' | 'border';
 
 /** The options of a search that a person sets. */
 export interface Search {

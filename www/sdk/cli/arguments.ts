@@ -3,7 +3,7 @@
 import { parseArgs } from 'node:util';
 import { ANCHORS, pointOf } from '../anchors.js';
 import type { LoadOptions, MachineProfile, Operation, Place, PlanOptions } from '../protocol.js';
-import { COMMON_CUTS, OPERATIONS, optionsOf, STARTS, TURNS, UNITS } from './commands.js';
+import { COMMON_CUTS, GROUPS, OPERATIONS, optionsOf, STARTS, TURNS, UNITS } from './commands.js';
 import { WrongUse } from './io.js';
 
 type Values = Record<string, string | boolean | string[] | undefined>;
@@ -47,7 +47,16 @@ export function loadOptions(values: Values): LoadOptions {
   const units = text(values, 'units');
   if (units !== undefined) options.units = oneOf('--units', units, UNITS);
   const layers = (values['layer'] as string[] | undefined) ?? [];
-  if (layers.length > 0) options.layers = layers.map(layerChoice);
+  if (layers.length > 0) options.layers = layers.map((word) => choice('--layer', word));
+  const groups = (values['group'] as string[] | undefined) ?? [];
+  if (groups.length > 0) {
+    options.groups = groups.map((word) => {
+      const { name, operation } = choice('--group', word);
+      return { name: oneOf('--group', name, GROUPS), operation };
+    });
+  }
+  if (values['keep-border'] === true) options.keepBorder = true;
+  if (values['ignore-border'] === true) options.ignoreOutline = true;
   const turn = text(values, 'turn');
   if (turn !== undefined) options.turn = Number(oneOf('--turn', turn, TURNS));
   if (values['order-by-layer'] === true) options.orderByLayer = true;
@@ -90,11 +99,11 @@ function pointNamed(word: string): (typeof ANCHORS)[number] | [number, number] |
   return numbers.length === 2 && numbers.every(Number.isFinite) ? [numbers[0]!, numbers[1]!] : null;
 }
 
-function layerChoice(word: string): { name: string; operation: Operation } {
+function choice(option: string, word: string): { name: string; operation: Operation } {
   // The last equals sign separates, because a layer's name may contain others.
   const at = word.lastIndexOf('=');
-  if (at < 1) throw new WrongUse(`--layer ${word}: write NAME=cut, NAME=mark or NAME=ignore.`);
-  return { name: word.slice(0, at), operation: oneOf('--layer', word.slice(at + 1), OPERATIONS) };
+  if (at < 1) throw new WrongUse(`${option} ${word}: write NAME=cut, NAME=mark or NAME=ignore.`);
+  return { name: word.slice(0, at), operation: oneOf(option, word.slice(at + 1), OPERATIONS) };
 }
 
 /** The NAME=VALUE pairs of all --set: numbers, true and false are converted, any other value is text. */

@@ -3,12 +3,13 @@
  */
 
 import { ANCHORS } from '../anchors.js';
-import type { CommonCuts, Operation, Unit } from '../protocol.js';
+import type { CommonCuts, Group, Operation, Unit } from '../protocol.js';
 
 /** How contours with common cuts are cut. */
 export const COMMON_CUTS: readonly CommonCuts[] = ['best', 'insertion', 'off'];
 export const UNITS: readonly Unit[] = ['mm', 'cm', 'dm', 'm', 'um', 'in', 'ft', 'yd', 'mil', 'microinch'];
 export const OPERATIONS: readonly Operation[] = ['cut', 'mark', 'ignore'];
+export const GROUPS: readonly Group[] = ['lettering', 'leaders'];
 export const TURNS = ['0', '90', '180', '270'] as const;
 export const STARTS = ['absolute', 'current'] as const;
 export const SHELLS = ['bash', 'zsh', 'fish'] as const;
@@ -45,6 +46,9 @@ const READING: Options = {
   units: { value: 'UNIT', about: 'the unit, if the file does not state it or states a wrong one', choices: UNITS },
   turn: { value: 'DEGREES', about: 'turn the drawing around its origin, counter-clockwise', choices: TURNS },
   layer: { value: `NAME=${OPERATIONS.join('|')}`, about: 'the operation of a layer', repeat: true },
+  group: { value: `NAME=${OPERATIONS.join('|')}`, about: 'the operation of a group recognised by its look: lettering, leaders', repeat: true },
+  'keep-border': { about: 'cut the border around everything, even if it clearly shows the sheet' },
+  'ignore-border': { about: 'ignore the border around everything, even if it may be a cut' },
   'order-by-layer': { about: 'process one layer after the other, in the order of --layer' },
   'part-by-part': { about: 'finish each part, with everything in its holes, before the next' },
   'common-cuts': { value: 'HOW', about: 'how to cut contours with common cuts: together, on the best path or that of a heuristic, or separately', choices: COMMON_CUTS },

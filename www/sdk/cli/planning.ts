@@ -33,8 +33,8 @@ export async function planFiles(given: Words, requested: Requested & { defaultBu
     const options: PlanOptions = { ...budget, ...(await choices(given, planner)) };
     await eachFile(given, { ...requested, inputs: machineFiles(given, planner) }, async (file, place, to) => {
       const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), load));
-      // A misspelt layer changes what is cut, so it is reported here and not only by `inspect`.
-      for (const { message } of loaded.findings.filter((f) => f.code === 'layer-unknown')) {
+      // What decides on what is cut is reported here and not only by `inspect`: misspelt layers, borders, lettering.
+      for (const { message } of loaded.findings.filter((f) => f.code === 'layer-unknown' || f.code === 'sheet-outline' || (f.code === 'lettering' && f.severity !== 'info'))) {
         process.stderr.write(`kerfway: ${basename(file)}: ${message}\n`);
       }
       const search = budgeted(options, loaded, requested.defaultBudget);

@@ -37,6 +37,9 @@ const findingTitles: Record<FindingCode, string> = {
   'common-cut': 'Contours with shared cuts',
   'kerf-not-applied': 'Contours without kerf compensation',
   'zero-length': 'Elements of zero length',
+  'sliver-collapsed': 'Slivers cut as one line',
+  lettering: 'Lettering',
+  leaders: 'Lines that lead to lettering',
   'self-crossing': 'Contours that cross themselves',
   crossing: 'Contours that cross each other',
   'open-contour': 'Open contours',
@@ -142,7 +145,7 @@ export const en = {
   },
 
   drawing: {
-    title: 'Drawing', none: 'No drawing yet.', outline: 'Ignore the border around everything', tolerances: 'Tolerances',
+    title: 'Drawing', none: 'No drawing yet.', tolerances: 'Tolerances',
     join: 'Join ends closer than', curves: 'Follow curves within', apply: 'Apply', cancel: 'Cancel', checking: 'Checking what would change…',
     within: (least: number, most: number) => `Enter a value from ${least} to ${most} mm.`,
     preview: {
@@ -174,6 +177,8 @@ export const en = {
     errors: (n: number, written: string) => counted(n, written, 'error'), warnings: (n: number, written: string) => counted(n, written, 'warning'),
     notes: (n: number, written: string) => counted(n, written, 'note'), nothingToDo: (notes: string) => `${notes}, nothing to do`,
     more: (n: string) => `And ${n} more, marked on the sheet.`,
+    actions: { keepBorder: 'Cut the border', ignoreBorder: 'Ignore the border', cut: 'Cut', mark: 'Mark', ignore: 'Ignore' },
+    group: { lettering: 'lettering', leaders: 'lines that lead to lettering' }, act: (action: string, group: string) => `${action}: ${group}`,
   },
 
   question: {
@@ -181,6 +186,7 @@ export const en = {
     damaged: (n: number, written: string) => `${counted(n, written, 'entity', 'entities')} in this file ${n === 1 ? 'is' : 'are'} damaged`,
     about: 'They are next to a damaged place in the file, so their shape may be wrong. Skip them, or keep them and check each one.',
     skip: 'Skip them', keep: 'Keep them',
+    border: 'Is the rectangle around everything a cut?', ignoreBorder: 'No, it is the sheet: ignore it', keepBorder: 'Yes, cut it',
   },
 
   machine: {
