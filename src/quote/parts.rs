@@ -109,6 +109,7 @@ pub(super) fn groups(parts: &[Part], contours: &[Contour], shapes: &[Shape]) -> 
         let mut near = near.filter(|(f, _)| f.same(&features));
         if let Some((_, group)) = near.next() {
             group.count += 1;
+            group.cut_length += cut_length;
             group.contours.push(id(part));
         } else {
             let group = PartGroup {
@@ -123,6 +124,8 @@ pub(super) fn groups(parts: &[Part], contours: &[Contour], shapes: &[Shape]) -> 
     }
     let mut groups: Vec<PartGroup> = known.into_iter().map(|(_, g)| g).collect();
     for g in &mut groups {
+        // The mean: equal parts differ by rounding.
+        g.cut_length /= g.count as f64;
         sort_by(&mut g.contours, |&id| [id.into(), 0, 0]);
     }
     sort_by(&mut groups, |g| [!real(g.net_area), g.contours[0].into(), 0]);

@@ -43,7 +43,7 @@ fn restore_outlines(contours: &mut [Contour], gone: &Path, of: (Operation, Optio
             continue;
         }
         let Some(whole) = c.outline.take_if(|outline| shares(outline, gone, tolerance)) else { continue };
-        (c.length, c.bounds, c.path) = (whole.length(), whole.bounds(), whole);
+        (c.length, c.bounds, c.path, c.rest_of) = (whole.length(), whole.bounds(), whole, None);
         // The other rests of the same shape become part of the restored outline.
         for rest in
             contours.iter_mut().filter(|r| r.rest_of == shape && r.operation == of.0 && !r.path.closed)

@@ -5,31 +5,26 @@
 //! before: loops in which every end meets exactly one other end. From then on they count as closed shapes, with the
 //! same rights as polylines. Outlines that meet in a corner are not found here, but by the network of the assembly.
 
-use super::Run;
 use super::remainder::Remainder;
-use crate::geometry::DVec2;
+use super::run::Run;
+use crate::geometry::{DVec2, Path, Segment};
 use crate::sheet::cluster::cluster;
 use crate::sheet::element::{Element, ROUNDING, with_start};
+use rustc_hash::FxHashSet;
 
 /// Elements and runs in which loops that lost something are closed runs; `None` if there are no such loops.
 pub(super) fn closed(
     elements: &[Element],
     runs: &[Run],
     kept: &[Remainder],
+    tolerance: f64,
 ) -> Option<(Vec<Element>, Vec<Run>)> {
     let lost = |run: &Run| kept[run.elements.clone()].iter().any(|k| *k != Remainder::Whole);
     if !runs.iter().any(|run| !run.closed && lost(run)) {
         return None;
     }
-    let copy = |run: &Run| kept[run.elements.clone()].iter().all(|k| *k == Remainder::Copy);
-    let open: Vec<usize> = (0..runs.len()).filter(|&r| !runs[r].closed && !copy(&runs[r])).collect();
-    let points: Vec<DVec2> = open
-        .iter()
-        .flat_map(|&r| {
-            let (first, last) = (runs[r].elements.start, runs[r].elements.end - 1);
-            [elements[first].segment.start(), elements[last].segment.end()]
-        })
-        .collect();
+    let open = once(elements, runs);
+    let points: Vec<DVec2> = open.iter().flat_map(|&r| ends_of(elements, &runs[r])).collect();
     let node = cluster(&points, 2.0 * ROUNDING);
     // For a node of two ends, the sum of their numbers tells the other one.
     let mut ends = vec![(0_usize, 0_usize); points.len()];
@@ -60,7 +55,18 @@ pub(super) fn closed(
                 _ => break false,
             }
         };
-        if closes && way.iter().any(|end| lost(&runs[open[end / 2]])) {
+        let segments = way.iter().flat_map(|end| {
+            let run = elements[runs[open[end / 2]].elements.clone()].iter().map(|e| e.segment);
+            let run: Vec<Segment> =
+                if end % 2 == 0 { run.collect() } else { run.rev().map(|s| s.reversed()).collect() };
+            run
+        });
+        // The sides of a sliver are one line.
+        let encloses = |path: &Path| 2.0 * path.area().abs() > tolerance * path.length();
+        if closes
+            && way.iter().any(|end| lost(&runs[open[end / 2]]))
+            && encloses(&Path::new(segments.collect(), true))
+        {
             way.iter().for_each(|end| inside[open[end / 2]] = true);
             loop_at[open[first]] = Some(way);
         }
@@ -89,6 +95,31 @@ pub(super) fn closed(
         }
     }
     Some(out)
+}
+
+/// The open runs, without those that are drawn twice.
+fn once(elements: &[Element], runs: &[Run]) -> Vec<usize> {
+    let open: Vec<usize> = (0..runs.len()).filter(|&r| !runs[r].closed).collect();
+    let middle = |run: &Run| elements[run.elements.start + run.elements.len() / 2].segment.at(0.5);
+    let points: Vec<DVec2> = open
+        .iter()
+        .flat_map(|&r| {
+            let [start, end] = ends_of(elements, &runs[r]);
+            [start, end, middle(&runs[r])]
+        })
+        .collect();
+    let at = cluster(&points, 2.0 * ROUNDING);
+    let mut seen: FxHashSet<[u32; 3]> = FxHashSet::default();
+    let place = |k: usize| {
+        let (a, b) = (at[3 * k], at[3 * k + 1]);
+        [a.min(b), a.max(b), at[3 * k + 2]]
+    };
+    (0..open.len()).filter(|&k| seen.insert(place(k))).map(|k| open[k]).collect()
+}
+
+/// The two ends of a run.
+fn ends_of(elements: &[Element], run: &Run) -> [DVec2; 2] {
+    [elements[run.elements.start].segment.start(), elements[run.elements.end - 1].segment.end()]
 }
 
 /// Appends a run, or the run reversed, so that it meets the elements since `from` bit for bit.

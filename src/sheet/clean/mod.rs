@@ -25,6 +25,7 @@ mod loops;
 mod near;
 mod remainder;
 mod report;
+mod run;
 
 use super::cluster::cluster;
 use super::element::{Chain, Chains, Element, ROUNDING, with_start};
@@ -34,19 +35,11 @@ use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{DVec2, Path, Segment};
 use crate::order;
 use remainder::Remainder;
-use std::ops::Range;
+use run::Run;
 
 /// Number of times that loops are looked for. Two passes find all loops of a sheet; chains of shapes that each overlap
 /// the next one only at a corner need more.
 const MAX_LOOP_PASSES: usize = 4;
-
-/// Elements of one shape that follow each other bit for bit, or a loop of several shapes.
-struct Run {
-    elements: Range<usize>,
-    closed: bool,
-    /// Whether it is a loop of several shapes. Closed shapes that are drawn as one come before loops.
-    is_loop: bool,
-}
 
 /// Cleans the given paths. `tolerance` (mm) is the distance up to which elements are copies of each other, `join` (mm)
 /// the distance up to which ends meet.
@@ -61,7 +54,7 @@ pub(super) fn clean(
     let (mut kept, mut complete) = united(&elements, &runs, tolerance, join);
     // A loop that becomes a closed shape takes overlaps from another one, which is then found to be a loop, too.
     for _ in 0..MAX_LOOP_PASSES {
-        let Some(closed) = loops::closed(&elements, &runs, &kept) else { break };
+        let Some(closed) = loops::closed(&elements, &runs, &kept, tolerance) else { break };
         (elements, runs) = closed;
         (kept, complete) = united(&elements, &runs, tolerance, join);
     }

@@ -86,7 +86,10 @@ fn quoted(job: &mut Job) -> String {
             part.insert(figure.into(), serde_json::json!(format!("{value:.6}")));
         }
     }
-    parts.to_string()
+    // Parts of the same area follow the order of drawing, too.
+    let mut parts: Vec<String> = parts.as_array().unwrap().iter().map(ToString::to_string).collect();
+    parts.sort();
+    parts.join("\n")
 }
 
 #[test]

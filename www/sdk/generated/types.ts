@@ -40,7 +40,7 @@ export interface EntityKindCount {
 export type Severity = "info" | "warning" | "error";
 
 /** The kind of a finding. Written in kebab case in JSON (`unsupported-entity`). Later versions may add codes. */
-export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "far-from-origin" | "off-bed" | "not-all-checked" | "more";
+export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "far-from-origin" | "off-bed" | "not-all-checked" | "more";
 
 /** One finding. */
 export interface Finding {
@@ -69,6 +69,9 @@ export type Operation = "cut" | "mark" | "ignore";
  * al.; `off`: each contour separately, and a shared cut with one of its contours.
  */
 export type CommonCuts = "best" | "insertion" | "off";
+
+/** A group of contours that are recognised by their look, not by a layer. */
+export type Group = "lettering" | "leaders";
 
 /** A layer and its operation. */
 export interface LayerUse {
@@ -319,6 +322,14 @@ export interface LayerChoice {
   operation: Operation,
 }
 
+/** The operation for a group of contours. */
+export interface GroupChoice {
+  /** The group. */
+  name: Group,
+  /** Cut, mark or ignore. */
+  operation: Operation,
+}
+
 /** How a drawing is read and arranged. */
 export interface LoadOptions {
   /** The unit of the drawing. Default: the unit in the file's header, or a guess. */
@@ -335,8 +346,15 @@ export interface LoadOptions {
   layers: Array<LayerChoice>,
   /** Whether layers are processed one after the other. Default false. */
   orderByLayer: boolean,
-  /** Whether a single border around everything is ignored. Default false. */
+  /**
+   * Whether the single border around everything is ignored even if it may be a cut. If it clearly shows the sheet, it is
+   * ignored in any case. Default false.
+   */
   ignoreOutline: boolean,
+  /** Whether the border around everything is cut even if it clearly shows the sheet. Default false. */
+  keepBorder: boolean,
+  /** The operation of groups of contours that are recognised by their look. Default: they are cut. */
+  groups: Array<GroupChoice>,
   /** Whether a part is finished, with everything inside its holes, before the next one. Default false. */
   partByPart: boolean,
   /** How contours that share cuts are cut on machines that make pre-cuts. Default `best`. */
@@ -692,7 +710,7 @@ export interface PartGroup {
   count: number,
   /** Area of one part without its holes. */
   net_area: number,
-  /** Length of the cuts of one part: outer contour and holes. */
+  /** Length of the outlines of one part: outer contour and holes. A side shared with another part counts for both. */
   cut_length: number,
   /** Number of holes in one part. */
   holes: number,

@@ -1,6 +1,6 @@
 //! Contacts: where the chains of a network meet.
 
-use super::{Joined, Role};
+use super::joined::{Joined, Role};
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, intersect};
 use crate::order::{real, sort_by};
 use crate::sheet::cluster::{Union, cluster};
@@ -63,6 +63,7 @@ impl Net {
             }
             touched.extend(first);
         }
+        search.corners(&touched);
         search.finish(&touched)
     }
 }
@@ -287,6 +288,52 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// Nodes where corners of different chains meet although neither chain ends there.
+    fn corners(&mut self, touched: &[u32]) {
+        let active = self.active(touched);
+        let mut corners: Vec<(u32, Place)> = Vec::new();
+        let mut points: Vec<DVec2> = Vec::new();
+        for (chain, c) in (0_u32..).zip(&self.joined.chains.chains) {
+            let elements = self.joined.chains.of(c);
+            // The start of a full circle is no corner.
+            if !active[self.sets.root(chain) as usize] || (c.closed && elements.len() == 1) {
+                continue;
+            }
+            for (element, e) in elements.iter().enumerate() {
+                corners.push((chain, Place { element, fraction: 0.0 }));
+                points.push(e.segment.start());
+            }
+        }
+        let at = cluster(&points, 2.0 * ROUNDING);
+        let mut order: Vec<usize> = (0..corners.len()).collect();
+        sort_by(&mut order, |&k| [at[k].into(), k as u64, 0]);
+        for group in order.chunk_by(|a, b| at[*a] == at[*b]) {
+            let (first, _) = corners[group[0]];
+            if group.iter().all(|&k| corners[k].0 == first) {
+                continue;
+            }
+            let node = self.new_node();
+            for &k in group {
+                let (chain, place) = corners[k];
+                let own = self.at(chain, place, node);
+                self.union.join(node, own);
+                self.sets.join(first, chain);
+            }
+        }
+    }
+
+    /// For the first chain of each set, whether the set holds anything to be found.
+    fn active(&mut self, touched: &[u32]) -> Vec<bool> {
+        let mut active = vec![false; self.joined.roles.len()];
+        for (chain, role) in (0_u32..).zip(&self.joined.roles) {
+            active[self.sets.root(chain) as usize] |= matches!(role, Role::Candidate | Role::Rest(_));
+        }
+        for &c in touched {
+            active[self.sets.root(c) as usize] = true;
+        }
+        active
+    }
+
     fn is_end(&self, chain: u32, place: Place) -> bool {
         let closed = self.joined.chain(chain).is_some_and(|c| c.closed);
         !closed && place.fraction <= 0.0 && (place.element == 0 || place.element == self.of(chain).len())
@@ -329,13 +376,7 @@ impl<'a> Search<'a> {
         }
         let n = joined.chains.chains.len();
         let set: Vec<u32> = (0..).take(n).map(|c| self.sets.root(c)).collect();
-        let mut active = vec![false; n];
-        for (role, &s) in joined.roles.iter().zip(&set) {
-            active[s as usize] |= matches!(role, Role::Candidate | Role::Rest(_));
-        }
-        for &c in touched {
-            active[set[c as usize] as usize] = true;
-        }
+        let active = self.active(touched);
         Some(Net { breaks, set, active })
     }
 }

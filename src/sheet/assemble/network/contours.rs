@@ -1,8 +1,8 @@
 //! The chains of the faces: who owns which edge, and what remains open.
 
 use super::graph::{Face, Graph, HalfEdge};
+use super::joined::{Joined, Role};
 use super::shapes::{Fate, Known, alike};
-use super::{Joined, Role};
 use crate::geometry::{Path, Segment};
 use crate::order::sort_by;
 use crate::sheet::assemble::close::meet;

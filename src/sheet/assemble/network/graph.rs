@@ -6,8 +6,8 @@
 //! on its way is divided there, so that two squares that touch in a corner are two rounds. Rounds that run
 //! counter-clockwise are the outlines of faces.
 
-use super::Joined;
 use super::contacts::{Net, Place};
+use super::joined::Joined;
 use crate::geometry::{DVec2, Path, Segment, interior_point};
 use crate::order::{real, sort_by};
 use crate::sheet::element::Element;
@@ -175,7 +175,7 @@ impl Graph {
 
     fn nodes(&self, h: HalfEdge) -> [u32; 2] {
         let [a, b] = self.edges[h / 2].nodes;
-        if h % 2 == 0 { [a, b] } else { [b, a] }
+        if h.is_multiple_of(2) { [a, b] } else { [b, a] }
     }
 
     /// The direction from a node to the point `distance` mm along a half-edge.
@@ -204,13 +204,13 @@ impl Graph {
             let elements = &self.edges[h / 2].elements;
             let start = elements.first().map_or(DVec2::ZERO, |e| e.segment.start());
             let end = elements.last().map_or(DVec2::ZERO, |e| e.segment.end());
-            if h % 2 == 0 { [start, end] } else { [end, start] }
+            if h.is_multiple_of(2) { [start, end] } else { [end, start] }
         };
         let mut sum = 0.0;
         for (k, &h) in round.iter().enumerate() {
             let swept: f64 = self.edges[h / 2].elements.iter().map(|e| e.segment.doubled_area()).sum();
             let gap = Segment::line(ends(h)[1], ends(round[(k + 1) % round.len()])[0]);
-            sum += if h % 2 == 0 { swept } else { -swept } + gap.doubled_area();
+            sum += if h.is_multiple_of(2) { swept } else { -swept } + gap.doubled_area();
         }
         0.5 * sum
     }

@@ -23,41 +23,13 @@
 mod contacts;
 mod contours;
 mod graph;
+mod joined;
 mod shapes;
 
-use crate::sheet::element::{Chain, Chains};
+use crate::sheet::element::Chains;
 use contacts::Net;
 
-/// What a chain is to the network.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Role {
-    /// An open chain, or one that passes a branch: its contour is to be found.
-    Candidate,
-    /// A closed chain.
-    Closed,
-    /// A chain of a contour that closes without a branch; the number of that contour.
-    Loop(u32),
-    /// A rest of the closed shape with this outline.
-    Rest(u32),
-}
-
-/// The joined chains, as the assembly sees them.
-pub(super) struct Joined<'a> {
-    /// All chains.
-    pub(super) chains: &'a Chains,
-    /// The role of each chain.
-    pub(super) roles: Vec<Role>,
-    /// For each chain end, the one it is joined to. Chain `c` has the ends `2 c` and `2 c + 1`.
-    pub(super) mates: &'a [u32],
-    /// Largest distance between ends that meet, mm.
-    pub(super) tolerance: f64,
-}
-
-impl Joined<'_> {
-    pub(super) fn chain(&self, c: u32) -> Option<&Chain> {
-        self.chains.chains.get(c as usize)
-    }
-}
+pub(super) use joined::{Joined, Role};
 
 /// What the network came to.
 pub(super) enum Outcome {

@@ -1,7 +1,7 @@
 //! Closed shapes in a network: which of them stay as drawn, and which consist of several faces.
 
 use super::graph::{Face, Graph};
-use super::{Joined, Role};
+use super::joined::{Joined, Role};
 use crate::geometry::{Aabb, DVec2, Path, Segment, winding};
 use crate::sheet::cluster::cluster;
 use crate::sheet::element::{Element, ROUNDING};
