@@ -148,9 +148,16 @@ fn real_drawings() {
         }
     }
     narrow.dedup();
-    // Letters with counters of a tenth of a millimetre, a slit of 0.3, and a shape that is all slivers.
-    let expected =
-        ["skymakerolof_dxf__issue53.dxf", "one-kerf-apart.dxf", "rest-beside-its-shifted-copy.dxf"];
+    // Crescents between an arch and its chords, letters with counters of a tenth of a millimetre, a slit of 0.3, wedges that
+    // lines cut off from crossing shapes (two of them), and a shape that is all slivers.
+    let expected = [
+        "mozman_ezdxf__recover01.dxf",
+        "skymakerolof_dxf__issue53.dxf",
+        "one-kerf-apart.dxf",
+        "hole-in-two-shapes-that-share-a-side.dxf",
+        "rest-beside-its-shifted-copy.dxf",
+        "random-01.dxf",
+    ];
     assert_eq!(narrow, expected);
     assert!(all.moved > 26_000 && all.corners > 10_000, "{all:?}");
 }

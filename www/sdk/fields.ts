@@ -1237,6 +1237,46 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material', Shape>
       },
       {
         "kind": "flag",
+        "name": "keepBorder",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "list": {
+            "object": [
+              {
+                "kind": {
+                  "choice": [
+                    "lettering",
+                    "leaders"
+                  ]
+                },
+                "name": "name",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "choice": [
+                    "cut",
+                    "mark",
+                    "ignore"
+                  ]
+                },
+                "name": "operation",
+                "nullable": false,
+                "required": true
+              }
+            ]
+          }
+        },
+        "name": "groups",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": "flag",
         "name": "partByPart",
         "nullable": false,
         "required": false

@@ -43,6 +43,9 @@ pub(super) fn beam(
     }
     let fastest =
         profile.rapid.speed[0].max(profile.rapid.speed[1]).max(profile.cut.speed).max(profile.mark.speed);
+    // Contours since the last wait. Where the beam goes off with the next motion only, contours that follow each other
+    // without a rapid leave their waits to the rapid after them.
+    let mut contours = 0_u32;
     for event in &program.events {
         match event {
             Event::Move { line, rapid: true, path, power, .. } => {
@@ -79,16 +82,20 @@ pub(super) fn beam(
                     });
                 }
             }
-            Event::Dwell { line, seconds, .. } => wait(*line, *seconds, dialect, profile, strict, problems),
-            Event::Contour => {}
+            Event::Dwell { line, seconds, .. } => {
+                let contours = std::mem::take(&mut contours).max(1);
+                wait(*line, *seconds, contours, dialect, profile, strict, problems);
+            }
+            Event::Contour => contours = contours.saturating_add(1),
         }
     }
 }
 
-/// A wait of Kerfway's is one that the machine asks for; of others, one that a laser may ask for.
+/// A wait of Kerfway's is one that the machine asks for after this many contours; of others, one that a laser may ask for.
 fn wait(
     line: u32,
     seconds: f64,
+    contours: u32,
     dialect: &Dialect,
     profile: &Profile,
     strict: bool,
@@ -99,8 +106,8 @@ fn wait(
         dialect.dwell.as_ref().map_or(1e-3, |d| 0.5 / power_of_ten(d.decimals) / d.unit.per_second());
     let near = |wanted: f64| wanted > 0.0 && (seconds - wanted).abs() <= rounding + 1e-9;
     let pierces = (0..=PIERCES_AT_ONCE).map(|k| f64::from(k) * profile.pierce_time + profile.beam_on_delay);
-    let of_machine =
-        near(profile.beam_off_delay) || near(profile.macro_time()) || pierces.into_iter().any(near);
+    let settles = (1..=contours).any(|k| near(f64::from(k) * profile.beam_off_delay));
+    let of_machine = settles || near(profile.macro_time()) || pierces.into_iter().any(near);
     if (strict && !of_machine) || !(0.0..=LONGEST).contains(&seconds) {
         problems.error(Code::WaitOutOfRange, Some(line), || {
             format!(
