@@ -103,6 +103,8 @@ function sdk() {
   run('tsc', ['-p', join(ROOT, 'www', 'sdk')]);
   cpSync(join(ROOT, 'src', 'machine', 'dialect', 'shipped'), join(SDK, 'dialects'), { recursive: true });
   for (const schema of ['plan.schema.json', 'quote.schema.json', 'dialect.schema.json']) cpSync(join(ROOT, 'www', 'sdk', schema), join(SDK, schema));
+  for (const types of ['node-types.d.cts', 'portable-types.d.cts']) cpSync(join(ROOT, 'www', 'sdk', types), join(SDK, types));
+  for (const framework of ['react', 'vue']) cpSync(join(ROOT, 'www', 'sdk', 'frameworks', `${framework}.d.ts`), join(SDK, 'element', `${framework}.d.ts`));
   framePage();
   cpSync(WASM, join(SDK, 'pkg'), { recursive: true, filter: (f) => !f.endsWith('.stamp') });
   const bytes = readFileSync(join(WASM, 'kerfway_bg.wasm')).toString('base64');

@@ -6,12 +6,15 @@
 //! tables are generated for TypeScript (`www/sdk/fields.ts`), which checks options before a worker receives them.
 
 mod check;
+mod error;
 mod nearest;
+mod rule;
 mod table;
 mod value;
 
-pub use check::out_of_range;
+pub use error::{Fault, FieldError};
 pub use nearest::{nearest, no_such};
+pub use rule::out_of_range;
 pub use table::{Field, Kind, Range, Shape};
 pub use value::Value;
 
@@ -26,17 +29,23 @@ pub trait Shaped: DeserializeOwned {
 /// Converts a value to a struct.
 ///
 /// # Errors
-/// One sentence that names the field, its value and what is allowed.
-pub fn read<T: Shaped>(value: Value) -> Result<T, String> {
+/// What is wrong with which field.
+pub fn read<T: Shaped>(value: Value) -> Result<T, FieldError> {
     T::SHAPE.check(&value)?;
-    T::deserialize(value).map_err(|e| format!("{} cannot be read: {e}.", T::SHAPE.owner))
+    // The tables refuse everything that serde would refuse; a test draws values at random to keep that true.
+    T::deserialize(value)
+        .map_err(|_| FieldError::new(Fault::WrongType, "", format!("{} cannot be read.", T::SHAPE.owner)))
 }
 
 /// Converts a JSON text to a struct.
 ///
 /// # Errors
 /// The text is not JSON; otherwise as [`read`].
-pub fn from_json<T: Shaped>(text: &str) -> Result<T, String> {
-    let value = serde_json::from_str(text).map_err(|e| format!("{} is not JSON: {e}.", T::SHAPE.owner))?;
+pub fn from_json<T: Shaped>(text: &str) -> Result<T, FieldError> {
+    let value = serde_json::from_str(text).map_err(|e| {
+        let (line, column) = (e.line(), e.column());
+        let message = format!("{} is not JSON: see line {line}, column {column}.", T::SHAPE.owner);
+        FieldError::new(Fault::NotJson, "", message)
+    })?;
     read(value)
 }

@@ -5,6 +5,7 @@
 //! clock and a user to listen to, decides how many moves each slice has. Slices of any size give the same bytes.
 
 mod best_path;
+mod code;
 mod common_cuts;
 mod error;
 mod option_fields;
@@ -21,7 +22,8 @@ mod solving;
 mod warm_path;
 
 pub use best_path::BestPath;
-pub use error::JobError;
+pub use code::ErrorCode;
+pub use error::{ErrorReport, JobError, Param};
 pub use options::{Budget, GroupChoice, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
 pub use outputs::OutputKind;
 pub use placement::{Place, Placed};
@@ -199,8 +201,6 @@ fn build_sheet(drawing: &Drawing, options: &SheetOptions) -> Result<Sheet, JobEr
     let lists = [&options.first, &options.last, &options.exclude];
     match lists.into_iter().flatten().find(|&&id| id as usize >= count) {
         None => Ok(sheet),
-        Some(id) => Err(JobError::Options(format!(
-            "Contour {id} is listed as first, last or excluded, but there are only {count} contours, counted from 0."
-        ))),
+        Some(&contour) => Err(JobError::UnknownContour { contour, count }),
     }
 }

@@ -7,7 +7,7 @@ use super::placement::Place;
 use super::ranges::{JOIN_TOLERANCE, SECONDS, TOLERANCE, TURN, WORKERS};
 use super::{JobError, WarmPath};
 use crate::drawing::{ReadOptions, TextDecoder, Unit};
-use crate::fields::{Range, no_such, out_of_range};
+use crate::fields::{FieldError, Range};
 use crate::machine::{self, Profile, Start};
 use crate::sheet::{CommonCuts, Group, Operation, SheetOptions};
 use serde::de::value::MapAccessDeserializer;
@@ -110,7 +110,7 @@ impl LoadOptions {
         within("tolerance", self.tolerance, &TOLERANCE)?;
         let quarters = [0, 1, 2, 3].into_iter().find(|&k| 90 * u32::from(k) == self.turn);
         let quarter_turns = quarters
-            .ok_or_else(|| JobError::Options(out_of_range("The option", "turn", self.turn.into(), &TURN)))?;
+            .ok_or_else(|| FieldError::out_of_range("The option", "turn", self.turn.into(), &TURN))?;
         Ok(ReadOptions {
             unit: self.units,
             tolerance: self.tolerance,
@@ -145,7 +145,7 @@ fn within(name: &str, n: f64, range: &Range) -> Result<(), JobError> {
     if range.holds(n) {
         return Ok(());
     }
-    Err(JobError::Options(out_of_range("The option", name, n, range)))
+    Err(FieldError::out_of_range("The option", name, n, range).into())
 }
 
 /// The name of a preset machine, or a whole profile.
@@ -200,7 +200,7 @@ impl MachineChoice {
             Self::Preset(name) => machine::preset(name).ok_or_else(|| {
                 let presets = machine::presets();
                 let names: Vec<&str> = presets.iter().map(|p| p.name.as_str()).collect();
-                JobError::Options(no_such("machine", name, &names))
+                FieldError::no_such("machine", name, &names).into()
             }),
         }
     }

@@ -2,13 +2,14 @@
 
 use super::{Job, JobError, Placed};
 use crate::drawing::Unit;
+use crate::fields::{Fault, FieldError};
 use crate::finding::Severity;
 use crate::geometry::{Aabb, DVec2};
 use crate::machine::Profile;
 use crate::output::{self, Check, JobFacts, OutputError};
 use crate::plan::document::{self, Budget, Document, Input, Move, Options, Placement};
 use crate::plan::{self, Plan};
-use crate::quote::{self, Material, Quote};
+use crate::quote::{self, Quote, Terms};
 use std::str::FromStr;
 
 /// The kinds of output. Pictures are made from the JSON by the PNG renderer.
@@ -46,9 +47,10 @@ impl FromStr for OutputKind {
             "json" => Ok(Self::Json),
             "lbrn2" => Ok(Self::Lbrn2),
             "rd" => Ok(Self::Rd),
-            _ => Err(JobError::Options(format!(
-                "There is no output named {name}. Choose one of: gcode, svg, dxf, json, lbrn2, rd."
-            ))),
+            _ => {
+                let known = ["gcode", "svg", "dxf", "json", "lbrn2", "rd"];
+                Err(FieldError::no_such("output", name, &known).into())
+            }
         }
     }
 }
@@ -82,7 +84,10 @@ impl Job {
             OutputKind::Json => output::json_text(&self.document_of(&plan)?),
             OutputKind::Lbrn2 => output::lbrn2(&plan, sheet, profile)?,
             OutputKind::Rd => {
-                return Err(JobError::Options("A Ruida file is no text: ask for its bytes.".into()));
+                return Err(JobError::Conflict {
+                    field: "output",
+                    sentence: "A Ruida file is no text: ask for its bytes.",
+                });
             }
         })
     }
@@ -124,7 +129,8 @@ impl Job {
         let text = output::gcode(plan, self.beam_sheet(), profile, facts, *start)?;
         // Whether the job is allowed on this bed has been decided before, with the options of its placement.
         let machine = Profile { bed: None, ..profile.clone() };
-        let mut check = output::check_against(&text, &machine, plan).map_err(JobError::Options)?;
+        let mut check = output::check_against(&text, &machine, plan)
+            .map_err(|sentence| FieldError::new(Fault::Contradiction, "dialect", sentence))?;
         check.fits_bed = output::fits_bed(&check, profile).filter(|_| start.is_absolute());
         Ok((text, check))
     }
@@ -150,8 +156,8 @@ impl Job {
     }
 
     /// What a price needs of the best plan so far, which is checked first.
-    pub fn quote(&self, material: &Material) -> Result<Quote, JobError> {
-        quote::quote(&self.document()?, material).map_err(JobError::Options)
+    pub fn quote(&self, terms: &Terms) -> Result<Quote, JobError> {
+        Ok(quote::quote(&self.document()?, terms)?)
     }
 
     /// The best plan so far, checked, with everything it came from.

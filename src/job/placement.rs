@@ -6,7 +6,7 @@
 
 use super::JobError;
 use super::ranges::PLACE;
-use crate::fields::out_of_range;
+use crate::fields::FieldError;
 use crate::finding::{Code, Finding, Severity};
 use crate::geometry::{Aabb, DVec2};
 use crate::machine::{Anchor, Profile, Start};
@@ -98,14 +98,15 @@ impl Place {
         let numbers = [("place.at", Some(self.at)), ("place.from", self.from)];
         for (name, pair) in numbers {
             if let Some(n) = pair.into_iter().flatten().find(|n| !PLACE.holds(*n)) {
-                return Err(JobError::Options(out_of_range("The option", name, n, &PLACE)));
+                return Err(FieldError::out_of_range("The option", name, n, &PLACE).into());
             }
         }
         let from = match (self.point, self.from) {
             (Some(_), Some(_)) => {
-                return Err(JobError::Options(
-                    "The option \"place\" has both \"point\" and \"from\". Give one of them.".to_owned(),
-                ));
+                return Err(JobError::Conflict {
+                    field: "place",
+                    sentence: "The option \"place\" has both \"point\" and \"from\". Give one of them.",
+                });
             }
             (point, None) => point.unwrap_or_default().of(bounds),
             (None, Some(from)) => DVec2::from_array(from),

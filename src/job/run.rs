@@ -81,7 +81,7 @@ impl Run {
     pub(super) fn start(sheet: &Sheet, placed: Placed, options: &PlanOptions) -> Result<Self, JobError> {
         let name = options.method.as_deref().unwrap_or(solve::methods()[0].info().name);
         let parameters = options.parameters.as_deref().unwrap_or_default();
-        let method = solve::named(name, parameters).map_err(JobError::Options)?;
+        let method = solve::named(name, parameters)?;
         let machine = placed.seen_from_drawing();
         let problem = problem_of(sheet, &machine);
         let summary = |s: &Solution| plan::from_solution(sheet, &problem, s).summary;

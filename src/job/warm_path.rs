@@ -52,12 +52,7 @@ pub(super) fn solution(warm: &WarmPath, problem: &Problem) -> Result<Solution, J
         .collect::<Option<Vec<Stop>>>()
         .filter(|stops| is_feasible(stops, problem))
         .map(|stops| Solution::new(problem, stops))
-        .ok_or_else(|| {
-            JobError::Options(
-                "The path to start from does not fit this drawing and these options. Start without it."
-                    .into(),
-            )
-        })
+        .ok_or(JobError::UnfitPath)
 }
 
 /// One stop of the path.

@@ -5,7 +5,7 @@
 
 use super::dialect::Dialect;
 use super::profile::Profile;
-use crate::fields::{Field, Kind, Range, Shape, Shaped, out_of_range};
+use crate::fields::{Fault, Field, FieldError, Kind, Range, Shape, Shaped, out_of_range};
 use std::f64::consts::PI;
 
 /// The only version of the data so far; later code will convert older versions on reading.
@@ -33,6 +33,18 @@ pub enum ProfileError {
     /// There is no such dialect, or its document contradicts itself.
     #[error("{0}")]
     Dialect(String),
+}
+
+impl From<ProfileError> for FieldError {
+    fn from(error: ProfileError) -> Self {
+        match error {
+            ProfileError::Value { field, value, range } => {
+                Self::out_of_range(SHAPE.value, field, value, &range)
+            }
+            ProfileError::Bed(..) => Self::new(Fault::Contradiction, "bed", error.to_string()),
+            ProfileError::Dialect(sentence) => Self::new(Fault::Contradiction, "dialect", sentence),
+        }
+    }
 }
 
 const VERSIONS: Range = Range::new(1.0, 1.0, "", "this Kerfway reads machine profiles of version 1");

@@ -2,6 +2,7 @@
 
 use crate::drawing::UnitsSource;
 use crate::finding::{Code, Finding, Severity};
+use crate::geometry::{Aabb, BoxIndex};
 use crate::plan::document::{Contour, Input};
 use crate::sheet::Operation;
 use serde::Serialize;
@@ -25,7 +26,34 @@ pub struct Confidence {
     /// In one word.
     pub level: Level,
     /// Why it is not high.
-    pub reasons: Vec<String>,
+    pub reasons: Vec<Reason>,
+}
+
+/// Why figures cannot be relied on.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "ConfidenceReason"))]
+pub struct Reason {
+    /// The kind of reason.
+    pub code: ReasonCode,
+    /// The code of the findings, if they are the reason.
+    pub finding: Option<Code>,
+    /// How many there are.
+    pub count: u32,
+    /// One sentence for people.
+    pub message: String,
+}
+
+/// The kind of a reason.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub enum ReasonCode {
+    /// The units were guessed.
+    UnitsGuessed,
+    /// Contours that are cut are open.
+    OpenCuts,
+    /// Findings that are more than information.
+    Findings,
 }
 
 /// In one word.
@@ -53,31 +81,75 @@ pub(super) fn defects(findings: &[Finding]) -> Vec<Defect> {
     defects
 }
 
+/// The confidence in the figures of the whole job.
 pub(super) fn confidence(input: &Input, defects: &[Defect], contours: &[Contour]) -> Confidence {
-    let mut level = Level::High;
-    let mut reasons = Vec::new();
-    let mut doubt = |at_least: Level, reason: String| {
-        level = level.max(at_least);
-        reasons.push(reason);
-    };
+    let mut doubts = Doubts::none();
     if input.units_source == UnitsSource::Guessed {
-        doubt(Level::Low, "The file does not say its units; they were guessed.".into());
+        let message = "The file does not say its units; they were guessed.".into();
+        doubts.add(Level::Low, Reason { code: ReasonCode::UnitsGuessed, finding: None, count: 1, message });
     }
     let open = contours.iter().filter(|c| c.is_open() && c.operation == Operation::Cut).count();
-    match open {
-        0 => {}
-        1 => doubt(Level::Medium, "1 contour that is cut is open: it encloses no part.".into()),
-        _ => doubt(Level::Medium, format!("{open} contours that are cut are open: they enclose no part.")),
+    if open > 0 {
+        let message = match open {
+            1 => "1 contour that is cut is open: it encloses no part.".into(),
+            _ => format!("{open} contours that are cut are open: they enclose no part."),
+        };
+        let count = u32::try_from(open).unwrap_or(u32::MAX);
+        doubts.add(Level::Medium, Reason { code: ReasonCode::OpenCuts, finding: None, count, message });
     }
-    for Defect { code, severity, count } in defects {
+    for defect in defects {
         // The sentence above already names the open contours that are cut, and where a job lies changes no figure of it.
-        if (*code == Code::OpenContour && open > 0) || *code == Code::OffBed {
-            continue;
+        let told = defect.code == Code::OpenContour && open > 0;
+        if !told && defect.code != Code::OffBed {
+            doubts.add_defect(defect);
         }
-        // A border that is cut changes the number of parts and all areas.
-        let grave = *severity == Severity::Error || *code == Code::SheetOutline;
-        let at_least = if grave { Level::Low } else { Level::Medium };
-        doubt(at_least, format!("{}.", code.in_words(*count)));
     }
-    Confidence { level, reasons }
+    doubts.0
+}
+
+/// The confidence in the figures of each part, from the findings that lie in its box. What concerns the whole job, such as
+/// guessed units, is in the confidence of the job alone.
+pub(super) fn of_parts(findings: &[Finding], boxes: &[Aabb]) -> Vec<Confidence> {
+    let index = BoxIndex::new(boxes.iter().copied());
+    let mut on: Vec<Vec<Finding>> = vec![Vec::new(); boxes.len()];
+    for finding in findings.iter().filter(|f| f.severity != Severity::Info) {
+        let Some(at) = finding.at else { continue };
+        index.visit(Aabb::of(at).grown(NEAR), |part| {
+            if let Some(list) = on.get_mut(part) {
+                list.push(Finding { count: 1, ..finding.clone() });
+            }
+            true
+        });
+    }
+    let of = |findings: &Vec<Finding>| {
+        let mut doubts = Doubts::none();
+        defects(findings).iter().for_each(|defect| doubts.add_defect(defect));
+        doubts.0
+    };
+    on.iter().map(of).collect()
+}
+
+/// A finding this near to the box of a part lies on it, mm: gaps and copies are found within such distances.
+const NEAR: f64 = 0.1;
+
+/// Reasons as they add up.
+struct Doubts(Confidence);
+
+impl Doubts {
+    fn none() -> Self {
+        Self(Confidence { level: Level::High, reasons: Vec::new() })
+    }
+
+    fn add(&mut self, at_least: Level, reason: Reason) {
+        self.0.level = self.0.level.max(at_least);
+        self.0.reasons.push(reason);
+    }
+
+    fn add_defect(&mut self, &Defect { code, severity, count }: &Defect) {
+        // A border that is cut changes the number of parts and all areas.
+        let is_grave = severity == Severity::Error || code == Code::SheetOutline;
+        let at_least = if is_grave { Level::Low } else { Level::Medium };
+        let message = format!("{}.", code.in_words(count));
+        self.add(at_least, Reason { code: ReasonCode::Findings, finding: Some(code), count, message });
+    }
 }

@@ -6,20 +6,28 @@
 //! plan. Prices are no part of it.
 //!
 //! Inside one program, [`crate::job::Job::quote`] makes the document and its quote without writing it out. A quote from the
-//! text of a document is `quote(&Document::read(text)?, &material)?`; both come to the same hash.
+//! text of a document is `quote(&Document::read(text)?, &terms)?`; both come to the same hash.
 
 mod confidence;
+mod limits;
 mod material;
 mod narrow;
 mod parts;
 mod report;
+mod seconds;
 mod shape;
+mod terms;
+mod times;
 
-pub use confidence::{Confidence, Defect, Level};
+pub use confidence::{Confidence, Defect, Level, Reason, ReasonCode};
+pub use limits::{CheckCode, Checks, Exceeded, Limits};
 pub use material::Material;
-pub use parts::PartGroup;
-pub use report::{LayerUse, Narrowest, Quote, Smallest, Times};
+pub use parts::{PartGroup, PartItem};
+pub use report::{LayerUse, Narrowest, Quote, Smallest};
+pub use terms::Terms;
+pub use times::Times;
 
+use crate::fields::FieldError;
 use crate::output::json_text;
 use crate::plan::document::{Document, Stroke, strokes};
 use sha2::{Digest, Sha256};
@@ -28,16 +36,19 @@ use shape::Shape;
 /// The report of a plan document.
 ///
 /// # Errors
-/// One sentence: a thickness or density out of its range.
-pub fn quote(document: &Document, material: &Material) -> Result<Quote, String> {
-    material.check()?;
-    let mut quote = report::made(document, &shapes(document), material);
+/// A thickness, density or limit out of its range.
+pub fn quote(document: &Document, terms: &Terms) -> Result<Quote, FieldError> {
+    terms.check()?;
+    let mut quote = report::made(document, &shapes(document), terms);
+    let (name, version) = (std::mem::take(&mut quote.input.name), std::mem::take(&mut quote.version));
     quote.hash = hash(&quote);
+    (quote.input.name, quote.version) = (name, version);
     Ok(quote)
 }
 
 /// Of the whole report: what was planned from, how, and every figure; of the budget only the moves done, as seconds
-/// are not the same twice.
+/// are not the same twice. The name of the file and the version of the planner are empty in it: the same file under another
+/// name is the same job, and a version that changes no figure changes no hash.
 fn hash(quote: &Quote) -> String {
     Sha256::digest(json_text(quote)).iter().map(|b| format!("{b:02x}")).collect()
 }

@@ -3,6 +3,7 @@
 
 use super::shape::Shape;
 use crate::geometry::{Aabb, BoxIndex, DVec2};
+use std::collections::BTreeMap;
 
 /// Two contours and the distance between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,6 +38,30 @@ pub(super) fn between(shapes: &[Shape], contours: &[usize]) -> Option<Web> {
         });
     }
     best
+}
+
+/// Each pair of these contours that is closer than `limit` somewhere, at its narrowest place; in the order of their ids.
+pub(super) fn closer_than(shapes: &[Shape], contours: &[usize], limit: f64) -> Vec<Web> {
+    let chords: Vec<(usize, [DVec2; 2])> = contours
+        .iter()
+        .flat_map(|&id| shapes.get(id).into_iter().flat_map(Shape::chords).map(move |c| (id, c)))
+        .collect();
+    let index = BoxIndex::new(chords.iter().map(|(_, [a, b])| Aabb::of(*a).with(*b)));
+    let mut webs: BTreeMap<[usize; 2], Web> = BTreeMap::new();
+    for (k, &(id, chord)) in chords.iter().enumerate() {
+        index.visit(Aabb::of(chord[0]).with(chord[1]).grown(limit), |other| {
+            let (other_id, other_chord) = chords[other];
+            if other > k && other_id != id {
+                let (width, at) = apart(chord, other_chord);
+                let pair = [id.min(other_id), id.max(other_id)];
+                if width < limit && webs.get(&pair).is_none_or(|known| width < known.width) {
+                    webs.insert(pair, Web { contours: pair, width, at });
+                }
+            }
+            true
+        });
+    }
+    webs.into_values().collect()
 }
 
 /// An upper bound of the width, from the first points of contours.
@@ -94,5 +119,9 @@ mod tests {
         assert_eq!(web.width.to_bits(), least.to_bits());
         assert_eq!(web.contours, [28, 29]);
         assert!(between(&shapes, &[3]).is_none());
+        // The same web, and no other is so narrow: the others are about 1 mm wide.
+        let close = closer_than(&shapes, &all, web.width + 0.1);
+        assert_eq!(close, [Web { contours: [28, 29], ..web }]);
+        assert_eq!(closer_than(&shapes, &all, 2.0).len(), 29);
     }
 }

@@ -4,7 +4,9 @@
 //! change when a part is turned or mirrored: area, length, principal second moments of the outer contour; area and
 //! distance from the middle of each hole. Mirrored parts count as the same: a flat part can be turned over.
 
+use super::confidence::Confidence;
 use super::shape::{Moments, Shape};
+use super::times::Times;
 use crate::order::{real, sort_by};
 use crate::plan::document::Contour;
 use serde::Serialize;
@@ -28,12 +30,32 @@ pub struct PartGroup {
     pub holes: usize,
     /// Outer contours of the parts, by id.
     pub contours: Vec<u32>,
+    /// Each part of the group, in the order of `contours`.
+    pub items: Vec<PartItem>,
+}
+
+/// One part of the sheet.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct PartItem {
+    /// The id of its outer contour, which identifies the part.
+    pub id: u32,
+    /// xmin, ymin, xmax, ymax of its outline.
+    pub bounds: [f64; 4],
+    /// Its own seconds, with its share of the air moves. Those of all parts and `loose_times` add up to the job's.
+    pub times: Times,
+    /// Number of its piercings.
+    pub pierces: u32,
+    /// How far its figures can be relied on: the findings that lie on it.
+    pub confidence: Confidence,
 }
 
 /// An outer contour with its holes, by id.
 pub(super) struct Part {
     pub(super) outer: usize,
     pub(super) holes: Vec<usize>,
+    /// Whether it lies in a hole of another part.
+    pub(super) in_hole: bool,
 }
 
 /// The parts of what is cut, by the outer contours.
@@ -46,9 +68,12 @@ pub(super) fn parts(contours: &[Contour]) -> Vec<Part> {
     };
     let mut of: Vec<Option<usize>> = vec![None; contours.len()];
     let mut parts = Vec::new();
-    for id in (0..contours.len()).filter(|&id| cut(id) && around(id).count() % 2 == 0) {
-        of[id] = Some(parts.len());
-        parts.push(Part { outer: id, holes: Vec::new() });
+    for id in (0..contours.len()).filter(|&id| cut(id)) {
+        let depth = around(id).count();
+        if depth % 2 == 0 {
+            of[id] = Some(parts.len());
+            parts.push(Part { outer: id, holes: Vec::new(), in_hole: depth > 0 });
+        }
     }
     for id in (0..contours.len()).filter(|&id| cut(id) && of[id].is_none()) {
         if let Some(part) = around(id).next().and_then(|outer| of[outer]) {
@@ -56,6 +81,23 @@ pub(super) fn parts(contours: &[Contour]) -> Vec<Part> {
         }
     }
     parts
+}
+
+/// The part of each contour: its own, or for a mark or an open cut the innermost part around it.
+pub(super) fn part_of(parts: &[Part], contours: &[Contour]) -> Vec<Option<usize>> {
+    let mut of: Vec<Option<usize>> = vec![None; contours.len()];
+    for (k, part) in parts.iter().enumerate() {
+        for &id in std::iter::once(&part.outer).chain(&part.holes) {
+            of[id] = Some(k);
+        }
+    }
+    let known = of.clone();
+    for (id, part) in of.iter_mut().enumerate().filter(|(_, part)| part.is_none()) {
+        let up = |id: &usize| contours.get(*id)?.inside.map(|i| i as usize);
+        let mut around = std::iter::successors(up(&id), up).take(contours.len());
+        *part = around.find_map(|i| known.get(i).copied().flatten());
+    }
+    of
 }
 
 /// What does not change when a part is turned or mirrored.
@@ -93,13 +135,18 @@ impl Features {
 }
 
 /// The parts in groups of the same, those with most area first.
-pub(super) fn groups(parts: &[Part], contours: &[Contour], shapes: &[Shape]) -> Vec<PartGroup> {
+pub(super) fn groups(
+    parts: &[Part],
+    contours: &[Contour],
+    shapes: &[Shape],
+    items: Vec<PartItem>,
+) -> Vec<PartGroup> {
     let mut known: Vec<(Features, PartGroup)> = Vec::new();
     // By length of the outline, so that only neighbours need be compared.
-    let mut order: Vec<(Features, &Part)> =
-        parts.iter().map(|part| (Features::of(part, shapes), part)).collect();
-    sort_by(&mut order, |(features, part)| [real(features.length), part.outer as u64, 0]);
-    for (features, part) in order {
+    let mut order: Vec<(Features, &Part, PartItem)> =
+        parts.iter().zip(items).map(|(part, item)| (Features::of(part, shapes), part, item)).collect();
+    sort_by(&mut order, |(features, part, _)| [real(features.length), part.outer as u64, 0]);
+    for (features, part, item) in order {
         let holes = |what: fn(&Contour) -> f64| part.holes.iter().map(|&h| what(&contours[h])).sum::<f64>();
         let cut_length = contours[part.outer].outline_length() + holes(Contour::outline_length);
         let near = known
@@ -110,14 +157,15 @@ pub(super) fn groups(parts: &[Part], contours: &[Contour], shapes: &[Shape]) -> 
         if let Some((_, group)) = near.next() {
             group.count += 1;
             group.cut_length += cut_length;
-            group.contours.push(id(part));
+            group.items.push(item);
         } else {
             let group = PartGroup {
                 count: 1,
                 net_area: contours[part.outer].area - holes(|c| c.area),
                 cut_length,
                 holes: part.holes.len(),
-                contours: vec![id(part)],
+                contours: Vec::new(),
+                items: vec![item],
             };
             known.push((features, group));
         }
@@ -126,12 +174,9 @@ pub(super) fn groups(parts: &[Part], contours: &[Contour], shapes: &[Shape]) -> 
     for g in &mut groups {
         // The mean: equal parts differ by rounding.
         g.cut_length /= g.count as f64;
-        sort_by(&mut g.contours, |&id| [id.into(), 0, 0]);
+        sort_by(&mut g.items, |item| [item.id.into(), 0, 0]);
+        g.contours = g.items.iter().map(|item| item.id).collect();
     }
     sort_by(&mut groups, |g| [!real(g.net_area), g.contours[0].into(), 0]);
     groups
-}
-
-fn id(part: &Part) -> u32 {
-    u32::try_from(part.outer).unwrap_or(u32::MAX)
 }

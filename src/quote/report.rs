@@ -1,28 +1,36 @@
-//! The figures of a quote (`kerfway.quote/1`), and how they come from a plan document.
+//! The figures of a quote (`kerfway.quote/2`), and how they come from a plan document.
 
-use super::confidence::{Confidence, Defect, confidence, defects};
+use super::confidence::{Confidence, Defect, confidence, defects, of_parts};
+use super::limits::{self, Checks, Limits};
 use super::material::Material;
 use super::narrow::{self, Web};
-use super::parts::{self, Part, PartGroup};
+use super::parts::{self, Part, PartGroup, PartItem};
+use super::seconds::{Seconds, seconds};
 use super::shape::Shape;
+use super::terms::Terms;
+use super::times::Times;
+use crate::geometry::Aabb;
 use crate::machine::Profile;
-use crate::plan::document::{Contour, Document, Input, Options};
+use crate::plan::document::{Contour, Document, Input, Options, Placement};
 use crate::sheet::Operation;
 use serde::ser::Error;
 use serde::{Serialize, Serializer};
 
 /// The format this writes.
-const SCHEMA: &str = "kerfway.quote/1";
+const SCHEMA: &str = "kerfway.quote/2";
 
 /// What a price depends on. Lengths are in mm, areas in mm2, times in s, weights in g. docs/quote.md describes every field.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Quote {
     /// Name and version of the format.
-    #[cfg_attr(test, ts(type = "'kerfway.quote/1'"))]
+    #[cfg_attr(test, ts(type = "'kerfway.quote/2'"))]
     pub schema: &'static str,
-    /// SHA-256 of the whole report with this field empty. The same drawing, options, seed and moves give the same hash
-    /// natively, in Node and in every browser. A server that plans again with `moves` can confirm the report of a browser.
+    /// The version of the planner that made the report. It is not part of the hash.
+    pub version: &'static str,
+    /// SHA-256 of the whole report with `hash`, `version` and `input.name` empty. The same drawing, options, seed and moves give the same
+    /// hash natively, in Node and in every browser, whatever the file is called. A server that plans again with `moves` can confirm
+    /// the report of a browser.
     pub hash: String,
     /// The drawing.
     #[cfg_attr(test, ts(inline))]
@@ -34,6 +42,9 @@ pub struct Quote {
     #[serde(serialize_with = "by_name")]
     #[cfg_attr(test, ts(type = "Record<string, unknown>"))]
     pub options: Options,
+    /// Where the job lies on the bed; `None`: where it was drawn.
+    #[cfg_attr(test, ts(type = "{ shift: [number, number], start: Start } | null"))]
+    pub placement: Option<Placement>,
     /// Name of the search method.
     pub method: String,
     /// Parameters of the method; `None` if all are the defaults.
@@ -49,6 +60,8 @@ pub struct Quote {
     pub material: Material,
     /// Seconds of the job.
     pub times: Times,
+    /// Seconds of cuts and marks that belong to no part. Those of all parts and these add up to `times`.
+    pub loose_times: Times,
     /// Length of cuts and marks.
     pub cut_length: f64,
     /// Length of air moves.
@@ -75,28 +88,12 @@ pub struct Quote {
     pub smallest_hole: Option<Smallest>,
     /// The narrowest web: where two cuts of one part are closest to each other.
     pub narrowest_web: Option<Narrowest>,
+    /// Where the drawing exceeds the limits of the shop, if limits were given.
+    pub checks: Option<Checks>,
     /// What a person should look at before cutting.
     pub defects: Vec<Defect>,
     /// How far the figures can be relied on.
     pub confidence: Confidence,
-}
-
-/// Seconds of the job, by what they go into.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "QuoteTimes"))]
-pub struct Times {
-    /// The whole job.
-    pub total: f64,
-    /// Along contours.
-    pub cut: f64,
-    /// Air moves.
-    pub air: f64,
-    /// Piercing, with beam delays.
-    pub pierce: f64,
-    /// Pre-cuts.
-    pub pre_cut: f64,
-    /// Sharp corners.
-    pub macros: f64,
 }
 
 /// The contours of a layer with the same operation.
@@ -148,7 +145,8 @@ fn by_name<T: Serialize, S: Serializer>(value: &T, serializer: S) -> Result<S::O
 }
 
 /// The report, its hash still empty.
-pub(super) fn made(document: &Document, shapes: &[Shape], material: &Material) -> Quote {
+pub(super) fn made(document: &Document, shapes: &[Shape], terms: &Terms) -> Quote {
+    let material = &terms.material;
     let Document { budget, input, summary, contours, .. } = document;
     let parts = parts::parts(contours);
     let holes: f64 = parts.iter().flat_map(|p| &p.holes).map(|&h| contours[h].area).sum();
@@ -156,13 +154,18 @@ pub(super) fn made(document: &Document, shapes: &[Shape], material: &Material) -
     let [x0, y0, x1, y1] = summary.bounds;
     let defects = defects(&document.findings);
     let confidence = confidence(input, &defects, contours);
+    let boxes: Vec<Aabb> = parts.iter().map(|p| shapes[p.outer].bounds()).collect();
+    let (seconds, loose) = seconds(document, parts.len(), &parts::part_of(&parts, contours));
+    let items = items(&parts, &boxes, &seconds, of_parts(&document.findings, &boxes));
     let volume = material.thickness.map(|t| t * net_area / 1000.0);
     Quote {
         schema: SCHEMA,
+        version: env!("CARGO_PKG_VERSION"),
         hash: String::new(),
         input: input.clone(),
         machine: document.machine.clone(),
         options: document.options.clone(),
+        placement: document.placement,
         method: document.method.clone(),
         parameters: document.parameters.clone(),
         seed: document.seed,
@@ -177,22 +180,36 @@ pub(super) fn made(document: &Document, shapes: &[Shape], material: &Material) -
             pre_cut: summary.pre_cut_time,
             macros: summary.macro_time,
         },
+        loose_times: loose.times,
         cut_length: summary.cut_length,
         air_length: summary.air_length,
         pierces: summary.pierces,
         pre_cuts: summary.pre_cuts,
         layers: layers(contours),
         part_count: parts.len(),
-        parts: parts::groups(&parts, contours, shapes),
+        parts: parts::groups(&parts, contours, shapes, items),
         bounds: summary.bounds,
         net_area,
         box_area: (x1 - x0) * (y1 - y0),
         weight: volume.zip(material.density).map(|(cm3, density)| cm3 * density),
         smallest_hole: smallest(&parts, shapes, material),
         narrowest_web: narrowest(&parts, shapes, material),
+        checks: (terms.limits != Limits::default()).then(|| limits::checks(&parts, shapes, &terms.limits)),
         defects,
         confidence,
     }
+}
+
+/// The parts as the report lists them.
+fn items(parts: &[Part], boxes: &[Aabb], seconds: &[Seconds], confidence: Vec<Confidence>) -> Vec<PartItem> {
+    let item = |(((part, b), s), confidence): (((&Part, &Aabb), &Seconds), Confidence)| PartItem {
+        id: u32::try_from(part.outer).unwrap_or(u32::MAX),
+        bounds: if b.is_empty() { [0.0; 4] } else { [b.min.x, b.min.y, b.max.x, b.max.y] },
+        times: s.times,
+        pierces: s.pierces,
+        confidence,
+    };
+    parts.iter().zip(boxes).zip(seconds).zip(confidence).map(item).collect()
 }
 
 fn layers(contours: &[Contour]) -> Vec<LayerUse> {

@@ -1,6 +1,6 @@
 //! A contour as a polyline that is fine enough to measure widths.
 
-use crate::geometry::{DVec2, Segment, math};
+use crate::geometry::{Aabb, DVec2, Segment, math};
 use crate::order::{real, sort_by};
 
 /// Largest distance between an arc and its chords, mm: a tenth of the precision of laser cutting.
@@ -33,6 +33,11 @@ impl Shape {
             }
             self.points.push(segment.end());
         }
+    }
+
+    /// The box around it.
+    pub(super) fn bounds(&self) -> Aabb {
+        self.points.iter().fold(Aabb::EMPTY, |b, &p| b.with(p))
     }
 
     /// Its chords.

@@ -21,6 +21,8 @@ pub use insight::{Curve, Grid, Insight, Parent, Partitions};
 pub(crate) use running::Running;
 pub use traits::{Search, Solution, Solver, SolverInfo, Status, Step, Stop, Telemetry};
 
+use crate::fields::FieldError;
+
 /// Every method of ours, the default first.
 pub fn methods() -> &'static [&'static dyn Solver] {
     &[&tour_tree::TourTree, &greedy::Greedy]
@@ -35,8 +37,8 @@ pub fn method(name: &str) -> Option<&'static dyn Solver> {
 /// with the parameters of a published method that differ from its defaults, or empty; ours have none.
 ///
 /// # Errors
-/// One sentence: there is no such method, or a parameter is wrong.
-pub fn named(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
+/// There is no such method, or a parameter is wrong.
+pub fn named(name: &str, parameters: &str) -> Result<Box<dyn Solver>, FieldError> {
     match method(name) {
         Some(ours) => Ok(Box::new(ours)),
         None => published(name, parameters),
@@ -44,12 +46,12 @@ pub fn named(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
 }
 
 #[cfg(feature = "research")]
-fn published(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
+fn published(name: &str, parameters: &str) -> Result<Box<dyn Solver>, FieldError> {
     papers::method(name, parameters)
 }
 
 #[cfg(not(feature = "research"))]
-fn published(name: &str, _parameters: &str) -> Result<Box<dyn Solver>, String> {
+fn published(name: &str, _parameters: &str) -> Result<Box<dyn Solver>, FieldError> {
     let names: Vec<&str> = methods().iter().map(|m| m.info().name).collect();
-    Err(crate::fields::no_such("method", name, &names))
+    Err(FieldError::no_such("method", name, &names))
 }

@@ -3,6 +3,8 @@
 //! The types of the objects are in `www/sdk/protocol.ts`. A panic aborts the instance and leaves it unusable. The worker
 //! that runs it then reads the reason from [`last_panic`] and is replaced.
 
+#[cfg(feature = "planner")]
+mod failure;
 mod panic;
 #[cfg(feature = "planner")]
 mod plain;

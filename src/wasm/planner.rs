@@ -1,5 +1,6 @@
 //! The planner for JavaScript: one drawing through the whole flow, see [`crate::job`].
 
+use super::failure::Failure;
 use super::plain::{object, plain};
 use super::text::decode;
 use super::values::{bytes, geometry, handed, options, path, text};
@@ -14,7 +15,7 @@ const TYPES: &str = "import type {
   Baselines, Beam, BestPath, Budget, Dialect, Finding, Geometry, Insight, Loaded, LoadOptions, MachineProfile, MethodInfo, ProgramCheck, Slice, StartOptions, Summary,
   WarmPath,
 } from '../protocol.js';
-import type { Material, Quote } from '../quote.js';";
+import type { Quote, QuoteTerms } from '../quote.js';";
 
 /// All methods, the default first.
 #[wasm_bindgen(unchecked_return_type = "MethodInfo[]")]
@@ -39,16 +40,16 @@ pub fn dialects() -> Result<JsValue, JsError> {
 pub fn check_program(
     #[wasm_bindgen(unchecked_param_type = "string")] program: JsValue,
     #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
-) -> Result<JsValue, JsError> {
+) -> Result<JsValue, Failure> {
     let machine = options::<PlanOptions>(&plan_options)?.machine.profile()?;
-    plain(&output::check(&text("program", &program)?, &machine).map_err(|e| JsError::new(&e))?)
+    Ok(plain(&output::check(&text("program", &program)?, &machine).map_err(|e| JsError::new(&e))?)?)
 }
 
 /// A small program for a machine, which shows what its dialect looks like.
 #[wasm_bindgen(js_name = sampleProgram)]
 pub fn sample_program(
     #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
-) -> Result<String, JsError> {
+) -> Result<String, Failure> {
     Ok(job::sample_program(options::<PlanOptions>(&plan_options)?.machine)?)
 }
 
@@ -69,7 +70,7 @@ fn lines(job: &job::Job) -> Result<[JsValue; 2], JsError> {
 }
 
 /// The options for reading, with the platform's text decoder.
-fn load_options_of(value: &JsValue) -> Result<LoadOptions, JsError> {
+fn load_options_of(value: &JsValue) -> Result<LoadOptions, Failure> {
     let given: LoadOptions = options(value)?;
     Ok(LoadOptions { decoder: TextDecoder(decode), ..given })
 }
@@ -86,7 +87,7 @@ impl Job {
         #[wasm_bindgen(unchecked_param_type = "Uint8Array")] file: JsValue,
         #[wasm_bindgen(unchecked_param_type = "string")] name: JsValue,
         #[wasm_bindgen(unchecked_param_type = "LoadOptions")] load_options: JsValue,
-    ) -> Result<Job, JsError> {
+    ) -> Result<Job, Failure> {
         let (file, name) = (bytes(&file)?, text("file's name", &name)?);
         Ok(Job(job::Job::load(file, &name, &load_options_of(&load_options)?)?))
     }
@@ -95,7 +96,7 @@ impl Job {
     pub fn reload(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "LoadOptions")] load_options: JsValue,
-    ) -> Result<(), JsError> {
+    ) -> Result<(), Failure> {
         Ok(self.0.reload(&load_options_of(&load_options)?)?)
     }
 
@@ -106,24 +107,24 @@ impl Job {
 
     /// A report on the content of the drawing.
     #[wasm_bindgen(unchecked_return_type = "Omit<Loaded, 'geometry' | 'ignored'>")]
-    pub fn report(&self) -> Result<JsValue, JsError> {
-        plain(&self.0.report())
+    pub fn report(&self) -> Result<JsValue, Failure> {
+        Ok(plain(&self.0.report())?)
     }
 
     /// The geometry of the contours, by id.
     #[wasm_bindgen(unchecked_return_type = "Geometry")]
-    pub fn geometry(&self) -> Result<JsValue, JsError> {
-        geometry(&self.0.geometry())
+    pub fn geometry(&self) -> Result<JsValue, Failure> {
+        Ok(geometry(&self.0.geometry())?)
     }
 
     /// The geometry of what is shown but not cut, with the layer of each path.
     #[wasm_bindgen(unchecked_return_type = "Loaded['ignored']")]
-    pub fn ignored(&self) -> Result<JsValue, JsError> {
+    pub fn ignored(&self) -> Result<JsValue, Failure> {
         let layers: Vec<u32> = self.0.sheet().ignored.iter().map(|i| i.layer).collect();
-        object(&[
+        Ok(object(&[
             ("geometry", geometry(&self.0.ignored())?),
             ("layers", Uint32Array::from(layers.as_slice()).into()),
-        ])
+        ])?)
     }
 
     /// Starts a plan. The current one is dropped.
@@ -133,11 +134,11 @@ impl Job {
     pub fn start(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
-    ) -> Result<JsValue, JsError> {
+    ) -> Result<JsValue, Failure> {
         self.0.start(&options(&plan_options)?)?;
         let [beam, common] = lines(&self.0)?;
         let run = self.0.run()?;
-        object(&[
+        Ok(object(&[
             ("seed", plain(&run.seed)?),
             ("method", run.method.as_str().into()),
             ("baselines", plain(&run.baselines)?),
@@ -145,20 +146,20 @@ impl Job {
             ("beam", beam),
             ("common", common),
             ("shift", plain(&run.placed.shift.to_array())?),
-        ])
+        ])?)
     }
 
     /// Does at most `work` moves, and never more than the budget.
     #[wasm_bindgen(unchecked_return_type = "Slice")]
-    pub fn step(&mut self, work: u32) -> Result<JsValue, JsError> {
-        plain(&self.0.run_mut()?.step(work.into()))
+    pub fn step(&mut self, work: u32) -> Result<JsValue, Failure> {
+        Ok(plain(&self.0.run_mut()?.step(work.into()))?)
     }
 
     /// Grants another budget in addition to what is done.
     pub fn extend(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Budget")] more: JsValue,
-    ) -> Result<(), JsError> {
+    ) -> Result<(), Failure> {
         self.0.run_mut()?.extend(options::<Budget>(&more)?);
         Ok(())
     }
@@ -167,33 +168,33 @@ impl Job {
     pub fn offer(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "WarmPath")] path: JsValue,
-    ) -> Result<bool, JsError> {
+    ) -> Result<bool, Failure> {
         Ok(self.0.run_mut()?.offer(&handed(&path)?)?)
     }
 
     /// Insight into a published method; `null` for other methods.
     #[wasm_bindgen(unchecked_return_type = "Insight | null")]
-    pub fn insight(&self) -> Result<JsValue, JsError> {
-        self.0.run()?.insight().map_or(Ok(JsValue::NULL), |insight| plain(&insight))
+    pub fn insight(&self) -> Result<JsValue, Failure> {
+        Ok(self.0.run()?.insight().map_or(Ok(JsValue::NULL), |insight| plain(&insight))?)
     }
 
     /// Moves done so far.
-    pub fn moves(&self) -> Result<f64, JsError> {
+    pub fn moves(&self) -> Result<f64, Failure> {
         Ok(self.0.run()?.moves as f64)
     }
 
     /// The best path so far and its summary.
     #[wasm_bindgen(unchecked_return_type = "{ path: BestPath; summary: Summary }")]
-    pub fn best(&self) -> Result<JsValue, JsError> {
+    pub fn best(&self) -> Result<JsValue, Failure> {
         let (best, plan) = BestPath::of(self.0.run()?, self.0.beam_sheet());
-        object(&[("path", path(&best)?), ("summary", plain(&plan.summary)?)])
+        Ok(object(&[("path", path(&best)?), ("summary", plain(&plan.summary)?)])?)
     }
 
     /// The best plan so far, checked and written in a format.
     pub fn output(
         &self,
         #[wasm_bindgen(unchecked_param_type = "string")] kind: JsValue,
-    ) -> Result<String, JsError> {
+    ) -> Result<String, Failure> {
         Ok(self.0.output(text("kind of output", &kind)?.parse()?)?)
     }
 
@@ -202,22 +203,22 @@ impl Job {
     pub fn output_bytes(
         &self,
         #[wasm_bindgen(unchecked_param_type = "string")] kind: JsValue,
-    ) -> Result<Vec<u8>, JsError> {
+    ) -> Result<Vec<u8>, Failure> {
         Ok(self.0.output_bytes(text("kind of output", &kind)?.parse()?)?)
     }
 
     /// What the check says of the G-code of the best plan so far.
     #[wasm_bindgen(unchecked_return_type = "ProgramCheck")]
-    pub fn preflight(&self) -> Result<JsValue, JsError> {
-        plain(&self.0.preflight()?)
+    pub fn preflight(&self) -> Result<JsValue, Failure> {
+        Ok(plain(&self.0.preflight()?)?)
     }
 
     /// What a price needs of the best plan so far, which is checked first.
     #[wasm_bindgen(unchecked_return_type = "Quote")]
     pub fn quote(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "Material")] material: JsValue,
-    ) -> Result<JsValue, JsError> {
-        plain(&self.0.quote(&options(&material)?)?)
+        #[wasm_bindgen(unchecked_param_type = "QuoteTerms")] terms: JsValue,
+    ) -> Result<JsValue, Failure> {
+        Ok(plain(&self.0.quote(&options(&terms)?)?)?)
     }
 }

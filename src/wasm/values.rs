@@ -1,31 +1,33 @@
 //! Values that cross the boundary: options become checked values, and arrays of numbers become typed arrays with their own
 //! memory, which the receiver may transfer.
 
+use super::failure::Failure;
 use super::plain::object;
-use crate::fields::{self, Shaped, Value};
-use crate::job::{BestPath, Geometry, WarmPath};
+use crate::fields::{self, Fault, FieldError, Shaped, Value};
+use crate::job::{BestPath, Geometry, JobError, WarmPath};
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
 /// Reads options from a plain object. `undefined` and `null` are an empty object.
-pub(super) fn options<T: Shaped>(given: &JsValue) -> Result<T, JsError> {
+pub(super) fn options<T: Shaped>(given: &JsValue) -> Result<T, Failure> {
     let nothing = given.is_undefined() || given.is_null();
     let given = if nothing { Value::Object(Vec::new()) } else { value(given, DEEPEST) };
-    fields::read(given).map_err(|e| JsError::new(&e))
+    Ok(fields::read(given)?)
 }
 
 /// Reads a text argument; `name` is used in the message. Bindings that take `&str` would read past their memory if they
 /// were given something else.
-pub(super) fn text(name: &str, given: &JsValue) -> Result<String, JsError> {
-    let refused = || JsError::new(&format!("The {name} is {}. Give a text.", value(given, 1)));
-    given.as_string().ok_or_else(refused)
+pub(super) fn text(name: &str, given: &JsValue) -> Result<String, Failure> {
+    let says = || format!("The {name} is {}. Give a text.", value(given, 1));
+    Ok(given.as_string().ok_or_else(|| FieldError::new(Fault::WrongType, name, says()))?)
 }
 
 /// Reads the bytes of a file.
-pub(super) fn bytes(given: &JsValue) -> Result<Vec<u8>, JsError> {
-    let refused = || JsError::new(&format!("The file is {}. Give its bytes (Uint8Array).", value(given, 1)));
-    given.dyn_ref::<Uint8Array>().map(Uint8Array::to_vec).ok_or_else(refused)
+pub(super) fn bytes(given: &JsValue) -> Result<Vec<u8>, Failure> {
+    let says = || format!("The file is {}. Give its bytes (Uint8Array).", value(given, 1));
+    let bytes = given.dyn_ref::<Uint8Array>().map(Uint8Array::to_vec);
+    Ok(bytes.ok_or_else(|| FieldError::new(Fault::WrongType, "file", says()))?)
 }
 
 /// Depth to which nested objects are read; options need five levels. The limit ends objects that contain themselves.
@@ -88,7 +90,7 @@ pub(super) fn path(p: &BestPath) -> Result<JsValue, JsError> {
 
 /// Reads a path that another search hands over. Typed arrays take a millisecond for 10,000 contours, a thirtieth of the
 /// time of single numbers.
-pub(super) fn handed(value: &JsValue) -> Result<WarmPath, JsError> {
+pub(super) fn handed(value: &JsValue) -> Result<WarmPath, Failure> {
     let field = |name: &str| Reflect::get(value, &JsValue::from_str(name)).unwrap_or_default();
     let numbers = |name: &str| field(name).dyn_into::<Float64Array>().map(|a| a.to_vec());
     let contours = field("contours").dyn_into::<Uint32Array>().map(|a| a.to_vec());
@@ -97,6 +99,6 @@ pub(super) fn handed(value: &JsValue) -> Result<WarmPath, JsError> {
         (Ok(contours), Ok(along), Ok(reversed)) => {
             Ok(WarmPath { contours, along, until: numbers("until").unwrap_or_default(), reversed })
         }
-        _ => Err(JsError::new("What was handed over is no path.")),
+        _ => Err(JobError::UnfitPath.into()),
     }
 }

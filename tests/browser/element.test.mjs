@@ -95,7 +95,8 @@ describe('<kerfway-planner>', () => {
     await state(page, 'failed');
     const sentence = await page.getByRole('alert').textContent();
     assert.match(sentence, /empty/);
-    assert.deepEqual(await page.evaluate(() => window.events.at(-1)), ['error', { message: sentence }]);
+    const [type, error] = await page.evaluate(() => window.events.at(-1));
+    assert.deepEqual([type, error.message, Object.keys(error)], ['error', sentence, ['code', 'message', 'params', 'retryable']]);
     await choose(page, 'plate.dxf', PLATE);
     await state(page, 'done');
     assert.equal(await page.getByRole('alert').isVisible(), false);

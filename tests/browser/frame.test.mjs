@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
+import { quote as quoted } from 'kerfway';
 import { serve } from '../../scripts/serve.mjs';
 import { DIST } from '../../scripts/tools.mjs';
 import { bytes, circle, dxf, KEYBOARD, square } from '../package/support.mjs';
@@ -22,8 +23,8 @@ const origin = (url) => new URL(url).origin;
 const policy = () => `default-src 'none'; script-src 'self'; frame-src ${origin(frames.url)}`;
 
 /** A host's page with the frame in it; `speaksFor`: the origin the frame is told is its host's. */
-async function hosted(t, { speaksFor = origin(at.server.url), script } = {}) {
-  const src = `${frames.url}frame/frame.html${speaksFor === null ? '' : `?host=${encodeURIComponent(speaksFor)}`}`;
+async function hosted(t, { speaksFor = origin(at.server.url), script, show = '' } = {}) {
+  const src = `${frames.url}frame/frame.html${speaksFor === null ? '' : `?host=${encodeURIComponent(speaksFor)}`}${show}`;
   const connect = `
     import { connectFrame } from './frame/host.js';
     window.heard = [];
@@ -31,7 +32,8 @@ async function hosted(t, { speaksFor = origin(at.server.url), script } = {}) {
     window.raw = 0;
     window.addEventListener('message', () => (window.raw += 1));
     window.frame = connectFrame(document.querySelector('iframe'), {
-      onReady: note('ready'), onProgress: note('progress'), onResult: note('result'), onError: note('error') });
+      onReady: note('ready'), onProgress: note('progress'), onResult: note('result'), onError: (message, error) => note('error')({ ...error.toJSON(), message }), onQuote: note('quote'),
+      price: async ({ times, weight }) => (times.total + weight).toFixed(3) + ' EUR' });
     window.bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer;`;
   const host = await openHost(t, at, { html: `<iframe src="${src}" width="800" height="500"></iframe>`, script: script ?? connect, policy: policy() });
   // The page has loaded, and with it the frame.
@@ -60,6 +62,27 @@ describe('the frame page', () => {
     assert.match(refused, /empty/);
     assert.deepEqual([...new Set(heard)], ['ready', 'progress', 'result', 'error']);
     assert.ok(requests.every((r) => [at.server.url, frames.url].some((url) => r.startsWith(url))), requests.join(' '));
+  });
+
+  it('quotes with show=quote, and shows the price that its host tells', async (t) => {
+    const { page, inside } = await hosted(t, { show: '&show=quote' });
+    const { quote, heard, refused, wrong } = await page.evaluate(async (plate) => {
+      window.frame.setOptions({ units: 'mm', allowOffBed: true });
+      window.frame.setMaterial({ name: 'Acrylic', thickness: 3, density: 1.19 });
+      const quote = await window.frame.quote(window.bytes(plate), 'plate.dxf');
+      const refused = await window.frame.render('gcode').catch((error) => error.toJSON());
+      const wrong = await window.frame.quote(new ArrayBuffer(0), 'empty.dxf').catch((error) => error.toJSON());
+      return { quote, refused, wrong, heard: window.heard };
+    }, PLATE);
+    const own = await quoted(Buffer.from(PLATE, 'base64'), { name: 'plate.dxf', units: 'mm', material: { name: 'Acrylic', thickness: 3, density: 1.19 } });
+    assert.equal(quote.hash, own.hash);
+    assert.deepEqual(heard.filter(([type]) => type === 'quote').map(([, { hash }]) => hash), [own.hash]);
+    assert.equal(refused.code, 'not-in-this-build');
+    assert.equal(wrong.code, 'not-a-drawing');
+    assert.equal(heard.at(-1)[1].code, 'not-a-drawing');
+    assert.equal(await inside.locator('[part=price]').textContent(), '');
+    await page.evaluate((plate) => window.frame.quote(window.bytes(plate), 'plate.dxf'), PLATE);
+    assert.equal(await inside.locator('[part=price]').textContent(), `${(own.times.total + own.weight).toFixed(3)} EUR`);
   });
 
   it('tells of a file that a person chooses in it, planned with the host\'s options', async (t) => {

@@ -139,5 +139,5 @@ test('a finished plan gives a quote that can be downloaded', async (t) => {
   const { name, bytes } = await download(page, () => page.getByRole('button', { name: 'Download the report' }).click());
   assert.equal(name, 'sheet_500.quote.json');
   const report = JSON.parse(bytes);
-  assert.deepEqual([report.schema, report.material.thickness, report.part_count], ['kerfway.quote/1', 3, 98]);
+  assert.deepEqual([report.schema, report.material.thickness, report.part_count], ['kerfway.quote/2', 3, 98]);
 });

@@ -36,6 +36,29 @@ const shown = async (page) => {
 };
 
 describe('<kerfway-quote>', () => {
+  it('speaks the language of its host, and chooses sentences by the code of an error', async (t) => {
+    const { page } = await open(t);
+    await page.evaluate(() => {
+      document.querySelector('kerfway-quote').labels = {
+        drop: 'Hierher <b>ziehen</b>', choose: 'Datei auswählen', again: 'Andere Datei', job: ({ contours }) => `${contours} Konturen`,
+        error: ({ code }) => `Fehler ${code}`, facts: (quote) => [['Teile', String(quote.part_count)]],
+      };
+    });
+    // Labels are text, not markup.
+    assert.equal(await page.locator('[part=drop] span').textContent(), 'Hierher <b>ziehen</b>');
+    const german = async (name, bytes) => {
+      const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.getByRole('button', { name: /Datei auswählen|Andere Datei/ }).click()]);
+      await chooser.setFiles({ name, mimeType: 'image/vnd.dxf', buffer: Buffer.from(bytes) });
+    };
+    await german('plate.dxf', PLATE);
+    await state(page, 'done');
+    assert.deepEqual(await shown(page), { Teile: '1' });
+    assert.equal(await page.locator('[part=numbers]').textContent(), '2 Konturen');
+    await german('empty.dxf', new Uint8Array(0));
+    await state(page, 'failed');
+    assert.equal(await page.locator('[part=message]').textContent(), 'Fehler not-a-drawing');
+  });
+
   it('reports the file that is chosen, as a server that plans again confirms by the hash', async (t) => {
     const { page } = await open(t, 'thickness="3" density="0.7" material="birch"');
     await choose(page, 'keyboard.dxf', bytes(KEYBOARD));

@@ -43,7 +43,7 @@ const planned = (drawing, file, load, plan, inline = false) =>
       const { reason, seed } = await planner.plan(plan).done;
       const json = await planner.output('json');
       const png = [...(await planner.output('png', 200)).subarray(0, 4)];
-      const { hash } = await planner.quote(material);
+      const { hash } = await planner.quote({ material });
       planner.close();
       return { reason, seed, json, png, hash };
     },

@@ -4,7 +4,7 @@
 use kerfway::fields::{self, Field, Kind, Shaped, Value};
 use kerfway::job::{Job, JobError, LoadOptions, PlanOptions};
 use kerfway::machine::{Profile, presets};
-use kerfway::quote::Material;
+use kerfway::quote::{Limits, Material, Terms};
 use kerfway::solve::papers;
 use serde_json::{Value as Json, json};
 use std::fmt::Write as _;
@@ -16,7 +16,7 @@ fn machine(change: impl Fn(&mut Json)) -> Json {
 }
 
 fn refused<T: Shaped + std::fmt::Debug>(value: &Json) -> String {
-    fields::from_json::<T>(&value.to_string()).unwrap_err()
+    fields::from_json::<T>(&value.to_string()).unwrap_err().message
 }
 
 #[test]
@@ -59,7 +59,7 @@ fn misspelt_options_materials_and_parameters_are_refused_with_the_nearest_name()
         refused::<Material>(&json!({ "thicknes": 1 })),
         "The material has no field \"thicknes\". Did you mean \"thickness\"?"
     );
-    let says = |name, parameters| papers::method(name, parameters).err().unwrap();
+    let says = |name, parameters| papers::method(name, parameters).err().unwrap().message;
     assert_eq!(
         says("rlsga", r#"{"popluation":12}"#),
         "The method has no parameter \"popluation\". Did you mean \"population\"?"
@@ -100,10 +100,10 @@ fn values_that_are_not_numbers_are_refused() {
     for n in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 1e300] {
         let given = |name: &str| Value::Object(vec![(name.to_owned(), Value::Number(n))]);
         for name in ["seconds", "moves", "seed", "workers", "member"] {
-            let says = fields::read::<PlanOptions>(given(name)).unwrap_err();
+            let says = fields::read::<PlanOptions>(given(name)).unwrap_err().message;
             assert!(says.starts_with(&format!("The option \"{name}\" is ")), "{says}");
         }
-        let says = fields::read::<Material>(given("thickness")).unwrap_err();
+        let says = fields::read::<Material>(given("thickness")).unwrap_err().message;
         assert!(says.starts_with("The material's field \"thickness\" is "), "{says}");
         // A caller in Rust fills the struct itself.
         let mut job = Job::load(square(), "square.dxf", &LoadOptions::default()).unwrap();
@@ -114,20 +114,21 @@ fn values_that_are_not_numbers_are_refused() {
     assert!(
         fields::read::<PlanOptions>(null)
             .unwrap_err()
+            .message
             .starts_with("The option \"seconds\" is null. Give a number")
     );
 }
 
 #[test]
 fn parameters_that_would_use_all_memory_are_refused() {
-    let says = |name, parameters| papers::method(name, parameters).err().unwrap();
+    let says = |name, parameters| papers::method(name, parameters).err().unwrap().message;
     let many = says("lpspso", r#"{"particles":1000000000}"#);
     assert!(
         many.starts_with("The parameter \"particles\" is 1000000000. Give a number from 1 to 1000: "),
         "{many}"
     );
-    assert!(says("rlsga", r#"{"alpha":null}"#).starts_with("The parameter \"alpha\" is null: "));
-    assert!(says("rlsga", r#"{"measure":"miles"}"#).starts_with("The parameter \"measure\" is \"miles\": "));
+    assert!(says("rlsga", r#"{"alpha":null}"#).starts_with("The parameter \"alpha\" is null. "));
+    assert!(says("rlsga", r#"{"measure":"miles"}"#).starts_with("The parameter \"measure\" is \"miles\". "));
     assert!(says("rlsga", "[]").starts_with("The parameters are "));
 }
 
@@ -179,11 +180,12 @@ pub(super) fn square() -> Vec<u8> {
 fn the_tables_of_typescript_are_those_of_rust() {
     let tables = json!({
         "reading": LoadOptions::SHAPE, "planning": PlanOptions::SHAPE, "material": Material::SHAPE,
+        "limits": Limits::SHAPE, "terms": Terms::SHAPE,
     });
     let text = format!(
         "/** The fields of options, machines and materials: written by the test `the_tables_of_typescript_are_those_of_rust`. */\n\n\
          import type {{ Shape }} from './check.js';\n\n\
-         export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material', Shape>> = {};\n",
+         export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limits' | 'terms', Shape>> = {};\n",
         serde_json::to_string_pretty(&tables).unwrap()
     );
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/www/sdk/fields.ts");

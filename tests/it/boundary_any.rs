@@ -6,7 +6,7 @@ use super::testkit::rng::{Rng, seeded};
 use kerfway::fields::{self, Field, Kind, Shaped, Value};
 use kerfway::job::{Job, LoadOptions, PlanOptions};
 use kerfway::machine::{Profile, ProfileError};
-use kerfway::quote::Material;
+use kerfway::quote::{Material, Terms};
 use rand::RngExt;
 
 /// Any value at all, often near what a field takes.
@@ -84,8 +84,11 @@ fn taken_or_refused<T: Shaped>(rng: &mut Rng, use_it: impl Fn(T)) -> [u32; 2] {
                 counts[0] += 1;
                 use_it(taken);
             }
-            Err(says) => {
+            Err(error) => {
                 counts[1] += 1;
+                let says = error.message;
+                let whole = says.starts_with(&format!("{} is ", T::SHAPE.owner));
+                assert_eq!(error.field.is_empty(), whole, "{says}");
                 let names = says.contains('"') || says.starts_with(T::SHAPE.owner);
                 let one = !says.contains('\n') && !says.contains('\u{1b}') && says.len() < 400;
                 assert!(names && one && says.ends_with(['.', '?']), "{says}\nof {value:?}");
@@ -124,7 +127,8 @@ fn any_value_is_accepted_or_refused_in_a_sentence() {
         assert!(sound, "{profile:?}");
     });
     let materials = taken_or_refused::<Material>(&mut rng, |_| ());
-    for [taken, refused] in [loads, plans, machines, materials] {
+    let terms = taken_or_refused::<Terms>(&mut rng, |_| ());
+    for [taken, refused] in [loads, plans, machines, materials, terms] {
         assert!(taken > 200 && refused > 200, "{taken} taken, {refused} refused");
     }
 }

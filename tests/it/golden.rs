@@ -61,7 +61,7 @@ fn quotes_have_the_hashes_expected() {
     let hash = |case: &Case| {
         // From the text, as a server does that was sent a plan.
         let document = Document::read(&planned(case, u64::MAX)).unwrap();
-        quote(&document, &material).unwrap().hash
+        quote(&document, &material.clone().into()).unwrap().hash
     };
     let hashes: BTreeMap<String, String> = cases().iter().map(|c| (c.name.clone(), hash(c))).collect();
     let file = at("golden/quotes.json");
@@ -92,7 +92,7 @@ fn quotes_of_real_drawings_have_the_hashes_expected() {
         let mut job = Job::load(bytes, name, &LoadOptions::default()).unwrap();
         job.start(&plan).unwrap();
         let planned = crate::testkit::multi_search::planned(vec![job], u64::MAX);
-        (name.clone(), planned.quote(&material).unwrap().hash)
+        (name.clone(), planned.quote(&material.clone().into()).unwrap().hash)
     };
     let hashes: BTreeMap<String, String> = expected.hashes.keys().map(hash).collect();
     if std::env::var_os("KERFWAY_BLESS").is_some() {

@@ -8,9 +8,12 @@
 
 use crate::testkit::dxf_text::{Entity, Scene, Similarity};
 use glam::DVec2;
+use kerfway::finding::Code;
 use kerfway::job::{Job, LoadOptions, OutputKind, PlanOptions};
 use kerfway::plan::document::Document;
-use kerfway::quote::{Confidence, Level, Material, Quote, quote};
+use kerfway::quote::{
+    CheckCode, Confidence, Level, Limits, Material, Quote, ReasonCode, Terms, Times, quote,
+};
 use serde_json::{Value, json};
 
 fn job(bytes: Vec<u8>, load: Value, plan: Value) -> Job {
@@ -29,7 +32,11 @@ fn drawn(entities: &[Entity]) -> Vec<u8> {
 }
 
 fn of(job: &Job, material: &Material) -> Quote {
-    job.quote(material).unwrap()
+    job.quote(&material.clone().into()).unwrap()
+}
+
+fn messages(confidence: &Confidence) -> Vec<&str> {
+    confidence.reasons.iter().map(|r| r.message.as_str()).collect()
 }
 
 fn steel(thickness: f64) -> Material {
@@ -125,7 +132,8 @@ fn parts_in_holes_are_parts_and_marks_are_not() {
     assert_eq!(quote.weight, None);
     assert_eq!((quote.layers.len(), quote.layers[0].contours, quote.layers[0].open), (1, 4, 1));
     assert_eq!(quote.confidence.level, Level::Medium);
-    assert_eq!(quote.confidence.reasons, ["1 contour that is cut is open: it encloses no part."]);
+    assert_eq!(messages(&quote.confidence), ["1 contour that is cut is open: it encloses no part."]);
+    assert_eq!(quote.confidence.reasons[0].code, ReasonCode::OpenCuts);
 }
 
 #[test]
@@ -133,14 +141,15 @@ fn reasons_of_confidence_are_words_and_not_codes() {
     let bytes =
         std::fs::read(crate::testkit::fixtures().join("../../www/app/public/samples/gaps-and-copies.dxf"));
     let job = job(bytes.unwrap(), json!({}), json!({ "moves": 500 }));
-    let Confidence { level, reasons } = of(&job, &Material::default()).confidence;
-    assert_eq!(level, Level::Medium);
+    let confidence = of(&job, &Material::default()).confidence;
+    assert_eq!(confidence.level, Level::Medium);
     let expected = [
         "1 contour that is cut is open: it encloses no part.",
         "1 text or other object without an outline was skipped.",
         "2 places were found where two contours cross.",
     ];
-    assert_eq!(reasons, expected);
+    assert_eq!(messages(&confidence), expected);
+    assert_eq!(confidence.reasons[2].finding, Some(Code::Crossing));
 }
 
 #[test]
@@ -189,7 +198,7 @@ fn reports_follow_the_published_schema_and_list_defects() {
             let report = serde_json::to_value(of(&job, &material)).unwrap();
             assert_eq!(crate::testkit::schema::fault(&schema, &schema, &report, name), None);
         }
-        let bad = job.quote(&Material { thickness: Some(0.0), ..Material::default() });
+        let bad = job.quote(&Material { thickness: Some(0.0), ..Material::default() }.into());
         let says = bad.unwrap_err().to_string();
         assert!(
             says.starts_with("The material's field \"thickness\" is 0. Give a number from 0.001"),
@@ -206,6 +215,160 @@ fn a_document_read_from_text_is_the_one_written_and_gives_the_same_quote() {
         let read = Document::read(&text).unwrap();
         assert_eq!(read, job.document().unwrap(), "{name}");
         assert_eq!(kerfway::output::json_text(&read), text, "{name}");
-        assert_eq!(quote(&read, &steel(2.0)).unwrap(), of(&job, &steel(2.0)), "{name}");
+        assert_eq!(quote(&read, &steel(2.0).into()).unwrap(), of(&job, &steel(2.0)), "{name}");
     }
+}
+
+/// One kind of time.
+type Kind = fn(&Times) -> f64;
+
+#[test]
+fn seconds_of_parts_add_up_to_the_job() {
+    let sum = |all: &[Times], of: Kind| all.iter().map(of).sum::<f64>();
+    for (name, job) in crate::testkit::plans::real() {
+        let quote = of(&job, &Material::default());
+        let items: Vec<_> = quote.parts.iter().flat_map(|g| &g.items).collect();
+        let mut all: Vec<Times> = items.iter().map(|i| i.times).collect();
+        all.push(quote.loose_times);
+        let kinds: [(Kind, f64); 6] = [
+            (|t| t.total, quote.times.total),
+            (|t| t.cut, quote.times.cut),
+            (|t| t.air, quote.times.air),
+            (|t| t.pierce, quote.times.pierce),
+            (|t| t.pre_cut, quote.times.pre_cut),
+            (|t| t.macros, quote.times.macros),
+        ];
+        for (of, whole) in kinds {
+            let parts = sum(&all, of);
+            assert!((parts - whole).abs() <= 1e-9 * whole.max(1.0), "{name}: {parts}, {whole}");
+        }
+        assert!(all.iter().all(|t| t.total >= 0.0 && t.cut >= 0.0 && t.air >= 0.0), "{name}");
+        assert_eq!(items.len(), quote.part_count, "{name}");
+    }
+}
+
+#[test]
+fn equal_parts_take_equal_seconds_and_marks_belong_to_the_part_around_them() {
+    let put = |x| Similarity { mirror: false, turn: 0.0, scale: 1.0, shift: DVec2::new(x, 0.0) };
+    let mut entities = plate(DVec2::new(60.0, 30.0), &put(0.0));
+    entities.extend(plate(DVec2::new(60.0, 30.0), &put(200.0)));
+    let mut on_layers: Vec<(Entity, String)> = entities.into_iter().map(|e| (e, "CUT".to_owned())).collect();
+    let line = |x| Entity::Line(DVec2::new(x, 20.0), DVec2::new(x + 20.0, 20.0));
+    on_layers.push((line(20.0), "MARK".into()));
+    on_layers.push((line(220.0), "MARK".into()));
+    // In no part.
+    on_layers.push((line(400.0), "MARK".into()));
+    let bytes = Scene { entities: on_layers, units: 4 }.dxf().into_bytes();
+    let layers = json!([{ "name": "MARK", "operation": "mark" }]);
+    let quote = of(
+        &job(bytes, json!({ "layers": layers }), json!({ "moves": 500, "machine": "length" })),
+        &Material::default(),
+    );
+    assert_eq!((quote.parts.len(), quote.parts[0].count), (1, 2));
+    let [a, b] = [&quote.parts[0].items[0], &quote.parts[0].items[1]];
+    assert!((a.times.total - b.times.total).abs() < 1e-9, "{a:?} {b:?}");
+    // A mark is not pierced.
+    assert_eq!((a.pierces, b.pierces), (3, 3));
+    assert!(quote.loose_times.cut > 0.0);
+    // 20 mm of mark of 3 x 20, all at one speed from rest to rest.
+    let plain = of(
+        &job(
+            Scene {
+                entities: plate(DVec2::new(60.0, 30.0), &put(0.0))
+                    .into_iter()
+                    .map(|e| (e, "CUT".into()))
+                    .collect(),
+                units: 4,
+            }
+            .dxf()
+            .into_bytes(),
+            json!({}),
+            json!({ "moves": 500, "machine": "length" }),
+        ),
+        &Material::default(),
+    );
+    assert!((a.times.cut - plain.times.cut - quote.loose_times.cut).abs() < 1e-9);
+    assert_eq!(a.bounds, [0.0, 0.0, 100.0, 50.0]);
+}
+
+#[test]
+fn the_hash_does_not_depend_on_the_name_of_the_file_or_the_version() {
+    let bytes = std::fs::read(crate::testkit::fixtures().join("dxf-dev/mozman_ezdxf__forms.dxf")).unwrap();
+    let named = |name: &str| {
+        let mut job = Job::load(bytes.clone(), name, &LoadOptions::default()).unwrap();
+        job.start(&serde_json::from_value(json!({ "moves": 500, "seed": 1 })).unwrap()).unwrap();
+        job.run_mut().unwrap().step(500);
+        of(&job, &Material::default())
+    };
+    let (a, b) = (named("a.dxf"), named("b.dxf"));
+    assert_eq!((a.input.name.as_str(), b.input.name.as_str()), ("a.dxf", "b.dxf"));
+    assert_eq!(a.hash, b.hash);
+    assert_eq!(a.version, env!("CARGO_PKG_VERSION"));
+}
+
+#[test]
+fn limits_that_are_exceeded_are_named_with_place_measure_and_limit() {
+    let put = Similarity { mirror: false, turn: 0.0, scale: 1.0, shift: DVec2::ZERO };
+    // The slot is 4 mm wide, 2 mm from the left edge; the hole of 10 mm ends 1.5 mm beside the slot.
+    let job = job(drawn(&plate(DVec2::new(12.5, 30.0), &put)), json!({}), json!({ "moves": 500 }));
+    let exceeded =
+        |limits: Limits| job.quote(&Terms { limits, ..Terms::default() }).unwrap().checks.unwrap().exceeded;
+    let one = |limits: Limits| {
+        let mut all = exceeded(limits);
+        assert_eq!(all.len(), 1, "{all:?}");
+        all.remove(0)
+    };
+    let hole = one(Limits { smallest_hole: Some(5.0), ..Limits::default() });
+    assert_eq!((hole.code, hole.limit, hole.at), (CheckCode::HoleTooSmall, Some(5.0), [4.0, 25.0]));
+    assert!((hole.measured.unwrap() - 4.0).abs() < 1e-6);
+    assert_eq!(hole.message, "The hole is 4.00 mm wide; the least is 5 mm.");
+    let web = one(Limits { smallest_web: Some(2.0), ..Limits::default() });
+    assert_eq!(web.code, CheckCode::WebTooThin);
+    assert!((web.measured.unwrap() - 1.5).abs() < 0.02 && (web.at[0] - 6.75).abs() < 0.1, "{web:?}");
+    let edge = one(Limits { hole_to_edge: Some(3.0), ..Limits::default() });
+    assert_eq!(edge.code, CheckCode::HoleTooCloseToEdge);
+    assert!((edge.measured.unwrap() - 2.0).abs() < 1e-6 && (edge.at[0] - 1.0).abs() < 1e-6);
+    let large = one(Limits { largest_part: Some([40.0, 90.0]), ..Limits::default() });
+    assert_eq!((large.code, large.measured, large.limit), (CheckCode::PartTooLarge, Some(100.0), Some(90.0)));
+    let small = one(Limits { smallest_part: Some([100.0, 60.0]), ..Limits::default() });
+    assert_eq!((small.code, small.measured, small.limit), (CheckCode::PartTooSmall, Some(50.0), Some(60.0)));
+    // At the limit is within it.
+    let met = Limits {
+        smallest_hole: Some(4.0),
+        smallest_web: Some(1.5),
+        hole_to_edge: Some(2.0),
+        smallest_part: Some([100.0, 50.0]),
+        largest_part: Some([100.0, 50.0]),
+        floating_pieces: Some(false),
+    };
+    assert_eq!(exceeded(met), []);
+    assert_eq!(job.quote(&Terms::default()).unwrap().checks, None);
+    let says = job.quote(&Terms {
+        limits: Limits { smallest_web: Some(-1.0), ..Limits::default() },
+        ..Terms::default()
+    });
+    assert!(
+        says.unwrap_err().to_string().starts_with("The limits' field \"smallest_web\" is -1. Give a number")
+    );
+}
+
+#[test]
+fn pieces_in_holes_float_and_findings_count_for_the_part_they_lie_on() {
+    let square = |half: f64, x: f64| {
+        let c = |u: f64, v: f64| (DVec2::new(x + u * half, v * half), 0.0);
+        Entity::Polyline(vec![c(-1.0, -1.0), c(1.0, -1.0), c(1.0, 1.0), c(-1.0, 1.0)], true)
+    };
+    let job = job(
+        drawn(&[square(100.0, 0.0), square(50.0, 0.0), square(20.0, 0.0), square(5.0, 300.0)]),
+        json!({}),
+        json!({ "moves": 500 }),
+    );
+    let limits = Limits { floating_pieces: Some(false), ..Limits::default() };
+    let quote = job.quote(&Terms { limits, ..Terms::default() }).unwrap();
+    let found = &quote.checks.unwrap().exceeded;
+    assert_eq!(
+        found.iter().map(|e| (e.code, e.part, e.at)).collect::<Vec<_>>(),
+        [(CheckCode::FloatingPiece, 2, [0.0, 0.0])]
+    );
+    assert!(quote.parts.iter().flat_map(|g| &g.items).all(|i| i.confidence.level == Level::High));
 }

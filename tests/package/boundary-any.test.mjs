@@ -3,8 +3,9 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
-import { createPool, inspect, plan, quote } from 'kerfway';
+import { createPool, inspect, isKerfwayError, KerfwayError, plan, quote } from 'kerfway';
 import { SHAPES } from '../../dist/sdk/fields.js';
+import { form, serve } from './serving.mjs';
 import { circle, dxf, square } from './support.mjs';
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
@@ -62,16 +63,27 @@ function object(draw, fields) {
 }
 
 describe('any options at all', () => {
-  const CASES = 3_000;
+  const CASES = 10_000;
   const DEADLINE = 20_000;
   const names = ['inspect', 'plan', 'quote'];
 
-  it(`end in time, with a result or a sentence (${CASES} cases)`, { timeout: 300_000 }, async (t) => {
+  it(`end in time, with a result or an error that names a field: functions, pool and HTTP (${CASES} cases)`, { timeout: 600_000 }, async (t) => {
     const draw = random(22);
     const pool = createPool({ size: 2 });
     t.after(() => pool.close());
-    const counts = { taken: 0, refused: 0 };
-    const { reading, planning, material } = SHAPES;
+    const service = await serve(t, '--workers', '2', '--waiting', '100');
+    const counts = { taken: 0, refused: 0, http: 0 };
+    const { reading, planning, material, limits } = SHAPES;
+    /** The same over HTTP: the options as JSON in a form. */
+    const overHttp = async (name, options) => {
+      const json = JSON.stringify(options, (_, value) => (typeof value === 'bigint' ? String(value) : value));
+      const response = await service.send(`/${name}`, form(PLATE, 'plate.dxf', json === undefined ? {} : { options: json }));
+      const body = await response.json();
+      counts.http += 1;
+      if (response.status === 200) return 'taken';
+      assert.ok(response.status >= 400 && response.status < 500, `${response.status} ${JSON.stringify(body)}`);
+      return KerfwayError.of(body.error);
+    };
     const one = async (k) => {
       const name = names[k % 3];
       const own = name === 'inspect' ? [] : planning.fields.filter((f) => f.name !== 'workers' && f.name !== 'member');
@@ -81,16 +93,22 @@ describe('any options at all', () => {
         if (draw(4) > 0) [options.moves, options.seconds] = [200, undefined];
         else options.seconds = [0.01, NaN, null, Infinity, -1, '1'][draw(6)];
         if (name === 'quote' && draw(2) === 0) options.material = object(draw, material.fields);
+        if (name === 'quote' && draw(4) === 0) options.limits = object(draw, limits.fields);
       }
       // Most cases use the pool, because a new worker for each call takes ten times as long.
       const on = k % 50 === 0 ? { inspect, plan, quote } : pool;
       const deadline = wait(DEADLINE, 'late', { ref: false });
-      const result = await Promise.race([deadline, on[name](PLATE, options).then(() => 'taken', (error) => error)]);
+      const call = k % 4 === 3 ? overHttp(name, options) : on[name](PLATE, options).then(() => 'taken', (error) => error);
+      const result = await Promise.race([deadline, call]);
       assert.notEqual(result, 'late', `${name} does not end`);
       if (result === 'taken') return void (counts.taken += 1);
       counts.refused += 1;
-      assert.ok(result instanceof Error, String(result));
+      assert.ok(isKerfwayError(result), String(result));
       const says = result.message;
+      // A value that is no object at all has no field, and a drawing of which nothing is left has none either.
+      const whole = /^(inspect|plan|quote|Reading|Planning|The field "options") is /.test(says);
+      const ofDrawing = ['nothing-to-cut', 'unknown-contour', 'unfit-path', 'far-from-origin', 'off-bed'].includes(result.code);
+      assert.ok(typeof result.params.field === 'string' || whole || ofDrawing, JSON.stringify(result));
       assert.match(says, /[.?]$/, says);
       assert.ok(!/[\n\u001b]|undefined is|of undefined|memory access|unreachable|broke down|Cannot/.test(says), says);
     };
@@ -98,7 +116,7 @@ describe('any options at all', () => {
     await Promise.all(Array.from({ length: 8 }, async () => {
       while (next < CASES) await one(next++);
     }));
-    assert.ok(counts.taken > CASES / 20 && counts.refused > CASES / 4, JSON.stringify(counts));
+    assert.ok(counts.taken > CASES / 20 && counts.refused > CASES / 4 && counts.http >= CASES / 4, JSON.stringify(counts));
     assert.equal((await pool.plan(PLATE, SHORT)).summary.contours, 2);
   });
 });

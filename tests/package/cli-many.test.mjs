@@ -52,10 +52,24 @@ describe('several drawings', () => {
     }
   });
 
-  it('the exit code is 1 if all of several files are unusable, and 3 if no output can be written', async (t) => {
+  it('the exit code is 1 for one unusable file, 5 if all of several failed, and 3 if no output can be written', async (t) => {
     const at = drawings(t, ['a.dxf', 'c.dxf'], { 'b.dxf': BROKEN });
-    assert.equal((await kerfway('inspect', join(at, 'b.dxf'), join(at, 'gone.dxf'))).code, 1);
+    assert.equal((await kerfway('inspect', join(at, 'b.dxf'))).code, 1);
+    assert.equal((await kerfway('inspect', join(at, 'b.dxf'), join(at, 'gone.dxf'))).code, 5);
     assert.equal((await kerfway('inspect', join(at, 'a.dxf'), '--json', join(at, 'gone', 'a.json'))).code, 3);
+  });
+
+  it('--json - says for each file what happened, with the code of its error', async (t) => {
+    const at = drawings(t, ['a.dxf', 'c.dxf'], { 'b.dxf': BROKEN });
+    const { code, stdout } = await kerfway('inspect', join(at, 'a.dxf'), join(at, 'b.dxf'), join(at, 'gone.dxf'), join(at, 'c.dxf'), '--json', '-');
+    assert.equal(code, 4);
+    const said = stdout.trimEnd().split('\n').map((line) => JSON.parse(line));
+    assert.deepEqual(said.map((s) => [s.schema, s.error?.code]), [
+      ['kerfway.inspect/1', undefined], ['kerfway.error/1', 'not-a-drawing'], ['kerfway.error/1', 'unreadable-file'], ['kerfway.inspect/1', undefined],
+    ]);
+    assert.deepEqual([said[1].file, Object.keys(said[1].error)], [join(at, 'b.dxf'), ['code', 'message', 'params', 'retryable']]);
+    const one = await kerfway('plan', join(at, 'gone.dxf'), '--json', '-');
+    assert.deepEqual([one.code, JSON.parse(one.stdout).error.code], [1, 'unreadable-file']);
   });
 
   it('a pattern that matches nothing is reported as a pattern', async (t) => {
@@ -75,7 +89,7 @@ describe('several drawings', () => {
 
   it('the JSON of several drawings goes to standard output, one document per line', async (t) => {
     const at = drawings(t, ['a.dxf', 'b.dxf']);
-    const schemas = { plan: 'kerfway.plan/1', quote: 'kerfway.quote/1', inspect: 'kerfway.inspect/1' };
+    const schemas = { plan: 'kerfway.plan/1', quote: 'kerfway.quote/2', inspect: 'kerfway.inspect/1' };
     for (const [command, schema] of Object.entries(schemas)) {
       const budget = command === 'inspect' ? [] : QUICK;
       const { code, stdout, stderr } = await kerfway(command, join(at, '*.dxf'), ...budget, '--json', '-');

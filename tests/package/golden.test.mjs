@@ -15,7 +15,7 @@ describe('golden plans under Node', () => {
       await planner.load(bytes, file, load);
       await planner.plan(plan).done;
       assert.ok((await planner.output('json')) === golden, `${name} differs from tests/golden/${name}.json`);
-      assert.equal((await planner.quote(MATERIAL)).hash, hash);
+      assert.equal((await planner.quote({ material: MATERIAL })).hash, hash);
     });
   }
 });

@@ -74,8 +74,9 @@ describe('the width of the kerf', () => {
 
   it('gives a quote lengths of the beam and areas of the drawing', async () => {
     await planner.load(drawing(), 'kerf.dxf', MM);
-    await planned(wide);
-    const quote = await planner.quote({ thickness: 2, density: 7.85 });
+    // On the bed, which a drawing around the origin is not.
+    await planned(wide, { place: { at: [100, 100] } });
+    const quote = await planner.quote({ material: { thickness: 2, density: 7.85 } });
     near(quote.cut_length, 7 * 40.4 + (8 - KERF) * Math.PI);
     near(quote.net_area, 2 * 1600 - 16 * Math.PI);
     assert.deepEqual([quote.part_count, quote.confidence.level], [2, 'high']);

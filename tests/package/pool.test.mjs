@@ -120,7 +120,7 @@ describe('a worker that dies', () => {
     };
     const failing = pool.plan(killing, LONG);
     const next = pool.plan(PLATE, SHORT);
-    await assert.rejects(failing, /^Error: The planner ended unexpectedly\. It was tried 2 times; this file may need more memory than there is\.$/);
+    await assert.rejects(failing, /^KerfwayError: The planner ended unexpectedly\. It was tried 2 times; this file may need more memory than there is\.$/);
     assert.equal((await next).summary.contours, 2);
   });
 
@@ -187,7 +187,7 @@ describe('signals and closing', () => {
     const jobs = [pool.plan(bytes(KEYBOARD), { ...LONG, onProgress: news.onProgress }), pool.plan(PLATE, SHORT)];
     await news.promise;
     pool.close();
-    for (const job of [...jobs, pool.inspect(PLATE)]) await assert.rejects(job, /^Error: The pool was closed\.$/);
+    for (const job of [...jobs, pool.inspect(PLATE)]) await assert.rejects(job, /^KerfwayError: The pool was closed\.$/);
   });
 });
 

@@ -2,11 +2,12 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
-import { cpSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
+import { pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
 import { build as viteBuild } from 'vite';
 import webpack from 'webpack';
@@ -27,6 +28,7 @@ before(async () => {
   cpSync(fixture(KEYBOARD), join(at, 'keyboard.dxf'));
   writeFileSync(join(at, 'use.mjs'), ESM);
   writeFileSync(join(at, 'use.cjs'), CJS);
+  writeFileSync(join(at, 'main.mjs'), ESM.replace('kerfway/portable', 'kerfway'));
   ({ hash } = await quote(bytes(KEYBOARD), { name: 'keyboard.dxf', moves: 1000, seed: 1 }));
 });
 after(() => rmSync(at, { recursive: true, force: true }));
@@ -52,9 +54,9 @@ describe('kerfway/portable has the hash of the other entries', () => {
     assert.equal(run(join(at, 'use.cjs')), hash);
   });
 
-  for (const [format, script] of [['esm', 'lambda.mjs'], ['cjs', 'lambda.cjs']]) {
-    it(`in a Lambda bundled by esbuild as ${format}`, async (t) => {
-      const { warnings } = await build({ absWorkingDir: at, entryPoints: ['use.mjs'], outfile: join(at, script), bundle: true, platform: 'node', format, logLevel: 'silent' });
+  for (const [entry, format, script] of [['use.mjs', 'esm', 'lambda.mjs'], ['use.mjs', 'cjs', 'lambda.cjs'], ['main.mjs', 'esm', 'lambda-main.mjs'], ['main.mjs', 'cjs', 'lambda-main.cjs']]) {
+    it(`in a Lambda bundled by esbuild as ${format}, from ${entry === 'main.mjs' ? 'the entry kerfway' : 'kerfway/portable'}`, async (t) => {
+      const { warnings } = await build({ absWorkingDir: at, entryPoints: [entry], outfile: join(at, script), bundle: true, platform: 'node', format, logLevel: 'silent' });
       assert.deepEqual(warnings.filter(({ id }) => id !== 'empty-import-meta'), []);
       assert.equal(printed(t, script), hash);
     });
@@ -88,6 +90,30 @@ describe('kerfway/portable has the hash of the other entries', () => {
   });
 });
 
+describe('a planner runs where the host says', () => {
+  it('in the caller\'s thread, from bytes, a compiled module, or a file in another place', async () => {
+    const { createPool, configure, createPlanner } = await import('kerfway');
+    const options = { name: 'keyboard.dxf', moves: 1000, seed: 1 };
+    const wasm = join(at, 'node_modules', 'kerfway', 'dist', 'sdk', 'pkg', 'kerfway_bg.wasm');
+    const sdk = pathToFileURL(join(at, 'node_modules', 'kerfway', 'dist', 'sdk', '/'));
+    const asked = [];
+    const locate = (file) => (asked.push(file), new URL(file === 'kerfway_bg.wasm' ? `pkg/${file}` : file, sdk));
+    for (const places of [{ worker: false }, { wasm: readFileSync(wasm) }, { wasm: new WebAssembly.Module(readFileSync(wasm)), worker: false }, { wasmUrl: pathToFileURL(wasm) }, { locate }]) {
+      const pool = createPool({ size: 1, ...places });
+      assert.equal((await pool.quote(bytes(KEYBOARD), options)).hash, hash, JSON.stringify(Object.keys(places)));
+      pool.close();
+    }
+    assert.deepEqual(new Set(asked), new Set(['kerfway_bg.wasm', 'node-worker.js']));
+    for (const wrong of [{ worker: 'no' }, { locate: 5 }, { wasmUrl: 5 }, { wasmURL: 'x' }]) assert.throws(() => configure(wrong), { code: /wrong-type|unknown-field/ });
+    await assert.rejects(createPlanner({ wasmUrl: join(at, 'nowhere.wasm') }));
+  });
+
+  it('in a browser that serves no files of the package, the sentence says what to do', () => {
+    const index = readFileSync(join(ROOT, 'dist', 'sdk', 'index.js'), 'utf8');
+    assert.match(index, /say where they are \(locate\), or import kerfway\/portable/);
+  });
+});
+
 describe('kerfway/portable', () => {
   it('lets the event loop run during a search', async () => {
     const { plan } = await import('kerfway/portable');
@@ -107,7 +133,7 @@ describe('kerfway/portable', () => {
     const planner = await createPlanner();
     await planner.load(bytes(KEYBOARD), 'keyboard.dxf');
     await planner.plan({ moves: 10 }).done;
-    await assert.rejects(planner.output('png'), /writes no PNG\. Render SVG instead, or use the entry kerfway\./);
+    await assert.rejects(planner.output('png'), /writes no PNG\. Render SVG instead, or use the entry kerfway, with its workers\./);
     await assert.rejects(planner.paperMethods(), /no methods from papers/);
     planner.close();
     await assert.rejects(planner.output('svg'), /closed/);
@@ -132,11 +158,23 @@ describe('kerfway/portable', () => {
         const { quote } = await import('kerfway/portable');
         return quote(body, { name: 'plate.dxf' });
       };`);
+    // Without `with`, as the documentation shows it: TypeScript's module kind node16 refuses types of an ES module in CommonJS.
+    writeFileSync(join(at, 'common.cts'), `
+      import { KerfwayError, quote, type Quote } from 'kerfway';
+      import { quote as portable } from 'kerfway/portable';
+      export const handler = async (body: Uint8Array): Promise<Quote | string> => {
+        try {
+          return await quote(body);
+        } catch (error) {
+          return error instanceof KerfwayError ? error.code : portable(body);
+        }
+      };`);
     writeFileSync(join(at, 'handler.ts'), `
       import { quote, type Quote } from 'kerfway/portable';
       import { quote as threaded } from 'kerfway';
       export const handlers = [quote, threaded].map((handler) => async (body: Uint8Array): Promise<Quote> => handler(body, { name: 'plate.dxf' }));`);
     const options = ['--strict', '--noEmit', '--target', 'ES2022', '--lib', 'ES2023', '--types', 'node', '--typeRoots', types];
-    execFileSync(process.execPath, [tsc, ...options, '--module', 'NodeNext', '--moduleResolution', 'NodeNext', 'handler.ts', 'handler.cts'], { cwd: at });
+    execFileSync(process.execPath, [tsc, ...options, '--module', 'NodeNext', '--moduleResolution', 'NodeNext', 'handler.ts', 'handler.cts', 'common.cts'], { cwd: at });
+    execFileSync(process.execPath, [tsc, ...options, '--module', 'Node16', '--moduleResolution', 'Node16', 'common.cts'], { cwd: at });
   });
 });

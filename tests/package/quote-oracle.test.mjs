@@ -47,7 +47,7 @@ describe('quotes against ezdxf', () => {
       const expected = { ...reckoned, ...exception };
       const loaded = await planner.load(bytes(`dxf-dev/${file}`), file, { units: reckoned.units });
       const { progress } = await planner.plan({ moves: 100, seed: 1 }).done;
-      const quote = await planner.quote({ thickness: 2, density: 7.85 });
+      const quote = await planner.quote({ material: { thickness: 2, density: 7.85 } });
 
       const near = (what, found, wanted, size = wanted) =>
         assert.ok(Math.abs(found - wanted) <= SHARE * Math.abs(size), `${what}: ${found} here, ${wanted} there`);

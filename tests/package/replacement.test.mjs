@@ -114,7 +114,7 @@ describe('a worker that does not start', () => {
       setImmediate(() => onDeath('The planner broke down (its script did not load).'));
       return { post: () => {}, close: () => {} };
     };
-    await assert.rejects(Planner.open({ module, start }), /^Error: The planner could not be started\./);
+    await assert.rejects(Planner.open({ module, start }), /^KerfwayError: The planner could not be started\./);
   });
 
   it('as the replacement of one that died: calls are rejected with the reason, and the process continues', async (t) => {

@@ -4,6 +4,9 @@
  * again with the same tables: see `src/fields`.
  */
 
+import { KerfwayError, type ErrorParams } from './errors.js';
+import type { ErrorCode } from './generated/types.js';
+
 /** The numbers that a field may have, with the reason for the limits. */
 export interface Range {
   least: number;
@@ -14,8 +17,10 @@ export interface Range {
   why: string;
 }
 
-/** The type of a value. Callbacks and signals exist in JavaScript only. */
+/** The type of a value. Callbacks, signals, addresses and `any` exist in JavaScript only. */
 export type Kind =
+  | 'address'
+  | 'any'
   | 'flag'
   | 'text'
   | 'parameters'
@@ -48,12 +53,12 @@ export interface Shape {
 /** A field that may be absent. */
 export const optional = (name: string, kind: Kind): Field => ({ name, kind, required: false, nullable: false });
 
-/** Throws one sentence unless `value` is an object with the right fields. A field that is undefined counts as absent. */
+/** Throws a `KerfwayError` unless `value` is an object with the right fields. A field that is undefined counts as absent. */
 export function check(shape: Shape, value: unknown): void {
   checkObject(shape, '', shape.fields, value);
 }
 
-/** Throws one sentence unless `value` is of this kind. `what` begins the sentence, for example `The option`. */
+/** Throws a `KerfwayError` unless `value` is of this kind. `what` begins the sentence, for example `The option`. */
 export function checkOne(what: string, name: string, kind: Kind, value: unknown): void {
   checkValue({ owner: what, item: '', value: what, fields: [] }, name, { kind, nullable: false }, value);
 }
@@ -61,7 +66,7 @@ export function checkOne(what: string, name: string, kind: Kind, value: unknown)
 function checkObject(shape: Shape, prefix: string, fields: readonly Field[], value: unknown): void {
   if (!isRecord(value)) {
     const sentence = `${shape.owner} is ${shown(value)}. Give an object with named ${shape.item}s.`;
-    throw prefix === '' ? new TypeError(sentence) : refused(shape, prefix.slice(0, -1), value, 'Give an object.');
+    throw prefix === '' ? new KerfwayError('wrong-type', sentence) : refused(shape, prefix.slice(0, -1), value, 'Give an object.');
   }
   for (const [name, given] of Object.entries(value)) {
     if (given === undefined) continue;
@@ -70,11 +75,17 @@ function checkObject(shape: Shape, prefix: string, fields: readonly Field[], val
     if (!(field.nullable && given === null)) checkValue(shape, `${prefix}${name}`, field, given);
   }
   const missing = fields.find((f) => f.required && value[f.name] === undefined);
-  if (missing !== undefined) throw new TypeError(`${shape.owner} lacks the ${shape.item} "${prefix}${missing.name}".`);
+  if (missing === undefined) return;
+  const path = `${prefix}${missing.name}`;
+  throw new KerfwayError('missing-field', `${shape.owner} lacks the ${shape.item} "${path}".`, { field: path });
 }
 
 function checkValue(shape: Shape, path: string, { kind, nullable }: Pick<Field, 'kind' | 'nullable'>, value: unknown): void {
   const fail = (rule: string) => refused(shape, path, value, rule);
+  const failRange = (range: Range, rule: string) => {
+    const { least, most, unit } = range;
+    return typeof value === 'number' ? refused(shape, path, value, rule, 'out-of-range', { least, most, unit }) : fail(rule);
+  };
   const orNull = nullable ? ', or null' : '';
   const each = (of: Kind, list: ArrayLike<unknown>) => {
     for (let k = 0; k < list.length; k += 1) checkValue(shape, `${path}[${k}]`, { kind: of, nullable: false }, list[k]);
@@ -85,17 +96,21 @@ function checkValue(shape: Shape, path: string, { kind, nullable }: Pick<Field, 
     if (typeof value !== 'string') throw fail(`Give a text${orNull}.`);
   } else if (kind === 'parameters') {
     checkParameters(shape, path, value);
+  } else if (kind === 'any') {
+    return;
+  } else if (kind === 'address') {
+    if (typeof value !== 'string' && !(value instanceof URL)) throw fail('Give an address: a text or a URL.');
   } else if (kind === 'callback') {
     if (typeof value !== 'function') throw fail('Give a function.');
   } else if (kind === 'signal') {
     // Recognised by its members, because a signal may come from another frame or context.
     if (!isRecord(value) || typeof value['aborted'] !== 'boolean' || typeof value['addEventListener'] !== 'function') throw fail('Give the signal of an AbortController.');
   } else if ('choice' in kind) {
-    if (!kind.choice.includes(value as string)) throw fail(`Choose one of: ${kind.choice.join(', ')}.`);
+    if (!kind.choice.includes(value as string)) throw refused(shape, path, value, `Choose one of: ${kind.choice.join(', ')}.`, 'not-a-choice', { choices: [...kind.choice] });
   } else if ('number' in kind) {
-    if (!holds(kind.number, value)) throw fail(numberRule(kind.number, 'a number', orNull));
+    if (!holds(kind.number, value)) throw failRange(kind.number, numberRule(kind.number, 'a number', orNull));
   } else if ('whole' in kind) {
-    if (!holds(kind.whole, value) || !Number.isSafeInteger(value)) throw fail(numberRule(kind.whole, 'a whole number', orNull));
+    if (!holds(kind.whole, value) || !Number.isSafeInteger(value)) throw failRange(kind.whole, numberRule(kind.whole, 'a whole number', orNull));
   } else if ('pair' in kind) {
     if (!isList(value) || value.length !== 2) throw fail(`Give a list of two${orNull}.`);
     each(kind.pair, value);
@@ -132,15 +147,17 @@ function numberRule({ least, most, or_zero, unit, why }: Range, what: string, or
   return `Give ${range}${unit === '' ? '' : ` ${unit}`}${or_zero ? ', or 0' : ''}${orNull}: ${why}.`;
 }
 
-function refused(shape: Shape, path: string, value: unknown, rule: string): Error {
-  const sentence = `${shape.value} "${path}" is ${shown(value)}. ${rule}`;
-  return typeof value === 'number' ? new RangeError(sentence) : new TypeError(sentence);
+function refused(shape: Shape, path: string, value: unknown, rule: string, code: ErrorCode = 'wrong-type', more: ErrorParams = {}): KerfwayError {
+  const said = typeof value === 'string' ? clean(value) : shown(value);
+  return new KerfwayError(code, `${shape.value} "${path}" is ${shown(value)}. ${rule}`, { field: path, value: said, ...more });
 }
 
-function unknown(shape: Shape, prefix: string, name: string, fields: readonly Field[]): Error {
+function unknown(shape: Shape, prefix: string, name: string, fields: readonly Field[]): KerfwayError {
   const near = nearest(name, fields.map((f) => f.name));
+  const path = `${prefix}${clean(name)}`;
   const hint = near === null ? `There are: ${fields.map((f) => f.name).join(', ')}.` : `Did you mean "${prefix}${near}"?`;
-  return new TypeError(`${shape.owner} has no ${shape.item} "${prefix}${clean(name)}". ${hint}`);
+  const params: ErrorParams = near === null ? { field: path } : { field: path, near: `${prefix}${near}` };
+  return new KerfwayError('unknown-field', `${shape.owner} has no ${shape.item} "${path}". ${hint}`, params);
 }
 
 /** The number of characters of a text that a sentence shows, enough to recognise it. */

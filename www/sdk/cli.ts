@@ -6,14 +6,16 @@ import { COMMANDS, commandsInWords, type Command } from './cli/commands.js';
 import { completion } from './cli/completion.js';
 import { manual, overview, version } from './cli/help.js';
 import { inspect } from './cli/inspect.js';
-import { EXIT, print, readerLeft, Unusable, WrongUse } from './cli/io.js';
+import { EXIT, failureDocument, print, readerLeft, Unusable, WrongUse } from './cli/io.js';
 import { methods } from './cli/methods.js';
 import { plan } from './cli/plan.js';
 import { quote } from './cli/quote.js';
 import { complain } from './cli/safe-text.js';
+import { KerfwayError } from './errors.js';
+import { serve, work } from './cli/serve.js';
 import { solve } from './cli/solve.js';
 
-const RUNS = new Map(Object.entries({ plan, inspect, quote, check, methods, solve, completion }));
+const RUNS = new Map(Object.entries({ plan, inspect, quote, check, serve, work, methods, solve, completion }));
 
 async function main([command, ...rest]: string[]): Promise<void> {
   if (command === undefined) throw new WrongUse(`Name a command: kerfway ${commandsInWords()}.`);
@@ -46,6 +48,11 @@ try {
   const message = error instanceof Error ? error.message : String(error);
   if (error instanceof WrongUse) {
     complain(message);
+    const [, ...words] = process.argv.slice(2);
+    // A program that reads JSON gets the reason as JSON, too.
+    if (words.some((word, k) => word === '--json=-' || (word === '--json' && words[k + 1] === '-'))) {
+      await print(failureDocument(null, new KerfwayError('wrong-usage', message).toJSON())).catch(() => {});
+    }
     process.stderr.write('Run kerfway --help for the options.\n');
     process.exitCode = EXIT.wrongUse;
   } else if (error instanceof Unusable) {

@@ -1,7 +1,8 @@
 /** Rejections because a planner or pool was closed. */
 
-/** The planner or pool was closed by its owner, who knows about it. */
-export class ClosedError extends Error {}
+import { ClosedError } from './errors.js';
+
+export { ClosedError };
 
 /**
  * The result of the work. If nobody waits for it, a failure counts as unhandled and ends a Node process, as it should. A

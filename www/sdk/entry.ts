@@ -1,24 +1,34 @@
 /** What every entry point exports. Entry points differ only in how they read the wasm and start a worker. */
 
 import { createFunctions, type Functions } from './functions.js';
+import { checkPlaces } from './options.js';
+import type { Configuration } from './places.js';
 import type { Planner, PlannerOptions } from './planner.js';
-import { plannerFactory } from './planner-factory.js';
+import { plannerFactory, type Platform } from './planner-factory.js';
 import { poolOf, type Pool, type PoolOptions } from './pool.js';
 import { withNewPlanner } from './with-planner.js';
-import type { StartWorker } from './worker-connection.js';
-import type { WasmModule } from './wasm-module.js';
 
 export interface Entry extends Functions {
   createPlanner(options?: PlannerOptions): Promise<Planner>;
   createPool(options?: PoolOptions): Pool;
+  configure(configuration: Configuration): void;
 }
 
-/** The functions of an entry point. `processors` gives the default size of a pool. */
-export function entry(read: () => Promise<WasmModule>, start: StartWorker, processors: () => number): Entry {
-  const createPlanner = plannerFactory(read, start);
+/** The functions of an entry point. */
+export function entry(platform: Platform): Entry {
+  let configured: Configuration = {};
+  const open = plannerFactory(platform);
+  const createPlanner = (options: PlannerOptions = {}) => open({ ...configured, ...options });
   return {
     createPlanner,
-    createPool: ({ size = processors(), queue } = {}) => poolOf(createPlanner, size, queue),
+    createPool: ({ size = platform.processors(), queue, deadline, ...places } = {}) => {
+      checkPlaces(places);
+      return poolOf(() => createPlanner(places), size, queue, deadline);
+    },
+    configure: (configuration) => {
+      checkPlaces(configuration);
+      configured = { ...configured, ...configuration };
+    },
     ...createFunctions(withNewPlanner(createPlanner)),
   };
 }

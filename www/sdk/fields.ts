@@ -2,7 +2,94 @@
 
 import type { Shape } from './check.js';
 
-export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material', Shape>> = {
+export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limits' | 'terms', Shape>> = {
+  "limits": {
+    "fields": [
+      {
+        "kind": {
+          "number": {
+            "least": 0.001,
+            "most": 100000.0,
+            "or_zero": false,
+            "unit": "mm",
+            "why": "a limit is a length of a part"
+          }
+        },
+        "name": "smallest_hole",
+        "nullable": true,
+        "required": false
+      },
+      {
+        "kind": {
+          "number": {
+            "least": 0.001,
+            "most": 100000.0,
+            "or_zero": false,
+            "unit": "mm",
+            "why": "a limit is a length of a part"
+          }
+        },
+        "name": "smallest_web",
+        "nullable": true,
+        "required": false
+      },
+      {
+        "kind": {
+          "number": {
+            "least": 0.001,
+            "most": 100000.0,
+            "or_zero": false,
+            "unit": "mm",
+            "why": "a limit is a length of a part"
+          }
+        },
+        "name": "hole_to_edge",
+        "nullable": true,
+        "required": false
+      },
+      {
+        "kind": {
+          "pair": {
+            "number": {
+              "least": 0.001,
+              "most": 100000.0,
+              "or_zero": false,
+              "unit": "mm",
+              "why": "a limit is a length of a part"
+            }
+          }
+        },
+        "name": "smallest_part",
+        "nullable": true,
+        "required": false
+      },
+      {
+        "kind": {
+          "pair": {
+            "number": {
+              "least": 0.001,
+              "most": 100000.0,
+              "or_zero": false,
+              "unit": "mm",
+              "why": "a limit is a length of a part"
+            }
+          }
+        },
+        "name": "largest_part",
+        "nullable": true,
+        "required": false
+      },
+      {
+        "kind": "flag",
+        "name": "floating_pieces",
+        "nullable": true,
+        "required": false
+      }
+    ],
+    "item": "field",
+    "owner": "The limits",
+    "value": "The limits' field"
+  },
   "material": {
     "fields": [
       {
@@ -1344,6 +1431,145 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material', Shape>
     ],
     "item": "option",
     "owner": "Reading",
+    "value": "The option"
+  },
+  "terms": {
+    "fields": [
+      {
+        "kind": {
+          "object": [
+            {
+              "kind": "text",
+              "name": "name",
+              "nullable": true,
+              "required": false
+            },
+            {
+              "kind": {
+                "number": {
+                  "least": 0.001,
+                  "most": 1000.0,
+                  "or_zero": false,
+                  "unit": "mm",
+                  "why": "foils start at a few micrometres, and no beam cuts a metre"
+                }
+              },
+              "name": "thickness",
+              "nullable": true,
+              "required": false
+            },
+            {
+              "kind": {
+                "number": {
+                  "least": 0.001,
+                  "most": 25.0,
+                  "or_zero": false,
+                  "unit": "g/cm3",
+                  "why": "foam has some hundredths, and no metal more than 23"
+                }
+              },
+              "name": "density",
+              "nullable": true,
+              "required": false
+            }
+          ]
+        },
+        "name": "material",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "object": [
+            {
+              "kind": {
+                "number": {
+                  "least": 0.001,
+                  "most": 100000.0,
+                  "or_zero": false,
+                  "unit": "mm",
+                  "why": "a limit is a length of a part"
+                }
+              },
+              "name": "smallest_hole",
+              "nullable": true,
+              "required": false
+            },
+            {
+              "kind": {
+                "number": {
+                  "least": 0.001,
+                  "most": 100000.0,
+                  "or_zero": false,
+                  "unit": "mm",
+                  "why": "a limit is a length of a part"
+                }
+              },
+              "name": "smallest_web",
+              "nullable": true,
+              "required": false
+            },
+            {
+              "kind": {
+                "number": {
+                  "least": 0.001,
+                  "most": 100000.0,
+                  "or_zero": false,
+                  "unit": "mm",
+                  "why": "a limit is a length of a part"
+                }
+              },
+              "name": "hole_to_edge",
+              "nullable": true,
+              "required": false
+            },
+            {
+              "kind": {
+                "pair": {
+                  "number": {
+                    "least": 0.001,
+                    "most": 100000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "a limit is a length of a part"
+                  }
+                }
+              },
+              "name": "smallest_part",
+              "nullable": true,
+              "required": false
+            },
+            {
+              "kind": {
+                "pair": {
+                  "number": {
+                    "least": 0.001,
+                    "most": 100000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "a limit is a length of a part"
+                  }
+                }
+              },
+              "name": "largest_part",
+              "nullable": true,
+              "required": false
+            },
+            {
+              "kind": "flag",
+              "name": "floating_pieces",
+              "nullable": true,
+              "required": false
+            }
+          ]
+        },
+        "name": "limits",
+        "nullable": false,
+        "required": false
+      }
+    ],
+    "item": "option",
+    "owner": "The quote",
     "value": "The option"
   }
 };

@@ -4,22 +4,32 @@
  */
 
 import { quietAtClose } from './closed.js';
-import { checkOptions, planning, reading } from './options.js';
-import type { Bytes, CheckOptions, InspectOptions, PlanJobOptions, PlanningOptions, QuoteOptions, RenderOptions, Source } from './options.js';
+import { KerfwayError } from './errors.js';
+import { checkOptions, planning, reading, terms } from './options.js';
+import { readBytes, type Bytes, type Source } from './bytes.js';
+import type { CheckOptions, InspectOptions, JobOptions, PlanJobOptions, PlanningOptions, QuoteOptions, RenderOptions } from './options.js';
 import type { Started } from './plan-handle.js';
 import type { Planner } from './planner.js';
 import { ProgressStream } from './progress-stream.js';
 import type { Quote } from './quote.js';
 import { quoteBudget } from './quote-budget.js';
-import type { BestPath, BinaryKind, DoneReason, Loaded, OutputKind, ProgramCheck, Progress, Summary } from './protocol.js';
+import { compared, optionsOf, planningOf, termsOf, type Verification } from './verify-quote.js';
+import { asJson, isPlanned, withWarmPath } from './plain-data.js';
+import type { BestPath, BinaryKind, DoneReason, Loaded, LoadOptions, OutputKind, ProgramCheck, Progress, Summary } from './protocol.js';
 
-/** Runs some work on a planner. Rejects with the reason of the signal as soon as it aborts. */
-export type WithPlanner = <T>(work: (planner: Planner) => Promise<T>, signal?: AbortSignal) => Promise<T>;
+/**
+ * Runs some work on a planner. Rejects with the reason of the signal as soon as it aborts. `seconds` is the budget of the
+ * search in the work, which a deadline grants in addition.
+ */
+export type WithPlanner = <T>(work: (planner: Planner) => Promise<T>, signal?: AbortSignal, seconds?: number) => Promise<T>;
 
 /** The outputs by kind: text, or bytes. */
 export type Outputs<K extends OutputKind> = { [Kind in K]: Kind extends BinaryKind ? Uint8Array : string };
 
-/** The result of a plan. It is plain data: it can be stored, sent to another thread, or rendered later. */
+/**
+ * The result of a plan. It is plain data: it can be stored, sent to another thread, or rendered later. `JSON.stringify` writes
+ * its typed arrays as arrays, and `render` takes what `JSON.parse` makes of that.
+ */
 export interface Planned<K extends OutputKind = never> extends Started {
   /** Why the search ended. */
   reason: DoneReason;
@@ -50,10 +60,10 @@ export interface PlanRun<K extends OutputKind = never> extends Promise<Planned<K
 
 /** The functions of the package, which a pool has too. */
 export interface Functions {
-  /** Describes a drawing: contours, parts, layers, units, findings. Rejects with one sentence when it is unusable. */
+  /** Describes a drawing: contours, parts, layers, units, findings. Rejects with a `KerfwayError` when it is unusable. */
   inspect(source: Source, options?: InspectOptions): Promise<Loaded>;
   /**
-   * Plans a drawing within a budget of seconds or moves (10 seconds by default). Rejects with one sentence when the
+   * Plans a drawing within a budget of seconds or moves (10 seconds by default). Rejects with a `KerfwayError` when the
    * drawing or an option is unusable, and with the signal's reason when it aborts.
    *
    *     const { summary, outputs } = await plan(bytes, { machine: 'co2-100w', seconds: 5, outputs: ['gcode'] });
@@ -69,6 +79,11 @@ export interface Functions {
    * report of a browser. The report has no prices: those are up to the caller.
    */
   quote(source: Source, options?: QuoteOptions): Promise<Quote>;
+  /**
+   * Confirms a report that somebody else has made: plans the drawing again as the report says, and compares every field. Rejects
+   * with a `KerfwayError` when it is no report, or asks for far more moves than a quote of this drawing takes.
+   */
+  verifyQuote(source: Source, report: Quote, options?: Pick<JobOptions, 'signal'>): Promise<Verification>;
   /**
    * Writes a finished plan of the same drawing in another format. The plan JSON describes the search itself and is
    * written by `plan` only.
@@ -94,11 +109,12 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
     inspect(source, options = {}) {
       return quietAtClose(async () => {
         checkOptions(options, 'inspect');
-        return withPlanner(async (planner) => planner.load(await bytesOf(source), options.name ?? NAME, reading(options)), options.signal);
+        return withPlanner((planner) => loadedBy(planner, source, options), options.signal);
       });
     },
 
-    plan(source, options = {}) {
+    plan<K extends OutputKind = never>(source: Source, given: PlanJobOptions<K> = {}) {
+      const options = withWarmPath(given);
       let stop: (() => void) | null = null;
       let stopped = false;
       const stopSearch = () => {
@@ -111,7 +127,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
         return options.onProgress?.(progress);
       };
       const work = async (planner: Planner) => {
-        const loaded = await planner.load(await bytesOf(source), options.name ?? NAME, reading(options));
+        const loaded = await loadedBy(planner, source, options);
         await options.onLoaded?.(loaded);
         const search = budgeted(options, loaded, defaultBudget);
         const handle = planner.plan(search, report);
@@ -119,14 +135,14 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
         if (stopped) stop();
         const { progress, ...rest } = await handle.done;
         const { path, summary, moves, seconds } = progress;
-        if (path === null) throw new Error('The plan ended before it had a path.');
+        if (path === null) throw new KerfwayError('planner-died', 'The plan ended before it had a path.');
         const outputs = await outputsOf(planner, options.outputs ?? []);
-        return { ...rest, loaded, summary, path, moves, seconds, outputs, options: { ...reading(options), ...search } };
+        return asJson({ ...rest, loaded, summary, path, moves, seconds, outputs, options: { ...reading(options), ...search } });
       };
       const run = async () => {
         try {
           checkOptions(options, 'plan');
-          const planned = await withPlanner(work, options.signal);
+          const planned = await withPlanner(work, options.signal, options.seconds);
           stream.end();
           return planned;
         } catch (error) {
@@ -138,14 +154,29 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
       return Object.assign(done, { stop: stopSearch, [Symbol.asyncIterator]: () => read(done, stream) });
     },
 
-    quote(source, options = {}) {
+    quote(source, given = {}) {
+      const options = withWarmPath(given);
       const work = async (planner: Planner) => {
-        const loaded = await planner.load(await bytesOf(source), options.name ?? NAME, reading(options));
+        const loaded = await loadedBy(planner, source, options);
         await planner.plan(budgeted(options, loaded, quoteBudget), options.onProgress).done;
-        return planner.quote(options.material);
+        return planner.quote(terms(options));
       };
       return quietAtClose(async () => {
         checkOptions(options, 'quote');
+        return withPlanner(work, options.signal, options.seconds);
+      });
+    },
+
+    verifyQuote(source, report, options = {}) {
+      const work = async (planner: Planner): Promise<Verification> => {
+        const made = optionsOf(report);
+        const loaded = await loadedBy(planner, source, { ...made.reading, name: String(made.quote.input.name) });
+        if (loaded.sha256 !== made.quote.input.sha256) return { valid: false, differences: ['input'], report: null };
+        await planner.plan(planningOf(made.quote, loaded)).done;
+        return compared(made.quote, await planner.quote(termsOf(made.quote)));
+      };
+      return quietAtClose(async () => {
+        checkOptions(options, 'verifyQuote');
         return withPlanner(work, options.signal);
       });
     },
@@ -154,7 +185,7 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
       return quietAtClose(async () => {
         const { signal, ...on } = options;
         checkOptions(options, 'check');
-        const text = typeof program === 'string' ? program : new TextDecoder().decode(program);
+        const text = typeof program === 'string' ? program : new TextDecoder().decode((await readBytes(program)).bytes);
         return withPlanner((planner) => planner.check(text, on), signal);
       });
     },
@@ -162,14 +193,15 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
     render(source, planned, kind, given = {}) {
       const work = async (planner: Planner) => {
         const { options, loaded, seed, method, path } = planned;
-        const again = await planner.load(await bytesOf(source), loaded.name, reading(options));
-        if (again.sha256 !== loaded.sha256) throw new Error('This is not the drawing that was planned: its bytes differ.');
+        const again = await loadedBy(planner, source, { ...options, name: loaded.name });
+        if (again.sha256 !== loaded.sha256) throw new KerfwayError('other-drawing', 'This is not the drawing that was planned: its bytes differ.');
         const { workers: _, seconds: __, ...rest } = planning(options);
         await planner.plan({ ...rest, seed, method, warm: path, moves: 0 }).done;
         return planner.output(kind, given.width) as Promise<Outputs<typeof kind>[typeof kind]>;
       };
       return quietAtClose(async () => {
         checkOptions(given, 'render');
+        if (!isPlanned(planned)) throw new KerfwayError('wrong-type', 'This is no finished plan: give the result of plan, or what JSON.parse makes of its JSON.', { field: 'planned' });
         return withPlanner(work, given.signal);
       });
     },
@@ -188,8 +220,9 @@ export function budgeted(options: PlanningOptions, loaded: Loaded, defaultBudget
   return { ...(isFree ? defaultBudget(loaded) : {}), ...planning(options) };
 }
 
-async function bytesOf(source: Source): Promise<ArrayBuffer | Uint8Array> {
-  return typeof source === 'function' ? source() : source;
+async function loadedBy(planner: Planner, source: Source, options: LoadOptions & { name?: string }): Promise<Loaded> {
+  const { bytes, name } = await readBytes(source);
+  return planner.load(bytes, options.name ?? name ?? NAME, reading(options));
 }
 
 async function outputsOf<K extends OutputKind>(planner: Planner, kinds: readonly K[]): Promise<Outputs<K>> {

@@ -4,11 +4,12 @@
  * slice runs.
  */
 
+import { KerfwayError } from './errors.js';
 import type { FromWorker } from './protocol.js';
 import { type Host, Session } from './session.js';
 import type { StartWorker } from './worker-connection.js';
 
-const NO_FILE = 'The entry kerfway/portable consists of the core only';
+const NO_FILE = 'The planner in the caller\'s thread consists of the core only';
 
 /** Starts a session in this thread. Its messages arrive in a later turn of the event loop, as those of a worker do. */
 export const inThread: StartWorker = (onMessage) => {
@@ -17,10 +18,10 @@ export const inThread: StartWorker = (onMessage) => {
   const host: Host = {
     post: (message: FromWorker) => void deliver(() => onMessage(message)),
     research: async () => {
-      throw new Error(`${NO_FILE}: it has no methods from papers. Use the entry kerfway for them.`);
+      throw new KerfwayError('not-in-this-build', `${NO_FILE}: it has no methods from papers. Use the entry kerfway, with its workers, for them.`);
     },
     png: async () => {
-      throw new Error(`${NO_FILE}: it writes no PNG. Render SVG instead, or use the entry kerfway.`);
+      throw new KerfwayError('not-in-this-build', `${NO_FILE}: it writes no PNG. Render SVG instead, or use the entry kerfway, with its workers.`);
     },
   };
   const session = new Session(host);

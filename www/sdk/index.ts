@@ -2,7 +2,7 @@
  * Kerfway in a browser: reads a DXF file and searches for the fastest cutting path.
  *
  *     import { plan } from 'kerfway';
- *     const { summary, outputs } = await plan(await file.arrayBuffer(), { name: file.name, seconds: 5, outputs: ['gcode'] });
+ *     const { summary, outputs } = await plan(file, { seconds: 5, outputs: ['gcode'] });
  *
  * `createPlanner` is the lower level: one worker that keeps a drawing, answers several requests and can continue a plan.
  *
@@ -10,22 +10,38 @@
  */
 
 import { entry, type Entry } from './entry.js';
+import { KerfwayError } from './errors.js';
+import { wasmAt, workerAt, type Places } from './places.js';
 import { webWorkers } from './web-worker.js';
 
 export * from './types.js';
 
+const REMEDY = 'Serve the files of the package and say where they are (locate), or import kerfway/portable, which needs no files.';
+
 // Streaming compilation needs the content type application/wasm, which some servers do not send.
-async function fetchModule(url: URL): Promise<WebAssembly.Module> {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`The planner could not be loaded: ${url} answers ${response.status}.`);
-  const typed = response.headers.get('content-type')?.startsWith('application/wasm') ?? false;
-  return typed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+async function fetchModule(url: string | URL): Promise<WebAssembly.Module> {
+  const response = await fetch(url).catch((error: Error) => {
+    throw new KerfwayError('not-started', `The planner could not be loaded: ${url} cannot be fetched (${error.message}). ${REMEDY}`);
+  });
+  if (!response.ok) throw new KerfwayError('not-started', `The planner could not be loaded: ${url} answers ${response.status}. ${REMEDY}`);
+  const type = response.headers.get('content-type') ?? '';
+  if (type.startsWith('application/wasm')) return WebAssembly.compileStreaming(response);
+  // A server that answers every address with its page sends no wasm.
+  if (type.startsWith('text/html')) throw new KerfwayError('not-started', `The planner could not be loaded: ${url} is a web page, not the wasm file. ${REMEDY}`);
+  return WebAssembly.compile(await response.arrayBuffer());
 }
 
-// Bundlers recognise the worker by exactly this expression, so it must not be rewritten.
-const start = webWorkers(() => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }));
+const read = (places: Places) => fetchModule(wasmAt(places) ?? new URL('./pkg/kerfway_bg.wasm', import.meta.url));
 
-const own = entry(() => fetchModule(new URL('./pkg/kerfway_bg.wasm', import.meta.url)), start, () => navigator.hardwareConcurrency);
+// Bundlers recognise the worker by exactly this expression, so it must not be rewritten.
+const beside = () => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+
+const workers = (places: Places) => {
+  const url = workerAt(places);
+  return webWorkers(url === undefined ? beside : () => new Worker(url, { type: 'module' }), REMEDY);
+};
+
+const own = entry({ read, workers, processors: () => navigator.hardwareConcurrency });
 
 /** Opens a planner and resolves when its worker is ready. Close it when done: an open planner keeps its memory. */
 export const createPlanner: Entry['createPlanner'] = own.createPlanner;
@@ -39,6 +55,9 @@ export const plan: Entry['plan'] = own.plan;
 /** Plans a drawing and reports what a quote needs: see {@link Functions.quote}. */
 export const quote: Entry['quote'] = own.quote;
 
+/** Confirms a report that somebody else has made: see {@link Functions.verifyQuote}. */
+export const verifyQuote: Entry['verifyQuote'] = own.verifyQuote;
+
 /** Writes a finished plan as G-code, DXF, SVG or PNG: see {@link Functions.render}. */
 export const render: Entry['render'] = own.render;
 
@@ -47,3 +66,6 @@ export const check: Entry['check'] = own.check;
 
 /** Makes a pool of workers that plan many files: see {@link Pool}. */
 export const createPool: Entry['createPool'] = own.createPool;
+
+/** Says where all planners that are opened from now on run and where their files are: see {@link Configuration}. */
+export const configure: Entry['configure'] = own.configure;

@@ -1,8 +1,6 @@
 /**
  * Kerfway for `require` in Node: the same instances of the same modules as with `import`. Node 20.19, 22.12 and later can
- * require ES modules directly; this entry is for tools that look for CommonJS, and for its types.
+ * require ES modules directly; this entry is for tools that look for CommonJS. Its types are in `node-types.d.cts`.
  */
 
-import kerfway = require('./node.js');
-
-export = kerfway;
+module.exports = require('./node.js');

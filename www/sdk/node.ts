@@ -1,24 +1,56 @@
-/** Kerfway in Node: the same planner as in a browser, in a worker thread. See `index.ts`. */
+/**
+ * Kerfway in Node: the same planner as in a browser, in a worker thread. See `index.ts`.
+ *
+ * A bundler may put this code into a single file, away from the worker and the wasm file. Then it plans in the caller's
+ * thread, with the wasm that is inside `inline.js`, as `kerfway/portable` does.
+ */
 
+import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { availableParallelism } from 'node:os';
+import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import { entry, type Entry } from './entry.js';
+import { wasmAt, type Places } from './places.js';
 import type { StartWorker } from './worker-connection.js';
 
 export * from './types.js';
 
-const start: StartWorker = (onMessage, onDeath) => {
-  const worker = new Worker(new URL('./node-worker.js', import.meta.url));
+// In a variable, because bundlers that see `new URL('...', import.meta.url)` try to bundle the file, some without success.
+const here: string | undefined = import.meta.url;
+
+/** A file of the package; `null` if it is not there, because the code was bundled away from it. */
+function fileBeside(name: string): URL | null {
+  try {
+    const url = new URL(name, here);
+    return existsSync(fileURLToPath(url)) ? url : null;
+  } catch {
+    return null;
+  }
+}
+
+const threads = (url: string | URL): StartWorker => (onMessage, onDeath) => {
+  const worker = new Worker(url instanceof URL || !url.startsWith('file:') ? url : new URL(url));
   worker.on('message', onMessage);
   worker.on('error', (error) => onDeath(`The planner broke down (${error.message}).`));
   worker.on('exit', () => onDeath('The planner ended unexpectedly.'));
   return { post: (message) => worker.postMessage(message), close: () => void worker.terminate() };
 };
 
-const read = async (): Promise<WebAssembly.Module> => WebAssembly.compile(await readFile(new URL('./pkg/kerfway_bg.wasm', import.meta.url)));
+const workerFile = fileBeside('./node-worker.js');
 
-const own = entry(read, start, availableParallelism);
+async function workers(places: Places): Promise<StartWorker> {
+  const url = places.workerUrl ?? places.locate?.('node-worker.js') ?? workerFile;
+  return url === null ? (await import('./in-thread.js')).inThread : threads(url);
+}
+
+async function read(places: Places): Promise<WebAssembly.Module> {
+  const url = wasmAt(places) ?? fileBeside('./pkg/kerfway_bg.wasm');
+  if (url !== null) return WebAssembly.compile(await readFile(url instanceof URL || !url.startsWith('file:') ? url : new URL(url)));
+  return WebAssembly.compile((await import('./inline.js')).wasm());
+}
+
+const own = entry({ read, workers, processors: () => (workerFile === null ? 1 : availableParallelism()) });
 
 /** Opens a planner and resolves when its worker thread is ready. Close it when done: an open planner keeps the process alive. */
 export const createPlanner: Entry['createPlanner'] = own.createPlanner;
@@ -32,6 +64,9 @@ export const plan: Entry['plan'] = own.plan;
 /** Plans a drawing and reports what a quote needs: see {@link Functions.quote}. */
 export const quote: Entry['quote'] = own.quote;
 
+/** Confirms a report that somebody else has made: see {@link Functions.verifyQuote}. */
+export const verifyQuote: Entry['verifyQuote'] = own.verifyQuote;
+
 /** Writes a finished plan as G-code, DXF, SVG or PNG: see {@link Functions.render}. */
 export const render: Entry['render'] = own.render;
 
@@ -40,3 +75,6 @@ export const check: Entry['check'] = own.check;
 
 /** Makes a pool of worker threads that plan many files: see {@link Pool}. */
 export const createPool: Entry['createPool'] = own.createPool;
+
+/** Says where all planners that are opened from now on run and where their files are: see {@link Configuration}. */
+export const configure: Entry['configure'] = own.configure;

@@ -3,23 +3,19 @@
  * separates them by name and checks them.
  */
 
+import { viewed } from './bytes.js';
 import { check, checkOne, optional, type Field, type Range, type Shape } from './check.js';
+import { KerfwayError, notBytes } from './errors.js';
 import { SHAPES } from './fields.js';
-import type { Material } from './quote.js';
+import type { QuoteTerms } from './quote.js';
 import type { CheckedOn, Loaded, LoadOptions, OutputKind, PlanOptions, Progress } from './protocol.js';
 
 /** The default budget in seconds, when neither seconds nor moves are given. */
 export const DEFAULT_SECONDS = 10;
 
-/** A drawing's bytes. */
-export type Bytes = ArrayBuffer | Uint8Array;
-
-/** A drawing's bytes, or a function that reads them when its turn comes, so that a pool holds no more files than it works on. */
-export type Source = Bytes | (() => Bytes | Promise<Bytes>);
-
 /** Options of every function that reads a drawing. */
 export interface JobOptions {
-  /** The file's name in reports and outputs. Default `drawing.dxf`. */
+  /** The file's name in reports and outputs. Default: the name of a `File`, otherwise `drawing.dxf`. */
   name?: string;
   /** Aborts the job: the promise rejects at once with the signal's reason (an `AbortError`), and nothing is kept. */
   signal?: AbortSignal;
@@ -42,9 +38,7 @@ export interface PlanJobOptions<K extends OutputKind = never> extends PlanningOp
 }
 
 /** Options of `quote`. */
-export interface QuoteOptions extends PlanningOptions, JobOptions {
-  /** The material of the sheet. With thickness and density the report has the weight of the parts. */
-  material?: Material;
+export interface QuoteOptions extends PlanningOptions, JobOptions, QuoteTerms {
   /** Called on every improvement, and four times a second without one. */
   onProgress?: (progress: Progress) => void;
 }
@@ -60,7 +54,7 @@ export interface RenderOptions {
 /** Options of `check`. */
 export interface CheckOptions extends CheckedOn, Pick<JobOptions, 'signal'> {}
 
-const { reading: READING, planning: PLANNING, material: MATERIAL } = SHAPES;
+const { reading: READING, planning: PLANNING, terms: TERMS } = SHAPES;
 
 const shapeOf = (owner: string, ...fields: Field[]): Shape => ({ owner, item: 'option', value: 'The option', fields });
 
@@ -80,14 +74,14 @@ const KNOWN = {
   inspect: shapeOf('inspect', ...READING.fields, ...JOB),
   plan: shapeOf('plan', ...READING.fields, ...PLANNING_OPTIONS, ...JOB,
     optional('onLoaded', 'callback'), optional('onProgress', 'callback'), optional('outputs', { list: { choice: OUTPUTS } })),
-  quote: shapeOf('quote', ...READING.fields, ...PLANNING_OPTIONS, ...JOB,
-    optional('material', { object: MATERIAL.fields }), optional('onProgress', 'callback')),
+  quote: shapeOf('quote', ...READING.fields, ...PLANNING_OPTIONS, ...JOB, ...TERMS.fields, optional('onProgress', 'callback')),
+  verifyQuote: shapeOf('verifyQuote', optional('signal', 'signal')),
   render: shapeOf('render', optional('width', { whole: WIDTH }), optional('signal', 'signal')),
   checkedOn: shapeOf('check', ...PLANNING.fields.filter(({ name }) => name === 'machine')),
   check: shapeOf('check', ...PLANNING.fields.filter(({ name }) => name === 'machine'), optional('signal', 'signal')),
   planning: shapeOf('Planning', ...PLANNING_OPTIONS),
   readingAndPlanning: shapeOf('Planning', ...READING.fields, ...PLANNING_OPTIONS),
-  material: MATERIAL,
+  terms: TERMS,
 } satisfies Record<string, Shape>;
 
 /** Selects the options of reading. */
@@ -95,40 +89,52 @@ export function reading(options: LoadOptions): LoadOptions {
   return picked(options, READING.fields);
 }
 
+/** Selects what is stated about the job of a quote. */
+export function terms(options: QuoteTerms): QuoteTerms {
+  return picked(options, TERMS.fields);
+}
+
 /** Selects the options of planning. */
 export function planning(options: PlanOptions): PlanOptions {
   return picked(options, PLANNING_OPTIONS);
 }
 
-/** Throws one sentence unless the function knows these options, and each has the right type and is in range. */
+/** Throws a `KerfwayError` unless the function knows these options, and each has the right type and is in range. */
 export function checkOptions(options: object, kind: keyof typeof KNOWN): void {
   check(KNOWN[kind], options);
 }
 
-/** Throws one sentence unless this is a machine profile or the name of a preset. */
+/** Throws a `KerfwayError` unless this is a machine profile or the name of a preset. */
 export function checkMachine(machine: unknown): void {
   check(KNOWN.planning, { machine });
 }
 
-/** Throws one sentence unless this is an output format, and a width that a picture can have. */
+/** Throws a `KerfwayError` unless this is an output format, and a width that a picture can have. */
 export function checkOutput(kind: unknown, width: unknown): void {
   checkOne('The option', 'kind', { choice: OUTPUTS }, kind);
   checkOptions({ width }, 'render');
 }
 
-/** Throws one sentence unless this is the text of a program, or nothing. */
+/** Throws a `KerfwayError` unless this is the text of a program, or nothing. */
 export function checkProgram(program: unknown): void {
-  if (program !== null && typeof program !== 'string') throw new TypeError('The program is not given as text. Give a string, or the bytes of a file.');
+  if (program !== null && typeof program !== 'string') throw new KerfwayError('wrong-type', 'The program is not given as text. Give a string, or the bytes of a file.', { field: 'program' });
 }
 
-/** Throws one sentence unless these are the bytes of a file and its name. */
-export function checkFile(bytes: unknown, name: unknown): void {
-  // Recognised by its tag, because a buffer may come from another frame or context.
-  const is = Object.prototype.toString.call(bytes);
-  if (is !== '[object ArrayBuffer]' && is !== '[object SharedArrayBuffer]' && !ArrayBuffer.isView(bytes)) {
-    throw new TypeError('The drawing is not given as bytes. Give an ArrayBuffer or a Uint8Array.');
-  }
+/** Where a planner runs and where its files are, as `createPlanner`, `createPool` and `configure` get it. */
+const PLACES = shapeOf('The planner', optional('worker', 'flag'), optional('locate', 'callback'), optional('wasmUrl', 'address'), optional('workerUrl', 'address'),
+  optional('wasm', 'any'), optional('onReplaced', 'callback'));
+
+/** Throws a `KerfwayError` unless these say where a planner runs. */
+export function checkPlaces(options: object): void {
+  check(PLACES, options);
+}
+
+/** The bytes of a file. Throws a `TypeError` for anything else, and a `KerfwayError` unless its name is a text. */
+export function checkFile(bytes: unknown, name: unknown): ArrayBuffer | Uint8Array {
+  const read = viewed(bytes);
+  if (read === null) throw notBytes();
   checkOne('The option', 'name', 'text', name);
+  return read;
 }
 
 /** The options among these fields. What is given as undefined is not given: it must not hide a default. */

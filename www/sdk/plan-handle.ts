@@ -1,7 +1,7 @@
 /** A running plan: the handle that its caller has, and its state in the planner. */
 
 import { bounded } from './bound.js';
-import { ClosedError } from './closed.js';
+import { ClosedError, KerfwayError } from './errors.js';
 import type { Baselines, Beam, BestPath, DoneReason, Finding, FromWorker, Geometry, PlanOptions, Progress } from './protocol.js';
 
 /** What is known when a plan starts. */
@@ -101,7 +101,7 @@ export class RunningPlan {
         this.end(message.reason);
         return;
       case 'failed':
-        this.fail(new Error(message.message));
+        this.fail(KerfwayError.of(message.error));
         return;
     }
   }

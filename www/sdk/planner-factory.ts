@@ -1,16 +1,40 @@
 /** Makes the function `createPlanner` of an entry point. Entry points differ in how they read the wasm and start a worker. */
 
+import { checkPlaces } from './options.js';
+import type { Places } from './places.js';
 import { Planner, type PlannerOptions } from './planner.js';
 import type { StartWorker } from './worker-connection.js';
+import type { WasmModule } from './wasm-module.js';
 
-/** The function `createPlanner`. The module that `read` returns is compiled once and shared by all workers. */
-export function plannerFactory(read: () => Promise<WebAssembly.Module>, start: StartWorker): (options?: PlannerOptions) => Promise<Planner> {
-  let shared: Promise<WebAssembly.Module> | undefined;
-  const compiled = (wasm: PlannerOptions['wasm']): WebAssembly.Module | Promise<WebAssembly.Module> => {
-    if (wasm instanceof WebAssembly.Module) return wasm;
-    if (wasm !== undefined) return WebAssembly.compile(wasm);
-    shared ??= read();
-    return shared;
+/** What an entry point knows of its platform. */
+export interface Platform {
+  /** Reads and compiles the wasm file. */
+  read(places: Places): Promise<WasmModule>;
+  /** The function that starts workers. */
+  workers(places: Places): StartWorker | Promise<StartWorker>;
+  /** The default size of a pool. */
+  processors(): number;
+}
+
+/** The function `createPlanner`. A module is compiled once for each place, and shared by all its workers. */
+export function plannerFactory(platform: Platform): (options?: PlannerOptions) => Promise<Planner> {
+  const shared = new Map<string, Promise<WasmModule>>();
+  const read = (places: Places): Promise<WasmModule> => {
+    const place = String(places.wasmUrl ?? places.locate?.('kerfway_bg.wasm') ?? '');
+    const compiled = shared.get(place) ?? platform.read(places);
+    shared.set(place, compiled);
+    // A file that could not be loaded is asked for again by the next planner.
+    compiled.catch(() => shared.delete(place));
+    return compiled;
   };
-  return async (options = {}) => Planner.open({ module: await compiled(options.wasm), start, onReplaced: options.onReplaced });
+  const compiled = (options: PlannerOptions): WasmModule | Promise<WasmModule> => {
+    const { wasm } = options;
+    if (wasm === undefined) return read(options);
+    return wasm instanceof WebAssembly.Module ? wasm : WebAssembly.compile(wasm as BufferSource);
+  };
+  return async (options = {}) => {
+    checkPlaces(options);
+    const start = options.worker === false ? (await import('./in-thread.js')).inThread : await platform.workers(options);
+    return Planner.open({ module: (await compiled(options)) as WebAssembly.Module, start, onReplaced: options.onReplaced });
+  };
 }

@@ -4,13 +4,16 @@
  */
 
 import { ClosedError, quietAtClose } from './closed.js';
+import { KerfwayError } from './errors.js';
 import { MultiSearch, type Drawing } from './multi-search.js';
 import { checkFile, checkOptions, checkOutput, checkProgram } from './options.js';
 import { RunningPlan, type PlanHandle, type PlanMessage } from './plan-handle.js';
-import type { Material, Quote } from './quote.js';
+import type { Quote, QuoteTerms } from './quote.js';
 import { Requests } from './requests.js';
 import type { Responses } from './responses.js';
 import { checkSize } from './size.js';
+import type { Configuration } from './places.js';
+import { withWarmPath } from './plain-data.js';
 import { type SILENCE_LIMITS, type StartWorker, WorkerConnection } from './worker-connection.js';
 import { WorkerStart } from './worker-start.js';
 import type {
@@ -30,12 +33,10 @@ import type {
   Progress,
   ToWorker,
 } from './protocol.js';
-import type { WasmBytes, WasmModule } from './wasm-module.js';
+import type { WasmModule } from './wasm-module.js';
 
 /** Options of `createPlanner`. */
-export interface PlannerOptions {
-  /** The compiled planner or its bytes. Default: the wasm file next to this module. */
-  wasm?: WasmModule | WasmBytes;
+export interface PlannerOptions extends Configuration {
   /** Called with one sentence when a worker had to be replaced. */
   onReplaced?: (message: string) => void;
 }
@@ -96,10 +97,10 @@ export class Planner {
     return planner;
   }
 
-  /** Reads a DXF file. A running plan ends. Rejects with one sentence when the file or an option is unusable. */
-  load(bytes: ArrayBuffer | Uint8Array, name: string, options: LoadOptions = {}): Promise<Loaded> {
+  /** Reads a drawing. A running plan ends. Rejects with a `KerfwayError` when the file or an option is unusable. */
+  load(source: ArrayBuffer | ArrayBufferView, name: string, options: LoadOptions = {}): Promise<Loaded> {
     return quietAtClose(async () => {
-      checkFile(bytes, name);
+      const bytes = checkFile(source, name);
       checkSize(bytes.byteLength);
       checkOptions(options, 'load');
       const drawing = { bytes: ownCopy(bytes), name, options };
@@ -135,7 +136,8 @@ export class Planner {
    * Plans the loaded drawing. One plan runs at a time: a running plan ends. If the callback throws, its plan ends and rejects
    * with that error.
    */
-  plan(options: PlanOptions = {}, onProgress: (progress: Progress) => unknown = () => {}): PlanHandle {
+  plan(given: PlanOptions = {}, onProgress: (progress: Progress) => unknown = () => {}): PlanHandle {
+    const options = withWarmPath(given);
     const plan = this.newPlan(options, onProgress);
     return this.begin(plan, { type: 'plan', id: plan.id, options }, () => checkOptions(options, 'planning'));
   }
@@ -186,11 +188,11 @@ export class Planner {
   }
 
   /** The quote report of the best plan so far, which is checked as for an output. */
-  quote(material: Material = {}): Promise<Quote> {
+  quote(terms: QuoteTerms = {}): Promise<Quote> {
     return quietAtClose(async () => {
-      checkOptions(material, 'material');
+      checkOptions(terms, 'terms');
       await this.ready;
-      return (await this.ask<'quote'>((id) => ({ type: 'quote', id, material }))).quote;
+      return (await this.ask<'quote'>((id) => ({ type: 'quote', id, terms }))).quote;
     });
   }
 
@@ -256,7 +258,7 @@ export class Planner {
   }
 
   private lost(why: string): void {
-    if (this.starting.running) this.starting.fail(new Error(why));
+    if (this.starting.running) this.starting.fail(new KerfwayError('planner-died', why));
     else void this.replace(why);
   }
 
@@ -309,7 +311,7 @@ export class Planner {
     const kept = this.restoring ? null : this.drawing;
     this.replaced = why;
     const message = `${why} It was started again${kept === null ? '.' : ' and the drawing loaded again.'}`;
-    this.abandon(new Error(message));
+    this.abandon(new KerfwayError('planner-died', message));
     const plan = kept === null ? null : this.current;
     [this.drawing, this.current] = [null, null];
     this.ready = this.connect().then(() => (kept === null ? undefined : this.restore(kept, plan)));

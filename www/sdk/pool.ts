@@ -5,17 +5,27 @@
  */
 
 import { ClosedError } from './closed.js';
+import { KerfwayError } from './errors.js';
 import { createFunctions, type Functions, type WithPlanner } from './functions.js';
+import type { Configuration } from './places.js';
 import type { Planner } from './planner.js';
 import { abortable } from './with-planner.js';
 
-/** The size of a pool and of its queue. */
-export interface PoolOptions {
+/** The size of a pool and of its queue, and where its planners run. */
+export interface PoolOptions extends Configuration {
   /** How many files are worked on at once, each in a worker of its own. Default: the number of processors. */
   size?: number;
   /** How many files may wait before `room` makes its caller wait too. Default: the same as `size`. */
   queue?: number;
+  /**
+   * Seconds that a call may take once its turn has come, besides the `seconds` of its own search. Default 300. A call that takes
+   * longer rejects with the code `deadline`, and its worker ends. `Infinity`: no deadline.
+   */
+  deadline?: number;
 }
+
+/** Default of `deadline`, in seconds. The largest file takes about ten to read, and quotes of 10,000 contours take about two minutes. */
+export const DEADLINE = 300;
 
 /**
  * `inspect`, `plan`, `quote`, `render` and `check` on the pool's workers. Each call waits its turn. To process more files than fit
@@ -43,10 +53,11 @@ interface QueuedCall {
 }
 
 /** A pool of planners that `open` creates, each with a worker of its own. */
-export function poolOf(open: () => Promise<Planner>, size: number, queue: number = size): Pool {
+export function poolOf(open: () => Promise<Planner>, size: number, queue: number = size, deadline: number = DEADLINE): Pool {
   checkCount('size', size, 1);
   checkCount('queue', queue, 0);
-  const planners = new PlannerQueue(open, size);
+  if (typeof deadline !== 'number' || !(deadline > 0)) throw new KerfwayError('out-of-range', `The pool's deadline is ${String(deadline)}. Give a number of seconds above 0.`, { field: 'deadline', value: String(deadline) });
+  const planners = new PlannerQueue(open, size, deadline);
   const room = async () => {
     while (planners.load >= size + queue) await planners.change();
   };
@@ -72,6 +83,7 @@ class PlannerQueue {
   constructor(
     private readonly open: () => Promise<Planner>,
     private readonly size: number,
+    private readonly deadline: number,
   ) {}
 
   get waiting(): number {
@@ -88,8 +100,9 @@ class PlannerQueue {
     return new Promise((resolve) => this.watchers.push(resolve));
   }
 
-  readonly withPlanner: WithPlanner = async (work, signal) => {
-    await this.turn(signal);
+  readonly withPlanner: WithPlanner = async (work, given, seconds = 0) => {
+    await this.turn(given);
+    const { signal, clear } = withDeadline(given, this.deadline + seconds);
     try {
       const result = await this.runWithRetries(work, signal);
       // The result of a planner that was closed meanwhile may be incomplete.
@@ -98,6 +111,7 @@ class PlannerQueue {
     } catch (error) {
       throw this.closed ? new ClosedError(CLOSED) : error;
     } finally {
+      clear();
       this.working -= 1;
       this.queue.shift()?.start();
       this.notify();
@@ -165,7 +179,7 @@ class PlannerQueue {
       why = planner.replaced;
       this.dismiss(planner);
     }
-    throw new Error(`${why} It was tried ${TRIES} times; this file may need more memory than there is.`);
+    throw new KerfwayError('planner-died', `${why} It was tried ${TRIES} times; this file may need more memory than there is.`);
   }
 
   // An idle planner whose worker has died is not used: it is busy starting another worker.
@@ -195,5 +209,23 @@ class PlannerQueue {
 }
 
 function checkCount(name: string, count: number, least: number): void {
-  if (!Number.isInteger(count) || count < least) throw new RangeError(`The pool's ${name} is ${count}. Give a whole number from ${least} on.`);
+  if (!Number.isInteger(count) || count < least) throw new KerfwayError('out-of-range', `The pool's ${name} is ${String(count)}. Give a whole number from ${least} on.`, { field: name, value: String(count), least });
+}
+
+/** The longest time that a timer can wait, in seconds: 2^31 - 1 milliseconds. */
+const LONGEST_TIMER = 2_147_483;
+
+/** A signal that aborts with the given one, and with the code `deadline` after so many seconds. */
+function withDeadline(given: AbortSignal | undefined, seconds: number): { signal: AbortSignal; clear: () => void } {
+  const control = new AbortController();
+  const follow = () => control.abort(given?.reason);
+  if (given?.aborted === true) follow();
+  given?.addEventListener('abort', follow);
+  const late = () => control.abort(new KerfwayError('deadline', `The drawing was not finished within ${seconds} seconds. Try again when less is to do, or raise the deadline.`, { seconds }));
+  const timer = seconds <= LONGEST_TIMER ? setTimeout(late, seconds * 1000) : undefined;
+  const clear = () => {
+    clearTimeout(timer);
+    given?.removeEventListener('abort', follow);
+  };
+  return { signal: control.signal, clear };
 }

@@ -5,8 +5,8 @@
  *     import { quote } from 'kerfway/portable';
  *     const report = await quote(new Uint8Array(await request.arrayBuffer()), { name: 'plate.dxf' });
  *
- * Where code may not be compiled at run time (workerd, Content-Security-Policy), give `createPlanner` a compiled module:
- * `createPlanner({ wasm: module })`. One instance of the wasm serves all planners: after a breakdown, start the process again.
+ * Where code may not be compiled at run time, give it a compiled module first: `configure({ wasm: module })`. In workerd the
+ * entry does so itself. One instance of the wasm serves all planners: after a breakdown, start the process again.
  *
  * @module kerfway/portable
  */
@@ -18,7 +18,7 @@ import { wasm } from './inline.js';
 export * from './types.js';
 
 // One thread does all the work, so a second planner of a pool would gain nothing.
-const own = entry(() => WebAssembly.compile(wasm()), inThread, () => 1);
+const own = entry({ read: () => WebAssembly.compile(wasm()), workers: () => inThread, processors: () => 1 });
 
 /** Opens a planner in this thread. Close it when done. */
 export const createPlanner: Entry['createPlanner'] = own.createPlanner;
@@ -32,6 +32,9 @@ export const plan: Entry['plan'] = own.plan;
 /** Plans a drawing and reports what a quote needs: see {@link Functions.quote}. */
 export const quote: Entry['quote'] = own.quote;
 
+/** Confirms a report that somebody else has made: see {@link Functions.verifyQuote}. */
+export const verifyQuote: Entry['verifyQuote'] = own.verifyQuote;
+
 /** Writes a finished plan as G-code, DXF or SVG: see {@link Functions.render}. */
 export const render: Entry['render'] = own.render;
 
@@ -40,3 +43,6 @@ export const check: Entry['check'] = own.check;
 
 /** Makes a queue of calls, which one planner of this thread answers: see {@link Pool}. */
 export const createPool: Entry['createPool'] = own.createPool;
+
+/** Gives all planners that are opened from now on the same compiled wasm: see {@link Configuration}. */
+export const configure: Entry['configure'] = own.configure;

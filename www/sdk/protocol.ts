@@ -8,8 +8,9 @@
 
 import type * as core from './generated/types.js';
 import type {
-  Baselines, Budget, ContourInfo, Dialect, Finding, Insight, MachineProfile, Material, MethodInfo, PaperMethod, ProgramCheck, Quote, Summary,
+  Baselines, Budget, ContourInfo, Dialect, ErrorReport, Finding, Insight, MachineProfile, MethodInfo, PaperMethod, ProgramCheck, Quote, Summary,
 } from './generated/types.js';
+import type { QuoteTerms } from './quote.js';
 import type { WasmModule } from './wasm-module.js';
 
 export type * from './generated/types.js';
@@ -123,7 +124,7 @@ export type ToWorker =
   | { type: 'resume' }
   | { type: 'stop' }
   | { type: 'papers'; id: number }
-  | { type: 'quote'; id: number; material: Material }
+  | { type: 'quote'; id: number; terms: QuoteTerms }
   /** Checks a program for a machine; without a program, that of the best plan so far. */
   | { type: 'check'; id: number; program: string | null; options: CheckedOn }
   /** Writes a small program for a machine. */
@@ -145,7 +146,6 @@ export type FromWorker =
   | { type: 'check'; id: number; check: ProgramCheck }
   | { type: 'sample'; id: number; program: string }
   | { type: 'output'; id: number; kind: OutputKind; data: string | Uint8Array }
-  /** One sentence for people. */
-  | { type: 'failed'; id: number; message: string }
+  | { type: 'failed'; id: number; error: ErrorReport }
   /** The planner has crashed and this worker cannot be used any more: one sentence for people. */
   | { type: 'broken'; message: string };

@@ -1,5 +1,6 @@
 /** The requests to a worker that wait for their answers. */
 
+import { KerfwayError } from './errors.js';
 import type { FromWorker } from './protocol.js';
 import { FINAL, type Responses } from './responses.js';
 
@@ -26,7 +27,7 @@ export class Requests {
     const request = this.waiting.get(message.id);
     if (request === undefined || !FINAL.has(message.type)) return;
     this.waiting.delete(message.id);
-    if (message.type === 'failed') request.reject(new Error(message.message));
+    if (message.type === 'failed') request.reject(KerfwayError.of(message.error));
     else request.resolve(message as never);
   }
 

@@ -4,10 +4,11 @@
  */
 
 import * as planner from './pkg/kerfway.js';
+import { KerfwayError, reportOf } from './errors.js';
 import { DEFAULT_SECONDS } from './options.js';
 import type { Job } from './pkg/kerfway.js';
 import type { CheckedOn, FromWorker, LoadOptions, Membership, OutputKind, PlanOptions, ProgramCheck, ToWorker } from './protocol.js';
-import type { Material, Quote } from './quote.js';
+import type { Quote, QuoteTerms } from './quote.js';
 import { Search } from './search.js';
 
 /** The planner with the methods of papers and benchmark instances. It can do everything that `kerfway.wasm` can. */
@@ -89,7 +90,7 @@ export class Session {
         else this.plan(message.id, message.options);
         return;
       case 'continue':
-        if (this.search === null) throw new Error('There is no plan to continue. Start one first.');
+        if (this.search === null) throw new KerfwayError('no-plan', 'There is no plan to continue. Start one first.');
         this.search.stop();
         this.search.extend(message.id, message.budget);
         return;
@@ -109,7 +110,7 @@ export class Session {
         void this.reply(message.id, () => this.papers(message.id));
         return;
       case 'quote':
-        this.host.post({ type: 'quote', id: message.id, quote: this.quote(message.material) });
+        this.host.post({ type: 'quote', id: message.id, quote: this.quote(message.terms) });
         return;
       case 'check':
         this.host.post({ type: 'check', id: message.id, check: this.check(message.program, message.options) });
@@ -124,7 +125,7 @@ export class Session {
   }
 
   private loaded(): Job {
-    if (this.job === null) throw new Error('No drawing is loaded yet. Load one first.');
+    if (this.job === null) throw new KerfwayError('no-drawing', 'No drawing is loaded yet. Load one first.');
     return this.job;
   }
 
@@ -162,8 +163,8 @@ export class Session {
     const seed = options.seed ?? this.build.randomSeed();
     const { method, parameters, ...others } = given(options);
     const isPaper = method !== undefined && !this.build.methods().some((m) => m.name === method);
-    if (!isPaper && parameters !== undefined) throw new Error('Only methods from papers have parameters.');
-    if (isPaper && (options.workers ?? 1) > 1) throw new Error('Methods from papers use one worker: omit the number of workers.');
+    if (!isPaper && parameters !== undefined) throw conflict('parameters', 'Only methods from papers have parameters.');
+    if (isPaper && (options.workers ?? 1) > 1) throw conflict('workers', 'Methods from papers use one worker: omit the number of workers.');
     const text = isPaper ? JSON.stringify(parameters ?? {}) : undefined;
     const started = job.start({ ...others, ...given({ method, parameters: text }), ...budget, seed });
     const lines = [started.common, started.beam?.geometry].filter((g) => g !== null && g !== undefined);
@@ -195,8 +196,8 @@ export class Session {
     return program === null ? this.loaded().preflight() : this.build.checkProgram(program, given(options));
   }
 
-  private quote(material: Material): Quote {
-    return this.loaded().quote(material);
+  private quote(terms: QuoteTerms): Quote {
+    return this.loaded().quote(terms);
   }
 
   private async output(id: number, kind: OutputKind, width = PNG_WIDTH): Promise<[FromWorker, ArrayBuffer[]?]> {
@@ -222,8 +223,12 @@ export class Session {
       this.host.post({ type: 'broken', message: `The planner broke down (${why ?? error.message}).` });
       return;
     }
-    this.host.post({ type: 'failed', id, message: error instanceof Error ? error.message : String(error) });
+    this.host.post({ type: 'failed', id, error: reportOf(error) });
   }
+}
+
+function conflict(field: string, sentence: string): KerfwayError {
+  return new KerfwayError('options-conflict', sentence, { field });
 }
 
 /** The message of the panic that ended an instance. An instance that ended for another reason may not answer. */

@@ -3,6 +3,8 @@
  * The number is that of `Limits` in `src/drawing/reading.rs`; a Rust test compares the two.
  */
 
+import { KerfwayError } from './errors.js';
+
 /** The size of the largest file that can be read, in bytes. */
 export const MAX_BYTES = 256 * 2 ** 20;
 
@@ -16,10 +18,10 @@ export function endless(): string {
   return refusal(`more than ${megabytes(MAX_BYTES)} MB`);
 }
 
-/** Throws the sentence of `tooLarge` when a file of this size cannot be read. */
+/** Throws an error with the sentence of `tooLarge` when a file of this size cannot be read. */
 export function checkSize(bytes: number): void {
   const sentence = tooLarge(bytes);
-  if (sentence !== null) throw new Error(sentence);
+  if (sentence !== null) throw new KerfwayError('too-large', sentence, { bytes, limit: MAX_BYTES });
 }
 
 function refusal(size: string): string {

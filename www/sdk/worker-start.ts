@@ -3,7 +3,7 @@
  * goes to sleep.
  */
 
-import { ClosedError } from './closed.js';
+import { type ClosedError, KerfwayError } from './errors.js';
 
 /** How often a worker is started before the planner gives up. */
 const STARTS = 2;
@@ -29,7 +29,7 @@ export class WorkerStart {
       } catch (error) {
         const reason = closed();
         if (reason !== null) throw reason;
-        if (left === 0) throw new Error(`The planner could not be started. ${(error as Error).message} It was tried ${STARTS} times.`);
+        if (left === 0) throw new KerfwayError('not-started', `The planner could not be started. ${(error as Error).message} It was tried ${STARTS} times.`);
       }
     }
   }

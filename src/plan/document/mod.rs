@@ -16,5 +16,6 @@ mod strokes;
 
 pub use contour::{Contour, Outline, contours};
 pub use model::{Budget, Document, Input, LayerOperation, Options, Placement, SCHEMA};
+pub(crate) use moves::segments;
 pub use moves::{Contours, Element, Move};
 pub use strokes::{Stroke, strokes};

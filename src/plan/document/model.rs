@@ -155,8 +155,9 @@ impl Document {
     /// # Errors
     /// One sentence: this is no plan document, or one of another version.
     pub fn read(text: &str) -> Result<Self, String> {
-        let document: Self = serde_json::from_str(text)
-            .map_err(|e| format!("This is not a plan of the kind {SCHEMA}: {e}."))?;
+        let document: Self = serde_json::from_str(text).map_err(|e| {
+            format!("This is not a plan of the kind {SCHEMA}: see line {}, column {}.", e.line(), e.column())
+        })?;
         if document.schema == SCHEMA {
             Ok(document)
         } else {

@@ -143,7 +143,7 @@ impl Element {
 }
 
 /// Elements with both ends, the first from `at`, which moves on to the end of the last.
-pub(super) fn segments(path: &[Element], at: &mut DVec2) -> Vec<Segment> {
+pub(crate) fn segments(path: &[Element], at: &mut DVec2) -> Vec<Segment> {
     let segment = |element: &Element| {
         let segment = element.segment(*at);
         *at = segment.end();

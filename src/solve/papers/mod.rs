@@ -46,7 +46,7 @@ pub use swarm::{
 pub use tree::{GtspLk, InitialPartitions, InitialTours, PartitionTree, Pfr, RepartitionMoves};
 
 use super::{Solver, SolverInfo};
-use crate::fields::no_such;
+use crate::fields::{Fault, FieldError};
 use published::Published;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -96,14 +96,16 @@ pub fn cards() -> Vec<Card> {
 /// empty.
 ///
 /// # Errors
-/// One sentence: there is no such method, or it has no such parameter or value.
-pub fn method(name: &str, parameters: &str) -> Result<Box<dyn Solver>, String> {
+/// There is no such method, or it has no such parameter or value.
+pub fn method(name: &str, parameters: &str) -> Result<Box<dyn Solver>, FieldError> {
     let Some((_, make)) = METHODS.iter().find(|(card, _)| card().info.name == name) else {
         let names: Vec<_> = cards().into_iter().map(|c| c.info.name).collect();
-        return Err(no_such("method", name, &names));
+        return Err(FieldError::no_such("method", name, &names));
     };
     let parameters = if parameters.trim().is_empty() { "{}" } else { parameters };
-    Ok(Box::new(Published(make(parameters)?)))
+    let made =
+        make(parameters).map_err(|message| FieldError::new(Fault::Parameter, "parameters", message))?;
+    Ok(Box::new(Published(made)))
 }
 
 /// The entry of [`METHODS`] for a method whose parameters are the fields of its struct.
@@ -130,7 +132,7 @@ mod tests {
     use super::{Lpspso, cards, method, parameters, presets};
 
     fn refusal(name: &str, parameters: &str) -> String {
-        method(name, parameters).err().unwrap()
+        method(name, parameters).err().unwrap().message
     }
 
     #[test]

@@ -33,7 +33,8 @@ pub(super) fn read<M: Default + Serialize + DeserializeOwned>(
     text: &str,
     presets: &Json,
 ) -> Result<M, String> {
-    let given = serde_json::from_str(text).map_err(|e| format!("The parameters are not JSON: {e}."))?;
+    let given = serde_json::from_str(text)
+        .map_err(|e| format!("The parameters are not JSON: see line {}, column {}.", e.line(), e.column()))?;
     let Json::Object(mut given) = given else {
         return Err("The parameters are no object. Give an object with their names and values.".into());
     };
@@ -50,14 +51,16 @@ pub(super) fn read<M: Default + Serialize + DeserializeOwned>(
         // Each value is tried by itself, because serde's errors do not name the field.
         let mut alone = defaults.clone();
         alone.insert(name.clone(), value.clone());
-        if let Err(e) = serde_json::from_value::<M>(Json::Object(alone)) {
+        if serde_json::from_value::<M>(Json::Object(alone)).is_err() {
             let value = shown(&value);
-            return Err(format!("The parameter \"{name}\" is {value}: {e}. Its default is {default}."));
+            return Err(format!(
+                "The parameter \"{name}\" is {value}. Give a value like its default, {default}."
+            ));
         }
         parameters.insert(name, value);
     }
     serde_json::from_value(Json::Object(parameters))
-        .map_err(|e| format!("The parameters cannot be read: {e}."))
+        .map_err(|_| "The parameters cannot be used together.".to_owned())
 }
 
 /// The parameters of a preset.

@@ -57,7 +57,7 @@ fn quotes_take_areas_from_the_outlines() {
     parts.push(rectangle([123.0, 112.0, 4.0, 4.0]));
     let job = started(drawing(&parts), thick(KERF));
     let material = Material { thickness: Some(2.0), density: Some(7.85), name: None };
-    let quote = job.quote(&material).unwrap();
+    let quote = job.quote(&material.into()).unwrap();
     assert_eq!(quote.part_count, 9);
     assert!(close(quote.net_area, 9.0 * 200.0 - 16.0), "{}", quote.net_area);
     let groups: Vec<_> = quote.parts.iter().map(|g| (g.count, g.holes, g.net_area)).collect();

@@ -27,7 +27,7 @@ export function quotePanel(session: Session, notify: (sentence: string) => void)
 
   const show = () => {
     rows.replaceChildren(...(report === null ? [] : facts(report)).flatMap(([term, value]) => [h('dt', {}, term), h('dd', { class: 'number' }, value)]));
-    note.textContent = report === null ? words.quote.none : [words.quote.confidence[report.confidence.level], ...report.confidence.reasons].join(' ');
+    note.textContent = report === null ? words.quote.none : [words.quote.confidence[report.confidence.level], ...report.confidence.reasons.map((r) => r.message)].join(' ');
     download.hidden = report === null;
     setGist(report === null ? '' : words.quote.gist(count(report.part_count)));
   };

@@ -97,7 +97,7 @@ export class Session {
 
   /** The report that a quote of the best plan is based on. */
   async quote(material: Material): Promise<Quote> {
-    return (await this.catalog.ready).quote(material);
+    return (await this.catalog.ready).quote({ material });
   }
 
   private choices(): Choices {

@@ -16,6 +16,20 @@ export interface Words {
 
 /** Parses the arguments of a command, of which at least one is not an option. */
 export function parsed(command: string, args: string[], what = 'a DXF file'): Words {
+  const given = words(command, args);
+  if (given.words.length === 0) throw new WrongUse(`Name ${what}.`);
+  return given;
+}
+
+/** Parses the arguments of a command that has options only. */
+export function parsedOptions(command: string, args: string[]): Words {
+  const given = words(command, args);
+  const [word] = given.words;
+  if (word !== undefined) throw new WrongUse(`${command} takes options only, not ${word}.`);
+  return given;
+}
+
+function words(command: string, args: string[]): Words {
   const options = Object.fromEntries(
     Object.entries(optionsOf(command)).map(([name, { value, repeat }]) => [
       name,
@@ -24,7 +38,6 @@ export function parsed(command: string, args: string[], what = 'a DXF file'): Wo
   );
   try {
     const { values, positionals } = parseArgs({ args, options, allowPositionals: true, strict: true });
-    if (positionals.length === 0) throw new WrongUse(`Name ${what}.`);
     return { words: positionals, values: values as Values };
   } catch (error) {
     if (error instanceof WrongUse) throw error;

@@ -3,9 +3,10 @@
 import type { Words } from './arguments.js';
 import { Destinations, type Output } from './destinations.js';
 import { filesOf } from './glob.js';
-import { EXIT, Unusable } from './io.js';
+import { EXIT, failureDocument, print, Unusable } from './io.js';
 import { Report, type Column } from './report.js';
 import { complain } from './safe-text.js';
+import { STANDARD_OUTPUT } from './target.js';
 import { watch } from './watch.js';
 
 /** The position of a file among all. */
@@ -34,6 +35,7 @@ export type Work = (file: string, place: Place, to: Outlet) => Promise<void>;
 /** Processes all files. An unusable file is reported in a sentence, and the others are processed anyway. */
 export async function eachFile({ words, values }: Words, { outputs, columns, inputs = [] }: Requested, work: Work): Promise<void> {
   const destinations = new Destinations(outputs, inputs);
+  const jsonPiped = outputs.some(({ kind, out }) => kind === 'json' && out === STANDARD_OUTPUT);
   const report = new Report(destinations.piped, columns, values['quiet'] === true);
   const to: Outlet = {
     write: (file, written) => destinations.write(file, written),
@@ -50,11 +52,12 @@ export async function eachFile({ words, values }: Words, { outputs, columns, inp
       } catch (error) {
         if (!(error instanceof Unusable)) throw error;
         complain(error.message);
+        if (jsonPiped) await print(failureDocument(file, error.report)).catch(() => {});
         failed.push(file);
         exits.add(error.exit);
       }
     }
-    if (failed.length > 0) process.exitCode = failed.length < files.length ? EXIT.some : exits.size === 1 ? [...exits][0] : EXIT.unusable;
+    if (failed.length > 0) process.exitCode = failed.length < files.length ? EXIT.some : files.length > 1 ? EXIT.all : [...exits][0];
     return failed;
   };
   if (values['watch'] === true) return watch(words, { round, existing: (file) => destinations.existing(file) });

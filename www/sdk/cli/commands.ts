@@ -135,14 +135,21 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
         material: { value: 'NAME', about: 'its name, which is only shown' },
         thickness: { value: 'MM', about: 'the thickness of the sheet' },
         density: { value: 'G', about: 'g/cm3: mild steel 7.85, aluminium 2.70, acrylic 1.19' },
+        sheet: { value: 'WxH', about: 'the size of the sheets in stock, mm: estimates how many are needed' },
+        gap: { value: 'MM', about: 'the least distance between parts on a sheet (default 5)' },
       },
-      Output: { json: { value: 'OUT', about: 'the report (kerfway.quote/1)' } },
+      'The order': {
+        quantity: { value: 'N', about: 'copies of each drawing: seconds, weight and sheets for each quantity', repeat: true },
+        limits: { value: 'FILE', about: 'a JSON file with the limits of the shop: smallest_hole, smallest_web, hole_to_edge, smallest_part, largest_part, floating_pieces' },
+      },
+      Output: { json: { value: 'OUT', about: 'the report (kerfway.quote/2)' } },
       'How to plan': PLANNING,
       'How to read': READING,
       'When': WATCHING, 'Messages': MESSAGES,
     },
     examples: [
       ['kerfway quote plate.dxf --thickness 3 --density 7.85', 'figures and weight, as text'],
+      ['kerfway quote bracket.dxf --quantity 1 --quantity 50 --sheet 3000x1500', 'seconds, weight and sheets of 1 and of 50'],
       ["kerfway quote 'orders/*.dxf' --moves 100000 --seed 1 --json quotes/", 'reports whose hashes another computer can confirm'],
     ],
   },
@@ -162,6 +169,54 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       ['kerfway check plate.nc --machine co2-100w', 'before it goes to the machine'],
       ['kerfway check other.ngc --dialect linuxcnc-m67 --json -', 'the report, for a program'],
     ],
+  },
+  serve: {
+    about: 'answer over HTTP: POST /inspect, /plan, /quote',
+    words: '',
+    text:
+      'Starts a service. A request has the drawing as its body or as the file of a form, and options in the query or as JSON in the field ' +
+      'options; GET /openapi.json describes it. When too many wait, it answers 429 with Retry-After. Logs are JSON on standard error. ' +
+      'SIGTERM ends it when what runs is finished.',
+    options: {
+      'Where': {
+        host: { value: 'ADDRESS', about: 'the address to listen on (default 127.0.0.1; 0.0.0.0 for all)' },
+        port: { value: 'N', about: 'the port (default 8080; 0 for any)' },
+        cors: { value: 'ORIGIN', about: 'pages of this origin may call it; * for all', repeat: true },
+        keys: { value: 'FILE', about: 'needs a key: one per line, KEY or NAME KEY' },
+      },
+      'Limits': {
+        workers: { value: 'N', about: 'drawings worked on at once (default: the number of processors)' },
+        waiting: { value: 'N', about: 'requests that may wait (default 64)' },
+        largest: { value: 'MB', about: 'the largest body (default 20)' },
+        'upload-seconds': { value: 'S', about: 'the time for a body to arrive (default 30)' },
+        deadline: { value: 'S', about: 'the time for a drawing, besides the seconds of its search (default 120)' },
+        'most-seconds': { value: 'S', about: 'the longest search that a request may ask for (default 60)' },
+        'most-moves': { value: 'N', about: 'the most moves that a request may ask for (default 100000000)' },
+        grace: { value: 'S', about: 'the time to finish what runs when it is stopped (default 30)' },
+      },
+      'Several machines': {
+        queue: { value: 'URL', about: 'puts jobs into a queue in Redis or Valkey (redis://...) instead; needs the package bullmq' },
+        expires: { value: 'S', about: 'how long results of the queue are kept (default 86400)' },
+      },
+    },
+    examples: [
+      ['kerfway serve --port 8080', 'a service on this computer'],
+      ["curl --data-binary @plate.dxf 'localhost:8080/quote?name=plate.dxf&machine=co2-100w&material.thickness=3'", 'a quote'],
+      ["curl -F drawing=@plate.dxf -F 'options={\"seconds\":5,\"outputs\":[\"gcode\"]}' localhost:8080/plan", 'a plan with G-code'],
+    ],
+  },
+  work: {
+    about: 'take jobs from the queue of kerfway serve --queue',
+    words: '',
+    text: 'Works on the drawings that wait in a queue. Start as many as there are machines. SIGTERM ends it when its jobs are finished; jobs of a worker that dies are taken by another.',
+    options: {
+      'How': {
+        queue: { value: 'URL', about: 'the queue: redis://HOST:6379' },
+        workers: { value: 'N', about: 'drawings worked on at once (default: the number of processors)' },
+        deadline: { value: 'S', about: 'the time for a drawing, besides the seconds of its search (default 120)' },
+      },
+    },
+    examples: [['kerfway work --queue redis://queue.internal:6379', 'one worker process']],
   },
   methods: {
     about: 'list the planning methods',

@@ -5,7 +5,7 @@ import { readFile } from 'node:fs/promises';
 import { COMMANDS, type Command, type Options } from './commands.js';
 
 const WIDTH = 100;
-const EXIT = 'Exit code: 0 done, 1 the input is unusable, 2 wrong usage, 3 an output cannot be written, 4 some of several files failed.';
+const EXIT = 'Exit code: 0 done, 1 the input is unusable, 2 wrong usage, 3 an output cannot be written, 4 some of several files failed, 5 all of several failed.';
 
 /** `kerfway --help`. */
 export function overview(): string {
@@ -57,10 +57,14 @@ function wrapped(text: string, width: number): string[] {
   return lines;
 }
 
+/** The version of this package. */
+export async function packageVersion(): Promise<string> {
+  const file = await readFile(new URL('../../../package.json', import.meta.url), 'utf8');
+  return (JSON.parse(file) as { version: string }).version;
+}
+
 /** The version of this package, and the hash of its wasm file: the same hash makes the same plans. */
 export async function version(): Promise<string> {
-  const file = await readFile(new URL('../../../package.json', import.meta.url), 'utf8');
   const wasm = await readFile(new URL('../pkg/kerfway_bg.wasm', import.meta.url));
-  const { version } = JSON.parse(file) as { version: string };
-  return `${version}\nkerfway_bg.wasm sha256 ${createHash('sha256').update(wasm).digest('hex')}`;
+  return `${await packageVersion()}\nkerfway_bg.wasm sha256 ${createHash('sha256').update(wasm).digest('hex')}`;
 }

@@ -4,6 +4,7 @@ import { basename } from 'node:path';
 import { createPlanner } from '../node.js';
 import type { Finding, Loaded } from '../protocol.js';
 import { activeContours } from '../contours.js';
+import { inspectReport, lengthOf } from '../inspect-report.js';
 import { loadOptions, parsed } from './arguments.js';
 import { eachFile } from './batch.js';
 import { outputsOf } from './destinations.js';
@@ -20,7 +21,7 @@ export async function inspect(args: string[]): Promise<void> {
   try {
     await eachFile(given, { outputs, columns: COLUMNS }, async (file, place, to) => {
       const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), options));
-      const data = `${JSON.stringify(report(loaded))}\n`;
+      const data = `${JSON.stringify(inspectReport(loaded))}\n`;
       await to.write(file, outputs.map((output) => ({ output, data })));
       // When a program reads the report of a single drawing, no second report is needed.
       if (!piped || place.of > 1) await to.report(place, () => lines(loaded), () => row(file, loaded));
@@ -47,24 +48,6 @@ function row(file: string, loaded: Loaded): string[] {
     ...[file, String(contours.length), String(open), String(loaded.parts.length), meters(lengthOf(loaded, 'cut'))],
     ...[size(loaded.bounds), `${loaded.units.unit}, ${loaded.units.source}`, String(loaded.findings.length)],
   ];
-}
-
-/** The contents of a drawing without geometry, with the most important totals first. */
-function report({ geometry: _, ignored, ...loaded }: Loaded): object {
-  const contours = activeContours(loaded);
-  const closed = contours.filter((c) => c.closed).length;
-  const totals = {
-    closed,
-    open: contours.length - closed,
-    ignored: ignored.layers.length,
-    cut_length: lengthOf(loaded, 'cut'),
-    mark_length: lengthOf(loaded, 'mark'),
-  };
-  return { schema: 'kerfway.inspect/1', totals, ...loaded };
-}
-
-function lengthOf({ contours }: Pick<Loaded, 'contours'>, operation: string): number {
-  return contours.filter((c) => c.operation === operation).reduce((sum, c) => sum + c.length, 0);
 }
 
 function lines(loaded: Loaded): string[] {

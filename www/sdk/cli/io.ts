@@ -1,23 +1,37 @@
 /** Reads files, writes streams, and defines the two ways in which a command can fail. `atomic.ts` writes output files. */
 
 import { open, writeFile, type FileHandle } from 'node:fs/promises';
+import { KerfwayError, reportOf } from '../errors.js';
+import type { ErrorReport } from '../generated/types.js';
 import { endless, MAX_BYTES, tooLarge } from '../size.js';
 import { isPattern } from './glob.js';
 import { visibleText } from './safe-text.js';
 import { STANDARD_OUTPUT } from './target.js';
 import { writing } from './temporary.js';
 
-/** The exit codes of the program. `some`: of several files, some failed and the others were processed. */
-export const EXIT = { unusable: 1, wrongUse: 2, unwritable: 3, some: 4 } as const;
+/** The exit codes of the program. `some`: of several files, some failed and the others were processed; `all`: all of several failed. */
+export const EXIT = { unusable: 1, wrongUse: 2, unwritable: 3, some: 4, all: 5 } as const;
 
 /** The input cannot be used. The message is one sentence: what, where, what to do. */
 export class Unusable extends Error {
   readonly exit: number = EXIT.unusable;
+
+  /** `report`: the error for programs, if it is known better than that a file cannot be read. */
+  constructor(
+    message: string,
+    readonly report: ErrorReport = new KerfwayError('unreadable-file', message).toJSON(),
+  ) {
+    super(message);
+  }
 }
 
 /** An output cannot be written. */
 export class Unwritable extends Unusable {
   override readonly exit = EXIT.unwritable;
+
+  constructor(message: string) {
+    super(message, new KerfwayError('unwritable-output', message).toJSON());
+  }
 }
 
 /** The arguments cannot be understood. */
@@ -90,6 +104,11 @@ async function upToLimit(handle: FileHandle): Promise<Uint8Array | null> {
   return Buffer.concat(chunks);
 }
 
+/** The document that a failure has in place of a result, for programs that read JSON from standard output. */
+export function failureDocument(file: string | null, error: ErrorReport): string {
+  return `${JSON.stringify({ schema: 'kerfway.error/1', file, error })}\n`;
+}
+
 /** Prints on standard output. */
 export async function print(text: string): Promise<void> {
   try {
@@ -128,6 +147,6 @@ export async function usable<T>(file: string, work: Promise<T>): Promise<T> {
   try {
     return await work;
   } catch (error) {
-    throw new Unusable(`${file}: ${(error as Error).message}`);
+    throw new Unusable(`${file}: ${(error as Error).message}`, reportOf(error));
   }
 }

@@ -1,10 +1,14 @@
 /** `kerfway quote`: reports what a price depends on. */
 
-import type { Material, Quote } from '../quote.js';
+import { checkQuantity, checkStock, priceBreaks } from '../basket.js';
+import { reportOf } from '../errors.js';
+import { checkOptions } from '../options.js';
+import type { Limits, Material, Quote } from '../quote.js';
 import { quoteBudget } from '../quote-budget.js';
+import type { Stock } from '../sheets.js';
 import { parsed, positive, text, type Words } from './arguments.js';
 import { outputsOf } from './destinations.js';
-import { usable } from './io.js';
+import { bytesOf, Unusable, usable, WrongUse } from './io.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { STANDARD_OUTPUT } from './target.js';
@@ -13,15 +17,17 @@ import { area, duration, grams, meters, millimetres, plural } from './words.js';
 export async function quote(args: string[]): Promise<void> {
   const given = parsed('quote', args);
   const material = materialOf(given);
+  const limits = await limitsOf(given);
+  const order = orderOf(given);
   const outputs = outputsOf(given, ['json']);
   await planFiles(given, { outputs, columns: COLUMNS, defaultBudget: quoteBudget }, async ({ file, place, planner }, to) => {
-    const quoted = await usable(file, planner.quote(material));
+    const quoted = await usable(file, planner.quote({ material, ...limits }));
     await to.write(file, outputs.map((output) => {
       // Several documents on standard output have one line each.
       const indent = place.of > 1 && output.out === STANDARD_OUTPUT ? 0 : 2;
       return { output, data: `${JSON.stringify(quoted, null, indent)}\n` };
     }));
-    await to.report(place, () => lines(quoted), () => row(file, quoted));
+    await to.report(place, () => [...lines(quoted), ...orderLines(quoted, order)], () => row(file, quoted));
   });
 }
 
@@ -56,6 +62,56 @@ function materialOf({ values }: Words): Material {
   return material;
 }
 
+/** How many are ordered, and of which sheets they are cut. */
+interface Order {
+  quantities: number[];
+  stock?: Stock;
+}
+
+function orderOf({ values }: Words): Order {
+  const quantities = ((values['quantity'] as string[] | undefined) ?? []).map((word) => checked(() => checkQuantity('--quantity', Number(word))));
+  const [sheet, gap] = [text(values, 'sheet'), positive(values, 'gap')];
+  if (sheet === undefined) {
+    if (gap !== undefined) throw new WrongUse('--gap is for sheets: give their size as well, --sheet 3000x1500.');
+    return { quantities };
+  }
+  const [, width, height] = /^(\d+(?:\.\d+)?)x(\d+(?:\.\d+)?)$/i.exec(sheet) ?? [];
+  if (width === undefined || height === undefined) throw new WrongUse(`--sheet ${sheet}: write the size in mm, for example 3000x1500.`);
+  const stock: Stock = { width: Number(width), height: Number(height), ...(gap === undefined ? {} : { gap }) };
+  checked(() => checkStock(stock));
+  return { quantities: quantities.length > 0 ? quantities : [1], stock };
+}
+
+function orderLines(q: Quote, { quantities, stock }: Order): string[] {
+  return priceBreaks(q, quantities, stock === undefined ? {} : { stock }).map(({ quantity, times, weight, sheets }) => {
+    const sheet = sheets === null ? '' : `, about ${plural(sheets.count, 'sheet')}${sheets.too_large > 0 ? `, ${plural(sheets.too_large, 'part')} too large for one` : ''}`;
+    return `${plural(quantity, 'copy').replace('copys', 'copies').padEnd(10)} ${duration(times.total)}${weight === null ? '' : `, ${grams(weight)}`}${sheet}`;
+  });
+}
+
+/** The limits in the file that `--limits` names. */
+async function limitsOf({ values }: Words): Promise<{ limits?: Limits }> {
+  const file = text(values, 'limits');
+  if (file === undefined) return {};
+  const content = new TextDecoder().decode(await bytesOf(file));
+  try {
+    const limits = JSON.parse(content) as Limits;
+    checkOptions({ limits }, 'terms');
+    return { limits };
+  } catch (error) {
+    throw new Unusable(error instanceof SyntaxError ? `${file} is not JSON: limits are an object like {"smallest_hole": 3}.` : `${file}: ${(error as Error).message}`, reportOf(error));
+  }
+}
+
+/** Runs a check and turns its error into wrong usage. */
+function checked<T>(check: () => T): T {
+  try {
+    return check();
+  } catch (error) {
+    throw new WrongUse((error as Error).message);
+  }
+}
+
 function lines(q: Quote): string[] {
   const { times: t, bounds: [x0, y0, x1, y1] } = q;
   const against = (ratio: number | null) => (ratio === null ? '' : ` (${ratio.toFixed(2)} of the thickness)`);
@@ -69,6 +125,7 @@ function lines(q: Quote): string[] {
   ];
   if (q.smallest_hole !== null) text.push(`Narrowest  hole ${millimetres(q.smallest_hole.width)}${against(q.smallest_hole.over_thickness)}`);
   if (q.narrowest_web !== null) text.push(`           web ${millimetres(q.narrowest_web.width)}${against(q.narrowest_web.over_thickness)}`);
-  text.push(`Confidence ${q.confidence.level}`, ...q.confidence.reasons.map((r) => `           ${r}`), `Hash       ${q.hash}`);
+  for (const { message, at } of q.checks?.exceeded ?? []) text.push(`Limit      ${message} At ${at.map((n) => n.toFixed(1)).join(', ')}.`);
+  text.push(`Confidence ${q.confidence.level}`, ...q.confidence.reasons.map((r) => `           ${r.message}`), `Hash       ${q.hash}`);
   return text;
 }

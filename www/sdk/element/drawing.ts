@@ -3,14 +3,17 @@
  * path is shown, and the result is dispatched as an event. Each element decides what the result is.
  */
 
-import { plural } from '../cli/words.js';
 import { activeContours } from '../contours.js';
+import { reportOf } from '../errors.js';
 import { createFunctions, type DefaultBudget, type Functions, type Planned, type PlanRun } from '../functions.js';
-import type { PlanJobOptions, PlanningOptions, Source } from '../options.js';
+import type { Source } from '../bytes.js';
+import type { PlanJobOptions, PlanningOptions } from '../options.js';
 import type { Planner } from '../planner.js';
-import type { Loaded, MachineProfile, MethodInfo, OutputKind, Progress } from '../protocol.js';
+import type { ErrorReport, Loaded, MachineProfile, MethodInfo, OutputKind, Progress } from '../protocol.js';
 import { checkSize } from '../size.js';
 import { abortable } from '../with-planner.js';
+import { ENGLISH, type ElementLabels } from './labels.js';
+import { label } from './looks.js';
 import { attributed } from './options.js';
 import { Picture } from './picture.js';
 
@@ -20,8 +23,8 @@ export interface DrawingEvents<Result> {
   ready: CustomEvent<{ machines: readonly MachineProfile[]; methods: readonly MethodInfo[] }>;
   progress: CustomEvent<Progress>;
   result: CustomEvent<Result>;
-  /** One sentence for people, which the element shows as well. */
-  error: CustomEvent<{ message: string }>;
+  /** Why it failed: a code, the values that the sentence names, and the sentence, which the element shows as well. */
+  error: CustomEvent<ErrorReport>;
 }
 
 /** The state of an element, which is also its attribute `state`. */
@@ -42,6 +45,8 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
   /** The result of the last drawing. */
   result: Result | null = null;
 
+  /** The texts that the host has set. */
+  private own: Partial<ElementLabels> = {};
   protected source: Source | null = null;
   /** The running or last plan, which a new one aborts. */
   private job: { control: AbortController; stop: () => void } | null = null;
@@ -53,14 +58,34 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
   private readonly root: ShadowRoot;
   private readonly picture: Picture;
 
-  constructor(fill: (root: ShadowRoot) => void) {
+  /** `download`: what the button says that offers the result. */
+  constructor(
+    fill: (root: ShadowRoot) => void,
+    private readonly downloadLabel: string,
+  ) {
     super();
     this.root = this.attachShadow({ mode: 'open' });
     fill(this.root);
+    label(this.root, this.words);
     this.picture = new Picture(this.piece('contours'), this.piece('path'));
     this.root.addEventListener('click', (event) => this.press((event.target as HTMLElement).dataset['does']));
     this.input.addEventListener('change', () => this.take(this.input.files));
     for (const type of ['dragover', 'dragleave', 'drop'] as const) this.addEventListener(type, (event) => this.drag(event));
+  }
+
+  /** The texts, for another language: those that are set replace the English ones. */
+  get labels(): Partial<ElementLabels> {
+    return this.own;
+  }
+
+  set labels(labels: Partial<ElementLabels> | null) {
+    this.own = { ...labels };
+    label(this.root, this.words);
+  }
+
+  /** All texts of the element. */
+  protected get words(): ElementLabels {
+    return { ...ENGLISH, download: this.downloadLabel, ...this.own };
   }
 
   /** The state of the element. */
@@ -77,7 +102,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
         this.machines = machines;
         this.tell('ready', { machines, methods });
       },
-      (error: Error) => this.fail(error),
+      (error: unknown) => this.fail(error),
     );
   }
 
@@ -91,13 +116,13 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
   }
 
   /** Reads and plans a drawing, as if it had been dropped. Resolves with the result; rejects when it fails or another drawing is opened. */
-  async open(source: Source, name = 'drawing.dxf'): Promise<Result> {
+  async open(source: Source, name = nameOf(source)): Promise<Result> {
     this.job?.control.abort();
     const control = new AbortController();
     this.source = source;
     [this.loaded, this.result] = [null, null];
     this.picture.show(null, null);
-    this.become('reading', `Reading ${name}`);
+    this.become('reading', this.words.reading(name));
     const run = this.plan(source, {
       ...attributed(this),
       ...this.options,
@@ -119,7 +144,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
       this.finish(result, this.inWords(planned));
       return result;
     } catch (error) {
-      if (!control.signal.aborted) this.fail(error as Error);
+      if (!control.signal.aborted) this.fail(error);
       throw error;
     }
   }
@@ -161,10 +186,11 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     return this.state === 'done' && this.holder !== null && this.holder === this.planner;
   }
 
-  protected fail({ message }: Error): void {
+  protected fail(error: unknown): void {
+    const report = reportOf(error);
     this.become('failed', '');
-    this.piece('message').textContent = message;
-    this.tell('error', { message });
+    this.piece('message').textContent = this.words.error(report);
+    this.tell('error', report);
   }
 
   // The state alone decides which pieces are visible.
@@ -183,7 +209,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
 
   private show(loaded: Loaded): void {
     this.loaded = loaded;
-    this.become('planning', plural(activeContours(loaded).length, 'contour'));
+    this.become('planning', this.words.contours(activeContours(loaded).length));
     const machine = this.options.machine ?? this.getAttribute('machine');
     const preset = this.machines.find((m) => m.name === machine) ?? this.machines[0] ?? null;
     this.picture.show(loaded, typeof machine === 'object' && machine !== null ? machine : preset);
@@ -237,4 +263,9 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
   private get input(): HTMLInputElement {
     return this.root.querySelector('input') as HTMLInputElement;
   }
+}
+
+/** The name of a file; other sources have none. */
+function nameOf(source: Source): string {
+  return typeof source === 'object' && 'name' in source && typeof source.name === 'string' ? source.name : 'drawing.dxf';
 }

@@ -15,7 +15,7 @@ export function facts(q: Quote): [string, string][] {
     ['Weight', q.weight === null ? null : grams(q.weight)],
     ['Narrowest hole', q.smallest_hole === null ? null : millimetres(q.smallest_hole.width) + against(q.smallest_hole.over_thickness)],
     ['Narrowest web', q.narrowest_web === null ? null : millimetres(q.narrowest_web.width) + against(q.narrowest_web.over_thickness)],
-    ['Confidence', [q.confidence.level, ...q.confidence.reasons].join('; ')],
+    ['Confidence', [q.confidence.level, ...q.confidence.reasons.map((r) => r.message)].join('; ')],
   ];
   return rows.flatMap(([term, figure]) => (figure === null ? [] : [[term, figure] as [string, string]]));
 }

@@ -27,6 +27,7 @@
 import { createPlanner } from '../index.js';
 import { defineElements } from './define.js';
 
+export type { ElementLabels } from './labels.js';
 export type { DrawingElement, DrawingEvents, ElementState } from './drawing.js';
 export { KerfwayPlanner, type PlannerEvents, type PlannerState } from './planner.js';
 export { KerfwayQuote, type QuoteEvents } from './quote.js';

@@ -1,5 +1,7 @@
 /** The content and style sheets of the elements. A host changes them by CSS parts and properties. */
 
+import type { ElementLabels } from './labels.js';
+
 const CSS = `
 :host {
   display: grid;
@@ -54,28 +56,34 @@ const REPORT = `
 
 const STAGE = `
 <div part="stage">
-  <canvas part="contours" role="img" aria-label="The drawing with its cutting path"></canvas>
+  <canvas part="contours" role="img" data-label="picture"></canvas>
   <canvas part="path" aria-hidden="true"></canvas>
-  <div part="drop"><span>Drop a DXF here</span><button part="button choose main" data-does="choose">Choose a file</button></div>
+  <div part="drop"><span data-text="drop"></span><button part="button choose main" data-does="choose" data-text="choose"></button></div>
 </div>`;
 
-const bar = (download: string) => `
+const BAR = `
 <div part="bar">
   <p part="numbers" role="status"></p>
-  <button part="button stop main" data-does="stop" hidden>Stop</button>
-  <button part="button download main" data-does="download" hidden>${download}</button>
-  <button part="button again" data-does="choose" hidden>Another file</button>
+  <button part="button stop main" data-does="stop" data-text="stop" hidden></button>
+  <button part="button download main" data-does="download" data-text="download" hidden></button>
+  <button part="button again" data-does="choose" data-text="again" hidden></button>
   <p part="message" role="alert" hidden></p>
 </div>
 <input type="file" accept=".dxf" hidden>
 `;
 
 export function fillPlanner(root: ShadowRoot): void {
-  fill(root, CSS, STAGE + bar('Download G-code'));
+  fill(root, CSS, STAGE + BAR);
 }
 
 export function fillQuote(root: ShadowRoot): void {
-  fill(root, CSS + REPORT, `${STAGE}<div><p part="price" role="status"></p><dl part="report"></dl></div>${bar('Download the report')}`);
+  fill(root, CSS + REPORT, `${STAGE}<div><p part="price" role="status"></p><dl part="report"></dl></div>${BAR}`);
+}
+
+/** Writes the fixed texts. They are set as text, so that a label cannot contain markup. */
+export function label(root: ShadowRoot, labels: ElementLabels): void {
+  for (const piece of root.querySelectorAll<HTMLElement>('[data-text]')) piece.textContent = String(labels[piece.dataset['text'] as keyof ElementLabels]);
+  for (const piece of root.querySelectorAll<HTMLElement>('[data-label]')) piece.setAttribute('aria-label', String(labels[piece.dataset['label'] as keyof ElementLabels]));
 }
 
 /** Fills a shadow root. It uses a constructed style sheet, because a Content-Security-Policy may forbid style elements. */

@@ -1,8 +1,9 @@
 /** The class of the element `<kerfway-planner>`. See `index.ts` for its use. */
 
-import { duration, plural } from '../cli/words.js';
+import { KerfwayError } from '../errors.js';
 import type { Planned, PlanRun } from '../functions.js';
-import type { PlanJobOptions, Source } from '../options.js';
+import type { Source } from '../bytes.js';
+import type { PlanJobOptions } from '../options.js';
 import type { OutputKind, Progress } from '../protocol.js';
 import { DrawingElement, type DrawingEvents, type ElementState } from './drawing.js';
 import { fillPlanner } from './looks.js';
@@ -12,18 +13,15 @@ export type PlannerEvents = DrawingEvents<Planned<'gcode'>>;
 /** The state of `<kerfway-planner>`. */
 export type PlannerState = ElementState;
 
-/** Savings below this many seconds are not shown: they round to 0.0 s. */
-const LEAST_SAVING = 0.05;
-
 /** The class of `<kerfway-planner>`. */
 export class KerfwayPlanner extends DrawingElement<Planned<'gcode'>, 'gcode'> {
   constructor() {
-    super(fillPlanner);
+    super(fillPlanner, 'Download G-code');
   }
 
   /** Writes the finished plan in another format; see `render`. */
   async render(kind: Exclude<OutputKind, 'json'>, options: { width?: number } = {}): Promise<string | Uint8Array> {
-    if (this.result === null || this.source === null) throw new Error('There is no plan yet. Open a drawing first.');
+    if (this.result === null || this.source === null) throw new KerfwayError('no-plan', 'There is no plan yet. Open a drawing first.');
     return this.functions().render(this.source, this.result, kind, options);
   }
 
@@ -36,9 +34,8 @@ export class KerfwayPlanner extends DrawingElement<Planned<'gcode'>, 'gcode'> {
   }
 
   protected inWords(plan: Progress | Planned<'gcode'>): string {
-    const { total_time, contours } = plan.summary;
-    const saved = 'baselines' in plan ? plan.baselines.drawing.total_time - total_time : 0;
-    return `Job ${duration(total_time)}, ${plural(contours, 'contour')}${saved >= LEAST_SAVING ? `, ${duration(saved)} less than as drawn` : ''}`;
+    const saved = 'baselines' in plan ? plan.baselines.drawing.total_time - plan.summary.total_time : null;
+    return this.words.job(plan.summary, saved);
   }
 
   protected file(): { ending: string; text: string } | null {

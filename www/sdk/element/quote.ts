@@ -1,14 +1,13 @@
 /** The class of the element `<kerfway-quote>`. See `index.ts` for its use. */
 
-import { duration } from '../cli/words.js';
 import type { Planned, PlanRun } from '../functions.js';
-import type { PlanJobOptions, Source } from '../options.js';
+import type { Source } from '../bytes.js';
+import type { PlanJobOptions } from '../options.js';
 import type { Progress } from '../protocol.js';
 import type { Material, Quote } from '../quote.js';
 import { quoteBudget } from '../quote-budget.js';
 import { abortable } from '../with-planner.js';
 import { DrawingElement, type DrawingEvents } from './drawing.js';
-import { facts } from './facts.js';
 import { fillQuote } from './looks.js';
 import { numberIn } from './options.js';
 
@@ -30,7 +29,7 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
   private requested = 0;
 
   constructor() {
-    super(fillQuote);
+    super(fillQuote, 'Download the report');
   }
 
   /** The material of the sheet: the one set here, or else that of the attributes. Setting it makes a new report of the same plan. */
@@ -38,7 +37,12 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
     return this.sheet ?? attributedMaterial(this);
   }
 
-  set material(material: Material | null) {
+  // React and Vue set the property where a page in HTML has the attribute, which is the material's name.
+  set material(material: Material | string | null) {
+    if (typeof material === 'string') {
+      this.setAttribute('material', material);
+      return;
+    }
     this.sheet = material;
     this.reportAgain();
   }
@@ -59,7 +63,7 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
   }
 
   protected inWords({ summary }: Progress | Planned): string {
-    return `Job ${duration(summary.total_time)}`;
+    return this.words.job(summary, null);
   }
 
   protected file(): { ending: string; text: string } | null {
@@ -75,8 +79,8 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
     }
     const number = this.requested;
     this.reported().then(
-      (quote) => this.finish(quote, `Job ${duration(quote.times.total)}`),
-      (error: Error) => {
+      (quote) => this.finish(quote, this.piece('numbers').textContent ?? ''),
+      (error: unknown) => {
         if (number + 1 === this.requested) this.fail(error);
       },
     );
@@ -85,11 +89,11 @@ export class KerfwayQuote extends DrawingElement<Quote, never> {
   private async reported(signal?: AbortSignal): Promise<Quote> {
     const number = (this.requested += 1);
     const planner = await this.opened();
-    const quote = await abortable(planner.quote(this.material), signal);
+    const quote = await abortable(planner.quote({ material: this.material }), signal);
     const price = await abortable(Promise.resolve(this.price?.(quote) ?? ''), signal);
     if (number !== this.requested) throw new DOMException('Another report was requested.', 'AbortError');
     this.piece('price').textContent = price;
-    this.piece('report').replaceChildren(...facts(quote).flatMap(([term, figure]) => [piece('dt', 'term', term), piece('dd', 'figure', figure)]));
+    this.piece('report').replaceChildren(...this.words.facts(quote).flatMap(([term, figure]) => [piece('dt', 'term', term), piece('dd', 'figure', figure)]));
     return quote;
   }
 }

@@ -13,9 +13,11 @@
  * @module kerfway/frame
  */
 
+import { ClosedError, KerfwayError } from '../errors.js';
 import type { Planned } from '../functions.js';
 import { checkOptions, type PlanningOptions } from '../options.js';
 import type { MachineProfile, MethodInfo } from '../protocol.js';
+import type { Material, Quote } from '../quote.js';
 import { MARK, type FromFrame, type Kind, type Marked, type Pace, type ToFrame } from './messages.js';
 
 export type { Kind, Pace } from './messages.js';
@@ -28,8 +30,12 @@ export interface FrameListener {
   onProgress?: (progress: Pace) => void;
   /** A plan has ended. */
   onResult?: (result: Planned<'gcode'>) => void;
-  /** Something failed: one sentence for people, which the frame shows as well. */
-  onError?: (message: string) => void;
+  /** A report of a quote is finished, in a frame with `show=quote` in its address. */
+  onQuote?: (quote: Quote) => void;
+  /** The price of a report in words, or a promise of it, which the frame shows. Without it, or if it throws, the frame shows none. */
+  price?: (quote: Quote) => string | Promise<string>;
+  /** Something failed: one sentence for people, which the frame shows as well, and the error with its code. */
+  onError?: (message: string, error: KerfwayError) => void;
 }
 
 /** The connection of a host to its frame. */
@@ -38,6 +44,10 @@ export interface FrameConnection {
   setOptions(options: PlanningOptions): void;
   /** Plans a drawing in the frame. Rejects with one sentence when it is unusable or another drawing is opened. */
   open(bytes: ArrayBuffer, name: string): Promise<Planned<'gcode'>>;
+  /** Quotes a drawing in a frame with `show=quote` in its address. */
+  quote(bytes: ArrayBuffer, name: string): Promise<Quote>;
+  /** Sets the material of the sheet for quotes. */
+  setMaterial(material: Material): void;
   /** Ends the running search and keeps the best plan. */
   stop(): void;
   /** Writes the finished plan in another format: as text, or as the bytes of a PNG. */
@@ -75,6 +85,14 @@ export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener 
     requests.delete(id);
     if (request !== undefined) how(request);
   };
+  const priceOf = async (quote: Quote) => {
+    try {
+      return String((await listener.price?.(quote)) ?? '');
+    } catch (error) {
+      console.error(error);
+      return '';
+    }
+  };
   const receive = (message: FromFrame) => {
     switch (message.type) {
       case 'ready': {
@@ -88,12 +106,16 @@ export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener 
         return listener.onProgress?.(message.progress);
       case 'result':
         return listener.onResult?.(message.result);
+      case 'quoted':
+        return listener.onQuote?.(message.quote);
+      case 'price':
+        return void priceOf(message.quote).then((text) => post({ type: 'priced', id: message.id, text }));
       case 'error':
-        return listener.onError?.(message.message);
+        return listener.onError?.(message.error.message, KerfwayError.of(message.error));
       case 'answer':
         return settle(message.id, ({ resolve }) => resolve(message.value as never));
       case 'refused':
-        return settle(message.id, ({ reject }) => reject(new Error(message.message)));
+        return settle(message.id, ({ reject }) => reject(KerfwayError.of(message.error)));
     }
   };
   const listen = (event: MessageEvent<Marked<FromFrame> | null>) => {
@@ -111,12 +133,17 @@ export function connectFrame(iframe: HTMLIFrameElement, listener: FrameListener 
       send({ type: 'options', options });
     },
     open: (bytes, name) => ask((id) => ({ type: 'open', id, bytes, name })),
+    quote: (bytes, name) => ask((id) => ({ type: 'open', id, bytes, name })),
+    setMaterial: (material) => {
+      checkOptions({ material }, 'terms');
+      send({ type: 'material', material });
+    },
     stop: () => send({ type: 'stop' }),
     render: (kind, { width } = {}) => ask((id) => ({ type: 'render', id, kind, width: width ?? null })),
     disconnect: () => {
       window.removeEventListener('message', listen);
       iframe.removeEventListener('load', greet);
-      for (const { reject } of requests.values()) reject(new Error('The frame was disconnected.'));
+      for (const { reject } of requests.values()) reject(new ClosedError('The frame was disconnected.'));
       requests.clear();
     },
   };

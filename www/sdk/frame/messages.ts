@@ -5,7 +5,8 @@
 
 import type { Planned } from '../functions.js';
 import type { PlanningOptions } from '../options.js';
-import type { MachineProfile, MethodInfo, OutputKind, Progress } from '../protocol.js';
+import type { ErrorReport, MachineProfile, MethodInfo, OutputKind, Progress } from '../protocol.js';
+import type { Material, Quote } from '../quote.js';
 
 /** The version of these messages. */
 export const MARK = 1;
@@ -25,35 +26,47 @@ export type ToFrame =
   | { type: 'options'; options: PlanningOptions }
   | { type: 'open'; id: number; bytes: ArrayBuffer; name: string }
   | { type: 'stop' }
+  /** The material of the sheet, in a frame that quotes. */
+  | { type: 'material'; material: Material }
+  /** The price of the report that the frame asked about, in words; empty: none. */
+  | { type: 'priced'; id: number; text: string }
   | { type: 'render'; id: number; kind: Kind; width: number | null };
 
 export type FromFrame =
   | { type: 'ready'; machines: readonly MachineProfile[]; methods: readonly MethodInfo[] }
   | { type: 'progress'; progress: Pace }
   | { type: 'result'; result: Planned<'gcode'> }
-  /** One sentence for people. */
-  | { type: 'error'; message: string }
+  | { type: 'quoted'; quote: Quote }
+  /** Asks for the price of a report. */
+  | { type: 'price'; id: number; quote: Quote }
+  | { type: 'error'; error: ErrorReport }
   | { type: 'answer'; id: number; value: unknown }
-  | { type: 'refused'; id: number; message: string };
+  | { type: 'refused'; id: number; error: ErrorReport };
 
 /** A message with its mark, as it is posted. */
 export type Marked<M> = M & { kerfway: typeof MARK };
 
 /** The largest width of a picture, in pixels. */
 const WIDEST = 8192;
+/** The largest number of characters of a price in words. */
+const LONGEST_PRICE = 1000;
 /** The largest number of characters of a file's name. */
 const LONGEST_NAME = 255;
 
 /** Reads `data` as a message to the frame; `null` if it is not exactly one of them. */
 export function messageToFrame(data: unknown): ToFrame | null {
   if (!isRecord(data) || data['kerfway'] !== MARK) return null;
-  const { type, id, bytes, name, options, kind, width } = data;
+  const { type, id, bytes, name, options, kind, width, material, text } = data;
   switch (type) {
     case 'hello':
     case 'stop':
       return { type };
     case 'options':
       return isRecord(options) ? { type, options } : null;
+    case 'material':
+      return isRecord(material) ? { type, material } : null;
+    case 'priced':
+      return isId(id) && typeof text === 'string' && text.length <= LONGEST_PRICE ? { type, id, text } : null;
     case 'open':
       return isId(id) && bytes instanceof ArrayBuffer && isName(name) ? { type, id, bytes, name } : null;
     case 'render':

@@ -314,6 +314,21 @@ export interface MachineProfile {
   max_s: number,
 }
 
+/** The kind of an error. Written in kebab case (`out-of-range`). Later versions may add codes. */
+export type ErrorCode = "unknown-field" | "missing-field" | "wrong-type" | "out-of-range" | "not-a-choice" | "invalid-parameter" | "not-json" | "options-conflict" | "unknown-contour" | "unfit-path" | "not-bytes" | "not-a-drawing" | "empty-drawing" | "too-large" | "nothing-to-cut" | "other-drawing" | "far-from-origin" | "off-bed" | "unwritable" | "not-a-quote" | "download-failed" | "no-drawing" | "no-plan" | "unsound-plan" | "planner-died" | "not-started" | "deadline" | "closed" | "not-in-this-build" | "wrong-usage" | "unreadable-file" | "unwritable-output" | "busy" | "stopping" | "unauthorized" | "not-found" | "method-not-allowed" | "unsupported-media-type" | "malformed-form" | "slow-upload" | "queue-unavailable" | "internal";
+
+/** An error as programs get it. */
+export interface ErrorReport {
+  /** What went wrong. */
+  code: ErrorCode,
+  /** One sentence for people, in English: what, where, what to do. */
+  message: string,
+  /** What the sentence names, by name: `field`, `value`, `least`, `most`, .... */
+  params: Record<string, string | number | string[]>,
+  /** Whether the same call may succeed later, without a change by the caller. */
+  retryable: boolean,
+}
+
 /** The operation for one layer. */
 export interface LayerChoice {
   /** Name of the layer. */
@@ -674,6 +689,30 @@ export interface Material {
   density?: number,
 }
 
+/** Limits of what a shop makes. A limit that is not given is not checked. */
+export interface Limits {
+  /** Least width of a hole, mm: the diameter of a round one, the width of a slot. */
+  smallest_hole?: number,
+  /** Least material between two holes, mm. */
+  smallest_web?: number,
+  /** Least material between a hole and the edge of its part, mm. */
+  hole_to_edge?: number,
+  /** Least width and height of a part, mm, the longer side first. */
+  smallest_part?: [number, number],
+  /** Largest width and height of a part, mm, the longer side first. */
+  largest_part?: [number, number],
+  /** Whether pieces that lie loose in a hole of another part are accepted: the inside of a letter O, a part nested in a part. */
+  floating_pieces?: boolean,
+}
+
+/** What a quote is asked for. */
+export interface QuoteTerms {
+  /** The material of the sheet. */
+  material: Material,
+  /** What the shop can make. Each limit that a part exceeds is reported with its place. */
+  limits: Limits,
+}
+
 /** Seconds of the job, by what they go into. */
 export interface QuoteTimes {
   /** The whole job. */
@@ -704,6 +743,20 @@ export interface QuoteLayer {
   length: number,
 }
 
+/** One part of the sheet. */
+export interface PartItem {
+  /** The id of its outer contour, which identifies the part. */
+  id: number,
+  /** xmin, ymin, xmax, ymax of its outline. */
+  bounds: [number, number, number, number],
+  /** Its own seconds, with its share of the air moves. Those of all parts and `loose_times` add up to the job's. */
+  times: QuoteTimes,
+  /** Number of its piercings. */
+  pierces: number,
+  /** How far its figures can be relied on: the findings that lie on it. */
+  confidence: Confidence,
+}
+
 /** A group of equal parts. */
 export interface PartGroup {
   /** Number of parts in the group. */
@@ -716,6 +769,8 @@ export interface PartGroup {
   holes: number,
   /** Outer contours of the parts, by id. */
   contours: Array<number>,
+  /** Each part of the group, in the order of `contours`. */
+  items: Array<PartItem>,
 }
 
 /** The hole with the least width. */
@@ -753,21 +808,70 @@ export interface Defect {
 /** In one word. */
 export type ConfidenceLevel = "high" | "medium" | "low";
 
+/** The kind of a reason. */
+export type ReasonCode = "units-guessed" | "open-cuts" | "findings";
+
+/** Why figures cannot be relied on. */
+export interface ConfidenceReason {
+  /** The kind of reason. */
+  code: ReasonCode,
+  /** The code of the findings, if they are the reason. */
+  finding: FindingCode | null,
+  /** How many there are. */
+  count: number,
+  /** One sentence for people. */
+  message: string,
+}
+
 /** How far the figures can be relied on. */
 export interface Confidence {
   /** In one word. */
   level: ConfidenceLevel,
   /** Why it is not high. */
-  reasons: Array<string>,
+  reasons: Array<ConfidenceReason>,
+}
+
+/** What a limit is about. */
+export type LimitCode = "hole-too-small" | "web-too-thin" | "hole-too-close-to-edge" | "part-too-small" | "part-too-large" | "floating-piece";
+
+/** A place where a part exceeds a limit. */
+export interface LimitExceeded {
+  /** What the limit is about. */
+  code: LimitCode,
+  /** The part: the id of its outer contour. */
+  part: number,
+  /** The contours concerned. */
+  contours: Array<number>,
+  /** The place, mm. */
+  at: [number, number],
+  /** The measured length, mm; `null` for a floating piece. */
+  measured: number | null,
+  /** The limit, mm; `null` for a floating piece. */
+  limit: number | null,
+  /** One sentence for people. */
+  message: string,
+}
+
+/** The limits as given, and where they are exceeded. */
+export interface LimitChecks {
+  /** The limits; those that are `null` were not checked. */
+  limits: { [K in keyof Required<Limits>]: Required<Limits>[K] | null },
+  /** Where they are exceeded, by part; at most 200 of each kind. */
+  exceeded: Array<LimitExceeded>,
+  /** Number of further places that are not listed. */
+  unlisted: number,
 }
 
 /** What a price depends on. Lengths are in mm, areas in mm2, times in s, weights in g. docs/quote.md describes every field. */
 export interface Quote {
   /** Name and version of the format. */
-  schema: 'kerfway.quote/1',
+  schema: 'kerfway.quote/2',
+  /** The version of the planner that made the report. It is not part of the hash. */
+  version: string,
   /**
-   * SHA-256 of the whole report with this field empty. The same drawing, options, seed and moves give the same hash
-   * natively, in Node and in every browser. A server that plans again with `moves` can confirm the report of a browser.
+   * SHA-256 of the whole report with `hash`, `version` and `input.name` empty. The same drawing, options, seed and moves give the same
+   * hash natively, in Node and in every browser, whatever the file is called. A server that plans again with `moves` can confirm
+   * the report of a browser.
    */
   hash: string,
   /** The drawing. */
@@ -785,6 +889,8 @@ export interface Quote {
   machine: MachineProfile,
   /** How the drawing was read and arranged, as in the plan document. */
   options: Record<string, unknown>,
+  /** Where the job lies on the bed; `null`: where it was drawn. */
+  placement: { shift: [number, number], start: Start } | null,
   /** Name of the search method. */
   method: string,
   /** Parameters of the method; `null` if all are the defaults. */
@@ -799,6 +905,8 @@ export interface Quote {
   material: { [K in keyof Required<Material>]: Required<Material>[K] | null },
   /** Seconds of the job. */
   times: QuoteTimes,
+  /** Seconds of cuts and marks that belong to no part. Those of all parts and these add up to `times`. */
+  loose_times: QuoteTimes,
   /** Length of cuts and marks. */
   cut_length: number,
   /** Length of air moves. */
@@ -825,6 +933,8 @@ export interface Quote {
   smallest_hole: SmallestHole | null,
   /** The narrowest web: where two cuts of one part are closest to each other. */
   narrowest_web: NarrowestWeb | null,
+  /** Where the drawing exceeds the limits of the shop, if limits were given. */
+  checks: LimitChecks | null,
   /** What a person should look at before cutting. */
   defects: Array<Defect>,
   /** How far the figures can be relied on. */

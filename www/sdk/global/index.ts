@@ -15,11 +15,19 @@ import text from './planner.worker';
 
 let address: string | null = null;
 
-const start = webWorkers(() => {
-  address ??= URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
-  return new Worker(address);
-});
+const workers = () =>
+  webWorkers(() => {
+    address ??= URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
+    return new Worker(address);
+  });
 
-export const { createPlanner, createPool, inspect, plan, quote, render, check } = entry(() => WebAssembly.compile(wasm), start, () => navigator.hardwareConcurrency);
+export const { configure, createPlanner, createPool, inspect, plan, quote, render, check, verifyQuote } = entry({
+  read: () => WebAssembly.compile(wasm),
+  workers,
+  processors: () => navigator.hardwareConcurrency,
+});
+export { basket, priceBreaks } from '../basket.js';
+export { partThumbnail } from '../thumbnail.js';
+export { isKerfwayError, KerfwayError } from '../errors.js';
 
 defineElements(() => createPlanner());

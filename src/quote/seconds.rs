@@ -1,0 +1,100 @@
+//! The seconds of each part: its cuts, its piercings, and a share of the moves with the beam off.
+//!
+//! What a part takes by itself (cuts, marks on it, piercings, pre-cuts, pauses in corners) is charged to it. A cut along a
+//! side that parts share is divided equally between the contours that it runs along. Air moves belong to no part; they are
+//! shared by the number of places where the beam is switched on, so that equal parts cost the same wherever they lie.
+//! Marks and cuts that belong to no part are kept apart, so that all together add up to the job.
+
+use super::times::Times;
+use crate::geometry::DVec2;
+use crate::machine::cut_time;
+use crate::plan::document::{Contours, Document, Move, segments};
+use crate::sheet::Operation;
+
+/// Times and piercings of one part, or of what belongs to no part.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Seconds {
+    pub(super) times: Times,
+    pub(super) pierces: u32,
+    /// Number of places where the beam is switched on.
+    starts: f64,
+}
+
+/// The seconds of each part, and of what belongs to none. `part_of` gives the part of a contour.
+pub(super) fn seconds(
+    document: &Document,
+    parts: usize,
+    part_of: &[Option<usize>],
+) -> (Vec<Seconds>, Seconds) {
+    // The last place holds what belongs to no part.
+    let mut all = vec![Seconds::default(); parts + 1];
+    let owner = |contour: u32| part_of.get(contour as usize).copied().flatten().unwrap_or(parts);
+    let machine = &document.machine;
+    let mut at = machine.home();
+    let (mut pierces, mut dark) = (0, true);
+    for step in &document.moves {
+        match step {
+            Move::Air { to } => (at, dark) = (DVec2::from(*to), true),
+            Move::Pierce => pierces += 1,
+            Move::PreCut { contour, to, .. } => {
+                at = DVec2::from(*to);
+                all[owner(*contour)].times.pre_cut += machine.pre_cut_time.unwrap_or(0.0);
+            }
+            Move::Macro { contour, .. } => all[owner(*contour)].times.macros += machine.macro_time(),
+            Move::Cut { contour, path } => {
+                let ids: &[u32] = match contour {
+                    Contours::One(id) => &[*id],
+                    Contours::Several(ids) => ids,
+                };
+                let path = segments(path, &mut at);
+                let first = ids.first().and_then(|&id| document.contours.get(id as usize));
+                let mark = first.is_some_and(|c| c.operation == Operation::Mark);
+                let share = 1.0 / ids.len().max(1) as f64;
+                let cut = cut_time(machine, machine.process(mark), &path) * share;
+                for &id in ids {
+                    all[owner(id)].times.cut += cut;
+                }
+                let entered = &mut all[ids.first().map_or(parts, |&id| owner(id))];
+                entered.pierces += pierces;
+                entered.times.pierce += machine.beam_delays() + f64::from(pierces) * machine.pierce_time;
+                entered.starts += f64::from(u8::from(dark));
+                (pierces, dark) = (0, false);
+            }
+        }
+    }
+    let starts: f64 = all.iter().map(|s| s.starts).sum();
+    for s in &mut all {
+        s.times.air = if starts > 0.0 { document.summary.air_time * s.starts / starts } else { 0.0 };
+    }
+    add_up(&mut all, document);
+    let loose = all.pop().unwrap_or_default();
+    (all, loose)
+}
+
+/// One kind of time.
+type Kind = fn(&mut Times) -> &mut f64;
+
+/// Scales each kind of time so that all add up to the job's: a document writes some arcs as chords or as halves, and
+/// its times differ from the job's by rounding.
+fn add_up(all: &mut [Seconds], document: &Document) {
+    let s = &document.summary;
+    let kinds: [(Kind, f64); 5] = [
+        (|t| &mut t.cut, s.cut_time),
+        (|t| &mut t.air, s.air_time),
+        (|t| &mut t.pierce, s.pierce_time),
+        (|t| &mut t.pre_cut, s.pre_cut_time),
+        (|t| &mut t.macros, s.macro_time),
+    ];
+    for (kind, whole) in kinds {
+        let sum: f64 = all.iter_mut().map(|s| *kind(&mut s.times)).sum();
+        if sum > 0.0 {
+            all.iter_mut().for_each(|s| *kind(&mut s.times) *= whole / sum);
+        } else if let Some(loose) = all.last_mut() {
+            *kind(&mut loose.times) = whole;
+        }
+    }
+    for s in all {
+        let t = &mut s.times;
+        t.total = t.cut + t.air + t.pierce + t.pre_cut + t.macros;
+    }
+}

@@ -1,0 +1,186 @@
+// kerfway serve: uploads of all kinds, errors with codes, keys, CORS, backpressure, an orderly stop, and its description.
+
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { connect } from 'node:net';
+import { join } from 'node:path';
+import { describe, it } from 'node:test';
+import { setTimeout as wait } from 'node:timers/promises';
+import { Validator } from '@seriousme/openapi-schema-validator';
+import { quote } from 'kerfway';
+import { keysIn } from '../../dist/sdk/server/keys.js';
+import { safeName } from '../../dist/sdk/server/body.js';
+import { hostile } from './hostile.mjs';
+import { form, serve } from './serving.mjs';
+import { bytes, circle, dxf, folder, kerfway, KEYBOARD, square } from './support.mjs';
+
+const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
+const SHORT = 'moves=1000&seed=1';
+
+async function refused(response, status, code) {
+  const { error } = await response.json();
+  assert.deepEqual([response.status, error.code], [status, code], error.message);
+  assert.deepEqual(Object.keys(error), ['code', 'message', 'params', 'retryable']);
+  return error;
+}
+
+describe('the service', () => {
+  it('takes a drawing alone or in a form, under any content type, and comes to the hash of the package', async (t) => {
+    const { send } = await serve(t);
+    const { hash, confidence } = await quote(bytes(KEYBOARD), { moves: 1000, seed: 1, material: { thickness: 3, density: 7.85 } });
+    const query = `/quote?name=keyboard.dxf&${SHORT}&material.thickness=3&material.density=7.85`;
+    for (const type of ['image/vnd.dxf', 'application/octet-stream', 'application/x-www-form-urlencoded', 'text/plain']) {
+      const report = await (await send(query, bytes(KEYBOARD), { headers: { 'content-type': type } })).json();
+      assert.deepEqual([report.hash, report.input.name], [hash, 'keyboard.dxf'], type);
+    }
+    const options = { moves: 1000, seed: 1, material: { thickness: 3, density: 7.85 } };
+    const inForm = await (await send('/quote', form(bytes(KEYBOARD), 'board.dxf', { options }))).json();
+    // A reader that looked for the drawing inside the envelope would find damage around it.
+    assert.deepEqual([inForm.hash, inForm.input.name, inForm.confidence], [hash, 'board.dxf', confidence]);
+    const asJson = await (await send(`/quote?options=${encodeURIComponent(JSON.stringify(options))}`, bytes(KEYBOARD))).json();
+    assert.equal(asJson.hash, hash);
+  });
+
+  it('plans, and describes drawings with pictures of their parts', async (t) => {
+    const { send } = await serve(t);
+    const planned = await (await send(`/plan?${SHORT}&outputs=gcode,png`, PLATE)).json();
+    assert.equal(planned.schema, 'kerfway.planned/1');
+    assert.match(planned.outputs.gcode, /^G21 /m);
+    assert.equal(Buffer.from(planned.outputs.png, 'base64').subarray(1, 4).toString(), 'PNG');
+    const seen = await (await send('/inspect?thumbnails=64', PLATE)).json();
+    assert.deepEqual([seen.schema, seen.totals.closed, Object.keys(seen.thumbnails)], ['kerfway.inspect/1', 2, ['0']]);
+    assert.match(seen.thumbnails[0], /^<svg [^>]*width="64"/);
+  });
+
+  it('refuses with a status, a code and the name of the field', async (t) => {
+    const { url, send } = await serve(t, '--largest', '0.1', '--most-seconds', '5');
+    const field = async (query, status, code) => (await refused(await send(query, PLATE), status, code)).params.field;
+    assert.equal(await field('/quote?secnds=1', 400, 'unknown-field'), 'secnds');
+    assert.equal(await field('/quote?seconds=600', 400, 'out-of-range'), 'seconds');
+    assert.equal(await field('/quote?seconds=soon', 400, 'wrong-type'), 'seconds');
+    assert.equal(await field('/quote?workers=8', 400, 'unknown-field'), 'workers');
+    assert.equal(await field('/quote?machine=co2-10w', 400, 'not-a-choice'), 'machine');
+    assert.equal(await field('/quote?material.thickness=0', 400, 'out-of-range'), 'material.thickness');
+    assert.equal(await field('/quote?options=[1]', 400, 'wrong-type'), 'options');
+    assert.equal(await field('/quote?options={', 400, 'not-json'), 'options');
+    assert.equal(await field('/quote?__proto__=1', 400, 'unknown-field'), '__proto__');
+    assert.equal(await field('/inspect?thumbnails=x', 400, 'out-of-range'), 'thumbnails');
+    await refused(await send('/quote', new Uint8Array(0)), 422, 'not-a-drawing');
+    await refused(await send('/quote', new Uint8Array(200_000)), 413, 'too-large');
+    await refused(await send('/quote', PLATE, { headers: { 'content-type': 'multipart/mixed; boundary=x' } }), 415, 'unsupported-media-type');
+    await refused(await send('/quote', `--x\r\nContent-Disposition: form-data; name="a"\r\n\r\n`), 415, 'unsupported-media-type');
+    await refused(await fetch(`${url}/nothing`), 404, 'not-found');
+    const wrong = await fetch(`${url}/quote`);
+    assert.equal(wrong.headers.get('allow'), 'POST');
+    await refused(wrong, 405, 'method-not-allowed');
+  });
+
+  it('refuses forms without a file, with several, with too many parts, and broken ones', async (t) => {
+    const { send } = await serve(t);
+    const two = form(PLATE, 'a.dxf');
+    two.append('second', new Blob([PLATE]), 'b.dxf');
+    const many = form(PLATE, 'a.dxf', Object.fromEntries(Array.from({ length: 40 }, (_, k) => [`f${k}`, 'x'])));
+    const none = new FormData();
+    none.set('options', '{}');
+    for (const body of [two, many, none]) await refused(await send('/quote', body), 400, 'malformed-form');
+    for (const type of ['multipart/form-data', 'multipart/form-data; boundary=other']) await refused(await send('/quote', PLATE, { headers: { 'content-type': type } }), 400, 'malformed-form');
+  });
+
+  it('needs a key when it has keys, but not for its health', async (t) => {
+    const at = folder(t);
+    writeFileSync(join(at, 'keys'), '# shops\nshop-a 0123456789abcdef0123\nfedcba98765432100000\n');
+    const { url, send, log, stop } = await serve(t, '--keys', join(at, 'keys'));
+    await refused(await send(`/quote?${SHORT}`, PLATE), 401, 'unauthorized');
+    await refused(await send(`/quote?${SHORT}`, PLATE, { headers: { authorization: 'Bearer wrong' } }), 401, 'unauthorized');
+    await refused(await fetch(`${url}/metrics`), 401, 'unauthorized');
+    for (const headers of [{ authorization: 'Bearer 0123456789abcdef0123' }, { 'x-api-key': 'fedcba98765432100000' }]) {
+      assert.equal((await send(`/quote?${SHORT}`, PLATE, { headers })).status, 200);
+    }
+    assert.equal((await fetch(`${url}/healthz`)).status, 200);
+    await stop();
+    assert.doesNotMatch(JSON.stringify(log), /0123456789abcdef0123|fedcba98765432100000/);
+    assert.throws(() => keysIn('short'), /16/);
+    assert.throws(() => keysIn('# none\n'), /no key/);
+  });
+
+  it('answers pages of the configured origins only', async (t) => {
+    const { url, send } = await serve(t, '--cors', 'https://shop.example');
+    const asked = await fetch(`${url}/quote`, { method: 'OPTIONS', headers: { origin: 'https://shop.example', 'access-control-request-method': 'POST' } });
+    assert.deepEqual([asked.status, asked.headers.get('access-control-allow-origin')], [204, 'https://shop.example']);
+    const other = await send(`/quote?${SHORT}`, PLATE, { headers: { origin: 'https://else.example' } });
+    assert.equal(other.headers.get('access-control-allow-origin'), null);
+  });
+
+  it('answers 429 with Retry-After when it is full, and loses nothing that it has taken', async (t) => {
+    const { url, send, metric } = await serve(t, '--workers', '1', '--waiting', '2');
+    const answers = await Promise.all(Array.from({ length: 24 }, () => send('/quote?moves=200000&seed=1', bytes(KEYBOARD))));
+    const full = answers.filter((a) => a.status === 429);
+    const done = answers.filter((a) => a.status === 200);
+    assert.equal(full.length + done.length, 24);
+    assert.ok(full.length > 0 && done.length >= 3, `${full.length} refused`);
+    const error = await refused(full[0], 429, 'busy');
+    assert.deepEqual([full[0].headers.get('retry-after'), error.retryable], [String(error.params.retryAfter), true]);
+    const hashes = new Set(await Promise.all(done.map(async (a) => (await a.json()).hash)));
+    assert.equal(hashes.size, 1);
+    assert.equal((await fetch(`${url}/healthz`)).status, 200);
+    assert.equal(await metric('kerfway_errors_total'), full.length);
+  });
+
+  it('finishes what runs when it is stopped, and refuses what comes then', async (t) => {
+    const { child, url, send, log } = await serve(t, '--workers', '1');
+    const running = send('/plan?seconds=2&seed=1', bytes(KEYBOARD));
+    await wait(800);
+    child.kill('SIGTERM');
+    await wait(200);
+    await assert.rejects(fetch(`${url}/healthz`));
+    assert.equal((await running).status, 200);
+    if (child.exitCode === null) await new Promise((resolve) => child.once('exit', resolve));
+    assert.deepEqual(log.map((l) => l.event), ['started', 'stopping', 'request', 'stopped']);
+    assert.equal(child.exitCode, 0);
+  });
+
+  it('ends a slow upload and a drawing that takes too long', async (t) => {
+    const { url, send } = await serve(t, '--upload-seconds', '0.5', '--deadline', '3');
+    const { hostname, port } = new URL(url);
+    const socket = connect(Number(port), hostname);
+    socket.write('POST /quote HTTP/1.1\r\nHost: x\r\nContent-Length: 1000\r\n\r\n0\n');
+    const said = await new Promise((resolve) => socket.once('data', (data) => resolve(String(data))));
+    assert.match(said, /^HTTP\/1\.1 408 [\s\S]*"slow-upload"/);
+    socket.destroy();
+    await refused(await send('/plan?moves=100000000&seed=1', bytes(KEYBOARD)), 504, 'deadline');
+    assert.equal((await send(`/quote?${SHORT}`, PLATE)).status, 200);
+  });
+
+  it('stays well under uploads of which a third are hostile', async (t) => {
+    const { url, send, metric } = await serve(t, '--largest', '1', '--upload-seconds', '1');
+    const said = await hostile({ url, send, metric, uploads: 90, atOnce: 8 });
+    assert.deepEqual(said.wrong, []);
+  });
+
+  it('describes itself in valid OpenAPI', async (t) => {
+    const { url } = await serve(t);
+    const described = await (await fetch(`${url}/openapi.json`)).json();
+    const { valid, errors } = await new Validator().validate(structuredClone(described));
+    assert.equal(valid, true, JSON.stringify(errors));
+    // tests/package/matrix/service.test.mjs generates a client from it.
+  });
+
+  it('is started with settings that make sense, or not at all', async (t) => {
+    for (const [args, exit, says] of [
+      [['--port', '99999'], 2, /--port 99999/], [['--workers', '0'], 2, /--workers 0/], [['--cors', 'shop.example'], 2, /--cors/], [['plate.dxf'], 2, /options only/],
+      [['--keys', join(folder(t), 'none')], 1, /cannot be read/], [['--queue', 'localhost'], 2, /--queue/],
+    ]) {
+      const { code, stderr } = await kerfway('serve', ...args);
+      assert.deepEqual([code, says.test(stderr)], [exit, true], stderr);
+    }
+    assert.equal((await kerfway('work')).code, 2);
+  });
+});
+
+describe('names of files', () => {
+  it('lose their folders and control characters', () => {
+    for (const [given, name] of [['../../etc/passwd', 'passwd'], ['C:\\x\\plate.dxf', 'plate.dxf'], ['a\u0000b\u001b[2J.dxf', 'ab[2J.dxf'], ['..', 'drawing.dxf'], ['', 'drawing.dxf'], [null, 'drawing.dxf'], ['x'.repeat(400), 'x'.repeat(255)]]) {
+      assert.equal(safeName(given), name);
+    }
+  });
+});

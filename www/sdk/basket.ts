@@ -1,0 +1,134 @@
+/** Several quotes together, and one in several quantities: seconds, weight, and an estimate of the sheets. No prices. */
+
+import { check, optional, type Range, type Shape } from './check.js';
+import { KerfwayError } from './errors.js';
+import type { Quote } from './quote.js';
+import { sheetsFor, type SheetEstimate, type Stock } from './sheets.js';
+
+/** A drawing of a basket: its report, and how many times it is ordered. */
+export interface BasketItem {
+  report: Quote;
+  /** Number of copies of the drawing. Default 1. */
+  quantity?: number;
+}
+
+/** What a basket or a price break is computed with. */
+export interface BasketOptions {
+  /** The sheets in stock. Without it there is no estimate of sheets. */
+  stock?: Stock;
+}
+
+/** A line of a basket. */
+export interface BasketLine {
+  /** Name and hash of the drawing's report. */
+  name: string;
+  hash: string;
+  quantity: number;
+  /** Number of parts of all copies. */
+  part_count: number;
+  /** Seconds of all copies. */
+  times: Quote['times'];
+  /** Weight of all copies, g. */
+  weight: number | null;
+}
+
+/** Several drawings together (`kerfway.basket/1`). Times in s, areas in mm2, weights in g. */
+export interface Basket {
+  schema: 'kerfway.basket/1';
+  items: BasketLine[];
+  part_count: number;
+  times: Quote['times'];
+  net_area: number;
+  /** The weight of everything, if that of every drawing is known. */
+  weight: number | null;
+  /** The sheets that all parts need together; `null` without a stock. */
+  sheets: SheetEstimate | null;
+}
+
+/** One quantity of a drawing. */
+export interface PriceBreak extends BasketLine {
+  sheets: SheetEstimate | null;
+}
+
+const LENGTH: Range = { least: 1, most: 1e5, or_zero: false, unit: 'mm', why: 'sheets are made in millimetres to tens of metres' };
+const EDGE: Range = { least: 0, most: 1000, or_zero: false, unit: 'mm', why: 'a wider one would leave no sheet' };
+const STOCK: Shape = {
+  owner: 'The stock', item: 'field', value: "The stock's field",
+  fields: [
+    { ...optional('width', { number: LENGTH }), required: true }, { ...optional('height', { number: LENGTH }), required: true },
+    optional('gap', { number: EDGE }), optional('margin', { number: EDGE }),
+  ],
+};
+const COUNT: Range = { least: 1, most: 1e6, or_zero: false, unit: '', why: 'it is a number of copies' };
+
+/** Throws a `KerfwayError` unless this is a number of copies. */
+export function checkQuantity(field: string, quantity: unknown): number {
+  if (typeof quantity === 'number' && Number.isInteger(quantity) && quantity >= COUNT.least && quantity <= COUNT.most) return quantity;
+  throw new KerfwayError('out-of-range', `The quantity "${field}" is ${String(quantity)}. Give a whole number from ${COUNT.least} to ${COUNT.most}: ${COUNT.why}.`, {
+    field, value: String(quantity), least: COUNT.least, most: COUNT.most,
+  });
+}
+
+/** Throws a `KerfwayError` unless these are sheets. */
+export function checkStock(stock: unknown): void {
+  check(STOCK, stock);
+}
+
+/** Adds up several reports, each so many times. It computes nothing that the reports do not say, except the estimate of sheets. */
+export function basket(items: readonly BasketItem[], { stock }: BasketOptions = {}): Basket {
+  if (stock !== undefined) checkStock(stock);
+  const lines = items.map(({ report, quantity = 1 }, k) => lineOf(checkReport(report, `items[${k}].report`), checkQuantity(`items[${k}].quantity`, quantity)));
+  const weights = lines.map((l) => l.weight);
+  return {
+    schema: 'kerfway.basket/1',
+    items: lines,
+    part_count: sum(lines, (l) => l.part_count),
+    times: lines.reduce((total, l) => added(total, l.times), NO_TIMES),
+    net_area: items.reduce((total, { report, quantity = 1 }) => total + report.net_area * quantity, 0),
+    weight: weights.includes(null) ? null : sum(weights, (w) => w ?? 0),
+    sheets: stock === undefined ? null : sheetsFor(items.flatMap(({ report, quantity = 1 }) => boxesOf(report, quantity)), stock),
+  };
+}
+
+/** Seconds, weight and sheets of several quantities of one drawing, for prices that fall with the quantity. */
+export function priceBreaks(report: Quote, quantities: readonly number[], { stock }: BasketOptions = {}): PriceBreak[] {
+  if (stock !== undefined) checkStock(stock);
+  checkReport(report, 'report');
+  return quantities.map((quantity, k) => {
+    const line = lineOf(report, checkQuantity(`quantities[${k}]`, quantity));
+    return { ...line, sheets: stock === undefined ? null : sheetsFor(boxesOf(report, quantity), stock) };
+  });
+}
+
+const NO_TIMES: Quote['times'] = { total: 0, cut: 0, air: 0, pierce: 0, pre_cut: 0, macros: 0 };
+
+function lineOf(report: Quote, quantity: number): BasketLine {
+  const times = Object.fromEntries(Object.entries(report.times).map(([kind, seconds]) => [kind, seconds * quantity])) as unknown as Quote['times'];
+  return {
+    name: report.input.name, hash: report.hash, quantity,
+    part_count: report.part_count * quantity,
+    times,
+    weight: report.weight === null ? null : report.weight * quantity,
+  };
+}
+
+function added(a: Quote['times'], b: Quote['times']): Quote['times'] {
+  return Object.fromEntries(Object.entries(a).map(([kind, seconds]) => [kind, seconds + b[kind as keyof Quote['times']]])) as unknown as Quote['times'];
+}
+
+function boxesOf(report: Quote, quantity: number): { width: number; height: number; count: number }[] {
+  return report.parts.flatMap((group) => group.items.map(({ bounds: [x0, y0, x1, y1] }) => ({ width: x1 - x0, height: y1 - y0, count: quantity })));
+}
+
+function sum<T>(list: readonly T[], of: (item: T) => number): number {
+  return list.reduce((total, item) => total + of(item), 0);
+}
+
+/** Throws a `KerfwayError` unless this is a report of a version that can be read. */
+export function checkReport(report: unknown, field: string): Quote {
+  const schema = typeof report === 'object' && report !== null ? (report as Partial<Quote>).schema : undefined;
+  if (schema === 'kerfway.quote/2') return report as Quote;
+  const version = typeof schema === 'string' && /^kerfway\.quote\/\d{1,3}$/.test(schema);
+  const sentence = version ? `The report is of the version ${schema}; this Kerfway reads kerfway.quote/2. Make the quote again.` : 'This is no report of a quote (kerfway.quote/2).';
+  throw new KerfwayError('not-a-quote', sentence, { field });
+}

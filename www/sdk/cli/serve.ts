@@ -1,0 +1,93 @@
+/** `kerfway serve` and `kerfway work`: the HTTP service, and the workers of its queue. */
+
+import { readFile } from 'node:fs/promises';
+import { availableParallelism } from 'node:os';
+import { reportOf } from '../errors.js';
+import { keysIn } from '../server/keys.js';
+import { jsonLog } from '../server/log.js';
+import { poolBackend } from '../server/pool-backend.js';
+import { queueBackend, queueWorker } from '../server/queue.js';
+import { serve as serving } from '../server/serve.js';
+import { DEFAULTS, type ServerSettings } from '../server/settings.js';
+import { parsedOptions, positive, text, whole, type Words } from './arguments.js';
+import { packageVersion } from './help.js';
+import { Unusable, WrongUse } from './io.js';
+
+export async function serve(args: string[]): Promise<void> {
+  const settings = await settingsOf(parsedOptions('serve', args));
+  const backend = settings.queue === null ? poolBackend(settings) : await started(queueBackend(settings.queue, settings, jsonLog));
+  const service = await started(serving(settings, backend, await packageVersion(), jsonLog));
+  process.stdout.write(`Kerfway listens on ${service.url}\n`);
+  await untilStopped(() => service.stop());
+}
+
+export async function work(args: string[]): Promise<void> {
+  const settings = await settingsOf(parsedOptions('work', args));
+  if (settings.queue === null) throw new WrongUse('Say where the queue is: --queue redis://HOST:6379.');
+  const worker = await started(queueWorker(settings.queue, settings, jsonLog));
+  process.stdout.write('Kerfway takes jobs from the queue\n');
+  await untilStopped(() => worker.stop());
+}
+
+/** Waits for the signal to stop. A second one ends the process at once. */
+async function untilStopped(stop: () => Promise<void>): Promise<void> {
+  await new Promise<void>((resolve) => {
+    for (const signal of ['SIGINT', 'SIGTERM'] as const) process.once(signal, () => resolve());
+  });
+  process.once('SIGINT', () => process.exit(130));
+  await stop();
+}
+
+async function started<T>(work: Promise<T>): Promise<T> {
+  try {
+    return await work;
+  } catch (error) {
+    const { code } = error as NodeJS.ErrnoException;
+    if (code === 'EADDRINUSE') throw new Unusable('The port is in use. Choose another with --port.');
+    if (code === 'EACCES') throw new Unusable('The system does not allow this port. Choose one above 1023 with --port.');
+    throw new Unusable(reportOf(error).message);
+  }
+}
+
+async function settingsOf({ values }: Words): Promise<ServerSettings> {
+  const number = (name: string, fallback: number) => positive(values, name) ?? fallback;
+  const port = whole(values, 'port') ?? DEFAULTS.port;
+  if (port > 65_535) throw new WrongUse(`--port ${port}: give a number from 0 to 65535.`);
+  const queue = text(values, 'queue') ?? null;
+  if (queue !== null && !/^rediss?:\/\/\S+$/.test(queue)) throw new WrongUse(`--queue ${queue}: give an address like redis://localhost:6379.`);
+  const keys = text(values, 'keys');
+  const workers = whole(values, 'workers') ?? availableParallelism();
+  if (workers < 1 || workers > 256) throw new WrongUse(`--workers ${workers}: give a number from 1 to 256.`);
+  return {
+    host: text(values, 'host') ?? DEFAULTS.host,
+    port,
+    workers,
+    waiting: whole(values, 'waiting') ?? DEFAULTS.waiting,
+    largest: number('largest', DEFAULTS.largest / 2 ** 20) * 2 ** 20,
+    upload: number('upload-seconds', DEFAULTS.upload),
+    deadline: number('deadline', DEFAULTS.deadline),
+    mostSeconds: number('most-seconds', DEFAULTS.mostSeconds),
+    mostMoves: whole(values, 'most-moves') ?? DEFAULTS.mostMoves,
+    grace: number('grace', DEFAULTS.grace),
+    cors: ((values['cors'] as string[] | undefined) ?? []).map(origin),
+    keys: keys === undefined ? DEFAULTS.keys : await keysOf(keys),
+    queue,
+    expires: number('expires', DEFAULTS.expires),
+  };
+}
+
+function origin(word: string): string {
+  if (word === '*' || (URL.canParse(word) && new URL(word).origin === word)) return word;
+  throw new WrongUse(`--cors ${word}: give an origin like https://shop.example, or *.`);
+}
+
+async function keysOf(file: string): Promise<ReadonlyMap<string, string>> {
+  const content = await readFile(file, 'utf8').catch(() => {
+    throw new Unusable(`${file} cannot be read. Give a file with one key per line.`);
+  });
+  try {
+    return keysIn(content);
+  } catch (error) {
+    throw new Unusable(`${file}: ${(error as Error).message}`);
+  }
+}

@@ -1,0 +1,34 @@
+/** Where the files of the package are, for hosts that serve them from another place. */
+
+import type { WasmBytes, WasmModule } from './wasm-module.js';
+
+/** Options that say where the planner runs and where its files are. */
+export interface Places {
+  /**
+   * `false`: plan in the caller's thread instead of a worker, in slices of some milliseconds between which the event loop runs.
+   * For places that have no workers. It has everything except the PNG renderer and the methods from papers.
+   */
+  worker?: boolean;
+  /** The address of a file of the package (`worker.js`, `kerfway_bg.wasm`), for hosts that serve them from a place of their own. */
+  locate?: (file: string) => string | URL;
+  /** The address of `kerfway_bg.wasm`. Overrides `locate`. */
+  wasmUrl?: string | URL;
+  /** The address of `worker.js`. Overrides `locate`. */
+  workerUrl?: string | URL;
+}
+
+/** Where all planners run and where their files are: see `configure`. */
+export interface Configuration extends Places {
+  /** The compiled planner or its bytes. Default: the wasm file beside the package. */
+  wasm?: WasmModule | WasmBytes;
+}
+
+/** The address of the wasm file that these options give; `undefined`: beside the package. */
+export function wasmAt({ wasmUrl, locate }: Places): string | URL | undefined {
+  return wasmUrl ?? locate?.('kerfway_bg.wasm');
+}
+
+/** The address of the worker's script that these options give; `undefined`: beside the package. */
+export function workerAt({ workerUrl, locate }: Places): string | URL | undefined {
+  return workerUrl ?? locate?.('worker.js');
+}

@@ -1,0 +1,225 @@
+/**
+ * The HTTP service: receives drawings, answers with JSON. Every answer but 200 and 202 has `{ "error": { code, message, params,
+ * retryable } }`. A service that is full says so with 429 before it reads a body, and one that stops finishes what runs.
+ */
+
+import { createServer, type IncomingMessage, type Server, type ServerResponse } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { KerfwayError, reportOf } from '../errors.js';
+import type { ErrorReport } from '../generated/types.js';
+import { safeName, uploadOf } from './body.js';
+import type { Backend } from './backend.js';
+import { keyOf } from './keys.js';
+import type { Log } from './log.js';
+import { Metrics } from './metrics.js';
+import { openapi } from './openapi.js';
+import { JOB_KINDS, requestOptions, type JobKind } from './request-options.js';
+import type { ServerSettings } from './settings.js';
+import { statusOf, told } from './status.js';
+
+/** A running service. */
+export interface Service {
+  /** Its address. */
+  url: string;
+  /** Refuses new work, finishes what runs, and ends. */
+  stop(): Promise<void>;
+}
+
+/** Seconds after which a refused request may try again: about the time of a few drawings. */
+const RETRY_AFTER = 5;
+/** Milliseconds in which the headers of a request must have arrived. */
+const HEADERS_TIMEOUT = 10_000;
+
+/** Starts the service. */
+export async function serve(settings: ServerSettings, backend: Backend, version: string, log: Log): Promise<Service> {
+  const service = new HttpService(settings, backend, version, log);
+  return service.start();
+}
+
+/** The answer to a request. */
+interface Reply {
+  status: number;
+  body: string;
+  type?: string;
+  headers?: Record<string, string>;
+  /** The code of the error. */
+  code?: string;
+}
+
+class HttpService {
+  private readonly server: Server;
+  private readonly metrics: Metrics;
+  private readonly running = new Set<AbortController>();
+  private stopping = false;
+
+  constructor(
+    private readonly settings: ServerSettings,
+    private readonly backend: Backend,
+    private readonly version: string,
+    private readonly log: Log,
+  ) {
+    this.metrics = new Metrics({ waiting: () => backend.waiting(), running: () => this.running.size });
+    this.server = createServer({ headersTimeout: HEADERS_TIMEOUT, requestTimeout: (settings.upload + 30) * 1000, keepAliveTimeout: 5_000 }, (request, response) => {
+      void this.handle(request, response);
+    });
+  }
+
+  async start(): Promise<Service> {
+    const { host, port } = this.settings;
+    await new Promise<void>((resolve, reject) => {
+      this.server.once('error', reject);
+      this.server.listen(port, host, resolve);
+    });
+    const address = this.server.address() as AddressInfo;
+    const url = `http://${address.family === 'IPv6' ? `[${address.address}]` : address.address}:${address.port}`;
+    this.log('info', 'started', { url, version: this.version, workers: this.settings.workers, queue: this.settings.queue !== null, keys: this.settings.keys.size });
+    return { url, stop: () => this.stop() };
+  }
+
+  private async stop(): Promise<void> {
+    if (this.stopping) return;
+    this.stopping = true;
+    this.log('info', 'stopping', { running: this.running.size });
+    const closed = new Promise<void>((resolve) => this.server.close(() => resolve()));
+    this.server.closeIdleConnections();
+    const late = setTimeout(() => {
+      this.log('warn', 'aborted', { running: this.running.size });
+      for (const control of this.running) control.abort(new KerfwayError('stopping', 'The service stopped before the drawing was finished. Send it again.'));
+      setTimeout(() => this.server.closeAllConnections(), 1_000).unref();
+    }, this.settings.grace * 1000);
+    await closed;
+    clearTimeout(late);
+    await this.backend.close();
+    this.log('info', 'stopped');
+  }
+
+  private async handle(request: IncomingMessage, response: ServerResponse): Promise<void> {
+    const begun = performance.now();
+    const gone = new AbortController();
+    response.on('close', () => {
+      if (!response.writableFinished) gone.abort(new KerfwayError('closed', 'The client has disconnected.'));
+    });
+    let route = 'other';
+    let reply: Reply;
+    try {
+      const url = new URL(request.url ?? '/', 'http://service');
+      route = routeOf(url.pathname);
+      reply = await this.reply(request, url, route, gone);
+    } catch (error) {
+      reply = this.failed(error, gone.signal);
+    }
+    this.send(request, response, reply);
+    const seconds = (performance.now() - begun) / 1000;
+    this.metrics.answered(route, reply.status, seconds, reply.code ?? null);
+    const level = reply.status >= 500 ? 'error' : 'info';
+    this.log(level, 'request', { method: request.method, route, status: reply.status, ms: Math.round(seconds * 1000), ...(reply.code === undefined ? {} : { code: reply.code }) });
+  }
+
+  private async reply(request: IncomingMessage, url: URL, route: string, gone: AbortController): Promise<Reply> {
+    if (request.method === 'OPTIONS') return { status: 204, body: '' };
+    const method = JOB_KINDS.includes(route as JobKind) ? 'POST' : 'GET';
+    if (route === 'other') throw new KerfwayError('not-found', `There is nothing at this address: there are ${[...JOB_KINDS.map((k) => `POST /${k}`), 'GET /healthz', 'GET /metrics', 'GET /openapi.json'].join(', ')}.`);
+    if (request.method !== method && !(method === 'GET' && request.method === 'HEAD')) throw new KerfwayError('method-not-allowed', `This address answers ${method}.`, { allow: method });
+    if (route === 'healthz') return this.health();
+    if (route === 'openapi') return ok(openapi(this.version, { queued: this.settings.queue !== null, keys: this.settings.keys.size > 0 }));
+    keyOf(request, this.settings.keys);
+    if (route === 'metrics') return { status: 200, body: this.metrics.text(), type: 'text/plain; version=0.0.4; charset=utf-8' };
+    if (route === 'jobs') return this.job(url.pathname.slice('/jobs/'.length));
+    return this.work(route as JobKind, request, url, gone);
+  }
+
+  private health(): Reply {
+    const body = { status: this.stopping ? 'stopping' : 'ok', version: this.version, waiting: this.backend.waiting(), running: this.running.size };
+    return { ...ok(body), status: this.stopping ? 503 : 200 };
+  }
+
+  private async job(id: string): Promise<Reply> {
+    const found = /^[0-9a-f]{64}$/.test(id) ? await this.backend.find(id) : null;
+    if (found === null) throw new KerfwayError('not-found', 'There is no such job, or its result has expired.');
+    return { ...ok(found.body), status: found.status };
+  }
+
+  private async work(kind: JobKind, request: IncomingMessage, url: URL, gone: AbortController): Promise<Reply> {
+    if (this.stopping) throw new KerfwayError('stopping', 'The service is about to stop. Send the drawing again in a moment.');
+    // Bodies that are still arriving take memory, too, so they count before they are read.
+    if (this.running.size >= this.settings.workers + this.settings.waiting || (await this.backend.full())) {
+      throw new KerfwayError('busy', `Too many drawings wait. Try again in ${RETRY_AFTER} seconds.`, { retryAfter: RETRY_AFTER });
+    }
+    this.running.add(gone);
+    try {
+      const { bytes, name, fields } = await uploadOf(request, this.settings);
+      this.metrics.drawing(bytes.byteLength);
+      const options = requestOptions(kind, url.searchParams, fields, this.settings);
+      const job = { kind, name: safeName(url.searchParams.get('name') ?? fields.get('name') ?? name), options, thumbnails: thumbnailsIn(kind, url.searchParams) };
+      const answer = await this.backend.take(job, bytes, gone.signal);
+      const headers: Record<string, string> = answer.status === 202 ? { location: `/jobs/${answer.body.id}` } : {};
+      return { ...ok(answer.body), status: answer.status, headers };
+    } finally {
+      this.running.delete(gone);
+    }
+  }
+
+  private failed(error: unknown, signal: AbortSignal): Reply {
+    const report = reportOf(signal.aborted && !(error instanceof KerfwayError) ? signal.reason : error);
+    // The sender can do nothing about it, so the details go to the log only.
+    if (report.code === 'internal') this.log('error', 'fault', { message: report.message, stack: error instanceof Error ? error.stack : undefined });
+    return failure(report);
+  }
+
+  private send(request: IncomingMessage, response: ServerResponse, { status, body, type = 'application/json; charset=utf-8', headers = {} }: Reply): void {
+    const unread = !request.complete;
+    response.writeHead(status, {
+      ...(status === 204 ? {} : { 'content-type': type, 'content-length': Buffer.byteLength(body) }),
+      'cache-control': 'no-store',
+      'x-content-type-options': 'nosniff',
+      ...this.cors(request),
+      ...headers,
+      // The rest of a refused body is not read.
+      ...(unread ? { connection: 'close' } : {}),
+    });
+    response.end(request.method === 'HEAD' ? '' : body);
+    if (unread) {
+      // The client may still be sending: what arrives for a moment is dropped, so that it sees the answer and not a reset.
+      request.resume();
+      setTimeout(() => request.destroy(), 500).unref();
+    }
+  }
+
+  private cors(request: IncomingMessage): Record<string, string> {
+    const { origin } = request.headers;
+    const { cors } = this.settings;
+    if (origin === undefined || !(cors.includes('*') || cors.includes(origin))) return cors.length > 0 ? { vary: 'origin' } : {};
+    return {
+      'access-control-allow-origin': cors.includes('*') ? '*' : origin,
+      vary: 'origin',
+      'access-control-expose-headers': 'retry-after, location',
+      ...(request.method === 'OPTIONS' ? { 'access-control-allow-methods': 'GET, POST', 'access-control-allow-headers': 'authorization, content-type, x-api-key', 'access-control-max-age': '600' } : {}),
+    };
+  }
+}
+
+function routeOf(path: string): string {
+  if (JOB_KINDS.some((kind) => path === `/${kind}`)) return path.slice(1);
+  if (path === '/healthz' || path === '/metrics') return path.slice(1);
+  if (path === '/openapi.json') return 'openapi';
+  return path.startsWith('/jobs/') ? 'jobs' : 'other';
+}
+
+function thumbnailsIn(kind: JobKind, query: URLSearchParams): number | null {
+  const text = query.get('thumbnails');
+  if (text === null || kind !== 'inspect') return null;
+  const size = Number(text);
+  if (Number.isInteger(size) && size >= 8 && size <= 1024) return size;
+  throw new KerfwayError('out-of-range', `The option "thumbnails" is ${JSON.stringify(text.slice(0, 40))}. Give a whole number from 8 to 1024 pixels.`, { field: 'thumbnails', value: text.slice(0, 40), least: 8, most: 1024 });
+}
+
+const ok = (body: object): Reply => ({ status: 200, body: JSON.stringify(body) });
+
+function failure(report: ErrorReport): Reply {
+  const retry = report.params['retryAfter'];
+  const headers: Record<string, string> = {};
+  if (retry !== undefined) headers['retry-after'] = String(retry);
+  if (report.code === 'unauthorized') headers['www-authenticate'] = 'Bearer';
+  if (report.code === 'method-not-allowed') headers['allow'] = String(report.params['allow'] ?? '');
+  return { status: statusOf(report.code), body: JSON.stringify({ error: told(report) }), headers, code: report.code };
+}
