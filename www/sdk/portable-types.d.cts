@@ -7,6 +7,7 @@ export type * from './types.js' with { 'resolution-mode': 'import' };
 
 type Entry = typeof import('./portable.js', { with: { 'resolution-mode': 'import' } });
 
+export declare const check: Entry['check'];
 export declare const configure: Entry['configure'];
 export declare const createPlanner: Entry['createPlanner'];
 export declare const createPool: Entry['createPool'];

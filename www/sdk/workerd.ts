@@ -22,3 +22,4 @@ export const verifyQuote: Entry['verifyQuote'] = own.verifyQuote;
 export const render: Entry['render'] = own.render;
 export const createPool: Entry['createPool'] = own.createPool;
 export const configure: Entry['configure'] = own.configure;
+export const check: Entry['check'] = own.check;
