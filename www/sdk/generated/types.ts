@@ -713,7 +713,7 @@ export interface QuoteTerms {
   limits: Limits,
 }
 
-/** Seconds of the job, by what they go into. */
+/** Seconds of the job or of a part, by what they go into. */
 export interface QuoteTimes {
   /** The whole job. */
   total: number,
