@@ -26,7 +26,8 @@ test('a method from a paper is chosen, shows its figures, takes parameters and i
   assert.equal(await page.locator('.insight-grid td.number').count(), 9, 'the Q-table');
   const charts = await page.locator('.insight figcaption').allTextContents();
   assert.deepEqual(charts, ['Length, mm', 'Diversity and reward', 'Share of each crossover', 'Share of each state']);
-  assert.equal(await page.locator('.insight canvas').count(), 4, 'each chart is drawn');
+  // Each chart is drawn as soon as its place on the page has a width.
+  await page.waitForFunction(() => document.querySelectorAll('.insight canvas').length === 4);
   await open(page, 'Parameters');
   await page.getByLabel('Population').fill('20');
   await page.waitForFunction(() => document.querySelector('.insight-grid td.now') !== null);

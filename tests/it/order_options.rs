@@ -97,6 +97,6 @@ fn a_pin_on_an_unknown_contour_is_refused() {
         "{told}"
     );
     let mut job = Job::load(bytes, "a.dxf", &LoadOptions::default()).unwrap();
-    assert!(matches!(job.reload(&load(4000)), Err(JobError::Options(_))));
+    assert!(matches!(job.reload(&load(4000)), Err(JobError::UnknownContour { contour: 4000, .. })));
     assert!(job.start(&PlanOptions::default()).is_ok(), "what was loaded before is still there");
 }

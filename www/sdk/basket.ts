@@ -33,7 +33,7 @@ export interface BasketLine {
 }
 
 /** Several drawings together (`kerfway.basket/1`). Times in s, areas in mm2, weights in g. */
-export interface Basket {
+export interface BasketReport {
   schema: 'kerfway.basket/1';
   items: BasketLine[];
   part_count: number;
@@ -75,7 +75,7 @@ export function checkStock(stock: unknown): void {
 }
 
 /** Adds up several reports, each so many times. It computes nothing that the reports do not say, except the estimate of sheets. */
-export function basket(items: readonly BasketItem[], { stock }: BasketOptions = {}): Basket {
+export function basket(items: readonly BasketItem[], { stock }: BasketOptions = {}): BasketReport {
   if (stock !== undefined) checkStock(stock);
   const lines = items.map(({ report, quantity = 1 }, k) => lineOf(checkReport(report, `items[${k}].report`), checkQuantity(`items[${k}].quantity`, quantity)));
   const weights = lines.map((l) => l.weight);

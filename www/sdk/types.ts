@@ -11,7 +11,7 @@ export type * from './protocol.js';
 export { ANCHORS, pointOf } from './anchors.js';
 export type { Limits, Material, Quote, QuoteTerms } from './quote.js';
 export type { Verification } from './verify-quote.js';
-export { basket, priceBreaks, type Basket, type BasketItem, type BasketLine, type BasketOptions, type PriceBreak } from './basket.js';
+export { basket, priceBreaks, type BasketReport, type BasketItem, type BasketLine, type BasketOptions, type PriceBreak } from './basket.js';
 export type { SheetEstimate, Stock } from './sheets.js';
 export { partThumbnail, type ThumbnailOptions } from './thumbnail.js';
 export { activeContours } from './contours.js';

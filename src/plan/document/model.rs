@@ -155,14 +155,24 @@ impl Document {
     /// # Errors
     /// One sentence: this is no plan document, or one of another version.
     pub fn read(text: &str) -> Result<Self, String> {
-        let document: Self = serde_json::from_str(text).map_err(|e| {
-            format!("This is not a plan of the kind {SCHEMA}: see line {}, column {}.", e.line(), e.column())
-        })?;
-        if document.schema == SCHEMA {
-            Ok(document)
-        } else {
-            Err(format!("This is a document of the kind {}, not {SCHEMA}.", document.schema))
+        // The kind first: a document of another kind has other fields, which would hide what is wrong.
+        #[derive(Deserialize)]
+        struct Kind {
+            schema: String,
         }
+        let not_a_plan = |why: &str| format!("This is not a plan of the kind {SCHEMA}: {why}.");
+        match serde_json::from_str(text) {
+            Ok(Kind { schema }) if schema == SCHEMA => {}
+            Ok(Kind { schema }) => {
+                return Err(format!("This is a document of the kind {schema}, not {SCHEMA}."));
+            }
+            Err(e) if e.is_data() => return Err(not_a_plan("it has no text `schema`")),
+            Err(e) => {
+                return Err(not_a_plan(&format!("line {}, column {} is no JSON", e.line(), e.column())));
+            }
+        }
+        serde_json::from_str(text)
+            .map_err(|e| not_a_plan(&format!("line {}, column {} does not fit it", e.line(), e.column())))
     }
 }
 
