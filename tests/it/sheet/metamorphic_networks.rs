@@ -5,7 +5,7 @@ use crate::testkit::dxf_text::{Entity, Scene};
 use crate::testkit::rng::{Rng, seeded};
 use kerfway::geometry::DVec2;
 use kerfway::job::{Job, LoadOptions, PlanOptions};
-use kerfway::quote::Material;
+use kerfway::quote::Terms;
 use kerfway::sheet::Sheet;
 use rand::RngExt;
 use rand::seq::SliceRandom;
@@ -76,7 +76,7 @@ fn quoted(job: &mut Job) -> String {
     let plan = PlanOptions { moves: Some(1), ..PlanOptions::default() };
     job.start(&plan).unwrap();
     job.plan().unwrap();
-    let quote = job.quote(&Material::default()).unwrap();
+    let quote = job.quote(&Terms::default()).unwrap();
     let mut parts = serde_json::to_value(&quote.parts).unwrap();
     for part in parts.as_array_mut().unwrap() {
         let part = part.as_object_mut().unwrap();
