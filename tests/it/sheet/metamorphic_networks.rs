@@ -81,6 +81,16 @@ fn quoted(job: &mut Job) -> String {
     for part in parts.as_array_mut().unwrap() {
         let part = part.as_object_mut().unwrap();
         part.remove("contours");
+        // Of each single part its box, in hundredths of mm: seconds and piercings depend on the path.
+        let items = part.remove("items").unwrap();
+        let corners = |item: &serde_json::Value| {
+            let corner =
+                |c: &serde_json::Value| format!("{:.0}", (100.0 * c.as_f64().unwrap()).round() + 0.0);
+            item["bounds"].as_array().unwrap().iter().map(corner).collect::<Vec<_>>().join(" ")
+        };
+        let mut boxes: Vec<String> = items.as_array().unwrap().iter().map(corners).collect();
+        boxes.sort();
+        part.insert("boxes".into(), serde_json::json!(boxes));
         for figure in ["net_area", "cut_length"] {
             let value = part[figure].as_f64().unwrap();
             part.insert(figure.into(), serde_json::json!(format!("{value:.6}")));
