@@ -24,10 +24,12 @@ import { topBar } from './panels/topbar.js';
 import { playbackBar } from './playback/bar.js';
 import { Playback } from './playback/playback.js';
 import { read as readAddress } from './session/address.js';
+import { Keeper } from './session/keeper.js';
 import { bedAround } from './session/placing.js';
 import { Preview } from './session/preview.js';
 import { fetchSample, SAMPLES } from './session/samples.js';
 import { Session } from './session/session.js';
+import { words } from './core/words/index.js';
 import { ramp } from './stage/ramp.js';
 import { Scene } from './stage/scene.js';
 import { Viewport } from './stage/viewport.js';
@@ -66,7 +68,12 @@ export async function startPage(): Promise<void> {
     layout.closeSheet();
     viewport.showPlace(...finding.at);
   };
-  const drawing = drawingPanel(session, preview, showPlaceOf, (contour) => selection.reveal(contour));
+  const keeper = new Keeper(session);
+  const forget = async () => {
+    await keeper.forget();
+    notices.show(words.page.forgotten);
+  };
+  const drawing = drawingPanel(session, preview, { keeper, forget: () => void forget() }, showPlaceOf, (contour) => selection.reveal(contour));
   const showInList = (finding: Finding) => {
     drawing.open = true;
     drawing.findings.reveal(finding);
@@ -80,7 +87,7 @@ export async function startPage(): Promise<void> {
   element('top').append(...top.nodes);
   element('sections').append(
     drawing, machinePanel(session, notify, () => pointer.chooseHome()), placement, planPanel(session),
-    resultPanel(session, theme, (kind) => void files.download(kind)), quotePanel(session, notify));
+    resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject() }), quotePanel(session, notify));
   element('dock').append(dock(session, { open: () => files.choose(), gcode: () => void files.download('gcode'), sheet: () => layout.toggleSheet() }));
   element('playback').append(...playbackBar(playback));
   element('stage').append(tools.root, tools.legend, selection.card.root, questionCard(session), notices.failure, selection.table.root, notices.notice, pointer.tooltip.root);
@@ -93,7 +100,11 @@ export async function startPage(): Promise<void> {
   theme.on('change', showTheme);
   showTheme();
 
-  await files.openSample(first, sampleBytes);
+  const kept = await keeper.last(location.hash === '');
+  // Not over a file that somebody has dropped by now.
+  if (session.state.phase !== 'starting') return;
+  const isBack = kept !== null && (await files.bringBack(kept, () => void forget()));
+  if (!isBack) await files.openSample(first, sampleBytes);
 }
 
 /** Shows the whole bed and the job. */

@@ -142,3 +142,8 @@ function picked<T extends object>(options: T, fields: readonly Field[]): T {
   const isGiven = ([name, value]: [string, unknown]) => value !== undefined && fields.some((f) => f.name === name);
   return Object.fromEntries(Object.entries(options).filter(isGiven)) as T;
 }
+
+/** The options without those that are `undefined`, which the core would not take for absent. */
+export function given<T extends object>(options: T): T {
+  return Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined)) as T;
+}

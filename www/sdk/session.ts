@@ -5,7 +5,7 @@
 
 import * as planner from './pkg/kerfway.js';
 import { KerfwayError, reportOf } from './errors.js';
-import { DEFAULT_SECONDS } from './options.js';
+import { DEFAULT_SECONDS, given } from './options.js';
 import type { Job } from './pkg/kerfway.js';
 import type { CheckedOn, FromWorker, LoadOptions, Membership, OutputKind, PlanOptions, ProgramCheck, ToWorker } from './protocol.js';
 import type { Quote, QuoteTerms } from './quote.js';
@@ -68,12 +68,7 @@ export class Session {
         this.host.post({ type: 'ready', methods: planner.methods(), machines: planner.machines(), dialects: planner.dialects() });
         return;
       case 'load':
-        this.search?.stop();
-        this.search = null;
-        this.job?.free();
-        this.job = null;
-        this.source = { name: message.name, options: given(message.options) };
-        this.job = new this.build.Job(new Uint8Array(message.bytes), message.name, this.source.options);
+        this.load(message.bytes, { name: message.name, options: given(message.options) });
         this.postLoaded(message.id);
         return;
       case 'reload':
@@ -122,6 +117,15 @@ export class Session {
         void this.reply(message.id, () => this.output(message.id, message.kind, message.width));
         return;
     }
+  }
+
+  /** Reads another drawing. If it cannot be used, the one before stays, and its search goes on. */
+  private load(bytes: ArrayBuffer, source: { name: string; options: LoadOptions }): void {
+    const job = new this.build.Job(new Uint8Array(bytes), source.name, source.options);
+    this.search?.stop();
+    this.search = null;
+    this.job?.free();
+    [this.job, this.source] = [job, source];
   }
 
   private loaded(): Job {
@@ -238,11 +242,6 @@ function panicOf(build: { lastPanic(): string | undefined }): string | undefined
   } catch {
     return undefined;
   }
-}
-
-/** The options without those that are `undefined`, which the core would not take for absent. */
-function given<T extends object>(options: T): T {
-  return Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined)) as T;
 }
 
 function pathBuffers({ path }: { path: import('./protocol.js').BestPath | null }): ArrayBuffer[] {

@@ -1,7 +1,8 @@
 /** Files in and out: opening drawings and samples, several at once, and downloading the outputs of the plan. */
 
-import { type LoadOptions, type OutputKind, tooLarge } from 'kerfway';
+import { isProject, type LoadOptions, type OutputKind, type Project, readProject, tooLarge, writeProject } from 'kerfway';
 import { acceptDrops, choose, save } from '../core/files.js';
+import { Latest } from '../core/latest.js';
 import { baseName, messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
 import { Queue } from '../session/queue.js';
@@ -24,10 +25,12 @@ const DOWNLOADS: Record<OutputKind, { suffix: string; type: string }> = {
 
 export class Files {
   readonly queue: Queue;
+  /** What is being fetched or opened. */
+  private readonly latest = new Latest();
 
   /** `shared`: the options of the address. `hideHint` hides the line that invites to drop a file. */
   constructor(private readonly session: Session, private readonly notices: Notices, private readonly shared: LoadOptions, private readonly hideHint: () => void) {
-    this.queue = new Queue(session, (file, load, begun) => this.open(file, load, begun));
+    this.queue = new Queue(session, (file, load) => this.open(file, load));
     acceptDrops((files) => this.queue.take(files), (over) => document.body.classList.toggle('dropping', over));
   }
 
@@ -45,11 +48,22 @@ export class Files {
   /** Opens a sample as soon as its bytes arrive. */
   async openSample(sample: Sample, bytes: Promise<ArrayBuffer>): Promise<void> {
     this.queue.leave();
+    const isLatest = this.latest.begin();
     try {
-      await this.session.open({ bytes: await bytes, name: sample.file }, true, { ...sample.options, ...this.shared });
+      const content = await bytes;
+      // A file that was dropped meanwhile is what the person wants.
+      if (isLatest()) await this.session.open({ bytes: content, name: sample.file }, true, { ...sample.options, ...this.shared });
     } catch (error) {
-      this.session.drawing.refuse(sample.file, error);
+      if (isLatest()) this.session.drawing.refuse(sample.file, error);
     }
+  }
+
+  /** Brings back the job that this browser has kept. Resolves to whether that was possible. */
+  async bringBack(project: Project, forget: () => void): Promise<boolean> {
+    this.hideHint();
+    if ((await this.session.openProject(project)) !== null) return false;
+    this.notices.show(words.page.back(project.name), { label: words.page.forget, act: forget });
+    return true;
   }
 
   /** Downloads one of the outputs of the best plan. */
@@ -62,21 +76,30 @@ export class Files {
     }
   }
 
-  private async open(file: File, load: LoadOptions | null, begun: () => void): Promise<void> {
+  /** Downloads the job as a project file. */
+  async saveProject(): Promise<void> {
+    const { project } = this.session;
+    if (project === null) return;
+    save(await writeProject(project), `${baseName(project.name)}.kerfway`, 'application/json');
+  }
+
+  private async open(file: File, load: LoadOptions | null): Promise<string | null> {
     this.hideHint();
+    this.latest.begin();
+    const { session } = this;
     const refusal = tooLarge(file.size);
-    if (refusal !== null) {
-      begun();
-      this.session.drawing.refuse(file.name, refusal);
-      return;
-    }
+    if (refusal !== null) return session.drawing.refuse(file.name, refusal);
+    let bytes: ArrayBuffer;
     try {
-      const bytes = await file.arrayBuffer();
-      begun();
-      await this.session.open({ bytes, name: file.name }, false, load ?? this.shared);
+      bytes = await file.arrayBuffer();
     } catch {
-      begun();
-      this.session.drawing.refuse(file.name, words.page.unreadable(file.name));
+      return session.drawing.refuse(file.name, words.page.unreadable(file.name));
+    }
+    if (!isProject(bytes)) return session.open({ bytes, name: file.name }, false, load ?? this.shared);
+    try {
+      return await session.openProject(await readProject(bytes));
+    } catch (error) {
+      return session.drawing.refuse(file.name, error);
     }
   }
 }

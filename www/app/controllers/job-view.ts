@@ -68,10 +68,10 @@ export class JobView {
   }
 
   private showState(state: State): void {
-    const { scene, playback, announcer, notices } = this.parts;
+    const { session, scene, playback, announcer, notices } = this.parts;
     document.body.dataset.phase = state.phase;
     this.showAddress();
-    notices.showFailure(state);
+    notices.showRefusal(state, () => session.store.refusalSeen());
     if (state.phase === 'done' || state.phase === 'paused') announcer.say(headline(state));
     this.parts.showCommon((state.common?.offsets.length ?? 0) > 1);
     scene.setBed(bedAround(state.placing, state.machine, state.loaded), state.loaded === null || fitsBed(state.placing, state.machine, state.loaded));

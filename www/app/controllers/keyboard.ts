@@ -42,6 +42,7 @@ export function bindKeyboard({ session, playback, viewport, files, layout, point
     'Shift+ArrowUp': () => viewport.pan(0, STEP), 'Shift+ArrowDown': () => viewport.pan(0, -STEP),
     c: () => flip('ramp'), a: () => flip('air'), t: () => layout.toggleTable(),
     1: () => selection.toggleSelected('first'), 0: () => selection.toggleSelected('last'), x: () => selection.toggleSelected('exclude'),
+    'Ctrl+s': () => void files.saveProject(),
     'Ctrl+z': () => session.undo(), 'Ctrl+Shift+z': redo, 'Ctrl+y': redo,
     '?': () => help.showModal(),
     Escape: () => {

@@ -63,7 +63,7 @@ export function headline(state: State): string {
   const best = progress ? seconds(progress.summary.total_time) : null;
   switch (phase) {
     case 'starting': return words.dock.starting;
-    case 'reading': return words.dock.reading(state.name);
+    case 'reading': return words.dock.reading(state.opening ?? state.name);
     case 'question': return words.dock.question;
     case 'ready': return state.error ?? words.dock.nothing;
     case 'planning': return words.dock.planning(best);

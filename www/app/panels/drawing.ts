@@ -3,6 +3,7 @@
 import { button, h, setText } from '../core/dom.js';
 import { count } from '../core/format.js';
 import { activeContours, type Finding, type Loaded } from 'kerfway';
+import type { Keeper } from '../session/keeper.js';
 import type { Preview } from '../session/preview.js';
 import { type Rule, RULES } from '../session/rules.js';
 import type { Session } from '../session/session.js';
@@ -19,13 +20,14 @@ const ROOMY = 1000;
 /** How many contours with the same rule are listed one by one. */
 const LISTED = 24;
 
-export function drawingPanel(session: Session, preview: Preview, onFinding: (finding: Finding) => void, onContour: (contour: number) => void): HTMLDetailsElement & { findings: FindingList } {
+export function drawingPanel(session: Session, preview: Preview, { keeper, forget }: { keeper: Keeper; forget: () => void }, onFinding: (finding: Finding) => void, onContour: (contour: number) => void): HTMLDetailsElement & { findings: FindingList } {
   const { root, body, setGist } = section(words.drawing.title, innerHeight >= ROOMY);
   const layers = h('div');
   const counts = h('p', { class: 'soft' });
   const findings = new FindingList(onFinding, (finding) => findingActions(session, finding));
   const pins = h('div', { class: 'stack' });
-  const content = h('div', { class: 'stack' }, counts, layers, pins, findings.root, tolerances(session, preview));
+  const kept = h('p', { class: 'soft kept', hidden: true }, words.page.kept, button(words.page.forget, { class: 'quiet small', onclick: forget }));
+  const content = h('div', { class: 'stack' }, counts, layers, pins, findings.root, tolerances(session, preview), kept);
   const empty = h('p', { class: 'soft' }, words.drawing.none);
   body.append(empty, content);
 
@@ -66,6 +68,11 @@ export function drawingPanel(session: Session, preview: Preview, onFinding: (fin
     if (planFindings !== shown && loaded) showFindings();
     shown = planFindings;
   });
+  const showKept = () => {
+    kept.hidden = !keeper.keeps;
+  };
+  keeper.on('change', showKept);
+  session.store.on('loaded', showKept);
   session.store.on('cleared', show);
   show();
   return Object.assign(root, { findings });

@@ -20,7 +20,12 @@ const ROWS = [
 
 const DOWNLOADS: readonly OutputKind[] = ['gcode', 'dxf', 'svg', 'png', 'json', 'lbrn2', 'rd'];
 
-export function resultPanel(session: Session, theme: Theme, download: (kind: OutputKind) => void): HTMLElement {
+export interface ResultActions {
+  download(kind: OutputKind): void;
+  saveProject(): void;
+}
+
+export function resultPanel(session: Session, theme: Theme, { download, saveProject }: ResultActions): HTMLElement {
   const { root, body } = section(words.result.title, true);
   const saved = h('p', { class: 'large' });
   const of = h('p', { class: 'soft number' });
@@ -32,7 +37,7 @@ export function resultPanel(session: Session, theme: Theme, download: (kind: Out
   const parts = h('dl', { class: 'parts' });
   const buttons = DOWNLOADS.map((kind) => button(words.result.kinds[kind], { class: 'small', title: words.result.downloadKind(words.result.kinds[kind]), onclick: () => download(kind) }));
   const files = h('div', { class: 'downloads', role: 'group', 'aria-label': words.result.download },
-    ...buttons);
+    ...buttons, button(words.result.project, { class: 'small', title: words.result.projectHint, onclick: saveProject }));
   const check = preflight(session, (passed) => (buttons[0]!.disabled = !passed));
   const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insightPanel(session, theme), parts, files, check);
   const empty = h('p', { class: 'soft' }, words.result.none);

@@ -1,6 +1,6 @@
 /**
  * The drawing of the page: opening it, asking about what the file leaves open, and reading it again with other options. Planning follows by
- * itself. Only the newest reading counts; the results of older ones are discarded.
+ * itself. A file or an option that cannot be used leaves everything as it was.
  */
 
 import type { Finding, Loaded, LoadOptions, Operation, Unit } from 'kerfway';
@@ -8,9 +8,10 @@ import { Latest } from '../core/latest.js';
 import { messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
 import type { Catalog } from './catalog.js';
+import { type KeptPlan, keptPlan } from './kept-plan.js';
 import type { Planning } from './planning.js';
 import { type Rule, RULES, sameContours, withoutRules, withRule } from './rules.js';
-import type { Question } from './state.js';
+import { type Question, QUESTIONS, type State } from './state.js';
 import type { Store } from './store.js';
 
 /** The finding about a rectangle around everything that may be the sheet; undefined if that is clear or decided. */
@@ -24,9 +25,22 @@ export interface Source {
   name: string;
 }
 
+/** How a drawing is opened. */
+export interface Opening {
+  /** It is one of the samples, not the person's own. */
+  sample: boolean;
+  load?: LoadOptions;
+  /** A plan of it that was kept. Its questions were answered then. */
+  plan?: KeptPlan | null;
+  /** Called when the file has been read and takes the place of the one before. */
+  opened?: () => void;
+}
+
 export class Drawing {
   private readonly latest = new Latest();
-  private readonly answered = new Set<Question>();
+  private answered = new Set<Question>();
+  /** Resolves when the file before has been read. */
+  private turn: Promise<void> = Promise.resolve();
   private opened: Source | null = null;
 
   /** `record` is called before each choice that reads the drawing again, so that it can be undone. */
@@ -37,56 +51,78 @@ export class Drawing {
     return this.opened;
   }
 
-  /** Opens another drawing. */
-  async open(source: Source, sample: boolean, options: LoadOptions = {}): Promise<void> {
-    const isLatest = this.begin();
-    this.opened = source;
-    this.answered.clear();
-    this.store.openDrawing(source.name, sample, options);
+  /**
+   * Opens another drawing. One that cannot be used leaves the drawing before as it was. Resolves to the reason, one sentence, or to null. Files
+   * are read one after the other, and of those that wait only the newest is.
+   */
+  async open(source: Source, { sample, load = {}, plan = null, opened = () => {} }: Opening): Promise<string | null> {
+    const isLatest = this.latest.begin();
+    const before = this.store.state;
+    this.store.reading(source.name);
+    const turn = this.turn;
+    const reading = turn.then(() => (isLatest() ? this.read(source, load) : null));
+    this.turn = reading.then(() => {}, () => {});
     try {
-      const planner = await this.catalog.ready;
-      if (!isLatest()) return;
-      const loaded = await planner.load(source.bytes, source.name, options);
-      if (isLatest()) this.accept(loaded, { fresh: true, same: false });
+      const loaded = await reading;
+      if (loaded === null) return null;
+      this.planning.cancel();
+      this.opened = source;
+      this.answered = new Set(plan === null ? [] : QUESTIONS);
+      opened();
+      this.store.drawingOpened(loaded, { name: source.name, sample, load });
+      this.askOrPlan(plan);
+      return null;
     } catch (error) {
-      if (isLatest()) this.fail(error);
+      return this.refuse(source.name, error, before);
     }
   }
 
-  /** Reports that a file could not even be opened. */
-  refuse(name: string, error: unknown): void {
-    this.begin();
-    this.store.drawingFailed(messageOf(error), name);
+  private async read(source: Source, load: LoadOptions): Promise<Loaded> {
+    this.store.reading(source.name);
+    return (await this.catalog.ready).load(source.bytes, source.name, load);
   }
 
-  fail(error: unknown): void {
-    this.planning.cancel();
-    this.store.drawingFailed(messageOf(error));
+  /** Reports that a file cannot be used, and returns the sentence. `before`: the state when it was chosen. */
+  refuse(name: string, error: unknown, before: State = this.store.state): string {
+    const sentence = messageOf(error);
+    this.store.fileRefused(name, sentence);
+    // What was chosen meanwhile counts from now on.
+    const { machine, search, placing } = this.store.state;
+    if (machine !== before.machine || search !== before.search || placing !== before.placing) this.planning.restart();
+    return sentence;
   }
 
   /** Reads the drawing with other options, as a choice that can be undone. */
   async choose(options: LoadOptions): Promise<void> {
-    const { loaded, load } = this.store.state;
-    if (!loaded) return;
+    const { loaded, load, opening } = this.store.state;
+    if (!loaded || opening !== null) return;
     this.record();
     if (sameContours(options, load)) return this.readAgain(options);
     if (RULES.some((rule) => options[rule]?.length)) this.store.notify(words.page.pinsGone);
     return this.readAgain(withoutRules(options));
   }
 
-  /** Reads the drawing with other options. */
-  async readAgain(options: LoadOptions): Promise<void> {
-    const { loaded: before, load } = this.store.state;
+  /** Reads the drawing with other options. `plan`: the plan that was found with them, if there is one. */
+  async readAgain(options: LoadOptions, plan: KeptPlan | null = null): Promise<void> {
+    const { loaded: before, load, opening } = this.store.state;
     const { planner } = this.catalog;
-    if (!before || !planner) return;
-    const isLatest = this.begin();
+    if (!before || !planner || opening !== null) return;
+    const present = keptPlan(this.store.state);
+    this.planning.cancel();
+    const isLatest = this.latest.begin();
     const same = sameContours(options, load);
     this.store.readAgain(options);
     try {
       const loaded = await planner.reload(options);
-      if (isLatest()) this.accept(loaded, { fresh: false, same });
+      if (!isLatest()) return;
+      this.planning.cancel();
+      this.store.drawingRead(loaded, { fresh: false, same });
+      this.askOrPlan(plan);
     } catch (error) {
-      if (isLatest()) this.fail(error);
+      if (!isLatest()) return;
+      this.store.notify(messageOf(error));
+      this.store.readAsBefore(load);
+      this.planning.continueFrom(present);
     }
   }
 
@@ -138,20 +174,8 @@ export class Drawing {
     return known.sort((a, b) => (order.get(a.name) ?? known.length) - (order.get(b.name) ?? known.length));
   }
 
-  /** Whatever is being read or planned is of no use any more. */
-  private begin(): () => boolean {
-    this.planning.cancel();
-    return this.latest.begin();
-  }
-
-  private accept(loaded: Loaded, as: { fresh: boolean; same: boolean }): void {
-    this.planning.cancel();
-    this.store.drawingRead(loaded, as);
-    this.askOrPlan();
-  }
-
-  /** Asks the next open question. When there is none, it plans. */
-  private askOrPlan(): void {
+  /** Asks the next open question. When there is none, it plans, or goes on with a plan that was kept. */
+  private askOrPlan(plan: KeptPlan | null = null): void {
     const { loaded, load } = this.store.state;
     if (!loaded) return;
     const damaged = loaded.findings.some((f) => f.code === 'damaged-entity');
@@ -160,7 +184,7 @@ export class Drawing {
     else if (borderInDoubt(loaded) && !this.answered.has('border')) this.store.ask('border');
     else {
       this.store.questionsAnswered();
-      this.planning.start();
+      this.planning.start(plan);
     }
   }
 }

@@ -1,9 +1,10 @@
 /** The search for a path: starting, pausing, stopping and continuing it. Only the newest search changes the state. */
 
-import { activeContours, type PlanHandle } from 'kerfway';
+import { activeContours, type DoneReason, isKerfwayError, type PlanHandle, type PlanOptions, type Progress } from 'kerfway';
 import { Latest } from '../core/latest.js';
 import { messageOf } from '../core/strings.js';
 import type { Catalog } from './catalog.js';
+import { addedTo, type KeptPlan } from './kept-plan.js';
 import type { Store } from './store.js';
 
 /** Milliseconds without a keystroke before the plan starts again, so that it does not start at every digit. */
@@ -19,11 +20,13 @@ export class Planning {
   private readonly latest = new Latest();
   private run: PlanHandle | null = null;
   private timer = 0;
+  /** The plan that the current search goes on from. */
+  private before: KeptPlan | null = null;
 
   constructor(private readonly store: Store, private readonly catalog: Catalog) {}
 
-  /** Plans the drawing from the start. */
-  start(): void {
+  /** Plans the drawing: from the start, or on from a plan that was kept. */
+  start(kept: KeptPlan | null = null): void {
     const { loaded, machine, search: { method, parameters, seed, seconds }, placing } = this.store.state;
     const { planner, papers } = this.catalog;
     if (!loaded || !machine || !planner) return;
@@ -35,19 +38,34 @@ export class Planning {
     // A method from a paper works alone and has parameters.
     const fromPaper = papers.some((m) => m.name === method);
     const { place, start, allowOffBed } = placing;
-    const options = { machine, start, allowOffBed, ...(place === null ? {} : { place }), method, seconds, ...(fromPaper ? { parameters } : { workers: WORKERS }), ...(seed === null ? {} : { seed }) };
-    const run = planner.plan(options, (progress) => isLatest() && this.store.planProgressed(progress));
-    this.store.planningStarted(seconds);
-    this.follow(run, isLatest);
+    const options = {
+      machine, start, allowOffBed, ...(place === null ? {} : { place }), method, ...(fromPaper ? { parameters } : { workers: WORKERS }),
+      ...(seed === null ? {} : { seed }), ...(kept === null ? { seconds } : continuing(kept)),
+    };
+    this.before = kept;
+    const run = planner.plan(options, this.reporter(isLatest));
+    this.store.planningStarted(kept?.budget ?? seconds, kept?.shown ?? null);
+    this.follow(run, isLatest, kept?.reason ?? null);
   }
 
   /** Plans again after a choice. After a keystroke it waits for more of them. */
   restart(typed = false): void {
+    if (typed && this.mayPlan()) {
+      clearTimeout(this.timer);
+      this.timer = window.setTimeout(() => this.start(), SETTLE);
+    } else this.continueFrom(null);
+  }
+
+  /** Goes on with a plan that was kept, or plans again if there is none. */
+  continueFrom(kept: KeptPlan | null): void {
     clearTimeout(this.timer);
+    if (this.mayPlan()) this.start(kept);
+  }
+
+  /** There is a drawing, and no question about it is open. */
+  private mayPlan(): boolean {
     const { loaded, phase } = this.store.state;
-    if (!loaded || phase === 'question') return;
-    if (typed) this.timer = window.setTimeout(() => this.start(), SETTLE);
-    else this.start();
+    return loaded !== null && phase !== 'question' && phase !== 'reading';
   }
 
   /** Ends the current search, and discards whatever it still reports. */
@@ -81,12 +99,20 @@ export class Planning {
     const { planner } = this.catalog;
     if (phase !== 'done' || !planner) return;
     const isLatest = this.cancel();
-    const run = planner.continue({ seconds }, (report) => isLatest() && this.store.planProgressed(report));
+    const run = planner.continue({ seconds }, this.reporter(isLatest));
     this.store.planningContinued((progress?.seconds ?? 0) + seconds);
     this.follow(run, isLatest);
   }
 
-  private follow(run: PlanHandle, isLatest: () => boolean): void {
+  /** Takes over what a search reports, together with the search before it. */
+  private reporter(isLatest: () => boolean): (progress: Progress) => void {
+    return (progress) => {
+      if (isLatest()) this.store.planProgressed(addedTo(this.before, progress));
+    };
+  }
+
+  /** `ended`: why the search of the plan had ended before it was kept. */
+  private follow(run: PlanHandle, isLatest: () => boolean, ended: DoneReason | null = null): void {
     this.run = run;
     run.started.then(
       (started) => isLatest() && this.store.planPrepared(started),
@@ -96,14 +122,22 @@ export class Planning {
       ({ reason, progress }) => {
         if (!isLatest()) return;
         this.run = null;
-        this.store.planProgressed(progress);
-        this.store.planFinished(reason);
+        this.store.planProgressed(addedTo(this.before, progress));
+        this.store.planFinished(ended ?? reason);
       },
       (error: unknown) => {
         if (!isLatest()) return;
         this.run = null;
-        this.store.planFailed(messageOf(error));
+        // A kept plan may not fit any more, because another version of the page reads the drawing differently.
+        if (isKerfwayError(error) && error.code === 'unfit-path') this.start();
+        else this.store.planFailed(messageOf(error));
       },
     );
   }
+}
+
+/** The options with which a search goes on from a plan: for the rest of its time, or for no time if it had ended. */
+function continuing({ path, seed, seconds, budget, reason }: KeptPlan): PlanOptions {
+  const left = Math.max(0, budget - seconds);
+  return { warm: path, seed, ...(reason === null && left > 0 ? { seconds: left } : { moves: 0 }) };
 }

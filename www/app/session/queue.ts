@@ -24,8 +24,8 @@ export interface Item {
   sentence: string | null;
 }
 
-/** Reads a file, calls `begun`, and opens the drawing, with the given options if there are any. */
-export type OpenFile = (file: File, load: LoadOptions | null, begun: () => void) => Promise<void>;
+/** Opens the drawing in a file, with the given options if there are any. Resolves to why it cannot be used, or to null. */
+export type OpenFile = (file: File, load: LoadOptions | null) => Promise<string | null>;
 
 interface Events extends Record<string, unknown> {
   change: readonly Readonly<Item>[];
@@ -34,6 +34,8 @@ interface Events extends Record<string, unknown> {
 export class Queue extends Emitter<Events> {
   private all: readonly Item[] = [];
   private opened: Item | null = null;
+  /** Whether the drawing of the session is that of the open item: before, it is still the one before it. */
+  private isRead = false;
 
   constructor(private readonly session: Session, private readonly open: OpenFile) {
     super();
@@ -54,10 +56,10 @@ export class Queue extends Emitter<Events> {
     const [file] = files;
     if (file === undefined) return;
     this.all = files.length < 2 ? [] : files.map((file) => ({ file, state: 'waiting', seconds: null, gcode: null, load: null, sentence: null }));
-    this.opened = null;
+    [this.opened, this.isRead] = [null, false];
     this.emit('change', this.all);
     const [first] = this.all;
-    if (first === undefined) void this.open(file, null, () => {});
+    if (first === undefined) void this.open(file, null);
     else this.begin(first);
   }
 
@@ -71,23 +73,28 @@ export class Queue extends Emitter<Events> {
   leave(): void {
     const item = this.opened;
     if (item?.state === 'planning') item.state = 'waiting';
-    if (item !== null) item.load = this.session.state.load;
-    this.opened = null;
+    if (item !== null && this.isRead) item.load = this.session.state.load;
+    [this.opened, this.isRead] = [null, false];
     this.emit('change', this.all);
   }
 
   private begin(item: Item): void {
     this.leave();
     item.state = 'planning';
-    void this.open(item.file, item.load, () => (this.opened = item));
+    this.opened = item;
     this.emit('change', this.all);
+    void this.open(item.file, item.load).then((refusal) => {
+      if (this.opened !== item) return;
+      this.isRead = refusal === null;
+      if (refusal === null) void this.follow();
+      else this.end(item, 'failed', { sentence: refusal });
+    });
   }
 
   private async follow(): Promise<void> {
     const { opened: item, session: { state } } = this;
-    if (item === null) return;
+    if (item === null || !this.isRead) return;
     if (state.phase === 'question' && item.state === 'planning') this.end(item, 'question');
-    else if (state.phase === 'failed' && item.state !== 'failed') this.end(item, 'failed', { sentence: state.error });
     else if (state.phase === 'ready' && item.state === 'planning') this.end(item, 'failed', { sentence: state.error ?? words.files.nothing });
     else if (state.phase === 'planning' && item.state !== 'planning') {
       // The question was answered or a choice was made: the item is planned again.

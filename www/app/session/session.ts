@@ -3,13 +3,16 @@
  * drawing, the machine or the options. Every choice can be undone.
  */
 
-import type { LoadOptions, MachineProfile, Material, OutputKind, Planner, ProgramCheck, Quote } from 'kerfway';
+import type { LoadOptions, MachineProfile, Material, OutputKind, Planner, ProgramCheck, Project, Quote } from 'kerfway';
+import { messageOf } from '../core/strings.js';
 import { type Shared, written } from './address.js';
 import { Catalog } from './catalog.js';
 import { Drawing, type Source } from './drawing.js';
 import { type Choices, History } from './history.js';
 import type { Placing } from './placing.js';
+import { keptPlan } from './kept-plan.js';
 import { Planning } from './planning.js';
+import { decidedIn, keptIn, projectOf } from './projects.js';
 import { initialState, type Search, type State } from './state.js';
 import { Store } from './store.js';
 
@@ -24,7 +27,7 @@ export class Session {
 
   /** `shared`: the settings of the address that the page was opened with. */
   constructor(private readonly shared: Shared) {
-    this.catalog.ready.then((planner) => this.applyShared(planner)).catch((error: unknown) => this.drawing.fail(error));
+    this.catalog.ready.then((planner) => this.applyShared(planner)).catch((error: unknown) => this.store.plannerFailed(messageOf(error)));
   }
 
   get state(): State {
@@ -39,10 +42,27 @@ export class Session {
     return this.history.canRedo;
   }
 
-  /** Opens another drawing; the choices for the previous one cannot be undone any more. */
-  open(source: Source, sample: boolean, options: LoadOptions = {}): Promise<void> {
-    this.history.clear();
-    return this.drawing.open(source, sample, options);
+  /** Opens another drawing; the choices for the previous one cannot be undone any more. Resolves to why it cannot be used, or to null. */
+  open(source: Source, sample: boolean, load: LoadOptions = {}): Promise<string | null> {
+    return this.drawing.open(source, { sample, load, opened: () => this.history.clear() });
+  }
+
+  /** Opens a project: its drawing, with everything that was decided about it, and its plan. Resolves as `open` does. */
+  async openProject(project: Project): Promise<string | null> {
+    const { method } = project.planning;
+    await this.catalog.ready;
+    if (method !== undefined && !this.catalog.methods.some((m) => m.name === method)) await this.catalog.loadPapers();
+    const opened = () => {
+      this.history.clear();
+      this.store.choose(decidedIn(project, this.state, this.catalog.machines));
+    };
+    const { name, drawing, reading, plan } = project;
+    return this.drawing.open({ bytes: drawing, name }, { sample: false, load: reading, plan: plan === null ? null : keptIn(project, plan), opened });
+  }
+
+  /** The current job as a project; null while there is no drawing. */
+  get project(): Project | null {
+    return projectOf(this.state, this.drawing.source);
   }
 
   /** `typed`: the change is one of many keystrokes. */
@@ -67,11 +87,11 @@ export class Session {
   }
 
   undo(): void {
-    this.restore(this.history.undo(this.choices()));
+    if (this.state.opening === null) this.restore(this.history.undo(this.choices()));
   }
 
   redo(): void {
-    this.restore(this.history.redo(this.choices()));
+    if (this.state.opening === null) this.restore(this.history.redo(this.choices()));
   }
 
   /** The settings, as the part of an address behind `#`. */
@@ -102,7 +122,7 @@ export class Session {
 
   private choices(): Choices {
     const { load, machine, search, placing } = this.state;
-    return { load, machine, search, placing };
+    return { load, machine, search, placing, plan: keptPlan(this.state) };
   }
 
   private record(typed = false): void {
@@ -111,10 +131,10 @@ export class Session {
 
   private restore(choices: Choices | null): void {
     if (choices === null) return;
-    const { load, ...others } = choices;
+    const { load, plan, ...others } = choices;
     this.store.choose(others);
-    if (JSON.stringify(load) === JSON.stringify(this.state.load)) this.planning.restart();
-    else void this.drawing.readAgain(load);
+    if (JSON.stringify(load) === JSON.stringify(this.state.load)) this.planning.continueFrom(plan);
+    else void this.drawing.readAgain(load, plan);
   }
 
   /** Takes over the shared settings as far as the planner knows their names. */

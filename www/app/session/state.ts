@@ -8,12 +8,13 @@ import type { Baselines, Beam, BestPath, DoneReason, Finding, Geometry, LoadOpti
 /**
  * starting: the planner is being loaded. reading: a file is being read. question: an answer is needed before planning.
  * ready: there is no plan, because there is nothing to cut or because these options allow none. planning, paused, done: the search.
- * failed: the file cannot be used.
+ * failed: there is no drawing, because the file cannot be used.
  */
 export type Phase = 'starting' | 'reading' | 'question' | 'ready' | 'planning' | 'paused' | 'done' | 'failed';
 
 /** What the page may have to ask before planning. */
-export type Question = 'units' | 'damaged' | 'border';
+export const QUESTIONS = ['units', 'damaged', 'border'] as const;
+export type Question = (typeof QUESTIONS)[number];
 
 /** The options of a search that a person sets. */
 export interface Search {
@@ -62,8 +63,12 @@ export interface State extends PlanState {
   readonly placing: Placing;
   /** Time budget of the current search, s; it grows with "keep improving". */
   readonly budget: number;
-  /** One sentence: why the file cannot be used, or why it cannot be planned. */
+  /** One sentence: why the drawing cannot be planned. */
   readonly error: string | null;
+  /** The file that is being read, while the drawing before it stays. */
+  readonly opening: string | null;
+  /** A file that could not be used, and why, until the person has seen it. */
+  readonly refused: { readonly file: string; readonly sentence: string } | null;
 }
 
 export function noPlan(): PlanState {
@@ -76,6 +81,6 @@ export function noPlan(): PlanState {
 export function initialState(): State {
   return {
     phase: 'starting', name: '', sample: true, load: {}, loaded: null, extent: [0, 0, 1, 1], question: null, machine: null,
-    search: { method: '', parameters: {}, seed: null, seconds: 10 }, placing: AS_DRAWN, budget: 10, error: null, ...noPlan(),
+    search: { method: '', parameters: {}, seed: null, seconds: 10 }, placing: AS_DRAWN, budget: 10, error: null, opening: null, refused: null, ...noPlan(),
   };
 }

@@ -8,7 +8,7 @@ import { Emitter } from '../core/emitter.js';
 import { extentOf } from './extent.js';
 import { withInsight } from './insights.js';
 import type { Placing } from './placing.js';
-import { initialState, noPlan, type PlanState, type Question, type Search, type State } from './state.js';
+import { initialState, noPlan, type Phase, type PlanState, type Question, type Search, type State } from './state.js';
 
 interface Events extends Record<string, unknown> {
   /** Anything but the progress of the search has changed. */
@@ -30,6 +30,8 @@ export class Store extends Emitter<Events> {
   private current: State = initialState();
   private emitting = false;
   private changed = false;
+  /** The phase of the drawing that stays while another file is being read. */
+  private beneath: Phase = 'starting';
 
   get state(): State {
     return this.current;
@@ -50,11 +52,27 @@ export class Store extends Emitter<Events> {
     this.update(choices);
   }
 
-  /** Another drawing is about to be read. */
-  openDrawing(name: string, sample: boolean, load: LoadOptions): void {
-    this.set({ phase: 'reading', name, sample, load, loaded: null, question: null, error: null, ...noPlan() });
-    this.emit('cleared', undefined);
-    this.update({});
+  /** Another drawing is about to be read. The one before stays until then, and its search goes on. */
+  reading(file: string): void {
+    if (this.current.phase !== 'reading') this.beneath = this.current.phase;
+    this.update({ phase: 'reading', opening: file, refused: null, ...(this.current.loaded === null ? { name: file } : {}) });
+  }
+
+  /** A file cannot be used. The drawing before stays as it was. */
+  fileRefused(file: string, sentence: string): void {
+    const refused = { file, sentence };
+    if (this.current.loaded === null) {
+      this.update({ phase: 'failed', opening: null, refused, name: file, sample: false });
+      return;
+    }
+    // The reading was over before if the file was not even opened.
+    const phase = this.current.phase === 'reading' ? this.beneath : this.current.phase;
+    this.update({ phase, opening: null, refused });
+  }
+
+  /** The person has seen why a file cannot be used. */
+  refusalSeen(): void {
+    this.update({ refused: null });
   }
 
   /** The same drawing is about to be read with other options. It stays visible until then, so there is no event. */
@@ -62,14 +80,25 @@ export class Store extends Emitter<Events> {
     this.set({ load });
   }
 
+  /** The drawing could not be read with other options. */
+  readAsBefore(load: LoadOptions): void {
+    this.update({ load });
+  }
+
+  /** Another drawing was read. */
+  drawingOpened(loaded: Loaded, { name, sample, load }: Pick<State, 'name' | 'sample' | 'load'>): void {
+    this.set({ name, sample, load, opening: null, refused: null, question: null });
+    this.drawingRead(loaded, { fresh: true, same: false });
+  }
+
   drawingRead(loaded: Loaded, as: { fresh: boolean; same: boolean }): void {
     this.set({ loaded, extent: extentOf(loaded), error: null, ...noPlan() });
     this.emit('loaded', { loaded, ...as });
   }
 
-  /** The file cannot be used; `file` names it where nothing of it has been read. */
-  drawingFailed(error: string, file?: string): void {
-    this.set({ phase: 'failed', error, loaded: null, question: null, ...noPlan(), ...(file === undefined ? {} : { name: file, sample: false }) });
+  /** The page cannot plan at all, because there is no planner. */
+  plannerFailed(sentence: string): void {
+    this.set({ phase: 'failed', refused: { file: '', sentence }, loaded: null, question: null, ...noPlan() });
     this.emit('cleared', undefined);
     this.update({});
   }
@@ -88,8 +117,10 @@ export class Store extends Emitter<Events> {
     this.update({ phase: 'ready', ...noPlan() });
   }
 
-  planningStarted(budget: number): void {
-    this.update({ phase: 'planning', error: null, budget, ...noPlan() });
+  /** `shown`: what is known already of a plan that was kept. */
+  planningStarted(budget: number, shown: PlanState | null): void {
+    this.update({ phase: 'planning', error: null, budget, ...(shown ?? noPlan()), reason: null });
+    if (shown !== null) this.emit('progress', this.current);
   }
 
   /** The search continues with a plan that was done; `budget` counts from its start, s. */
@@ -121,12 +152,19 @@ export class Store extends Emitter<Events> {
   }
 
   planFinished(reason: DoneReason): void {
-    this.update({ phase: 'done', reason });
+    this.update({ ...this.entered('done'), reason });
   }
 
   /** These options allow no plan; the drawing stays. */
   planFailed(error: string): void {
-    this.update({ phase: 'ready', error, ...noPlan() });
+    this.update({ ...this.entered('ready'), error, ...noPlan() });
+  }
+
+  /** The phase that the search enters; while another file is being read it is the one to come back to. */
+  private entered(phase: Phase): Partial<State> {
+    if (this.current.phase !== 'reading') return { phase };
+    this.beneath = phase;
+    return {};
   }
 
   private set(changes: Partial<State>): void {

@@ -1,6 +1,5 @@
 /** `kerfway inspect`: describes drawings, as text or as JSON. */
 
-import { basename } from 'node:path';
 import { createPlanner } from '../node.js';
 import type { Finding, Loaded } from '../protocol.js';
 import { activeContours } from '../contours.js';
@@ -8,7 +7,8 @@ import { inspectReport, lengthOf } from '../inspect-report.js';
 import { loadOptions, parsed } from './arguments.js';
 import { eachFile } from './batch.js';
 import { outputsOf } from './destinations.js';
-import { bytesOf, usable } from './io.js';
+import { usable } from './io.js';
+import { opened } from './opened.js';
 import type { Column } from './report.js';
 import { meters, plural, size } from './words.js';
 
@@ -20,7 +20,8 @@ export async function inspect(args: string[]): Promise<void> {
   const planner = await createPlanner();
   try {
     await eachFile(given, { outputs, columns: COLUMNS }, async (file, place, to) => {
-      const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), options));
+      const { drawing, name, reading } = await opened(file);
+      const loaded = await usable(file, planner.load(drawing, name, { ...reading, ...options }));
       const data = `${JSON.stringify(inspectReport(loaded))}\n`;
       await to.write(file, outputs.map((output) => ({ output, data })));
       // When a program reads the report of a single drawing, no second report is needed.

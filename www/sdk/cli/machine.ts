@@ -8,9 +8,10 @@ import { bytesOf, Unusable, WrongUse } from './io.js';
 
 const DEFAULT_MACHINE = 'co2-100w';
 
-/** The machine of the options `--machine` and `--dialect`. */
-export async function machineOf({ values }: Words, planner: Planner): Promise<MachineProfile> {
-  const machine = await named(text(values, 'machine') ?? DEFAULT_MACHINE, planner);
+/** The machine of the options `--machine` and `--dialect`. `own`: the one to take where `--machine` names none. */
+export async function machineOf({ values }: Words, planner: Planner, own?: MachineProfile): Promise<MachineProfile> {
+  const word = text(values, 'machine');
+  const machine = word === undefined && own !== undefined ? own : await named(word ?? DEFAULT_MACHINE, planner);
   const dialect = text(values, 'dialect');
   return dialect === undefined ? machine : { ...machine, dialect: await dialectOf(dialect, machine, planner) };
 }

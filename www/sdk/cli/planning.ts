@@ -2,13 +2,15 @@
 
 import { basename } from 'node:path';
 import { budgeted, type DefaultBudget } from '../functions.js';
-import { checkOptions } from '../options.js';
+import { checkOptions, given } from '../options.js';
+import type { SavedPlan } from '../project.js';
 import { createPlanner, type Planner, type PlanResult } from '../node.js';
-import type { Loaded, PlanOptions } from '../protocol.js';
+import type { Loaded, MachineProfile, PlanOptions } from '../protocol.js';
 import { loadOptions, oneOf, parameters, placingOptions, seconds, text, whole, type Words } from './arguments.js';
 import { checked, machineFiles, machineOf } from './machine.js';
 import { eachFile, type Requested, type Outlet, type Place } from './batch.js';
-import { bytesOf, usable, WrongUse } from './io.js';
+import { usable, WrongUse } from './io.js';
+import { opened } from './opened.js';
 import { progressLine } from './progress.js';
 
 /** A planned drawing. */
@@ -22,22 +24,29 @@ export interface PlannedFile {
 }
 
 /** Plans all files and passes each result to `write`. */
-export async function planFiles(given: Words, requested: Requested & { defaultBudget?: DefaultBudget }, write: (planned: PlannedFile, to: Outlet) => Promise<void>): Promise<void> {
-  const { values } = given;
+export async function planFiles(words: Words, requested: Requested & { defaultBudget?: DefaultBudget }, write: (planned: PlannedFile, to: Outlet) => Promise<void>): Promise<void> {
+  const { values } = words;
   const load = loadOptions(values);
   const [moves, workers, seed] = ['moves', 'workers', 'seed'].map((name) => whole(values, name));
-  const budget = { seconds: seconds(values), moves, workers, seed };
+  const budget = given({ seconds: seconds(values), moves, workers, seed });
   checked(() => checkOptions(budget, 'planning'), WrongUse, '');
   const planner = await createPlanner();
   try {
-    const options: PlanOptions = { ...budget, ...(await choices(given, planner)) };
-    await eachFile(given, { ...requested, inputs: machineFiles(given, planner) }, async (file, place, to) => {
-      const loaded = await usable(file, planner.load(await bytesOf(file), basename(file), load));
+    // Wrong usage is told before any file is read.
+    await choices(words, planner);
+    await eachFile(words, { ...requested, inputs: machineFiles(words, planner) }, async (file, place, to) => {
+      const project = await opened(file);
+      const loaded = await usable(file, planner.load(project.drawing, project.name, { ...project.reading, ...load }));
       // What decides on what is cut is reported here and not only by `inspect`: misspelt layers, borders, lettering.
       for (const { message } of loaded.findings.filter((f) => f.code === 'layer-unknown' || f.code === 'sheet-outline' || (f.code === 'lettering' && f.severity !== 'info'))) {
         process.stderr.write(`kerfway: ${basename(file)}: ${message}\n`);
       }
-      const search = budgeted(options, loaded, requested.defaultBudget);
+      const { seconds: _, moves: __, ...decided } = project.planning;
+      const chosen = { ...decided, ...budget, ...(await choices(words, planner, decided)) };
+      const isAsSaved = Object.keys(load).length === 0 && values['machine'] === undefined;
+      // A quote starts without the plan of the project, because others must be able to make it from the drawing alone.
+      const plan = isAsSaved && requested.defaultBudget === undefined ? project.plan : null;
+      const search = budgeted({ ...chosen, ...continuing(plan, budget) }, loaded, requested.defaultBudget);
       const result = await usable(file, searched(planner, search, file, place, values['quiet'] === true));
       await write({ file, place, planner, loaded, result, options: search }, to);
     });
@@ -46,7 +55,15 @@ export async function planFiles(given: Words, requested: Requested & { defaultBu
   }
 }
 
-async function choices({ values }: Words, planner: Planner): Promise<PlanOptions> {
+/** How a search goes on from the plan of a project. Without a budget it keeps that plan as it is. */
+function continuing(plan: SavedPlan | null, budget: PlanOptions): PlanOptions {
+  if (plan === null) return {};
+  const isFree = budget.seconds === undefined && budget.moves === undefined;
+  return { warm: plan.path, seed: budget.seed ?? plan.seed, ...(isFree ? { moves: 0 } : {}) };
+}
+
+/** What the options choose. `project`: what a project has chosen. */
+async function choices({ values }: Words, planner: Planner, project: PlanOptions = {}): Promise<PlanOptions> {
   const options: PlanOptions = {};
   const method = text(values, 'method');
   const own = planner.methods.map((m) => m.name);
@@ -56,7 +73,7 @@ async function choices({ values }: Words, planner: Planner): Promise<PlanOptions
     const papers = own.includes(method) ? [] : (await planner.paperMethods()).map((m) => m.name);
     options.method = oneOf('--method', method, [...own, ...papers]);
   }
-  const machine = await machineOf({ words: [], values }, planner);
+  const machine = await machineOf({ words: [], values }, planner, project.machine as MachineProfile | undefined);
   options.machine = values['no-return'] === true ? { ...machine, return_home: false } : machine;
   return { ...options, ...placingOptions(values, machine) };
 }

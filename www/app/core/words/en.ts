@@ -77,7 +77,7 @@ const samples: Record<string, readonly [title: string, about: string]> = {
 
 /** Each key with its action. */
 const keys: readonly (readonly [string, string])[] = [
-  ['O', 'Open a DXF file'],
+  ['O', 'Open a DXF file or a project'],
   ['S', 'Stop planning, keep the best path'],
   ['P', 'Pause or resume planning'],
   ['K', 'Keep improving'],
@@ -93,6 +93,7 @@ const keys: readonly (readonly [string, string])[] = [
   ['1 0', 'Cut the selected contour first or last'],
   ['X', 'Skip the selected contour'],
   ['Ctrl Z', 'Undo a choice; with Shift, redo it'],
+  ['Ctrl S', 'Save the project: drawing, decisions and plan'],
   ['Esc', 'Clear the selection'],
   ['?', 'Show this list'],
 ];
@@ -113,6 +114,9 @@ export const en = {
     },
     unpinned: (contour: string) => `${contour}: no longer pinned or skipped.`,
     noPapers: (why: string) => `The methods from published papers could not be loaded. ${why}`,
+    stays: 'The current drawing and its plan stay as they were.', close: 'Close',
+    back: (file: string) => `${file} is back, as you left it.`, forget: 'Forget it', forgotten: 'Forgotten: nothing of it is stored in this browser any more.',
+    kept: 'Kept in this browser for your next visit.',
     pinsGone: 'The contours have changed, so pinned and skipped contours were reset.',
   },
 
@@ -229,6 +233,7 @@ export const en = {
     title: 'Result', none: 'Results appear here when the first path is ready.', compare: 'Before and after', order: 'Order', job: 'Job', air: 'Air', travel: 'Travel',
     drawing: 'Drawing order', greedy: 'Nearest first', now: 'Now', download: 'Download', downloadKind: (kind: string) => `Download ${kind}`,
     kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)' },
+    project: 'Project', projectHint: 'Save the project: drawing, decisions, machine and plan (Ctrl S)',
     saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (time: string, share: string) => `of ${time} in drawing order, ${share}`,
     cut: 'Cut', pierce: 'Pierce', piercings: (n: string) => `${n} piercings`, preCuts: 'Pre-cuts', corners: 'Corners', gap: 'Gap', atMost: (share: string) => `at most ${share} above the optimum`,
     chart: 'Job time while searching', chartAxis: 'Job time while searching', chartAbove: (time: string) => `as drawn ${time} ↑`, chartNone: 'Job time while searching: no values yet.',

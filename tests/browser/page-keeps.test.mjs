@@ -1,0 +1,170 @@
+// No work is lost: wrong files, undo, reloads, crashes, other tabs, project files.
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { download, drop, grid, openPage, phase, planned, shot, SIZES } from './page-support.mjs';
+
+const CLI = join(dirname(dirname(dirname(fileURLToPath(import.meta.url)))), 'dist', 'sdk', 'cli.js');
+
+/** The number of moves that the page shows behind the plan. */
+const moves = (page) => page.evaluate(() => {
+  const [, n, unit] = /([\d.,]+)(?: (thousand|million))? moves(?!\/)/.exec(document.querySelector('.dock-state').textContent) ?? [];
+  return n === undefined ? null : Number(n.replaceAll(',', '')) * ({ thousand: 1e3, million: 1e6 }[unit] ?? 1);
+});
+
+/** The job time that the page shows, s. */
+const jobTime = async (page) => (await page.waitForFunction(() => document.querySelector('.compare tbody:last-of-type td.number').textContent)).jsonValue();
+
+/** Opens an own drawing and lets its search end. */
+async function done(page, name, bytes) {
+  await drop(page, name, bytes);
+  await planned(page, name, 'done');
+}
+
+/** Skips the contour with this number, as a person does by table and key. */
+async function skip(page) {
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Home');
+  await page.keyboard.press('x');
+  await page.waitForFunction(() => /Skipped: 1 contour/.test(document.querySelector('#sections').textContent));
+  await phase(page, 'done');
+}
+
+/** Waits until the browser has stored the current job. */
+const stored = (page) => page.locator('.kept').waitFor({ state: 'attached' }).then(() => page.waitForFunction(() => !document.querySelector('.kept').hidden));
+
+test('a wrong file leaves the drawing, its plan and its undo as they were, and is explained beside them', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await done(page, 'own.dxf', grid(60));
+  await skip(page);
+  const [time, before] = [await jobTime(page), await moves(page)];
+  await drop(page, 'letter.pdf', Buffer.from('%PDF-1.7 not a drawing'));
+  const card = page.locator('.failure');
+  await card.waitFor();
+  assert.match(await card.textContent(), /letter\.pdf.*stay as they were/s);
+  await shot(page, 'refused');
+  assert.equal(await page.locator('.file-name').textContent(), 'own.dxf');
+  assert.equal(await page.evaluate(() => document.body.dataset.phase), 'done');
+  assert.deepEqual([await jobTime(page), await moves(page)], [time, before]);
+  assert.equal(await page.getByRole('button', { name: 'Undo' }).isEnabled(), true);
+  await card.getByRole('button', { name: 'Close' }).click();
+  await card.waitFor({ state: 'hidden' });
+  const program = await download(page, () => page.locator('.dock-actions').getByRole('button', { name: 'G-code' }).click());
+  assert.match(program.bytes.toString(), /M5/);
+});
+
+test('a search goes on while a wrong file is dropped', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=600' });
+  await drop(page, 'own.dxf', grid(60));
+  await planned(page, 'own.dxf', 'planning');
+  await drop(page, 'nothing.dxf', Buffer.from('0\nEOF\n'));
+  await page.locator('.failure').waitFor();
+  await phase(page, 'planning');
+  const pace = () => page.evaluate(() => document.querySelector('.budget').getAttribute('aria-valuenow'));
+  await page.waitForFunction(() => /moves\/s/.test(document.querySelector('.dock-state').textContent));
+  assert.ok((await pace()) !== null);
+  await page.keyboard.press('s');
+  await phase(page, 'done');
+});
+
+test('undo and redo bring back the plan found for each state, and its search goes on where it was', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await done(page, 'own.dxf', grid(90));
+  const first = { time: await jobTime(page), moves: await moves(page) };
+  await skip(page);
+  const second = { time: await jobTime(page), moves: await moves(page) };
+  await page.keyboard.press('Control+z');
+  await page.waitForFunction((time) => document.querySelector('.compare tbody:last-of-type td.number').textContent === time, first.time);
+  await phase(page, 'done');
+  assert.equal(await moves(page), first.moves, 'no new search');
+  await page.keyboard.press('Control+Shift+z');
+  await page.waitForFunction((time) => document.querySelector('.compare tbody:last-of-type td.number').textContent === time, second.time);
+  await phase(page, 'done');
+  assert.equal(await moves(page), second.moves);
+  await page.keyboard.press('k');
+  await phase(page, 'planning');
+  await phase(page, 'done');
+  assert.ok((await moves(page)) > second.moves, 'moves of the search before are counted in');
+});
+
+test('a reload and a crash bring back the drawing, its decisions and its plan; one click forgets them', async (t) => {
+  const { page, url } = await openPage(t, { hash: 'seconds=1', broken: true });
+  await done(page, 'own.dxf', grid(60));
+  await skip(page);
+  await stored(page);
+  const shown = { time: await jobTime(page), moves: await moves(page) };
+  const isBack = async (page) => {
+    await planned(page, 'own.dxf', 'done');
+    assert.deepEqual({ time: await jobTime(page), moves: await moves(page) }, shown);
+    assert.match(await page.locator('#sections').textContent(), /Skipped: 1 contour/);
+  };
+  // What was decided last is written within a second.
+  await page.waitForTimeout(1500);
+  await page.reload();
+  await isBack(page);
+  await shot(page, 'back');
+  const crashed = page.waitForEvent('crash');
+  await page.goto('chrome://crash').catch(() => {});
+  await crashed;
+  const again = await page.context().newPage();
+  await again.goto(url);
+  await isBack(again);
+  await again.locator('.notice').getByRole('button', { name: 'Forget it' }).click();
+  await again.getByText('Forgotten: nothing').waitFor();
+  await again.reload();
+  await planned(again, 'sheet_500.dxf');
+});
+
+test('tabs with the same file keep a job each; a new tab begins with the newest', async (t) => {
+  const { page, url } = await openPage(t, { hash: 'seconds=1' });
+  await done(page, 'own.dxf', grid(60));
+  await stored(page);
+  const other = await page.context().newPage();
+  await other.goto(url);
+  await planned(other, 'own.dxf', 'done');
+  await skip(other);
+  await other.waitForTimeout(1500);
+  await page.reload();
+  await planned(page, 'own.dxf', 'done');
+  assert.doesNotMatch(await page.locator('#sections').textContent(), /Skipped/);
+  await other.reload();
+  await planned(other, 'own.dxf', 'done');
+  assert.match(await other.locator('#sections').textContent(), /Skipped: 1 contour/);
+});
+
+test('a project file holds everything: the page opens it again, and the command line writes its program', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await done(page, 'own.dxf', grid(60));
+  await skip(page);
+  const [time, before] = [await jobTime(page), await moves(page)];
+  const program = await download(page, () => page.locator('.dock-actions').getByRole('button', { name: 'G-code' }).click());
+  const saved = await download(page, () => page.getByRole('button', { name: 'Project' }).click());
+  assert.equal(saved.name, 'own.kerfway');
+  await done(page, 'another.dxf', grid(9));
+  await drop(page, saved.name, saved.bytes);
+  await planned(page, 'own.dxf', 'done');
+  await page.waitForFunction((time) => document.querySelector('.compare tbody:last-of-type td.number').textContent === time, time);
+  assert.equal(await moves(page), before);
+  const at = mkdtempSync(join(tmpdir(), 'kerfway-'));
+  t.after(() => rmSync(at, { recursive: true }));
+  writeFileSync(join(at, saved.name), saved.bytes);
+  execFileSync(process.execPath, [CLI, 'plan', join(at, saved.name), '--gcode', join(at, 'own.nc'), '--quiet']);
+  // All but the date and the file's name is the program of the page.
+  const moving = (text) => text.toString().split('\n').filter((line) => /^[GMSX]/.test(line));
+  assert.deepEqual(moving(readFileSync(join(at, 'own.nc'))), moving(program.bytes));
+});
+
+test('on a phone a refused file leaves room for the drawing, and can be closed', async (t) => {
+  const { page } = await openPage(t, { size: SIZES.phone, theme: 'dark', touch: true });
+  await done(page, 'own.dxf', grid(20));
+  await drop(page, 'a long name of a letter to somebody.pdf', Buffer.from('%PDF-1.7'));
+  await page.locator('.failure').waitFor();
+  await shot(page, 'refused-phone');
+  await page.locator('.failure').getByRole('button', { name: 'Close' }).tap();
+  await page.locator('.failure').waitFor({ state: 'hidden' });
+});

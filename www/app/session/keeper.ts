@@ -1,0 +1,123 @@
+/**
+ * Keeps the current job in this browser, so that a reload, a crash or the next visit brings it back: the drawing, what was decided about it, and
+ * its best plan. Samples are not kept. Nothing leaves the machine, and one click forgets everything.
+ *
+ * Every tab has a job of its own, so that tabs with the same file do not overwrite each other. A new tab begins with the newest job.
+ */
+
+import type { Project } from 'kerfway';
+import { Database } from '../core/database.js';
+import { Emitter } from '../core/emitter.js';
+import type { Session } from './session.js';
+
+/** Milliseconds between two writes: as much work may be lost in a crash. */
+const PAUSE = 1000;
+/** Jobs of tabs that are kept: enough for a few tabs, and drawings may have megabytes. */
+const MOST = 4;
+/** Where a tab remembers which job is its own. A reload and a crash keep it; a new tab has none. */
+const TAB = 'kerfway.tab';
+
+/** What is decided and found. The drawing has a table of its own, because it is written once. */
+type Job = Omit<Project, 'drawing'> & { at: number };
+
+interface Events extends Record<string, unknown> {
+  change: void;
+}
+
+export class Keeper extends Emitter<Events> {
+  private readonly database = new Database('kerfway', ['jobs', 'drawings']);
+  private readonly before = sessionStorage.getItem(TAB);
+  private tab: Promise<string> | null = null;
+  private timer = 0;
+  /** The drawing that is stored. */
+  private stored: ArrayBuffer | Uint8Array | null = null;
+  /** The drawing that the person wants forgotten. */
+  private forgotten: ArrayBuffer | Uint8Array | null = null;
+  private work: Promise<void> = Promise.resolve();
+
+  constructor(private readonly session: Session) {
+    super();
+    const soon = () => {
+      if (!this.timer) this.timer = window.setTimeout(() => void this.keep(), PAUSE);
+    };
+    session.store.on('change', soon);
+    session.store.on('progress', soon);
+    document.addEventListener('visibilitychange', () => document.hidden && void this.keep());
+  }
+
+  /** Whether the current job is stored in this browser. */
+  get keeps(): boolean {
+    return this.stored !== null && this.stored === this.session.drawing.source?.bytes;
+  }
+
+  /** The job to begin with: that of this tab, or for a new tab without settings of its own the newest; null if there is none. */
+  async last(isPlain: boolean): Promise<Project | null> {
+    try {
+      const jobs = new Map(await this.database.all<Job>('jobs'));
+      const newest = [...jobs].sort(([, a], [, b]) => b.at - a.at)[0]?.[0] ?? null;
+      const key = this.before !== null && jobs.has(this.before) ? this.before : this.before === null && isPlain ? newest : null;
+      const job = key === null ? undefined : jobs.get(key);
+      const drawing = key === null ? undefined : await this.database.get<Uint8Array>('drawings', key);
+      if (job === undefined || drawing === undefined) return null;
+      const { at: _, ...rest } = job;
+      return { ...rest, drawing };
+    } catch {
+      return null;
+    }
+  }
+
+  /** Deletes everything that is stored. The current drawing is not stored again. */
+  async forget(): Promise<void> {
+    this.forgotten = this.session.drawing.source?.bytes ?? null;
+    this.stored = null;
+    await this.work;
+    const keys = (await this.database.all('jobs')).map(([key]) => key);
+    await this.database.change([], keys.flatMap((key) => [['jobs', key], ['drawings', key]] as const));
+    this.emit('change', undefined);
+  }
+
+  /** Writes the current job. Where the browser stores nothing, the page works all the same. */
+  private keep(): Promise<void> {
+    clearTimeout(this.timer);
+    this.timer = 0;
+    this.work = this.work.then(() => this.write()).catch(() => {});
+    return this.work;
+  }
+
+  private async write(): Promise<void> {
+    const { session } = this;
+    const bytes = session.drawing.source?.bytes ?? null;
+    const { project } = session;
+    if (project === null || bytes === null || session.state.sample || bytes === this.forgotten) return;
+    this.tab ??= ownTab(this.before);
+    const tab = await this.tab;
+    const { drawing, ...rest } = project;
+    const job: Job = { ...rest, at: Date.now() };
+    const isNew = this.stored !== bytes;
+    const old = isNew ? (await this.database.all<Job>('jobs')).filter(([key]) => key !== tab).sort(([, a], [, b]) => b.at - a.at).slice(MOST - 1) : [];
+    await this.database.change(
+      [['jobs', tab, job], ...(isNew ? [['drawings', tab, drawing] as const] : [])],
+      old.flatMap(([key]) => [['jobs', key], ['drawings', key]] as const),
+    );
+    this.stored = bytes;
+    if (isNew) this.emit('change', undefined);
+  }
+}
+
+/** The key of this tab. A duplicated tab has the key of the tab it comes from, which holds a lock on it, and gets another one. */
+async function ownTab(before: string | null): Promise<string> {
+  const key = before !== null && (await locked(before)) ? before : crypto.randomUUID();
+  if (key !== before) await locked(key);
+  sessionStorage.setItem(TAB, key);
+  return key;
+}
+
+/** Takes the lock of a key until the tab is closed; false if another tab has it. */
+function locked(key: string): Promise<boolean> {
+  return new Promise((answer) => {
+    void navigator.locks.request(`${TAB}.${key}`, { ifAvailable: true }, (lock) => {
+      answer(lock !== null);
+      return lock === null ? undefined : new Promise(() => {});
+    });
+  });
+}

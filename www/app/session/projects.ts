@@ -1,0 +1,42 @@
+/** What the page knows of a job, as a project that can be saved, and back. */
+
+import type { MachineProfile, PlanOptions, Project, SavedPlan } from 'kerfway';
+import type { Source } from './drawing.js';
+import { type KeptPlan, keptPlan } from './kept-plan.js';
+import { AS_DRAWN, type Placing } from './placing.js';
+import type { Search, State } from './state.js';
+
+/** The current job; null while there is no drawing. */
+export function projectOf(state: State, source: Source | null): Project | null {
+  const { loaded, load, machine, search: { method, parameters, seed, seconds }, placing: { place, start, allowOffBed } } = state;
+  if (source === null || loaded === null || machine === null) return null;
+  const planning: PlanOptions = {
+    machine, method, seconds, start, allowOffBed, ...(place === null ? {} : { place }), ...(seed === null ? {} : { seed }),
+    ...(Object.keys(parameters).length === 0 ? {} : { parameters }),
+  };
+  return { name: source.name, drawing: new Uint8Array(source.bytes), reading: load, planning, plan: saved(state) };
+}
+
+function saved(state: State): SavedPlan | null {
+  const kept = keptPlan(state);
+  if (kept === null || state.path === null) return null;
+  const { contours, along, until, reversed } = state.path;
+  const { seed, moves, seconds, reason } = kept;
+  return { seed, moves, seconds, total_time: state.progress?.summary.total_time ?? 0, done: reason !== null, path: { contours, along, until, reversed } };
+}
+
+/** The choices in a project; where it has none, those of the page. `machines`: those with a name. */
+export function decidedIn({ planning }: Project, { machine: own, search }: State, machines: readonly MachineProfile[]): { machine: MachineProfile | null; search: Search; placing: Placing } {
+  const { machine, method, parameters, seed, seconds, place, start, allowOffBed } = planning;
+  const profile = typeof machine === 'string' ? machines.find((m) => m.name === machine) : machine;
+  return {
+    machine: profile ?? own,
+    search: { method: method ?? search.method, parameters: parameters ?? {}, seed: seed ?? null, seconds: seconds ?? search.seconds },
+    placing: { place: place ?? null, start: start ?? AS_DRAWN.start, allowOffBed: allowOffBed ?? AS_DRAWN.allowOffBed },
+  };
+}
+
+/** The plan of a project, to go on with. */
+export function keptIn({ planning }: Project, { seed, moves, seconds, done, path }: SavedPlan): KeptPlan {
+  return { seed, moves, seconds, path, budget: Math.max(planning.seconds ?? 0, seconds), reason: done ? 'budget' : null, shown: null };
+}

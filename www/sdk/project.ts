@@ -1,0 +1,125 @@
+/**
+ * Project files (`.kerfway`): a drawing with everything that was decided about it, and the best plan found for it. The page
+ * saves and opens them, and the command line reads them wherever it reads a drawing.
+ *
+ * A project is a JSON document, `kerfway.project/1`. The drawing in it is compressed with gzip and written in base64.
+ */
+
+import { KerfwayError } from './errors.js';
+import { checkOptions } from './options.js';
+import { asJson, withWarmPath } from './plain-data.js';
+import { checkSize, endless, MAX_BYTES } from './size.js';
+import type { LoadOptions, PlanOptions, WarmPath } from './protocol.js';
+
+const SCHEMA = 'kerfway.project/1';
+
+/** A plan as a project keeps it. */
+export interface SavedPlan {
+  /** The seed of its search. */
+  seed: number;
+  /** The search behind it: moves, and seconds without pauses. */
+  moves: number;
+  seconds: number;
+  /** Time of the whole job, s. */
+  total_time: number;
+  /** Whether its search had ended. */
+  done: boolean;
+  /** What a search needs to continue from it: the option `warm`. */
+  path: WarmPath;
+}
+
+/** A drawing, what was decided about it, and its best plan. */
+export interface Project {
+  /** The name of the drawing's file. */
+  name: string;
+  /** The drawing's bytes. */
+  drawing: Uint8Array;
+  /** How the drawing is read. */
+  reading: LoadOptions;
+  /** How it is planned: the machine as a whole profile, the method, the place on the bed. */
+  planning: PlanOptions;
+  /** The best plan; `null` if there is none yet. */
+  plan: SavedPlan | null;
+}
+
+/** The text of a project file. */
+export async function writeProject({ name, drawing, reading, planning, plan }: Project): Promise<string> {
+  const packed = await through(drawing, new CompressionStream('gzip'), Infinity);
+  return `${JSON.stringify(asJson({ schema: SCHEMA, name, reading, planning, plan, drawing: base64(packed) }))}\n`;
+}
+
+/** Whether bytes look like a project, by their beginning. */
+export function isProject(bytes: ArrayBuffer | Uint8Array): boolean {
+  const start = new TextDecoder().decode(new Uint8Array(bytes instanceof Uint8Array ? bytes.subarray(0, 64) : bytes.slice(0, 64)));
+  return /^\s*\{\s*"schema"\s*:\s*"kerfway\.project\//.test(start);
+}
+
+/**
+ * Reads a project file. Throws a `KerfwayError` with one sentence if something in it is missing, of another type or out of
+ * range. Whether the plan fits the drawing is checked when it is used.
+ */
+export async function readProject(bytes: ArrayBuffer | Uint8Array): Promise<Project> {
+  checkSize(bytes.byteLength);
+  const { schema, name, reading, planning, plan, drawing } = parsed(bytes);
+  if (schema !== SCHEMA) throw unusable(`it is of the kind ${String(schema)}, and this version reads ${SCHEMA}`);
+  if (typeof name !== 'string' || typeof drawing !== 'string') throw unusable('its name or its drawing is missing');
+  if (!isObject(reading) || !isObject(planning)) throw unusable('what was decided about its drawing is missing');
+  checkOptions(reading, 'load');
+  checkOptions(planning, 'planning');
+  return { name, reading, planning, plan: plan === null || plan === undefined ? null : savedPlan(plan), drawing: await unpacked(drawing) };
+}
+
+function parsed(bytes: ArrayBuffer | Uint8Array): Record<string, unknown> {
+  try {
+    const value: unknown = JSON.parse(new TextDecoder().decode(bytes));
+    if (isObject(value)) return value;
+  } catch {}
+  throw unusable('it is not JSON, or only a part of it');
+}
+
+function savedPlan(value: unknown): SavedPlan {
+  if (!isObject(value) || !isObject(value['path'])) throw unusable('its plan has no path');
+  const { seed, moves, seconds, total_time, done, path } = value;
+  if (![seed, moves, seconds, total_time].every((n) => typeof n === 'number' && n >= 0)) throw unusable('a number of its plan is missing');
+  const options = withWarmPath({ seed: seed as number, warm: path as unknown as WarmPath });
+  checkOptions(options, 'planning');
+  return { seed, moves, seconds, total_time, done: done === true, path: options.warm } as SavedPlan;
+}
+
+async function unpacked(text: string): Promise<Uint8Array> {
+  try {
+    const packed = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+    return await through(packed, new DecompressionStream('gzip'), MAX_BYTES);
+  } catch (error) {
+    throw error instanceof KerfwayError ? error : unusable('its drawing is damaged');
+  }
+}
+
+/** What a stream makes of bytes, refused beyond a size: a small file may hold a drawing that fills the memory. */
+async function through(bytes: Uint8Array, stream: CompressionStream | DecompressionStream, most: number): Promise<Uint8Array> {
+  const made = new Blob([bytes as Uint8Array<ArrayBuffer>]).stream().pipeThrough(stream);
+  const chunks: BlobPart[] = [];
+  let length = 0;
+  const reader = made.getReader();
+  for (let { done, value } = await reader.read(); !done; { done, value } = await reader.read()) {
+    const chunk = value as Uint8Array<ArrayBuffer>;
+    chunks.push(chunk);
+    length += chunk.length;
+    if (length <= most) continue;
+    await reader.cancel();
+    throw new KerfwayError('too-large', endless(), { bytes: length, limit: most });
+  }
+  return new Uint8Array(await new Blob(chunks).arrayBuffer());
+}
+
+function base64(bytes: Uint8Array): string {
+  // In pieces, because a call takes some ten thousand arguments at most.
+  const PIECE = 0x2000;
+  const pieces: string[] = [];
+  for (let at = 0; at < bytes.length; at += PIECE) pieces.push(String.fromCharCode(...bytes.subarray(at, at + PIECE)));
+  return btoa(pieces.join(''));
+}
+
+const unusable = (why: string) => new KerfwayError('not-a-drawing', `This project file cannot be used: ${why}. Save the project again.`);
+
+const isObject = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null && !Array.isArray(value);
