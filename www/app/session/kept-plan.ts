@@ -13,6 +13,7 @@ export interface KeptPlan {
   readonly budget: number;
   /** Why its search had ended; null if it had not. */
   readonly reason: DoneReason | null;
+  readonly curve: PlanState['curve'];
   /** What the page showed of it; null if it comes from a file. */
   readonly shown: PlanState | null;
 }
@@ -25,7 +26,7 @@ export function keptPlan(state: State): KeptPlan | null {
     seed, baselines: state.baselines, planFindings: state.planFindings, beam: state.beam, common: state.common,
     progress: { ...progress, path }, path, curve: state.curve, insights: state.insights, reason,
   };
-  return { seed, path, moves: progress.moves, seconds: progress.seconds, budget, reason, shown };
+  return { seed, path, curve: state.curve, moves: progress.moves, seconds: progress.seconds, budget, reason, shown };
 }
 
 /** What a search reports, with the search before it counted in. Its bound still holds: it is one of the same drawing and machine. */

@@ -44,7 +44,7 @@ export class Planning {
     };
     this.before = kept;
     const run = planner.plan(options, this.reporter(isLatest));
-    this.store.planningStarted(kept?.budget ?? seconds, kept?.shown ?? null);
+    this.store.planningStarted(kept?.budget ?? seconds, kept);
     this.follow(run, isLatest, kept?.reason ?? null);
   }
 

@@ -7,6 +7,7 @@ import type { DoneReason, Loaded, LoadOptions, MachineProfile, Progress, Started
 import { Emitter } from '../core/emitter.js';
 import { extentOf } from './extent.js';
 import { withInsight } from './insights.js';
+import type { KeptPlan } from './kept-plan.js';
 import type { Placing } from './placing.js';
 import { initialState, noPlan, type Phase, type PlanState, type Question, type Search, type State } from './state.js';
 
@@ -117,10 +118,11 @@ export class Store extends Emitter<Events> {
     this.update({ phase: 'ready', ...noPlan() });
   }
 
-  /** `shown`: what is known already of a plan that was kept. */
-  planningStarted(budget: number, shown: PlanState | null): void {
-    this.update({ phase: 'planning', error: null, budget, ...(shown ?? noPlan()), reason: null });
-    if (shown !== null) this.emit('progress', this.current);
+  /** `kept`: the plan that the search goes on from. What is known of it is shown at once. */
+  planningStarted(budget: number, kept: KeptPlan | null): void {
+    const shown = kept?.shown ?? { ...noPlan(), ...(kept === null ? {} : { curve: kept.curve }) };
+    this.update({ phase: 'planning', error: null, budget, ...shown, reason: null });
+    if (shown.progress !== null) this.emit('progress', this.current);
   }
 
   /** The search continues with a plan that was done; `budget` counts from its start, s. */

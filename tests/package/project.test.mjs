@@ -1,0 +1,90 @@
+// Project files: written, read, refused, and taken by the command line wherever it takes a drawing.
+
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, it } from 'node:test';
+import { promisify } from 'node:util';
+import { isProject, plan, readProject, writeProject } from 'kerfway';
+import { circle, dxf, folder, ROOT, square } from './support.mjs';
+
+const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10), circle(20, 20, 5));
+const CLI = join(ROOT, 'dist', 'sdk', 'cli.js');
+const cli = (...args) => promisify(execFile)(process.execPath, [CLI, ...args]);
+const text = (value) => new TextEncoder().encode(typeof value === 'string' ? value : JSON.stringify(value));
+
+async function planned() {
+  const { path, seed, moves, summary } = await plan(PLATE, { units: 'mm', exclude: [2], moves: 2000, seed: 5, machine: 'length' });
+  return {
+    name: 'plate.dxf', drawing: PLATE, reading: { units: 'mm', exclude: [2] }, planning: { machine: 'length', seconds: 30 },
+    plan: { seed, moves, seconds: 1, total_time: summary.total_time, done: true, curve: { at: [0.1], total: [summary.total_time] }, path },
+  };
+}
+
+describe('a project', () => {
+  it('is read as it was written', async () => {
+    const project = await planned();
+    const bytes = text(await writeProject(project));
+    assert.equal(isProject(bytes), true);
+    assert.equal(isProject(PLATE), false);
+    const read = await readProject(bytes);
+    assert.deepEqual(Buffer.from(read.drawing), Buffer.from(PLATE));
+    assert.deepEqual([read.name, read.reading, read.planning], [project.name, project.reading, project.planning]);
+    assert.deepEqual([...read.plan.path.contours], [...project.plan.path.contours]);
+    const again = await plan(read.drawing, { ...read.reading, ...read.planning, seconds: undefined, warm: read.plan.path, moves: 0, seed: read.plan.seed });
+    assert.equal(again.summary.total_time, project.plan.total_time);
+  });
+
+  it('that is damaged is refused in a sentence that says what is wrong', async () => {
+    const good = JSON.parse(await writeProject(await planned()));
+    const bad = [
+      ['{ "schema": "kerfway.project/1", ', /it is not JSON, or only a part of it/],
+      [{ ...good, schema: 'kerfway.project/9' }, /it is of the kind kerfway\.project\/9/],
+      [{ ...good, drawing: undefined }, /its name or its drawing is missing/],
+      [{ ...good, drawing: '!' }, /its drawing is damaged/],
+      [{ ...good, drawing: good.drawing.slice(0, 40) }, /its drawing is damaged/],
+      [{ ...good, reading: null }, /what was decided about its drawing is missing/],
+      [{ ...good, planning: { secnods: 1 } }, /no option "secnods". Did you mean "seconds"/],
+      [{ ...good, plan: {} }, /its plan has no path/],
+      [{ ...good, plan: { ...good.plan, moves: 'many' } }, /a number of its plan is missing/],
+      [{ ...good, plan: { ...good.plan, path: { contours: 'x' } } }, /warm/],
+    ];
+    for (const [project, sentence] of bad) {
+      await assert.rejects(readProject(text(project)), (error) => error.name === 'KerfwayError' && sentence.test(error.message), String(sentence));
+    }
+  });
+
+  it('whose drawing fills the memory when it is unpacked is refused', async () => {
+    const bomb = await writeProject({ ...(await planned()), drawing: new Uint8Array(257 * 2 ** 20) });
+    assert.ok(bomb.length < 2 ** 20);
+    await assert.rejects(readProject(text(bomb)), /up to 256 MB can be read/);
+  });
+});
+
+describe('kerfway with a project', () => {
+  it('writes the program of its plan, searches on with a budget, and lets options overrule it', async (t) => {
+    const at = folder(t);
+    const file = join(at, 'plate.kerfway');
+    const project = await planned();
+    writeFileSync(file, await writeProject(project));
+    const document = async (...args) => JSON.parse((await cli('plan', file, '--json', '-', '--quiet', ...args)).stdout);
+    const kept = await document();
+    assert.equal(kept.summary.total_time, project.plan.total_time);
+    assert.deepEqual([kept.machine.name, kept.budget.moves, kept.seed, kept.summary.contours], ['length', 0, 5, 2]);
+    const longer = await document('--moves', '500');
+    assert.ok(longer.summary.total_time <= project.plan.total_time);
+    assert.equal(longer.budget.moves, 500);
+    assert.equal((await document('--machine', 'co2-100w', '--moves', '100')).machine.name, 'co2-100w');
+    assert.match((await cli('inspect', file)).stdout, /plate\.dxf/);
+    const quote = JSON.parse((await cli('quote', file, '--json', '-', '--quiet')).stdout);
+    assert.deepEqual([quote.input.name, quote.machine.name], ['plate.dxf', 'length']);
+    assert.ok(readFileSync(file).length > 0);
+  });
+
+  it('says what is wrong with a damaged one', async (t) => {
+    const file = join(folder(t), 'bad.kerfway');
+    writeFileSync(file, '{"schema":"kerfway.project/1"}');
+    await assert.rejects(cli('plan', file), (error) => error.code === 1 && /bad\.kerfway: This project file cannot be used: its name or its drawing is missing/.test(error.stderr));
+  });
+});
