@@ -29,14 +29,11 @@ export function seconds(s: number): string {
   return `${sign}${count(Math.floor(minutes / 60))} h ${String(minutes % 60).padStart(2, '0')} min`;
 }
 
-/** Job time in a narrow column: "627 s", "16:40", "1 h 23". */
+/** Job time in a narrow column, where it is compared with others: "627 s", "16:40", "1:23:07". */
 export function narrow(s: number): string {
   if (Math.abs(s) < 999.5) return seconds(s);
   const whole = Math.round(s);
-  const rest = String(whole % 60).padStart(2, '0');
-  if (whole < 3600) return `${Math.floor(whole / 60)}:${rest}`;
-  const minutes = Math.round(whole / 60);
-  return `${Math.floor(minutes / 60)} h ${String(minutes % 60).padStart(2, '0')}`;
+  return whole < 3600 ? `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, '0')}` : clock(whole);
 }
 
 /** A time within the job: "1:23.4", "1:02:03". */

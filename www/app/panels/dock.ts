@@ -4,10 +4,11 @@
  */
 
 import { button, h, setText } from '../core/dom.js';
-import { percent, seconds, short } from '../core/format.js';
+import { seconds, short } from '../core/format.js';
 import { doneSentence } from '../core/strings.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
+import { PROVEN } from './result.js';
 import { words } from '../core/words/index.js';
 
 export interface DockActions {
@@ -76,16 +77,16 @@ export function headline(state: State): string {
 function detailOf(state: State): string {
   const { phase, progress } = state;
   if (!progress || (phase !== 'planning' && phase !== 'paused' && phase !== 'done')) return '';
-  const bound = progress.summary.gap === null || isOptimal(state) ? null : words.dock.gap(percent(progress.summary.gap));
+  const bound = progress.summary.gap === null || isOptimal(state) ? null : words.dock.gap(seconds(progress.summary.total_time - progress.summary.lower_bound));
   const pace = phase === 'planning' ? words.dock.pace(short(Math.round(progress.rate))) : words.dock.moves(short(progress.moves));
-  const gain = (state.baselines?.drawing.total_time ?? 0) - progress.summary.total_time;
+  const gain = (state.baselines?.greedy.total_time ?? 0) - progress.summary.total_time;
   const off = !state.placing.allowOffBed && state.planFindings.some((f) => f.code === 'off-bed') ? words.dock.offBed : null;
   return [off, gain > 0 ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', ');
 }
 
 function isOptimal(state: State): boolean {
   const gap = state.progress?.summary.gap;
-  return gap !== null && gap !== undefined && gap <= 1e-9;
+  return gap !== null && gap !== undefined && gap <= PROVEN;
 }
 
 /** Seconds of search since the last improvement. */

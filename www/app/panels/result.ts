@@ -18,6 +18,9 @@ const ROWS = [
   { key: 'now', label: words.result.now, line: 'solid' },
 ] as const;
 
+/** A gap below this is rounding: the path is optimal. */
+export const PROVEN = 1e-9;
+
 const DOWNLOADS: readonly OutputKind[] = ['gcode', 'dxf', 'svg', 'png', 'json', 'lbrn2', 'rd'];
 
 export interface ResultActions {
@@ -53,10 +56,13 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
   };
   const show = (state: State, now: Summary) => {
     const before = state.baselines?.drawing;
-    if (before) {
-      const gain = before.total_time - now.total_time;
+    const usual = state.baselines?.greedy;
+    if (before && usual) {
+      // Compared with what a shop would cut otherwise. Nobody would cut in the order of the drawing, which saves more on paper.
+      const gain = usual.total_time - now.total_time;
+      const more = before.total_time - now.total_time;
       setText(saved, gain >= 0 ? words.result.saved(seconds(gain)) : words.result.longer(seconds(-gain)));
-      setText(of, words.result.of(seconds(before.total_time), percent(Math.abs(gain) / before.total_time)));
+      setText(of, words.result.of(percent(Math.abs(gain) / usual.total_time), more >= 0 ? words.result.less(seconds(more)) : words.result.more(seconds(-more))));
     }
     const longest = Math.max(before?.total_time ?? 0, state.baselines?.greedy.total_time ?? 0, now.total_time);
     rows[0]!.show(before, longest);
@@ -95,6 +101,12 @@ class Row {
   }
 }
 
+/** How much a better plan could save at most, in seconds of the machine. */
+function leftToGain({ gap, total_time, lower_bound }: Summary): string {
+  if (gap === null) return words.result.noBound;
+  return gap <= PROVEN ? words.result.nothingLeft : words.result.atMost(seconds(total_time - lower_bound), percent((total_time - lower_bound) / total_time));
+}
+
 function showParts(list: HTMLElement, s: Summary): void {
   const rows: [string, string][] = [
     [words.result.cut, `${seconds(s.cut_time)} · ${metres(s.cut_length)}`],
@@ -102,7 +114,7 @@ function showParts(list: HTMLElement, s: Summary): void {
   ];
   if (s.pre_cuts > 0) rows.push([words.result.preCuts, `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);
   if (s.macro_time > 0) rows.push([words.result.corners, seconds(s.macro_time)]);
-  if (s.gap !== null) rows.push([words.result.gap, words.result.atMost(percent(s.gap))]);
+  rows.push([words.result.gap, leftToGain(s)]);
   const text = JSON.stringify(rows);
   if (list.dataset.shown === text) return;
   list.dataset.shown = text;
