@@ -74,6 +74,9 @@ test('the other downloads are what they say', async (t) => {
   const png = await get('PNG');
   assert.equal(png.name, 'sheet_500.png');
   assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+  const report = await get('Report');
+  assert.equal(report.name, 'sheet_500-report.html');
+  assert.match(report.bytes.toString(), /<h1>sheet_500\.dxf<\/h1>/);
 });
 
 test('pause holds the search, resume goes on, keep improving adds to it', async (t) => {

@@ -87,7 +87,7 @@ export async function startPage(): Promise<void> {
   element('top').append(...top.nodes);
   element('sections').append(
     drawing, machinePanel(session, notify, () => pointer.chooseHome()), placement, planPanel(session),
-    resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject() }), quotePanel(session, notify));
+    resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject(), saveReport: () => void files.saveReport() }), quotePanel(session, notify));
   element('dock').append(dock(session, { open: () => files.choose(), gcode: () => void files.download('gcode'), sheet: () => layout.toggleSheet() }));
   element('playback').append(...playbackBar(playback));
   element('stage').append(tools.root, tools.legend, selection.card.root, questionCard(session), notices.failure, selection.table.root, notices.notice, pointer.tooltip.root);

@@ -14,6 +14,7 @@ export type { Verification } from './verify-quote.js';
 export { basket, priceBreaks, type BasketReport, type BasketItem, type BasketLine, type BasketOptions, type PriceBreak } from './basket.js';
 export type { SheetEstimate, Stock } from './sheets.js';
 export { partThumbnail, type ThumbnailOptions } from './thumbnail.js';
+export { jobReport, type JobReport } from './job-report.js';
 export { isProject, readProject, writeProject, type Project, type SavedPlan } from './project.js';
 export { activeContours } from './contours.js';
 export { tooLarge } from './size.js';

@@ -76,6 +76,16 @@ export class Files {
     }
   }
 
+  /** Downloads the report of the job, for the operator. */
+  async saveReport(): Promise<void> {
+    try {
+      const report = await this.session.report();
+      if (report !== null) save(report, `${baseName(this.session.state.name)}-report.html`, 'text/html');
+    } catch (error) {
+      this.notices.show(messageOf(error));
+    }
+  }
+
   /** Downloads the job as a project file. */
   async saveProject(): Promise<void> {
     const { project } = this.session;

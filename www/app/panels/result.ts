@@ -26,9 +26,10 @@ const DOWNLOADS: readonly OutputKind[] = ['gcode', 'dxf', 'svg', 'png', 'json', 
 export interface ResultActions {
   download(kind: OutputKind): void;
   saveProject(): void;
+  saveReport(): void;
 }
 
-export function resultPanel(session: Session, theme: Theme, { download, saveProject }: ResultActions): HTMLElement {
+export function resultPanel(session: Session, theme: Theme, { download, saveProject, saveReport }: ResultActions): HTMLElement {
   const { root, body } = section(words.result.title, true);
   const saved = h('p', { class: 'large' });
   const of = h('p', { class: 'soft number' });
@@ -40,7 +41,7 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
   const parts = h('dl', { class: 'parts' });
   const buttons = DOWNLOADS.map((kind) => button(words.result.kinds[kind], { class: 'small', title: words.result.downloadKind(words.result.kinds[kind]), onclick: () => download(kind) }));
   const files = h('div', { class: 'downloads', role: 'group', 'aria-label': words.result.download },
-    ...buttons, button(words.result.project, { class: 'small', title: words.result.projectHint, onclick: saveProject }));
+    ...buttons, button(words.result.report, { class: 'small', title: words.result.reportHint, onclick: saveReport }), button(words.result.project, { class: 'small', title: words.result.projectHint, onclick: saveProject }));
   const check = preflight(session, (passed) => (buttons[0]!.disabled = !passed));
   const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insightPanel(session, theme), parts, files, check);
   const empty = h('p', { class: 'soft' }, words.result.none);

@@ -3,7 +3,7 @@
  * drawing, the machine or the options. Every choice can be undone.
  */
 
-import type { LoadOptions, MachineProfile, Material, OutputKind, Planner, ProgramCheck, Project, Quote } from 'kerfway';
+import { jobReport, type LoadOptions, type MachineProfile, type Material, type OutputKind, type Planner, type ProgramCheck, type Project, type Quote } from 'kerfway';
 import { messageOf } from '../core/strings.js';
 import { type Shared, written } from './address.js';
 import { Catalog } from './catalog.js';
@@ -118,6 +118,14 @@ export class Session {
   /** The report that a quote of the best plan is based on. */
   async quote(material: Material): Promise<Quote> {
     return (await this.catalog.ready).quote({ material });
+  }
+
+  /** The report of the best plan, as HTML; null while there is none. */
+  async report(): Promise<string | null> {
+    const { loaded, progress, baselines, path, planFindings: findings } = this.state;
+    if (loaded === null || progress === null || baselines === null || path === null) return null;
+    const [svg, quote] = [(await this.output('svg')) as string, await this.quote({})];
+    return jobReport({ loaded, summary: progress.summary, baselines, path, findings, svg, quote, date: new Date() });
   }
 
   private choices(): Choices {

@@ -97,6 +97,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
         gcode: { value: 'OUT', about: 'G-code for the machine' },
         json: { value: 'OUT', about: 'the plan (kerfway.plan/1)' },
         svg: { value: 'OUT', about: 'a picture with order and direction' },
+        report: { value: 'OUT', about: 'an HTML page for the operator: picture, times, parts, order, findings' },
         dxf: { value: 'OUT', about: 'contours in cutting order' },
         png: { value: 'OUT', about: 'a picture in pixels' },
         lbrn2: { value: 'OUT', about: 'a LightBurn project' },

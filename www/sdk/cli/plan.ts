@@ -1,7 +1,9 @@
 /** `kerfway plan`: plans drawings and writes the outputs. */
 
 import { basename } from 'node:path';
-import type { PlanResult } from '../node.js';
+import { KerfwayError } from '../errors.js';
+import { jobReport } from '../job-report.js';
+import type { Planner, PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, OutputKind, PlanOptions } from '../protocol.js';
 import { parsed } from './arguments.js';
 import { outputsOf, type Written } from './destinations.js';
@@ -10,17 +12,22 @@ import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { duration, percent, meters, plural } from './words.js';
 
-const OUTPUTS: readonly OutputKind[] = ['json', 'gcode', 'svg', 'dxf', 'png', 'lbrn2', 'rd'];
+const OUTPUTS: readonly (OutputKind | 'report')[] = ['json', 'gcode', 'svg', 'dxf', 'png', 'lbrn2', 'rd', 'report'];
 
 export async function plan(args: string[]): Promise<void> {
   const given = parsed('plan', args);
   const outputs = outputsOf(given, OUTPUTS);
   await planFiles(given, { outputs, columns: COLUMNS }, async ({ file, place, planner, loaded, result, options }, to) => {
     const written: Written[] = [];
-    for (const output of outputs) written.push({ output, data: await usable(file, planner.output(output.kind)) });
+    for (const output of outputs) written.push({ output, data: await usable(file, output.kind === 'report' ? reported(planner, loaded, result) : planner.output(output.kind)) });
     await to.write(file, written);
     await to.report(place, () => lines(file, loaded, result, options), () => row(file, loaded, result));
   });
+}
+
+async function reported(planner: Planner, loaded: Loaded, { progress: { summary, path }, baselines, findings }: PlanResult): Promise<string> {
+  if (path === null) throw new KerfwayError('planner-died', 'The plan ended before it had a path.');
+  return jobReport({ loaded, summary, baselines, path, findings, quote: await planner.quote(), svg: await planner.output('svg') });
 }
 
 const COLUMNS: readonly Column[] = [

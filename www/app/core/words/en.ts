@@ -233,7 +233,7 @@ export const en = {
     title: 'Result', none: 'Results appear here when the first path is ready.', compare: 'Before and after', order: 'Order', job: 'Job', air: 'Air', travel: 'Travel',
     drawing: 'Drawing order', greedy: 'Nearest first', now: 'Now', download: 'Download', downloadKind: (kind: string) => `Download ${kind}`,
     kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)' },
-    project: 'Project', projectHint: 'Save the project: drawing, decisions, machine and plan (Ctrl S)',
+    report: 'Report', reportHint: 'One page for the operator: picture, times, parts, order, findings', project: 'Project', projectHint: 'Save the project: drawing, decisions, machine and plan (Ctrl S)',
     saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (share: string, order: string) => `${share} of what most programs cut, nearest first; ${order}`,
     less: (time: string) => `${time} less than as drawn`, more: (time: string) => `${time} more than as drawn`,
     cut: 'Cut', pierce: 'Pierce', piercings: (n: string) => `${n} piercings`, preCuts: 'Pre-cuts', corners: 'Corners', gap: 'Left to gain', atMost: (time: string, share: string) => `at most ${time} (${share})`, noBound: 'no bound yet', nothingLeft: 'nothing: this path is optimal',

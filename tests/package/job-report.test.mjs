@@ -1,0 +1,41 @@
+// The report of a job: one page with everything on it, in which nothing of the drawing is taken for markup.
+
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { it } from 'node:test';
+import { promisify } from 'node:util';
+import { createPlanner, jobReport } from 'kerfway';
+import { circle, dxf, folder, ROOT, square } from './support.mjs';
+
+const CLI = join(ROOT, 'dist', 'sdk', 'cli.js');
+const run = promisify(execFile);
+const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10), circle(20, 20, 5));
+
+it('has the figures of the plan, each part, the order, and nothing that runs or loads', async (t) => {
+  const planner = await createPlanner();
+  t.after(() => planner.close());
+  const loaded = await planner.load(PLATE, '<img src=x onerror=alert(1)>.dxf', { units: 'mm' });
+  const { progress: { summary, path }, baselines, findings } = await planner.plan({ moves: 1000, seed: 3 }).done;
+  const quote = await planner.quote({ material: { name: 'Steel & "co"', thickness: 3, density: 7.85 } });
+  const page = jobReport({ loaded, summary, baselines, path, findings, quote, svg: await planner.output('svg'), date: new Date('2026-11-25T10:30:00Z') });
+  assert.match(page, /^<!doctype html>/);
+  assert.doesNotMatch(page, /<img src=x|<script|https?:(?!\/\/www\.w3\.org)/);
+  assert.match(page, /&lt;img src=x onerror=alert\(1\)&gt;\.dxf/);
+  assert.match(page, /Steel &amp; &quot;co&quot;, 3 mm/);
+  assert.match(page, /<dt>Printed<\/dt><dd>2026-11-25 10:30<\/dd>/);
+  assert.match(page, new RegExp(`<p class="time">${summary.total_time.toFixed(1)} s</p>`));
+  assert.match(page, /<td>1<\/td><td>100 × 100 mm<\/td><td>96\.07 cm²<\/td><td>0\.49 m<\/td><td>2<\/td>/);
+  const rows = [...page.matchAll(/<tr><td>(\d)<\/td><td>(\d)<\/td><td>0<\/td><td>([\d.]+) s<\/td>/g)].map((m) => Number(m[2]) - 1);
+  assert.deepEqual(rows, [...path.contours]);
+  const picture = Buffer.from(/base64,([^"]+)"/.exec(page)[1], 'base64').toString();
+  assert.equal(picture, await planner.output('svg'));
+});
+
+it('is an output of the command line', async (t) => {
+  const at = folder(t);
+  writeFileSync(join(at, 'plate.dxf'), PLATE);
+  await run(process.execPath, [CLI, 'plan', join(at, 'plate.dxf'), '--units', 'mm', '--moves', '500', '--report', `${at}/`, '--quiet']);
+  assert.match(readFileSync(join(at, 'plate.html'), 'utf8'), /<h1>plate\.dxf<\/h1>/);
+});
