@@ -87,6 +87,7 @@
 //! * `png`: the PNG renderer, which depends on tiny-skia. It is a WebAssembly file of its own, because most jobs never
 //!   need it.
 
+pub mod calibration;
 pub mod geometry;
 
 pub mod drawing;

@@ -4,7 +4,7 @@
 //! to and from workers, and geometry, which travels as typed arrays. After a change of a Rust type,
 //! `KERFWAY_BLESS=1 cargo test --lib typescript` writes the file again.
 
-use crate::{drawing, finding, job, machine, output, plan, quote, sheet, solve};
+use crate::{calibration, drawing, finding, job, machine, output, plan, quote, sheet, solve};
 use std::path::Path;
 use ts_rs::{Config, TS};
 
@@ -83,6 +83,8 @@ fn generated() -> String {
         sheet::Operation,
         sheet::CommonCuts,
         sheet::Group,
+        sheet::PassOrder,
+        machine::Settings,
         sheet::LayerUse,
         sheet::Part,
         machine::Anchor,
@@ -91,6 +93,8 @@ fn generated() -> String {
         machine::Axes,
         machine::Process,
         machine::SharpCorner,
+        machine::MaterialSetting,
+        machine::Takes,
         machine::dialect::FileUnit,
         machine::dialect::Decimals,
         machine::dialect::DwellUnit,
@@ -130,6 +134,8 @@ fn generated() -> String {
         solve::Parent,
         solve::Partitions,
         solve::Insight,
+        calibration::CalibratedJob,
+        calibration::Calibration,
         quote::Material,
         quote::Limits,
         quote::Terms,

@@ -58,7 +58,7 @@ impl BestPath {
                 _ => {}
             }
         }
-        path.times = cutting_times(&plan, &run.machine, &parts);
+        path.times = cutting_times(&plan, &run.machine, sheet, &parts);
         (path, plan)
     }
 
@@ -89,15 +89,18 @@ impl BestPath {
 
 /// Start and end of cutting for each stop, in seconds from the start of the job. In a run through a pierce group, the
 /// seconds are divided among the stretches by their length. These are the partial sums of [`crate::plan::evaluate`].
-fn cutting_times(plan: &Plan, machine: &Profile, parts: &[Vec<f64>]) -> Vec<f64> {
+fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64>]) -> Vec<f64> {
     let air = AirTime::new(machine);
     // Start and end of each run, including pauses in sharp corners.
     let mut runs: Vec<[f64; 2]> = Vec::with_capacity(parts.len());
     let mut goes_on = false;
-    let (mut now, mut head) = (0.0, machine.home());
+    let (mut now, mut head, mut height) = (0.0, machine.home(), 0.0);
+    // The contour whose passes go on until the next air move.
+    let mut repeated = None;
     for step in &plan.moves {
         match step {
             Move::Air { to } => {
+                repeated = None;
                 now += air.seconds(head, *to);
                 head = *to;
             }
@@ -107,10 +110,18 @@ fn cutting_times(plan: &Plan, machine: &Profile, parts: &[Vec<f64>]) -> Vec<f64>
                 head = *to;
             }
             Move::Macro { .. } => now += machine.macro_time(),
-            Move::Cut { path, mark, .. } => {
+            Move::Height { z } => {
+                now += machine.height_seconds(z - height);
+                height = *z;
+            }
+            Move::Cut { contour, path, .. } => {
                 let begin = now + machine.beam_on_delay;
-                let end = begin + cut_time(machine, machine.process(*mark), path);
-                match runs.last_mut().filter(|_| goes_on) {
+                let end = begin + cut_time(machine, &sheet.process_by_id(*contour, machine), path);
+                let passes =
+                    sheet.contours.get(*contour as usize).map_or(1, |c| sheet.passes_at_once(c, machine));
+                let again = repeated == Some(*contour);
+                repeated = (passes > 1).then_some(*contour);
+                match runs.last_mut().filter(|_| goes_on || again) {
                     Some(run) => run[1] = end,
                     None => runs.push([begin, end]),
                 }

@@ -50,7 +50,7 @@ pub struct Job {
     sheet_options: SheetOptions,
     drawing: Drawing,
     sheet: Sheet,
-    /// The sheet with the paths of the beam, if the machine of the run has a kerf width.
+    /// The sheet with the paths of the beam, if the machine of the run has a kerf width, or passes are run sheet by sheet.
     beam_sheet: Option<Sheet>,
     run: Option<Run>,
 }
@@ -149,11 +149,18 @@ impl Job {
             return Err(JobError::NothingToCut(self.why_empty()));
         }
         options.check()?;
-        let profile = options.machine.profile()?;
-        let placed = Placed::new(profile, options.place, options.start, &self.sheet.bounds)?
+        let placed = Placed::new(options.profile()?, options.place, options.start, &self.sheet.bounds)?
             .allow_off_bed(options.allow_off_bed);
+        let profile = &placed.profile;
+        if let Some(layer) = self.sheet.lowers_head(profile).filter(|_| profile.z_speed.is_none()) {
+            return Err(JobError::Options(format!(
+                "The passes on layer {layer} lower the head, but the machine {} has no \"z_speed\". Set it, or set the z step to 0.",
+                profile.name
+            )));
+        }
         self.drop_run();
         let mut findings = self.compensate(placed.profile.kerf_width);
+        self.beam_sheet = self.beam_sheet().sheet_by_sheet(&placed.profile).or(self.beam_sheet.take());
         findings.extend(placed.finding(&self.beam_sheet().bounds));
         let mut run = Run::start(self.beam_sheet(), placed, options)?;
         findings.append(&mut run.findings);

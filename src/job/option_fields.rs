@@ -5,7 +5,7 @@ use super::ranges::{
     ALONG, COUNT, ID, JOIN_TOLERANCE, MEMBER, PLACE, REVERSED, SECONDS, TOLERANCE, TURN, WORKERS,
 };
 use crate::fields::{Field, Kind, Shape, Shaped};
-use crate::machine::{Anchor, Profile};
+use crate::machine::{Anchor, LAYER_SETTINGS, Profile};
 
 const IDS: Kind = Kind::List(&Kind::Whole(ID));
 const LENGTHS: Kind = Kind::List(&Kind::Number(ALONG));
@@ -26,8 +26,9 @@ impl Shaped for LoadOptions {
             Field::optional("keepDamaged", Kind::Flag),
             Field::optional("turn", Kind::Whole(TURN)),
             Field::optional("joinTolerance", Kind::Number(JOIN_TOLERANCE)),
-            Field::optional("layers", Kind::List(&Kind::Object(LAYER))),
+            Field::optional("layers", Kind::List(&Kind::Object(LAYER_SETTINGS))),
             Field::optional("orderByLayer", Kind::Flag),
+            Field::optional("passOrder", Kind::Choice(&["contour", "sheet"])),
             Field::optional("ignoreOutline", Kind::Flag),
             Field::optional("keepBorder", Kind::Flag),
             Field::optional("groups", Kind::List(&Kind::Object(GROUP))),
@@ -39,11 +40,6 @@ impl Shaped for LoadOptions {
         ],
     };
 }
-
-const LAYER: &[Field] = &[
-    Field::required("name", Kind::Text),
-    Field::required("operation", Kind::Choice(&["cut", "mark", "ignore"])),
-];
 
 const GROUP: &[Field] = &[
     Field::required("name", Kind::Choice(&["lettering", "leaders"])),
@@ -57,6 +53,7 @@ impl Shaped for PlanOptions {
         value: "The option",
         fields: &[
             Field::optional("machine", Kind::NameOr(&Profile::SHAPE)),
+            Field::optional("material", Kind::Text),
             Field::optional("place", Kind::Object(PLACING)),
             Field::optional("start", Kind::Choice(&["absolute", "current"])),
             Field::optional("allowOffBed", Kind::Flag),

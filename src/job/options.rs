@@ -8,22 +8,55 @@ use super::ranges::{JOIN_TOLERANCE, SECONDS, TOLERANCE, TURN, WORKERS};
 use super::{JobError, WarmPath};
 use crate::drawing::{ReadOptions, TextDecoder, Unit};
 use crate::fields::{FieldError, Range};
-use crate::machine::{self, Profile, Start};
-use crate::sheet::{CommonCuts, Group, Operation, SheetOptions};
+use crate::machine::{self, Profile, Settings, Start};
+use crate::sheet::{CommonCuts, Group, Operation, PassOrder, SheetOptions};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::fmt;
 
-/// The operation for one layer.
+/// The operation for one layer, and what it is worked with. What is not set is as the machine or the material says.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 pub struct LayerChoice {
     /// Name of the layer.
     pub name: String,
     /// Cut, mark or ignore.
     pub operation: Operation,
+    /// Speed along its contours, mm/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed: Option<f64>,
+    /// Power as a fraction of full power, 0 to 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub power: Option<f64>,
+    /// Least power, where the head is slow, as a fraction of full power.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub min_power: Option<f64>,
+    /// Number of passes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub passes: Option<u32>,
+    /// By how much the head is lowered for each further pass, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub z_step: Option<f64>,
+    /// Whether the air assist is on.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub air: Option<bool>,
+}
+
+impl LayerChoice {
+    /// An operation with the settings of machine and material.
+    pub fn new(name: impl Into<String>, operation: Operation) -> Self {
+        let name = name.into();
+        let (speed, power, min_power, passes, z_step, air) = (None, None, None, None, None, None);
+        Self { name, operation, speed, power, min_power, passes, z_step, air }
+    }
+
+    /// What is set for the layer.
+    fn settings(&self) -> Settings {
+        let Self { speed, power, min_power, passes, z_step, air, .. } = *self;
+        Settings { speed, power, min_power, passes, z_step, air }
+    }
 }
 
 /// The operation for a group of contours.
@@ -56,6 +89,9 @@ pub struct LoadOptions {
     pub layers: Vec<LayerChoice>,
     /// Whether layers are processed one after the other. Default false.
     pub order_by_layer: bool,
+    /// How contours with several passes are run: `contour`, all passes of one before the next, or `sheet`, the first pass of
+    /// all, then the second. Default `contour`.
+    pub pass_order: PassOrder,
     /// Whether the single border around everything is ignored even if it may be a cut. If it clearly shows the sheet, it is
     /// ignored in any case. Default false.
     pub ignore_outline: bool,
@@ -91,6 +127,7 @@ impl Default for LoadOptions {
             join_tolerance: sheet.join_tolerance,
             layers: Vec::new(),
             order_by_layer: sheet.order_by_layer,
+            pass_order: sheet.pass_order,
             ignore_outline: sheet.ignore_outline,
             keep_border: sheet.keep_border,
             groups: Vec::new(),
@@ -124,10 +161,23 @@ impl LoadOptions {
     /// The options of the sheet.
     pub fn sheet_options(&self) -> Result<SheetOptions, JobError> {
         within("joinTolerance", self.join_tolerance, &JOIN_TOLERANCE)?;
+        for layer in &self.layers {
+            if let Err((field, value, range)) = machine::check_settings(&layer.settings()) {
+                let name = format!("layers: {}: {field}", layer.name);
+                return Err(FieldError::out_of_range("The option", &name, value, &range).into());
+            }
+        }
         Ok(SheetOptions {
             join_tolerance: self.join_tolerance,
             layers: self.layers.iter().map(|l| (l.name.clone(), l.operation)).collect(),
+            settings: self
+                .layers
+                .iter()
+                .map(|l| (l.name.clone(), l.settings()))
+                .filter(|l| !l.1.is_none())
+                .collect(),
             order_by_layer: self.order_by_layer,
+            pass_order: self.pass_order,
             ignore_outline: self.ignore_outline,
             keep_border: self.keep_border,
             groups: self.groups.iter().map(|g| (g.name, g.operation)).collect(),
@@ -227,6 +277,8 @@ pub struct Budget {
 pub struct PlanOptions {
     /// The name of a preset, or a profile. Default `co2-100w`.
     pub machine: MachineChoice,
+    /// The name of a setting in the machine's library of materials. Default: the machine's own cutting and marking.
+    pub material: Option<String>,
     /// Where the job lies on the bed. Default: as drawn.
     pub place: Option<Place>,
     /// Whether the program is in machine coordinates, or starts where the head stands. Default `absolute`.
@@ -259,6 +311,15 @@ impl PlanOptions {
     /// Checks the ranges of numbers, because callers in Rust fill the struct directly.
     pub(super) fn check(&self) -> Result<(), JobError> {
         self.seconds.map_or(Ok(()), |s| within("seconds", s, &SECONDS))
+    }
+
+    /// The machine with the material on it.
+    pub(super) fn profile(&self) -> Result<Profile, JobError> {
+        let profile = self.machine.profile()?;
+        match &self.material {
+            None => Ok(profile),
+            Some(name) => Ok(profile.with_material(name)?),
+        }
     }
 
     /// Number of parallel searches.

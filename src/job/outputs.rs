@@ -140,7 +140,8 @@ impl Job {
         let Placed { profile, shift, .. } = &self.run()?.placed;
         let plan = self.plan()?.moved(*shift);
         // Moving a plan must not change its time.
-        let (says, adds_up) = (plan.summary.total_time, plan::evaluate(&plan.moves, profile).total_time);
+        let (says, adds_up) =
+            (plan.summary.total_time, plan::evaluate(&plan.moves, self.beam_sheet(), profile).total_time);
         if (says - adds_up).abs() <= SAME_TIME * (1.0 + adds_up) {
             Ok(plan)
         } else {
@@ -155,8 +156,25 @@ impl Job {
         run.placed.check(&Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) })
     }
 
-    /// What a price needs of the best plan so far, which is checked first.
+    /// What a price needs of the best plan so far, which is checked first. A material that the machine has no setting for, or
+    /// that was not planned for, is refused instead of priced with the speed of another.
     pub fn quote(&self, terms: &Terms) -> Result<Quote, JobError> {
+        let run = self.run()?;
+        let named = terms.material.name.as_deref();
+        if let Some(name) = named.filter(|_| !run.placed.profile.materials.is_empty()) {
+            let profile = &run.placed.profile;
+            let Some(known) = profile.material(name) else {
+                return Err(profile.lacks(name).into());
+            };
+            let planned = run.material.as_deref();
+            if planned.and_then(|planned| profile.material(planned)) != Some(known) {
+                let planned = planned.map_or("the machine's own setting".to_owned(), |p| format!("\"{p}\""));
+                let message = format!(
+                    "The quote names the material \"{name}\", but the job was planned for {planned}. Plan it for that material."
+                );
+                return Err(FieldError::new(Fault::Contradiction, "material", message).into());
+            }
+        }
         Ok(quote::quote(&self.document()?, terms)?)
     }
 
@@ -187,8 +205,10 @@ impl Job {
                 units: self.drawing.units.unit,
                 units_source: self.drawing.units.source,
             },
-            machine: profile.clone(),
+            // The library is not part of the plan.
+            machine: Profile { materials: Vec::new(), ..profile.clone() },
             options: Options::of(&self.read_options, &self.sheet_options),
+            material: run.material.clone(),
             placement: (!run.placed.is_as_drawn())
                 .then(|| Placement { shift: shift.to_array(), start: *start }),
             summary: plan.summary.clone(),

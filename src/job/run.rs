@@ -51,6 +51,8 @@ pub struct Run {
     pub placed: Placed,
     /// The machine in the coordinates of the drawing, in which the search works.
     pub machine: Profile,
+    /// Name of the material setting that is used.
+    pub material: Option<String>,
     /// Name of the method.
     pub method: String,
     /// Its parameters, as given.
@@ -99,6 +101,7 @@ impl Run {
         Ok(Self {
             placed,
             machine,
+            material: options.material.clone(),
             method: name.to_owned(),
             parameters: options.parameters.clone(),
             seed: options.seed,

@@ -16,6 +16,7 @@
 //! because it saves a wait.
 
 use super::lookahead::{ElementLimits, corner_speed2};
+use super::process::Process;
 use super::profile::Profile;
 use super::ramp::seconds;
 use crate::geometry::Segment;
@@ -37,6 +38,8 @@ pub struct ClosedRun {
     wait: f64,
     /// Whether the speed is the same everywhere.
     uniform: bool,
+    /// Number of rounds, each from rest to rest.
+    rounds: f64,
     pieces: Vec<Piece>,
 }
 
@@ -59,8 +62,7 @@ struct Piece {
 impl ClosedRun {
     /// The times along a closed path that is marked (`mark`) or cut. `None` where a stop costs nothing (without
     /// acceleration and sharp corners) and for a path without length.
-    pub fn new(profile: &Profile, mark: bool, path: &[Segment]) -> Option<Self> {
-        let process = profile.process(mark);
+    pub fn new(profile: &Profile, process: &Process, mark: bool, path: &[Segment]) -> Option<Self> {
         let accel = process.accel.unwrap_or(f64::INFINITY);
         let mut runs = Vec::with_capacity(path.len());
         let (mut pieces, mut length) = (Vec::with_capacity(path.len()), 0.0);
@@ -96,7 +98,8 @@ impl ClosedRun {
         let saved = if sharp > 0 { wait } else { 0.0 };
         if accel.is_infinite() {
             let nonstop = pieces.iter().map(|p| p.seconds).sum::<f64>() + sharp as f64 * wait;
-            let run = Self { accel, length, nonstop, stop: -saved, wait, uniform: false, pieces };
+            let run =
+                Self { accel, length, nonstop, stop: -saved, wait, uniform: false, rounds: 1.0, pieces };
             return (sharp > 0).then_some(run);
         }
         // The slowest corner is passed at its own limit, so both passes may start there.
@@ -120,12 +123,17 @@ impl ClosedRun {
             0.0
         };
         let nonstop = pieces.iter().map(|p| p.seconds).sum::<f64>() + sharp as f64 * wait;
-        Some(Self { accel, length, nonstop, stop: stop - saved, wait, uniform, pieces })
+        Some(Self { accel, length, nonstop, stop: stop - saved, wait, uniform, rounds: 1.0, pieces })
+    }
+
+    /// The same, run several times, each from rest to rest at the same entry.
+    pub fn repeated(self, rounds: u32) -> Self {
+        Self { rounds: f64::from(rounds), ..self }
     }
 
     /// Least seconds of the run, over all entries.
     pub fn least(&self) -> f64 {
-        self.nonstop + self.stop
+        self.rounds * (self.nonstop + self.stop)
     }
 
     /// Seconds above [`ClosedRun::least`] for the entry `along` mm from the path's start. Their sum is the
@@ -145,7 +153,7 @@ impl ClosedRun {
         let whole = self.pieces[i];
         let saved = if whole.sharp && at <= 0.0 { self.wait } else { 0.0 };
         if self.accel.is_infinite() {
-            return (-saved - self.stop).max(0.0);
+            return self.rounds * (-saved - self.stop).max(0.0);
         }
         let mut change = -saved;
         let (mut ahead, mut d) = (i, 0.0);
@@ -171,7 +179,7 @@ impl ClosedRun {
             change += self.slower(previous, self.slowed2(previous, there), self.slowed2(behind, d));
             (behind, d, left) = (previous, there, left - 1);
         }
-        (change - self.stop).max(0.0)
+        self.rounds * (change - self.stop).max(0.0)
     }
 
     /// Least seconds of each stop on the way, one of which is part of [`ClosedRun::least`]. Negative if a stop saves a

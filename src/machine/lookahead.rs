@@ -13,7 +13,8 @@
 //! on, 0: a reversal).
 
 use super::arc::arc_speed2;
-use super::profile::{Process, Profile};
+use super::process::Process;
+use super::profile::Profile;
 use super::ramp::seconds;
 use crate::geometry::{DVec2, Segment};
 
@@ -43,9 +44,8 @@ pub fn cut_time(profile: &Profile, process: &Process, path: &[Segment]) -> f64 {
     runs.iter().zip(speed2.windows(2)).map(|(r, v2)| seconds(r.length, r.top2, v2[0], v2[1], accel)).sum()
 }
 
-/// Seconds to cut or mark along `path`, including the pauses in sharp corners.
-pub fn process_time(profile: &Profile, mark: bool, path: &[Segment]) -> f64 {
-    let process = profile.process(mark);
+/// Seconds to cut or mark along `path` once with `process`, including the pauses in sharp corners.
+pub fn process_time(profile: &Profile, process: &Process, mark: bool, path: &[Segment]) -> f64 {
     if mark {
         return cut_time(profile, process, path);
     }

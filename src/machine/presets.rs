@@ -6,7 +6,8 @@
 //! makers of such machines. The reason for each figure stands beside it.
 
 use super::dialect::DialectChoice;
-use super::profile::{Axes, Process, Profile, Travel};
+use super::process::Process;
+use super::profile::{Axes, Profile, Takes, Travel};
 use super::sharp_corner::SharpCorner;
 use super::valid::VERSION;
 use std::f64::consts::PI;
@@ -19,6 +20,8 @@ pub fn presets() -> Vec<Profile> {
         fibre_3kw_thin(),
         fibre_6kw_thick(),
         fibre_6kw_plate(),
+        co2_ruida(),
+        k40(),
         length("length", "Length only: air moves in mm along straight lines", Travel::Vector),
         length("length-chebyshev", "Length only: air moves in mm of the longer axis", Travel::PerAxis),
         Profile {
@@ -52,9 +55,9 @@ fn co2_100w() -> Profile {
             accel: Some([3000.0, 2000.0]),
         },
         // Published tables give 30 to 45 mm/s for a clean edge in 3 mm acrylic at 100 W.
-        cut: Process { speed: 35.0, accel: Some(2000.0), power: 0.85 },
+        cut: Process::new(35.0, Some(2000.0), 0.85),
         // Vector engraving, far from cutting through.
-        mark: Process { speed: 200.0, accel: Some(2000.0), power: 0.15 },
+        mark: Process::new(200.0, Some(2000.0), 0.15),
         // GRBL's default.
         junction_deviation: Some(0.01),
         // Acrylic is pierced while the tube reaches its power.
@@ -63,9 +66,12 @@ fn co2_100w() -> Profile {
         pre_cut_length: 0.0,
         sharp_corner: None,
         kerf_width: 0.0,
+        z_speed: None,
+        materials: Vec::new(),
         // A high-voltage CO2 supply rises and falls within a few ms.
         beam_on_delay: 0.005,
         beam_off_delay: 0.005,
+        takes: Takes::Gcode,
         dialect: DialectChoice::named("grbl-m4"),
         max_s: 1000.0,
     }
@@ -89,9 +95,9 @@ fn diode_hobby() -> Profile {
             accel: Some([800.0, 800.0]),
         },
         // 3 mm plywood is cut in one pass at 10 W optical power and about 300 mm/min.
-        cut: Process { speed: 5.0, accel: Some(800.0), power: 1.0 },
+        cut: Process::new(5.0, Some(800.0), 1.0),
         // Line engraving at 3,000 mm/min.
-        mark: Process { speed: 50.0, accel: Some(800.0), power: 0.4 },
+        mark: Process::new(50.0, Some(800.0), 0.4),
         junction_deviation: Some(0.01),
         // With M4 the head starts at once; at 5 mm/s the beam pierces while moving.
         pierce_time: 0.0,
@@ -99,8 +105,11 @@ fn diode_hobby() -> Profile {
         pre_cut_length: 0.0,
         sharp_corner: None,
         kerf_width: 0.0,
+        z_speed: None,
+        materials: Vec::new(),
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
+        takes: Takes::Gcode,
         dialect: DialectChoice::named("grbl-m4"),
         max_s: 1000.0,
     }
@@ -125,9 +134,9 @@ fn fibre_3kw_thin() -> Profile {
             accel: Some([9810.0, 9810.0]),
         },
         // Cutting tables give 24 to 30 m/min for 1 mm at 3 kW.
-        cut: Process { speed: 400.0, accel: Some(5000.0), power: 1.0 },
+        cut: Process::new(400.0, Some(5000.0), 1.0),
         // Marking with the same beam at low power.
-        mark: Process { speed: 500.0, accel: Some(5000.0), power: 0.1 },
+        mark: Process::new(500.0, Some(5000.0), 0.1),
         // Such controllers round corners within a few hundredths of a millimetre.
         junction_deviation: Some(0.02),
         // Thin sheet is pierced in one pulse.
@@ -136,9 +145,13 @@ fn fibre_3kw_thin() -> Profile {
         pre_cut_length: 0.0,
         sharp_corner: None,
         kerf_width: 0.0,
+        z_speed: None,
+        materials: Vec::new(),
         // The gas and the height control need time to settle.
         beam_on_delay: 0.05,
         beam_off_delay: 0.02,
+        // CypCut and its like: contours come as DXF, and technology tables hold speeds and powers.
+        takes: Takes::Dxf,
         dialect: DialectChoice::named("grbl-m4"),
         max_s: 1000.0,
     }
@@ -150,14 +163,16 @@ fn fibre_6kw_thick() -> Profile {
         name: "fibre-6kw-thick".to_owned(),
         title: "Fibre laser, 6 kW, 12 mm mild steel, oxygen".to_owned(),
         // Cutting tables give about 2 m/min for 12 mm; the oxygen limits the speed, not the power.
-        cut: Process { speed: 33.0, accel: Some(3000.0), power: 0.7 },
-        mark: Process { speed: 250.0, accel: Some(3000.0), power: 0.1 },
+        cut: Process::new(33.0, Some(3000.0), 0.7),
+        mark: Process::new(250.0, Some(3000.0), 0.1),
         // Staged piercing of 12 mm takes half a second to a second.
         pierce_time: 0.8,
         pre_cut_time: None,
         pre_cut_length: 0.0,
         sharp_corner: None,
         kerf_width: 0.0,
+        z_speed: None,
+        materials: Vec::new(),
         // The oxygen pressure is built up and released.
         beam_on_delay: 0.2,
         beam_off_delay: 0.1,
@@ -172,7 +187,7 @@ fn fibre_6kw_plate() -> Profile {
         name: "fibre-6kw-plate".to_owned(),
         title: "Fibre laser, 6 kW, 20 mm mild steel, oxygen".to_owned(),
         // Cutting tables give about 0.9 m/min for 20 mm.
-        cut: Process { speed: 15.0, accel: Some(3000.0), power: 0.9 },
+        cut: Process::new(15.0, Some(3000.0), 0.9),
         // Staged piercing of 20 mm takes two to three seconds.
         pierce_time: 2.5,
         // 4 mm at cutting speed, back with the beam off, and the delays of the beam.
@@ -181,6 +196,44 @@ fn fibre_6kw_plate() -> Profile {
         // Corners of less than 75 degrees burn off in plate; one second lets them cool.
         sharp_corner: Some(SharpCorner { angle: 75.0 * PI / 180.0, time: 1.0 }),
         ..fibre_6kw_thick()
+    }
+}
+
+/// A CO2 laser with a Ruida controller, 1000 x 600 mm, 3 mm acrylic. Its own program or LightBurn reads the DXF.
+fn co2_ruida() -> Profile {
+    Profile {
+        name: "co2-ruida".to_owned(),
+        title: "CO2 laser, 80 W, Ruida, 3 mm acrylic".to_owned(),
+        // The format that makers call 1060.
+        bed: Some([0.0, 0.0, 1000.0, 600.0]),
+        rapid: Axes {
+            // The factory setting of the idle speed of such machines.
+            speed: [200.0, 200.0],
+            // Factory settings of x and y: the gantry is heavier.
+            accel: Some([8000.0, 3000.0]),
+        },
+        // Published tables give 15 to 25 mm/s for 3 mm acrylic at 80 W.
+        cut: Process::new(20.0, Some(3000.0), 0.7),
+        mark: Process::new(200.0, Some(3000.0), 0.15),
+        takes: Takes::Dxf,
+        ..co2_100w()
+    }
+}
+
+/// A K40: 40 W, 300 x 200 mm, with the board it is sold with, 3 mm plywood. MeerK40t and K40 Whisperer read SVG.
+fn k40() -> Profile {
+    Profile {
+        name: "k40".to_owned(),
+        title: "K40, CO2, 40 W, 3 mm plywood".to_owned(),
+        bed: Some([0.0, 0.0, 300.0, 200.0]),
+        // The board moves both axes at its one rapid speed.
+        travel: Travel::Vector,
+        rapid: Axes { speed: [150.0, 150.0], accel: Some([1500.0, 1500.0]) },
+        // 3 mm plywood is cut in one pass at about 8 mm/s; the tube should not be run at full current.
+        cut: Process::new(8.0, Some(1000.0), 0.6),
+        mark: Process::new(100.0, Some(1000.0), 0.15),
+        takes: Takes::Svg,
+        ..co2_100w()
     }
 }
 
@@ -196,16 +249,19 @@ fn length(name: &str, title: &str, travel: Travel) -> Profile {
         return_home: true,
         travel,
         rapid: Axes { speed: [1.0, 1.0], accel: None },
-        cut: Process { speed: 1.0, accel: None, power: 1.0 },
-        mark: Process { speed: 1.0, accel: None, power: 0.1 },
+        cut: Process::new(1.0, None, 1.0),
+        mark: Process::new(1.0, None, 0.1),
         junction_deviation: None,
         pierce_time: 0.0,
         pre_cut_time: None,
         pre_cut_length: 0.0,
         sharp_corner: None,
         kerf_width: 0.0,
+        z_speed: None,
+        materials: Vec::new(),
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
+        takes: Takes::Gcode,
         dialect: DialectChoice::named("grbl-m4"),
         max_s: 1000.0,
     }

@@ -1,6 +1,8 @@
 //! The machine profile: versioned data in mm, s and rad.
 
 use super::dialect::DialectChoice;
+use super::process::Process;
+use super::settings::MaterialSetting;
 use super::sharp_corner::SharpCorner;
 use crate::geometry::{Path, Segment};
 use glam::DVec2;
@@ -33,17 +35,25 @@ pub struct Axes {
     pub accel: Option<[f64; 2]>,
 }
 
-/// How the beam works in the material, for cutting or for marking.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// The file that a machine's controller takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 #[cfg_attr(test, derive(ts_rs::TS))]
-pub struct Process {
-    /// Speed along the contour, mm/s.
-    pub speed: f64,
-    /// Acceleration along the contour, mm/s2; `None` if the speed is reached instantly.
-    pub accel: Option<f64>,
-    /// Power as a fraction of full power, 0 to 1.
-    pub power: f64,
+pub enum Takes {
+    /// G-code.
+    #[default]
+    Gcode,
+    /// Contours in cutting order as DXF, for the program that drives the machine.
+    Dxf,
+    /// The same as SVG.
+    Svg,
+}
+
+impl Takes {
+    #[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
+    fn is_gcode(&self) -> bool {
+        *self == Self::Gcode
+    }
 }
 
 /// A machine with a material.
@@ -98,10 +108,22 @@ pub struct Profile {
     /// them by half the kerf width. If it is 0, the beam follows the drawn lines.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub kerf_width: f64,
+    /// Speed at which the head is lowered and raised, mm/s; `None` if it cannot be.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub z_speed: Option<f64>,
+    /// Settings for materials, by name.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<Vec<MaterialSetting>>"))]
+    pub materials: Vec<MaterialSetting>,
     /// Time for the beam to settle before a cut, s.
     pub beam_on_delay: f64,
     /// Time for the beam to settle after a cut, s.
     pub beam_off_delay: f64,
+    /// The file that its controller takes, which is offered first. Default `gcode`.
+    #[serde(default, skip_serializing_if = "Takes::is_gcode")]
+    #[cfg_attr(test, ts(optional, as = "Option<Takes>"))]
+    pub takes: Takes,
     /// Dialect of G-code: the name of a shipped one, or a document.
     pub dialect: DialectChoice,
     /// Power value at full power, for dialects that do not state it.
@@ -114,14 +136,19 @@ fn is_zero(length: &f64) -> bool {
 }
 
 impl Profile {
+    /// Seconds to lower or raise the head by `distance` mm.
+    pub fn height_seconds(&self, distance: f64) -> f64 {
+        self.z_speed.map_or(0.0, |speed| distance.abs() / speed)
+    }
+
     /// The process along a contour that is marked or cut.
     pub fn process(&self, mark: bool) -> &Process {
         if mark { &self.mark } else { &self.cut }
     }
 
-    /// Whether pre-cuts have a cost. If so, contours that share cuts are cut as one.
+    /// Whether pre-cuts have a cost. If so, contours that share cuts are cut as one, unless they take several passes.
     pub fn makes_pre_cuts(&self) -> bool {
-        self.pre_cut_time.is_some_and(|seconds| seconds > 0.0)
+        self.pre_cut_time.is_some_and(|seconds| seconds > 0.0) && self.cut.passes == 1
     }
 
     /// The part of the rest of a contour that a pre-cut at its start covers: at most half of it.

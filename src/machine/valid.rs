@@ -5,6 +5,7 @@
 
 use super::dialect::Dialect;
 use super::profile::Profile;
+use super::settings::Settings;
 use crate::fields::{Fault, Field, FieldError, Kind, Range, Shape, Shaped, out_of_range};
 use std::f64::consts::PI;
 
@@ -25,6 +26,9 @@ pub enum ProfileError {
         /// Its valid range.
         range: Range,
     },
+    /// Two materials have one name, or one has none.
+    #[error("The machine's materials: {0} Give each a name of its own.")]
+    Materials(String),
     /// The bed has no area.
     #[error(
         "The machine's field \"bed\" is [{0}, {1}, {2}, {3}]. Give [xmin, ymin, xmax, ymax] in mm, the least values first."
@@ -41,6 +45,7 @@ impl From<ProfileError> for FieldError {
             ProfileError::Value { field, value, range } => {
                 Self::out_of_range(SHAPE.value, field, value, &range)
             }
+            ProfileError::Materials(_) => Self::new(Fault::Contradiction, "materials", error.to_string()),
             ProfileError::Bed(..) => Self::new(Fault::Contradiction, "bed", error.to_string()),
             ProfileError::Dialect(sentence) => Self::new(Fault::Contradiction, "dialect", sentence),
         }
@@ -56,6 +61,8 @@ const SPEED: Range = Range::new(
     "no head is faster than 100 m/s, and none cuts a millimetre in over 15 minutes",
 );
 const ACCEL: Range = Range::new(0.1, 1e7, "mm/s2", "no drive accelerates with more than 1,000 g");
+const PASSES: Range = Range::new(1.0, 100.0, "", "a beam that needs more does not cut the material");
+const Z_STEP: Range = Range::new(0.0, 50.0, "mm", "a pass cuts no deeper");
 const POWER: Range = Range::new(0.0, 1.0, "", "it is a fraction of full power");
 const DEVIATION: Range = Range::new(0.0, 10.0, "mm", "a corner rounded by more is not the corner drawn");
 const WAIT: Range =
@@ -90,8 +97,11 @@ const SHAPE: Shape = Shape {
         Field::optional("pre_cut_length", Kind::Number(PRE_CUT)),
         Field::nullable("sharp_corner", Kind::Object(CORNER)),
         Field::optional("kerf_width", Kind::Number(KERF)),
+        Field::nullable("z_speed", Kind::Number(SPEED)),
+        Field::optional("materials", Kind::List(&Kind::Object(MATERIAL))),
         Field::required("beam_on_delay", Kind::Number(DELAY)),
         Field::required("beam_off_delay", Kind::Number(DELAY)),
+        Field::optional("takes", Kind::Choice(&["gcode", "dxf", "svg"])),
         Field::required("dialect", Kind::NameOr(&Dialect::SHAPE)),
         Field::required("max_s", Kind::Number(FULL)),
     ],
@@ -106,6 +116,39 @@ const PROCESS: &[Field] = &[
     Field::required("speed", Kind::Number(SPEED)),
     Field::nullable("accel", Kind::Number(ACCEL)),
     Field::required("power", Kind::Number(POWER)),
+    Field::nullable("min_power", Kind::Number(POWER)),
+    Field::optional("passes", Kind::Whole(PASSES)),
+    Field::optional("z_step", Kind::Number(Z_STEP)),
+    Field::optional("air", Kind::Flag),
+];
+
+const MATERIAL: &[Field] = &[
+    Field::required("name", Kind::Text),
+    Field::optional("cut", Kind::Object(SETTINGS)),
+    Field::optional("mark", Kind::Object(SETTINGS)),
+    Field::nullable("pierce_time", Kind::Number(WAIT)),
+    Field::nullable("kerf_width", Kind::Number(KERF)),
+];
+
+const SETTINGS: &[Field] = &[
+    Field::nullable("speed", Kind::Number(SPEED)),
+    Field::nullable("power", Kind::Number(POWER)),
+    Field::nullable("min_power", Kind::Number(POWER)),
+    Field::nullable("passes", Kind::Whole(PASSES)),
+    Field::nullable("z_step", Kind::Number(Z_STEP)),
+    Field::nullable("air", Kind::Flag),
+];
+
+/// The settings of a layer, as callers write them.
+pub const LAYER_SETTINGS: &[Field] = &[
+    Field::required("name", Kind::Text),
+    Field::required("operation", Kind::Choice(&["cut", "mark", "ignore"])),
+    Field::nullable("speed", Kind::Number(SPEED)),
+    Field::nullable("power", Kind::Number(POWER)),
+    Field::nullable("minPower", Kind::Number(POWER)),
+    Field::nullable("passes", Kind::Whole(PASSES)),
+    Field::nullable("zStep", Kind::Number(Z_STEP)),
+    Field::nullable("air", Kind::Flag),
 ];
 
 const CORNER: &[Field] =
@@ -133,6 +176,13 @@ impl Profile {
             ("cut.speed", Some(self.cut.speed), SPEED),
             ("cut.accel", self.cut.accel, ACCEL),
             ("cut.power", Some(self.cut.power), POWER),
+            ("cut.min_power", self.cut.min_power, POWER),
+            ("cut.passes", Some(self.cut.passes.into()), PASSES),
+            ("cut.z_step", Some(self.cut.z_step), Z_STEP),
+            ("mark.min_power", self.mark.min_power, POWER),
+            ("mark.passes", Some(self.mark.passes.into()), PASSES),
+            ("mark.z_step", Some(self.mark.z_step), Z_STEP),
+            ("z_speed", self.z_speed, SPEED),
             ("mark.speed", Some(self.mark.speed), SPEED),
             ("mark.accel", self.mark.accel, ACCEL),
             ("mark.power", Some(self.mark.power), POWER),
@@ -151,9 +201,42 @@ impl Profile {
         match given.into_iter().find(|(_, value, range)| !range.holds(*value)) {
             None => match self.bed {
                 Some([x0, y0, x1, y1]) if x0 >= x1 || y0 >= y1 => Err(ProfileError::Bed(x0, y0, x1, y1)),
-                _ => self.dialect.document().map(|_| ()).map_err(ProfileError::Dialect),
+                _ => {
+                    self.dialect.document().map_err(ProfileError::Dialect)?;
+                    self.check_materials()
+                }
             },
             Some((field, value, range)) => Err(ProfileError::Value { field, value, range }),
         }
     }
+
+    /// Every material has a name of its own, and values within their ranges.
+    fn check_materials(&self) -> Result<(), ProfileError> {
+        for (index, material) in self.materials.iter().enumerate() {
+            let name = material.name.trim();
+            if name.is_empty() {
+                return Err(ProfileError::Materials("one has no name.".to_owned()));
+            }
+            if self.materials.iter().take(index).any(|m| m.name.trim().eq_ignore_ascii_case(name)) {
+                return Err(ProfileError::Materials(format!("two are named \"{name}\".")));
+            }
+            if let Ok(with) = self.clone().with_material(name) {
+                Self { materials: Vec::new(), ..with }.validate()?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Checks the settings of a layer; the error is the name of the first wrong field, its value and its range.
+pub fn check_settings(settings: &Settings) -> Result<(), (&'static str, f64, Range)> {
+    let values = [
+        ("speed", settings.speed, SPEED),
+        ("power", settings.power, POWER),
+        ("minPower", settings.min_power, POWER),
+        ("passes", settings.passes.map(f64::from), PASSES),
+        ("zStep", settings.z_step, Z_STEP),
+    ];
+    let given = values.into_iter().filter_map(|(field, value, range)| Some((field, value?, range)));
+    given.into_iter().find(|(_, value, range)| !range.holds(*value)).map_or(Ok(()), Err)
 }

@@ -1,6 +1,6 @@
 //! How one cut is made. All programs take speed, power, z and air of a cut from here and from nowhere else.
 
-use crate::machine::Profile;
+use crate::machine::{Process, Profile};
 
 /// Speed, power, height and air of one cut or mark.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +18,11 @@ pub(super) struct CutProcess {
 impl CutProcess {
     /// The process of a cut or mark on a machine.
     pub(super) fn of(profile: &Profile, mark: bool) -> Self {
-        let process = profile.process(mark);
-        Self { speed: process.speed, power: process.power, z: 0.0, air: false }
+        Self::new(profile.process(mark), 0.0)
+    }
+
+    /// From the process of a contour, at the height of its pass.
+    pub(super) fn new(process: &Process, z: f64) -> Self {
+        Self { speed: process.speed, power: process.power, z, air: process.air }
     }
 }

@@ -1,21 +1,21 @@
 //! Adds up a list of moves on a machine, from the moves alone.
 
 use super::model::{Move, Summary};
-use crate::geometry::{Aabb, DVec2, Segment};
+use crate::geometry::{Aabb, Segment};
 use crate::machine::{AirTime, Profile, cut_time};
+use crate::sheet::Sheet;
 
-/// The sums over moves that start at the machine's home. The moves do not contain the number of parts or a lower bound, so
+/// The sums over moves on a sheet that start at the machine's home. The moves do not contain the number of parts or a lower bound, so
 /// `parts` is 0 and there is no gap.
 ///
 /// Every cut and mark is charged the beam delays, and every piercing the pierce time; both are in `pierce_time`. A contour
-/// that is cut in several stretches counts once.
-pub fn evaluate(moves: &[Move], machine: &Profile) -> Summary {
+/// that is cut in several stretches or passes counts once.
+pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
     let air = AirTime::new(machine);
     let mut sum = Summary::default();
     let mut bounds = Aabb::EMPTY;
-    let mut head = machine.home();
-    // First and last point of each contour.
-    let mut worked: Vec<Option<(DVec2, DVec2)>> = Vec::new();
+    let (mut head, mut height) = (machine.home(), 0.0);
+    let mut worked = vec![false; sheet.contours.len()];
     for step in moves {
         match step {
             Move::Air { to } => {
@@ -32,26 +32,33 @@ pub fn evaluate(moves: &[Move], machine: &Profile) -> Summary {
                 sum.pre_cut_time += machine.pre_cut_time.unwrap_or(0.0);
                 head = *to;
             }
+            Move::Height { z } => {
+                sum.air_time += machine.height_seconds(z - height);
+                height = *z;
+            }
             Move::Macro { .. } => sum.macro_time += machine.macro_time(),
-            Move::Cut { contour, with, path, mark } => {
-                let (Some(first), Some(last)) = (path.first(), path.last()) else { continue };
+            Move::Cut { contour, with, path, .. } => {
+                let Some(last) = path.last() else { continue };
                 for contour in with.iter().chain([contour]).map(|&c| c as usize) {
-                    if contour >= worked.len() {
-                        worked.resize(contour + 1, None);
+                    if let Some(worked) = worked.get_mut(contour) {
+                        *worked = true;
                     }
-                    worked[contour] = Some((worked[contour].map_or(first.start(), |w| w.0), last.end()));
                 }
+                let process = sheet.process_by_id(*contour, machine);
                 sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
-                sum.cut_time += cut_time(machine, machine.process(*mark), path);
+                sum.cut_time += cut_time(machine, &process, path);
                 sum.pierce_time += machine.beam_delays();
                 bounds = path.iter().fold(bounds, |b, s| b.union(s.bounds()));
                 head = last.end();
             }
         }
     }
-    for (start, end) in worked.into_iter().flatten() {
+    // The earlier passes over a line are no contours of their own.
+    for (contour, _) in
+        sheet.contours.iter().zip(worked).filter(|(c, worked)| *worked && c.next_pass.is_none())
+    {
         sum.contours += 1;
-        sum.open_contours += u32::from(start != end);
+        sum.open_contours += u32::from(!contour.path.closed);
     }
     sum.total_time = sum.air_time + sum.cut_time + sum.pierce_time + sum.pre_cut_time + sum.macro_time;
     if !bounds.is_empty() {

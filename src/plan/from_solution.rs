@@ -3,15 +3,15 @@
 use super::evaluate::evaluate;
 use super::model::{Move, Plan};
 use crate::geometry::{DVec2, Path, Segment};
-use crate::machine::Profile;
+use crate::machine::{Process, Profile};
 use crate::problem::{Problem, Stroke};
-use crate::sheet::{Operation, Sheet};
+use crate::sheet::Sheet;
 use crate::solve::{Solution, Stop};
 
 /// The plan of a solution. `solution` must belong to `problem`, and `problem` to `sheet`.
 ///
-/// Cuts are pierced; marks are not. A contour that is left unfinished gets a pre-cut where it is left, if the machine
-/// charges for pre-cuts, and is resumed without piercing; so is a pierce group. A cut pauses in sharp corners. There is no air move if the head
+/// Cuts are pierced in every pass; marks are not. A contour that is left unfinished gets a pre-cut where it is left, if
+/// the machine charges for pre-cuts, and is resumed without piercing; so is a pierce group. A cut pauses in sharp corners. There is no air move if the head
 /// is already in place.
 pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> Plan {
     let mut moves = Vec::with_capacity(3 * solution.stops.len() + 1);
@@ -35,17 +35,17 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         let (Some(first), Some(last)) = (path.first(), path.last()) else { continue };
         let (entry, exit) = (first.start(), last.end());
         go(&mut moves, &mut head, entry);
-        let mark = known.operation != Operation::Cut;
         let resumed = begun[contour as usize].is_some();
-        if !mark && !resumed {
-            moves.push(Move::Pierce);
+        let passes = sheet.passes_at_once(known, &problem.machine);
+        for pass in 0..passes {
+            lower(&mut moves, known.pass + pass, &sheet.process_of(known, &problem.machine));
+            // An open contour is run there and back.
+            let back = !known.path.closed && !pass.is_multiple_of(2);
+            let path = if back { Path::new(path.clone(), false).reversed().segments } else { path.clone() };
+            run(&mut moves, &problem.machine, contour, path, known.is_mark(), resumed);
         }
-        if mark {
-            moves.push(Move::Cut { contour, with: Vec::new(), path, mark });
-        } else {
-            cut(&mut moves, &problem.machine, &path, |_| contour);
-        }
-        head = exit;
+        raise(&mut moves);
+        head = if !known.path.closed && passes.is_multiple_of(2) { entry } else { exit };
         let start = *begun[contour as usize].get_or_insert(stop.along);
         #[expect(clippy::float_cmp, reason = "the last visit ends where the first began, bit for bit")]
         let left = stop.until != start;
@@ -58,14 +58,44 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
     if problem.closed {
         go(&mut moves, &mut head, problem.home);
     }
-    let mut summary = evaluate(&moves, &problem.machine);
+    let mut summary = evaluate(&moves, sheet, &problem.machine);
     summary.parts = u32::try_from(sheet.parts.len()).unwrap_or(u32::MAX);
-    // A run through a pierce group shows only its own ends, so open contours are counted on the sheet.
-    if !sheet.pierce_groups().is_empty() {
-        let open = sheet.contours.iter().filter(|c| c.is_processed() && !c.path.closed);
-        summary.open_contours = u32::try_from(open.count()).unwrap_or(u32::MAX);
-    }
     Plan { moves, summary }
+}
+
+/// Lowers the head for a pass, if the process asks for it.
+fn lower(moves: &mut Vec<Move>, pass: u32, process: &Process) {
+    let z = 0.0 - f64::from(pass) * process.z_step;
+    if z < 0.0 {
+        moves.push(Move::Height { z });
+    }
+}
+
+/// Raises the head again if it was lowered for the last contour.
+fn raise(moves: &mut Vec<Move>) {
+    let height = moves.iter().rev().find_map(|m| if let Move::Height { z } = m { Some(*z) } else { None });
+    if height.is_some_and(|z| z < 0.0) {
+        moves.push(Move::Height { z: 0.0 });
+    }
+}
+
+/// One pass over a contour, or a stretch of it.
+fn run(
+    moves: &mut Vec<Move>,
+    machine: &Profile,
+    contour: u32,
+    path: Vec<Segment>,
+    mark: bool,
+    resumed: bool,
+) {
+    if mark {
+        moves.push(Move::Cut { contour, with: Vec::new(), path, mark });
+        return;
+    }
+    if !resumed {
+        moves.push(Move::Pierce);
+    }
+    cut(moves, machine, &path, |_| contour);
 }
 
 /// The moves of a visit of a pierce group, which begins at `head`.

@@ -30,6 +30,11 @@ pub enum Move {
         /// Position of the corner, mm.
         at: DVec2,
     },
+    /// Lowers or raises the head with the beam off, for the passes of a deep cut.
+    Height {
+        /// Height, mm: 0 as focused, negative when lowered.
+        z: f64,
+    },
     /// Cuts along a contour, or a stretch of it. A contour that is left unfinished continues in a later cut where this one
     /// ended.
     Cut {
@@ -64,7 +69,7 @@ pub struct Summary {
     pub air_length: f64,
     /// Time along contours, by look-ahead over corners and acceleration.
     pub cut_time: f64,
-    /// Time of air moves.
+    /// Time of air moves, and of lowering and raising the head.
     pub air_time: f64,
     /// Time of piercing, including beam delays.
     pub pierce_time: f64,
@@ -115,7 +120,7 @@ impl Plan {
         for step in &mut self.moves {
             match step {
                 Move::Air { to } => *to += shift,
-                Move::Pierce => {}
+                Move::Pierce | Move::Height { .. } => {}
                 Move::PreCut { to, ahead, .. } => {
                     *to += shift;
                     run(ahead);

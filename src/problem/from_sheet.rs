@@ -23,6 +23,8 @@ use crate::sheet::{Contour, Operation, Sheet};
 /// * Pierce groups: if the machine makes pre-cuts, the item of the group's first contour stands for all of them, and its
 ///   nodes are paths through the group. The items of the other contours have no nodes. A path may be left at its leave
 ///   points, but not when parts are cut one by one.
+/// * Passes: at once, they are one item whose seconds count for each pass; sheet by sheet, each is an item of its own, and
+///   comes before the next.
 /// * Skipped contours: items without nodes.
 /// * Groups: the parts, if the sheet is cut part by part.
 ///
@@ -44,8 +46,9 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             items.push(Item::default());
             continue;
         }
-        push_nodes(&mut nodes, item, contour);
-        let (fixed, run) = seconds(machine, contour);
+        let passes = sheet.passes_at_once(contour, machine);
+        push_nodes(&mut nodes, item, contour, passes);
+        let (fixed, run) = seconds(sheet, machine, contour, passes);
         items.push(Item {
             nodes: first..count(&nodes),
             before: joined.before(item),
@@ -53,7 +56,8 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             rank,
             fixed,
             run,
-            leave: leave_seconds(machine, contour).filter(|_| !sheet.part_by_part),
+            leave: leave_seconds(machine, contour)
+                .filter(|_| !sheet.part_by_part && passes == 1 && contour.pass == 0),
             track: contour.path.closed.then(|| contour.path.clone()),
             ..Item::default()
         });
@@ -70,13 +74,19 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     }
 }
 
-fn push_nodes(nodes: &mut Vec<Node>, item: ItemId, contour: &Contour) {
+/// Several passes over an open contour run there and back: after an even number, the head is where it began.
+fn push_nodes(nodes: &mut Vec<Node>, item: ItemId, contour: &Contour, passes: u32) {
     let path = &contour.path;
     if !path.closed
         && let (Some(start), Some(end)) = (path.start(), path.end())
     {
         let (ahead, back) = (count(nodes), count(nodes) + 1);
         let node = |entry, exit, reversed, twin| Node { item, entry, exit, along: 0.0, reversed, twin };
+        if passes.is_multiple_of(2) {
+            nodes.push(node(start, start, false, ahead));
+            nodes.push(node(end, end, true, back));
+            return;
+        }
         nodes.push(node(start, end, false, back));
         nodes.push(node(end, start, true, ahead));
         return;
@@ -92,14 +102,21 @@ fn count(nodes: &[Node]) -> NodeId {
     NodeId::try_from(nodes.len()).unwrap_or(NodeId::MAX)
 }
 
-/// The fixed seconds of a contour, and the run whose seconds depend on the entry.
-fn seconds(machine: &Profile, contour: &Contour) -> (f64, Option<ClosedRun>) {
+/// The fixed seconds of all passes of a contour, and the run whose seconds depend on the entry.
+fn seconds(sheet: &Sheet, machine: &Profile, contour: &Contour, passes: u32) -> (f64, Option<ClosedRun>) {
     let mark = contour.operation != Operation::Cut;
+    let process = &sheet.process_of(contour, machine);
     let pierce = if mark { 0.0 } else { machine.pierce_time };
     let path = &contour.path;
-    let run = if path.closed { ClosedRun::new(machine, mark, &path.segments) } else { None };
-    let least = run.as_ref().map_or_else(|| process_time(machine, mark, &path.segments), ClosedRun::least);
-    (pierce + machine.beam_delays() + least, run)
+    let run = if path.closed { ClosedRun::new(machine, process, mark, &path.segments) } else { None };
+    let run = run.map(|run| run.repeated(passes));
+    let rounds = f64::from(passes);
+    let least = run
+        .as_ref()
+        .map_or_else(|| rounds * process_time(machine, process, mark, &path.segments), ClosedRun::least);
+    // The head is lowered to the deepest pass and raised again before it goes on.
+    let deepest = f64::from(contour.pass + passes - 1) * process.z_step;
+    (rounds * (pierce + machine.beam_delays()) + least + 2.0 * machine.height_seconds(deepest), run)
 }
 
 /// Seconds of leaving a contour and resuming it: the pre-cut, and the beam off and on once more. `None` for marks and open
@@ -124,20 +141,23 @@ fn parts(sheet: &Sheet) -> Groups {
     Groups::new(of, sheet.parts.iter().map(|p| p.inside).collect())
 }
 
-/// The rank of each contour: by pin, then by layer, then marks before cuts; never below the rank of anything inside it.
+/// The rank of each contour: by pin, then by layer, then by pass, then marks before cuts; never below the rank of anything inside it.
 fn ranks(sheet: &Sheet) -> Vec<u32> {
     let layers = 1 + sheet.layers.iter().map(|l| l.rank).max().unwrap_or(0);
+    let passes = 1 + sheet.contours.iter().map(|c| c.pass).max().unwrap_or(0);
     let mut ranks: Vec<u32> = sheet
         .contours
         .iter()
         .map(|c| {
             let layer = sheet.layers.get(c.layer as usize).map_or(0, |l| l.rank);
-            2 * (layers * c.pin as u32 + layer) + u32::from(c.operation == Operation::Cut)
+            2 * ((layers * c.pin as u32 + layer) * passes + c.pass) + u32::from(c.operation == Operation::Cut)
         })
         .collect();
-    // The innermost come first, so that a raised rank is passed on outwards.
+    // The innermost come first, and earlier passes before later ones, so that a raised rank is passed on outwards.
     let mut inwards: Vec<usize> = (0..ranks.len()).collect();
-    sort_by(&mut inwards, |&c| [u64::MAX - u64::from(sheet.contours[c].depth), 0, 0]);
+    sort_by(&mut inwards, |&c| {
+        [u64::MAX - u64::from(sheet.contours[c].depth), sheet.contours[c].pass.into(), 0]
+    });
     for c in inwards {
         let rank = ranks[c];
         if let Some(outer) = sheet.contours[c].inside.and_then(|o| ranks.get_mut(o as usize)) {

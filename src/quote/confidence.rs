@@ -52,6 +52,8 @@ pub enum ReasonCode {
     UnitsGuessed,
     /// Contours that are cut are open.
     OpenCuts,
+    /// The machine has no setting for the material.
+    NoSetting,
     /// Findings that are more than information.
     Findings,
 }
@@ -81,9 +83,19 @@ pub(super) fn defects(findings: &[Finding]) -> Vec<Defect> {
     defects
 }
 
-/// The confidence in the figures of the whole job.
-pub(super) fn confidence(input: &Input, defects: &[Defect], contours: &[Contour]) -> Confidence {
+/// The confidence in the figures of the whole job. `unset`: a material that was named but not planned for, and the title of
+/// the machine.
+pub(super) fn confidence(
+    input: &Input,
+    defects: &[Defect],
+    contours: &[Contour],
+    unset: Option<(&str, &str)>,
+) -> Confidence {
     let mut doubts = Doubts::none();
+    if let Some((material, machine)) = unset {
+        let message = format!("The machine has no setting for {material}: its times are those of \"{machine}\".");
+        doubts.add(Level::Medium, Reason { code: ReasonCode::NoSetting, finding: None, count: 1, message });
+    }
     if input.units_source == UnitsSource::Guessed {
         let message = "The file does not say its units; they were guessed.".into();
         doubts.add(Level::Low, Reason { code: ReasonCode::UnitsGuessed, finding: None, count: 1, message });

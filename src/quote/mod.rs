@@ -28,6 +28,7 @@ pub use terms::Terms;
 pub use times::Times;
 
 use crate::fields::FieldError;
+use crate::geometry::Segment;
 use crate::output::json_text;
 use crate::plan::document::{Document, Stroke, strokes};
 use sha2::{Digest, Sha256};
@@ -56,10 +57,15 @@ fn hash(quote: &Quote) -> String {
 /// Every contour's line, as it is drawn.
 fn shapes(document: &Document) -> Vec<Shape> {
     let mut shapes = vec![Shape::default(); document.contours.len()];
+    // The length that is still missing; further passes over a contour add nothing to its line.
+    let mut missing: Vec<f64> = document.contours.iter().map(|c| c.length).collect();
     for stroke in strokes(document) {
         if let Stroke::Beam { contour: Some(id), path } = stroke
-            && let Some(shape) = shapes.get_mut(id as usize)
+            && let (Some(shape), Some(missing)) = (shapes.get_mut(id as usize), missing.get_mut(id as usize))
+            && (document.contours[id as usize].passes == 1
+                || *missing > 0.5 * document.contours[id as usize].length)
         {
+            *missing -= path.iter().map(Segment::length).sum::<f64>();
             shape.add(&path);
         }
     }

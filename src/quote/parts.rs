@@ -147,8 +147,9 @@ pub(super) fn groups(
         parts.iter().zip(items).map(|(part, item)| (Features::of(part, shapes), part, item)).collect();
     sort_by(&mut order, |(features, part, _)| [real(features.length), part.outer as u64, 0]);
     for (features, part, item) in order {
+        let cut = |c: &Contour| c.outline_length() * f64::from(c.passes);
         let holes = |what: fn(&Contour) -> f64| part.holes.iter().map(|&h| what(&contours[h])).sum::<f64>();
-        let cut_length = contours[part.outer].outline_length() + holes(Contour::outline_length);
+        let cut_length = cut(&contours[part.outer]) + holes(cut);
         let near = known
             .iter_mut()
             .rev()

@@ -153,7 +153,9 @@ pub(super) fn made(document: &Document, shapes: &[Shape], terms: &Terms) -> Quot
     let net_area = parts.iter().map(|p| contours[p.outer].area).sum::<f64>() - holes;
     let [x0, y0, x1, y1] = summary.bounds;
     let defects = defects(&document.findings);
-    let confidence = confidence(input, &defects, contours);
+    let unset = material.name.as_deref().filter(|_| document.material.is_none());
+    let confidence =
+        confidence(input, &defects, contours, unset.map(|name| (name, document.machine.title.as_str())));
     let boxes: Vec<Aabb> = parts.iter().map(|p| shapes[p.outer].bounds()).collect();
     let (seconds, loose) = seconds(document, parts.len(), &parts::part_of(&parts, contours));
     let items = items(&parts, &boxes, &seconds, of_parts(&document.findings, &boxes));
@@ -214,7 +216,7 @@ fn items(parts: &[Part], boxes: &[Aabb], seconds: &[Seconds], confidence: Vec<Co
 
 fn layers(contours: &[Contour]) -> Vec<LayerUse> {
     let mut all: Vec<LayerUse> = Vec::new();
-    for c in contours.iter().filter(|c| c.operation != Operation::Ignore) {
+    for c in contours.iter().filter(|c| c.operation != Operation::Ignore && c.next_pass.is_none()) {
         let known = all.iter().position(|l| l.layer == c.layer && l.operation == c.operation);
         let at = known.unwrap_or_else(|| {
             let (layer, operation) = (c.layer.clone(), c.operation);

@@ -9,7 +9,6 @@ use super::times::Times;
 use crate::geometry::DVec2;
 use crate::machine::cut_time;
 use crate::plan::document::{Contours, Document, Move, segments};
-use crate::sheet::Operation;
 
 /// Times and piercings of one part, or of what belongs to no part.
 #[derive(Clone, Copy, Debug, Default)]
@@ -28,7 +27,10 @@ pub(super) fn seconds(
 ) -> (Vec<Seconds>, Seconds) {
     // The last place holds what belongs to no part.
     let mut all = vec![Seconds::default(); parts + 1];
-    let owner = |contour: u32| part_of.get(contour as usize).copied().flatten().unwrap_or(parts);
+    let owner = |contour: u32| {
+        let last = document.last_pass(contour);
+        part_of.get(last as usize).copied().flatten().unwrap_or(parts)
+    };
     let machine = &document.machine;
     let mut at = machine.home();
     let (mut pierces, mut dark) = (0, true);
@@ -41,16 +43,17 @@ pub(super) fn seconds(
                 all[owner(*contour)].times.pre_cut += machine.pre_cut_time.unwrap_or(0.0);
             }
             Move::Macro { contour, .. } => all[owner(*contour)].times.macros += machine.macro_time(),
+            // Their time is part of the air time, which is shared.
+            Move::Height { .. } => {}
             Move::Cut { contour, path } => {
                 let ids: &[u32] = match contour {
                     Contours::One(id) => &[*id],
                     Contours::Several(ids) => ids,
                 };
                 let path = segments(path, &mut at);
-                let first = ids.first().and_then(|&id| document.contours.get(id as usize));
-                let mark = first.is_some_and(|c| c.operation == Operation::Mark);
+                let process = document.process_by_id(ids.first().copied());
                 let share = 1.0 / ids.len().max(1) as f64;
-                let cut = cut_time(machine, machine.process(mark), &path) * share;
+                let cut = cut_time(machine, &process, &path) * share;
                 for &id in ids {
                     all[owner(id)].times.cut += cut;
                 }

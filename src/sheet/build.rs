@@ -87,6 +87,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         parts: parts::parts(&contours),
         part_by_part: options.part_by_part,
         groups,
+        pass_order: options.pass_order,
         common_cuts: options.common_cuts,
         bounds,
         contours,
@@ -109,7 +110,10 @@ pub(super) fn find_groups(
         return Vec::new();
     }
     let rank = |c: &Contour| (c.pin, layers.get(c.layer as usize).map_or(0, |l| l.rank));
-    groups::find(contours, crossing, [join, options.copy_tolerance], |a, b| rank(a) == rank(b))
+    // A layer with settings of its own is not cut at the speed of the group.
+    let plain = |c: &Contour| layers.get(c.layer as usize).is_none_or(|l| l.settings.is_none());
+    let alike = |a: &Contour, b: &Contour| rank(a) == rank(b) && plain(a) && plain(b);
+    groups::find(contours, crossing, [join, options.copy_tolerance], alike)
 }
 
 /// Pins contours, with everything inside those that come first. What lies around those that come last waits for them in
@@ -194,6 +198,8 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         area: if a.path.closed { Some(&a.path) } else { a.outline.as_ref() }.map_or(0.0, |p| p.area().abs()),
         bounds: a.path.bounds(),
         self_crossing: false,
+        pass: 0,
+        next_pass: None,
         pin: Pin::None,
         first_shape: a.first_shape,
         rest_of: a.rest_of.filter(|_| !a.path.closed),

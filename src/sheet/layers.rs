@@ -12,6 +12,7 @@ use super::source::Line;
 use crate::drawing::Drawing;
 use crate::fields::nearest;
 use crate::finding::{Code, Finding, Findings, Severity};
+use crate::machine::Settings;
 
 /// The layers of a drawing with their operations, at the same indices. The contours on them are counted later.
 pub(super) fn layers(drawing: &Drawing, options: &SheetOptions, findings: &mut Findings) -> Vec<LayerUse> {
@@ -48,7 +49,9 @@ pub(super) fn layers(drawing: &Drawing, options: &SheetOptions, findings: &mut F
             u32::from(operation == Operation::Cut)
         };
         let (name, color) = (layer.name.clone(), layer.color);
-        out.push(LayerUse { name, color, operation, suggestion, rank, contours: 0 });
+        let settings =
+            options.settings.iter().rev().find(|(n, _)| key(n) == key(&name)).map_or(Settings::NONE, |s| s.1);
+        out.push(LayerUse { name, color, operation, suggestion, settings, rank, contours: 0 });
     }
     out
 }

@@ -37,10 +37,13 @@ mod narrow;
 mod nest;
 mod outline;
 mod parts;
+mod passes;
 mod sliver;
 mod source;
 
 pub use build::build;
 pub use groups::{GroupElement, PierceGroup};
 pub(crate) use kerf::compensated;
-pub use model::{CommonCuts, Contour, Group, Ignored, LayerUse, Operation, Part, Pin, Sheet, SheetOptions};
+pub use model::{
+    CommonCuts, Contour, Group, Ignored, LayerUse, Operation, Part, PassOrder, Pin, Sheet, SheetOptions,
+};

@@ -3,6 +3,7 @@
 use super::groups::PierceGroup;
 use crate::finding::Finding;
 use crate::geometry::{Aabb, Path};
+use crate::machine::Settings;
 use crate::order::sort_by;
 use serde::{Deserialize, Serialize};
 
@@ -47,6 +48,25 @@ pub enum Group {
     Leaders,
 }
 
+/// How contours with several passes are run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub enum PassOrder {
+    /// All passes of a contour, then the next contour.
+    #[default]
+    Contour,
+    /// The first pass of all contours, then the second of all, and so on.
+    Sheet,
+}
+
+impl PassOrder {
+    /// Whether all passes of a contour follow each other.
+    pub fn is_by_contour(&self) -> bool {
+        *self == Self::Contour
+    }
+}
+
 /// Options for building a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SheetOptions {
@@ -58,6 +78,10 @@ pub struct SheetOptions {
     pub layers: Vec<(String, Operation)>,
     /// Whether to process layer after layer, in the order of `layers`, then of the file.
     pub order_by_layer: bool,
+    /// What a person has set for layers, by name.
+    pub settings: Vec<(String, Settings)>,
+    /// How contours with several passes are run.
+    pub pass_order: PassOrder,
     /// Whether to ignore the single border around everything, even where it is not clear that it is one.
     pub ignore_outline: bool,
     /// Whether to cut the border around everything, however clear it is that it shows the sheet.
@@ -84,6 +108,8 @@ impl Default for SheetOptions {
             copy_tolerance: 0.01,
             layers: Vec::new(),
             order_by_layer: false,
+            settings: Vec::new(),
+            pass_order: PassOrder::default(),
             ignore_outline: false,
             keep_border: false,
             groups: Vec::new(),
@@ -132,6 +158,10 @@ pub struct Contour {
     pub area: f64,
     /// The smallest box around it.
     pub bounds: Aabb,
+    /// Number of its pass, from 0; it counts the passes of the contour that come before it as contours of their own.
+    pub pass: u32,
+    /// The contour that is the next pass over the same line, if passes are run sheet by sheet and this is not the last.
+    pub next_pass: Option<u32>,
     /// Whether it is pinned to be processed first or last.
     pub pin: Pin,
     /// Whether it crosses itself, so that its interior is in doubt.
@@ -143,6 +173,11 @@ pub struct Contour {
 }
 
 impl Contour {
+    /// Whether it is marked, not cut.
+    pub fn is_mark(&self) -> bool {
+        self.operation == Operation::Mark
+    }
+
     /// Whether it is cut or marked.
     pub fn is_processed(&self) -> bool {
         self.operation != Operation::Ignore
@@ -190,6 +225,10 @@ pub struct LayerUse {
     pub operation: Operation,
     /// Operation that its name suggests, if different.
     pub suggestion: Option<Operation>,
+    /// What is set for its contours.
+    #[serde(default, skip_serializing_if = "Settings::is_none")]
+    #[cfg_attr(test, ts(optional, as = "Option<Settings>"))]
+    pub settings: Settings,
     /// Place in the order of layers; equal for all layers when there is no such order.
     pub rank: u32,
     /// Number of contours on it.
@@ -226,6 +265,8 @@ pub struct Sheet {
     pub outline: Option<u32>,
     /// Whether each part is finished before the next one.
     pub part_by_part: bool,
+    /// How contours with several passes are run.
+    pub pass_order: PassOrder,
     /// Contours that share cuts; empty when they are cut by themselves.
     pub groups: Vec<PierceGroup>,
     /// How paths through groups are found.

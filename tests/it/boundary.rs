@@ -49,7 +49,7 @@ fn misspelt_options_materials_and_parameters_are_refused_with_the_nearest_name()
     );
     assert_eq!(
         refused::<LoadOptions>(&json!({ "layers": [{ "name": "0", "operation": "cut", "rnak": 1 }] })),
-        "Reading has no option \"layers[0].rnak\". There are: name, operation."
+        "Reading has no option \"layers[0].rnak\". There are: name, operation, speed, power, minPower, passes, zStep, air."
     );
     assert_eq!(
         refused::<PlanOptions>(&json!({ "second": 1 })),

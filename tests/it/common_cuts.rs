@@ -127,7 +127,7 @@ fn after(change: impl FnOnce(&mut Vec<Move>)) -> Vec<Violation> {
     let (sheet, mut plan) = planned(&grid(2, 2), CommonCuts::Best);
     change(&mut plan.moves);
     let before = plan.summary;
-    plan.summary = plan::evaluate(&plan.moves, &thick());
+    plan.summary = plan::evaluate(&plan.moves, &sheet, &thick());
     (plan.summary.parts, plan.summary.open_contours) = (before.parts, before.open_contours);
     plan::check(&sheet, &thick(), &plan).unwrap_err()
 }

@@ -134,7 +134,7 @@ fn agrees(name: &str, outlines: &[Vec<DVec2>], machine: &Profile) -> usize {
     job.run_mut().unwrap().step(100_000);
     let plan = job.plan().unwrap();
     let least = by_hand.between(machine.home(), machine.home());
-    let evaluated = plan::evaluate(&plan.moves, machine).total_time;
+    let evaluated = plan::evaluate(&plan.moves, job.beam_sheet(), machine).total_time;
     assert!((plan.summary.total_time - least).abs() < 1e-9, "{name}: {} {least}", plan.summary.total_time);
     assert!((evaluated - least).abs() < 1e-9, "{name}: {evaluated} {least}");
     let interrupted = |way: &SubPath| {

@@ -31,10 +31,17 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("plan", &["drawing", "machine", "sheet", "problem", "solve"]),
     // Output and quote know no solver.
     ("output", &["drawing", "machine", "sheet", "plan"]),
+    ("calibration", &["machine", "sheet", "plan"]),
     ("quote", &["drawing", "machine", "sheet", "plan", "output"]),
     ("job", &["drawing", "dxf", "svg", "machine", "sheet", "problem", "solve", "plan", "output", "quote"]),
-    ("typescript", &["drawing", "machine", "sheet", "plan", "output", "solve", "quote", "job"]),
-    ("wasm", &["drawing", "machine", "sheet", "problem", "solve", "plan", "output", "quote", "job"]),
+    (
+        "typescript",
+        &["calibration", "drawing", "machine", "sheet", "plan", "output", "solve", "quote", "job"],
+    ),
+    (
+        "wasm",
+        &["calibration", "drawing", "machine", "sheet", "problem", "solve", "plan", "output", "quote", "job"],
+    ),
 ];
 
 /// The ground itself, from the bottom up: each may use those before it.

@@ -1,6 +1,7 @@
 //! The seconds of cuts against a simulation of GRBL's planner that runs the same programs chord by chord.
 
-use crate::testkit::grbl_planner::{self, Settings};
+use crate::testkit::grbl_planner::{self, Machine, Settings};
+use crate::testkit::linuxcnc_planner;
 use crate::testkit::paths::Element;
 use crate::testkit::{files, fixtures, name};
 use glam::DVec2;
@@ -30,7 +31,7 @@ fn element(segment: &Segment) -> Element {
 
 /// Seconds of a path: ours, and those of the simulation, which is given arcs of at most half a turn as a program has them.
 fn both(path: &[Segment], (speed, accel, deviation): (f64, f64, f64)) -> (f64, f64) {
-    let process = Process { speed, accel: Some(accel), power: 1.0 };
+    let process = Process::new(speed, Some(accel), 1.0);
     let profile = Profile { junction_deviation: Some(deviation), ..preset("co2-100w").unwrap() };
     let halved = path.iter().flat_map(|s| match s {
         Segment::Arc(a) if a.sweep.abs() > PI => vec![s.piece(0.0, 0.5), s.piece(0.5, 1.0)],
@@ -117,4 +118,111 @@ fn real_drawings_take_as_long_as_in_a_simulation_of_the_planner() {
             assert!(off.abs() <= 0.003, "{name} on {machine}: {total} s, GRBL {simulated} s");
         }
     }
+}
+
+/// Blocks that GRBL looks ahead.
+const BLOCKS: usize = 16;
+/// A machine that cuts much faster than its class, without piercing.
+const FAST: &str = "diode, 20 mm/s";
+/// Tolerance of LinuxCNC's blending, G64 P, mm.
+const BLEND: f64 = 0.02;
+
+/// The machines of the comparison: presets with GRBL's way of moving, and two with slower drives.
+fn compared() -> Vec<Profile> {
+    let with = |name: &str, preset: &str, change: fn(&mut Profile)| {
+        let mut p = kerfway::machine::preset(preset).unwrap();
+        change(&mut p);
+        Profile { name: name.into(), bed: None, ..p }
+    };
+    vec![
+        with("co2-100w", "co2-100w", |_| {}),
+        with("diode-hobby", "diode-hobby", |_| {}),
+        with("co2, heavy gantry", "co2-100w", |p| {
+            (p.rapid.accel, p.cut.accel, p.mark.accel) = (Some([800.0, 500.0]), Some(500.0), Some(500.0));
+        }),
+        with(FAST, "diode-hobby", |p| p.cut.speed = 20.0),
+    ]
+}
+
+/// `total_time` against whole programs in the simulation with a buffer of 16 blocks, and LinuxCNC's blending for comparison.
+/// `cargo test --features png --test it whole_programs -- --nocapture` prints the table of docs/internals/times.md.
+#[test]
+#[allow(clippy::print_stdout, reason = "the table of the comparison, shown with --nocapture")]
+fn whole_programs_take_as_long_as_in_a_simulation_with_a_buffer_of_sixteen_blocks() {
+    let folder = std::env::var_os("KERFWAY_DRAWINGS").map_or(fixtures().join("dxf-dev"), Into::into);
+    let mut all: Vec<f64> = Vec::new();
+    println!(
+        "| Machine | Drawings | Median | Worst | Worst drawing | LinuxCNC, median |\n|---|---|---|---|---|---|"
+    );
+    for profile in compared() {
+        let machine = Machine {
+            rapid_speed: profile.rapid.speed,
+            rapid_accel: profile.rapid.accel.unwrap(),
+            accel: profile.cut.accel.unwrap(),
+            junction_deviation: profile.junction_deviation.unwrap(),
+            blocks: BLOCKS,
+        };
+        let (mut off, mut other): (Vec<(f64, String)>, Vec<f64>) = (Vec::new(), Vec::new());
+        let sheets = fixtures().join("sheets/sheet_100.dxf");
+        for file in files(&folder, "dxf").into_iter().chain([sheets]) {
+            let name = name(&file);
+            let Ok(mut job) = Job::load(std::fs::read(&file).unwrap(), &name, &LoadOptions::default()) else {
+                continue;
+            };
+            let choice = MachineChoice::Profile(Box::new(profile.clone()));
+            if job
+                .start(&PlanOptions { machine: choice, moves: Some(2000), ..PlanOptions::default() })
+                .is_err()
+            {
+                continue;
+            }
+            job.run_mut().unwrap().step(2000);
+            let total = job.plan().unwrap().summary.total_time;
+            let program = crate::testkit::gcode::run(&job.output(OutputKind::Gcode).unwrap()).unwrap();
+            off.push((total / grbl_planner::program_seconds(machine, &program) - 1.0, name));
+            other.push((total / linuxcnc_planner::program_seconds(machine, BLEND, &program) - 1.0).abs());
+        }
+        off.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+        other.sort_by(f64::total_cmp);
+        let (worst, drawing) = off.last().unwrap();
+        println!(
+            "| {} | {} | {:.2} % | {:+.2} % | {drawing} | {:.2} % |",
+            profile.name,
+            off.len(),
+            100.0 * off[off.len() / 2].0.abs(),
+            100.0 * worst,
+            100.0 * other[other.len() / 2],
+        );
+        // Without dwells, the controller runs through contours that nearly touch, which a plan takes as stops. On the one
+        // drawing of hundreds of tiny marks this is 6 % on a machine four times as fast as its class.
+        if profile.name != FAST {
+            all.extend(off.iter().map(|o| o.0.abs()));
+        }
+    }
+    all.sort_by(f64::total_cmp);
+    let (median, worst) = (all[all.len() / 2], all[all.len() - 1]);
+    println!("All: median {:.2} %, worst {:.2} %", 100.0 * median, 100.0 * worst);
+    assert!(median <= 0.02 && worst <= 0.05, "median {median}, worst {worst}");
+}
+
+/// With a buffer without end, the simulation of one contour is that of the whole planner.
+#[test]
+fn a_buffer_without_end_gives_the_seconds_of_the_endless_look_ahead() {
+    let program = crate::testkit::gcode::run(
+        "G21 G90 G91.1 G17 G94\nM4 S0\nG1 X10 Y0 F3000 S500\nG1 X10 Y10\nG3 X0 Y10 I-5 J0\nG1 X0.5 Y3\nG1 X0 Y0\nM2\n",
+    )
+    .unwrap();
+    let settings = Settings { accel: 1000.0, junction_deviation: 0.01 };
+    let machine = |blocks| Machine {
+        rapid_speed: [100.0; 2],
+        rapid_accel: [1000.0; 2],
+        accel: 1000.0,
+        junction_deviation: 0.01,
+        blocks,
+    };
+    let endless = grbl_planner::work_seconds(settings, &program);
+    let whole = grbl_planner::program_seconds(machine(usize::MAX / 2), &program);
+    assert!((whole - endless).abs() < 1e-9, "{whole} {endless}");
+    let short = grbl_planner::program_seconds(machine(3), &program);
+    assert!(short > endless, "fewer blocks never are faster: {short} {endless}");
 }

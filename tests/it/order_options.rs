@@ -11,7 +11,7 @@ const MOVES: u64 = 500_000;
 /// A nested sheet of 100 contours with holes and parts in holes, planned.
 fn planned(load: LoadOptions, moves: u64) -> (Job, Plan) {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/sheets/sheet_100.dxf");
-    let ignore = |name: &str| LayerChoice { name: name.into(), operation: Operation::Ignore };
+    let ignore = |name: &str| LayerChoice::new(name, Operation::Ignore);
     let load = LoadOptions { layers: vec![ignore("SHEET"), ignore("MARK")], ..load };
     let mut job = Job::load(std::fs::read(file).unwrap(), "sheet_100.dxf", &load).unwrap();
     job.start(&PlanOptions { seed: 1, moves: Some(moves), ..PlanOptions::default() }).unwrap();

@@ -91,13 +91,13 @@ struct Block {
     feed_mode: bool,
     arc_mode: bool,
     end: bool,
-    values: [Option<f64>; 7],
+    values: [Option<f64>; 8],
     /// The text of each value, which GRBL reads as a 32-bit float.
-    texts: [String; 7],
+    texts: [String; 8],
 }
 
 /// Letters with values, in the order of [`Block::values`].
-const VALUES: &str = "XYIJFSP";
+const VALUES: &str = "XYIJFSPZ";
 
 /// Runs a program. An error names the line and its fault.
 pub(crate) fn run(text: &str) -> Result<Program, String> {
@@ -138,7 +138,7 @@ impl Controller {
     }
 
     fn execute(&mut self, block: &Block, program: &mut Program) -> Result<(), String> {
-        let [x, y, i, j, f, s, p] = block.values;
+        let [x, y, i, j, f, s, p, z] = block.values;
         // The order of execution: feed, power, spindle, dwell, units, distance, motion, end.
         if let Some(f) = f {
             self.feed = f;
@@ -160,6 +160,9 @@ impl Controller {
         }
         self.inches = block.inches.unwrap_or(self.inches);
         self.relative = block.relative.unwrap_or(self.relative);
+        if z.is_some() && (self.motion != 0 || x.is_some() || y.is_some() || self.s != 0.0) {
+            return Err("the head is lowered or raised on the way, or with the beam on".into());
+        }
         if x.is_some() || y.is_some() {
             let motion = self.motion(DVec2::new(x.unwrap_or(f64::NAN), y.unwrap_or(f64::NAN)), i, j)?;
             self.at32 = self.arrive32(block, motion.path.arc.map(|(_, sweep)| sweep))?;

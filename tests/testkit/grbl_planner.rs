@@ -109,3 +109,86 @@ pub(crate) fn work_seconds(settings: Settings, program: &Program) -> f64 {
     }
     sum + seconds(settings, &run)
 }
+
+/// What the planner of a whole program is told of a machine.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Machine {
+    /// `$110`, `$111`, mm/s.
+    pub(crate) rapid_speed: [f64; 2],
+    /// Acceleration of rapids, mm/s2.
+    pub(crate) rapid_accel: [f64; 2],
+    /// Acceleration of feeds in every direction, mm/s2.
+    pub(crate) accel: f64,
+    /// `$11`, mm.
+    pub(crate) junction_deviation: f64,
+    /// Number of blocks that the controller looks ahead: GRBL has a buffer of 16.
+    pub(crate) blocks: usize,
+}
+
+/// A block with the limits of its own direction.
+struct Limited {
+    length: f64,
+    direction: DVec2,
+    nominal: f64,
+    accel: f64,
+}
+
+/// Seconds of a whole program: rapids and feeds run into each other within the look-ahead, and dwells stop the head.
+pub(crate) fn program_seconds(machine: Machine, program: &Program) -> f64 {
+    let (mut sum, mut stretch) = (0.0, Vec::new());
+    for event in &program.events {
+        match event {
+            Event::Motion(m) => {
+                let mut at = m.path.from;
+                for end in ends(&m.path) {
+                    let way = end - at;
+                    at = end;
+                    if way.length() > 0.0 {
+                        stretch.push(limited(machine, way, m.rapid, m.feed / 60.0));
+                    }
+                }
+            }
+            Event::Dwell { seconds, .. } => sum += seconds + run(machine, &std::mem::take(&mut stretch)),
+            Event::Comment(_) => {}
+        }
+    }
+    sum + run(machine, &stretch)
+}
+
+fn limited(machine: Machine, way: DVec2, rapid: bool, feed: f64) -> Limited {
+    let direction = way.normalize();
+    let along = |limits: [f64; 2]| (limits[0] / direction.x.abs()).min(limits[1] / direction.y.abs());
+    let (nominal, accel) =
+        if rapid { (along(machine.rapid_speed), along(machine.rapid_accel)) } else { (feed, machine.accel) };
+    Limited { length: way.length(), direction, nominal, accel }
+}
+
+/// Runs blocks one after the other. While one is run, the buffer holds the next ones, and the last of them ends at rest, so
+/// the speed at which a block is left is what can be braked within the buffer.
+fn run(machine: Machine, blocks: &[Limited]) -> f64 {
+    let junction = |k: usize| {
+        let (a, b) = (&blocks[k - 1], &blocks[k]);
+        let cos = -a.direction.dot(b.direction);
+        let limit = if cos > 0.999_999 {
+            0.0
+        } else if cos < -0.999_999 {
+            f64::INFINITY
+        } else {
+            let half = (0.5 * (1.0 - cos)).sqrt();
+            (b.accel * machine.junction_deviation * half / (1.0 - half)).sqrt()
+        };
+        limit.min(a.nominal).min(b.nominal)
+    };
+    let (mut entered, mut sum) = (0.0_f64, 0.0);
+    for (i, block) in blocks.iter().enumerate() {
+        let buffered = i + 1..blocks.len().min(i + machine.blocks);
+        let allowed = buffered.rev().fold(0.0_f64, |after, k| {
+            junction(k).min((after * after + 2.0 * blocks[k].accel * blocks[k].length).sqrt())
+        });
+        let leaves = allowed.min((entered * entered + 2.0 * block.accel * block.length).sqrt());
+        let plain = Block { length: block.length, direction: block.direction, feed: block.nominal };
+        sum += trapezoid(&plain, entered, leaves, block.accel);
+        entered = leaves;
+    }
+    sum
+}

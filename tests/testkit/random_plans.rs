@@ -92,7 +92,7 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
                 head = *to;
             }
             Move::Cut { path, .. } => head = path[path.len() - 1].end(),
-            Move::Pierce | Move::PreCut { .. } | Move::Macro { .. } => {}
+            Move::Pierce | Move::PreCut { .. } | Move::Macro { .. } | Move::Height { .. } => {}
         }
     }
     Plan { moves, summary }

@@ -11,6 +11,7 @@ import { Selection } from './controllers/selection.js';
 import { Announcer } from './core/announce.js';
 import { Theme } from './core/theme.js';
 import { dock } from './panels/dock.js';
+import { firstMachine } from './panels/first-machine.js';
 import { drawingPanel } from './panels/drawing.js';
 import { helpDialog } from './panels/help.js';
 import { machinePanel } from './panels/machine.js';
@@ -86,9 +87,9 @@ export async function startPage(): Promise<void> {
 
   element('top').append(...top.nodes);
   element('sections').append(
-    drawing, machinePanel(session, notify, () => pointer.chooseHome()), placement, planPanel(session),
+    firstMachine(session), drawing, machinePanel(session, notify, () => pointer.chooseHome()), placement, planPanel(session),
     resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject(), saveReport: () => void files.saveReport() }), quotePanel(session, notify));
-  element('dock').append(dock(session, { open: () => files.choose(), gcode: () => void files.download('gcode'), sheet: () => layout.toggleSheet() }));
+  element('dock').append(dock(session, { open: () => files.choose(), program: () => void files.download(session.state.machine?.takes ?? 'gcode'), sheet: () => layout.toggleSheet() }));
   element('playback').append(...playbackBar(playback));
   element('stage').append(tools.root, tools.legend, selection.card.root, questionCard(session), notices.failure, selection.table.root, notices.notice, pointer.tooltip.root);
   document.body.append(help);

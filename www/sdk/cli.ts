@@ -10,12 +10,13 @@ import { EXIT, failureDocument, print, readerLeft, Unusable, WrongUse } from './
 import { methods } from './cli/methods.js';
 import { plan } from './cli/plan.js';
 import { quote } from './cli/quote.js';
+import { calibrate } from './cli/calibrate.js';
 import { complain } from './cli/safe-text.js';
 import { KerfwayError } from './errors.js';
 import { serve, work } from './cli/serve.js';
 import { solve } from './cli/solve.js';
 
-const RUNS = new Map(Object.entries({ plan, inspect, quote, check, serve, work, methods, solve, completion }));
+const RUNS = new Map(Object.entries({ plan, inspect, quote, check, calibrate, serve, work, methods, solve, completion }));
 
 async function main([command, ...rest]: string[]): Promise<void> {
   if (command === undefined) throw new WrongUse(`Name a command: kerfway ${commandsInWords()}.`);

@@ -11,11 +11,11 @@ import type { CheckOptions, InspectOptions, JobOptions, PlanJobOptions, Planning
 import type { Started } from './plan-handle.js';
 import type { Planner } from './planner.js';
 import { ProgressStream } from './progress-stream.js';
-import type { Quote } from './quote.js';
+import type { Material, Quote } from './quote.js';
 import { quoteBudget } from './quote-budget.js';
 import { compared, optionsOf, planningOf, termsOf, type Verification } from './verify-quote.js';
 import { asJson, isPlanned, withWarmPath } from './plain-data.js';
-import type { BestPath, BinaryKind, DoneReason, Loaded, LoadOptions, OutputKind, ProgramCheck, Progress, Summary } from './protocol.js';
+import type { BestPath, BinaryKind, DoneReason, Loaded, LoadOptions, MachineProfile, OutputKind, PlanOptions, ProgramCheck, Progress, Summary } from './protocol.js';
 
 /**
  * Runs some work on a planner. Rejects with the reason of the signal as soon as it aborts. `seconds` is the budget of the
@@ -158,7 +158,9 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
       const options = withWarmPath(given);
       const work = async (planner: Planner) => {
         const loaded = await loadedBy(planner, source, options);
-        await planner.plan(budgeted(options, loaded, quoteBudget), options.onProgress).done;
+        const { material, ...rest } = options;
+        const setting = settingFor(material, options.machine, planner.machines);
+        await planner.plan(budgeted({ ...rest, ...setting }, loaded, quoteBudget), options.onProgress).done;
         return planner.quote(terms(options));
       };
       return quietAtClose(async () => {
@@ -212,6 +214,13 @@ export function createFunctions(withPlanner: WithPlanner, defaultBudget: Default
 function read(done: Promise<unknown>, stream: ProgressStream): AsyncIterator<Progress> {
   done.catch(() => {});
   return stream[Symbol.asyncIterator]();
+}
+
+/** The material to plan with: the one a quote names, if the machine has a library. Without one, its own setting is used, and the report says so. */
+export function settingFor(material: Material | undefined, machine: PlanOptions['machine'], presets: readonly MachineProfile[]): Pick<PlanOptions, 'material'> {
+  const name = material?.name;
+  const profile = typeof machine === 'object' ? machine : presets.find((m) => m.name === (machine ?? presets[0]?.name));
+  return name && profile?.materials?.length ? { material: name } : {};
 }
 
 /** The options of a search with the default budget where none is given. */

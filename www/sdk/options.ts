@@ -38,7 +38,7 @@ export interface PlanJobOptions<K extends OutputKind = never> extends PlanningOp
 }
 
 /** Options of `quote`. */
-export interface QuoteOptions extends PlanningOptions, JobOptions, QuoteTerms {
+export interface QuoteOptions extends Omit<PlanningOptions, 'material'>, JobOptions, QuoteTerms {
   /** Called on every improvement, and four times a second without one. */
   onProgress?: (progress: Progress) => void;
 }
@@ -74,7 +74,7 @@ const KNOWN = {
   inspect: shapeOf('inspect', ...READING.fields, ...JOB),
   plan: shapeOf('plan', ...READING.fields, ...PLANNING_OPTIONS, ...JOB,
     optional('onLoaded', 'callback'), optional('onProgress', 'callback'), optional('outputs', { list: { choice: OUTPUTS } })),
-  quote: shapeOf('quote', ...READING.fields, ...PLANNING_OPTIONS, ...JOB, ...TERMS.fields, optional('onProgress', 'callback')),
+  quote: shapeOf('quote', ...READING.fields, ...PLANNING_OPTIONS.filter(({ name }) => name !== 'material'), ...JOB, ...TERMS.fields, optional('onProgress', 'callback')),
   verifyQuote: shapeOf('verifyQuote', optional('signal', 'signal')),
   render: shapeOf('render', optional('width', { whole: WIDTH }), optional('signal', 'signal')),
   checkedOn: shapeOf('check', ...PLANNING.fields.filter(({ name }) => name === 'machine')),

@@ -6,7 +6,7 @@
 import { ClosedError, quietAtClose } from './closed.js';
 import { KerfwayError } from './errors.js';
 import { MultiSearch, type Drawing } from './multi-search.js';
-import { checkFile, checkOptions, checkOutput, checkProgram } from './options.js';
+import { checkFile, checkMachine, checkOptions, checkOutput, checkProgram } from './options.js';
 import { RunningPlan, type PlanHandle, type PlanMessage } from './plan-handle.js';
 import type { Quote, QuoteTerms } from './quote.js';
 import { Requests } from './requests.js';
@@ -18,6 +18,7 @@ import { type SILENCE_LIMITS, type StartWorker, WorkerConnection } from './worke
 import { WorkerStart } from './worker-start.js';
 import type {
   Budget,
+  Calibration,
   FromWorker,
   BinaryKind,
   CheckedOn,
@@ -25,6 +26,7 @@ import type {
   LoadOptions,
   Loaded,
   MachineProfile,
+  MeasuredPlan,
   MethodInfo,
   OutputKind,
   PaperMethod,
@@ -193,6 +195,18 @@ export class Planner {
       checkOptions(terms, 'terms');
       await this.ready;
       return (await this.ask<'quote'>((id) => ({ type: 'quote', id, terms }))).quote;
+    });
+  }
+
+  /**
+   * Fits the acceleration along contours, the corner deviation and the pierce time of a machine to the seconds that one or more jobs took.
+   * The plans are documents (the output `json`) of this machine.
+   */
+  calibrate(machine: MachineProfile, measured: readonly MeasuredPlan[]): Promise<Calibration> {
+    return quietAtClose(async () => {
+      checkMachine(machine);
+      await this.ready;
+      return (await this.ask<'calibrate'>((id) => ({ type: 'calibrate', id, machine, measured }))).calibration;
     });
   }
 

@@ -8,7 +8,7 @@
 
 import type * as core from './generated/types.js';
 import type {
-  Baselines, Budget, ContourInfo, Dialect, ErrorReport, Finding, Insight, MachineProfile, MethodInfo, PaperMethod, ProgramCheck, Quote, Summary,
+  Baselines, Budget, Calibration, ContourInfo, Dialect, ErrorReport, Finding, Insight, MachineProfile, MethodInfo, PaperMethod, ProgramCheck, Quote, Summary,
 } from './generated/types.js';
 import type { QuoteTerms } from './quote.js';
 import type { WasmModule } from './wasm-module.js';
@@ -99,6 +99,14 @@ export interface Progress {
   insight?: Insight;
 }
 
+/** A plan that was run, and the seconds that the job took. */
+export interface MeasuredPlan {
+  /** The plan document, as the output `json`. */
+  plan: string;
+  /** Seconds by the clock. */
+  seconds: number;
+}
+
 /** The format of an output. */
 export type OutputKind = 'gcode' | 'svg' | 'dxf' | 'json' | 'png' | 'lbrn2' | 'rd';
 
@@ -129,6 +137,7 @@ export type ToWorker =
   | { type: 'check'; id: number; program: string | null; options: CheckedOn }
   /** Writes a small program for a machine. */
   | { type: 'sample'; id: number; options: CheckedOn }
+  | { type: 'calibrate'; id: number; machine: MachineProfile; measured: readonly MeasuredPlan[] }
   | { type: 'output'; id: number; kind: OutputKind; width?: number };
 
 /** Messages from a worker. */
@@ -145,6 +154,7 @@ export type FromWorker =
   | { type: 'quote'; id: number; quote: Quote }
   | { type: 'check'; id: number; check: ProgramCheck }
   | { type: 'sample'; id: number; program: string }
+  | { type: 'calibrate'; id: number; calibration: Calibration }
   | { type: 'output'; id: number; kind: OutputKind; data: string | Uint8Array }
   | { type: 'failed'; id: number; error: ErrorReport }
   /** The planner has crashed and this worker cannot be used any more: one sentence for people. */

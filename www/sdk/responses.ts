@@ -10,8 +10,9 @@ export interface Responses {
   quote: Extract<FromWorker, { type: 'quote' }>;
   check: Extract<FromWorker, { type: 'check' }>;
   sample: Extract<FromWorker, { type: 'sample' }>;
+  calibrate: Extract<FromWorker, { type: 'calibrate' }>;
   restore: Extract<FromWorker, { type: 'done' }>;
 }
 
 /** The types of messages that settle a request. */
-export const FINAL: ReadonlySet<string> = new Set(['loaded', 'output', 'papers', 'quote', 'check', 'sample', 'done', 'failed']);
+export const FINAL: ReadonlySet<string> = new Set(['loaded', 'output', 'papers', 'quote', 'check', 'sample', 'calibrate', 'done', 'failed']);

@@ -104,6 +104,9 @@ export class Session {
       case 'papers':
         void this.reply(message.id, () => this.papers(message.id));
         return;
+      case 'calibrate':
+        this.host.post({ type: 'calibrate', id: message.id, calibration: this.build.calibrate(message.machine, message.measured) });
+        return;
       case 'quote':
         this.host.post({ type: 'quote', id: message.id, quote: this.quote(message.terms) });
         return;

@@ -85,8 +85,11 @@ fn extra_seconds_match_the_path_re_cut_to_start_there() {
             profile.sharp_corner = (angle > 0.0).then_some(SharpCorner { angle, time: 0.7 });
             for (name, path) in shapes() {
                 for mark in [false, true] {
-                    let time = |along: f64| process_time(&profile, mark, &path.starting_at(along).segments);
-                    let Some(run) = ClosedRun::new(&profile, mark, &path.segments) else {
+                    let time = |along: f64| {
+                        process_time(&profile, profile.process(mark), mark, &path.starting_at(along).segments)
+                    };
+                    let Some(run) = ClosedRun::new(&profile, profile.process(mark), mark, &path.segments)
+                    else {
                         assert_eq!(profile.process(mark).accel, None);
                         continue;
                     };
@@ -116,7 +119,7 @@ fn extra_seconds_match_the_path_re_cut_to_start_there() {
 fn a_stop_is_cheap_at_a_sharp_corner_and_expensive_in_the_middle_of_a_side() {
     let profile = presets().swap_remove(0);
     let (_, square) = shapes().swap_remove(0);
-    let run = ClosedRun::new(&profile, false, &square.segments).unwrap();
+    let run = ClosedRun::new(&profile, &profile.cut, false, &square.segments).unwrap();
     let (v, a) = (35.0, 2000.0);
     // Stopping from v and returning to it takes v / a each, over v^2 / 2a each, which take half of that at speed v.
     let middle = run.extra(20.0) + run.stop;
@@ -134,12 +137,12 @@ fn a_stop_is_cheap_at_a_sharp_corner_and_expensive_in_the_middle_of_a_side() {
 fn uniform_runs_have_no_extra_seconds() {
     for profile in presets() {
         let circle = [Segment::Arc(Arc::circle(DVec2::ONE, 5.0))];
-        let run = ClosedRun::new(&profile, false, &circle);
+        let run = ClosedRun::new(&profile, &profile.cut, false, &circle);
         assert!(run.is_none_or(|r| r.is_uniform() && r.extra(1.0) == 0.0));
-        assert_eq!(ClosedRun::new(&profile, false, &[]), None);
+        assert_eq!(ClosedRun::new(&profile, &profile.cut, false, &[]), None);
         let point = [Segment::line(DVec2::ONE, DVec2::ONE)];
-        assert_eq!(ClosedRun::new(&profile, false, &point), None);
+        assert_eq!(ClosedRun::new(&profile, &profile.cut, false, &point), None);
     }
     let length = presets().into_iter().find(|p| p.name == "length").unwrap();
-    assert_eq!(ClosedRun::new(&length, false, &shapes()[0].1.segments), None);
+    assert_eq!(ClosedRun::new(&length, &length.cut, false, &shapes()[0].1.segments), None);
 }

@@ -12,7 +12,7 @@ fn machine(deviation: Option<f64>) -> Profile {
 }
 
 fn process(speed: f64, accel: f64) -> Process {
-    Process { speed, accel: Some(accel), power: 1.0 }
+    Process::new(speed, Some(accel), 1.0)
 }
 
 fn polyline(points: &[(f64, f64)]) -> Vec<Segment> {
@@ -98,7 +98,7 @@ fn values_by_hand() {
     let inner = 2.0 * (100.0 - corner) / 1000.0 + (10.0 - (1e4 - corner * corner) / 1000.0) / 100.0;
     near(cut_time(&machine(Some(0.01)), &process(100.0, 1000.0), &square), 2.0 * ends + 2.0 * inner, 1e-12);
     // Without acceleration, the time is length divided by speed.
-    let at_once = Process { speed: 80.0, accel: None, power: 1.0 };
+    let at_once = Process::new(80.0, None, 1.0);
     near(cut_time(&machine(Some(0.01)), &at_once, &square), 0.5, 1e-12);
     // A circle of radius 2 mm at 500 mm/s2 is run at sqrt(1000) mm/s, with 1 mm to reach that speed and 1 mm to stop.
     let circle = [Segment::Arc(Arc::circle(DVec2::ZERO, 2.0))];

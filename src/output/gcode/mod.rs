@@ -174,6 +174,7 @@ impl<'d> Writer<'d> {
         };
         let all = cuts(plan).len();
         let (mut order, mut pierce, mut goes_on) = (0, 0.0, false);
+        let mut height = 0.0;
         for step in work {
             match step {
                 Move::Air { to } => self.pen.rapid(*to),
@@ -186,6 +187,10 @@ impl<'d> Writer<'d> {
                 }
                 Move::PreCut { .. } => {}
                 Move::Macro { .. } => self.pen.settle_dark(self.profile.macro_time()),
+                Move::Height { z } => {
+                    height = *z;
+                    self.pen.lower_to(height);
+                }
                 Move::Cut { contour, path, mark, .. } => {
                     if !goes_on {
                         order += 1;
@@ -194,7 +199,8 @@ impl<'d> Writer<'d> {
                         let words = format!("{order} of {all}: {verb} contour {contour}, layer ");
                         self.pen.lines.comment_naming(&words, layer);
                     }
-                    self.contour(&CutProcess::of(self.profile, *mark), path, mem::take(&mut pierce));
+                    let process = CutProcess::new(&sheet.process_by_id(*contour, self.profile), height);
+                    self.contour(&process, path, mem::take(&mut pierce));
                 }
             }
             goes_on = matches!(step, Move::Macro { .. });

@@ -321,11 +321,12 @@ impl<'d> Pen<'d> {
         self.air = on;
     }
 
-    fn lower_to(&mut self, z: f64) {
+    pub(super) fn lower_to(&mut self, z: f64) {
         if (self.z - z).abs() < self.half_grid() {
             return;
         }
-        let height: Fixed = fixed(z / self.dialect.units.mm(), self.dialect.decimals.xy as usize);
+        let place = if self.start.is_absolute() { z } else { z - self.z };
+        let height: Fixed = fixed(place / self.dialect.units.mm(), self.dialect.decimals.xy as usize);
         self.lines.push(&format!("G0 Z{height}"));
         self.z = z;
     }

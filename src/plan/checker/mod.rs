@@ -11,6 +11,7 @@ mod kerf;
 mod macros;
 mod nesting;
 mod order;
+mod passes;
 mod sums;
 mod tolerance;
 mod violation;
@@ -41,6 +42,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     visits.finish(&groups, &mut found);
     groups.finish(|c| visits.ends(c), &mut found);
     order::check(sheet, &visits, &groups, &mut found);
+    passes::check(sheet, machine, plan, &visits, &mut found);
     sums::check(sheet, machine, plan, &mut found);
     kerf::check(sheet, machine, plan, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
@@ -87,6 +89,14 @@ fn follow(
                 }
                 pierced = false;
                 head = *to;
+            }
+            Move::Height { z } => {
+                if !z.is_finite() {
+                    found.push(Violation::NotFinite { step });
+                }
+                if pierced {
+                    found.push(Violation::Beam { step, what: "is lowered or raised after it pierced" });
+                }
             }
             Move::Pierce => {
                 if pierced {

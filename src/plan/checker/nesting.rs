@@ -16,7 +16,8 @@ const SAMPLES: usize = 16;
 pub(super) fn pairs(sheet: &Sheet) -> Vec<(u32, u32)> {
     let outers: Vec<u32> = (0..)
         .zip(&sheet.contours)
-        .filter(|(_, c)| c.path.closed && c.operation == Operation::Cut)
+        // Only the last pass cuts a contour free.
+        .filter(|(_, c)| c.path.closed && c.operation == Operation::Cut && c.next_pass.is_none())
         .map(|(id, _)| id)
         .collect();
     let Some(index) = index(&outers, sheet) else { return Vec::new() };

@@ -8,13 +8,13 @@ use crate::sheet::{Operation, Pin, Sheet};
 
 /// `visits` knows when each contour is cut. Within a pierce group, `groups.rs` follows element by element what is held.
 pub(super) fn check(sheet: &Sheet, visits: &Visits, groups: &Groups, found: &mut Vec<Violation>) {
-    // By pinning first, then by layer, then marks before cuts.
-    let own: Vec<(Pin, u32, bool)> = sheet
+    // By pinning first, then by layer, then by pass, then marks before cuts.
+    let own: Vec<(Pin, u32, u32, bool)> = sheet
         .contours
         .iter()
         .map(|c| {
             let layer = sheet.layers.get(c.layer as usize).map_or(0, |l| l.rank);
-            (c.pin, layer, c.operation == Operation::Cut)
+            (c.pin, layer, c.pass, c.operation == Operation::Cut)
         })
         .collect();
     let mut rank = own.clone();

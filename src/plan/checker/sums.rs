@@ -15,7 +15,7 @@ use crate::sheet::Sheet;
 const RELATIVE: f64 = 1e-9;
 
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
-    let mut head = machine.home();
+    let (mut head, mut height) = (machine.home(), 0.0_f64);
     let (mut cuts, mut pierces, mut pre_cuts, mut macros) = (0u32, 0u32, 0u32, 0u32);
     let mut worked: Vec<u32> = Vec::new();
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
@@ -30,7 +30,11 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             Move::Pierce => pierces += 1,
             Move::PreCut { .. } => pre_cuts += 1,
             Move::Macro { .. } => macros += 1,
-            Move::Cut { contour, with, path, mark } => {
+            Move::Height { z } => {
+                air_seconds += machine.z_speed.map_or(0.0, |speed| (z - height).abs() / speed);
+                height = *z;
+            }
+            Move::Cut { contour, with, path, .. } => {
                 cuts += 1;
                 worked.push(*contour);
                 worked.extend(with);
@@ -39,7 +43,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                     slack = path.segments.iter().map(rounding).fold(slack, f64::max);
                 }
                 cut_length += path.iter().map(|s| s.length()).sum::<f64>();
-                cut_seconds += cut_time(machine, machine.process(*mark), path);
+                cut_seconds += cut_time(machine, &sheet.process_by_id(*contour, machine), path);
                 head = path.last().map_or(head, |s| s.end());
             }
         }
@@ -51,6 +55,8 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     // A contour that is cut in several stretches counts once.
     sort_by(&mut worked, |&c| [c.into(), 0, 0]);
     worked.dedup();
+    // The earlier passes over a line are no contours of their own.
+    worked.retain(|&c| sheet.contours.get(c as usize).is_some_and(|c| c.next_pass.is_none()));
     let is_open = |c: &&u32| sheet.contours.get(**c as usize).is_some_and(|c| !c.path.closed);
     let (contours, open) = (worked.len() as f64, worked.iter().filter(is_open).count() as f64);
     let s = &plan.summary;

@@ -154,6 +154,24 @@ pub enum Violation {
         /// The contour that should have been cut before it.
         later: u32,
     },
+    /// The passes over a contour are not as asked for.
+    #[error("contour {contour} {what}")]
+    Passes {
+        /// Which contour.
+        contour: u32,
+        /// What is wrong with its passes.
+        what: &'static str,
+    },
+    /// The head has the wrong height.
+    #[error("at move {step} the head is at the height {z} mm instead of {asked} mm")]
+    Height {
+        /// Which move.
+        step: usize,
+        /// Its height, mm.
+        z: f64,
+        /// The height of this pass, mm.
+        asked: f64,
+    },
     /// With parts cut one by one, a part was left and continued later.
     #[error("contour {contour} of part {part} is not cut together with the rest of the part")]
     Torn {

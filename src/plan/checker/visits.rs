@@ -16,7 +16,9 @@ use crate::sheet::{Operation, Sheet};
 struct Work {
     /// Indices of its first and last move.
     steps: Option<(usize, usize)>,
-    /// Everything cut of it so far, and its length in mm.
+    /// What was cut of it in each pass that is finished.
+    done: Vec<Vec<Segment>>,
+    /// Everything cut of it so far in this pass, and its length in mm.
     path: Vec<Segment>,
     length: f64,
     /// Whether it may be resumed without piercing.
@@ -31,6 +33,8 @@ pub(super) struct Visits<'s> {
     /// Cost of a pre-cut; `None` if nothing may be left unfinished.
     pre_cut: Option<f64>,
     work: Vec<Work>,
+    /// Number of passes over each contour before the head goes on.
+    passes: Vec<u32>,
     /// Contours that are begun and not finished, the outermost first.
     open: Vec<u32>,
     /// The contours of all cuts in order.
@@ -40,7 +44,8 @@ pub(super) struct Visits<'s> {
 impl<'s> Visits<'s> {
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
         let work = vec![Work::default(); sheet.contours.len()];
-        Self { sheet, pre_cut: machine.pre_cut_time, work, open: Vec::new(), order: Vec::new() }
+        let passes = sheet.contours.iter().map(|c| sheet.passes_at_once(c, machine)).collect();
+        Self { sheet, pre_cut: machine.pre_cut_time, work, passes, open: Vec::new(), order: Vec::new() }
     }
 
     /// Whether a contour was begun and is not finished.
@@ -72,11 +77,21 @@ impl<'s> Visits<'s> {
             return;
         };
         let length = known.path.length() - SAME - known.path.segments.iter().map(rounding).sum::<f64>();
-        if let Some((first, _)) = work.steps {
-            if work.length >= length {
+        let passes = self.passes.get(contour as usize).map_or(1, |&n| n as usize);
+        if let Some((first, _)) = work.steps.filter(|_| work.length >= length) {
+            if work.done.len() + 1 >= passes {
                 found.push(Violation::Again { step, contour });
                 return;
             }
+            if self.order.last() != Some(&contour) {
+                found.push(Violation::Passes { contour, what: "is left between its passes" });
+            }
+            let finished = std::mem::take(&mut work.path);
+            work.done.push(finished);
+            work.length = 0.0;
+            work.steps = Some((first, step));
+            self.open.push(contour);
+        } else if let Some((first, _)) = work.steps {
             let may_be_left =
                 self.pre_cut.is_some() && known.path.closed && known.operation == Operation::Cut;
             if !may_be_left {
@@ -111,12 +126,17 @@ impl<'s> Visits<'s> {
         }
     }
 
+    /// The move at which a contour was first cut.
+    pub(super) fn begins(&self, contour: u32) -> Option<usize> {
+        self.work.get(contour as usize)?.steps.map(|s| s.0)
+    }
+
     /// The move at which a contour was last cut.
     pub(super) fn ends(&self, contour: u32) -> Option<usize> {
         self.work.get(contour as usize)?.steps.map(|s| s.1)
     }
 
-    /// After the last move: every contour is cut once and completely.
+    /// After the last move: every contour is cut completely in each of its passes.
     pub(super) fn finish(&self, groups: &Groups, found: &mut Vec<Violation>) {
         for ((contour, work), known) in (0..).zip(&self.work).zip(&self.sheet.contours) {
             let Some((_, step)) = work.steps else {
@@ -128,7 +148,11 @@ impl<'s> Visits<'s> {
             if groups.holds(contour) {
                 continue;
             }
-            if let Err(fault) = follows(&known.path, &work.path) {
+            if work.done.len() + 1 != self.passes.get(contour as usize).map_or(1, |&n| n as usize) {
+                found.push(Violation::Passes { contour, what: "is not cut in as many passes as asked for" });
+            }
+            let rounds = work.done.iter().chain([&work.path]);
+            if let Some(fault) = rounds.map(|path| follows(&known.path, path)).find_map(Result::err) {
                 found.push(match fault {
                     Fault::Strays(at) => Violation::Strays { step, contour, at },
                     Fault::Length { worked, length } => Violation::Partly { step, contour, worked, length },

@@ -24,6 +24,12 @@ pub struct Contour {
     pub length: f64,
     /// Area of what a closed contour bounds, as drawn, mm2; 0 of an open one.
     pub area: f64,
+    /// Number of passes over it.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub passes: u32,
+    /// The contour that is the next pass over the same line; `None`: this is the last one, or all passes follow each other.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub next_pass: Option<u32>,
     /// The outline of what is made, where the line that is cut is not that outline: it runs half a kerf beside it, leaves
     /// out a side that is cut with another contour, or is cut stretch by stretch with others.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -44,7 +50,7 @@ impl Contour {
     /// say so.
     pub fn bounds_area(&self) -> bool {
         let drawn = self.drawn.is_some() && self.area > 0.0;
-        drawn || (self.closed && self.operation == Operation::Cut)
+        self.next_pass.is_none() && (drawn || (self.closed && self.operation == Operation::Cut))
     }
 
     /// Length of its outline, mm, including sides that are cut with another contour.
@@ -55,7 +61,7 @@ impl Contour {
 
     /// Whether it frees no part.
     pub fn is_open(&self) -> bool {
-        !self.closed && self.drawn.is_none()
+        self.next_pass.is_none() && !self.closed && self.drawn.is_none()
     }
 }
 
@@ -72,6 +78,15 @@ impl Outline {
     pub fn segments(&self) -> Vec<Segment> {
         segments(&self.path, &mut DVec2::from(self.from))
     }
+}
+
+fn one() -> u32 {
+    1
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
+fn is_one(passes: &u32) -> bool {
+    *passes == 1
 }
 
 /// The contours of a sheet as a machine works them; `shift` moves what is drawn to where it lies on the machine, mm.
@@ -103,6 +118,8 @@ pub fn contours(sheet: &Sheet, machine: &Profile, shift: DVec2) -> Vec<Contour> 
         inside: c.inside,
         length: c.length,
         area: c.area,
+        passes: if c.next_pass.is_some() { 1 } else { sheet.process_of(c, machine).passes },
+        next_pass: c.next_pass,
         drawn: c
             .part_outline()
             .or_else(|| c.boundary().filter(|_| in_group))

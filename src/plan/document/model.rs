@@ -5,8 +5,8 @@ use super::contour::Contour;
 use super::moves::Move;
 use crate::drawing::{ReadOptions, Unit, UnitsSource};
 use crate::finding::Finding;
-use crate::machine::{Profile, Start};
-use crate::sheet::{CommonCuts, Group, Operation, SheetOptions};
+use crate::machine::{Process, Profile, Settings, Start};
+use crate::sheet::{CommonCuts, Group, Operation, PassOrder, SheetOptions};
 use serde::{Deserialize, Serialize};
 
 /// The name and version of the format.
@@ -33,6 +33,9 @@ pub struct Document {
     pub input: Input,
     /// The machine, with a material on it.
     pub machine: Profile,
+    /// The setting of the machine's library that was used; `None`: the machine's own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub material: Option<String>,
     /// How the drawing was read and arranged.
     pub options: Options,
     /// Where the job lies on the bed; `None`: where it was drawn.
@@ -105,6 +108,9 @@ pub struct Options {
     pub layers: Vec<LayerOperation>,
     /// Whether layers were worked one after the other.
     pub order_by_layer: bool,
+    /// How contours with several passes were run.
+    #[serde(default, skip_serializing_if = "PassOrder::is_by_contour")]
+    pub pass_order: PassOrder,
     /// Whether a lone border around everything was left out even if it may be a cut.
     pub ignore_outline: bool,
     /// Whether a lone border around everything was cut even if it clearly shows the sheet.
@@ -142,6 +148,9 @@ pub struct LayerOperation {
     pub name: String,
     /// What is done with it.
     pub operation: Operation,
+    /// What was set for it.
+    #[serde(default, skip_serializing_if = "Settings::is_none")]
+    pub settings: Settings,
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
@@ -150,6 +159,30 @@ fn is_zero(turn: &u32) -> bool {
 }
 
 impl Document {
+    /// What a contour was worked with: the settings of its layer over the process of the machine. Without a contour, that of
+    /// a cut.
+    pub fn process_by_id(&self, contour: Option<u32>) -> Process {
+        let Some(contour) = contour.and_then(|id| self.contours.get(id as usize)) else {
+            return self.machine.cut;
+        };
+        let process = self.machine.process(contour.operation == Operation::Mark);
+        let named = |l: &&LayerOperation| l.name.eq_ignore_ascii_case(&contour.layer);
+        self.options.layers.iter().rev().find(named).map_or(*process, |l| l.settings.over(process))
+    }
+
+    /// The last pass of a contour of which this may be an earlier one.
+    pub fn last_pass(&self, contour: u32) -> u32 {
+        let mut last = contour;
+        // Passes are fewer than contours, whatever a document says.
+        for _ in &self.contours {
+            match self.contours.get(last as usize).and_then(|c| c.next_pass) {
+                Some(next) => last = next,
+                None => break,
+            }
+        }
+        last
+    }
+
     /// Reads a plan document.
     ///
     /// # Errors
@@ -182,6 +215,7 @@ impl Options {
         let layer = |(name, operation): &(String, Operation)| LayerOperation {
             name: name.clone(),
             operation: *operation,
+            settings: arrange.settings.iter().rev().find(|(n, _)| n == name).map_or(Settings::NONE, |s| s.1),
         };
         Self {
             units: read.unit,
@@ -192,6 +226,7 @@ impl Options {
             copy_tolerance: arrange.copy_tolerance,
             layers: arrange.layers.iter().map(layer).collect(),
             order_by_layer: arrange.order_by_layer,
+            pass_order: arrange.pass_order,
             ignore_outline: arrange.ignore_outline,
             keep_border: arrange.keep_border,
             groups: arrange

@@ -44,6 +44,11 @@ pub enum Move {
         /// The corner.
         at: [f64; 2],
     },
+    /// The head is lowered or raised, beam off.
+    Height {
+        /// mm; 0 as focused, negative when lowered.
+        z: f64,
+    },
     /// Beam on along a contour, or a stretch of it; cutting or marking as the contour's operation says.
     Cut {
         /// The contour, or all contours that share this cut.
@@ -92,6 +97,7 @@ impl From<&model::Move> for Move {
                 Self::PreCut { contour: *contour, to: place(*to), ahead: Element::all(ahead) }
             }
             model::Move::Macro { contour, at } => Self::Macro { contour: *contour, at: place(*at) },
+            model::Move::Height { z } => Self::Height { z: *z },
             model::Move::Cut { contour, with, path, .. } => {
                 Self::Cut { contour: Contours::of(*contour, with), path: Element::all(path) }
             }
@@ -107,7 +113,8 @@ impl Contours {
         }
     }
 
-    pub(super) fn first(&self) -> Option<u32> {
+    /// The contour, or the first of several.
+    pub fn first(&self) -> Option<u32> {
         match self {
             Self::One(id) => Some(*id),
             Self::Several(ids) => ids.first().copied(),
@@ -128,6 +135,11 @@ impl Element {
             }
         }
         all
+    }
+
+    /// Elements with both ends, the first from `at`, which moves on to the end of the last.
+    pub fn segments(path: &[Self], at: &mut DVec2) -> Vec<Segment> {
+        segments(path, at)
     }
 
     fn arc(arc: &Arc) -> Self {

@@ -33,7 +33,7 @@ pub fn strokes(document: &Document) -> Vec<Stroke> {
                 at = DVec2::from(*to);
                 Some(Stroke::Air { from, to: at })
             }
-            Move::Pierce | Move::Macro { .. } => None,
+            Move::Pierce | Move::Macro { .. } | Move::Height { .. } => None,
             Move::PreCut { to, .. } => {
                 at = DVec2::from(*to);
                 Some(Stroke::Beam { contour: None, path: vec![Segment::line(from, at)] })

@@ -81,7 +81,7 @@ impl<'s> Net<'s> {
     }
 
     fn gains_after(&self, step: Step) -> Vec<(Step, f64)> {
-        let seconds = |path: &[Segment]| process_time(self.machine, false, path);
+        let seconds = |path: &[Segment]| process_time(self.machine, &self.machine.cut, false, path);
         let own = self.travelled(step);
         let from = self.step(step)[1];
         let next = self.steps().filter(|&s| s / 2 != step / 2 && self.step(s)[0] == from);

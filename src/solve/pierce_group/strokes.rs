@@ -96,7 +96,7 @@ fn falls(net: &Net, order: &[Step], along: &[f64]) -> Vec<f64> {
 /// The path with the exact seconds of its leave points: within a run, leaving takes one more start of the beam, and the
 /// head stops.
 pub(super) fn priced(net: &Net, mut path: SubPath) -> SubPath {
-    let seconds = |path: &[Segment]| process_time(net.machine, false, path);
+    let seconds = |path: &[Segment]| process_time(net.machine, &net.machine.cut, false, path);
     for point in path.leave_points.iter_mut().filter(|p| p.spans > 0) {
         let Some(Stroke::Cut { spans, path: run }) = path.strokes.get(point.strokes) else { continue };
         let elements = spans.iter().take(point.spans).map(|s| s.elements).sum::<usize>();
@@ -145,7 +145,7 @@ fn seconds(net: &Net, start: DVec2, strokes: &[Stroke]) -> f64 {
             Stroke::Pierce => sum += net.machine.pierce_time,
             Stroke::PreCut { .. } => sum += net.pre_cut(),
             Stroke::Cut { path, .. } => {
-                sum += process_time(net.machine, false, path) + net.start();
+                sum += process_time(net.machine, &net.machine.cut, false, path) + net.start();
                 head = path.last().map_or(head, Segment::end);
             }
         }

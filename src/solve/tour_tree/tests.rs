@@ -48,7 +48,7 @@ pub(super) fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Probl
         let corner: Vec<DVec2> = (0..5).map(|_| rng.place() * 1e-3).collect();
         let run = (0..5).map(|k| Segment::line(corner[k], corner[(k + 1) % 5])).collect::<Vec<_>>();
         let open = nodes[first as usize].twin != first;
-        let run = if open { None } else { ClosedRun::new(&machine, false, &run) };
+        let run = if open { None } else { ClosedRun::new(&machine, &machine.cut, false, &run) };
         items.push(Item { nodes: first..end, before, rank, run, ..Item::default() });
     }
     Problem {

@@ -79,10 +79,8 @@ fn open_contours_and_marks_keep_their_lines() {
     let circle = "0\nCIRCLE\n8\nMARK\n10\n5\n20\n5\n40\n1\n".to_owned();
     let more = line(3.0, "0") + &line(6.0, "0") + &circle;
     text = text.replace("0\nENDSEC\n0\nEOF", &(more + "0\nENDSEC\n0\nEOF"));
-    let load = LoadOptions {
-        layers: vec![LayerChoice { name: "MARK".into(), operation: Operation::Mark }],
-        ..LoadOptions::default()
-    };
+    let load =
+        LoadOptions { layers: vec![LayerChoice::new("MARK", Operation::Mark)], ..LoadOptions::default() };
     let mut job = Job::load(text.into_bytes(), "open.dxf", &load).unwrap();
     let machine = MachineChoice::Profile(Box::new(machine(KERF)));
     job.start(&PlanOptions { machine, ..PlanOptions::default() }).unwrap();

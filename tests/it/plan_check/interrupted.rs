@@ -53,7 +53,7 @@ fn interrupted_contours_pass_if_the_machine_allows_them() {
     let mut moves = plan.moves.clone();
     moves.retain(|m| !matches!(m, Move::PreCut { .. }));
     let parts = s.parts;
-    let mut summary = plan::evaluate(&moves, &free);
+    let mut summary = plan::evaluate(&moves, &sheet, &free);
     summary.parts = parts;
     assert_eq!(plan::check(&sheet, &free, &Plan { moves, summary }), Ok(()));
 }
@@ -77,7 +77,7 @@ fn faults_of_interrupted_contours() {
     let after = |change: &dyn Fn(&mut Vec<Move>)| {
         let mut plan = good.clone();
         change(&mut plan.moves);
-        plan.summary = plan::evaluate(&plan.moves, &machine);
+        plan.summary = plan::evaluate(&plan.moves, &sheet, &machine);
         plan.summary.parts = good.summary.parts;
         plan::check(&sheet, &machine, &plan).unwrap_err()
     };

@@ -35,7 +35,7 @@ pub(super) fn after(change: impl FnOnce(&mut Vec<Move>)) -> Vec<Violation> {
     let mut plan = planned(&sheet, &machine);
     change(&mut plan.moves);
     let parts = plan.summary.parts;
-    plan.summary = plan::evaluate(&plan.moves, &machine);
+    plan.summary = plan::evaluate(&plan.moves, &sheet, &machine);
     plan.summary.parts = parts;
     plan::check(&sheet, &machine, &plan).unwrap_err()
 }

@@ -211,7 +211,7 @@ fn sound_plans_at_large_coordinates_pass_and_faults_are_found() {
         let hole = take_out(&mut bad.moves, 2);
         let at = cut_of(&bad.moves, plate) + 1;
         bad.moves.splice(at..at, hole);
-        bad.summary = plan::evaluate(&bad.moves, &machine);
+        bad.summary = plan::evaluate(&bad.moves, &sheet, &machine);
         bad.summary.parts = good.summary.parts;
         let found = plan::check(&sheet, &machine, &bad).unwrap_err();
         assert_eq!(found, [Violation::CutFree { outer: plate, inner: 2 }], "{}", machine.name);

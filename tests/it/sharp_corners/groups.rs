@@ -88,7 +88,7 @@ fn pre_cuts_have_a_length_and_are_cut_ahead() {
                 }
                 _ => ahead.clear(),
             }
-            let mut summary = plan::evaluate(&moves, &machine);
+            let mut summary = plan::evaluate(&moves, job.beam_sheet(), &machine);
             summary.parts = good.summary.parts;
             let found = plan::check(job.sheet(), &machine, &Plan { moves, summary });
             assert!(found.is_err(), "{change}");

@@ -89,7 +89,7 @@ fn the_checker_finds_a_missing_or_extra_macro() {
     let faults = |change: &dyn Fn(&mut Vec<Move>)| {
         let mut moves = good.moves.clone();
         change(&mut moves);
-        let mut summary = plan::evaluate(&moves, &machine);
+        let mut summary = plan::evaluate(&moves, job.beam_sheet(), &machine);
         summary.parts = good.summary.parts;
         plan::check(job.sheet(), &machine, &Plan { moves, summary }).unwrap_err()
     };
@@ -114,7 +114,7 @@ fn the_checker_finds_a_missing_or_extra_macro() {
     assert!(astray(&faults(&|m| m.insert(at, m[at].clone()))));
     assert!(astray(&faults(&|m| m.push(m[at].clone()))));
     let none = Profile { sharp_corner: None, ..machine.clone() };
-    let mut summary = plan::evaluate(&good.moves, &none);
+    let mut summary = plan::evaluate(&good.moves, job.beam_sheet(), &none);
     summary.parts = good.summary.parts;
     let found = plan::check(job.sheet(), &none, &Plan { moves: good.moves.clone(), summary }).unwrap_err();
     assert!(astray(&found), "{found:?}");
@@ -136,7 +136,7 @@ fn a_pause_where_a_side_continues_is_a_fault() {
     let (contour, rest) = (*contour, path.split_off(2));
     let cut = Move::Cut { contour, with: vec![], mark: false, path: rest.clone() };
     moves.splice(at + 1..at + 1, [Move::Macro { contour, at: rest[0].start() }, cut]);
-    let mut summary = plan::evaluate(&moves, &thick());
+    let mut summary = plan::evaluate(&moves, job.beam_sheet(), &thick());
     summary.parts = good.summary.parts;
     let found = plan::check(job.sheet(), &thick(), &Plan { moves, summary }).unwrap_err();
     assert!(found.iter().any(|v| matches!(v, Violation::Beam { .. })), "{found:?}");

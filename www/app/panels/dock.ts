@@ -15,7 +15,8 @@ export interface DockActions {
   open(): void;
   /** Opens and closes the bottom sheet that holds the panel on a phone. */
   sheet(): void;
-  gcode(): void;
+  /** Downloads the file that the machine takes. */
+  program(): void;
 }
 
 export function dock(session: Session, actions: DockActions): HTMLElement {
@@ -26,7 +27,8 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
   const pause = button(words.dock.pause, { icon: 'pause', onclick: () => session.planning.pause() });
   const resume = button(words.dock.resume, { icon: 'play', onclick: () => session.planning.resume() });
   const more = button(words.dock.more, { icon: 'next', onclick: () => session.planning.keepImproving() });
-  const gcode = button(words.result.kinds.gcode, { icon: 'download', class: 'primary', onclick: actions.gcode });
+  const gcode = button(words.result.kinds.gcode, { icon: 'download', class: 'primary', onclick: actions.program });
+  const gcodeLabel = gcode.querySelector('span')!;
   const open = button(words.dock.choose, { icon: 'open', class: 'primary', onclick: actions.open });
   const sheet = button(words.dock.sheet, { icon: 'up', iconOnly: true, class: 'quiet sheet-toggle', 'aria-expanded': false, 'aria-controls': 'sections', onclick: actions.sheet });
   const root = h('div', { class: 'dock' }, bar, h('div', { class: 'dock-state' }, h('div', {}, head, detail), sheet), h('div', { class: 'dock-actions' }, stop, pause, resume, more, gcode, open));
@@ -39,6 +41,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     resume.hidden = phase !== 'paused';
     more.hidden = phase !== 'done' || state.reason === 'exhausted';
     gcode.hidden = phase !== 'done';
+    setText(gcodeLabel, words.result.kinds[state.machine?.takes ?? 'gcode']);
     open.hidden = phase !== 'failed' && phase !== 'ready';
     const busy = phase === 'starting' || phase === 'reading';
     bar.hidden = !running && !busy;

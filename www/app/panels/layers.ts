@@ -3,9 +3,10 @@
 import { button, h } from '../core/dom.js';
 import { count } from '../core/format.js';
 import { OPERATIONS } from '../core/strings.js';
-import type { LayerUse, Loaded } from 'kerfway';
+import type { LayerChoice, LayerUse, Loaded, MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { words } from '../core/words/index.js';
+import { check, field } from './section.js';
 
 /** The first nine colours of AutoCAD by their index. The others are shown in the colour of text. */
 const COLORS = ['', '#e5484d', '#c9a400', '#3aa655', '#1ea7b8', '#4565e6', '#b34fd1', '', '#8a8f98', '#b4b8bf'];
@@ -33,10 +34,79 @@ function row(session: Session, layer: LayerUse, moves: [up: boolean, down: boole
   });
   const move = (label: string, icon: 'up' | 'down', by: -1 | 1, can: boolean) =>
     button(label, { icon, iconOnly: true, class: 'quiet small', disabled: !can, onclick: () => session.drawing.moveLayer(layer.name, by) });
-  return h('li', { class: layer.operation === 'ignore' ? 'layer ignored' : 'layer' }, swatch,
-    h('span', { class: 'layer-name', title: layer.name }, layer.name),
+  const set = session.drawing.settingsOf(layer.name);
+  const summary = inWords(set);
+  const expand = layer.operation === 'ignore' ? null : button(words.layers.settings(layer.name), { icon: 'down', iconOnly: true, class: 'quiet small', 'aria-expanded': opened.has(layer.name) });
+  const settings = layer.operation === 'ignore' ? null : h('div', { class: 'layer-settings', hidden: !opened.has(layer.name) }, ...settingFields(session, layer, set));
+  expand?.addEventListener('click', () => {
+    const open = !opened.delete(layer.name);
+    if (open) opened.add(layer.name);
+    expand.setAttribute('aria-expanded', String(open));
+    if (settings) settings.hidden = !open;
+  });
+  return h('li', {}, h('div', { class: layer.operation === 'ignore' ? 'layer ignored' : 'layer' }, swatch,
+    h('span', { class: 'layer-name', title: layer.name }, layer.name, summary && h('span', { class: 'soft layer-set' }, summary)),
     h('span', { class: 'soft number', title: words.layers.contours }, count(layer.contours)),
-    choice, moves && move(words.layers.earlier(layer.name), 'up', -1, moves[0]), moves && move(words.layers.later(layer.name), 'down', 1, moves[1]));
+    choice, moves && move(words.layers.earlier(layer.name), 'up', -1, moves[0]), moves && move(words.layers.later(layer.name), 'down', 1, moves[1]), expand), settings);
+}
+
+/** The layers whose settings are shown. They stay open when the list is made again. */
+const opened = new Set<string>();
+
+interface Quantity {
+  key: 'speed' | 'power' | 'minPower' | 'passes' | 'zStep';
+  label: string;
+  unit: string;
+  least: number;
+  most: number;
+  /** From what is typed to the setting. */
+  factor: number;
+  whole?: boolean;
+  /** What holds where nothing is set. */
+  otherwise(process: MachineProfile['cut']): number | null | undefined;
+}
+
+const QUANTITIES: readonly Quantity[] = [
+  { key: 'speed', label: words.layers.speed, unit: 'mm/s', least: 0.01, most: 100_000, factor: 1, otherwise: (p) => p.speed },
+  { key: 'power', label: words.layers.power, unit: '%', least: 0, most: 100, factor: 0.01, otherwise: (p) => p.power },
+  { key: 'minPower', label: words.layers.minPower, unit: '%', least: 0, most: 100, factor: 0.01, otherwise: (p) => p.min_power },
+  { key: 'passes', label: words.layers.passes, unit: '×', least: 1, most: 100, factor: 1, whole: true, otherwise: (p) => p.passes ?? 1 },
+  { key: 'zStep', label: words.layers.zStep, unit: 'mm', least: 0, most: 50, factor: 1, otherwise: (p) => p.z_step ?? 0 },
+];
+
+const rounded = (value: number) => Math.round(value * 1e4) / 1e4;
+
+function settingFields(session: Session, layer: LayerUse, set: LayerChoice | undefined): HTMLElement[] {
+  const { machine } = session.state;
+  const process = layer.operation === 'mark' ? machine?.mark : machine?.cut;
+  const fields = QUANTITIES.map(({ key, label, unit, least, most, factor, whole, otherwise }) => {
+    const given = set?.[key];
+    const usual = process && otherwise(process);
+    const input = h('input', {
+      type: 'number', step: 'any', min: least, max: most, inputmode: 'decimal', 'aria-label': words.layers.settingOf(label, layer.name),
+      placeholder: typeof usual === 'number' ? String(rounded(usual / factor)) : words.layers.unset, value: typeof given === 'number' ? String(rounded(given / factor)) : '',
+    });
+    // On `change`, not on every keystroke: the drawing is arranged again.
+    input.addEventListener('change', () => {
+      const value = input.value === '' ? undefined : input.valueAsNumber;
+      const valid = value === undefined || (value >= least && value <= most && (!whole || Number.isInteger(value)));
+      input.setAttribute('aria-invalid', String(!valid));
+      if (valid) session.drawing.setLayer(layer.name, { [key]: value === undefined ? undefined : value * factor });
+    });
+    return field(label, input, unit);
+  });
+  const air = check(words.layers.air, (on) => session.drawing.setLayer(layer.name, { air: on || undefined }));
+  air.input.checked = set?.air === true;
+  return [...fields, air.root];
+}
+
+/** What is set for a layer, in a few words. */
+function inWords(set: LayerChoice | undefined): string {
+  if (!set) return '';
+  return [
+    typeof set.speed === 'number' && `${rounded(set.speed)} mm/s`, typeof set.power === 'number' && `${rounded(set.power * 100)} %`,
+    typeof set.passes === 'number' && set.passes > 1 && `${set.passes} ×`, typeof set.zStep === 'number' && set.zStep > 0 && `${rounded(set.zStep)} mm`, set.air === true && words.layers.air.toLowerCase(),
+  ].filter(Boolean).join(', ');
 }
 
 function suggestion(session: Session, layer: LayerUse): HTMLElement {

@@ -3,7 +3,9 @@
 import { button, h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
+import { calibration } from './calibration.js';
 import { dialectEditor } from './dialect.js';
+import { materials } from './materials.js';
 import { ownMachines } from './own-machines.js';
 import { check, field, section, select } from './section.js';
 import { words } from '../core/words/index.js';
@@ -56,6 +58,7 @@ const QUANTITIES: readonly Quantity[] = [
   { label: words.machine.sharpTime, unit: 's', least: 0, get: (m) => m.sharp_corner?.time ?? null, none: words.machine.noPauses, set: (m, v) => (m.sharp_corner = { ...PAUSE, ...m.sharp_corner, time: v }) },
   { label: words.machine.beamOn, unit: 's', least: 0, get: (m) => m.beam_on_delay, set: (m, v) => (m.beam_on_delay = v) },
   { label: words.machine.beamOff, unit: 's', least: 0, get: (m) => m.beam_off_delay, set: (m, v) => (m.beam_off_delay = v) },
+  { label: words.machine.zSpeed, unit: 'mm/s', least: 0.01, none: words.machine.noZ, get: (m) => m.z_speed ?? null, set: (m, v) => (m.z_speed = v) },
   { label: words.machine.homeX, unit: 'mm', least: -1e6, get: (m) => m.home[0], set: (m, v) => (m.home[0] = v) },
   { label: words.machine.homeY, unit: 'mm', least: -1e6, get: (m) => m.home[1], set: (m, v) => (m.home[1] = v) },
   ...[words.machine.bedX0, words.machine.bedY0, words.machine.bedX1, words.machine.bedY1].map((label, i): Quantity => (
@@ -87,6 +90,8 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     const chosen = session.catalog.machines.find((m) => m.name === name);
     if (chosen) session.setMachine(structuredClone(chosen));
   });
+  const library = materials(session);
+  const fitting = calibration(session, notify);
   choice.root.setAttribute('aria-label', words.machine.preset);
   choice.root.classList.add('wide');
   const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)));
@@ -104,7 +109,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
   const advanced = h('details', { class: 'more' }, h('summary', {}, words.machine.advanced),
     h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!, q.unit), hintOf(q)]), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
-  body.append(h('div', { class: 'stack' }, choice.root, partialCuts.root, pausing.root, dialect.root, advanced, own.root));
+  body.append(h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, dialect.root, advanced, library.root, fitting, own.root));
 
   const show = () => {
     const { machine } = session.state;
@@ -120,6 +125,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     back.hidden = !changed;
     own.show(machine);
     dialect.show(machine);
+    library.show(machine);
     QUANTITIES.forEach((q, i) => {
       const input = inputs[i]!;
       if (document.activeElement !== input) input.value = shown(q.get(machine));

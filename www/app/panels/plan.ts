@@ -3,6 +3,7 @@
 import { h, setText } from '../core/dom.js';
 import type { MethodInfo } from 'kerfway';
 import type { Session } from '../session/session.js';
+import type { State } from '../session/state.js';
 import { parameters } from './parameters.js';
 import { check, field, section, select } from './section.js';
 import { words } from '../core/words/index.js';
@@ -30,11 +31,12 @@ export function planPanel(session: Session): HTMLElement {
     else if (Number.isInteger(value) && value >= 0 && value <= 4294967295) session.setSearch({ seed: value }, true);
   });
   const byLayer = check(words.plan.byLayer, (on) => session.drawing.change({ orderByLayer: on }));
+  const bySheet = check(words.plan.bySheet, (on) => session.drawing.change({ passOrder: on ? 'sheet' : 'contour' }));
   const byPart = check(words.plan.byPart, (on) => session.drawing.change({ partByPart: on }));
   const common = check(words.plan.common, (on) => session.drawing.change({ commonCuts: on ? 'best' : 'off' }));
   const used = h('p', { class: 'soft' });
   body.append(h('div', { class: 'stack' },
-    method.root, about, source, own.root, field(words.plan.time, budget.root), field(words.plan.seed, seed), used, byLayer.root, byPart.root, common.root,
+    method.root, about, source, own.root, field(words.plan.time, budget.root), field(words.plan.seed, seed), used, byLayer.root, byPart.root, bySheet.root, common.root,
     h('p', { class: 'soft' }, words.plan.always)));
 
   session.store.on('change', ({ search, seed: taken, load, loaded, machine }) => {
@@ -51,6 +53,8 @@ export function planPanel(session: Session): HTMLElement {
     setText(about, chosen?.about ?? '');
     byLayer.root.hidden = (loaded?.layers.length ?? 0) < 2;
     byLayer.input.checked = load.orderByLayer ?? false;
+    bySheet.root.hidden = passes(session.state) < 2;
+    bySheet.input.checked = load.passOrder === 'sheet';
     byPart.root.hidden = (loaded?.parts.length ?? 0) < 2;
     byPart.input.checked = load.partByPart ?? false;
     const off = load.commonCuts === 'off';
@@ -62,4 +66,10 @@ export function planPanel(session: Session): HTMLElement {
     used.hidden = taken === null || search.seed !== null;
   });
   return root;
+}
+
+/** The most passes over any contour. */
+function passes({ load, machine, material }: State): number {
+  const setting = machine?.materials?.find((m) => m.name === material);
+  return Math.max(machine?.cut.passes ?? 1, setting?.cut?.passes ?? 1, ...(load.layers ?? []).map((l) => l.passes ?? 1));
 }

@@ -37,7 +37,7 @@ export function quotePanel(session: Session, notify: (sentence: string) => void)
     show();
     if (!root.open || session.state.phase !== 'done') return;
     try {
-      const made = await session.quote(material(thickness, density));
+      const made = await session.quote({ ...material(thickness, density), ...(session.state.material === null ? {} : { name: session.state.material }) });
       if (now !== asked) return;
       report = made;
       show();

@@ -3,7 +3,7 @@
  * itself. A file or an option that cannot be used leaves everything as it was.
  */
 
-import type { Finding, Loaded, LoadOptions, Operation, Unit } from 'kerfway';
+import type { Finding, LayerChoice, Loaded, LoadOptions, Operation, Unit } from 'kerfway';
 import { Latest } from '../core/latest.js';
 import { messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
@@ -132,7 +132,17 @@ export class Drawing {
   }
 
   setOperation(layer: string, operation: Operation): void {
-    this.change({ layers: this.layers().map((l) => (l.name === layer ? { name: layer, operation } : l)) });
+    this.setLayer(layer, { operation });
+  }
+
+  /** Changes what is done with a layer; `undefined` takes a setting back. */
+  setLayer(layer: string, choice: Partial<LayerChoice>): void {
+    this.change({ layers: this.layers().map((l) => (l.name === layer ? defined({ ...l, ...choice }) : l)) });
+  }
+
+  /** What was set for a layer. */
+  settingsOf(layer: string): LayerChoice | undefined {
+    return this.store.state.load.layers?.find((l) => l.name === layer);
   }
 
   /** Moves a layer in the list that "order by layer" follows. */
@@ -167,9 +177,9 @@ export class Drawing {
     void this.choose({ ...this.store.state.load, ...options });
   }
 
-  private layers(): { name: string; operation: Operation }[] {
+  private layers(): LayerChoice[] {
     const { loaded, load } = this.store.state;
-    const known = loaded?.layers.map(({ name, operation }) => ({ name, operation })) ?? [];
+    const known = loaded?.layers.map(({ name, operation }): LayerChoice => ({ ...load.layers?.find((l) => l.name === name), name, operation })) ?? [];
     const order = new Map(load.layers?.map((l, i) => [l.name, i]) ?? []);
     return known.sort((a, b) => (order.get(a.name) ?? known.length) - (order.get(b.name) ?? known.length));
   }
@@ -187,4 +197,9 @@ export class Drawing {
       this.planning.start(plan);
     }
   }
+}
+
+/** A layer's choice without the settings that were taken back. */
+function defined(choice: LayerChoice): LayerChoice {
+  return Object.fromEntries(Object.entries(choice).filter(([, value]) => value !== undefined)) as unknown as LayerChoice;
 }

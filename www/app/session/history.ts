@@ -15,6 +15,7 @@ export interface Choices {
   machine: MachineProfile | null;
   search: Search;
   placing: Placing;
+  material: string | null;
 }
 
 /** Milliseconds within which successive keystrokes count as one choice. */

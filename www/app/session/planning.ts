@@ -27,7 +27,7 @@ export class Planning {
 
   /** Plans the drawing: from the start, or on from a plan that was kept. */
   start(kept: KeptPlan | null = null): void {
-    const { loaded, machine, search: { method, parameters, seed, seconds }, placing } = this.store.state;
+    const { loaded, machine, search: { method, parameters, seed, seconds }, placing, material } = this.store.state;
     const { planner, papers } = this.catalog;
     if (!loaded || !machine || !planner) return;
     const isLatest = this.cancel();
@@ -39,8 +39,8 @@ export class Planning {
     const fromPaper = papers.some((m) => m.name === method);
     const { place, start, allowOffBed } = placing;
     const options = {
-      machine, start, allowOffBed, ...(place === null ? {} : { place }), method, ...(fromPaper ? { parameters } : { workers: WORKERS }),
-      ...(seed === null ? {} : { seed }), ...(kept === null ? { seconds } : continuing(kept)),
+      machine, start, allowOffBed, ...(place === null ? {} : { place }), ...(material === null ? {} : { material }), method,
+      ...(fromPaper ? { parameters } : { workers: WORKERS }), ...(seed === null ? {} : { seed }), ...(kept === null ? { seconds } : continuing(kept)),
     };
     this.before = kept;
     const run = planner.plan(options, this.reporter(isLatest));

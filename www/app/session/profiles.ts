@@ -7,7 +7,26 @@ import type { MachineProfile } from 'kerfway';
 import { words } from '../core/words/index.js';
 
 const KEY = 'kerfway.machines';
+const CHOSEN = 'kerfway.machine';
 const SCHEMA = 'kerfway.machine/1';
+
+/** The name of the machine that was chosen last in this browser; null where none was, or nothing can be stored. */
+export function rememberedMachine(): string | null {
+  try {
+    return localStorage.getItem(CHOSEN);
+  } catch {
+    return null;
+  }
+}
+
+/** Remembers the chosen machine. */
+export function rememberMachine(name: string): void {
+  try {
+    localStorage.setItem(CHOSEN, name);
+  } catch {
+    // The browser stores nothing for this page: the choice lasts until it is closed.
+  }
+}
 
 /** The machines saved in this browser. */
 export function savedMachines(): MachineProfile[] {

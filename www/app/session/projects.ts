@@ -8,11 +8,11 @@ import type { Search, State } from './state.js';
 
 /** The current job; null while there is no drawing. */
 export function projectOf(state: State, source: Source | null): Project | null {
-  const { loaded, load, machine, search: { method, parameters, seed, seconds }, placing: { place, start, allowOffBed } } = state;
+  const { loaded, load, machine, search: { method, parameters, seed, seconds }, placing: { place, start, allowOffBed }, material } = state;
   if (source === null || loaded === null || machine === null) return null;
   const planning: PlanOptions = {
     machine, method, seconds, start, allowOffBed, ...(place === null ? {} : { place }), ...(seed === null ? {} : { seed }),
-    ...(Object.keys(parameters).length === 0 ? {} : { parameters }),
+    ...(Object.keys(parameters).length === 0 ? {} : { parameters }), ...(material === null ? {} : { material }),
   };
   return { name: source.name, drawing: new Uint8Array(source.bytes), reading: load, planning, plan: saved(state) };
 }
@@ -26,12 +26,13 @@ function saved(state: State): SavedPlan | null {
 }
 
 /** The choices in a project; where it has none, those of the page. `machines`: those with a name. */
-export function decidedIn({ planning }: Project, { machine: own, search }: State, machines: readonly MachineProfile[]): { machine: MachineProfile | null; search: Search; placing: Placing } {
-  const { machine, method, parameters, seed, seconds, place, start, allowOffBed } = planning;
+export function decidedIn({ planning }: Project, { machine: own, search }: State, machines: readonly MachineProfile[]): { machine: MachineProfile | null; search: Search; placing: Placing; material: string | null } {
+  const { machine, method, parameters, seed, seconds, place, start, allowOffBed, material } = planning;
   const profile = typeof machine === 'string' ? machines.find((m) => m.name === machine) : machine;
   return {
     machine: profile ?? own,
     search: { method: method ?? search.method, parameters: parameters ?? {}, seed: seed ?? null, seconds: seconds ?? search.seconds },
+    material: material ?? null,
     placing: { place: place ?? null, start: start ?? AS_DRAWN.start, allowOffBed: allowOffBed ?? AS_DRAWN.allowOffBed },
   };
 }

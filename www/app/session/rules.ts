@@ -29,7 +29,7 @@ export function withoutRules({ first: _first, last: _last, exclude: _exclude, ..
 export function sameContours(a: LoadOptions, b: LoadOptions): boolean {
   // The border and groups keep their contours whatever is done with them.
   const key = ({ units, tolerance, keepDamaged, joinTolerance, layers }: LoadOptions) =>
-    JSON.stringify([units, tolerance, keepDamaged, joinTolerance, layers]);
+    JSON.stringify([units, tolerance, keepDamaged, joinTolerance, layers?.map(({ name, operation }) => [name, operation])]);
   return key(a) === key(b);
 }
 

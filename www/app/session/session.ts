@@ -3,7 +3,9 @@
  * drawing, the machine or the options. Every choice can be undone.
  */
 
-import { jobReport, type LoadOptions, type MachineProfile, type Material, type OutputKind, type Planner, type ProgramCheck, type Project, type Quote } from 'kerfway';
+import {
+  jobReport, type Calibration, type LoadOptions, type MachineProfile, type Material, type MeasuredPlan, type OutputKind, type Planner, type ProgramCheck, type Project, type Quote,
+} from 'kerfway';
 import { messageOf } from '../core/strings.js';
 import { type Shared, written } from './address.js';
 import { Catalog } from './catalog.js';
@@ -12,9 +14,11 @@ import { type Choices, History } from './history.js';
 import type { Placing } from './placing.js';
 import { keptPlan } from './kept-plan.js';
 import { Planning } from './planning.js';
+import { rememberedMachine, rememberMachine } from './profiles.js';
 import { decidedIn, keptIn, projectOf } from './projects.js';
 import { initialState, type Search, type State } from './state.js';
 import { Store } from './store.js';
+import { words } from '../core/words/index.js';
 
 const DEFAULT_MACHINE = 'co2-100w';
 
@@ -68,7 +72,12 @@ export class Session {
   /** `typed`: the change is one of many keystrokes. */
   setMachine(machine: MachineProfile, typed = false): void {
     this.record(typed);
-    this.store.choose({ machine });
+    // A material that the machine has no setting for is not kept.
+    const { material } = this.state;
+    // Once a machine was kept, the last one chosen is the one the page starts with.
+    if (rememberedMachine() !== null && this.catalog.machines.some((m) => m.name === machine.name)) rememberMachine(machine.name);
+    const known = machine.materials?.some((m) => m.name === material) === true;
+    this.store.choose({ machine, material: known ? material : null });
     this.planning.restart(typed);
   }
 
@@ -77,6 +86,13 @@ export class Session {
     this.record(typed);
     this.store.choose({ search: { ...this.state.search, ...search } });
     this.planning.restart(typed);
+  }
+
+  /** Chooses a setting of the machine's library, or its own values. */
+  setMaterial(material: string | null): void {
+    this.record();
+    this.store.choose({ material });
+    this.planning.restart();
   }
 
   /** `typed`: the change is one of many keystrokes. */
@@ -115,6 +131,14 @@ export class Session {
     return (await this.catalog.ready).sampleProgram({ machine });
   }
 
+  /** Fits the machine to the seconds that jobs took. */
+  async calibrate(measured: readonly MeasuredPlan[]): Promise<Calibration> {
+    const { machine, material } = this.state;
+    if (machine === null) throw new Error(words.page.somethingElse);
+    const pierce = machine.materials?.find((m) => m.name === material)?.pierce_time;
+    return (await this.catalog.ready).calibrate({ ...machine, pierce_time: pierce ?? machine.pierce_time }, measured);
+  }
+
   /** The report that a quote of the best plan is based on. */
   async quote(material: Material): Promise<Quote> {
     return (await this.catalog.ready).quote({ material });
@@ -129,8 +153,8 @@ export class Session {
   }
 
   private choices(): Choices {
-    const { load, machine, search, placing } = this.state;
-    return { load, machine, search, placing, plan: keptPlan(this.state) };
+    const { load, machine, search, placing, material } = this.state;
+    return { load, machine, search, placing, material, plan: keptPlan(this.state) };
   }
 
   private record(typed = false): void {
@@ -152,7 +176,7 @@ export class Session {
     const named = (name: string | null) => catalog.machines.find((m) => m.name === name);
     const known = methods.find((m) => m.name === method) ?? methods[0];
     this.store.choose({
-      machine: named(machine) ?? named(DEFAULT_MACHINE) ?? null,
+      machine: named(machine) ?? named(rememberedMachine()) ?? named(DEFAULT_MACHINE) ?? null,
       placing,
       search: { ...search, method: known?.name ?? '', seed, seconds: seconds ?? search.seconds },
     });

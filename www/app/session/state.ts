@@ -59,6 +59,8 @@ export interface State extends PlanState {
   readonly extent: Box;
   readonly question: Question | null;
   readonly machine: MachineProfile | null;
+  /** The name of the chosen setting of the machine's library; null: the machine's own values. */
+  readonly material: string | null;
   readonly search: Search;
   readonly placing: Placing;
   /** Time budget of the current search, s; it grows with "keep improving". */
@@ -81,6 +83,6 @@ export function noPlan(): PlanState {
 export function initialState(): State {
   return {
     phase: 'starting', name: '', sample: true, load: {}, loaded: null, extent: [0, 0, 1, 1], question: null, machine: null,
-    search: { method: '', parameters: {}, seed: null, seconds: 10 }, placing: AS_DRAWN, budget: 10, error: null, opening: null, refused: null, ...noPlan(),
+    search: { method: '', parameters: {}, seed: null, seconds: 10 }, placing: AS_DRAWN, material: null, budget: 10, error: null, opening: null, refused: null, ...noPlan(),
   };
 }

@@ -49,7 +49,7 @@ export class Store extends Emitter<Events> {
   }
 
   /** Takes over a machine, a search or a placement. */
-  choose(choices: { machine?: MachineProfile | null; search?: Search; placing?: Placing }): void {
+  choose(choices: { machine?: MachineProfile | null; search?: Search; placing?: Placing; material?: string | null }): void {
     this.update(choices);
   }
 

@@ -2,8 +2,8 @@
 
 import { parseArgs } from 'node:util';
 import { ANCHORS, pointOf } from '../anchors.js';
-import type { LoadOptions, MachineProfile, Operation, Place, PlanOptions } from '../protocol.js';
-import { COMMON_CUTS, GROUPS, OPERATIONS, optionsOf, STARTS, TURNS, UNITS } from './commands.js';
+import type { LayerChoice, LoadOptions, MachineProfile, Operation, Place, PlanOptions } from '../protocol.js';
+import { COMMON_CUTS, GROUPS, OPERATIONS, optionsOf, PASS_ORDERS, STARTS, TURNS, UNITS } from './commands.js';
 import { WrongUse } from './io.js';
 
 type Values = Record<string, string | boolean | string[] | undefined>;
@@ -60,7 +60,7 @@ export function loadOptions(values: Values): LoadOptions {
   const units = text(values, 'units');
   if (units !== undefined) options.units = oneOf('--units', units, UNITS);
   const layers = (values['layer'] as string[] | undefined) ?? [];
-  if (layers.length > 0) options.layers = layers.map((word) => choice('--layer', word));
+  if (layers.length > 0) options.layers = layers.map(layerChoice);
   const groups = (values['group'] as string[] | undefined) ?? [];
   if (groups.length > 0) {
     options.groups = groups.map((word) => {
@@ -72,6 +72,8 @@ export function loadOptions(values: Values): LoadOptions {
   if (values['ignore-border'] === true) options.ignoreOutline = true;
   const turn = text(values, 'turn');
   if (turn !== undefined) options.turn = Number(oneOf('--turn', turn, TURNS));
+  const passes = text(values, 'pass-order');
+  if (passes !== undefined) options.passOrder = oneOf('--pass-order', passes, PASS_ORDERS);
   if (values['order-by-layer'] === true) options.orderByLayer = true;
   if (values['part-by-part'] === true) options.partByPart = true;
   const common = text(values, 'common-cuts');
@@ -113,10 +115,35 @@ function pointNamed(word: string): (typeof ANCHORS)[number] | [number, number] |
 }
 
 function choice(option: string, word: string): { name: string; operation: Operation } {
-  // The last equals sign separates, because a layer's name may contain others.
   const at = word.lastIndexOf('=');
   if (at < 1) throw new WrongUse(`${option} ${word}: write NAME=cut, NAME=mark or NAME=ignore.`);
   return { name: word.slice(0, at), operation: oneOf(option, word.slice(at + 1), OPERATIONS) };
+}
+
+/** The settings of a layer as they are written, with the field of each. */
+const SETTINGS = { speed: 'speed', power: 'power', 'min-power': 'minPower', passes: 'passes', 'z-step': 'zStep' } as const;
+
+/** The name may contain anything, so what follows it is looked for from the end. */
+const LAYER = new RegExp(`^(.+)=(${OPERATIONS.join('|')})((?:,[\\w-]+=[^,=]*)*)$`, 's');
+
+/** `NAME=cut,speed=20,passes=2`: the name may contain equals signs and commas, so the operation is looked for from the end. */
+function layerChoice(word: string): LayerChoice {
+  const found = LAYER.exec(word) ?? /^(.+)=(\w+)()$/s.exec(word);
+  if (found === null) throw new WrongUse(`--layer ${word}: write NAME=cut, NAME=mark or NAME=ignore, and settings after commas: NAME=cut,speed=20,passes=2.`);
+  const [, name = '', operation = '', rest = ''] = found;
+  const layer: LayerChoice = { name, operation: oneOf('--layer', operation, OPERATIONS) };
+  for (const pair of rest.split(',').slice(1)) {
+    const [key = '', value = ''] = pair.split('=');
+    if (key === 'air') layer.air = oneOf(`--layer ${word}: air`, value, ['on', 'off']) === 'on';
+    else layer[SETTINGS[oneOf(`--layer ${word}: setting`, key, Object.keys(SETTINGS) as (keyof typeof SETTINGS)[])]] = numberOf(word, key, value);
+  }
+  return layer;
+}
+
+function numberOf(word: string, key: string, value: string): number {
+  const n = value.trim() === '' ? NaN : Number(value);
+  if (!Number.isFinite(n)) throw new WrongUse(`--layer ${word}: ${key} is "${value}". Give a number.`);
+  return n;
 }
 
 /** The NAME=VALUE pairs of all --set: numbers, true and false are converted, any other value is text. */

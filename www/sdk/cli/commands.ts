@@ -3,7 +3,7 @@
  */
 
 import { ANCHORS } from '../anchors.js';
-import type { CommonCuts, Group, Operation, Unit } from '../protocol.js';
+import type { CommonCuts, Group, Operation, PassOrder, Unit } from '../protocol.js';
 
 /** How contours with common cuts are cut. */
 export const COMMON_CUTS: readonly CommonCuts[] = ['best', 'insertion', 'off'];
@@ -11,6 +11,7 @@ export const UNITS: readonly Unit[] = ['mm', 'cm', 'dm', 'm', 'um', 'in', 'ft', 
 export const OPERATIONS: readonly Operation[] = ['cut', 'mark', 'ignore'];
 export const GROUPS: readonly Group[] = ['lettering', 'leaders'];
 export const TURNS = ['0', '90', '180', '270'] as const;
+export const PASS_ORDERS: readonly PassOrder[] = ['contour', 'sheet'];
 export const STARTS = ['absolute', 'current'] as const;
 export const SHELLS = ['bash', 'zsh', 'fish'] as const;
 
@@ -45,10 +46,11 @@ export interface Command {
 const READING: Options = {
   units: { value: 'UNIT', about: 'the unit, if the file does not state it or states a wrong one', choices: UNITS },
   turn: { value: 'DEGREES', about: 'turn the drawing around its origin, counter-clockwise', choices: TURNS },
-  layer: { value: `NAME=${OPERATIONS.join('|')}`, about: 'the operation of a layer', repeat: true },
+  layer: { value: `NAME=${OPERATIONS.join('|')}[,speed=..]`, about: 'the operation of a layer, and what it is worked with: speed (mm/s), power and min-power (0 to 1), passes, z-step (mm), air (on or off)', repeat: true },
   group: { value: `NAME=${OPERATIONS.join('|')}`, about: 'the operation of a group recognised by its look: lettering, leaders', repeat: true },
   'keep-border': { about: 'cut the border around everything, even if it clearly shows the sheet' },
   'ignore-border': { about: 'ignore the border around everything, even if it may be a cut' },
+  'pass-order': { value: PASS_ORDERS.join('|'), about: 'run all passes of a contour at once (the default), or one pass of the whole sheet after the other', choices: PASS_ORDERS },
   'order-by-layer': { about: 'process one layer after the other, in the order of --layer' },
   'part-by-part': { about: 'finish each part, with everything in its holes, before the next' },
   'common-cuts': { value: 'HOW', about: 'how to cut contours with common cuts: together, on the best path or that of a heuristic, or separately', choices: COMMON_CUTS },
@@ -103,6 +105,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
         lbrn2: { value: 'OUT', about: 'a LightBurn project' },
         rd: { value: 'OUT', about: 'a file for Ruida controllers (experimental)' },
       },
+      'The sheet': { material: { value: 'NAME', about: "a setting of the machine's library of materials" } },
       'Where on the bed': PLACING,
       'How to plan': PLANNING,
       'How to read': READING,
@@ -133,7 +136,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
     text: `Reports lengths, times, areas, weight, identical parts and possible defects of each drawing, with a hash that confirms the report. ${MANY}`,
     options: {
       'The sheet': {
-        material: { value: 'NAME', about: 'its name, which is only shown' },
+        material: { value: 'NAME', about: "its name: a setting of the machine's library, if it has one" },
         thickness: { value: 'MM', about: 'the thickness of the sheet' },
         density: { value: 'G', about: 'g/cm3: mild steel 7.85, aluminium 2.70, acrylic 1.19' },
         sheet: { value: 'WxH', about: 'the size of the sheets in stock, mm: estimates how many are needed' },
@@ -170,6 +173,17 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       ['kerfway check plate.nc --machine co2-100w', 'before it goes to the machine'],
       ['kerfway check other.ngc --dialect linuxcnc-m67 --json -', 'the report, for a program'],
     ],
+  },
+  calibrate: {
+    about: 'fit a machine to the seconds that jobs took',
+    words: 'PLAN.json=SECONDS...',
+    text: 'Reads plans that were written with --json and run, with the seconds that each took by the clock, and fits the acceleration along contours, the corner deviation and the pierce time of the machine. One or two jobs are enough; best is one with many piercings and one with many corners.',
+    options: {
+      'The machine': { machine: PLANNING['machine'] as Option },
+      Output: { json: { value: 'OUT', about: 'the machine with the fitted values, for --machine' } },
+      Messages: MESSAGES,
+    },
+    examples: [['kerfway calibrate grid.json=341 gears.json=1022 --machine shop.json --json shop-fitted.json', 'from two jobs']],
   },
   serve: {
     about: 'answer over HTTP: POST /inspect, /plan, /quote',

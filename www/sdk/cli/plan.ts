@@ -8,6 +8,7 @@ import type { Loaded, MachineProfile, OutputKind, PlanOptions } from '../protoco
 import { parsed } from './arguments.js';
 import { outputsOf, type Written } from './destinations.js';
 import { usable } from './io.js';
+import { complain } from './safe-text.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { duration, percent, meters, plural } from './words.js';
@@ -20,6 +21,9 @@ export async function plan(args: string[]): Promise<void> {
   await planFiles(given, { outputs, columns: COLUMNS }, async ({ file, place, planner, loaded, result, options }, to) => {
     const written: Written[] = [];
     for (const output of outputs) written.push({ output, data: await usable(file, output.kind === 'report' ? reported(planner, loaded, result) : planner.output(output.kind)) });
+    // The controller of some machines takes another file than G-code.
+    const takes = (options.machine as MachineProfile | undefined)?.takes ?? 'gcode';
+    if (takes !== 'gcode' && outputs.some((o) => o.kind === 'gcode')) complain(`The controller of ${(options.machine as MachineProfile).name} takes ${takes.toUpperCase()} (--${takes}), not G-code.`);
     await to.write(file, written);
     await to.report(place, () => lines(file, loaded, result, options), () => row(file, loaded, result));
   });

@@ -32,8 +32,9 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
   checked(() => checkOptions(budget, 'planning'), WrongUse, '');
   const planner = await createPlanner();
   try {
+    const requires = requested.defaultBudget === undefined;
     // Wrong usage is told before any file is read.
-    await choices(words, planner);
+    await choices(words, planner, requires);
     await eachFile(words, { ...requested, inputs: machineFiles(words, planner) }, async (file, place, to) => {
       const project = await opened(file);
       const loaded = await usable(file, planner.load(project.drawing, project.name, { ...project.reading, ...load }));
@@ -42,8 +43,8 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
         process.stderr.write(`kerfway: ${basename(file)}: ${message}\n`);
       }
       const { seconds: _, moves: __, ...decided } = project.planning;
-      const chosen = { ...decided, ...budget, ...(await choices(words, planner, decided)) };
-      const isAsSaved = Object.keys(load).length === 0 && values['machine'] === undefined;
+      const chosen = { ...decided, ...budget, ...(await choices(words, planner, requires, decided)) };
+      const isAsSaved = Object.keys(load).length === 0 && values['machine'] === undefined && values['material'] === undefined;
       // A quote starts without the plan of the project, because others must be able to make it from the drawing alone.
       const plan = isAsSaved && requested.defaultBudget === undefined ? project.plan : null;
       const search = budgeted({ ...chosen, ...continuing(plan, budget) }, loaded, requested.defaultBudget);
@@ -62,8 +63,8 @@ function continuing(plan: SavedPlan | null, budget: PlanOptions): PlanOptions {
   return { warm: plan.path, seed: budget.seed ?? plan.seed, ...(isFree ? { moves: 0 } : {}) };
 }
 
-/** What the options choose. `project`: what a project has chosen. */
-async function choices({ values }: Words, planner: Planner, project: PlanOptions = {}): Promise<PlanOptions> {
+/** What the options choose. `requires`: a material must be a setting of the machine's library. `project`: what a project has chosen. */
+async function choices({ values }: Words, planner: Planner, requires: boolean, project: PlanOptions = {}): Promise<PlanOptions> {
   const options: PlanOptions = {};
   const method = text(values, 'method');
   const own = planner.methods.map((m) => m.name);
@@ -75,6 +76,9 @@ async function choices({ values }: Words, planner: Planner, project: PlanOptions
   }
   const machine = await machineOf({ words: [], values }, planner, project.machine as MachineProfile | undefined);
   options.machine = values['no-return'] === true ? { ...machine, return_home: false } : machine;
+  const material = text(values, 'material');
+  // A quote may name a material for a machine without a library: its report says so.
+  if (material !== undefined && (requires || machine.materials?.length)) options.material = material;
   return { ...options, ...placingOptions(values, machine) };
 }
 

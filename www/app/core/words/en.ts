@@ -168,6 +168,7 @@ export const en = {
 
   layers: {
     title: 'Layers', operation: (layer: string) => `Operation for layer ${layer}`, contours: 'Contours', earlier: (layer: string) => `Earlier: ${layer}`, later: (layer: string) => `Later: ${layer}`,
+    settings: (layer: string) => `Settings of layer ${layer}`, settingOf: (setting: string, layer: string) => `${setting}, layer ${layer}`, speed: 'Speed', power: 'Power', minPower: 'Least power', passes: 'Passes', zStep: 'Lower each pass by', air: 'Air assist', unset: 'auto',
     suggested: {
       cut: (layer: string) => `“${layer}” looks like a layer to cut.`,
       mark: (layer: string) => `“${layer}” looks like a layer to mark, not cut.`,
@@ -202,10 +203,19 @@ export const en = {
     pierce: 'Pierce time', preCut: 'Pre-cut time', preCutLength: 'Pre-cut length', sharpAngle: 'Pause in corners below', sharpTime: 'Pause in a corner', noPauses: 'no pauses', kerf: 'Kerf width',
     kerfHint: 'Parts keep their drawn size: the beam is offset by half the kerf. Outlines that are one kerf apart are cut once. 0: the beam follows the drawn lines.',
     beamOn: 'Beam on delay', beamOff: 'Beam off delay', homeX: 'Home, x', homeY: 'Home, y', bedX0: 'Bed from x', bedX1: 'Bed to x', bedY0: 'Bed from y', bedY1: 'Bed to y', noBed: 'not known', fullPower: 'Power value at full power',
+    material: 'Material', ownSetting: 'As the machine is set', materialName: 'Name of the material', saveMaterial: 'Save setting', removeMaterial: 'Delete setting', materials: 'Material library', materialsHint: 'Saves speed, power, passes, pierce time and kerf under a name. The library is saved, exported and imported with the machine.',
+    zSpeed: 'Speed of the z axis', noZ: 'no z axis',
+    which: 'Which machine cuts?', keep: 'Keep this machine',
     own: 'Your machines', name: 'Name of your machine', notSaved: 'This browser does not store data for this page: export the machine to a file instead.',
     save: 'Save', remove: 'Delete', export: 'Export', import: 'Import',
     noJson: 'This file is not a machine profile: it is not JSON.', noSchema: (schema: string) => `This file is not a machine profile: its "schema" is not ${schema}.`,
     incomplete: 'This machine profile is incomplete. Export a machine to see which fields a profile has.',
+  },
+
+  calibration: {
+    title: 'Calibrate with a stopwatch', hint: 'Run a job, and type in the seconds that it took. One or two jobs are enough; best is one with many piercings and one with many corners.',
+    took: 'This job took', none: 'by the clock', add: 'Add this job', fit: 'Fit the machine', clear: 'Start again', take: 'Use the fitted values', before: 'Before', after: 'After',
+    job: (name: string, measured: string, planned: string) => `${name}: ${measured}, planned ${planned}`, notYet: 'Enter the seconds of the job on screen, once its plan is done.',
   },
 
   placement: {
@@ -223,7 +233,7 @@ export const en = {
 
   plan: {
     title: 'Plan', method: 'Method', papers: 'From published papers', time: 'Search for', seed: 'Seed', random: 'random', used: (seed: number) => `Seed used: ${seed}`,
-    byLayer: 'Order by layer', byPart: 'Part by part', common: 'Cut shared sides once', parameters: 'Parameters', paperValues: "Back to the paper's values", noValue: 'none',
+    bySheet: 'Passes sheet by sheet', byLayer: 'Order by layer', byPart: 'Part by part', common: 'Cut shared sides once', parameters: 'Parameters', paperValues: "Back to the paper's values", noValue: 'none',
     always: 'Always on: cut inner shapes first, reduce travel, choose best starting point, choose best direction, remove overlapping lines.',
     partitions: 'Each partition has its own colour on the sheet; a ring marks where the head leaves a contour for a partition.',
     inside: 'Inside the method', numbers: 'Figures of the method', round: (n: string) => `round ${n}`,

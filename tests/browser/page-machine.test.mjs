@@ -1,0 +1,116 @@
+// The machine on the page: where the job lies on its bed, what each layer does, its materials, and its calibration.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { dxf, square } from '../package/support.mjs';
+import { download, drop, openPage, phase, planned, shot, SIZES } from './page-support.mjs';
+
+const DRAWING = dxf(square(-20, 10, 50));
+
+async function opened(t, options = {}) {
+  const { page } = await openPage(t, { hash: 'machine=diode-hobby&seconds=1&seed=1&units=mm', ...options });
+  await phase(page, 'planning', 'done');
+  await drop(page, 'square.dxf', Buffer.from(DRAWING));
+  await planned(page, 'square.dxf', 'done');
+  await page.evaluate(() => document.querySelectorAll('details.section').forEach((d) => (d.open = true)));
+  return page;
+}
+
+/** The plan that follows a change: typing waits for more keys first. */
+async function replanned(page) {
+  await page.waitForTimeout(700);
+  await phase(page, 'done');
+}
+
+const output = async (page, name) => (await download(page, () => page.locator('.downloads').getByRole('button', { name, exact: true }).click())).bytes.toString();
+const plan = async (page) => JSON.parse(await output(page, 'Plan (JSON)'));
+
+test('a job off the bed gets no G-code, is moved to the corner, turned, and dragged', async (t) => {
+  const page = await opened(t);
+  const bed = page.locator('details.section', { has: page.getByRole('heading', { name: 'On the bed' }) });
+  await bed.getByText('The job reaches from x -20 to 30', { exact: false }).waitFor();
+  await page.locator('.dock').getByRole('button', { name: 'G-code' }).click();
+  await page.getByText('Nothing was written', { exact: false }).waitFor();
+  await shot(page, 'bed-off');
+
+  await bed.getByRole('button', { name: 'Move to the corner' }).click();
+  await page.waitForFunction(() => location.hash.includes('place=lower-left%400%2C0'));
+  await replanned(page);
+  assert.deepEqual((await plan(page)).summary.bounds, [0, 0, 50, 50]);
+  assert.match(await output(page, 'G-code'), /^G1.* X50/m);
+
+  await bed.getByRole('radio', { name: 'Centre', exact: true }).check();
+  assert.equal(await bed.locator('.placement-point input[type=number]').first().inputValue(), '25');
+  await bed.locator('.placement-point input[type=number]').first().fill('200');
+  await page.waitForFunction(() => location.hash.includes('place=center%40200%2C25'));
+  await replanned(page);
+  assert.deepEqual((await plan(page)).summary.bounds, [175, 0, 225, 50]);
+
+  await bed.getByRole('button', { name: 'Turn left' }).click();
+  await page.waitForFunction(() => location.hash.includes('turn=90'));
+  await replanned(page);
+  assert.equal((await plan(page)).options.turn, 90);
+
+  await bed.getByRole('button', { name: 'Show the bed' }).click();
+  await bed.getByRole('button', { name: 'Drag the job' }).click();
+  const box = await page.locator('#canvas').boundingBox();
+  await page.waitForTimeout(400);
+  await page.mouse.move(box.x + 300, box.y + 300);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 340, box.y + 280, { steps: 4 });
+  await page.mouse.up();
+  await replanned(page);
+  const [x0, y0] = (await plan(page)).summary.bounds;
+  assert.ok(x0 > 176 && y0 > 1, `dragged to ${x0}, ${y0}`);
+  await page.keyboard.press('Escape');
+  assert.equal(await bed.getByRole('button', { name: 'Drag the job' }).getAttribute('aria-pressed'), 'false');
+  await shot(page, 'bed-placed');
+});
+
+test('a layer has settings, a material is saved and chosen, and a stopwatch fits the machine', async (t) => {
+  const page = await opened(t, { hash: 'machine=diode-hobby&seconds=1&seed=1&units=mm&place=lower-left%4010%2C10' });
+  const before = (await plan(page)).summary;
+  await page.getByRole('button', { name: 'Settings of layer 0' }).click();
+  const passes = page.getByLabel('Passes, layer 0');
+  await passes.fill('3');
+  await passes.press('Tab');
+  await page.getByText('3 ×', { exact: false }).first().waitFor();
+  await replanned(page);
+  const after = (await plan(page)).summary;
+  assert.ok(Math.abs(after.cut_length / before.cut_length - 3) < 1e-9, `${after.cut_length} of ${before.cut_length}`);
+  await shot(page, 'layer-table');
+
+  await page.getByText('Material library').click();
+  await page.getByLabel('Name of the material').fill('3 mm birch ply');
+  await page.getByRole('button', { name: 'Save setting' }).click();
+  await page.locator('label.field', { hasText: 'As the machine is set' }).locator('select').selectOption('3 mm birch ply');
+  await replanned(page);
+  assert.equal((await plan(page)).material, '3 mm birch ply');
+
+  await page.getByText('Calibrate with a stopwatch').click();
+  await page.getByPlaceholder('by the clock').fill('200');
+  await page.getByRole('button', { name: 'Add this job' }).click();
+  await page.getByRole('button', { name: 'Fit the machine' }).click();
+  await page.locator('.calibrated').getByText('square.dxf').waitFor();
+  await shot(page, 'calibration');
+  await page.getByRole('button', { name: 'Use the fitted values' }).click();
+  await replanned(page);
+  assert.ok(Math.abs((await plan(page)).summary.total_time / 200 - 1) < 0.01);
+});
+
+test('the first visit asks for the machine, and the answer stays', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1', size: SIZES.desktop });
+  await phase(page, 'planning', 'done');
+  const first = page.locator('.first-machine');
+  await first.getByRole('combobox').selectOption('k40');
+  await first.getByRole('button', { name: 'Keep this machine' }).click();
+  assert.equal(await first.isVisible(), false);
+  await page.evaluate(() => history.replaceState(null, '', '#seconds=1'));
+  await page.reload();
+  await phase(page, 'planning', 'done');
+  assert.match(await page.evaluate(() => location.hash), /machine=k40/);
+  assert.equal(await page.locator('.first-machine').isVisible(), false);
+  await phase(page, 'done');
+  // A K40 takes SVG, so that is what is offered first.
+  assert.equal(await page.locator('.dock').getByRole('button', { name: 'SVG' }).isVisible(), true);
+});

@@ -1,0 +1,29 @@
+/** The first choice: which machine cuts. It is asked once, and the answer stays in this browser. */
+
+import { button, h } from '../core/dom.js';
+import { words } from '../core/words/index.js';
+import { rememberMachine, rememberedMachine } from '../session/profiles.js';
+import type { Session } from '../session/session.js';
+import { select } from './section.js';
+
+export function firstMachine(session: Session): HTMLElement {
+  const choice = select<string>((name) => {
+    const chosen = session.catalog.machines.find((m) => m.name === name);
+    if (chosen) session.setMachine(structuredClone(chosen));
+  });
+  choice.root.classList.add('wide');
+  choice.root.setAttribute('aria-label', words.machine.which);
+  const keep = button(words.machine.keep, { class: 'small', onclick: () => {
+    if (session.state.machine) rememberMachine(session.state.machine.name);
+    show();
+  } });
+  const root = h('section', { class: 'first-machine' }, h('p', {}, words.machine.which), choice.root, keep);
+  const show = () => {
+    const { machine } = session.state;
+    root.hidden = machine === null || rememberedMachine() !== null;
+    if (machine) choice.fill(session.catalog.machines.map((m) => ({ value: m.name, label: m.title })), machine.name);
+  };
+  session.store.on('change', show);
+  show();
+  return root;
+}

@@ -1,0 +1,51 @@
+/** `kerfway calibrate`: fits a machine to the seconds that jobs took. */
+
+import { createPlanner } from '../node.js';
+import type { Calibration, MeasuredPlan } from '../protocol.js';
+import { parsed } from './arguments.js';
+import { Destinations, outputsOf } from './destinations.js';
+import { bytesOf, print, usable, WrongUse } from './io.js';
+import { machineOf } from './machine.js';
+import { duration, percent } from './words.js';
+
+export async function calibrate(args: string[]): Promise<void> {
+  const given = parsed('calibrate', args, 'a plan and the seconds it took: plan.json=120');
+  const jobs = given.words.map(jobOf);
+  const outputs = outputsOf(given, ['json']);
+  const files = jobs.map((j) => j.file);
+  const destinations = new Destinations(outputs, files);
+  const [first = ''] = files;
+  destinations.begin([first]);
+  const planner = await createPlanner();
+  try {
+    const machine = await machineOf(given, planner);
+    const measured: MeasuredPlan[] = [];
+    for (const { file, seconds } of jobs) measured.push({ plan: new TextDecoder().decode(await bytesOf(file)), seconds });
+    const calibration = await usable(files.join(', '), planner.calibrate(machine, measured));
+    await destinations.write(first, outputs.map((output) => ({ output, data: `${JSON.stringify(calibration.machine, null, 2)}\n` })));
+    if (given.values['quiet'] !== true && !destinations.piped) await print(`${lines(calibration, machine).join('\n')}\n`);
+  } finally {
+    planner.close();
+  }
+}
+
+/** `FILE=SECONDS`; the name may contain equals signs. */
+function jobOf(word: string): { file: string; seconds: number } {
+  const at = word.lastIndexOf('=');
+  const seconds = at < 1 ? NaN : Number(word.slice(at + 1));
+  if (!(seconds > 0) || !Number.isFinite(seconds)) throw new WrongUse(`${word}: write PLAN.json=SECONDS, with the seconds that the job took.`);
+  return { file: word.slice(0, at), seconds };
+}
+
+function lines({ jobs, machine: now }: Calibration, before: Calibration['machine']): string[] {
+  const off = (planned: number, measured: number) => `${planned >= measured ? '+' : '-'}${percent(Math.abs(planned / measured - 1))}`;
+  const value = (name: string, from: number | null, to: number | null, unit: string) => `${name.padEnd(20)}${digits(from)} to ${digits(to)} ${unit}`;
+  return [
+    ...jobs.map((j) => `${j.name}: ${duration(j.measured)} measured; planned ${duration(j.before)} before (${off(j.before, j.measured)}), ${duration(j.after)} after (${off(j.after, j.measured)})`),
+    value('cut.accel', before.cut.accel, now.cut.accel, 'mm/s2'),
+    value('junction_deviation', before.junction_deviation, now.junction_deviation, 'mm'),
+    value('pierce_time', before.pierce_time, now.pierce_time, 's'),
+  ];
+}
+
+const digits = (n: number | null) => (n === null ? 'none' : String(Number(n.toPrecision(4))));
