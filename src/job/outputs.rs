@@ -95,7 +95,9 @@ impl Job {
     /// The best plan so far, checked and written in any format.
     pub fn output_bytes(&self, kind: OutputKind) -> Result<Vec<u8>, JobError> {
         match kind {
-            OutputKind::Rd => Ok(output::rd(&self.plan_for(kind)?, &self.run()?.placed.profile)?),
+            OutputKind::Rd => {
+                Ok(output::rd(&self.plan_for(kind)?, self.beam_sheet(), &self.run()?.placed.profile)?)
+            }
             _ => Ok(self.output(kind)?.into_bytes()),
         }
     }
@@ -124,8 +126,10 @@ impl Job {
     }
 
     fn written(&self, plan: &Plan) -> Result<(String, Check), JobError> {
-        let Placed { profile, start, .. } = &self.run()?.placed;
-        let facts = JobFacts { name: &self.name, hash: Some(&self.sha256), material: None };
+        let run = self.run()?;
+        let Placed { profile, start, .. } = &run.placed;
+        let facts =
+            JobFacts { name: &self.name, hash: Some(&self.sha256), material: run.material.as_deref() };
         let text = output::gcode(plan, self.beam_sheet(), profile, facts, *start)?;
         // Whether the job is allowed on this bed has been decided before, with the options of its placement.
         let machine = Profile { bed: None, ..profile.clone() };

@@ -15,12 +15,16 @@ pub(super) struct Cut<'a> {
     pub(super) path: Cow<'a, [Segment]>,
     /// Whether it is marked instead of cut.
     pub(super) mark: bool,
+    /// Whether the head pierces at its entry.
+    pub(super) pierced: bool,
+    /// Height of the head, mm; 0: as focused.
+    pub(super) z: f64,
 }
 
 /// The cuts and marks of a plan, in order.
 pub(super) fn cuts(plan: &Plan) -> Vec<Cut<'_>> {
     let mut all: Vec<Cut> = Vec::with_capacity(plan.moves.len());
-    let mut goes_on = false;
+    let (mut goes_on, mut pierced, mut height) = (false, false, 0.0);
     for step in &plan.moves {
         if let Move::Cut { contour, path, mark, .. } = step
             && let Some(first) = path.first()
@@ -29,9 +33,15 @@ pub(super) fn cuts(plan: &Plan) -> Vec<Cut<'_>> {
                 Some(before) => before.path.to_mut().extend_from_slice(path),
                 None => {
                     let (contour, mark) = (*contour, *mark);
-                    all.push(Cut { contour, entry: first.start(), path: Cow::Borrowed(path), mark });
+                    let (entry, path) = (first.start(), Cow::Borrowed(path.as_slice()));
+                    all.push(Cut { contour, entry, path, mark, pierced, z: height });
                 }
             }
+        }
+        match step {
+            Move::Pierce => pierced = true,
+            Move::Height { z } => height = *z,
+            _ => pierced = false,
         }
         goes_on = matches!(step, Move::Macro { .. });
     }

@@ -1,11 +1,14 @@
 //! Writes a plan as a LightBurn project (`.lbrn2`), for machines whose controller takes no G-code.
 //!
 //! The shapes stand in cutting order, each as a path from its entry, with one LightBurn layer for each way of cutting
-//! (speed, power, passes). LightBurn's own optimisation is switched off in the project, so that the order stays. An arc
-//! becomes cubic Bezier curves of at most 30 degrees, which lie within 4e-7 of the radius.
+//! (speed, power, least power, height, air). LightBurn's own optimisation is switched off in the project, so that the
+//! order stays. An arc becomes cubic Bezier curves of at most 30 degrees, which lie within 4e-7 of the radius.
 //!
 //! A LightBurn layer has no order among others unless LightBurn orders by layer; marks and cuts alternate as planned.
-//! Piercing is left to LightBurn's "Start pause time".
+//! Every pass is a shape of its own, in a layer at the height of that pass, and LightBurn's number of passes is 1: LightBurn
+//! would repeat the whole layer, after the parts have fallen out.
+//!
+//! What the project does not hold, such as the piercing time, is said in its notes, which LightBurn shows when it opens it.
 //!
 //! Sources: project files written by LightBurn 1.4 and 2.0 in public repositories.
 
@@ -15,7 +18,7 @@ use super::number::{Fixed, fixed};
 use super::process::CutProcess;
 use crate::geometry::{Arc, DVec2, Segment, arcs, math};
 use crate::machine::Profile;
-use crate::plan::Plan;
+use crate::plan::{Move, Plan};
 use crate::sheet::Sheet;
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -51,9 +54,10 @@ const PREFERENCES: [(&str, &str); 14] = [
 /// The plan cuts in more ways than LightBurn has layers.
 pub fn lbrn2(plan: &Plan, sheet: &Sheet, profile: &Profile) -> Result<String, OutputError> {
     let cuts = cuts(plan);
+    let layer_of = |cut: &Cut| (CutProcess::of_cut(sheet, profile, cut), cut.mark);
     let mut layers: Vec<(CutProcess, bool)> = Vec::new();
     for cut in &cuts {
-        let layer = (CutProcess::of(profile, cut.mark), cut.mark);
+        let layer = layer_of(cut);
         if !layers.contains(&layer) {
             layers.push(layer);
         }
@@ -76,26 +80,55 @@ pub fn lbrn2(plan: &Plan, sheet: &Sheet, profile: &Profile) -> Result<String, Ou
         setting(&mut out, index, process, *mark);
     }
     for cut in &cuts {
-        let layer = (CutProcess::of(profile, cut.mark), cut.mark);
+        let layer = layer_of(cut);
         let index = layers.iter().position(|l| *l == layer).unwrap_or(0);
         shape(&mut out, index, cut, closes(sheet, cut));
     }
+    let notes = notes(plan, profile, &cuts);
+    let show = u8::from(!notes.is_empty());
+    let _ = writeln!(out, "    <Notes ShowOnLoad=\"{show}\" Notes=\"{}\"/>", notes.join("&#10;"));
     out.push_str("</LightBurnProject>\n");
     Ok(out)
 }
 
-/// One layer: speed in mm/s, power in per cent.
+/// What has to be set by hand, one sentence each. There is no text of others in them, so nothing to escape.
+fn notes(plan: &Plan, profile: &Profile, cuts: &[Cut]) -> Vec<String> {
+    let mut notes = Vec::new();
+    let pierce = profile.pierce_time + profile.beam_on_delay;
+    if pierce > 0.0 && cuts.iter().any(|c| c.pierced) {
+        notes.push(format!(
+            "Piercing is not in this project: set the start pause time of the cutting layers to {} s.",
+            fixed(pierce, 3)
+        ));
+    }
+    if plan.moves.iter().any(|m| matches!(m, Move::Macro { .. })) {
+        notes.push("The pauses in sharp corners are not in this project: LightBurn has none.".to_owned());
+    }
+    if cuts.iter().any(|c| c.z < 0.0) {
+        notes.push(
+            "Layers whose name ends with a height have a Z offset: switch on Z moves in the device settings."
+                .to_owned(),
+        );
+    }
+    notes
+}
+
+/// One layer: speed in mm/s, powers in per cent, height in mm. LightBurn counts a Z offset downwards.
 fn setting(out: &mut String, index: usize, process: &CutProcess, mark: bool) {
-    let power = fixed(process.power * 100.0, 3).to_string();
+    let percent = |power: f64| fixed(power * 100.0, 3).to_string();
+    let (least, power) = (percent(process.min_power.unwrap_or(process.power)), percent(process.power));
     let name = if mark { "Mark" } else { "Cut" };
+    let depth = fixed(-process.z, 3);
+    let at = if process.z < 0.0 { format!(", {depth} mm down") } else { String::new() };
     let values = [
         ("index", index.to_string()),
-        ("name", format!("{name} {index:02}")),
-        ("minPower", power.clone()),
+        ("name", format!("{name} {index:02}{at}")),
+        ("minPower", least.clone()),
         ("maxPower", power.clone()),
-        ("minPower2", power.clone()),
+        ("minPower2", least),
         ("maxPower2", power),
         ("speed", fixed(process.speed, 3).to_string()),
+        ("zOffset", depth.to_string()),
         ("numPasses", "1".to_owned()),
         ("runBlower", u8::from(process.air).to_string()),
         ("priority", index.to_string()),

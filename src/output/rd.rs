@@ -4,9 +4,10 @@
 //! A file is a list of commands: a byte of 0x80 or more, then data of seven bits a byte, all of it scrambled byte by byte.
 //! Coordinates are micrometres in five bytes; powers are parts of 16383 in two, speeds micrometres a second in five. Arcs
 //! become chords within [`CHORD_DEVIATION`]. Each way of cutting is a *part* with a block of settings, which is repeated
-//! whenever the way changes, so marks and cuts alternate as planned.
+//! whenever the way changes, so marks and cuts alternate as planned. Every pass is cut on its own.
 //!
-//! The piercing time is left to the controller.
+//! The piercing time is left to the controller. Moves of the head's height are not part of the files, so plans with them are
+//! refused.
 //!
 //! Sources: "Ruida", EduTech Wiki, University of Geneva (edutechwiki.unige.ch/en/Ruida); the reader of MeerK40t (MIT),
 //! `meerk40t/ruida/rdjob.py`.
@@ -17,6 +18,7 @@ use super::process::CutProcess;
 use crate::geometry::{Aabb, DVec2, Segment, arcs};
 use crate::machine::Profile;
 use crate::plan::Plan;
+use crate::sheet::Sheet;
 
 /// Largest distance between an arc and its chords, mm.
 const CHORD_DEVIATION: f64 = 0.005;
@@ -30,12 +32,19 @@ const FARTHEST: f64 = 2_147_483_647.0;
 /// The Ruida file of a plan.
 ///
 /// # Errors
-/// The plan cuts in too many ways, or too far from the origin.
-pub fn rd(plan: &Plan, profile: &Profile) -> Result<Vec<u8>, OutputError> {
+/// The plan cuts in too many ways, too far from the origin, or at several heights.
+pub fn rd(plan: &Plan, sheet: &Sheet, profile: &Profile) -> Result<Vec<u8>, OutputError> {
     let cuts = cuts(plan);
+    if cuts.iter().any(|c| c.z < 0.0) {
+        return Err(OutputError::Format(
+            "Ruida files of Kerfway do not lower the head: set the z step of the passes to 0, or write a LightBurn project."
+                .to_owned(),
+        ));
+    }
+    let process_of = |cut: &Cut| CutProcess::of_cut(sheet, profile, cut);
     let mut parts: Vec<CutProcess> = Vec::new();
     for cut in &cuts {
-        let process = CutProcess::of(profile, cut.mark);
+        let process = process_of(cut);
         if !parts.contains(&process) {
             parts.push(process);
         }
@@ -60,13 +69,13 @@ pub fn rd(plan: &Plan, profile: &Profile) -> Result<Vec<u8>, OutputError> {
     let mut file = File::default();
     file.begin(all);
     for (part, process) in parts.iter().enumerate() {
-        let of_part = &mut cuts.iter().filter(|c| CutProcess::of(profile, c.mark) == *process);
+        let of_part = &mut cuts.iter().filter(|c| process_of(c) == *process);
         file.part(small(part), process, box_of(of_part));
     }
     file.end_of_parts(small(parts.len().saturating_sub(1)), all);
     let mut current = None;
     for cut in &cuts {
-        let process = CutProcess::of(profile, cut.mark);
+        let process = process_of(cut);
         let part = parts.iter().position(|p| *p == process).unwrap_or(0);
         if current != Some(part) {
             file.settings(small(part), &process, current.is_some());
@@ -118,10 +127,10 @@ impl File {
 
     /// Announces a part: speed, least and largest power of both tubes, colour, mode and box.
     fn part(&mut self, part: u8, process: &CutProcess, b: Aabb) {
-        let (speed, power) = (micrometres(process.speed), power(process));
-        self.put(&[0xC9, 0x04, part], &[&speed]);
-        for command in [0x31, 0x32, 0x41, 0x42] {
-            self.put(&[0xC6, command, part], &[&power]);
+        self.put(&[0xC9, 0x04, part], &[&micrometres(process.speed)]);
+        for [least, most] in [[0x31, 0x32], [0x41, 0x42]] {
+            self.put(&[0xC6, least, part], &[&least_power(process)]);
+            self.put(&[0xC6, most, part], &[&power(process.power)]);
         }
         self.put(&[0xCA, 0x06, part], &[&seven_bits(i64::from(part) * 0x40)]);
         self.put(&[0xCA, 0x41, part, 0], &[]);
@@ -158,8 +167,9 @@ impl File {
         self.put(&[0xC9, 0x02], &[&micrometres(process.speed)]);
         self.put(&[0xC6, 0x12], &[&[0; 5]]);
         self.put(&[0xC6, 0x13], &[&[0; 5]]);
-        for command in [0x01, 0x02, 0x21, 0x22] {
-            self.put(&[0xC6, command], &[&power(process)]);
+        for [least, most] in [[0x01, 0x02], [0x21, 0x22]] {
+            self.put(&[0xC6, least], &[&least_power(process)]);
+            self.put(&[0xC6, most], &[&power(process.power)]);
         }
         self.put(&[0xCA, 0x03, 1], &[]);
     }
@@ -218,8 +228,14 @@ fn place(p: DVec2) -> [u8; 10] {
     bytes
 }
 
-fn power(process: &CutProcess) -> [u8; 2] {
+/// The least power; the power itself if there is none.
+fn least_power(process: &CutProcess) -> [u8; 2] {
+    power(process.min_power.unwrap_or(process.power))
+}
+
+/// A fraction of full power.
+fn power(fraction: f64) -> [u8; 2] {
     #[expect(clippy::cast_possible_truncation, reason = "a share of 14 bits")]
-    let parts = (process.power.clamp(0.0, 1.0) * 16383.0).round() as i64;
+    let parts = (fraction.clamp(0.0, 1.0) * 16383.0).round() as i64;
     [7, 0].map(|shift| u8::try_from((parts >> shift) & 0x7F).unwrap_or(0))
 }

@@ -77,7 +77,7 @@ fn style(out: &mut String, width: f64) {
 
 fn contours(out: &mut String, plan: &Plan, sheet: &Sheet) {
     for (order, cut) in cuts(plan).iter().enumerate() {
-        let &Cut { contour, entry, ref path, mark } = cut;
+        let &Cut { contour, entry, ref path, mark, .. } = cut;
         let class = if mark { "mark" } else { "cut" };
         let _ = write!(out, "<path class=\"{class}\" d=\"M{}", Point(entry));
         for segment in path.iter() {

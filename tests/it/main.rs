@@ -32,6 +32,7 @@ mod instance_solve;
 mod kerf;
 mod kerf_drawings;
 mod layering;
+mod layers_written;
 mod lower_bound;
 mod machine_time;
 mod metamorphic_intake;

@@ -93,7 +93,7 @@ pub fn gcode<'a>(
     }
     let dialect = profile.dialect.document().map_err(OutputError::Dialect)?;
     let writer = Writer::new(profile, &dialect, start);
-    writer.refuse(plan)?;
+    writer.refuse(plan, sheet)?;
     let facts = Facts::of(plan, profile, &dialect, &job.into());
     writer.program(plan, sheet, &facts).map_err(|line| {
         OutputError::Dialect(format!(
@@ -117,7 +117,7 @@ impl<'d> Writer<'d> {
     }
 
     /// Refuses what the dialect cannot do.
-    fn refuse(&self, plan: &Plan) -> Result<(), OutputError> {
+    fn refuse(&self, plan: &Plan, sheet: &Sheet) -> Result<(), OutputError> {
         let Dialect { name, controller, .. } = self.dialect;
         let refuse =
             |why: &str| Err(OutputError::Dialect(format!("{controller} (dialect \"{name}\") {why}")));
@@ -147,7 +147,8 @@ impl<'d> Writer<'d> {
         if waits(self.profile.beam_off_delay) {
             return refuse("cannot wait: set the machine's beam-off delay to 0.");
         }
-        let processes = [false, true].map(|mark| CutProcess::of(self.profile, mark));
+        let processes: Vec<_> =
+            cuts(plan).iter().map(|cut| CutProcess::of_cut(sheet, self.profile, cut)).collect();
         if self.dialect.air.is_none() && processes.iter().any(|p| p.air) {
             return refuse(
                 "has no command for air: switch the air off in the layers, or give \"air\" in the dialect.",
@@ -182,7 +183,8 @@ impl<'d> Writer<'d> {
                 // A pre-cut without length is only a charge of time, so nothing is cut.
                 Move::PreCut { contour, to, ahead } if !ahead.is_empty() => {
                     self.pen.lines.comment_naming(&format!("pre-cut into contour {contour}"), "");
-                    self.contour(&CutProcess::of(self.profile, false), ahead, mem::take(&mut pierce));
+                    let process = CutProcess::new(&sheet.process_by_id(*contour, self.profile), height);
+                    self.contour(&process, ahead, mem::take(&mut pierce));
                     self.pen.rapid(*to);
                 }
                 Move::PreCut { .. } => {}
