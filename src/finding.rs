@@ -106,6 +106,8 @@ pub enum Code {
     FarFromOrigin,
     /// The job does not lie on the machine's bed.
     OffBed,
+    /// A layer has a least power, which G-code cannot say.
+    LeastPowerLeftOut,
     /// A check was stopped early because of the size of the drawing; the message says what remains unchecked.
     NotAllChecked,
     /// More findings of one code than are listed individually.

@@ -98,6 +98,7 @@ impl Code {
             ),
             Self::FarFromOrigin => Whole("The drawing lies too far from the origin to be cut"),
             Self::OffBed => Whole("The job does not lie on the bed"),
+            Self::LeastPowerLeftOut => Whole("The least power of a layer is not part of G-code"),
             Self::NotAllChecked => Counted(
                 "check was cut short because of the size of the drawing",
                 "checks were cut short because of the size of the drawing",

@@ -37,7 +37,7 @@ pub use warm_path::WarmPath;
 
 use crate::drawing::{Drawing, ReadOptions};
 use crate::dxf;
-use crate::finding::Finding;
+use crate::finding::{Code, Finding, Severity};
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
 use sha2::{Digest, Sha256};
 
@@ -162,6 +162,12 @@ impl Job {
         let mut findings = self.compensate(placed.profile.kerf_width);
         self.beam_sheet = self.beam_sheet().sheet_by_sheet(&placed.profile).or(self.beam_sheet.take());
         findings.extend(placed.finding(&self.beam_sheet().bounds));
+        let least = self.sheet.layer_with(&placed.profile, |process| process.min_power.is_some());
+        findings.extend(least.map(|layer| {
+            Finding::new(Code::LeastPowerLeftOut, Severity::Info, format!(
+                "Layer {layer} has a least power, for which G-code has no word: only LightBurn projects and Ruida files carry it."
+            ))
+        }));
         let mut run = Run::start(self.beam_sheet(), placed, options)?;
         findings.append(&mut run.findings);
         run.findings = findings;

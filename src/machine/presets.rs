@@ -22,6 +22,8 @@ pub fn presets() -> Vec<Profile> {
         fibre_6kw_plate(),
         co2_ruida(),
         k40(),
+        co2_fluidnc(),
+        co2_linuxcnc(),
         length("length", "Length only: air moves in mm along straight lines", Travel::Vector),
         length("length-chebyshev", "Length only: air moves in mm of the longer axis", Travel::PerAxis),
         Profile {
@@ -233,6 +235,47 @@ fn k40() -> Profile {
         cut: Process::new(8.0, Some(1000.0), 0.6),
         mark: Process::new(100.0, Some(1000.0), 0.15),
         takes: Takes::Svg,
+        ..co2_100w()
+    }
+}
+
+/// A desktop CO2 laser of 500 x 300 mm with a FluidNC board, 3 mm plywood: the usual conversion of machines of 50 W.
+fn co2_fluidnc() -> Profile {
+    Profile {
+        name: "co2-fluidnc".to_owned(),
+        title: "CO2 laser, 50 W, FluidNC, 3 mm plywood".to_owned(),
+        // The format that makers call 5030.
+        bed: Some([0.0, 0.0, 500.0, 300.0]),
+        // 18 m/min: `max_rate_mm_per_min` of converted machines; the heavier y axis accelerates less.
+        rapid: Axes { speed: [300.0, 300.0], accel: Some([2500.0, 1500.0]) },
+        // Published tables give 12 to 18 mm/s for 3 mm plywood at 50 W.
+        cut: Process::new(15.0, Some(1500.0), 0.8),
+        mark: Process::new(150.0, Some(1500.0), 0.15),
+        // Plywood is pierced at once.
+        pierce_time: 0.05,
+        dialect: DialectChoice::named("fluidnc"),
+        ..co2_100w()
+    }
+}
+
+/// A gantry with a CO2 tube of 150 W, 1300 x 900 mm, run by LinuxCNC with the power on an analog output, 6 mm plywood.
+fn co2_linuxcnc() -> Profile {
+    Profile {
+        name: "co2-linuxcnc".to_owned(),
+        title: "CO2 gantry, 150 W, LinuxCNC, 6 mm plywood".to_owned(),
+        // The format that makers call 1390.
+        bed: Some([0.0, 0.0, 1300.0, 900.0]),
+        // Ball screws or racks with servos: 30 m/min, a quarter of g.
+        rapid: Axes { speed: [500.0, 500.0], accel: Some([2500.0, 2500.0]) },
+        // Published tables give 15 to 20 mm/s for 6 mm plywood at 150 W.
+        cut: Process::new(17.0, Some(2500.0), 0.85),
+        mark: Process::new(200.0, Some(2500.0), 0.12),
+        // `G64 P` of a few hundredths of a millimetre is usual for lasers.
+        junction_deviation: Some(0.02),
+        pierce_time: 0.2,
+        // A gantry with a driven head, at 15 mm/s.
+        z_speed: Some(15.0),
+        dialect: DialectChoice::named("linuxcnc-m67"),
         ..co2_100w()
     }
 }

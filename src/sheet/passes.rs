@@ -28,11 +28,13 @@ impl Sheet {
 
     /// The layer that lowers the head, if one does and has contours.
     pub fn lowers_head(&self, machine: &Profile) -> Option<&str> {
-        let lowers = |c: &&Contour| {
-            let process = self.process_of(c, machine);
-            c.is_processed() && process.passes > 1 && process.z_step > 0.0
-        };
-        let contour = self.contours.iter().find(lowers)?;
+        self.layer_with(machine, |process| process.passes > 1 && process.z_step > 0.0)
+    }
+
+    /// The layer of the first contour whose process is such.
+    pub fn layer_with(&self, machine: &Profile, is_such: impl Fn(&Process) -> bool) -> Option<&str> {
+        let found = |c: &&Contour| c.is_processed() && is_such(&self.process_of(c, machine));
+        let contour = self.contours.iter().find(found)?;
         self.layers.get(contour.layer as usize).map(|l| l.name.as_str())
     }
 

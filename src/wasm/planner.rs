@@ -4,19 +4,15 @@ use super::failure::Failure;
 use super::plain::{object, plain};
 use super::text::decode;
 use super::values::{bytes, geometry, handed, options, path, text};
-use crate::calibration::{self, Measured};
 use crate::drawing::TextDecoder;
 use crate::job::{self, BestPath, Budget, LoadOptions, PlanOptions};
-use crate::machine::Profile;
-use crate::plan::document::Document;
 use crate::{machine, output, solve};
-use js_sys::{Array, Reflect, Uint32Array};
-use wasm_bindgen::JsCast;
+use js_sys::Uint32Array;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = "import type {
-  Baselines, Beam, BestPath, Budget, Calibration, Dialect, Finding, Geometry, Insight, Loaded, LoadOptions, MachineProfile, MeasuredPlan, MethodInfo, ProgramCheck, Slice, StartOptions, Summary,
+  Baselines, Beam, BestPath, Budget, Dialect, Finding, Geometry, Insight, Loaded, LoadOptions, MachineProfile, MethodInfo, ProgramCheck, Slice, StartOptions, Summary,
   WarmPath,
 } from '../protocol.js';
 import type { Quote, QuoteTerms } from '../quote.js';";
@@ -55,24 +51,6 @@ pub fn sample_program(
     #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
 ) -> Result<String, Failure> {
     Ok(job::sample_program(options::<PlanOptions>(&plan_options)?.machine)?)
-}
-
-/// Fits a machine to the seconds that jobs took: `measured` has the plan documents and the seconds of each.
-#[wasm_bindgen(unchecked_return_type = "Calibration")]
-pub fn calibrate(
-    #[wasm_bindgen(unchecked_param_type = "MachineProfile")] machine: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "readonly MeasuredPlan[]")] measured: JsValue,
-) -> Result<JsValue, JsError> {
-    let machine: Profile = options(&machine)?;
-    machine.validate()?;
-    let refused = || JsError::new("The measured jobs are no list of plans and seconds.");
-    let jobs = measured.dyn_ref::<Array>().ok_or_else(refused)?.iter().map(|job| {
-        let field = |name: &str| Reflect::get(&job, &name.into()).map_err(|_| refused());
-        let plan = Document::read(&text("plan", &field("plan")?)?).map_err(|e| JsError::new(&e))?;
-        Ok(Measured { plan, seconds: field("seconds")?.as_f64().ok_or_else(refused)? })
-    });
-    let jobs = jobs.collect::<Result<Vec<_>, JsError>>()?;
-    plain(&calibration::calibrate(&machine, &jobs).map_err(|e| JsError::new(&e))?)
 }
 
 /// A seed for callers who give none, from the platform's random numbers. It is part of the result, so that the plan can be

@@ -186,3 +186,15 @@ fn programs_switch_the_air_and_lower_the_head_as_the_layer_says_and_name_the_mat
             .contains("has no Z axis: set the z step of the passes to 0")
     );
 }
+
+#[test]
+fn a_least_power_is_said_to_be_left_out_of_g_code() {
+    let said = |job: &Job| job.run().unwrap().findings.iter().map(|f| f.message.clone()).collect::<Vec<_>>();
+    assert_eq!(
+        said(&planned(machine(), |_| {})),
+        [
+            "Layer CUT has a least power, for which G-code has no word: only LightBurn projects and Ruida files carry it."
+        ]
+    );
+    assert!(said(&planned(machine(), |l| l.min_power = None)).is_empty());
+}

@@ -7,7 +7,9 @@ import * as planner from './pkg/kerfway.js';
 import { KerfwayError, reportOf } from './errors.js';
 import { DEFAULT_SECONDS, given } from './options.js';
 import type { Job } from './pkg/kerfway.js';
-import type { CheckedOn, FromWorker, LoadOptions, Membership, OutputKind, PlanOptions, ProgramCheck, ToWorker } from './protocol.js';
+import type {
+  Calibration, CheckedOn, FromWorker, LoadOptions, MachineProfile, MeasuredPlan, Membership, OutputKind, PlanOptions, ProgramCheck, ToWorker,
+} from './protocol.js';
 import type { Quote, QuoteTerms } from './quote.js';
 import { Search } from './search.js';
 
@@ -105,7 +107,7 @@ export class Session {
         void this.reply(message.id, () => this.papers(message.id));
         return;
       case 'calibrate':
-        this.host.post({ type: 'calibrate', id: message.id, calibration: this.build.calibrate(message.machine, message.measured) });
+        void this.reply(message.id, () => this.calibrate(message.id, message.machine, message.measured));
         return;
       case 'quote':
         this.host.post({ type: 'quote', id: message.id, quote: this.quote(message.terms) });
@@ -205,6 +207,12 @@ export class Session {
 
   private quote(terms: QuoteTerms): Quote {
     return this.loaded().quote(terms);
+  }
+
+  private async calibrate(id: number, machine: MachineProfile, measured: readonly MeasuredPlan[]): Promise<[FromWorker]> {
+    this.png ??= await this.host.png();
+    const fitted = this.png.calibrate(JSON.stringify(machine), measured.map((m) => String(m.plan)), Float64Array.from(measured, (m) => m.seconds));
+    return [{ type: 'calibrate', id, calibration: JSON.parse(fitted) as Calibration }];
   }
 
   private async output(id: number, kind: OutputKind, width = PNG_WIDTH): Promise<[FromWorker, ArrayBuffer[]?]> {

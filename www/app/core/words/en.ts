@@ -51,6 +51,7 @@ const findingTitles: Record<FindingCode, string> = {
   'layer-unknown': 'Layers that are not in the drawing',
   'far-from-origin': 'Too far from the origin',
   'off-bed': 'Not on the bed',
+  'least-power-left-out': 'Least power is not part of G-code',
   'not-all-checked': 'Incomplete checks',
   more: 'Further findings, not listed',
 };
