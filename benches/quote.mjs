@@ -5,13 +5,14 @@
 // Drawings are those of tests/fixtures/dxf-dev and the sheets; `--data FOLDER` names a folder with more DXF files. Air in
 // seconds on the default machine, seed 1, in wasm under Node.
 
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { build } from '../scripts/build.mjs';
 import { setup } from '../scripts/setup.mjs';
 import { DIST, ROOT } from '../scripts/tools.mjs';
+import { drawings } from './common/drawings.mjs';
 import { table } from './common/table.mjs';
 
 const FIXTURES = ['dxf-dev', 'sheets'].map((folder) => join(ROOT, 'tests', 'fixtures', folder));
@@ -27,7 +28,7 @@ export async function bench(args) {
   const planner = await createPlanner();
   const lines = [];
   const worst = { before: 0, now: 0 };
-  for (const file of drawings(values)) {
+  for (const file of drawings([...FIXTURES, ...(values.data === undefined ? [] : [values.data])], values.only)) {
     const loaded = await planner.load(readFileSync(file), basename(file)).catch(() => null);
     const { moves, seed } = loaded === null ? {} : quoteBudget(loaded);
     const air = async (moves) => {
@@ -45,11 +46,4 @@ export async function bench(args) {
   planner.close();
   lines.push(['worst', '', `${worst.before.toFixed(2)} %`, `${worst.now.toFixed(2)} %`, '', '']);
   table('Air of a quote above that of a search ten times as long', ['', 'contours', `${BEFORE} moves`, 'by default', 'moves', 'takes'], lines);
-}
-
-function drawings({ only = '', data }) {
-  const folders = [...FIXTURES, ...(data === undefined ? [] : [data])].filter((folder) => existsSync(folder));
-  const files = folders.flatMap((folder) => readdirSync(folder).filter((f) => /\.dxf$/i.test(f)).sort().map((f) => join(folder, f)));
-  const seen = new Set();
-  return files.filter((file) => file.includes(only) && !seen.has(basename(file)) && seen.add(basename(file)));
 }

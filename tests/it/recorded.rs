@@ -8,25 +8,32 @@
 
 use crate::testkit::{files, fixtures, name, plans};
 use kerfway::geometry::Segment;
-use kerfway::job::{Job, LoadOptions, MachineChoice, OutputKind, PlanOptions};
+use kerfway::job::{Job, LayerChoice, LoadOptions, MachineChoice, OutputKind, PlanOptions};
 use kerfway::machine::dialect::DialectChoice;
 use kerfway::machine::{Profile, Start};
 use kerfway::output;
 use kerfway::plan::Move;
+use kerfway::sheet::{LayerUse, Operation};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::fs;
 use std::path::Path;
 
-/// Plans every drawing and the samples, and calls `visit` with the name, the job and its machine.
-fn each(mut visit: impl FnMut(&str, &Job, &Profile)) {
+/// Plans every drawing and the samples, and calls `visit` with the name, the job and its machine. `set` gives the settings of
+/// the first layer.
+fn each(set: Option<fn(&mut LayerChoice)>, mut visit: impl FnMut(&str, &Job, &Profile)) {
     let machine =
         Profile { pierce_time: 0.25, beam_on_delay: 0.004, beam_off_delay: 0.002, ..plans::machine() };
     let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/app/public/samples");
     for file in files(&fixtures().join("dxf-dev"), "dxf").into_iter().chain(files(&samples, "dxf")) {
-        let Ok(mut job) = Job::load(fs::read(&file).unwrap(), &name(&file), &LoadOptions::default()) else {
-            continue;
-        };
+        let load = |options: &LoadOptions| Job::load(fs::read(&file).unwrap(), &name(&file), options);
+        let Ok(mut job) = load(&LoadOptions::default()) else { continue };
+        let used = |l: &&LayerUse| l.operation != Operation::Ignore && l.contours > 0;
+        let first = job.sheet().layers.iter().find(used).map(|l| LayerChoice::new(&l.name, l.operation));
+        if let (Some(set), Some(mut choice)) = (set, first) {
+            set(&mut choice);
+            job = load(&LoadOptions { layers: vec![choice], ..LoadOptions::default() }).unwrap();
+        }
         let options = PlanOptions {
             machine: MachineChoice::Profile(Box::new(machine.clone())),
             seed: 1,
@@ -60,7 +67,7 @@ fn hash(bytes: &[u8]) -> String {
 fn linuxcnc_has_run_these_programs_and_waited_as_long_as_planned() {
     let record = recorded("rs274.json");
     let mut compared = 0;
-    each(|name, job, machine| {
+    each(None, |name, job, machine| {
         for dialect in ["linuxcnc-m67", "linuxcnc-spindle"] {
             let profile = Profile { dialect: DialectChoice::named(dialect), ..machine.clone() };
             let plan = job.plan().unwrap();
@@ -88,7 +95,11 @@ fn linuxcnc_has_run_these_programs_and_waited_as_long_as_planned() {
 fn meerk40t_has_read_these_ruida_files_as_planned() {
     let record = recorded("rdjob.json");
     let mut compared = 0;
-    each(|name, job, machine| {
+    let set = |layer: &mut LayerChoice| {
+        (layer.speed, layer.power, layer.min_power, layer.passes) =
+            (Some(12.5), Some(0.45), Some(0.2), Some(2));
+    };
+    each(Some(set), |name, job, machine| {
         let bytes = job.output_bytes(OutputKind::Rd).unwrap();
         let program = format!("{name}.rd");
         if hand_out(&program, &bytes) {
@@ -98,8 +109,9 @@ fn meerk40t_has_read_these_ruida_files_as_planned() {
         let run = &record["files"][&program];
         assert_eq!(run["sha256"], hash(&bytes), "{program} has changed: record it again");
         assert!(run["off"].as_f64().unwrap() <= 0.002, "{program}: {run}");
-        assert_eq!(run["contours"], job.plan().unwrap().summary.contours, "{program}");
-        assert_eq!(run["settings"], true, "{program}: speed and power");
+        let cuts = planned(job, machine)["cuts"].as_array().unwrap().len();
+        assert_eq!(run["cuts"], cuts, "{program}");
+        assert_eq!(run["settings"], true, "{program}: speed and powers");
         compared += 1;
     });
     assert!(compared >= 24 || std::env::var_os("KERFWAY_PROGRAMS").is_some(), "{compared} files");
@@ -119,10 +131,14 @@ fn planned(job: &Job, machine: &Profile) -> Value {
         .moves
         .iter()
         .filter_map(|m| {
-            let Move::Cut { path, mark, .. } = m else { return None };
-            let (start, process) = (path.first()?.start(), machine.process(*mark));
+            let Move::Cut { path, contour, .. } = m else { return None };
+            let (start, process) = (path.first()?.start(), job.beam_sheet().process_by_id(*contour, machine));
             let path: Vec<Value> = path.iter().map(element).collect();
-            Some(json!({ "from": [start.x, start.y], "path": path, "speed": process.speed, "power": process.power * 100.0 }))
+            let least = process.min_power.unwrap_or(process.power);
+            Some(json!({
+                "from": [start.x, start.y], "path": path,
+                "speed": process.speed, "power": process.power * 100.0, "least": least * 100.0,
+            }))
         })
         .collect();
     json!({ "cuts": cuts })

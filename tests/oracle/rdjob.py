@@ -21,20 +21,22 @@ CHORD = 0.005
 
 
 def read(file: Path) -> list[dict]:
-    """The cuts of a file: the vertices in mm, speed in mm/s and power in per cent."""
+    """The cuts of a file: the vertices in mm, speed in mm/s, largest and least power in per cent."""
     cuts: list[dict] = []
-    speed = power = None
+    speed = power = least = None
     for command in parse_commands(decode_bytes(file.read_bytes())):
         if command[0] in (0x88, 0xA8):
             point = [abscoord(command[1:6]) / 1000, abscoord(command[6:11]) / 1000]
             if command[0] == 0x88:
-                cuts.append({'points': [point], 'speed': speed, 'power': power})
+                cuts.append({'points': [point], 'speed': speed, 'power': power, 'least': least})
             else:
                 cuts[-1]['points'].append(point)
         elif command[:2] == b'\xc9\x02':
             speed = parse_speed(command[2:7])
         elif command[:2] == b'\xc6\x02':
             power = parse_power(command[2:4])
+        elif command[:2] == b'\xc6\x01':
+            least = parse_power(command[2:4])
     return cuts
 
 
@@ -75,9 +77,9 @@ def main(folder: str) -> None:
         cuts = read(file)
         assert len(cuts) == len(planned), (file.name, len(cuts), len(planned))
         # A power is 14 bits, and MeerK40t divides by 16384 instead of 16383.
-        same = all(abs(c['speed'] - p['speed']) < 1e-3 and abs(c['power'] - p['power']) < 0.02 for c, p in zip(cuts, planned))
+        same = all(abs(c['speed'] - p['speed']) < 1e-3 and all(abs(c[w] - p[w]) < 0.02 for w in ('power', 'least')) for c, p in zip(cuts, planned))
         off = max((distance(c, p) for c, p in zip(cuts, planned)), default=0.0)
-        files[file.name] = {'sha256': hashlib.sha256(file.read_bytes()).hexdigest(), 'contours': len(cuts), 'off': round(off, 6), 'settings': same}
+        files[file.name] = {'sha256': hashlib.sha256(file.read_bytes()).hexdigest(), 'cuts': len(cuts), 'off': round(off, 6), 'settings': same}
     FIXTURE.write_text(json.dumps({'reader': 'MeerK40t 0.9.9100, meerk40t/ruida/rdjob.py', 'files': files}, indent=1) + '\n')
     print(len(files), 'files, at most', max(f['off'] for f in files.values()), 'mm off;', all(f['settings'] for f in files.values()))
 

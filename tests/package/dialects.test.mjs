@@ -6,82 +6,13 @@ import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { Ajv2020 } from 'ajv/dist/2020.js';
-import Toolpath from 'gcode-toolpath';
 import { check, createPlanner } from 'kerfway';
 import { dxf, ROOT, square } from './support.mjs';
-
-/** Largest distance between a cut and the plan, mm. */
-const DEVIATION = 0.002;
+import { compared } from './toolpath.mjs';
 
 const FIXTURES = join(ROOT, 'tests', 'fixtures');
 const drawings = (folder) => readdirSync(folder).filter((f) => /\.dxf$/i.test(f)).map((f) => join(folder, f));
 const DRAWINGS = [...drawings(join(FIXTURES, 'dxf-dev')), ...drawings(join(ROOT, 'www', 'app', 'public', 'samples')), join(FIXTURES, 'sheets', 'sheet_2000.dxf')];
-
-/** The cuts of a program: what is run by G1, G2 and G3 between two rapids. */
-function cutsOf(program) {
-  const cuts = [];
-  let open = false;
-  const add = ({ motion }, from, to, center = null) => {
-    if (motion === 'G0') {
-      open = false;
-      return;
-    }
-    if (!open) cuts.push([]);
-    open = true;
-    cuts.at(-1).push({ from, to, center, ccw: motion === 'G3' });
-  };
-  new Toolpath({
-    addLine: (modal, from, to) => add(modal, from, to),
-    addArcCurve: (modal, from, to, center) => add(modal, from, to, center),
-  }).loadFromStringSync(program);
-  return cuts;
-}
-
-/** The cuts of a plan, joined where the head does not move between them. */
-function plannedCuts(moves) {
-  const cuts = [];
-  let at = null;
-  for (const move of moves) {
-    if (move.kind !== 'cut') continue;
-    let from = at;
-    const elements = [];
-    for (const step of move.path) {
-      const to = step.line ?? step.arc;
-      elements.push({ to, center: step.center ?? null, ccw: step.ccw });
-      from = to;
-    }
-    cuts.push({ elements });
-    at = from;
-  }
-  return cuts;
-}
-
-const distance = ([x, y], p) => Math.hypot(x - p.x, y - p.y);
-
-/** Largest distance of the places where planned elements end from the elements of the program. */
-function offOf(planned, run) {
-  let off = 0;
-  for (const { to } of planned) {
-    let least = Infinity;
-    for (const e of run) {
-      least = Math.min(least, distance(to, e.to), distance(to, e.from));
-      if (least <= DEVIATION) break;
-      if (e.center !== null) {
-        const radius = Math.hypot(e.from.x - e.center.x, e.from.y - e.center.y);
-        least = Math.min(least, Math.abs(Math.hypot(to[0] - e.center.x, to[1] - e.center.y) - radius));
-      }
-    }
-    off = Math.max(off, least);
-  }
-  return off;
-}
-
-const lengthOf = (run) => run.reduce((sum, { from, to, center, ccw }) => {
-  if (center === null) return sum + Math.hypot(to.x - from.x, to.y - from.y);
-  const [a, b] = [from, to].map((p) => Math.atan2(p.y - center.y, p.x - center.x));
-  const turn = (((ccw ? b - a : a - b) % (2 * Math.PI)) + 2 * Math.PI) % (2 * Math.PI);
-  return sum + Math.hypot(from.x - center.x, from.y - center.y) * (turn || 2 * Math.PI);
-}, 0);
 
 describe('dialects', () => {
   let planner;
@@ -99,19 +30,10 @@ describe('dialects', () => {
       if (!loaded.contours.some((c) => c.operation !== 'ignore')) return t.skip('nothing to cut');
       for (const { name: dialect } of planner.dialects) {
         await planner.plan({ machine: { ...machine, dialect }, moves: 0, seed: 1 }).done;
-        const { moves, summary } = JSON.parse(await planner.output('json'));
-        const planned = plannedCuts(moves);
-        const runs = cutsOf(await planner.output('gcode'));
-        assert.ok(runs.length <= planned.length, `${dialect}: ${runs.length} cuts, ${planned.length} planned`);
-        const length = runs.reduce((sum, run) => sum + lengthOf(run), 0);
-        assert.ok(Math.abs(length - summary.cut_length) < 0.004 * planned.length + 1e-4 * length, `${dialect}: ${length} mm, ${summary.cut_length} planned`);
-        // Where every contour has its own run, they are compared one by one.
-        if (runs.length === planned.length) {
-          runs.forEach((run, k) => {
-            const off = offOf(planned[k].elements, run);
-            assert.ok(off <= DEVIATION, `${dialect}: cut ${k} is ${off} mm off`);
-          });
-        }
+        const { cuts, planned, off, length, expected } = compared(await planner.output('gcode'), JSON.parse(await planner.output('json')));
+        assert.equal(cuts, planned, dialect);
+        assert.ok(off <= 0.002, `${dialect}: a cut is ${off} mm off`);
+        assert.ok(Math.abs(length - expected) < 0.004 * planned + 1e-4 * length, `${dialect}: ${length} mm, ${expected} planned`);
       }
     });
   }

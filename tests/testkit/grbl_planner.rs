@@ -123,6 +123,8 @@ pub(crate) struct Machine {
     pub(crate) junction_deviation: f64,
     /// Number of blocks that the controller looks ahead: GRBL has a buffer of 16.
     pub(crate) blocks: usize,
+    /// Whether the head stops wherever a rapid begins or ends, as plans assume. GRBL stops there only if a dwell asks for it.
+    pub(crate) stops: bool,
 }
 
 /// A block with the limits of its own direction.
@@ -135,10 +137,14 @@ struct Limited {
 
 /// Seconds of a whole program: rapids and feeds run into each other within the look-ahead, and dwells stop the head.
 pub(crate) fn program_seconds(machine: Machine, program: &Program) -> f64 {
-    let (mut sum, mut stretch) = (0.0, Vec::new());
+    let (mut sum, mut stretch, mut rapid) = (0.0, Vec::new(), false);
     for event in &program.events {
         match event {
             Event::Motion(m) => {
+                if machine.stops && m.rapid != rapid {
+                    sum += run(machine, &std::mem::take(&mut stretch));
+                }
+                rapid = m.rapid;
                 let mut at = m.path.from;
                 for end in ends(&m.path) {
                     let way = end - at;

@@ -1,0 +1,73 @@
+// Every dialect over every drawing, read by gcode-toolpath (npm, MIT) and by our own check:
+//
+//     npm run bench -- dialects [--data FOLDER]... [--only NAME]
+//
+// Drawings are those of tests/fixtures (dxf-dev, sheets) and the samples of the page; `--data FOLDER` names a folder with more DXF
+// files. For each drawing: cuts, the largest distance between a plan and what is read back, over all dialects, and the programs that are
+// refused by a dialect or fail. Ends with 1 if one fails.
+
+import { readFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { parseArgs } from 'node:util';
+import { build } from '../scripts/build.mjs';
+import { setup } from '../scripts/setup.mjs';
+import { DIST, ROOT } from '../scripts/tools.mjs';
+import { compared } from '../tests/package/toolpath.mjs';
+import { drawings } from './common/drawings.mjs';
+import { table } from './common/table.mjs';
+
+const FOLDERS = [...['dxf-dev', 'sheets'].map((folder) => join(ROOT, 'tests', 'fixtures', folder)), join(ROOT, 'www', 'app', 'public', 'samples')];
+/** Largest distance between a program and its plan, mm. */
+const DEVIATION = 0.002;
+
+export async function bench(args) {
+  const { values } = parseArgs({ args, options: { only: { type: 'string' }, data: { type: 'string', multiple: true } } });
+  await setup();
+  await build({ quick: true });
+  const { createPlanner } = await import(pathToFileURL(join(DIST, 'sdk', 'node.js')).href);
+  const planner = await createPlanner();
+  const [preset] = planner.machines;
+  const lines = [];
+  const sum = { programs: 0, failed: 0, off: 0 };
+  for (const file of drawings([...FOLDERS, ...(values.data ?? [])], values.only)) {
+    const name = basename(file);
+    const loaded = await planner.load(readFileSync(file), name).catch((error) => error);
+    const why = loaded instanceof Error ? loaded.message : loaded.contours.every((c) => c.operation === 'ignore') ? 'nothing to cut' : null;
+    if (why !== null) {
+      lines.push([name, '', '', '', '', `no plan: ${why}`.slice(0, 100)]);
+      continue;
+    }
+    const faults = [];
+    let [most, cuts, passed] = [0, 0, 0];
+    for (const { name: dialect } of planner.dialects) {
+      sum.programs += 1;
+      const fault = await one(planner, { ...preset, bed: null, pierce_time: 0.25, beam_off_delay: 0, dialect }).then(({ off, ...found }) => {
+        [most, cuts] = [Math.max(most, off), found.planned];
+        return found.fault;
+      }, (error) => error.message);
+      if (fault === null) passed += 1;
+      else faults.push(`${dialect}: ${fault}`);
+    }
+    sum.failed += faults.length;
+    sum.off = Math.max(sum.off, most);
+    lines.push([name, String(loaded.contours.length), String(cuts), most.toFixed(6), `${passed} of ${planner.dialects.length}`, faults.join('; ')]);
+  }
+  planner.close();
+  table('Programs of all dialects, read back', ['', 'contours', 'cuts', 'off, mm', 'dialects right', 'otherwise'], lines);
+  console.log(`${sum.programs} programs, ${sum.failed} not right, at most ${sum.off.toFixed(6)} mm off`);
+  if (sum.failed > 0) process.exitCode = 1;
+}
+
+/** Plans a drawing that is loaded, for a machine, and compares the program with the plan. */
+async function one(planner, machine) {
+  await planner.plan({ machine, moves: 0, seed: 1 }).done;
+  const { cuts, planned, off, length, expected } = compared(await planner.output('gcode'), JSON.parse(await planner.output('json')));
+  const check = await planner.check();
+  const error = check.problems.find((p) => p.severity === 'error');
+  const fault = cuts !== planned ? `${cuts} cuts, ${planned} planned`
+    : off > DEVIATION ? `${off} mm off`
+      : Math.abs(length - expected) >= 0.004 * planned + 1e-4 * length ? `${length} mm, ${expected} planned`
+        : (error?.message ?? null);
+  return { planned, off, fault };
+}
