@@ -37,6 +37,7 @@ pub use warm_path::WarmPath;
 
 use crate::drawing::{Drawing, ReadOptions};
 use crate::dxf;
+use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Severity};
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
 use sha2::{Digest, Sha256};
@@ -153,10 +154,11 @@ impl Job {
             .allow_off_bed(options.allow_off_bed);
         let profile = &placed.profile;
         if let Some(layer) = self.sheet.lowers_head(profile).filter(|_| profile.z_speed.is_none()) {
-            return Err(JobError::Options(format!(
+            let message = format!(
                 "The passes on layer {layer} lower the head, but the machine {} has no \"z_speed\". Set it, or set the z step to 0.",
                 profile.name
-            )));
+            );
+            return Err(FieldError::new(Fault::Missing, "machine.z_speed", message).into());
         }
         self.drop_run();
         let mut findings = self.compensate(placed.profile.kerf_width);

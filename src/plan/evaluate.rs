@@ -5,8 +5,8 @@ use crate::geometry::{Aabb, Segment};
 use crate::machine::{AirTime, Profile, cut_time};
 use crate::sheet::Sheet;
 
-/// The sums over moves on a sheet that start at the machine's home. The moves do not contain the number of parts or a lower bound, so
-/// `parts` is 0 and there is no gap.
+/// The sums over moves on a sheet that start at the machine's home. The moves do not contain the number of parts or a lower
+/// bound, so `parts` is 0 and there is no gap.
 ///
 /// Every cut and mark is charged the beam delays, and every piercing the pierce time; both are in `pierce_time`. A contour
 /// that is cut in several stretches or passes counts once.

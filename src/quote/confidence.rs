@@ -93,7 +93,8 @@ pub(super) fn confidence(
 ) -> Confidence {
     let mut doubts = Doubts::none();
     if let Some((material, machine)) = unset {
-        let message = format!("The machine has no setting for {material}: its times are those of \"{machine}\".");
+        let message =
+            format!("The machine has no setting for {material}: its times are those of \"{machine}\".");
         doubts.add(Level::Medium, Reason { code: ReasonCode::NoSetting, finding: None, count: 1, message });
     }
     if input.units_source == UnitsSource::Guessed {

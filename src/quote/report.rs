@@ -38,6 +38,9 @@ pub struct Quote {
     /// The machine's whole profile.
     #[serde(serialize_with = "by_name")]
     pub machine: Profile,
+    /// Name of the setting in the machine's library of materials that it was planned with; the machine has it on. `None`: with
+    /// its own.
+    pub setting: Option<String>,
     /// How the drawing was read and arranged, as in the plan document.
     #[serde(serialize_with = "by_name")]
     #[cfg_attr(test, ts(type = "Record<string, unknown>"))]
@@ -166,6 +169,7 @@ pub(super) fn made(document: &Document, shapes: &[Shape], terms: &Terms) -> Quot
         hash: String::new(),
         input: input.clone(),
         machine: document.machine.clone(),
+        setting: document.material.clone(),
         options: document.options.clone(),
         placement: document.placement,
         method: document.method.clone(),

@@ -23,7 +23,7 @@ pub fn calibrate(machine: &str, plans: Vec<String>, seconds: &[f64]) -> Result<S
 }
 
 fn fitted(machine: &str, plans: &[String], seconds: &[f64]) -> Result<String, String> {
-    let machine: Profile = fields::from_json(machine)?;
+    let machine: Profile = fields::from_json(machine).map_err(|e| e.to_string())?;
     machine.validate().map_err(|e| e.to_string())?;
     let measured = plans
         .iter()

@@ -6,7 +6,7 @@ use kerfway::job::{Job, JobError, LayerChoice, LoadOptions, MachineChoice, Outpu
 use kerfway::machine::{Axes, MaterialSetting, Process, Profile, Settings, preset};
 use kerfway::plan::document::Document;
 use kerfway::plan::{self, Move, Plan, Violation};
-use kerfway::quote::Material;
+use kerfway::quote::{Material, Terms};
 use kerfway::sheet::{Operation, PassOrder};
 
 /// A machine without accelerations: 10 mm/s to cut, 50 mm/s to mark, 100 mm/s rapids, 0.5 s to pierce, 0.1 s of delays.
@@ -108,8 +108,9 @@ fn a_material_changes_the_seconds_as_computed_by_hand() {
         "The machine co2-100w has no setting for the material \"oak\". It has: 4 mm ply, Card."
     );
     // A quote for another material than was planned is refused instead of priced with the wrong speed.
-    let quote =
-        |job: &Job, name: &str| job.quote(&Material { name: Some(name.into()), ..Material::default() });
+    let quote = |job: &Job, name: &str| {
+        job.quote(&Material { name: Some(name.into()), ..Material::default() }.into())
+    };
     assert!(quote(&job, "4 mm ply").is_ok());
     assert!(
         quote(&job, "mild steel")
@@ -123,9 +124,10 @@ fn a_material_changes_the_seconds_as_computed_by_hand() {
 #[test]
 fn a_quote_for_a_machine_without_a_library_says_that_it_has_no_setting() {
     let job = planned(vec![], PassOrder::Contour, machine());
-    let quoted = job.quote(&Material { name: Some("Mild steel".into()), ..Material::default() }).unwrap();
+    let quoted =
+        job.quote(&Material { name: Some("Mild steel".into()), ..Material::default() }.into()).unwrap();
     assert!(
-        quoted.confidence.reasons.iter().any(|r| r.contains("no setting for Mild steel")),
+        quoted.confidence.reasons.iter().any(|r| r.message.contains("no setting for Mild steel")),
         "{:?}",
         quoted.confidence
     );
@@ -168,7 +170,7 @@ fn n_passes_give_n_times_the_geometry_and_the_seconds() {
                 program.motions().filter(|m| !m.rapid).map(|m| m.path.from.distance(m.path.to)).sum();
             assert!((run - s.cut_length).abs() < 0.05, "{run} {}", s.cut_length);
             // The geometry of a quote is that of one pass.
-            let quote = job.quote(&Material::default()).unwrap();
+            let quote = job.quote(&Terms::default()).unwrap();
             assert_eq!((quote.part_count, quote.parts[0].holes), (1, 1));
             near(quote.net_area, 100.0 * 100.0 - 20.0 * 20.0);
             near(quote.parts[0].cut_length, times * 480.0);

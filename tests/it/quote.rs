@@ -122,7 +122,7 @@ fn only_the_setting_is_missing(quote: &Quote) {
     assert!(
         *level == Level::Medium
             && reasons.len() == 1
-            && reasons[0].starts_with("The machine has no setting for Steel"),
+            && reasons[0].message.starts_with("The machine has no setting for Steel"),
         "{reasons:?}"
     );
 }

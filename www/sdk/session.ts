@@ -211,8 +211,13 @@ export class Session {
 
   private async calibrate(id: number, machine: MachineProfile, measured: readonly MeasuredPlan[]): Promise<[FromWorker]> {
     this.png ??= await this.host.png();
-    const fitted = this.png.calibrate(JSON.stringify(machine), measured.map((m) => String(m.plan)), Float64Array.from(measured, (m) => m.seconds));
-    return [{ type: 'calibrate', id, calibration: JSON.parse(fitted) as Calibration }];
+    try {
+      const fitted = this.png.calibrate(JSON.stringify(machine), measured.map((m) => String(m.plan)), Float64Array.from(measured, (m) => m.seconds));
+      return [{ type: 'calibrate', id, calibration: JSON.parse(fitted) as Calibration }];
+    } catch (error) {
+      // All that it refuses are jobs that are no plans, or times that cannot be.
+      throw error instanceof WebAssembly.RuntimeError || !(error instanceof Error) ? error : new KerfwayError('wrong-type', error.message, { field: 'measured' });
+    }
   }
 
   private async output(id: number, kind: OutputKind, width = PNG_WIDTH): Promise<[FromWorker, ArrayBuffer[]?]> {

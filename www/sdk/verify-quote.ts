@@ -23,22 +23,36 @@ const MOST = 10;
 
 /** How a report says that its drawing was read. The document has names in snake case and values for what was not given. */
 export function readingOf(report: Quote): LoadOptions {
-  const camel = (name: string) => name.replace(/_([a-z])/g, (_, letter: string) => letter.toUpperCase());
-  const given = Object.entries(record(report.options, 'options')).map(([name, value]) => [camel(name), value] as const);
+  const given = renamed(record(report.options, 'options'));
+  const layers = given.find(([name]) => name === 'layers');
+  // A report has what is set for a layer in an object of its own.
+  if (layers !== undefined && Array.isArray(layers[1])) {
+    layers[1] = layers[1].map((layer) => {
+      const { settings, ...choice } = record(layer, 'options.layers');
+      return { ...choice, ...(settings === undefined ? {} : Object.fromEntries(renamed(record(settings, 'options.layers.settings')))) };
+    });
+  }
   const known = given.filter(([name, value]) => value !== null && SHAPES.reading.fields.some((f) => f.name === name));
   return Object.fromEntries(known) as LoadOptions;
 }
 
+/** Names in camel case instead of snake case. */
+function renamed(object: Record<string, unknown>): [string, unknown][] {
+  return Object.entries(object).map(([name, value]) => [name.replace(/_([a-z])/g, (_, letter: string) => letter.toUpperCase()), value]);
+}
+
 /** How a report says that its drawing was planned. */
 export function planningOf(report: Quote, loaded: Loaded): PlanOptions {
-  const { machine, method, seed, moves, workers, parameters } = report;
+  const { machine, method, seed, moves, workers, parameters, setting } = report;
   const most = MOST * (quoteBudget(loaded).moves ?? 0) * (workers ?? 1);
   if (!(Number.isSafeInteger(moves) && moves >= 0 && moves * (workers ?? 1) <= most)) {
     throw new KerfwayError('out-of-range', `The report's field "moves" is ${String(moves)}. Up to ${most} are verified for this drawing.`, { field: 'moves', value: String(moves), least: 0, most });
   }
   const { placement } = report;
   return {
-    machine, method, seed, moves,
+    // A report has the machine with the setting on it, and only its name is missing in the library.
+    ...(setting === null ? { machine } : { machine: { ...machine, materials: [{ name: setting }] }, material: setting }),
+    method, seed, moves,
     // The report says how far the job was moved, so the origin of the drawing is placed there.
     ...(placement === null ? {} : { place: { from: [0, 0], at: placement.shift }, start: placement.start }),
     ...(workers === null ? {} : { workers }),

@@ -147,6 +147,9 @@ export async function usable<T>(file: string, work: Promise<T>): Promise<T> {
   try {
     return await work;
   } catch (error) {
-    throw new Unusable(`${file}: ${(error as Error).message}`, reportOf(error));
+    const report = reportOf(error);
+    // The core does not know by what name the option is given here.
+    const option = report.code === 'off-bed' ? ' (--allow-off-bed)' : '';
+    throw new Unusable(`${file}: ${(error as Error).message}${option}`, report);
   }
 }

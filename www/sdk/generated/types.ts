@@ -40,7 +40,7 @@ export interface EntityKindCount {
 export type Severity = "info" | "warning" | "error";
 
 /** The kind of a finding. Written in kebab case in JSON (`unsupported-entity`). Later versions may add codes. */
-export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "far-from-origin" | "off-bed" | "not-all-checked" | "more";
+export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "far-from-origin" | "off-bed" | "least-power-left-out" | "not-all-checked" | "more";
 
 /** One finding. */
 export interface Finding {
@@ -73,6 +73,25 @@ export type CommonCuts = "best" | "insertion" | "off";
 /** A group of contours that are recognised by their look, not by a layer. */
 export type Group = "lettering" | "leaders";
 
+/** How contours with several passes are run. */
+export type PassOrder = "contour" | "sheet";
+
+/** What a layer or a material sets; `null`: as without it. */
+export interface Settings {
+  /** Speed along the contour, mm/s. */
+  speed?: number,
+  /** Power as a fraction of full power, 0 to 1. */
+  power?: number,
+  /** Least power, where the head is slow, as a fraction of full power. */
+  min_power?: number,
+  /** Number of passes. */
+  passes?: number,
+  /** By how much the head is lowered for each further pass, mm. */
+  z_step?: number,
+  /** Whether the air assist is on. */
+  air?: boolean,
+}
+
 /** A layer and its operation. */
 export interface LayerUse {
   /** Name. */
@@ -83,6 +102,8 @@ export interface LayerUse {
   operation: Operation,
   /** Operation that its name suggests, if different. */
   suggestion: Operation | null,
+  /** What is set for its contours. */
+  settings?: Settings,
   /** Place in the order of layers; equal for all layers when there is no such order. */
   rank: number,
   /** Number of contours on it. */
@@ -124,6 +145,17 @@ export interface Process {
   accel: number | null,
   /** Power as a fraction of full power, 0 to 1. */
   power: number,
+  /**
+   * Least power, where the head is slow, as a fraction of full power; `null`: it follows the speed. For controllers
+   * that take two powers.
+   */
+  min_power?: number | null,
+  /** Number of passes over a contour. */
+  passes?: number,
+  /** By how much the head is lowered for each further pass, mm. */
+  z_step?: number,
+  /** Whether the air assist is on. */
+  air?: boolean,
 }
 
 /** Which corners need a macro, and how long it takes. */
@@ -133,6 +165,23 @@ export interface SharpCorner {
   /** Seconds that the corner cools. */
   time: number,
 }
+
+/** How a machine works one material: an entry of its library. */
+export interface MaterialSetting {
+  /** Its name, by which it is chosen (`3 mm birch ply`). */
+  name: string,
+  /** Cutting. */
+  cut?: Settings,
+  /** Marking. */
+  mark?: Settings,
+  /** Seconds to pierce it; `null`: as the machine's. */
+  pierce_time?: number | null,
+  /** Width of the cut in it, mm; `null`: as the machine's. */
+  kerf_width?: number | null,
+}
+
+/** The file that a machine's controller takes. */
+export type Takes = "gcode" | "dxf" | "svg";
 
 /** Unit of coordinates in the program. */
 export type FileUnit = "mm" | "inch";
@@ -304,10 +353,16 @@ export interface MachineProfile {
    * them by half the kerf width. If it is 0, the beam follows the drawn lines.
    */
   kerf_width?: number,
+  /** Speed at which the head is lowered and raised, mm/s; `null` if it cannot be. */
+  z_speed?: number | null,
+  /** Settings for materials, by name. */
+  materials?: Array<MaterialSetting>,
   /** Time for the beam to settle before a cut, s. */
   beam_on_delay: number,
   /** Time for the beam to settle after a cut, s. */
   beam_off_delay: number,
+  /** The file that its controller takes, which is offered first. Default `gcode`. */
+  takes?: Takes,
   /** Dialect of G-code: the name of a shipped one, or a document. */
   dialect: DialectChoice,
   /** Power value at full power, for dialects that do not state it. */
@@ -329,12 +384,24 @@ export interface ErrorReport {
   retryable: boolean,
 }
 
-/** The operation for one layer. */
+/** The operation for one layer, and what it is worked with. What is not set is as the machine or the material says. */
 export interface LayerChoice {
   /** Name of the layer. */
   name: string,
   /** Cut, mark or ignore. */
   operation: Operation,
+  /** Speed along its contours, mm/s. */
+  speed?: number | null,
+  /** Power as a fraction of full power, 0 to 1. */
+  power?: number | null,
+  /** Least power, where the head is slow, as a fraction of full power. */
+  minPower?: number | null,
+  /** Number of passes. */
+  passes?: number | null,
+  /** By how much the head is lowered for each further pass, mm. */
+  zStep?: number | null,
+  /** Whether the air assist is on. */
+  air?: boolean | null,
 }
 
 /** The operation for a group of contours. */
@@ -361,6 +428,11 @@ export interface LoadOptions {
   layers: Array<LayerChoice>,
   /** Whether layers are processed one after the other. Default false. */
   orderByLayer: boolean,
+  /**
+   * How contours with several passes are run: `contour`, all passes of one before the next, or `sheet`, the first pass of
+   * all, then the second. Default `contour`.
+   */
+  passOrder: PassOrder,
   /**
    * Whether the single border around everything is ignored even if it may be a cut. If it clearly shows the sheet, it is
    * ignored in any case. Default false.
@@ -414,6 +486,8 @@ export interface Place {
 export interface StartOptions {
   /** The name of a preset, or a profile. Default `co2-100w`. */
   machine: MachineChoice,
+  /** The name of a setting in the machine's library of materials. Default: the machine's own cutting and marking. */
+  material?: string,
   /** Where the job lies on the bed. Default: as drawn. */
   place?: Place,
   /** Whether the program is in machine coordinates, or starts where the head stands. Default `absolute`. */
@@ -558,7 +632,7 @@ export interface Summary {
   air_length: number,
   /** Time along contours, by look-ahead over corners and acceleration. */
   cut_time: number,
-  /** Time of air moves. */
+  /** Time of air moves, and of lowering and raising the head. */
   air_time: number,
   /** Time of piercing, including beam delays. */
   pierce_time: number,
@@ -677,6 +751,26 @@ export interface Insight {
   grid: InsightGrid | null,
   /** The partitions of its best path, if it makes any. */
   partitions: Partitions | null,
+}
+
+/** One job of a calibration. */
+export interface CalibratedJob {
+  /** Name of its file. */
+  name: string,
+  /** Seconds by the clock. */
+  measured: number,
+  /** Seconds planned with the machine as it was. */
+  before: number,
+  /** Seconds planned with the fitted machine. */
+  after: number,
+}
+
+/** A machine fitted to measured times. */
+export interface Calibration {
+  /** The machine with the fitted values. */
+  machine: MachineProfile,
+  /** The jobs it was fitted to. */
+  jobs: Array<CalibratedJob>,
 }
 
 /** The material of the sheet. */
@@ -809,7 +903,7 @@ export interface Defect {
 export type ConfidenceLevel = "high" | "medium" | "low";
 
 /** The kind of a reason. */
-export type ReasonCode = "units-guessed" | "open-cuts" | "findings";
+export type ReasonCode = "units-guessed" | "open-cuts" | "no-setting" | "findings";
 
 /** Why figures cannot be relied on. */
 export interface ConfidenceReason {
@@ -887,6 +981,11 @@ export interface Quote {
   },
   /** The machine's whole profile. */
   machine: MachineProfile,
+  /**
+   * Name of the setting in the machine's library of materials that it was planned with; the machine has it on. `null`: with
+   * its own.
+   */
+  setting: string | null,
   /** How the drawing was read and arranged, as in the plan document. */
   options: Record<string, unknown>,
   /** Where the job lies on the bed; `null`: where it was drawn. */
