@@ -18,7 +18,7 @@ function plain(value: unknown): unknown {
 }
 
 /** The options with a path whose arrays are lists, whatever JSON made of them. */
-export function withWarmPath<T extends PlanOptions>(options: T): T {
+export function withWarmPath<T extends Pick<PlanOptions, 'warm'>>(options: T): T {
   const warm: unknown = options?.warm;
   if (typeof warm !== 'object' || warm === null) return options;
   return { ...options, warm: Object.fromEntries(Object.entries(warm).map(([name, list]) => [name, listed(list)])) as unknown as WarmPath };
