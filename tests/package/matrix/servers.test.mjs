@@ -9,7 +9,9 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { before, describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
+import { chromium } from 'playwright-core';
 import { quote } from 'kerfway';
+import { findBrowser } from '../../../scripts/setup.mjs';
 import { bytes, KEYBOARD } from '../support.mjs';
 import { OPTIONS, project } from './projects.mjs';
 
@@ -76,19 +78,21 @@ describe('servers have the hash of the package', () => {
     assert.equal((await response.json()).hash, hash);
   });
 
-  it('a route handler of Next without configuration, built and in development', async (t) => {
+  it('a route handler and a client page of Next without configuration, built and in development', async (t) => {
     const client = `'use client';
       import { useState } from 'react';
       import { quote } from 'kerfway';
       export default function Page() {
         const [hash, setHash] = useState('');
-        return <main><input type="file" onChange={async (event) => setHash((await quote(event.target.files![0]!)).hash)} /><output>{hash}</output></main>;
+        return <main><input type="file" onChange={async (event) => setHash((await quote(event.target.files![0]!, ${JSON.stringify(OPTIONS)})).hash)} /><output>{hash}</output></main>;
       }`;
     const p = await project(t, {
       dependencies: { next: '*', react: '*', 'react-dom': '*', typescript: '^5', '@types/react': '*', '@types/react-dom': '*', '@types/node': '*' },
       files: { 'app/api/quote/route.ts': ROUTE, 'app/page.tsx': client, 'app/layout.tsx': 'export default function Layout({ children }: { children: React.ReactNode }) { return <html><body>{children}</body></html>; }' },
     });
     await p.run(p.bin('next'), 'build');
+    const browser = await chromium.launch({ executablePath: findBrowser(), args: ['--no-sandbox', '--disable-gpu'] });
+    t.after(() => browser.close());
     for (const how of ['start', 'dev']) {
       const port = await freePort();
       const server = spawn(p.bin('next'), [how, '-p', String(port), '-H', '127.0.0.1'], { cwd: p.at, stdio: 'ignore', env: { ...process.env, NEXT_TELEMETRY_DISABLED: '1' }, detached: true });
@@ -100,6 +104,12 @@ describe('servers have the hash of the package', () => {
       t.after(end);
       const response = await answer(`http://127.0.0.1:${port}/api/quote`);
       assert.deepEqual([response.status, (await response.json()).hash], [200, hash], how);
+      const page = await browser.newPage();
+      await page.goto(`http://127.0.0.1:${port}/`);
+      // The page is there before it listens.
+      await page.waitForFunction(() => Object.keys(document.querySelector('input')).some((key) => key.startsWith('__reactProps')));
+      await page.locator('input').setInputFiles(join(p.at, 'keyboard.dxf'));
+      await page.waitForFunction((hash) => document.querySelector('output').textContent === hash, hash);
       end();
     }
   });
