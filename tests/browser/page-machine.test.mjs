@@ -30,7 +30,7 @@ test('a job off the bed gets no G-code, is moved to the corner, turned, and drag
   const bed = page.locator('details.section', { has: page.getByRole('heading', { name: 'On the bed' }) });
   await bed.getByText('The job reaches from x -20 to 30', { exact: false }).waitFor();
   await page.locator('.dock').getByRole('button', { name: 'G-code' }).click();
-  await page.getByText('Nothing was written', { exact: false }).waitFor();
+  await page.locator('#stage').getByText('Nothing was written', { exact: false }).waitFor();
   await shot(page, 'bed-off');
 
   await bed.getByRole('button', { name: 'Move to the corner' }).click();
