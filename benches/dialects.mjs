@@ -51,6 +51,7 @@ export async function bench(args) {
     }
     sum.failed += faults.length;
     sum.off = Math.max(sum.off, most);
+    console.error(`${name}: ${passed} of ${planner.dialects.length} dialects`);
     lines.push([name, String(loaded.contours.length), String(cuts), most.toFixed(6), `${passed} of ${planner.dialects.length}`, faults.join('; ')]);
   }
   planner.close();

@@ -49,7 +49,7 @@ pub enum JobError {
     #[error(transparent)]
     Output(#[from] OutputError),
     /// The job does not lie on the machine's bed.
-    #[error("{0} Nothing was written. Move the job onto the bed, or allow programs that leave it.")]
+    #[error("{0} Nothing was written: a program that leaves the bed has to be allowed.")]
     OffBed(String),
     /// The plan did not pass the independent checker. This is a fault of this program.
     #[error(

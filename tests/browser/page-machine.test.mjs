@@ -88,7 +88,7 @@ test('a layer has settings, a material is saved and chosen, and a stopwatch fits
   assert.equal((await plan(page)).material, '3 mm birch ply');
 
   await page.getByText('Calibrate with a stopwatch').click();
-  await page.getByPlaceholder('by the clock').fill('200');
+  await page.getByPlaceholder('measured').fill('200');
   await page.getByRole('button', { name: 'Add this job' }).click();
   await page.getByRole('button', { name: 'Fit the machine' }).click();
   await page.locator('.calibrated').getByText('square.dxf').waitFor();

@@ -162,7 +162,7 @@ fn programs(profile: &Profile) -> Vec<(String, f64, crate::testkit::gcode::Progr
 }
 
 /// `total_time` against whole programs in the simulation with a buffer of 16 blocks, and LinuxCNC's blending for comparison.
-/// `cargo test --features png --test it whole_programs -- --nocapture` prints the table of docs/internals/times.md.
+/// `cargo test --features png --test it machine_time -- whole_programs --nocapture` prints the table of docs/internals/times.md.
 #[test]
 #[allow(clippy::print_stdout, reason = "the table of the comparison, shown with --nocapture")]
 fn whole_programs_take_as_long_as_in_a_simulation_with_a_buffer_of_sixteen_blocks() {

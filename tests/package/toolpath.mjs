@@ -2,8 +2,8 @@
 
 import Toolpath from 'gcode-toolpath';
 
-/** A distance that decides nothing any more, mm. */
-const NEAR = 1e-4;
+/** What rounding to 0.001 mm moves a place by, and a little more, mm. */
+const NEAR = 0.00075;
 
 /** The cuts of a program: what is run by G1, G2 and G3 between two rapids. */
 function cutsOf(program) {
@@ -49,11 +49,17 @@ const distance = ([x, y], p) => Math.hypot(x - p.x, y - p.y);
 /** Largest distance of the places where planned elements end from the elements of the program. */
 function offOf(planned, run) {
   let off = 0;
+  let from = 0;
   for (const to of planned) {
     let least = Infinity;
-    for (const e of run) {
+    // Elements come in the order of the plan: the search goes on where the last one was found.
+    for (let k = 0; k < run.length; k += 1) {
+      const e = run[(from + k) % run.length];
       least = Math.min(least, distance(to, e.to), distance(to, e.from));
-      if (least <= NEAR) break;
+      if (least <= NEAR) {
+        from = (from + k) % run.length;
+        break;
+      }
       if (e.center !== null) {
         const radius = Math.hypot(e.from.x - e.center.x, e.from.y - e.center.y);
         least = Math.min(least, Math.abs(Math.hypot(to[0] - e.center.x, to[1] - e.center.y) - radius));
@@ -70,7 +76,6 @@ const lengthOf = (run) => run.reduce((sum, { from, to, center, ccw }) => {
   const turn = (((ccw ? b - a : a - b) % (2 * Math.PI)) + 2 * Math.PI) % (2 * Math.PI);
   return sum + Math.hypot(from.x - center.x, from.y - center.y) * (turn || 2 * Math.PI);
 }, 0);
-
 
 /** How many cuts a program has and its plan, their lengths, and the largest distance between them, mm. */
 export function compared(program, { moves, summary }) {

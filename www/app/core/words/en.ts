@@ -215,7 +215,7 @@ export const en = {
 
   calibration: {
     title: 'Calibrate with a stopwatch', hint: 'Run a job, and type in the seconds that it took. One or two jobs are enough; best is one with many piercings and one with many corners.',
-    took: 'This job took', none: 'by the clock', add: 'Add this job', fit: 'Fit the machine', clear: 'Start again', take: 'Use the fitted values', before: 'Before', after: 'After',
+    took: 'This job took', none: 'measured', add: 'Add this job', fit: 'Fit the machine', clear: 'Start again', take: 'Use the fitted values', before: 'Before', after: 'After',
     job: (name: string, measured: string, planned: string) => `${name}: ${measured}, planned ${planned}`, notYet: 'Enter the seconds of the job on screen, once its plan is done.',
   },
 
@@ -256,7 +256,7 @@ export const en = {
   preflight: {
     title: 'Check of the program', passes: 'The program passes its check', fails: 'The program fails its check and is not handed out',
     parts: (n: number, written: string) => counted(n, written, 'part'), once: (n: number, written: string) => `${counted(n, written, 'contour')}, each cut once`,
-    times: (n: string, times: string) => `${n} contours, each cut ${times} times`, uneven: (n: string) => `${n} contours, not all cut equally often`,
+    times: (n: number, written: string, times: string) => `${counted(n, written, 'contour')}, each cut ${times} times`, uneven: (n: string) => `${n} contours, not all cut equally often`,
     dark: 'beam off on every rapid', lit: 'beam on during a rapid', onBed: 'on the bed', offBed: 'off the bed', read: (dialect: string) => `read back as ${dialect}`,
     more: (message: string, n: string) => `${message} And ${n} more like it.`,
   },
