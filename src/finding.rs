@@ -101,6 +101,10 @@ pub enum Code {
     LayerUnknown,
     /// Contours that are cut along their drawn line although the machine has a kerf width.
     KerfNotApplied,
+    /// A lead of a contour is not as the rule says: turned, moved, shortened or a line, because the wanted one does not fit.
+    LeadAdjusted,
+    /// There is no room for the lead of a contour, or contours that share cuts have none.
+    LeadMissing,
     /// The drawing lies so far from the origin that the controller's single-precision numbers cannot resolve its
     /// details.
     FarFromOrigin,

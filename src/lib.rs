@@ -95,6 +95,7 @@ pub mod dxf;
 pub mod fields;
 pub mod finding;
 pub mod job;
+pub mod lead;
 pub mod machine;
 mod order;
 pub mod output;

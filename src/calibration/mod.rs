@@ -126,7 +126,7 @@ impl Job {
                     fixed += machine.height_seconds(z - height);
                     height = *z;
                 }
-                Move::Cut { contour, path } => {
+                Move::Cut { contour, path, .. } => {
                     let known = contour.first().and_then(|c| plan.contours.get(c as usize));
                     let mark = known.is_some_and(|c| c.operation == Operation::Mark);
                     let process = plan.process_by_id(contour.first());

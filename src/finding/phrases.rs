@@ -96,6 +96,10 @@ impl Code {
                 "contour is cut along its drawn line, without kerf compensation",
                 "contours are cut along their drawn lines, without kerf compensation",
             ),
+            Self::LeadAdjusted => {
+                Counted("contour has another lead than wanted", "contours have other leads than wanted")
+            }
+            Self::LeadMissing => Counted("contour has no lead", "contours have no lead"),
             Self::FarFromOrigin => Whole("The drawing lies too far from the origin to be cut"),
             Self::OffBed => Whole("The job does not lie on the bed"),
             Self::LeastPowerLeftOut => Whole("The least power of a layer is not part of G-code"),

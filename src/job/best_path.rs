@@ -1,7 +1,7 @@
 //! The best path as flat arrays, for drawing it. Stop k cuts contour `contours[k]`, or a stretch of it.
 
-use super::Run;
-use crate::geometry::Segment;
+use super::{Geometry, Run};
+use crate::geometry::{Path, Segment};
 use crate::machine::{AirTime, Profile, cut_time};
 use crate::plan::{Move, Plan};
 use crate::problem::{Span, Stroke};
@@ -23,6 +23,8 @@ pub struct BestPath {
     pub reversed: Vec<u8>,
     /// Seconds from the start of the job at which each stop starts and stops cutting.
     pub times: Vec<f64>,
+    /// The lead-in and the lead-out of each stop, in this order; no paths if there are no leads.
+    pub leads: Geometry,
     /// Positions of pre-cuts: x, y each, mm.
     pub pre_cuts: Vec<f64>,
     /// Sharp corners where a cut pauses: x, y each, mm.
@@ -58,6 +60,7 @@ impl BestPath {
                 _ => {}
             }
         }
+        path.leads = leads(run);
         path.times = cutting_times(&plan, &run.machine, sheet, &parts);
         (path, plan)
     }
@@ -85,6 +88,26 @@ impl BestPath {
             self.reversed.push(span.reversed.into());
         }
     }
+}
+
+/// The leads of the stops.
+fn leads(run: &Run) -> Geometry {
+    let problem = run.problem();
+    if problem.items.iter().all(|i| i.leads.is_none()) {
+        return Geometry::default();
+    }
+    let mut paths: Vec<Path> = Vec::with_capacity(2 * run.best().stops.len());
+    for stop in &run.best().stops {
+        let item = problem.nodes.get(stop.node as usize).and_then(|n| problem.items.get(n.item as usize));
+        // Of a pierce group, each stretch is a stop.
+        let spans = item.and_then(|i| i.path(stop.node)).map_or(1, |p| p.spans().count());
+        let lead = item.and_then(|i| i.lead(stop.node)).map(|l| l.0.clone()).unwrap_or_default();
+        let pair = [lead.lead_in, lead.lead_out].map(|path| Path::new(path, false));
+        for _ in 0..spans {
+            paths.extend(pair.clone());
+        }
+    }
+    Geometry::of(paths.iter())
 }
 
 /// Start and end of cutting for each stop, in seconds from the start of the job. In a run through a pierce group, the

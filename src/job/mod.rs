@@ -8,6 +8,7 @@ mod best_path;
 mod code;
 mod common_cuts;
 mod error;
+mod leads;
 mod option_fields;
 mod options;
 mod outputs;

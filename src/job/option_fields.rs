@@ -83,6 +83,8 @@ const WARM: &[Field] = &[
     Field::required("reversed", Kind::List(&Kind::Whole(REVERSED))),
     Field::optional("points", LENGTHS),
     Field::optional("times", LENGTHS),
+    Field::optional("leads", LENGTHS),
+    Field::optional("leadOffsets", IDS),
     Field::optional("preCuts", LENGTHS),
     Field::optional("pauses", LENGTHS),
 ];

@@ -62,7 +62,11 @@ impl Placed {
 
     /// The machine in the coordinates of the drawing.
     pub(super) fn seen_from_drawing(&self) -> Profile {
-        Profile { home: (self.profile.home() - self.shift).to_array(), ..self.profile.clone() }
+        let shift = self.shift;
+        let moved = |[x0, y0, x1, y1]: [f64; 4]| [x0 - shift.x, y0 - shift.y, x1 - shift.x, y1 - shift.y];
+        // Where the head stands is known to the person only.
+        let bed = self.profile.bed.filter(|_| self.start.is_absolute()).map(moved);
+        Profile { home: (self.profile.home() - shift).to_array(), bed, ..self.profile.clone() }
     }
 
     /// Whether the job is where it was drawn, in machine coordinates.

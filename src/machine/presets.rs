@@ -70,6 +70,7 @@ fn co2_100w() -> Profile {
         kerf_width: 0.0,
         z_speed: None,
         materials: Vec::new(),
+        leads: None,
         // A high-voltage CO2 supply rises and falls within a few ms.
         beam_on_delay: 0.005,
         beam_off_delay: 0.005,
@@ -109,6 +110,7 @@ fn diode_hobby() -> Profile {
         kerf_width: 0.0,
         z_speed: None,
         materials: Vec::new(),
+        leads: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         takes: Takes::Gcode,
@@ -149,6 +151,7 @@ fn fibre_3kw_thin() -> Profile {
         kerf_width: 0.0,
         z_speed: None,
         materials: Vec::new(),
+        leads: None,
         // The gas and the height control need time to settle.
         beam_on_delay: 0.05,
         beam_off_delay: 0.02,
@@ -175,6 +178,7 @@ fn fibre_6kw_thick() -> Profile {
         kerf_width: 0.0,
         z_speed: None,
         materials: Vec::new(),
+        leads: None,
         // The oxygen pressure is built up and released.
         beam_on_delay: 0.2,
         beam_off_delay: 0.1,
@@ -302,6 +306,7 @@ fn length(name: &str, title: &str, travel: Travel) -> Profile {
         kerf_width: 0.0,
         z_speed: None,
         materials: Vec::new(),
+        leads: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         takes: Takes::Gcode,

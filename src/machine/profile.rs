@@ -1,6 +1,7 @@
 //! The machine profile: versioned data in mm, s and rad.
 
 use super::dialect::DialectChoice;
+use super::leads::Leads;
 use super::process::Process;
 use super::settings::MaterialSetting;
 use super::sharp_corner::SharpCorner;
@@ -108,6 +109,10 @@ pub struct Profile {
     /// them by half the kerf width. If it is 0, the beam follows the drawn lines.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub kerf_width: f64,
+    /// Lead-ins, lead-outs and overcuts; `None` for none of them: cuts begin and end on their contours.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub leads: Option<Leads>,
     /// Speed at which the head is lowered and raised, mm/s; `None` if it cannot be.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]

@@ -4,6 +4,7 @@
 //! controller cannot read, but not unusual machines.
 
 use super::dialect::Dialect;
+use super::leads::Leads;
 use super::profile::Profile;
 use super::settings::Settings;
 use crate::fields::{Fault, Field, FieldError, Kind, Range, Shape, Shaped, out_of_range};
@@ -99,6 +100,7 @@ const SHAPE: Shape = Shape {
         Field::optional("kerf_width", Kind::Number(KERF)),
         Field::nullable("z_speed", Kind::Number(SPEED)),
         Field::optional("materials", Kind::List(&Kind::Object(MATERIAL))),
+        Field::nullable("leads", Kind::Object(Leads::FIELDS)),
         Field::required("beam_on_delay", Kind::Number(DELAY)),
         Field::required("beam_off_delay", Kind::Number(DELAY)),
         Field::optional("takes", Kind::Choice(&["gcode", "dxf", "svg"])),
@@ -198,7 +200,10 @@ impl Profile {
             ("max_s", Some(self.max_s), FULL),
         ];
         let given = values.into_iter().filter_map(|(field, value, range)| Some((field, value?, range)));
-        match given.into_iter().find(|(_, value, range)| !range.holds(*value)) {
+        match given
+            .chain(self.leads.iter().flat_map(Leads::numbers))
+            .find(|(_, value, range)| !range.holds(*value))
+        {
             None => match self.bed {
                 Some([x0, y0, x1, y1]) if x0 >= x1 || y0 >= y1 => Err(ProfileError::Bed(x0, y0, x1, y1)),
                 _ => {

@@ -1,7 +1,7 @@
 //! The cuts and marks of a plan in order, as every format needs them.
 
 use crate::geometry::{DVec2, Segment};
-use crate::plan::{Move, Plan};
+use crate::plan::{Leads, Move, Plan};
 use crate::sheet::Sheet;
 use std::borrow::Cow;
 
@@ -19,6 +19,8 @@ pub(super) struct Cut<'a> {
     pub(super) pierced: bool,
     /// Height of the head, mm; 0: as focused.
     pub(super) z: f64,
+    /// Which of the elements are leads and overcut.
+    pub(super) leads: Leads,
 }
 
 /// The cuts and marks of a plan, in order.
@@ -26,15 +28,18 @@ pub(super) fn cuts(plan: &Plan) -> Vec<Cut<'_>> {
     let mut all: Vec<Cut> = Vec::with_capacity(plan.moves.len());
     let (mut goes_on, mut pierced, mut height) = (false, false, 0.0);
     for step in &plan.moves {
-        if let Move::Cut { contour, path, mark, .. } = step
+        if let Move::Cut { contour, path, mark, leads, .. } = step
             && let Some(first) = path.first()
         {
             match all.last_mut().filter(|_| goes_on) {
-                Some(before) => before.path.to_mut().extend_from_slice(path),
+                Some(before) => {
+                    before.path.to_mut().extend_from_slice(path);
+                    before.leads = before.leads.and(*leads);
+                }
                 None => {
-                    let (contour, mark) = (*contour, *mark);
+                    let (contour, mark, leads) = (*contour, *mark, *leads);
                     let (entry, path) = (first.start(), Cow::Borrowed(path.as_slice()));
-                    all.push(Cut { contour, entry, path, mark, pierced, z: height });
+                    all.push(Cut { contour, entry, path, mark, pierced, z: height, leads });
                 }
             }
         }

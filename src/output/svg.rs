@@ -47,6 +47,7 @@ pub fn svg(plan: &Plan, sheet: &Sheet, profile: &Profile) -> String {
     let _ = writeln!(out, "<title>{} contours, about {} s</title>", sums.contours, fixed(sums.total_time, 1));
     style(&mut out, width);
     contours(&mut out, plan, sheet);
+    leads(&mut out, plan);
     air(&mut out, plan, profile.home());
     entries(&mut out, plan, width);
     out.push_str("</svg>\n");
@@ -87,6 +88,27 @@ fn contours(out: &mut String, plan: &Plan, sheet: &Sheet) {
         let (order, layer) = (order + 1, Escaped(sheet.layer_name(contour)));
         let _ = writeln!(out, "{end}\"><title>{order}: contour {contour}, layer {layer}</title></path>");
     }
+}
+
+/// Leads and overcuts, drawn over their contours.
+fn leads(out: &mut String, plan: &Plan) {
+    let cuts = cuts(plan);
+    let parts = cuts.iter().flat_map(|cut| {
+        let [lead_in, _, overcut, lead_out] = cut.leads.divide(&cut.path);
+        [lead_in, overcut, lead_out]
+    });
+    let mut parts = parts.filter(|part| !part.is_empty()).peekable();
+    if parts.peek().is_none() {
+        return;
+    }
+    out.push_str(
+        "<style>.lead{stroke:#1a8f5a}@media(prefers-color-scheme:dark){.lead{stroke:#5fd39b}}</style>\n<path class=\"lead\" d=\"",
+    );
+    for part in parts {
+        let _ = write!(out, "M{}", Point(part[0].start()));
+        part.iter().for_each(|segment| element(out, segment));
+    }
+    out.push_str("\"><title>Lead-ins, lead-outs, overcuts</title></path>\n");
 }
 
 fn element(out: &mut String, segment: &Segment) {

@@ -37,8 +37,9 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
                 height = *z;
             }
             Move::Macro { .. } => sum.macro_time += machine.macro_time(),
-            Move::Cut { contour, with, path, .. } => {
+            Move::Cut { contour, with, path, leads, .. } => {
                 let Some(last) = path.last() else { continue };
+                let [lead_in, _, overcut, lead_out] = leads.divide(path);
                 for contour in with.iter().chain([contour]).map(|&c| c as usize) {
                     if let Some(worked) = worked.get_mut(contour) {
                         *worked = true;
@@ -46,6 +47,8 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
                 }
                 let process = sheet.process_by_id(*contour, machine);
                 sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
+                sum.lead_length +=
+                    [lead_in, overcut, lead_out].into_iter().flatten().map(Segment::length).sum::<f64>();
                 sum.cut_time += cut_time(machine, &process, path);
                 sum.pierce_time += machine.beam_delays();
                 bounds = path.iter().fold(bounds, |b, s| b.union(s.bounds()));

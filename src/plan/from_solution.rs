@@ -1,8 +1,9 @@
 //! Converts a solution to moves of the head: air, pierce, cut, and so on, then home.
 
 use super::evaluate::evaluate;
-use super::model::{Move, Plan};
+use super::model::{Leads, Move, Plan};
 use crate::geometry::{DVec2, Path, Segment};
+use crate::lead::{Lead, Run};
 use crate::machine::{Process, Profile};
 use crate::problem::{Problem, Stroke};
 use crate::sheet::Sheet;
@@ -31,7 +32,10 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
             }
             continue;
         }
-        let path = path_of(&known.path, stop, node.reversed);
+        let (path, leads) = match problem.items.get(contour as usize).and_then(|i| i.lead(stop.node)) {
+            Some((lead, _)) => with_leads(lead, &known.path, stop.along),
+            None => (path_of(&known.path, stop, node.reversed), Leads::default()),
+        };
         let (Some(first), Some(last)) = (path.first(), path.last()) else { continue };
         let (entry, exit) = (first.start(), last.end());
         go(&mut moves, &mut head, entry);
@@ -42,7 +46,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
             // An open contour is run there and back.
             let back = !known.path.closed && !pass.is_multiple_of(2);
             let path = if back { Path::new(path.clone(), false).reversed().segments } else { path.clone() };
-            run(&mut moves, &problem.machine, contour, path, known.is_mark(), resumed);
+            run(&mut moves, &problem.machine, contour, path, leads, known.is_mark(), resumed);
         }
         raise(&mut moves);
         head = if !known.path.closed && passes.is_multiple_of(2) { entry } else { exit };
@@ -85,17 +89,18 @@ fn run(
     machine: &Profile,
     contour: u32,
     path: Vec<Segment>,
+    leads: Leads,
     mark: bool,
     resumed: bool,
 ) {
     if mark {
-        moves.push(Move::Cut { contour, with: Vec::new(), path, mark });
+        moves.push(Move::Cut { contour, with: Vec::new(), path, mark, leads });
         return;
     }
     if !resumed {
         moves.push(Move::Pierce);
     }
-    cut(moves, machine, &path, |_| contour);
+    cut(moves, machine, &path, leads, |_| contour);
 }
 
 /// The moves of a visit of a pierce group, which begins at `head`.
@@ -110,7 +115,9 @@ fn through(moves: &mut Vec<Move>, machine: &Profile, mut head: DVec2, strokes: &
             Stroke::Cut { spans, path } => {
                 let whose = spans.iter().flat_map(|s| std::iter::repeat_n(s.contour, s.elements));
                 let whose: Vec<u32> = whose.collect();
-                cut(moves, machine, path, |element| whose.get(element).copied().unwrap_or_default());
+                cut(moves, machine, path, Leads::default(), |element| {
+                    whose.get(element).copied().unwrap_or_default()
+                });
                 head = path.last().map_or(head, Segment::end);
             }
         }
@@ -118,7 +125,13 @@ fn through(moves: &mut Vec<Move>, machine: &Profile, mut head: DVec2, strokes: &
 }
 
 /// Cuts along elements, with a macro in each sharp corner. `whose` gives the contour of each element.
-fn cut(moves: &mut Vec<Move>, machine: &Profile, path: &[Segment], whose: impl Fn(usize) -> u32) {
+fn cut(
+    moves: &mut Vec<Move>,
+    machine: &Profile,
+    path: &[Segment],
+    leads: Leads,
+    whose: impl Fn(usize) -> u32,
+) {
     let mut done = 0;
     for run in machine.runs(path) {
         let Some(first) = run.first() else { continue };
@@ -131,7 +144,8 @@ fn cut(moves: &mut Vec<Move>, machine: &Profile, path: &[Segment], whose: impl F
                 with.push(other);
             }
         }
-        moves.push(Move::Cut { contour, with, path: run.to_vec(), mark: false });
+        let leads = leads.of_stretch(done, run.len(), path.len());
+        moves.push(Move::Cut { contour, with, path: run.to_vec(), mark: false, leads });
         done += run.len();
     }
 }
@@ -141,6 +155,12 @@ fn go(moves: &mut Vec<Move>, head: &mut DVec2, to: DVec2) {
         moves.push(Move::Air { to });
         *head = to;
     }
+}
+
+/// The elements of a cut with its leads.
+fn with_leads(lead: &Lead, contour: &Path, along: f64) -> (Vec<Segment>, Leads) {
+    let Run { path, lead_in, overcut, lead_out } = lead.run(contour, along);
+    (path, Leads { lead_in, overcut, lead_out })
 }
 
 /// The elements of a visit. A visit of a whole contour may run against its direction.

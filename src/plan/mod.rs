@@ -11,4 +11,4 @@ pub use checker::{Violation, check};
 pub use evaluate::evaluate;
 pub use from_solution::from_solution;
 pub use lower_bound::LowerBound;
-pub use model::{Move, Plan, Summary};
+pub use model::{Leads, Move, Plan, Summary};

@@ -46,7 +46,58 @@ pub enum Move {
         path: Vec<Segment>,
         /// Whether the contour is marked instead of cut through.
         mark: bool,
+        /// Which of the elements are not the contour, but its leads and its overcut.
+        leads: Leads,
     },
+}
+
+/// How many elements of a cut belong to leads and overcut. The lead-in comes first; then the contour, the overcut, and the
+/// lead-out. All are cut without switching the beam.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Leads {
+    /// Elements of the lead-in.
+    pub lead_in: usize,
+    /// Elements of the overcut, which repeat the beginning of the contour.
+    pub overcut: usize,
+    /// Elements of the lead-out.
+    pub lead_out: usize,
+}
+
+impl Leads {
+    /// Those of a cut and of the stretch that continues it.
+    #[must_use]
+    pub fn and(self, next: Self) -> Self {
+        Self {
+            lead_in: self.lead_in + next.lead_in,
+            overcut: self.overcut + next.overcut,
+            lead_out: self.lead_out + next.lead_out,
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// Lead-in, contour, overcut and lead-out among the elements of a cut.
+    pub fn divide<'p, T>(&self, path: &'p [T]) -> [&'p [T]; 4] {
+        let (lead_in, rest) = path.split_at(self.lead_in.min(path.len()));
+        let (rest, lead_out) = rest.split_at(rest.len().saturating_sub(self.lead_out));
+        let (contour, overcut) = rest.split_at(rest.len().saturating_sub(self.overcut));
+        [lead_in, contour, overcut, lead_out]
+    }
+
+    /// The leads of a stretch of the elements, from number `first`, of which there are `count`; `all` is their whole number.
+    pub(super) fn of_stretch(&self, first: usize, count: usize, all: usize) -> Self {
+        let last = first + count;
+        let within = |from: usize, to: usize| to.min(last).saturating_sub(from.max(first));
+        let out = all.saturating_sub(self.lead_out);
+        Self {
+            lead_in: within(0, self.lead_in),
+            overcut: within(out.saturating_sub(self.overcut), out),
+            lead_out: within(out, all),
+        }
+    }
 }
 
 /// The sums of a plan. Lengths are in mm, times in s.
@@ -63,8 +114,12 @@ pub struct Summary {
     pub pierces: u32,
     /// Number of pre-cuts.
     pub pre_cuts: u32,
-    /// Length of cuts and marks.
+    /// Length of cuts and marks, leads included.
     pub cut_length: f64,
+    /// Length of lead-ins, lead-outs and overcuts.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[cfg_attr(test, ts(as = "Option<f64>", optional))]
+    pub lead_length: f64,
     /// Length of air moves.
     pub air_length: f64,
     /// Time along contours, by look-ahead over corners and acceleration.
@@ -85,6 +140,11 @@ pub struct Summary {
     pub gap: Option<f64>,
     /// Bounding box of everything cut or marked: xmin, ymin, xmax, ymax.
     pub bounds: [f64; 4],
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
+fn is_zero(length: &f64) -> bool {
+    length.total_cmp(&0.0).is_eq()
 }
 
 impl Summary {

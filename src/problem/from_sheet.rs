@@ -3,9 +3,11 @@
 use super::entries::entries;
 use super::groups::Groups;
 use super::ids::{ItemId, NodeId};
+use super::leads::{ItemLeads, LeadNode};
 use super::model::{Item, Node, Problem};
 use super::pierce_groups::PierceGroups;
 use super::sub_path::SubPath;
+use crate::lead::Planner;
 use crate::machine::{ClosedRun, Profile, process_time};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
@@ -25,6 +27,8 @@ use crate::sheet::{Contour, Operation, Sheet};
 ///   points, but not when parts are cut one by one.
 /// * Passes: at once, they are one item whose seconds count for each pass; sheet by sheet, each is an item of its own, and
 ///   comes before the next.
+/// * Leads: if the machine has rules for them, the entries of a closed cut are those where its lead fits, and the seconds of
+///   the lead are part of the entry. Nothing is left unfinished then, and pierce groups have no leads.
 /// * Skipped contours: items without nodes.
 /// * Groups: the parts, if the sheet is cut part by part.
 ///
@@ -32,6 +36,7 @@ use crate::sheet::{Contour, Operation, Sheet};
 /// contours of a group without a path are items of their own.
 pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> Problem {
     let joined = PierceGroups::new(sheet, machine, paths);
+    let planner = Planner::new(sheet, machine);
     let mut ranks = ranks(sheet);
     joined.raise(&mut ranks);
     let mut items = Vec::with_capacity(sheet.contours.len());
@@ -46,6 +51,23 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             items.push(Item::default());
             continue;
         }
+        let leads = planner.as_ref().and_then(|p| ItemLeads::new(p, sheet, machine, item, contour));
+        if let Some((leads, places, least)) = leads {
+            for LeadNode { along, entry, exit } in places {
+                let twin = count(&nodes);
+                nodes.push(Node { item, entry, exit, along, reversed: false, twin });
+            }
+            items.push(Item {
+                nodes: first..count(&nodes),
+                before: joined.before(item),
+                area: joined.area(item),
+                rank,
+                fixed: machine.pierce_time + machine.beam_delays() + least,
+                leads: Some(leads),
+                ..Item::default()
+            });
+            continue;
+        }
         let passes = sheet.passes_at_once(contour, machine);
         push_nodes(&mut nodes, item, contour, passes);
         let (fixed, run) = seconds(sheet, machine, contour, passes);
@@ -57,7 +79,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             fixed,
             run,
             leave: leave_seconds(machine, contour)
-                .filter(|_| !sheet.part_by_part && passes == 1 && contour.pass == 0),
+                .filter(|_| !sheet.part_by_part && passes == 1 && contour.pass == 0 && planner.is_none()),
             track: contour.path.closed.then(|| contour.path.clone()),
             ..Item::default()
         });

@@ -7,6 +7,7 @@ mod group_problem;
 mod groups;
 mod ids;
 mod instance;
+mod leads;
 mod model;
 mod pierce_groups;
 mod sub_path;
@@ -17,6 +18,7 @@ pub use group_problem::{Element, GroupMethod, GroupProblem, GroupProblems, group
 pub use groups::Groups;
 pub use ids::{ItemId, NodeId};
 pub use instance::{Fault, Instance, InstanceError, check, instance};
+pub use leads::ItemLeads;
 pub use model::{Item, Node, Problem};
 pub use sub_path::{LeavePoint, Span, Stroke, SubPath};
 pub use table::Table;

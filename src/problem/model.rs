@@ -9,9 +9,11 @@
 
 use super::groups::Groups;
 use super::ids::{ItemId, NodeId};
+use super::leads::ItemLeads;
 use super::sub_path::SubPath;
 use super::table::Table;
 use crate::geometry::Path;
+use crate::lead::Lead;
 use crate::machine::{ClosedRun, Profile};
 use glam::DVec2;
 
@@ -24,7 +26,7 @@ pub struct Node {
     pub entry: DVec2,
     /// Where the head leaves, mm.
     pub exit: DVec2,
-    /// Place on the contour: arc length from its start, mm; 0 for an open contour and for a pierce group.
+    /// Place on the contour where it is entered: arc length from its start, mm; 0 for an open contour and for a pierce group.
     pub along: f64,
     /// Runs the contour against its stored direction.
     pub reversed: bool,
@@ -53,6 +55,9 @@ pub struct Item {
     /// Of a pierce group, that is contours cut as one: the path through it that each node stands for, in the order of the
     /// nodes. [`Item::fixed`] is the least of their seconds.
     pub paths: Vec<SubPath>,
+    /// Of a contour with leads: the lead of each node, in the order of the nodes. Its nodes are entered where the lead-in
+    /// begins and left where the lead-out ends.
+    pub leads: Option<ItemLeads>,
     /// Of an item that comes before a pierce group: the area of the group in which it lies. The group may be left for it
     /// until this area falls out.
     pub area: Option<u32>,
@@ -63,9 +68,10 @@ impl Item {
     /// path through a pierce group is resumed, these are the seconds of its leave point. Never negative, except at a leave
     /// point that saves an air move.
     pub fn extra(&self, node: NodeId, along: f64) -> f64 {
-        match self.path(node) {
-            Some(path) => path.leave_point(along).map_or(path.seconds - self.fixed, |p| p.seconds),
-            None => self.run.as_ref().map_or(0.0, |run| run.extra(along)),
+        match (self.path(node), self.lead(node)) {
+            (Some(path), _) => path.leave_point(along).map_or(path.seconds - self.fixed, |p| p.seconds),
+            (None, Some((_, seconds))) => seconds,
+            (None, None) => self.run.as_ref().map_or(0.0, |run| run.extra(along)),
         }
     }
 
@@ -77,6 +83,11 @@ impl Item {
     /// The path through a pierce group that one of its nodes stands for; none for any other item.
     pub fn path(&self, node: NodeId) -> Option<&SubPath> {
         self.paths.get(node.checked_sub(self.nodes.start)? as usize)
+    }
+
+    /// The lead of one of its nodes, and its seconds beyond [`Item::fixed`]; none for an item without leads.
+    pub fn lead(&self, node: NodeId) -> Option<(&Lead, f64)> {
+        self.leads.as_ref()?.get(node.checked_sub(self.nodes.start)? as usize)
     }
 
     /// Whether it may be left unfinished for other items.
@@ -110,6 +121,7 @@ impl Item {
             paths,
             run: self.run.clone(),
             track: self.track.clone(),
+            leads: self.leads.clone(),
             nodes: self.nodes.clone(),
             ..*self
         }
@@ -117,7 +129,7 @@ impl Item {
 
     /// Whether its seconds depend on the place where it is entered.
     pub fn is_uneven(&self) -> bool {
-        self.is_pierce_group() || self.uneven().is_some()
+        self.is_pierce_group() || self.leads.is_some() || self.uneven().is_some()
     }
 
     /// The run along it, if its seconds depend on the place of entry.

@@ -10,6 +10,8 @@ use crate::sheet::{Contour, PierceGroup, Sheet};
 /// The pierce groups of a sheet that are cut as one, with the paths through each.
 pub(super) struct PierceGroups<'s> {
     sheet: &'s Sheet,
+    /// Whether groups are never left for other items.
+    in_one_go: bool,
     groups: Vec<(&'s PierceGroup, &'s [SubPath])>,
     /// By contour: the group it is in.
     of: Vec<Option<u32>>,
@@ -24,7 +26,9 @@ impl<'s> PierceGroups<'s> {
     /// paths through each group.
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile, paths: &'s [Vec<SubPath>]) -> Self {
         let none = vec![None; sheet.contours.len()];
-        let mut all = Self { sheet, groups: Vec::new(), of: none.clone(), within: none.clone(), area: none };
+        let in_one_go = sheet.part_by_part || machine.leads.as_ref().is_some_and(|l| !l.rules.is_empty());
+        let mut all =
+            Self { sheet, in_one_go, groups: Vec::new(), of: none.clone(), within: none.clone(), area: none };
         let groups = sheet.cut_as_one(machine.makes_pre_cuts());
         for (group, paths) in groups.iter().zip(paths) {
             if paths.is_empty() {
@@ -110,7 +114,7 @@ impl<'s> PierceGroups<'s> {
         let first = NodeId::try_from(nodes.len()).ok()?;
         let stands = group.contours[0] == contour;
         let mut paths = if stands { paths.to_vec() } else { Vec::new() };
-        if self.sheet.part_by_part {
+        if self.in_one_go {
             paths.iter_mut().for_each(|p| p.leave_points.clear());
         }
         for (path, id) in paths.iter().zip(first..) {

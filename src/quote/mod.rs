@@ -60,13 +60,14 @@ fn shapes(document: &Document) -> Vec<Shape> {
     // The length that is still missing; further passes over a contour add nothing to its line.
     let mut missing: Vec<f64> = document.contours.iter().map(|c| c.length).collect();
     for stroke in strokes(document) {
-        if let Stroke::Beam { contour: Some(id), path } = stroke
+        if let Stroke::Beam { contour: Some(id), path, leads } = stroke
             && let (Some(shape), Some(missing)) = (shapes.get_mut(id as usize), missing.get_mut(id as usize))
             && (document.contours[id as usize].passes == 1
                 || *missing > 0.5 * document.contours[id as usize].length)
         {
-            *missing -= path.iter().map(Segment::length).sum::<f64>();
-            shape.add(&path);
+            let on = leads.divide(&path)[1];
+            *missing -= on.iter().map(Segment::length).sum::<f64>();
+            shape.add(on);
         }
     }
     for (shape, contour) in shapes.iter_mut().zip(&document.contours) {

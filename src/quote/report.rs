@@ -65,8 +65,12 @@ pub struct Quote {
     pub times: Times,
     /// Seconds of cuts and marks that belong to no part. Those of all parts and these add up to `times`.
     pub loose_times: Times,
-    /// Length of cuts and marks.
+    /// Length of cuts and marks, leads included.
     pub cut_length: f64,
+    /// Length of lead-ins, lead-outs and overcuts.
+    #[serde(skip_serializing_if = "is_zero")]
+    #[cfg_attr(test, ts(as = "Option<f64>", optional))]
+    pub lead_length: f64,
     /// Length of air moves.
     pub air_length: f64,
     /// Number of piercings.
@@ -147,6 +151,11 @@ fn by_name<T: Serialize, S: Serializer>(value: &T, serializer: S) -> Result<S::O
     serde_json::to_value(value).map_err(S::Error::custom)?.serialize(serializer)
 }
 
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
+fn is_zero(length: &f64) -> bool {
+    length.total_cmp(&0.0).is_eq()
+}
+
 /// The report, its hash still empty.
 pub(super) fn made(document: &Document, shapes: &[Shape], terms: &Terms) -> Quote {
     let material = &terms.material;
@@ -188,6 +197,7 @@ pub(super) fn made(document: &Document, shapes: &[Shape], terms: &Terms) -> Quot
         },
         loose_times: loose.times,
         cut_length: summary.cut_length,
+        lead_length: summary.lead_length,
         air_length: summary.air_length,
         pierces: summary.pierces,
         pre_cuts: summary.pre_cuts,

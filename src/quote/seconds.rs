@@ -45,7 +45,7 @@ pub(super) fn seconds(
             Move::Macro { contour, .. } => all[owner(*contour)].times.macros += machine.macro_time(),
             // Their time is part of the air time, which is shared.
             Move::Height { .. } => {}
-            Move::Cut { contour, path } => {
+            Move::Cut { contour, path, .. } => {
                 let ids: &[u32] = match contour {
                     Contours::One(id) => &[*id],
                     Contours::Several(ids) => ids,

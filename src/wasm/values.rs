@@ -83,6 +83,8 @@ pub(super) fn path(p: &BestPath) -> Result<JsValue, JsError> {
         ("until", Float64Array::from(p.until.as_slice()).into()),
         ("reversed", Uint8Array::from(p.reversed.as_slice()).into()),
         ("times", Float64Array::from(p.times.as_slice()).into()),
+        ("leads", Float64Array::from(p.leads.segments.as_slice()).into()),
+        ("leadOffsets", Uint32Array::from(p.leads.offsets.as_slice()).into()),
         ("preCuts", Float64Array::from(p.pre_cuts.as_slice()).into()),
         ("pauses", Float64Array::from(p.pauses.as_slice()).into()),
     ])

@@ -22,18 +22,22 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("svg", &["drawing"]),
     ("machine", &[]),
     ("sheet", &["drawing", "machine"]),
-    ("problem", &["machine", "sheet"]),
+    ("lead", &["machine", "sheet"]),
+    ("problem", &["machine", "sheet", "lead"]),
     // Solvers know no drawing: neither `drawing` nor `sheet`.
     ("solve", &["machine", "problem"]),
     // The plan model knows neither how a plan was found nor who checks it.
     ("plan/model", &["drawing", "machine", "sheet"]),
     ("plan/document", &["drawing", "machine", "sheet", "plan/model"]),
-    ("plan", &["drawing", "machine", "sheet", "problem", "solve"]),
+    ("plan", &["drawing", "machine", "sheet", "lead", "problem", "solve"]),
     // Output and quote know no solver.
     ("output", &["drawing", "machine", "sheet", "plan"]),
     ("calibration", &["machine", "sheet", "plan"]),
     ("quote", &["drawing", "machine", "sheet", "plan", "output"]),
-    ("job", &["drawing", "dxf", "svg", "machine", "sheet", "problem", "solve", "plan", "output", "quote"]),
+    (
+        "job",
+        &["drawing", "dxf", "svg", "machine", "sheet", "lead", "problem", "solve", "plan", "output", "quote"],
+    ),
     (
         "typescript",
         &["calibration", "drawing", "machine", "sheet", "plan", "output", "solve", "quote", "job"],

@@ -33,6 +33,7 @@ mod kerf;
 mod kerf_drawings;
 mod layering;
 mod layers_written;
+mod leads;
 mod lower_bound;
 mod machine_time;
 mod metamorphic_intake;

@@ -10,7 +10,7 @@
 use glam::DVec2;
 use kerfway::geometry::{Arc, Path, Segment};
 use kerfway::job::OutputKind;
-use kerfway::plan::Move;
+use kerfway::plan::{Leads, Move};
 use kerfway::sheet::Operation;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
@@ -153,7 +153,10 @@ fn moves(document: &Value) -> Vec<Move> {
             let (contour, with) = (all.next().unwrap(), all.collect());
             let path = m["path"].as_array().unwrap().iter().map(|e| element(e, &mut at)).collect();
             let mark = document["contours"][contour as usize]["operation"] == "mark";
-            Move::Cut { contour, with, path, mark }
+            let count = |name: &str| usize::try_from(m[name].as_u64().unwrap_or(0)).unwrap();
+            let leads =
+                Leads { lead_in: count("lead_in"), overcut: count("overcut"), lead_out: count("lead_out") };
+            Move::Cut { contour, with, path, mark, leads }
         }
         other => panic!("{other}"),
     };

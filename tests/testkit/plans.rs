@@ -16,7 +16,7 @@ use kerfway::machine::dialect::DialectChoice;
 use kerfway::machine::{Axes, Process, Profile, Travel, preset};
 use kerfway::output;
 use kerfway::plan::document::{Budget, Document, Input, Move as Step, Options, SCHEMA, contours};
-use kerfway::plan::{Move, Plan, Summary};
+use kerfway::plan::{Leads, Move, Plan, Summary};
 use kerfway::sheet::{Contour, LayerUse, Operation, Pin, Sheet, SheetOptions};
 use std::f64::consts::{PI, TAU};
 
@@ -40,6 +40,7 @@ pub(crate) fn machine() -> Profile {
         kerf_width: 0.0,
         z_speed: None,
         materials: Vec::new(),
+        leads: None,
         pre_cut_time: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
@@ -82,7 +83,13 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
         if !mark {
             moves.push(Move::Pierce);
         }
-        moves.push(Move::Cut { contour: id as u32, with: vec![], path: stop.path.segments.clone(), mark });
+        moves.push(Move::Cut {
+            contour: id as u32,
+            with: vec![],
+            path: stop.path.segments.clone(),
+            mark,
+            leads: Leads::default(),
+        });
         at = to;
         contours.push(Contour {
             outline: None,

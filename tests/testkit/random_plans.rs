@@ -11,7 +11,7 @@ use super::plans::{Stop, machine, plan_of, real};
 use glam::DVec2;
 use kerfway::geometry::{Arc, Path, Segment, math};
 use kerfway::machine::Profile;
-use kerfway::plan::{Move, Plan};
+use kerfway::plan::{Leads, Move, Plan};
 use kerfway::sheet::{Operation, Sheet};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -65,7 +65,13 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
             moves.push(step.clone());
             continue;
         }
-        let stretch = |path: Vec<Segment>| Move::Cut { contour: *contour, with: vec![], path, mark: false };
+        let stretch = |path: Vec<Segment>| Move::Cut {
+            contour: *contour,
+            with: vec![],
+            path,
+            mark: false,
+            leads: Leads::default(),
+        };
         let (cut, f) = (&path[at], rng.random_range(0.2..0.8));
         let first: Vec<Segment> = path[..at].iter().copied().chain([cut.piece(0.0, f)]).collect();
         let rest: Vec<Segment> =

@@ -561,6 +561,249 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
               },
               {
                 "kind": {
+                  "object": [
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 0.0,
+                          "most": 1000.0,
+                          "or_zero": false,
+                          "unit": "mm",
+                          "why": "no part needs more space around it"
+                        }
+                      },
+                      "name": "clearance",
+                      "nullable": false,
+                      "required": true
+                    },
+                    {
+                      "kind": {
+                        "list": {
+                          "object": [
+                            {
+                              "kind": {
+                                "choice": [
+                                  "hole",
+                                  "outer"
+                                ]
+                              },
+                              "name": "side",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.0,
+                                  "most": 1000000.0,
+                                  "or_zero": false,
+                                  "unit": "mm",
+                                  "why": "no contour is longer than 1 km"
+                                }
+                              },
+                              "name": "diameter_below",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.0,
+                                  "most": 1000000.0,
+                                  "or_zero": false,
+                                  "unit": "mm",
+                                  "why": "no contour is longer than 1 km"
+                                }
+                              },
+                              "name": "perimeter_below",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "object": [
+                                  {
+                                    "kind": {
+                                      "choice": [
+                                        "none",
+                                        "line",
+                                        "arc",
+                                        "line-arc",
+                                        "center"
+                                      ]
+                                    },
+                                    "name": "kind",
+                                    "nullable": false,
+                                    "required": true
+                                  },
+                                  {
+                                    "kind": {
+                                      "number": {
+                                        "least": 0.01,
+                                        "most": 1000.0,
+                                        "or_zero": false,
+                                        "unit": "mm",
+                                        "why": "a lead is longer than the beam is wide"
+                                      }
+                                    },
+                                    "name": "length",
+                                    "nullable": false,
+                                    "required": false
+                                  },
+                                  {
+                                    "kind": {
+                                      "number": {
+                                        "least": 0.01,
+                                        "most": 1000.0,
+                                        "or_zero": false,
+                                        "unit": "mm",
+                                        "why": "a lead is longer than the beam is wide"
+                                      }
+                                    },
+                                    "name": "radius",
+                                    "nullable": false,
+                                    "required": false
+                                  },
+                                  {
+                                    "kind": {
+                                      "number": {
+                                        "least": 0.01,
+                                        "most": 3.141592653589793,
+                                        "or_zero": false,
+                                        "unit": "rad",
+                                        "why": "a lead leaves its contour, and turns by at most half a turn"
+                                      }
+                                    },
+                                    "name": "angle",
+                                    "nullable": false,
+                                    "required": false
+                                  }
+                                ]
+                              },
+                              "name": "lead_in",
+                              "nullable": false,
+                              "required": true
+                            },
+                            {
+                              "kind": {
+                                "object": [
+                                  {
+                                    "kind": {
+                                      "choice": [
+                                        "none",
+                                        "line",
+                                        "arc",
+                                        "line-arc",
+                                        "center"
+                                      ]
+                                    },
+                                    "name": "kind",
+                                    "nullable": false,
+                                    "required": true
+                                  },
+                                  {
+                                    "kind": {
+                                      "number": {
+                                        "least": 0.01,
+                                        "most": 1000.0,
+                                        "or_zero": false,
+                                        "unit": "mm",
+                                        "why": "a lead is longer than the beam is wide"
+                                      }
+                                    },
+                                    "name": "length",
+                                    "nullable": false,
+                                    "required": false
+                                  },
+                                  {
+                                    "kind": {
+                                      "number": {
+                                        "least": 0.01,
+                                        "most": 1000.0,
+                                        "or_zero": false,
+                                        "unit": "mm",
+                                        "why": "a lead is longer than the beam is wide"
+                                      }
+                                    },
+                                    "name": "radius",
+                                    "nullable": false,
+                                    "required": false
+                                  },
+                                  {
+                                    "kind": {
+                                      "number": {
+                                        "least": 0.01,
+                                        "most": 3.141592653589793,
+                                        "or_zero": false,
+                                        "unit": "rad",
+                                        "why": "a lead leaves its contour, and turns by at most half a turn"
+                                      }
+                                    },
+                                    "name": "angle",
+                                    "nullable": false,
+                                    "required": false
+                                  }
+                                ]
+                              },
+                              "name": "lead_out",
+                              "nullable": false,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "choice": [
+                                  "any",
+                                  "corner",
+                                  "side"
+                                ]
+                              },
+                              "name": "position",
+                              "nullable": false,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.01,
+                                  "most": 1.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "it is a fraction of the radius of the hole"
+                                }
+                              },
+                              "name": "max_share",
+                              "nullable": false,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": -100.0,
+                                  "most": 1000.0,
+                                  "or_zero": false,
+                                  "unit": "mm",
+                                  "why": "an overcut only closes the cut"
+                                }
+                              },
+                              "name": "overcut",
+                              "nullable": false,
+                              "required": false
+                            }
+                          ]
+                        }
+                      },
+                      "name": "rules",
+                      "nullable": false,
+                      "required": true
+                    }
+                  ]
+                },
+                "name": "leads",
+                "nullable": true,
+                "required": false
+              },
+              {
+                "kind": {
                   "number": {
                     "least": 0.001,
                     "most": 100000.0,
@@ -1453,6 +1696,38 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                 }
               },
               "name": "times",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "number": {
+                    "least": -1000000000.0,
+                    "most": 1000000000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "no contour is longer than 1,000 km"
+                  }
+                }
+              },
+              "name": "leads",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "whole": {
+                    "least": 0.0,
+                    "most": 4294967295.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "contours are counted from 0"
+                  }
+                }
+              },
+              "name": "leadOffsets",
               "nullable": false,
               "required": false
             },

@@ -77,6 +77,13 @@ export interface BestPath {
   reversed: Uint8Array;
   /** When the cut of each stop begins and ends, in seconds from the start of the job: two numbers per stop. */
   times: Float64Array;
+  /**
+   * The elements of lead-ins and lead-outs, seven numbers each as in `Geometry.segments`. Empty without leads. With leads, `points` holds where
+   * the lead-in begins and the lead-out ends.
+   */
+  leads: Float64Array;
+  /** Where each lead begins among the elements: the lead-in of stop k is chain 2k, its lead-out chain 2k + 1. Empty without leads. */
+  leadOffsets: Uint32Array;
   /** The positions of pre-cuts: x and y of each. */
   preCuts: Float64Array;
   /** The sharp corners in which the beam pauses: x and y of each. */

@@ -16,6 +16,7 @@ export type { SheetEstimate, Stock } from './sheets.js';
 export { partThumbnail, type ThumbnailOptions } from './thumbnail.js';
 export { jobReport, type JobReport } from './job-report.js';
 export { isProject, readProject, writeProject, type Project, type SavedPlan } from './project.js';
+export { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS, leadRules, leadSettings, type LeadSettings } from './leads.js';
 export { activeContours } from './contours.js';
 export { tooLarge } from './size.js';
 export { isKerfwayError, KerfwayError, type ErrorParams } from './errors.js';

@@ -1,7 +1,7 @@
 //! Draws a plan as PNG with tiny-skia, from the text of its [document](crate::plan::document).
 //!
 //! The input is text and not a document in memory, because this module is in a wasm file of its own (feature `png`),
-//! which is loaded only when a picture is requested. The ground is white, cuts are dark, marks blue, air moves thin,
+//! which is loaded only when a picture is requested. The ground is white, cuts are dark, marks blue, leads green, air moves thin,
 //! dashed and orange, and entries are dots: the colours of the SVG on white.
 
 mod frame;
@@ -20,6 +20,7 @@ pub const WIDTHS: std::ops::RangeInclusive<u32> = 64..=8192;
 
 const INK: [u8; 3] = [0x1b, 0x1f, 0x24];
 const BLUE: [u8; 3] = [0x25, 0x63, 0xc9];
+const GREEN: [u8; 3] = [0x1a, 0x8f, 0x5a];
 const ORANGE: [u8; 3] = [0xc2, 0x57, 0x1a];
 
 /// Width of contours and of air moves, and radius of entries, in line px ([`Frame::line_px`]).
@@ -63,7 +64,7 @@ fn bounds(document: &Document, strokes: &[Drawn]) -> Aabb {
 
 fn draw(pixels: &mut Pixmap, document: &Document, strokes: &[Drawn], frame: &Frame) {
     let px = frame.line_px();
-    let [mut cuts, mut marks, mut air, mut entries] = [(); 4].map(|()| PathBuilder::new());
+    let [mut cuts, mut marks, mut leads, mut air, mut entries] = [(); 5].map(|()| PathBuilder::new());
     // A pre-cut is a cut.
     let is_mark =
         |id: u32| document.contours.get(id as usize).is_some_and(|c| c.operation == Operation::Mark);
@@ -73,9 +74,11 @@ fn draw(pixels: &mut Pixmap, document: &Document, strokes: &[Drawn], frame: &Fra
                 move_to(&mut air, frame.place(*from));
                 line_to(&mut air, frame.place(*to));
             }
-            Drawn::Beam { contour, path } => {
+            Drawn::Beam { contour, path, leads: parts } => {
                 let to = if contour.is_some_and(is_mark) { &mut marks } else { &mut cuts };
                 trace(to, frame, path);
+                let [lead_in, _, overcut, lead_out] = parts.divide(path);
+                [lead_in, overcut, lead_out].into_iter().for_each(|part| trace(&mut leads, frame, part));
                 if let Some(first) = path.first() {
                     let (x, y) = frame.place(first.start());
                     entries.push_circle(x, y, ENTRY_RADIUS * px);
@@ -87,6 +90,7 @@ fn draw(pixels: &mut Pixmap, document: &Document, strokes: &[Drawn], frame: &Fra
     let contour = Stroke { width: CONTOUR_WIDTH * px, line_join: LineJoin::Round, ..Stroke::default() };
     line(pixels, cuts, INK, &contour);
     line(pixels, marks, BLUE, &contour);
+    line(pixels, leads, GREEN, &contour);
     let dash = StrokeDash::new(DASH.map(|d| d * px).to_vec(), 0.0);
     let dashed = Stroke { width: AIR_WIDTH * px, line_cap: LineCap::Butt, dash, ..Stroke::default() };
     line(pixels, air, ORANGE, &dashed);

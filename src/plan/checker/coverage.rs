@@ -21,11 +21,11 @@ pub(super) enum Fault {
     },
 }
 
-/// Checks that `cut` follows `contour`.
-pub(super) fn follows(contour: &Path, cut: &[Segment]) -> Result<(), Fault> {
+/// Checks that `cut` follows `contour`, up to a `gap` of some mm that is left uncut.
+pub(super) fn follows(contour: &Path, cut: &[Segment], gap: f64) -> Result<(), Fault> {
     let elements: Vec<Element> =
         contour.segments.iter().filter(|s| s.length() > 0.0).map(Element::new).collect();
-    let length: f64 = elements.iter().map(|e| e.length).sum();
+    let length: f64 = elements.iter().map(|e| e.length).sum::<f64>() - gap;
     let same = SAME + elements.iter().map(|e| e.slack).sum::<f64>();
     let Some(first) = cut.first() else { return Err(Fault::Length { worked: 0.0, length }) };
 
@@ -148,6 +148,10 @@ pub(super) fn leads(run: &Path, ahead: &Path) -> bool {
 mod tests {
     use super::*;
     use crate::geometry::Arc;
+
+    fn follows(contour: &Path, cut: &[Segment]) -> Result<(), Fault> {
+        super::follows(contour, cut, 0.0)
+    }
 
     fn slot() -> Path {
         let p = DVec2::new;

@@ -52,7 +52,10 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         })
         .collect();
     for (step, m) in plan.moves.iter().enumerate() {
-        let Move::Cut { contour, with, path, .. } = m else { continue };
+        let Move::Cut { contour, with, path, leads, .. } = m else { continue };
+        // Leads run through the waste; `leads.rs` checks them.
+        let [_, on, overcut, _] = leads.divide(path);
+        let path: Vec<&Segment> = on.iter().chain(overcut).collect();
         let of = |c: &u32| outlines.get(*c as usize).and_then(Option::as_ref).map(|o| (*c, o));
         let named: Vec<(u32, &Outline)> = std::iter::once(contour).chain(with).filter_map(of).collect();
         let stride = path.len().div_ceil(SIDES).max(1);

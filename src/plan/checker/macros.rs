@@ -8,7 +8,7 @@ use super::tolerance::JOIN;
 use super::violation::Violation;
 use crate::geometry::{Segment, math};
 use crate::machine::{MARGIN, Profile};
-use crate::plan::model::Move;
+use crate::plan::model::{Leads, Move};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
@@ -35,7 +35,7 @@ pub(super) fn joined<'p>(
                 }
                 paused = Some((step, *at));
             }
-            Move::Cut { contour, with, path, mark: false } => {
+            Move::Cut { contour, with, path, mark: false, leads } => {
                 for pair in path.windows(2).filter(|p| is_sharp(&p[0], &p[1])) {
                     found.push(Violation::NoMacro { step, contour: *contour, at: pair[1].start() });
                 }
@@ -57,7 +57,7 @@ pub(super) fn joined<'p>(
                 if let (Some(_), Some((_, before))) = (pause, out.last_mut())
                     && goes_on(before, *contour, groups)
                 {
-                    append(before.to_mut(), *contour, with, path);
+                    append(before.to_mut(), *contour, with, path, leads);
                     continue;
                 }
                 out.push((step, Cow::Borrowed(m)));
@@ -91,8 +91,9 @@ fn goes_on(before: &Move, next: u32, groups: &Groups) -> bool {
     matches!(before, Move::Cut { contour, mark: false, .. } if *contour == next || groups.same(*contour, next))
 }
 
-fn append(before: &mut Move, next: u32, also: &[u32], run: &[Segment]) {
-    if let Move::Cut { contour, with, path, .. } = before {
+fn append(before: &mut Move, next: u32, also: &[u32], run: &[Segment], more: &Leads) {
+    if let Move::Cut { contour, with, path, leads, .. } = before {
+        *leads = leads.and(*more);
         path.extend_from_slice(run);
         for &other in std::iter::once(&next).chain(also) {
             if other != *contour && !with.contains(&other) {

@@ -8,6 +8,8 @@
 mod coverage;
 mod groups;
 mod kerf;
+mod lead_room;
+mod leads;
 mod macros;
 mod nesting;
 mod order;
@@ -45,6 +47,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     passes::check(sheet, machine, plan, &visits, &mut found);
     sums::check(sheet, machine, plan, &mut found);
     kerf::check(sheet, machine, plan, &mut found);
+    leads::check(sheet, machine, plan, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
 }
 
@@ -129,7 +132,7 @@ fn follow(
                 }
                 head = *to;
             }
-            Move::Cut { contour, with, path, mark } => {
+            Move::Cut { contour, with, path, mark, leads } => {
                 let grouped = groups.holds(*contour);
                 let resumed = !grouped && visits.is_unfinished(*contour);
                 if *mark && pierced {
@@ -163,7 +166,7 @@ fn follow(
                     groups.cut(step, &contours, path, begun, found);
                     contours.iter().for_each(|&c| visits.note(step, c));
                 } else {
-                    visits.cut(step, *contour, path, found);
+                    visits.cut(step, *contour, leads.divide(path)[1], found);
                 }
                 just_cut = Some(*contour);
                 if path.is_empty() {

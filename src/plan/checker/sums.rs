@@ -19,6 +19,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let (mut cuts, mut pierces, mut pre_cuts, mut macros) = (0u32, 0u32, 0u32, 0u32);
     let mut worked: Vec<u32> = Vec::new();
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
+    let mut lead_length = 0.0;
     let (mut bounds, mut slack) = (Aabb::EMPTY, 0.0_f64);
     for m in &plan.moves {
         match m {
@@ -34,7 +35,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 air_seconds += machine.z_speed.map_or(0.0, |speed| (z - height).abs() / speed);
                 height = *z;
             }
-            Move::Cut { contour, with, path, .. } => {
+            Move::Cut { contour, with, path, leads, .. } => {
                 cuts += 1;
                 worked.push(*contour);
                 worked.extend(with);
@@ -42,6 +43,12 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                     bounds = bounds.union(path.bounds());
                     slack = path.segments.iter().map(rounding).fold(slack, f64::max);
                 }
+                let [lead_in, _, overcut, lead_out] = leads.divide(path);
+                for s in lead_in.iter().chain(lead_out) {
+                    bounds = bounds.union(s.bounds());
+                    lead_length += s.length();
+                }
+                lead_length += overcut.iter().map(|s| s.length()).sum::<f64>();
                 cut_length += path.iter().map(|s| s.length()).sum::<f64>();
                 cut_seconds += cut_time(machine, &sheet.process_by_id(*contour, machine), path);
                 head = path.last().map_or(head, |s| s.end());
@@ -70,6 +77,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         ("the number of pre-cuts", f64::from(s.pre_cuts), f64::from(pre_cuts)),
         ("the length of air moves", s.air_length, air_length),
         ("the length of cuts", s.cut_length, cut_length),
+        ("the length of leads", s.lead_length, lead_length),
         ("the time of air moves", s.air_time, air_seconds),
         ("the time of cuts", s.cut_time, cut_seconds),
         ("the time of piercing", s.pierce_time, pierce_seconds),

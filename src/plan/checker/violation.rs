@@ -110,6 +110,18 @@ pub enum Violation {
         /// Position, mm.
         at: DVec2,
     },
+    /// A lead or an overcut is not as the machine's rules say, or does not lie in scrap.
+    #[error("move {step}: the lead or overcut of contour {contour} {what} at {at}")]
+    Lead {
+        /// Which move.
+        step: usize,
+        /// Which contour.
+        contour: u32,
+        /// What is wrong.
+        what: &'static str,
+        /// Position, mm.
+        at: DVec2,
+    },
     /// Less or more than the whole contour is cut.
     #[error("move {step} cuts {worked} mm of contour {contour}, which is {length} mm long")]
     Partly {

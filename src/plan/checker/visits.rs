@@ -5,6 +5,7 @@
 
 use super::coverage::{Fault, follows, leads};
 use super::groups::Groups;
+use super::leads::overcut;
 use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
 use crate::geometry::{Path, Segment};
@@ -35,6 +36,8 @@ pub(super) struct Visits<'s> {
     work: Vec<Work>,
     /// Number of passes over each contour before the head goes on.
     passes: Vec<u32>,
+    /// By contour: length that the machine's rules leave uncut, mm.
+    gap: Vec<f64>,
     /// Contours that are begun and not finished, the outermost first.
     open: Vec<u32>,
     /// The contours of all cuts in order.
@@ -45,7 +48,8 @@ impl<'s> Visits<'s> {
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
         let work = vec![Work::default(); sheet.contours.len()];
         let passes = sheet.contours.iter().map(|c| sheet.passes_at_once(c, machine)).collect();
-        Self { sheet, pre_cut: machine.pre_cut_time, work, passes, open: Vec::new(), order: Vec::new() }
+        let gap = sheet.contours.iter().map(|c| (-overcut(sheet, machine, c)).max(0.0)).collect();
+        Self { sheet, pre_cut: machine.pre_cut_time, work, passes, gap, open: Vec::new(), order: Vec::new() }
     }
 
     /// Whether a contour was begun and is not finished.
@@ -76,7 +80,8 @@ impl<'s> Visits<'s> {
             found.push(Violation::Unknown { step, contour });
             return;
         };
-        let length = known.path.length() - SAME - known.path.segments.iter().map(rounding).sum::<f64>();
+        let gap = self.gap.get(contour as usize).copied().unwrap_or(0.0);
+        let length = known.path.length() - gap - SAME - known.path.segments.iter().map(rounding).sum::<f64>();
         let passes = self.passes.get(contour as usize).map_or(1, |&n| n as usize);
         if let Some((first, _)) = work.steps.filter(|_| work.length >= length) {
             if work.done.len() + 1 >= passes {
@@ -151,8 +156,9 @@ impl<'s> Visits<'s> {
             if work.done.len() + 1 != self.passes.get(contour as usize).map_or(1, |&n| n as usize) {
                 found.push(Violation::Passes { contour, what: "is not cut in as many passes as asked for" });
             }
+            let gap = self.gap.get(contour as usize).copied().unwrap_or(0.0);
             let rounds = work.done.iter().chain([&work.path]);
-            if let Some(fault) = rounds.map(|path| follows(&known.path, path)).find_map(Result::err) {
+            if let Some(fault) = rounds.map(|path| follows(&known.path, path, gap)).find_map(Result::err) {
                 found.push(match fault {
                     Fault::Strays(at) => Violation::Strays { step, contour, at },
                     Fault::Length { worked, length } => Violation::Partly { step, contour, worked, length },

@@ -55,6 +55,15 @@ pub enum Move {
         contour: Contours,
         /// Elements in order, each from where the last one ended.
         path: Vec<Element>,
+        /// How many of the first elements are the lead-in.
+        #[serde(default, skip_serializing_if = "is_zero")]
+        lead_in: usize,
+        /// How many elements after the contour repeat its beginning.
+        #[serde(default, skip_serializing_if = "is_zero")]
+        overcut: usize,
+        /// How many of the last elements are the lead-out.
+        #[serde(default, skip_serializing_if = "is_zero")]
+        lead_out: usize,
     },
 }
 
@@ -98,11 +107,25 @@ impl From<&model::Move> for Move {
             }
             model::Move::Macro { contour, at } => Self::Macro { contour: *contour, at: place(*at) },
             model::Move::Height { z } => Self::Height { z: *z },
-            model::Move::Cut { contour, with, path, .. } => {
-                Self::Cut { contour: Contours::of(*contour, with), path: Element::all(path) }
+            model::Move::Cut { contour, with, path, leads, .. } => {
+                // An arc may become two elements, so each part is counted as it is written.
+                let [lead_in, on, overcut, lead_out] = leads.divide(path).map(Element::all);
+                let counts = [&lead_in, &overcut, &lead_out].map(Vec::len);
+                Self::Cut {
+                    contour: Contours::of(*contour, with),
+                    path: [lead_in, on, overcut, lead_out].concat(),
+                    lead_in: counts[0],
+                    overcut: counts[1],
+                    lead_out: counts[2],
+                }
             }
         }
     }
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
+fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 impl Contours {

@@ -1,5 +1,6 @@
 //! The strokes of the head that a plan document describes: the PNG renderer draws them, a quote measures them.
 
+use super::super::model::Leads;
 use super::model::Document;
 use super::moves::{Move, segments};
 use crate::geometry::{DVec2, Segment};
@@ -20,6 +21,8 @@ pub enum Stroke {
         contour: Option<u32>,
         /// Elements, mm.
         path: Vec<Segment>,
+        /// Which of them are leads and overcut.
+        leads: Leads,
     },
 }
 
@@ -36,10 +39,15 @@ pub fn strokes(document: &Document) -> Vec<Stroke> {
             Move::Pierce | Move::Macro { .. } | Move::Height { .. } => None,
             Move::PreCut { to, .. } => {
                 at = DVec2::from(*to);
-                Some(Stroke::Beam { contour: None, path: vec![Segment::line(from, at)] })
+                Some(Stroke::Beam {
+                    contour: None,
+                    path: vec![Segment::line(from, at)],
+                    leads: Leads::default(),
+                })
             }
-            Move::Cut { contour, path } => {
-                Some(Stroke::Beam { contour: contour.first(), path: segments(path, &mut at) })
+            Move::Cut { contour, path, lead_in, overcut, lead_out } => {
+                let leads = Leads { lead_in: *lead_in, overcut: *overcut, lead_out: *lead_out };
+                Some(Stroke::Beam { contour: contour.first(), path: segments(path, &mut at), leads })
             }
         }
     };

@@ -6,8 +6,7 @@
 //! lines up to the corner where four of them meet. Where an outline turns right, the offset elements cross each other.
 
 use super::super::element::{ROUNDING, with_start};
-use super::clearance::distance;
-use crate::geometry::{Arc, BoxIndex, DVec2, Path, Segment, math};
+use crate::geometry::{Arc, BoxIndex, DVec2, Path, Segment, distance, math};
 
 /// Stretches meet within this distance, mm: a hundred times the rounding of a place on the largest sheet.
 pub(super) const MEETING_DISTANCE: f64 = 1e-7;

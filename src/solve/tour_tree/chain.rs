@@ -48,7 +48,7 @@ fn place_chain(
         // After a near item the chain starts with `a`; before it, the chain ends with `a`.
         let reversed = (a == first) != after_near;
         let (enter, leave) = if reversed {
-            (tour.exit(last), tour.entry(first))
+            (tour.entry_reversed(last), tour.exit_reversed(first))
         } else {
             (tour.entry(first), tour.exit(last))
         };

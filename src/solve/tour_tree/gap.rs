@@ -44,7 +44,7 @@ impl Space<'_> {
     /// Seconds of an item in a gap, entered at place `at`: both legs and the extra seconds of the place.
     pub(super) fn through(&self, item: u32, at: u32, gap: Gap) -> f64 {
         let entry = self.places(item).at(at);
-        let exit = if self.two_ends(item) { self.exit(item, at) } else { entry };
+        let exit = if self.leaves_elsewhere(item) { self.exit(item, at) } else { entry };
         let on = gap.to.map_or(0.0, |to| self.travel.seconds_here(exit, to));
         self.travel.seconds_here(gap.from, entry) + on + self.extra(item, at)
     }
@@ -64,14 +64,14 @@ impl Space<'_> {
                 }
                 return best;
             }
-            let two_ends = self.two_ends(item);
+            let elsewhere = self.leaves_elsewhere(item);
             for (at, place) in (0..).zip(places.iter()) {
                 // The leg to the place alone excludes most places.
                 let out = self.travel.seconds(gap.from, place);
                 if out >= best.1 {
                     continue;
                 }
-                let exit = if two_ends { self.exit(item, at) } else { place };
+                let exit = if elsewhere { self.exit(item, at) } else { place };
                 let on = gap.to.map_or(0.0, |to| self.travel.seconds(exit, to));
                 let seconds = out + on + self.extra(item, at);
                 if seconds < best.1 {

@@ -93,7 +93,7 @@ fn two_opt_after(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) 
     let after_a = tour.next(a);
     let given = tour.leg_after(a);
     for &b in near.of_exit(tour, a) {
-        let taken = tour.space.travel.seconds_here(tour.exit(a), tour.exit(b));
+        let taken = tour.space.travel.seconds_here(tour.exit(a), tour.entry_reversed(b));
         if taken >= given - EPSILON {
             continue;
         }
@@ -103,9 +103,13 @@ fn two_opt_after(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32) 
         let (from, to) = (here.min(there) + 1, here.max(there));
         // The first of the stretch becomes its last and goes on to what follows.
         let (first, follows) = if here < there { (after_a, after_b) } else { (after_b, after_a) };
-        let on = tour.leg_seconds(tour.entry(first), follows, tour.entry(follows));
+        let on = tour.leg_seconds(tour.exit_reversed(first), follows, tour.entry(follows));
         // The leg into the stretch starts at the earlier of the two items.
-        let into = if here < there { taken } else { tour.space.travel.seconds(tour.exit(b), tour.exit(a)) };
+        let into = if here < there {
+            taken
+        } else {
+            tour.space.travel.seconds(tour.exit(b), tour.entry_reversed(a))
+        };
         let gain = given + tour.leg_after(b) - into - on;
         if gain <= EPSILON || from >= to || !tour.may_reverse(from, to) {
             continue;
@@ -130,14 +134,14 @@ fn two_opt_before(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, a: u32)
     for &b in near.of_entry(tour, a) {
         let there = end(tour, b);
         let (first, follows) = if here < there { (a, b) } else { (b, a) };
-        let taken = tour.leg_seconds(tour.entry(first), follows, tour.entry(follows));
+        let taken = tour.leg_seconds(tour.exit_reversed(first), follows, tour.entry(follows));
         if taken >= given - EPSILON {
             continue;
         }
         tour.priced += 1;
         let before_b = tour.previous(b);
         let (u, w) = if here < there { (before_a, before_b) } else { (before_b, before_a) };
-        let into = tour.space.travel.seconds(tour.exit(u), tour.exit(w));
+        let into = tour.space.travel.seconds(tour.exit(u), tour.entry_reversed(w));
         let gain = given + tour.leg_before(b) - taken - into;
         let (from, to) = (here.min(there), here.max(there) - 1);
         if gain <= EPSILON || from >= to || !tour.may_reverse(from, to) {

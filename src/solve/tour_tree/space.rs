@@ -31,6 +31,8 @@ pub(super) struct Space<'p> {
     pub(super) first: Vec<u32>,
     /// Where each place is, mm. With a table a place has the number of its node, and the points mean nothing.
     pub(super) point: Vec<DVec2>,
+    /// Where the head leaves a place of a loose item, mm; empty if that is always where it arrived.
+    left: Vec<DVec2>,
     /// Arc length of each place of a ring along its track, mm; empty where all are evenly spaced.
     along: Vec<f64>,
     /// Extra seconds of entering at each place; empty if no item has any.
@@ -64,6 +66,8 @@ enum Kind {
     Open,
     /// Places in no order, each left where it is entered.
     Loose,
+    /// Places in no order, each left at a point of its own.
+    Directed,
 }
 
 impl<'p> Space<'p> {
@@ -75,6 +79,7 @@ impl<'p> Space<'p> {
             home: problem.start().unwrap_or(index(n)),
             first: vec![0],
             point: Vec::new(),
+            left: Vec::new(),
             along: Vec::new(),
             extra: Vec::new(),
             corner_first: vec![0],
@@ -93,6 +98,8 @@ impl<'p> Space<'p> {
             rank: problem.items.iter().map(|i| i.rank).collect(),
             precedence: Precedence::new(problem),
         };
+        let directed = problem.items.iter().any(|i| i.leads.is_some());
+        s.travel.symmetric &= !directed;
         let charged = problem.items.iter().any(Item::is_uneven);
         let rings: Vec<_> = problem.items.iter().map(Ring::new).collect();
         // Reserved at once: growing the list took longer than everything else here.
@@ -120,6 +127,10 @@ impl<'p> Space<'p> {
                         "a place of a table without its node's number"
                     );
                     s.point.extend(nodes.iter().map(|n| n.entry));
+                    if item.leads.is_some() {
+                        s.left.resize(s.point.len() - nodes.len(), DVec2::ZERO);
+                        s.left.extend(nodes.iter().map(|n| n.exit));
+                    }
                     s.extra.extend(
                         nodes
                             .iter()
@@ -132,7 +143,12 @@ impl<'p> Space<'p> {
                             .chunks(2)
                             .zip((item.nodes.start..).step_by(2))
                             .all(|(n, id)| matches!(n, [a, b] if a.twin == id + 1 && b.twin == id));
-                    (if ends { Kind::Open } else { Kind::Loose }, 0.0)
+                    let kind = match (ends, item.leads.is_some()) {
+                        (_, true) => Kind::Directed,
+                        (true, _) => Kind::Open,
+                        (false, _) => Kind::Loose,
+                    };
+                    (kind, 0.0)
                 }
             };
             s.close_item(kind, spacing, charged);
@@ -149,7 +165,8 @@ impl<'p> Space<'p> {
     fn close_item(&mut self, kind: Kind, spacing: f64, charged: bool) {
         let from = self.first[self.first.len() - 1] as usize;
         let places = &self.point[from..];
-        let b = places.iter().fold(Aabb::EMPTY, |b, p| b.with(*p));
+        let left = self.left.get(from..).unwrap_or_default();
+        let b = places.iter().chain(left).fold(Aabb::EMPTY, |b, p| b.with(*p));
         let whole = BoundingBox::new(b);
         self.whole.push(whole);
         self.arcs.push(if kind == Kind::Ring { arcs(places) } else { [whole; ARCS] });
@@ -200,7 +217,7 @@ impl<'p> Space<'p> {
         let first = self.problem.items[item as usize].nodes.start;
         match self.kind[item as usize] {
             Kind::Ring => Stop::whole(first, self.along(item, at)),
-            Kind::Open | Kind::Loose => Stop::at(self.problem, first + at),
+            Kind::Open | Kind::Loose | Kind::Directed => Stop::at(self.problem, first + at),
         }
     }
 
@@ -222,7 +239,9 @@ impl<'p> Space<'p> {
         let item = self.problem.nodes[stop.node as usize].item;
         match self.kind[item as usize] {
             Kind::Ring => self.nearest(item, stop.along),
-            Kind::Open | Kind::Loose => stop.node - self.problem.items[item as usize].nodes.start,
+            Kind::Open | Kind::Loose | Kind::Directed => {
+                stop.node - self.problem.items[item as usize].nodes.start
+            }
         }
     }
 
@@ -263,7 +282,17 @@ impl<'p> Space<'p> {
 
     /// Where the head leaves an item entered at place `at`.
     pub(super) fn exit(&self, item: u32, at: u32) -> Place {
-        self.places(item).at(at ^ u32::from(self.two_ends(item)))
+        let place = self.places(item).at(at ^ u32::from(self.two_ends(item)));
+        match self.left.get((self.first[item as usize] + at) as usize) {
+            Some(&point) if self.is_directed(item) => Place { point, ..place },
+            _ => place,
+        }
+    }
+
+    /// Whether the head leaves an item elsewhere than it arrives, whichever way the tour runs: a contour with leads.
+    #[inline]
+    pub(super) fn is_directed(&self, item: u32) -> bool {
+        self.kind[item as usize] == Kind::Directed
     }
 
     /// Whether an item is an open contour or a pierce group. Run the other way, by the other node of its pair, its entry
@@ -271,6 +300,12 @@ impl<'p> Space<'p> {
     #[inline]
     pub(super) fn two_ends(&self, item: u32) -> bool {
         self.kind[item as usize] == Kind::Open
+    }
+
+    /// Whether the head leaves an item elsewhere than it arrives.
+    #[inline]
+    pub(super) fn leaves_elsewhere(&self, item: u32) -> bool {
+        matches!(self.kind[item as usize], Kind::Open | Kind::Directed)
     }
 
     /// The number of the gate nearest to place `at` of an item; gates are numbered over all items.
@@ -282,7 +317,7 @@ impl<'p> Space<'p> {
                 let step = self.places(item).len() / GATES;
                 (at as usize + step / 2) >> step.trailing_zeros() & (GATES - 1)
             }
-            Kind::Open | Kind::Loose => (at as usize).min(self.gate_count(item) - 1),
+            Kind::Open | Kind::Loose | Kind::Directed => (at as usize).min(self.gate_count(item) - 1),
         };
         self.gate_first[i] as usize + gate
     }

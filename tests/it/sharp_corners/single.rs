@@ -18,7 +18,7 @@ use crate::testkit::outlines::covers;
 use kerfway::geometry::DVec2;
 use kerfway::job::{BestPath, OutputKind};
 use kerfway::machine::{Profile, SharpCorner};
-use kerfway::plan::{self, Move, Plan, Violation};
+use kerfway::plan::{self, Leads, Move, Plan, Violation};
 use std::f64::consts::PI;
 
 #[test]
@@ -134,7 +134,7 @@ fn a_pause_where_a_side_continues_is_a_fault() {
     let at = moves.iter().position(|m| matches!(m, Move::Cut { path, .. } if path.len() == 4)).unwrap();
     let Move::Cut { contour, path, .. } = &mut moves[at] else { panic!() };
     let (contour, rest) = (*contour, path.split_off(2));
-    let cut = Move::Cut { contour, with: vec![], mark: false, path: rest.clone() };
+    let cut = Move::Cut { contour, with: vec![], mark: false, path: rest.clone(), leads: Leads::default() };
     moves.splice(at + 1..at + 1, [Move::Macro { contour, at: rest[0].start() }, cut]);
     let mut summary = plan::evaluate(&moves, job.beam_sheet(), &thick());
     summary.parts = good.summary.parts;

@@ -5,6 +5,7 @@ import type { MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { calibration } from './calibration.js';
 import { dialectEditor } from './dialect.js';
+import { leadsPanel } from './leads.js';
 import { materials } from './materials.js';
 import { ownMachines } from './own-machines.js';
 import { check, field, section, select } from './section.js';
@@ -105,11 +106,12 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     if (original) session.setMachine(structuredClone(original));
   } });
   const dialect = dialectEditor(session, edit);
+  const leads = leadsPanel(edit);
   const own = ownMachines(session, notify);
   const advanced = h('details', { class: 'more' }, h('summary', {}, words.machine.advanced),
     h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!, q.unit), hintOf(q)]), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
-  body.append(h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, dialect.root, advanced, library.root, fitting, own.root));
+  body.append(h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, leads.root, dialect.root, advanced, library.root, fitting, own.root));
 
   const show = () => {
     const { machine } = session.state;
@@ -126,6 +128,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     own.show(machine);
     dialect.show(machine);
     library.show(machine);
+    leads.show(machine);
     QUANTITIES.forEach((q, i) => {
       const input = inputs[i]!;
       if (document.activeElement !== input) input.value = shown(q.get(machine));

@@ -113,6 +113,7 @@ function showParts(list: HTMLElement, s: Summary): void {
     [words.result.cut, `${seconds(s.cut_time)} · ${metres(s.cut_length)}`],
     [words.result.pierce, `${seconds(s.pierce_time)} · ${words.result.piercings(count(s.pierces))}`],
   ];
+  if (s.lead_length) rows.push([words.result.leads, metres(s.lead_length)]);
   if (s.pre_cuts > 0) rows.push([words.result.preCuts, `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);
   if (s.macro_time > 0) rows.push([words.result.corners, seconds(s.macro_time)]);
   rows.push([words.result.gap, leftToGain(s)]);

@@ -4,7 +4,7 @@
  */
 
 import type { BestPath } from 'kerfway';
-import { cutLength, firstStops, placeAfter, type Place, type Shapes } from '../stage/shapes.js';
+import { chainLength, cutLength, firstStops, leadShapes, placeAfter, type Place, type Shapes } from '../stage/shapes.js';
 import type { Travel } from '../stage/raster-messages.js';
 
 export interface Moment {
@@ -12,8 +12,10 @@ export interface Moment {
   stop: number;
   /** The head cuts. Otherwise it is on an air move or pierces. */
   cutting: boolean;
-  /** How much of the stop is already cut, mm. */
+  /** How much of the contour of the stop is already cut, and of its lead-in and lead-out, mm. */
   cut: number;
+  leadIn: number;
+  leadOut: number;
   x: number;
   y: number;
 }
@@ -54,14 +56,22 @@ export class Timeline {
     const { points, times, contours } = this.path;
     const stop = this.stopAt(t);
     out.stop = stop;
-    out.cut = 0;
+    out.cut = out.leadIn = out.leadOut = 0;
     out.cutting = false;
     if (stop < this.stops && t >= times[stop * 2]!) {
       const begin = times[stop * 2]!, end = times[stop * 2 + 1]!;
       const chain = contours[stop]!;
       out.cutting = true;
-      out.cut = cutLength(this.path, stop, this.contourLengths[chain]!) * (end > begin ? Math.min(1, (t - begin) / (end - begin)) : 1);
-      placeAfter(this.shapes, chain, this.path.along[stop]!, this.path.reversed[stop] === 1, out.cut, this.place);
+      const whole = cutLength(this.path, stop, this.contourLengths[chain]!);
+      const leads = leadShapes(this.path);
+      const [into, away] = leads ? [chainLength(leads, 2 * stop), chainLength(leads, 2 * stop + 1)] : [0, 0];
+      const gone = (into + whole + away) * (end > begin ? Math.min(1, (t - begin) / (end - begin)) : 1);
+      out.leadIn = Math.min(into, gone);
+      out.cut = Math.min(whole, Math.max(0, gone - into));
+      out.leadOut = Math.max(0, gone - into - whole);
+      if (leads && gone < into) placeAfter(leads, 2 * stop, 0, false, gone, this.place);
+      else if (leads && out.leadOut > 0) placeAfter(leads, 2 * stop + 1, 0, false, out.leadOut, this.place);
+      else placeAfter(this.shapes, chain, this.path.along[stop]!, this.path.reversed[stop] === 1, out.cut, this.place);
       out.x = this.place.x;
       out.y = this.place.y;
       return out;

@@ -5,7 +5,7 @@ import type { Moment } from '../playback/timeline.js';
 import type { Palette } from './palette.js';
 import type { Travel, View } from './raster-messages.js';
 import type { Shapes } from './shapes.js';
-import { traceAir, traceCut, traceStop } from './trace.js';
+import { traceAir, traceCut, traceLeads, traceStop } from './trace.js';
 
 /** How many stops the layer `done` may be behind the head before it is drawn again. */
 export const LAG = 24;
@@ -28,7 +28,10 @@ export function drawPlayed(pen: CanvasRenderingContext2D, view: View, palette: P
   pen.lineWidth = 1.6 * view.ratio;
   pen.beginPath();
   for (let k = first; k < moment.stop; k += 1) traceStop(pen, view, shapes, path, k);
-  if (moment.cutting && moment.stop < path.contours.length) traceCut(pen, view, shapes, path, moment.stop, moment.cut);
+  if (moment.cutting && moment.stop < path.contours.length) {
+    traceLeads(pen, view, path, moment.stop, moment.leadIn, moment.leadOut);
+    traceCut(pen, view, shapes, path, moment.stop, moment.cut);
+  }
   pen.stroke();
 }
 

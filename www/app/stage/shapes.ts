@@ -84,6 +84,17 @@ export function chainLength(shapes: Shapes, chain: number): number {
   return sum;
 }
 
+const LEADS = new WeakMap<BestPath, Shapes | null>();
+
+/** The leads of a path: the lead-in of stop k is chain 2k, its lead-out chain 2k + 1. `null` for a path without leads. */
+export function leadShapes(path: BestPath): Shapes | null {
+  const known = LEADS.get(path);
+  if (known !== undefined) return known;
+  const shapes = path.leads.length === 0 ? null : prepare({ segments: path.leads, offsets: path.leadOffsets });
+  LEADS.set(path, shapes);
+  return shapes;
+}
+
 /** Whether a stop cuts its whole contour at once. */
 export function isWhole(path: BestPath, stop: number): boolean {
   return path.along[stop] === path.until[stop];

@@ -1,7 +1,7 @@
 /** Adds contours and air moves to a canvas path. From the sheet to the screen, coordinates are scaled and shifted, and y is flipped. */
 
 import type { BestPath } from 'kerfway';
-import { chainLength, cutLength, isWhole, STRIDE, walk, type Shapes } from './shapes.js';
+import { chainLength, cutLength, isWhole, leadShapes, placeAfter, STRIDE, walk, type Shapes } from './shapes.js';
 import type { Travel, View } from './raster-messages.js';
 
 /** The context of a canvas, on the page or in a worker. */
@@ -69,13 +69,30 @@ export function traceArrow(pen: Pen, x: number, y: number, dx: number, dy: numbe
 /** Adds everything that a stop cuts. */
 export function traceStop(pen: Pen, frame: Frame, shapes: Shapes, path: BestPath, stop: number): void {
   const chain = path.contours[stop]!;
+  traceLeads(pen, frame, path, stop, Infinity, Infinity);
   if (isWhole(path, stop)) traceChain(pen, frame, shapes, chain);
   else traceCut(pen, frame, shapes, path, stop, cutLength(path, stop, chainLength(shapes, chain)));
+}
+
+/** Adds the first `into` mm of the lead-in of a stop, and the first `out` mm of its lead-out. */
+export function traceLeads(pen: Pen, frame: Frame, path: BestPath, stop: number, into: number, out: number): void {
+  const leads = leadShapes(path);
+  if (!leads) return;
+  for (const [chain, distance] of [[2 * stop, into], [2 * stop + 1, out]] as const) {
+    const first = leads.offsets[chain]!;
+    if (leads.offsets[chain + 1]! <= first || distance <= 0) continue;
+    const i = first * STRIDE;
+    pen.moveTo(frame.x + leads.segments[i]! * frame.scale, frame.y - leads.segments[i + 1]! * frame.scale);
+    walk(leads, chain, 0, false, Math.min(distance, chainLength(leads, chain)), (e, from, to) => traceElement(pen, frame, leads, e, from, to));
+  }
 }
 
 /** Adds the first `distance` mm of what a stop cuts. */
 export function traceCut(pen: Pen, frame: Frame, shapes: Shapes, path: BestPath, stop: number, distance: number): void {
   const chain = path.contours[stop]!;
-  pen.moveTo(frame.x + path.points[stop * 4]! * frame.scale, frame.y - path.points[stop * 4 + 1]! * frame.scale);
+  let [x, y] = [path.points[stop * 4]!, path.points[stop * 4 + 1]!];
+  // With a lead-in, the head arrives beside the contour.
+  if (leadShapes(path)) ({ x, y } = placeAfter(shapes, chain, path.along[stop]!, path.reversed[stop] === 1, 0, { x, y, dx: 0, dy: 0 }));
+  pen.moveTo(frame.x + x * frame.scale, frame.y - y * frame.scale);
   walk(shapes, chain, path.along[stop]!, path.reversed[stop] === 1, distance, (e, from, to) => traceElement(pen, frame, shapes, e, from, to));
 }

@@ -186,6 +186,15 @@ export function seconds(values: Values): number | undefined {
   return n;
 }
 
+/** Any number. */
+export function number(values: Values, name: string): number | undefined {
+  const word = text(values, name);
+  if (word === undefined) return undefined;
+  const n = Number(word);
+  if (word.trim() === '' || !Number.isFinite(n)) throw new WrongUse(`--${name} ${word}: give a number.`);
+  return n;
+}
+
 /** A number above 0. */
 export function positive(values: Values, name: string): number | undefined {
   const word = text(values, name);

@@ -3,6 +3,7 @@
  */
 
 import { ANCHORS } from '../anchors.js';
+import { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS } from '../leads.js';
 import type { CommonCuts, Group, Operation, PassOrder, Unit } from '../protocol.js';
 
 /** How contours with common cuts are cut. */
@@ -71,6 +72,18 @@ const PLANNING: Options = {
   'no-return': { about: 'stay at the end of the last cut instead of returning home' },
 };
 
+const LEADS: Options = {
+  lead: { value: 'KIND', about: "the lead-in of every closed cut, instead of the machine's leads", choices: LEAD_KINDS },
+  'lead-out': { value: 'KIND', about: 'the lead-out (default none)', choices: LEAD_KINDS },
+  'lead-length': { value: 'MM', about: `length of the line (default ${DEFAULT_LEADS.length})` },
+  'lead-radius': { value: 'MM', about: `radius of the arc (default ${DEFAULT_LEADS.radius})` },
+  'lead-angle': { value: 'DEGREES', about: `of a line the angle to the contour, of an arc its sweep (default ${DEFAULT_LEADS.angle})` },
+  'lead-position': { value: 'WHERE', about: 'where leads join a contour (default any)', choices: LEAD_POSITIONS },
+  'lead-clearance': { value: 'MM', about: `least distance from everything that is not scrap (default ${DEFAULT_LEADS.clearance})` },
+  'lead-center-below': { value: 'MM', about: `holes smaller than this begin at their centres (default ${DEFAULT_LEADS.centerBelow}; 0: none)` },
+  overcut: { value: 'MM', about: 'length that is cut again after the start; a negative one, as --overcut=-0.5, leaves a gap (default 0)' },
+};
+
 const PLACING: Options = {
   place: {
     value: 'POINT@PLACE', about: `put a point of the job (${ANCHORS[0]}, center, ... or X,Y in the drawing) at a place of the bed (X,Y or one of its points)`,
@@ -108,6 +121,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       'The sheet': { material: { value: 'NAME', about: "a setting of the machine's library of materials" } },
       'Where on the bed': PLACING,
       'How to plan': PLANNING,
+      'Leads': LEADS,
       'How to read': READING,
       'When': WATCHING, 'Messages': MESSAGES,
     },
@@ -117,6 +131,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       ["kerfway plan a.dxf 'orders/**/*.dxf' --gcode out/ --seconds 5", 'one file of G-code for each drawing'],
       ['kerfway plan plate.dxf --gcode plate.ngc --dialect linuxcnc-m67', 'G-code for LinuxCNC'],
       ['kerfway plan plate.dxf --moves 1000000 --seed 7 --json -', 'the same bytes everywhere'],
+      ['kerfway plan plate.dxf --machine fibre-3kw-thin --lead arc --overcut 0.5 --gcode plate.nc', 'every cut begins in scrap'],
       ['kerfway plan plate.dxf --svg plate.svg --watch', 'a picture that follows the drawing'],
     ],
   },
@@ -148,6 +163,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       },
       Output: { json: { value: 'OUT', about: 'the report (kerfway.quote/2)' } },
       'How to plan': PLANNING,
+      'Leads': LEADS,
       'How to read': READING,
       'When': WATCHING, 'Messages': MESSAGES,
     },

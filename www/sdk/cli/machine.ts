@@ -3,17 +3,38 @@
 import type { Planner } from '../node.js';
 import { checkMachine } from '../options.js';
 import type { Dialect, MachineProfile } from '../protocol.js';
-import { text, type Words } from './arguments.js';
+import { LEAD_KINDS, LEAD_POSITIONS, leadRules, type LeadSettings } from '../leads.js';
+import { number, oneOf, text, type Words } from './arguments.js';
 import { bytesOf, Unusable, WrongUse } from './io.js';
 
 const DEFAULT_MACHINE = 'co2-100w';
 
-/** The machine of the options `--machine` and `--dialect`. `own`: the one to take where `--machine` names none. */
+/** The machine of the options `--machine`, `--dialect` and those of leads. `own`: the one to take where `--machine` names none. */
 export async function machineOf({ values }: Words, planner: Planner, own?: MachineProfile): Promise<MachineProfile> {
   const word = text(values, 'machine');
-  const machine = word === undefined && own !== undefined ? own : await named(word ?? DEFAULT_MACHINE, planner);
+  const machine = withLeads(values, word === undefined && own !== undefined ? own : await named(word ?? DEFAULT_MACHINE, planner));
   const dialect = text(values, 'dialect');
   return dialect === undefined ? machine : { ...machine, dialect: await dialectOf(dialect, machine, planner) };
+}
+
+/** The machine with the leads that the options ask for. */
+function withLeads(values: Words['values'], machine: MachineProfile): MachineProfile {
+  const given: Partial<LeadSettings> = {};
+  const [kind, out, position] = ['lead', 'lead-out', 'lead-position'].map((option) => text(values, option));
+  if (kind !== undefined) given.kind = oneOf('--lead', kind, LEAD_KINDS);
+  if (out !== undefined) given.out = oneOf('--lead-out', out, LEAD_KINDS);
+  if (position !== undefined) given.position = oneOf('--lead-position', position, LEAD_POSITIONS);
+  const numbers = { length: 'lead-length', radius: 'lead-radius', angle: 'lead-angle', clearance: 'lead-clearance', centerBelow: 'lead-center-below', overcut: 'overcut' } as const;
+  for (const [name, option] of Object.entries(numbers)) {
+    const value = number(values, option);
+    if (value !== undefined) given[name as keyof typeof numbers] = value;
+  }
+  if (Object.keys(given).length === 0) return machine;
+  // An overcut alone, or a lead-out alone, is no wish for a lead-in.
+  const leads = leadRules({ kind: 'none', ...given });
+  const changed = { ...machine, leads };
+  checked(() => checkMachine(changed), WrongUse, '');
+  return changed;
 }
 
 /** The files with a machine profile or a dialect that the options name. */

@@ -185,6 +185,18 @@ impl<'p> Tour<'p> {
         self.exit[item as usize]
     }
 
+    /// Where the head would enter an item in a reversed stretch: a contour with leads is entered at its lead-in all the same.
+    #[inline]
+    pub(super) fn entry_reversed(&self, item: u32) -> Place {
+        if self.space.is_directed(item) { self.entry(item) } else { self.exit(item) }
+    }
+
+    /// Where the head would leave an item in a reversed stretch.
+    #[inline]
+    pub(super) fn exit_reversed(&self, item: u32) -> Place {
+        if self.space.is_directed(item) { self.exit(item) } else { self.entry(item) }
+    }
+
     /// Seconds from `p` into `item` at `q`; coming home costs nothing when the path does not return.
     #[inline(always)]
     pub(super) fn leg_seconds(&self, p: Place, item: u32, q: Place) -> f64 {
@@ -252,8 +264,10 @@ impl<'p> Tour<'p> {
         if self.space.travel.symmetric {
             return self.reversal_cost_of_groups(from, to);
         }
+        let back = |from, to| self.leg_seconds(self.exit_reversed(from), to, self.entry_reversed(to));
         let pairs = self.current.order[from..=to].windows(2);
-        pairs.map(|p| self.edge(p[1], p[0]) - self.edge(p[0], p[1])).sum()
+        let legs: f64 = pairs.map(|p| back(p[1], p[0]) - self.edge(p[0], p[1])).sum();
+        legs + self.reversal_cost_of_groups(from, to)
     }
 
     /// The same for the pierce groups in the stretch alone: paths forth and back through them differ.

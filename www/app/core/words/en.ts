@@ -7,7 +7,7 @@
  * error messages itself, in English.
  */
 
-import type { Anchor, DoneReason, FindingCode, Operation, Quote, Unit, UnitsTaken } from 'kerfway';
+import type { Anchor, DoneReason, FindingCode, LeadKind, LeadPosition, Operation, Quote, Unit, UnitsTaken } from 'kerfway';
 
 /** "1 contour", "3 contours". The number `n` chooses the form; `written` is how it is shown. */
 const counted = (n: number, written: string, one: string, many = `${one}s`) => `${written} ${n === 1 ? one : many}`;
@@ -49,6 +49,8 @@ const findingTitles: Record<FindingCode, string> = {
   'layer-ignored': 'Ignored layers',
   'contour-excluded': 'Skipped contours',
   'layer-unknown': 'Layers that are not in the drawing',
+  'lead-adjusted': 'Leads changed to fit',
+  'lead-missing': 'No room for leads',
   'far-from-origin': 'Too far from the origin',
   'off-bed': 'Not on the bed',
   'least-power-left-out': 'Least power is not part of G-code',
@@ -219,6 +221,15 @@ export const en = {
     job: (name: string, measured: string, planned: string) => `${name}: ${measured}, planned ${planned}`, notYet: 'Enter the seconds of the job on screen, once its plan is done.',
   },
 
+  leads: {
+    title: 'Leads and overcut', kind: 'Lead-in', out: 'Lead-out', position: 'Position', length: 'Length of the line', radius: 'Radius of the arc', angle: 'Angle',
+    clearance: 'Distance from parts', centerBelow: 'From the centre in holes below', overcut: 'Overcut',
+    kinds: { none: 'None', line: 'Line', arc: 'Arc', 'line-arc': 'Line and arc', center: 'From the centre' } satisfies Record<LeadKind, string>,
+    positions: { any: 'Wherever it is fastest', corner: 'At corners', side: 'In the middle of sides' } satisfies Record<LeadPosition, string>,
+    about: 'Leads lie in scrap: inside holes, outside parts. Where one does not fit it is turned, moved, shortened or left out, and listed under Findings. A negative overcut leaves a gap.',
+    custom: 'This machine has lead rules of its own.', replace: 'Replace them by one lead for all', ownRules: 'own rules',
+  },
+
   placement: {
     title: 'On the bed', position: 'Position', asDrawn: 'As drawn', atPoint: 'A point of the job at', point: 'Point of the job', x: 'x', y: 'y',
     points: {
@@ -247,7 +258,7 @@ export const en = {
     report: 'Report', reportHint: 'One page for the operator: picture, times, parts, order, findings', project: 'Project', projectHint: 'Save the project: drawing, decisions, machine and plan (Ctrl S)',
     saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (share: string, order: string) => `${share} of what most programs cut, nearest first; ${order}`,
     less: (time: string) => `${time} less than as drawn`, more: (time: string) => `${time} more than as drawn`,
-    cut: 'Cut', pierce: 'Pierce', piercings: (n: string) => `${n} piercings`, preCuts: 'Pre-cuts', corners: 'Corners', gap: 'Left to gain', atMost: (time: string, share: string) => `at most ${time} (${share})`, noBound: 'no bound yet', nothingLeft: 'nothing: this path is optimal',
+    cut: 'Cut', pierce: 'Pierce', piercings: (n: string) => `${n} piercings`, preCuts: 'Pre-cuts', leads: 'Leads', corners: 'Corners', gap: 'Left to gain', atMost: (time: string, share: string) => `at most ${time} (${share})`, noBound: 'no bound yet', nothingLeft: 'nothing: this path is optimal',
     chart: 'Job time while searching', chartAxis: 'Job time while searching', chartAbove: (time: string) => `as drawn ${time} ↑`, chartNone: 'Job time while searching: no values yet.',
     chartWords: (first: string, last: string, time: string) => `Job time while searching: from ${first} to ${last} in ${time}.`,
     chartOrders: (drawing: string, greedy: string) => ` Drawing order takes ${drawing}, nearest first ${greedy}.`,

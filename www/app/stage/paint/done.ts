@@ -1,7 +1,7 @@
 /** Paints what has been cut at a moment of the playback. */
 
 import type { View } from '../raster-messages.js';
-import { isWhole } from '../shapes.js';
+import { isWhole, leadShapes } from '../shapes.js';
 import { traceStop, type Pen } from '../trace.js';
 import { strokeAir } from './air.js';
 import { BATCH, contourWidth, strokeChains, type Subject } from './strokes.js';
@@ -25,6 +25,8 @@ export function* paintDone(pen: Pen, view: View, subject: Subject, upto: number)
   pen.strokeStyle = palette.ink;
   pen.lineWidth = contourWidth(subject, view) * 1.25;
   yield* strokeChains(pen, view, shapes, (c) => done[c] === 1);
+  const leads = leadShapes(path);
+  if (leads) yield* strokeChains(pen, view, leads, (chain) => chain < 2 * upto && leads.offsets[chain + 1]! > leads.offsets[chain]!);
   for (const k of parts) {
     pen.beginPath();
     traceStop(pen, view, shapes, path, k);

@@ -4,10 +4,10 @@
  */
 
 import type { View } from '../raster-messages.js';
-import { placeAfter, type Place } from '../shapes.js';
+import { leadShapes, placeAfter, type Place } from '../shapes.js';
 import { traceArrow, type Pen } from '../trace.js';
 import { strokeAir } from './air.js';
-import { BATCH, meanSize, type Subject } from './strokes.js';
+import { BATCH, contourWidth, meanSize, strokeChains, type Subject } from './strokes.js';
 
 /** A grid over the screen that lets one thing through per cell. */
 class Room {
@@ -40,6 +40,14 @@ export function* paintPath(pen: Pen, view: View, subject: Subject): Generator<vo
   if (subject.air) {
     yield* strokeAir(pen, view, subject, stops, () => true);
     yield* airArrows(pen, view, subject);
+  }
+  const leads = leadShapes(path);
+  if (leads) {
+    // The beam is on along a lead: it is drawn as a cut, over its air moves.
+    pen.strokeStyle = palette.ink;
+    pen.lineWidth = contourWidth(subject, view);
+    yield* strokeChains(pen, view, leads, (chain) => leads.offsets[chain + 1]! > leads.offsets[chain]!);
+    pen.strokeStyle = palette.accent;
   }
   const mean = meanSize(subject, view);
   const dot = Math.min(2.3, Math.max(0.8, mean / 8)) * r;

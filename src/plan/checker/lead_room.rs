@@ -1,0 +1,98 @@
+//! Checks at points along leads that they lie in scrap, and far enough from everything else.
+
+use crate::geometry::{Aabb, BoxIndex, DVec2, Segment, winding};
+use crate::machine::Profile;
+use crate::sheet::{Contour, Operation, Sheet};
+
+/// Distance of the points along a lead, mm, and their greatest number on one element.
+const STEP: f64 = 0.1;
+const MOST: f64 = 100.0;
+/// Rounding of distances, mm.
+const ROUNDING: f64 = 1e-6;
+/// Part of a lead next to the joint where it is as near to its own contour as it has to be, as a fraction of its length.
+const JOINT: f64 = 0.1;
+/// A lead that is this near to its own contour elsewhere touches it, mm.
+const TOUCHING: f64 = 1e-5;
+
+/// Everything that is cut, as leads see it.
+pub(super) struct Room<'s> {
+    sheet: &'s Sheet,
+    /// All elements of cuts with their contour, and how far leads of others stay away, mm.
+    elements: Vec<(u32, Segment, f64)>,
+    index: BoxIndex,
+    /// The outlines of parts and holes, by their boxes.
+    outlines: Vec<u32>,
+    boxes: BoxIndex,
+    reach: f64,
+}
+
+impl<'s> Room<'s> {
+    pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
+        let clearance = machine.leads.as_ref().map_or(0.0, |l| l.clearance);
+        let beside = |c: &Contour| if c.drawn.is_some() { 0.0 } else { 0.5 * machine.kerf_width };
+        let of = |(id, c): (u32, &'s Contour)| {
+            let path = c.boundary().unwrap_or(&c.path);
+            path.segments.iter().map(move |s| (id, *s, clearance + beside(c)))
+        };
+        let cuts = (0..).zip(&sheet.contours).filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0);
+        let elements: Vec<_> = cuts.flat_map(of).collect();
+        let index = BoxIndex::new(elements.iter().map(|e| e.1.bounds()));
+        let all = (0..).zip(&sheet.contours).filter(|(_, c)| c.bounds_area() && c.pass == 0);
+        let (outlines, boxes): (Vec<u32>, Vec<Aabb>) =
+            all.filter_map(|(id, c)| Some((id, c.boundary()?.bounds()))).unzip();
+        let reach = clearance + 0.5 * machine.kerf_width + ROUNDING;
+        Self { sheet, elements, index, outlines, boxes: BoxIndex::new(boxes), reach }
+    }
+
+    /// What is wrong with a lead of a contour, and where. `lead` touches the contour at one of its ends.
+    pub(super) fn fault(&self, contour: u32, lead: &[Segment]) -> Option<(&'static str, DVec2)> {
+        let own = self.sheet.contours.get(contour as usize)?;
+        let length: f64 = lead.iter().map(Segment::length).sum();
+        let (first, last) = (lead.first()?.start(), lead.last()?.end());
+        let off =
+            |p: DVec2| own.path.segments.iter().map(|s| s.nearest(p).1).fold(f64::INFINITY, f64::min).sqrt();
+        let tip = if off(first) > off(last) { first } else { last };
+        let joint = if tip == first { last } else { first };
+        for p in points(lead) {
+            if self.nearness(contour, p).is_some() {
+                return Some(("is too near to another cut", p));
+            }
+            if p.distance(joint) > JOINT * length && off(p) < TOUCHING {
+                return Some(("touches its contour again", p));
+            }
+        }
+        let around = self.depth(tip);
+        let hole = own.depth % 2 == 1;
+        (around != own.depth + u32::from(hole)).then_some(("does not lie in the scrap", tip))
+    }
+
+    /// Another cut that is too near to a point.
+    fn nearness(&self, contour: u32, p: DVec2) -> Option<u32> {
+        let mut found = None;
+        self.index.visit(Aabb::of(p).grown(self.reach), |k| {
+            let (id, s, least) = &self.elements[k];
+            let near = *id != contour && s.nearest(p).1.sqrt() < least - ROUNDING;
+            found = near.then_some(*id);
+            !near
+        });
+        found
+    }
+
+    /// Number of outlines around a point.
+    fn depth(&self, p: DVec2) -> u32 {
+        let around = |k: &usize| {
+            let outline = self.sheet.contours.get(self.outlines[*k] as usize).and_then(Contour::boundary);
+            outline.is_some_and(|o| winding(o, p).is_inside())
+        };
+        u32::try_from(self.boxes.query(Aabb::of(p)).iter().filter(|k| around(k)).count()).unwrap_or(u32::MAX)
+    }
+}
+
+/// Points along a lead, both ends included.
+fn points(lead: &[Segment]) -> impl Iterator<Item = DVec2> {
+    lead.iter().flat_map(|s| {
+        let count = (s.length() / STEP).ceil().clamp(1.0, MOST);
+        let fractions = std::iter::successors(Some(0.0), move |k| (*k < count).then_some(k + 1.0));
+        fractions.map(move |k| s.at(k / count))
+    })
+}

@@ -1,0 +1,8 @@
+//! Leads: found, priced by the search, checked, written.
+
+mod attach;
+mod checker;
+mod drawings;
+mod ladder;
+mod replay;
+mod search;

@@ -1,0 +1,220 @@
+"""Replays plans with leads with Shapely, which shares no code with Kerfway.
+
+    KERFWAY_BLESS=1 cargo test --features png --test it leads::replay     # writes the plans to target/leads
+    python tests/oracle/leads.py                                          # replays them
+
+writes `tests/fixtures/leads.json`: for each plan the hash of its moves and the faults found. `tests/it/leads/replay.rs` then checks that
+Kerfway still makes these plans. For each cut with leads:
+
+* no lead, place of piercing or overcut lies in a part, less 5 micrometres (parts: outlines without their holes);
+* leads keep the clearance from every other cut (less the error of the chords, 2 micrometres);
+* a lead begins in no void, that is in nothing that was cut out before (the order of the plan is followed);
+* arcs are tangent to what they join; the overcut repeats the beginning of the contour and has its length.
+
+Needs `pip install shapely`.
+"""
+
+import hashlib
+import json
+import math
+from pathlib import Path
+
+import shapely
+
+ROOT = Path(__file__).resolve().parent.parent
+PLANS, FIXTURE = ROOT.parent / "target" / "leads", ROOT / "fixtures" / "leads.json"
+# mm: deviation of chords, what a part is smaller than drawn, radius of the place of piercing.
+CHORD, LESS, PIERCE = 0.0005, 0.005, 0.05
+
+
+class Element:
+    """A line or an arc, with its ends and its directions of travel there."""
+
+    def __init__(self, start, data):
+        self.start = start
+        self.end = tuple(data["line"] if "line" in data else data["arc"])
+        self.center = tuple(data["center"]) if "arc" in data else None
+        if self.center is None:
+            self.sweep = 0.0
+            self.length = math.dist(self.start, self.end)
+            return
+        a, b = (math.atan2(p[1] - self.center[1], p[0] - self.center[0]) for p in (self.start, self.end))
+        turn = (b - a) % (2 * math.pi)
+        self.angle, self.radius = a, math.dist(self.start, self.center)
+        self.sweep = (turn or 2 * math.pi) if data["ccw"] else turn - 2 * math.pi
+        self.length = self.radius * abs(self.sweep)
+
+    def direction(self, at_end):
+        if self.center is None:
+            return math.atan2(self.end[1] - self.start[1], self.end[0] - self.start[0])
+        a = self.angle + (self.sweep if at_end else 0.0)
+        return a + math.copysign(math.pi / 2, self.sweep)
+
+    def points(self):
+        if self.center is None:
+            return [self.start, self.end]
+        step = 2 * math.acos(max(0.0, 1 - CHORD / self.radius)) if self.radius > CHORD else math.pi
+        count = max(1, math.ceil(abs(self.sweep) / step))
+        at = [self.angle + self.sweep * k / count for k in range(1, count)]
+        return [self.start, *((self.center[0] + self.radius * math.cos(a), self.center[1] + self.radius * math.sin(a)) for a in at), self.end]
+
+
+def elements(start, path):
+    out = []
+    for data in path:
+        out.append(Element(start, data))
+        start = out[-1].end
+    return out
+
+
+def line(chain):
+    points = [chain[0].start]
+    for e in chain:
+        points += e.points()[1:]
+    return shapely.LineString(points)
+
+
+def cuts(plan):
+    """The contours in the order of cutting: id, lead-in, contour, overcut, lead-out. Pauses divide no cut."""
+    at, all_cuts, goes_on = tuple(plan["machine"]["home"]), [], False
+    for move in plan["moves"]:
+        if move["kind"] == "air" or move["kind"] == "pre-cut":
+            at = tuple(move["to"])
+        if move["kind"] == "cut":
+            chain = elements(at, move["path"])
+            at = chain[-1].end
+            n, i, o, q = len(chain), move.get("lead_in", 0), move.get("overcut", 0), move.get("lead_out", 0)
+            parts = [chain[:i], chain[i : n - o - q], chain[n - o - q : n - q], chain[n - q :]]
+            if goes_on:
+                all_cuts[-1][1] = [a + b for a, b in zip(all_cuts[-1][1], parts)]
+            else:
+                ids = move["contour"] if isinstance(move["contour"], list) else [move["contour"]]
+                all_cuts.append([ids, parts])
+        goes_on = move["kind"] == "macro"
+    return all_cuts
+
+
+def turned(a, b):
+    return math.degrees(abs((b - a + math.pi) % (2 * math.pi) - math.pi))
+
+
+def polygon(points):
+    p = shapely.Polygon(points)
+    return p if p.is_valid else p.buffer(0)
+
+
+def rule_of(plan, contour, box):
+    side = "hole" if contour["depth"] % 2 else "outer"
+    extent = max(box[2] - box[0], box[3] - box[1])
+    for rule in plan["machine"]["leads"]["rules"]:
+        if rule.get("side", side) == side and extent < rule.get("diameter_below", math.inf) and contour["length"] < rule.get("perimeter_below", math.inf):
+            return rule
+    return None
+
+
+def replay(plan):
+    clearance, kerf = plan["machine"]["leads"]["clearance"], plan["machine"].get("kerf_width", 0.0)
+    contours = plan["contours"]
+    for c in contours:
+        depth, outer = 0, c["inside"]
+        while outer is not None:
+            depth, outer = depth + 1, contours[outer]["inside"]
+        c["depth"] = depth
+    done = cuts(plan)
+    # What the beam follows, and the outlines of what is made.
+    beams, outlines = {}, {}
+    for ids, (_, on, _, _) in done:
+        beams[ids[0]] = line(on)
+    for c in contours:
+        if "drawn" in c:
+            outlines[c["id"]] = line(elements(tuple(c["drawn"]["from"]), c["drawn"]["path"]))
+        elif c["closed"] and c["operation"] == "cut" and c["id"] in beams:
+            outlines[c["id"]] = beams[c["id"]]
+    # Pieces of one shape have the same outline: it counts once, and falls out with the last piece.
+    shapes, shape_of, known = [], {}, {}
+    for k, outline in outlines.items():
+        area = polygon(outline.coords) if len(outline.coords) > 3 else None
+        if area is None or area.area == 0:
+            continue
+        shape_of[k] = known.setdefault((area.bounds, round(area.area, 6)), len(shapes))
+        if shape_of[k] == len(shapes):
+            shapes.append(area)
+    last = {shape_of[ids[0]]: ids[0] for ids, _ in done if ids[0] in shape_of}
+    # Parts: shapes within an even number of others, less the holes directly within them.
+    tree = shapely.STRtree(shapes)
+    inner = [s.buffer(-LESS) for s in shapes]
+    around = [[j for j in tree.query(p, predicate="within") if j != i and shapes[j].area > shapes[i].area] for i, p in enumerate(inner)]
+    holes = {}
+    for i, outer in enumerate(around):
+        if len(outer) % 2:
+            holes.setdefault(min(outer, key=lambda j: shapes[j].area), []).append(shapes[i])
+    parts = [shapely.difference(s, shapely.union_all(holes.get(i, []))).buffer(-LESS) for i, s in enumerate(shapes) if len(around[i]) % 2 == 0]
+    part_tree = shapely.STRtree(parts)
+    cut_ids = [k for k in beams if contours[k]["operation"] == "cut"]
+    cut_tree = shapely.STRtree([beams[k] for k in cut_ids])
+
+    faults, tangent, overcut_error, with_lead, voids = [], 0.0, 0.0, 0, []
+    void_tree, void_count = None, 0
+    for ids, (lead_in, on, again, lead_out) in done:
+        k = ids[0]
+        c = contours[k]
+        whole = beams[k]
+        say = lambda what: faults.append(f"contour {k}: {what}")  # noqa: B023, E731
+        with_lead += bool(lead_in)
+        for lead, other in ((lead_in, on[0]), (lead_out, (again or on)[-1])):
+            if not lead:
+                continue
+            shape = line(lead)
+            tip = shapely.Point(lead[0].start if lead is lead_in else lead[-1].end)
+            chain = [*lead, other] if lead is lead_in else [other, *lead]
+            for a, b in zip(chain, chain[1:]):
+                if (a is not other and a.center) or (b is not other and b.center):
+                    tangent = max(tangent, turned(a.direction(True), b.direction(False)))
+            for j in part_tree.query(shape):
+                if shape.intersection(parts[j]).length > 0:
+                    say("a lead lies in a part")
+            for j in part_tree.query(tip.buffer(PIERCE)):
+                if tip.buffer(PIERCE).intersects(parts[j]):
+                    say("the place of piercing touches a part")
+            for j in cut_tree.query(shape.buffer(clearance)):
+                if cut_ids[j] != k and shape.distance(beams[cut_ids[j]]) < clearance - 2e-3:
+                    say(f"a lead is {shape.distance(beams[cut_ids[j]]):.4f} mm from contour {cut_ids[j]}")
+            if len(voids) > 2 * void_count + 50:
+                void_tree, void_count = shapely.STRtree(voids), len(voids)
+            late = voids[void_count:] + ([voids[j] for j in void_tree.query(tip)] if void_tree else [])
+            if any(v.contains(tip) for v in late):
+                say("a lead begins or ends in a void")
+        if c["closed"] and c["operation"] == "cut":
+            rule = rule_of(plan, c, whole.bounds)
+            wanted = rule["overcut"] if rule else 0.0
+            wanted = max(-0.5 * c["length"], min(0.5 * c["length"], wanted))
+            if (lead_in or lead_out or again) and len(ids) == 1:
+                found = sum(e.length for e in again) or sum(e.length for e in on) - c["length"]
+                overcut_error = max(overcut_error, abs(found - wanted))
+            if again:
+                path, repeat = line(on), line(again)
+                if max(path.distance(shapely.Point(p)) for p in repeat.coords) > 2e-3:
+                    say("the overcut leaves the contour")
+        if last.get(shape_of.get(k)) == k:
+            voids.append(shapes[shape_of[k]].buffer(-LESS))
+    closed = [c for c in contours if c["closed"] and c["operation"] == "cut"]
+    told = sum(f["count"] for f in plan["findings"] if f["code"] == "lead-missing" or (f["code"] == "more" and "no lead" in f["message"]))
+    return {"closed": len(closed), "with_lead": with_lead, "told": told, "faults": faults, "tangent": round(tangent, 9), "overcut": round(overcut_error, 9)}
+
+
+def moves_hash(text):
+    """SHA-256 of the moves as they are written."""
+    return hashlib.sha256(text.split(b'"moves":[')[1].split(b'],"findings":[')[0]).hexdigest()
+
+
+def main():
+    found = {}
+    for file in sorted(PLANS.glob("*.json")):
+        text = file.read_bytes()
+        found[file.stem] = {"moves": moves_hash(text), **replay(json.loads(text))}
+        print(file.stem, {k: v for k, v in found[file.stem].items() if k != "moves"}, flush=True)
+    FIXTURE.write_text(json.dumps(found, indent=1) + "\n")
+    print("faults:", sum(len(f["faults"]) for f in found.values()))
+
+
+main()

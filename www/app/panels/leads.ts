@@ -1,0 +1,85 @@
+/** The leads of the machine: the lead-in and lead-out of all closed cuts, small holes from their centres, overcut, clearance. */
+
+import { button, h } from '../core/dom.js';
+import { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS, leadRules, leadSettings, type LeadKind, type LeadPosition, type LeadSettings, type MachineProfile } from 'kerfway';
+import { words } from '../core/words/index.js';
+import { field, select } from './section.js';
+
+interface Quantity {
+  name: 'length' | 'radius' | 'angle' | 'clearance' | 'centerBelow' | 'overcut';
+  unit: string;
+  least: number;
+  most: number;
+  /** Whether it matters for a lead-in or lead-out of one of these kinds. */
+  of(settings: LeadSettings): boolean;
+}
+
+const has = (...kinds: LeadKind[]) => (s: LeadSettings) => kinds.includes(s.kind) || kinds.includes(s.out);
+const any = has('line', 'arc', 'line-arc');
+
+/** The limits are those of machine profiles. */
+const QUANTITIES: readonly Quantity[] = [
+  { name: 'length', unit: 'mm', least: 0.01, most: 1000, of: has('line', 'line-arc') },
+  { name: 'radius', unit: 'mm', least: 0.01, most: 1000, of: has('arc', 'line-arc') },
+  { name: 'angle', unit: '°', least: 1, most: 180, of: any },
+  { name: 'clearance', unit: 'mm', least: 0, most: 1000, of: any },
+  { name: 'centerBelow', unit: 'mm', least: 0, most: 1000, of: (s) => s.kind !== 'none' },
+  { name: 'overcut', unit: 'mm', least: -100, most: 1000, of: () => true },
+];
+
+const NONE: LeadSettings = { ...DEFAULT_LEADS, kind: 'none', out: 'none', overcut: 0 };
+
+export interface LeadsPanel {
+  root: HTMLElement;
+  show(machine: MachineProfile): void;
+}
+
+export function leadsPanel(edit: (change: (m: MachineProfile) => void) => void): LeadsPanel {
+  const w = words.leads;
+  let now: LeadSettings = NONE;
+  const set = (change: Partial<LeadSettings>) => {
+    const next = { ...now, ...change };
+    const off = next.kind === 'none' && next.out === 'none' && next.overcut === 0;
+    edit((m) => {
+      if (off) delete m.leads;
+      else m.leads = leadRules(next);
+    });
+  };
+  const kind = select<LeadKind>((value) => set({ kind: value }));
+  const out = select<LeadKind>((value) => set({ out: value }));
+  const position = select<LeadPosition>((value) => set({ position: value }));
+  const placed = field(w.position, position.root);
+  const kinds = LEAD_KINDS.map((value) => ({ value, label: w.kinds[value] }));
+  const inputs = QUANTITIES.map((q) => {
+    const input = h('input', { type: 'number', step: 'any', min: q.least, max: q.most, inputmode: 'decimal' });
+    input.addEventListener('input', () => {
+      const value = input.valueAsNumber;
+      const valid = value >= q.least && value <= q.most;
+      input.setAttribute('aria-invalid', String(!valid && input.value !== ''));
+      if (valid) set({ [q.name]: value });
+    });
+    return { q, input, row: field(w[q.name], input, q.unit) };
+  });
+  const simple = h('div', { class: 'stack' }, field(w.kind, kind.root), field(w.out, out.root), placed, ...inputs.map((i) => i.row), h('p', { class: 'soft' }, w.about));
+  const custom = h('div', { class: 'stack' }, h('p', { class: 'soft' }, w.custom), button(w.replace, { class: 'small', onclick: () => edit((m) => (m.leads = leadRules())) }));
+  const gist = h('span', { class: 'soft' });
+  const root = h('details', { class: 'more' }, h('summary', {}, w.title, ' ', gist), simple, custom);
+  return {
+    root,
+    show({ leads }) {
+      const settings = leads ? leadSettings(leads) : NONE;
+      now = settings ?? NONE;
+      simple.hidden = settings === null;
+      custom.hidden = settings !== null;
+      gist.textContent = settings === null ? w.ownRules : now.kind === 'none' && now.out === 'none' ? '' : w.kinds[now.kind === 'none' ? now.out : now.kind];
+      kind.fill(kinds, now.kind);
+      out.fill(kinds, now.out);
+      position.fill(LEAD_POSITIONS.map((value) => ({ value, label: w.positions[value] })), now.position);
+      placed.hidden = !any(now);
+      for (const { q, input, row } of inputs) {
+        row.hidden = !q.of(now);
+        if (document.activeElement !== input) input.value = String(Math.round(now[q.name] * 1e6) / 1e6);
+      }
+    },
+  };
+}
