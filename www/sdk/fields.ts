@@ -561,6 +561,235 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
               },
               {
                 "kind": {
+                  "number": {
+                    "least": 0.001,
+                    "most": 100000.0,
+                    "or_zero": false,
+                    "unit": "mm/s",
+                    "why": "no head is faster than 100 m/s, and none cuts a millimetre in over 15 minutes"
+                  }
+                },
+                "name": "z_speed",
+                "nullable": true,
+                "required": false
+              },
+              {
+                "kind": {
+                  "list": {
+                    "object": [
+                      {
+                        "kind": "text",
+                        "name": "name",
+                        "nullable": false,
+                        "required": true
+                      },
+                      {
+                        "kind": {
+                          "object": [
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.001,
+                                  "most": 100000.0,
+                                  "or_zero": false,
+                                  "unit": "mm/s",
+                                  "why": "no head is faster than 100 m/s, and none cuts a millimetre in over 15 minutes"
+                                }
+                              },
+                              "name": "speed",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.0,
+                                  "most": 1.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "it is a fraction of full power"
+                                }
+                              },
+                              "name": "power",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.0,
+                                  "most": 1.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "it is a fraction of full power"
+                                }
+                              },
+                              "name": "min_power",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "whole": {
+                                  "least": 1.0,
+                                  "most": 100.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "a beam that needs more does not cut the material"
+                                }
+                              },
+                              "name": "passes",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.0,
+                                  "most": 50.0,
+                                  "or_zero": false,
+                                  "unit": "mm",
+                                  "why": "a pass cuts no deeper"
+                                }
+                              },
+                              "name": "z_step",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": "flag",
+                              "name": "air",
+                              "nullable": true,
+                              "required": false
+                            }
+                          ]
+                        },
+                        "name": "cut",
+                        "nullable": false,
+                        "required": false
+                      },
+                      {
+                        "kind": {
+                          "object": [
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.001,
+                                  "most": 100000.0,
+                                  "or_zero": false,
+                                  "unit": "mm/s",
+                                  "why": "no head is faster than 100 m/s, and none cuts a millimetre in over 15 minutes"
+                                }
+                              },
+                              "name": "speed",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.0,
+                                  "most": 1.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "it is a fraction of full power"
+                                }
+                              },
+                              "name": "power",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.0,
+                                  "most": 1.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "it is a fraction of full power"
+                                }
+                              },
+                              "name": "min_power",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "whole": {
+                                  "least": 1.0,
+                                  "most": 100.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "a beam that needs more does not cut the material"
+                                }
+                              },
+                              "name": "passes",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.0,
+                                  "most": 50.0,
+                                  "or_zero": false,
+                                  "unit": "mm",
+                                  "why": "a pass cuts no deeper"
+                                }
+                              },
+                              "name": "z_step",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": "flag",
+                              "name": "air",
+                              "nullable": true,
+                              "required": false
+                            }
+                          ]
+                        },
+                        "name": "mark",
+                        "nullable": false,
+                        "required": false
+                      },
+                      {
+                        "kind": {
+                          "number": {
+                            "least": 0.0,
+                            "most": 600.0,
+                            "or_zero": false,
+                            "unit": "s",
+                            "why": "thick plate is pierced in seconds, so ten minutes are a slip"
+                          }
+                        },
+                        "name": "pierce_time",
+                        "nullable": true,
+                        "required": false
+                      },
+                      {
+                        "kind": {
+                          "number": {
+                            "least": 0.02,
+                            "most": 10.0,
+                            "or_zero": true,
+                            "unit": "mm",
+                            "why": "no beam is thinner, and no jet or plasma cuts wider"
+                          }
+                        },
+                        "name": "kerf_width",
+                        "nullable": true,
+                        "required": false
+                      }
+                    ]
+                  }
+                },
+                "name": "materials",
+                "nullable": false,
+                "required": false
+              },
+              {
+                "kind": {
                   "object": [
                     {
                       "kind": {
@@ -800,235 +1029,6 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                 },
                 "name": "leads",
                 "nullable": true,
-                "required": false
-              },
-              {
-                "kind": {
-                  "number": {
-                    "least": 0.001,
-                    "most": 100000.0,
-                    "or_zero": false,
-                    "unit": "mm/s",
-                    "why": "no head is faster than 100 m/s, and none cuts a millimetre in over 15 minutes"
-                  }
-                },
-                "name": "z_speed",
-                "nullable": true,
-                "required": false
-              },
-              {
-                "kind": {
-                  "list": {
-                    "object": [
-                      {
-                        "kind": "text",
-                        "name": "name",
-                        "nullable": false,
-                        "required": true
-                      },
-                      {
-                        "kind": {
-                          "object": [
-                            {
-                              "kind": {
-                                "number": {
-                                  "least": 0.001,
-                                  "most": 100000.0,
-                                  "or_zero": false,
-                                  "unit": "mm/s",
-                                  "why": "no head is faster than 100 m/s, and none cuts a millimetre in over 15 minutes"
-                                }
-                              },
-                              "name": "speed",
-                              "nullable": true,
-                              "required": false
-                            },
-                            {
-                              "kind": {
-                                "number": {
-                                  "least": 0.0,
-                                  "most": 1.0,
-                                  "or_zero": false,
-                                  "unit": "",
-                                  "why": "it is a fraction of full power"
-                                }
-                              },
-                              "name": "power",
-                              "nullable": true,
-                              "required": false
-                            },
-                            {
-                              "kind": {
-                                "number": {
-                                  "least": 0.0,
-                                  "most": 1.0,
-                                  "or_zero": false,
-                                  "unit": "",
-                                  "why": "it is a fraction of full power"
-                                }
-                              },
-                              "name": "min_power",
-                              "nullable": true,
-                              "required": false
-                            },
-                            {
-                              "kind": {
-                                "whole": {
-                                  "least": 1.0,
-                                  "most": 100.0,
-                                  "or_zero": false,
-                                  "unit": "",
-                                  "why": "a beam that needs more does not cut the material"
-                                }
-                              },
-                              "name": "passes",
-                              "nullable": true,
-                              "required": false
-                            },
-                            {
-                              "kind": {
-                                "number": {
-                                  "least": 0.0,
-                                  "most": 50.0,
-                                  "or_zero": false,
-                                  "unit": "mm",
-                                  "why": "a pass cuts no deeper"
-                                }
-                              },
-                              "name": "z_step",
-                              "nullable": true,
-                              "required": false
-                            },
-                            {
-                              "kind": "flag",
-                              "name": "air",
-                              "nullable": true,
-                              "required": false
-                            }
-                          ]
-                        },
-                        "name": "cut",
-                        "nullable": false,
-                        "required": false
-                      },
-                      {
-                        "kind": {
-                          "object": [
-                            {
-                              "kind": {
-                                "number": {
-                                  "least": 0.001,
-                                  "most": 100000.0,
-                                  "or_zero": false,
-                                  "unit": "mm/s",
-                                  "why": "no head is faster than 100 m/s, and none cuts a millimetre in over 15 minutes"
-                                }
-                              },
-                              "name": "speed",
-                              "nullable": true,
-                              "required": false
-                            },
-                            {
-                              "kind": {
-                                "number": {
-                                  "least": 0.0,
-                                  "most": 1.0,
-                                  "or_zero": false,
-                                  "unit": "",
-                                  "why": "it is a fraction of full power"
-                                }
-                              },
-                              "name": "power",
-                              "nullable": true,
-                              "required": false
-                            },
-                            {
-                              "kind": {
-                                "number": {
-                                  "least": 0.0,
-                                  "most": 1.0,
-                                  "or_zero": false,
-                                  "unit": "",
-                                  "why": "it is a fraction of full power"
-                                }
-                              },
-                              "name": "min_power",
-                              "nullable": true,
-                              "required": false
-                            },
-                            {
-                              "kind": {
-                                "whole": {
-                                  "least": 1.0,
-                                  "most": 100.0,
-                                  "or_zero": false,
-                                  "unit": "",
-                                  "why": "a beam that needs more does not cut the material"
-                                }
-                              },
-                              "name": "passes",
-                              "nullable": true,
-                              "required": false
-                            },
-                            {
-                              "kind": {
-                                "number": {
-                                  "least": 0.0,
-                                  "most": 50.0,
-                                  "or_zero": false,
-                                  "unit": "mm",
-                                  "why": "a pass cuts no deeper"
-                                }
-                              },
-                              "name": "z_step",
-                              "nullable": true,
-                              "required": false
-                            },
-                            {
-                              "kind": "flag",
-                              "name": "air",
-                              "nullable": true,
-                              "required": false
-                            }
-                          ]
-                        },
-                        "name": "mark",
-                        "nullable": false,
-                        "required": false
-                      },
-                      {
-                        "kind": {
-                          "number": {
-                            "least": 0.0,
-                            "most": 600.0,
-                            "or_zero": false,
-                            "unit": "s",
-                            "why": "thick plate is pierced in seconds, so ten minutes are a slip"
-                          }
-                        },
-                        "name": "pierce_time",
-                        "nullable": true,
-                        "required": false
-                      },
-                      {
-                        "kind": {
-                          "number": {
-                            "least": 0.02,
-                            "most": 10.0,
-                            "or_zero": true,
-                            "unit": "mm",
-                            "why": "no beam is thinner, and no jet or plasma cuts wider"
-                          }
-                        },
-                        "name": "kerf_width",
-                        "nullable": true,
-                        "required": false
-                      }
-                    ]
-                  }
-                },
-                "name": "materials",
-                "nullable": false,
                 "required": false
               },
               {

@@ -40,7 +40,7 @@ export interface EntityKindCount {
 export type Severity = "info" | "warning" | "error";
 
 /** The kind of a finding. Written in kebab case in JSON (`unsupported-entity`). Later versions may add codes. */
-export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "far-from-origin" | "off-bed" | "least-power-left-out" | "not-all-checked" | "more";
+export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "far-from-origin" | "off-bed" | "least-power-left-out" | "not-all-checked" | "more";
 
 /** One finding. */
 export interface Finding {
@@ -182,6 +182,58 @@ export interface MaterialSetting {
 
 /** The file that a machine's controller takes. */
 export type Takes = "gcode" | "dxf" | "svg";
+
+/** Which side of a contour is scrap. */
+export type LeadSide = "hole" | "outer";
+
+/** Where leads join a contour. */
+export type LeadPosition = "any" | "corner" | "side";
+
+/** The form of a lead. */
+export type LeadKind = "none" | "line" | "arc" | "line-arc" | "center";
+
+/** One lead. */
+export interface LeadShape {
+  /** Its form. */
+  kind: LeadKind,
+  /** Length of the line, mm. Default 3. */
+  length?: number,
+  /** Radius of the arc, mm. Default 1.5. */
+  radius?: number,
+  /** Of a line the angle to the contour, of an arc its sweep, rad. Default pi/2. */
+  angle?: number,
+}
+
+/** The leads of some contours. Conditions that are not given fit every contour. */
+export interface LeadRule {
+  /** Fits holes or outlines of parts only. */
+  side?: LeadSide,
+  /** Fits contours whose box has a longer side below this, mm: of a circle, the diameter. */
+  diameter_below?: number,
+  /** Fits contours that are shorter than this, mm. */
+  perimeter_below?: number,
+  /** From the place of piercing to the contour. */
+  lead_in: LeadShape,
+  /** From the contour to where the beam goes off. Default: none. */
+  lead_out?: LeadShape,
+  /** Where leads join the contour. Default: anywhere. */
+  position?: LeadPosition,
+  /** Greatest size of a lead in a hole, as a fraction of the radius of the largest circle in the hole. Default 0.4. */
+  max_share?: number,
+  /**
+   * Length of the contour that is cut again after its start, mm; negative: length that is left uncut before it. It is at
+   * most half of the contour. Default 0.
+   */
+  overcut?: number,
+}
+
+/** Lead-ins, lead-outs and overcuts of a machine with a material. */
+export interface Leads {
+  /** Least distance of leads from everything that is not scrap, mm. A lead touches its own contour only where it joins. */
+  clearance: number,
+  /** The first rule that fits a contour applies to it. A contour that none fits has no lead. */
+  rules: Array<LeadRule>,
+}
 
 /** Unit of coordinates in the program. */
 export type FileUnit = "mm" | "inch";
@@ -353,6 +405,8 @@ export interface MachineProfile {
    * them by half the kerf width. If it is 0, the beam follows the drawn lines.
    */
   kerf_width?: number,
+  /** Lead-ins, lead-outs and overcuts; `null` for none of them: cuts begin and end on their contours. */
+  leads?: Leads | null,
   /** Speed at which the head is lowered and raised, mm/s; `null` if it cannot be. */
   z_speed?: number | null,
   /** Settings for materials, by name. */
@@ -626,8 +680,10 @@ export interface Summary {
   pierces: number,
   /** Number of pre-cuts. */
   pre_cuts: number,
-  /** Length of cuts and marks. */
+  /** Length of cuts and marks, leads included. */
   cut_length: number,
+  /** Length of lead-ins, lead-outs and overcuts. */
+  lead_length?: number,
   /** Length of air moves. */
   air_length: number,
   /** Time along contours, by look-ahead over corners and acceleration. */
@@ -1006,8 +1062,10 @@ export interface Quote {
   times: QuoteTimes,
   /** Seconds of cuts and marks that belong to no part. Those of all parts and these add up to `times`. */
   loose_times: QuoteTimes,
-  /** Length of cuts and marks. */
+  /** Length of cuts and marks, leads included. */
   cut_length: number,
+  /** Length of lead-ins, lead-outs and overcuts. */
+  lead_length?: number,
   /** Length of air moves. */
   air_length: number,
   /** Number of piercings. */
