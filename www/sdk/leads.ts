@@ -7,8 +7,10 @@ import type { LeadKind, LeadPosition, LeadShape, Leads } from './protocol.js';
 
 /** The forms of a lead that joins a contour anywhere. */
 export const LEAD_KINDS: readonly LeadKind[] = ['none', 'line', 'arc', 'line-arc'];
+/** Where leads may join a contour. */
 export const LEAD_POSITIONS: readonly LeadPosition[] = ['any', 'corner', 'side'];
 
+/** One lead for all contours, and small holes from their centres. */
 export interface LeadSettings {
   /** The lead-in. */
   kind: LeadKind;
@@ -29,6 +31,7 @@ export interface LeadSettings {
   centerBelow: number;
 }
 
+/** What {@link leadRules} takes for settings that are not given. */
 export const DEFAULT_LEADS: Readonly<LeadSettings> = {
   kind: 'arc', out: 'none', length: 3, radius: 1.5, angle: 90, position: 'any', overcut: 0, clearance: 0.5, centerBelow: 6,
 };
