@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
-import { createPlanner, plan, quote } from 'kerfway';
+import { createPlanner, plan, quote, verifyQuote } from 'kerfway';
 import { circle, dxf, folder, kerfway, square } from './support.mjs';
 
 const QUICK = ['--moves', '20', '--seed', '1', '--units', 'mm'];
@@ -70,6 +70,19 @@ describe('quotes', () => {
     await assert.rejects(quote(DRAWING, { ...options, material: { name: '1 mm steel' } }), /The machine co2-100w has no setting for the material "1 mm steel"\. It has: 3 mm birch ply\./);
     const { confidence } = await quote(DRAWING, { ...options, machine: 'co2-100w', material: { name: '1 mm steel' } });
     assert.ok(confidence.reasons.some((r) => r.code === 'no-setting' && r.message.startsWith('The machine has no setting for 1 mm steel')), JSON.stringify(confidence));
+  });
+});
+
+describe('verifyQuote', () => {
+  it('confirms a quote with a setting of the library and settings of layers', async () => {
+    const options = { units: 'mm', moves: 10, seed: 1, machine: await machine(), layers: [{ name: '0', operation: 'cut', minPower: 0.2, passes: 3 }], passOrder: 'sheet' };
+    const report = await quote(DRAWING, { ...options, material: { name: '3 mm birch ply' } });
+    assert.equal(report.setting, '3 mm birch ply');
+    near(report.times.cut, (3 * LENGTH) / 5);
+    near(report.parts.reduce((sum, p) => sum + p.items.reduce((s, i) => s + i.times.cut, 0), 0), report.times.cut);
+    assert.deepEqual((await verifyQuote(DRAWING, report)).differences, []);
+    const faster = { ...report, machine: { ...report.machine, cut: { ...report.machine.cut, speed: 50 } } };
+    assert.equal((await verifyQuote(DRAWING, faster)).valid, false);
   });
 });
 
