@@ -10,6 +10,7 @@ import { setup } from '../scripts/setup.mjs';
 import { DIST, ROOT, run } from '../scripts/tools.mjs';
 import { drawing } from './intake/drawing.mjs';
 import { hostile } from './intake/hostile.mjs';
+import { paths } from './intake/paths.mjs';
 import { mb, median, ms, rows, table } from './common/table.mjs';
 
 const HERE = join(ROOT, 'benches', 'intake');
@@ -17,9 +18,10 @@ const SHEETS = join(ROOT, 'tests', 'fixtures', 'sheets');
 const RUNS = 7;
 const ENTITIES = 63_000;
 const SEED = 1;
+const SVG_BYTES = 20 << 20;
 
 /** What the figures should stay below. */
-const TARGETS = { read: 500, memory: 250, assemble: 1000, hostile: 1000 };
+const TARGETS = { read: 500, svg: 1000, memory: 250, assemble: 1000, hostile: 1000 };
 
 export async function bench() {
   await setup();
@@ -37,6 +39,7 @@ export async function bench() {
     const large = join(folder, 'large.dxf');
     writeFileSync(large, drawing(ENTITIES, SEED));
     reading(large);
+    readingSvg(folder);
     assembling(join(SHEETS, 'sheet_10000.dxf'));
     planning();
     enduring(folder);
@@ -61,6 +64,16 @@ function reading(file) {
     ['ratio', ratio(theirs.times, ours.times), (theirs.memory / ours.memory).toFixed(1), ratio(native.dxf, native.kerfway)],
     ['target', ms(TARGETS.read), `${TARGETS.memory} MB`, ''],
   ]);
+}
+
+function readingSvg(folder) {
+  const lines = Object.entries(paths).map(([name, text]) => {
+    const file = join(folder, 'paths.svg');
+    writeFileSync(file, text(SVG_BYTES, SEED));
+    const { times, found, memory } = measure('svg', file);
+    return [name, String(found), ms(median(times)), `${mb(memory)} MB`];
+  });
+  table(`Reading ${mb(SVG_BYTES)} MB of SVG paths in wasm`, ['', 'lines and arcs', 'wasm', 'wasm memory'], [...lines, ['target', '', ms(TARGETS.svg), '']]);
 }
 
 function assembling(file) {

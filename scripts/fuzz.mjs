@@ -12,9 +12,10 @@ import { join } from 'node:path';
 import { ask, ENV, main, ROOT, run, Stop } from './tools.mjs';
 
 const FOLDER = join('tests', 'fuzz');
-const TARGETS = ['dxf_reader', 'intake'];
+// Each target with its words and the files it starts from.
+const TARGETS = { dxf_reader: ['dxf.dict', 'oracle'], svg_reader: ['svg.dict', 'svg'], intake: ['dxf.dict', 'oracle'] };
+const NAMES = Object.keys(TARGETS);
 const CARGO_FUZZ = '0.13.2';
-const FIXTURES = join('tests', 'fixtures', 'oracle');
 // A second per input is far beyond what one of this size takes: 5 s is a hang. The longest input is a file of some
 // thousand lines; longer ones only slow the search down.
 const LIMITS = ['-timeout=5', '-rss_limit_mb=2048', '-max_len=65536'];
@@ -27,8 +28,9 @@ main(() => {
     const found = join(FOLDER, 'target', 'found', target);
     const kept = join(FOLDER, 'corpus', target);
     for (const folder of [found, kept]) mkdirSync(join(ROOT, folder), { recursive: true });
-    const words = `-dict=${join(FOLDER, 'dxf.dict')}`;
-    fuzz(target, [found, kept, FIXTURES], [`-max_total_time=${seconds}`, words, '-print_final_stats=1']);
+    const [dictionary, fixtures] = TARGETS[target];
+    const words = `-dict=${join(FOLDER, dictionary)}`;
+    fuzz(target, [found, kept, join('tests', 'fixtures', fixtures)], [`-max_total_time=${seconds}`, words, '-print_final_stats=1']);
     if (keep) fuzz(target, [kept, found], ['-merge=1']);
   }
   console.log('\nno crash');
@@ -45,10 +47,10 @@ function options(args) {
   const seconds = at < 0 ? 60 : Number(args[at + 1]);
   const rest = args.filter((_, i) => at < 0 || (i !== at && i !== at + 1));
   const named = rest.filter((name) => name !== '--keep');
-  if (!(seconds > 0) || named.some((name) => !TARGETS.includes(name))) {
-    throw new Stop(`Usage: npm run fuzz -- [--seconds N] [--keep] [${TARGETS.join('|')}]`);
+  if (!(seconds > 0) || named.some((name) => !NAMES.includes(name))) {
+    throw new Stop(`Usage: npm run fuzz -- [--seconds N] [--keep] [${NAMES.join('|')}]`);
   }
-  return { seconds, keep: rest.length > named.length, targets: named.length > 0 ? named : TARGETS };
+  return { seconds, keep: rest.length > named.length, targets: named.length > 0 ? named : NAMES };
 }
 
 function setup() {

@@ -82,8 +82,10 @@
 //!
 //! * `planner` (default): everything that planning a job needs, with its WebAssembly bindings. Only the file of the PNG
 //!   renderer is built without it, so that it stays small.
+//! * `svg` (default, part of `research`): the reader of SVG ([`svg`]).
 //! * `research` (default): the methods of published papers ([`solve::papers`]) and benchmark instances of the TSPLIB
-//!   family. The page downloads a second WebAssembly file with this feature only when one of them is selected.
+//!   family. The page downloads a second WebAssembly file with this feature, and with the reader of SVG, only when one of
+//!   them or an SVG file is opened.
 //! * `png`: the PNG renderer, which depends on tiny-skia. It is a WebAssembly file of its own, because most jobs never
 //!   need it.
 
@@ -104,6 +106,7 @@ pub mod problem;
 pub mod quote;
 pub mod sheet;
 pub mod solve;
+pub mod svg;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod typescript;
 

@@ -55,6 +55,10 @@ const cases = {
     const { memory, read_dxf_crate } = await readers();
     return repeat(memory, () => read_dxf_crate(bytes));
   },
+  async svg() {
+    const { memory, read_svg } = await readers();
+    return repeat(memory, () => read_svg(bytes));
+  },
   async assemble() {
     const { memory, Read } = await readers();
     const read = Read.open(bytes);

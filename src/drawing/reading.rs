@@ -42,6 +42,8 @@ impl Limits {
 pub struct ReadOptions {
     /// Unit chosen by the person; `None` takes it from the header or guesses it.
     pub unit: Option<Unit>,
+    /// Pixels per inch, chosen by the person for a drawing in pixels.
+    pub dpi: Option<f64>,
     /// Largest distance between a spline or ellipse and the lines and arcs that replace it, mm.
     pub tolerance: f64,
     /// Whether to keep entities that were read across a break in the file.
@@ -90,6 +92,7 @@ impl Default for ReadOptions {
     fn default() -> Self {
         Self {
             unit: None,
+            dpi: None,
             tolerance: 0.005,
             keep_damaged: false,
             quarter_turns: 0,

@@ -2,6 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
+/// Pixels per inch in browsers and in Inkscape since version 0.92.
+///
+/// Source: "CSS Values and Units Module Level 3" (W3C), section 6.2.
+pub const CSS_DPI: f64 = 96.0;
+
 /// The unit of length of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -27,6 +32,8 @@ pub enum Unit {
     Dm,
     /// 1000 mm.
     M,
+    /// A pixel: 1/96 inch, unless [`Units::dpi`] has another number.
+    Px,
 }
 
 impl Unit {
@@ -43,6 +50,7 @@ impl Unit {
             Self::Cm => 10.0,
             Self::Dm => 100.0,
             Self::M => 1000.0,
+            Self::Px => 25.4 / CSS_DPI,
         }
     }
 
@@ -59,6 +67,7 @@ impl Unit {
             Self::Cm => "centimetres",
             Self::Dm => "decimetres",
             Self::M => "metres",
+            Self::Px => "pixels",
         }
     }
 
@@ -105,11 +114,50 @@ pub enum UnitsSource {
 pub struct Units {
     /// The chosen unit.
     pub unit: Unit,
+    /// Pixels per inch, if the unit is a pixel.
+    pub dpi: Option<f64>,
+    /// Length in mm of one unit of the drawing's coordinates. It differs from the unit where an SVG page is scaled.
+    pub scale: f64,
     /// Where the unit comes from.
     pub source: UnitsSource,
     /// One sentence for people that gives the reason for this unit.
     pub reason: String,
-    /// Whether a person should be asked, because the unit was guessed without evidence or the size contradicts the
-    /// header.
+    /// Whether a person should be asked, because the unit was guessed from too little evidence or the evidence contradicts
+    /// the file.
     pub doubtful: bool,
+    /// How sure the unit is, from 0 to 1: the share of the evidence for it. 1 for a unit that a person chose.
+    pub confidence: f64,
+}
+
+impl Units {
+    /// The units that a person chose: a unit, or pixels of a resolution. `None` if nothing was chosen.
+    pub(crate) fn chosen(unit: Option<Unit>, dpi: Option<f64>) -> Option<Self> {
+        let unit = if dpi.is_some() { Unit::Px } else { unit? };
+        let dpi = (unit == Unit::Px).then_some(dpi.unwrap_or(CSS_DPI));
+        let reason = match dpi {
+            Some(dpi) => format!("Pixels, {dpi} to the inch, were chosen."),
+            None => format!("{} were chosen.", unit.plural()),
+        };
+        let scale = dpi.map_or(unit.millimetres(), |dpi| 25.4 / dpi);
+        Some(Self { unit, dpi, scale, source: UnitsSource::Given, reason, doubtful: false, confidence: 1.0 })
+    }
+
+    /// Why the unit may be wrong, if it is doubtful.
+    pub fn doubt(&self) -> Option<String> {
+        self.doubtful.then(|| self.reason.clone())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_resolution_means_pixels() {
+        let chosen = |unit, dpi| Units::chosen(unit, dpi).map(|u| (u.unit, u.scale));
+        assert_eq!(chosen(None, None), None);
+        assert_eq!(chosen(Some(Unit::Cm), None), Some((Unit::Cm, 10.0)));
+        assert_eq!(chosen(Some(Unit::Px), None), Some((Unit::Px, 25.4 / 96.0)));
+        assert_eq!(chosen(None, Some(72.0)), Some((Unit::Px, 25.4 / 72.0)));
+    }
 }

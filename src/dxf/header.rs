@@ -15,6 +15,8 @@ pub(super) struct Header<'a> {
     pub(super) measurement: Option<i64>,
     /// $LUNITS: display format of lengths; 3 and 4 are feet and inches.
     pub(super) length_format: Option<i64>,
+    /// $DIMTXT: height of dimension texts.
+    pub(super) dimension_text: Option<f64>,
 }
 
 impl<'a> Header<'a> {
@@ -26,6 +28,7 @@ impl<'a> Header<'a> {
             b"$INSUNITS" => self.insert_units = self.insert_units.or(tag.int()),
             b"$MEASUREMENT" => self.measurement = self.measurement.or(tag.int()),
             b"$LUNITS" => self.length_format = self.length_format.or(tag.int()),
+            b"$DIMTXT" => self.dimension_text = self.dimension_text.or(tag.real()),
             _ => {}
         }
     }

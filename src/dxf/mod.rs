@@ -1,8 +1,7 @@
 //! Reads DXF: bytes in, a [`Drawing`] in millimetres out. Everything unusual becomes a finding.
 //!
 //! ```text
-//! bytes -> sniff      recognises other formats and names them
-//!       -> tokens     group codes and values, ASCII or binary, borrowed from the bytes; resynchronises after damage
+//! bytes -> tokens     group codes and values, ASCII or binary, borrowed from the bytes; resynchronises after damage
 //!       -> file       sections, layers, blocks; records become typed entities (entities/), in drawing units
 //!       -> measure    number of elements, nesting and extent, before anything is expanded
 //!       -> units      from the header, guessed, or chosen by the person; doubt is reported
@@ -31,13 +30,12 @@ mod plausible;
 mod record;
 mod report;
 mod single_byte;
-mod sniff;
 mod tag;
 mod tokens;
 mod trace;
 mod units;
 
-use crate::drawing::{Drawing, EntityKindCount, Layer, ReadError, ReadOptions};
+use crate::drawing::{Drawing, EntityKindCount, Layer, ReadError, ReadOptions, Units, other_format};
 use crate::finding::{Code, Finding, Severity};
 use encoding::Decoder;
 use entity::{Geometry, Hidden};
@@ -50,19 +48,20 @@ use std::collections::BTreeMap;
 /// The file is not a DXF, holds nothing to cut, or exceeds a limit of `options`. The error is one sentence for people.
 pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadError> {
     options.limits.check_size(bytes.len())?;
-    if let Some(sentence) = sniff::other_format(bytes) {
+    if let Some(sentence) = other_format(bytes) {
         return Err(ReadError::NotADrawing(sentence.to_owned()));
     }
     let mut file = file::read(bytes);
     if !file.recognised {
         return Err(ReadError::NotADrawing(
-            "This is not a DXF file, or one damaged beyond reading. Save the drawing as DXF and drop it again.".to_owned(),
+            "This is neither a DXF nor an SVG file, or one damaged beyond reading. Save the drawing as DXF or SVG and drop it again.".to_owned(),
         ));
     }
     let size = measure::size(&file, &options.limits)?;
-    let (units, units_finding) = units::decide(&file.header, options.unit, size.max_element());
+    let (units, units_finding) =
+        units::decide(&file, Units::chosen(options.unit, options.dpi), size.max_element());
     let mut notes = std::mem::take(&mut file.notes);
-    let shapes = expand::shapes(&file, units.unit.millimetres(), options, &mut notes)?;
+    let shapes = expand::shapes(&file, units.scale, options, &mut notes)?;
     let mut decoder = Decoder::new(&file.header, options.decoder);
     let layers = layers(&file, &mut decoder);
     let mut findings: Vec<Finding> = units_finding.into_iter().collect();

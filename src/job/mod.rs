@@ -15,6 +15,7 @@ mod outputs;
 mod placement;
 mod problem_of;
 mod ranges;
+mod read;
 mod report;
 mod run;
 mod sample;
@@ -29,6 +30,7 @@ pub use options::{Budget, GroupChoice, LayerChoice, LoadOptions, MachineChoice, 
 pub use outputs::OutputKind;
 pub use placement::{Place, Placed};
 pub use problem_of::problem_of;
+pub use read::is_svg;
 pub use report::{Baselines, ContourInfo, Geometry, Loaded};
 pub use run::{Run, Slice, SliceEnd};
 pub use sample::sample_program;
@@ -37,7 +39,6 @@ pub use solving::Solving;
 pub use warm_path::WarmPath;
 
 use crate::drawing::{Drawing, ReadOptions};
-use crate::dxf;
 use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Severity};
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
@@ -58,11 +59,11 @@ pub struct Job {
 }
 
 impl Job {
-    /// Reads a DXF file and arranges its contours.
+    /// Reads a DXF or SVG file and arranges its contours.
     pub fn load(bytes: Vec<u8>, name: &str, options: &LoadOptions) -> Result<Self, JobError> {
         let read_options = options.read_options()?;
         let sheet_options = options.sheet_options()?;
-        let drawing = dxf::read(&bytes, &read_options)?.turned(read_options.quarter_turns);
+        let drawing = read::read(&bytes, &read_options)?.turned(read_options.quarter_turns);
         let sheet = build_sheet(&drawing, &sheet_options)?;
         let sha256 = Sha256::digest(&bytes).iter().map(|b| format!("{b:02x}")).collect();
         Ok(Self {
@@ -86,7 +87,7 @@ impl Job {
         if read_options == self.read_options {
             self.sheet = build_sheet(&self.drawing, &sheet_options)?;
         } else {
-            let drawing = dxf::read(&self.bytes, &read_options)?.turned(read_options.quarter_turns);
+            let drawing = read::read(&self.bytes, &read_options)?.turned(read_options.quarter_turns);
             self.sheet = build_sheet(&drawing, &sheet_options)?;
             self.drawing = drawing;
             self.read_options = read_options;

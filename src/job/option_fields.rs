@@ -2,7 +2,8 @@
 
 use super::options::{Budget, LoadOptions, PlanOptions};
 use super::ranges::{
-    ALONG, COUNT, ID, JOIN_TOLERANCE, MEMBER, PLACE, REVERSED, SECONDS, TOLERANCE, TURN, WORKERS,
+    ALONG, COPY_TOLERANCE, COUNT, DPI, ID, JOIN_TOLERANCE, MEMBER, PLACE, REVERSED, SECONDS, TOLERANCE, TURN,
+    WORKERS,
 };
 use crate::fields::{Field, Kind, Shape, Shaped};
 use crate::machine::{Anchor, LAYER_SETTINGS, Profile};
@@ -20,12 +21,14 @@ impl Shaped for LoadOptions {
         fields: &[
             Field::optional(
                 "units",
-                Kind::Choice(&["mm", "cm", "dm", "m", "um", "in", "ft", "yd", "mil", "microinch"]),
+                Kind::Choice(&["mm", "cm", "dm", "m", "um", "in", "ft", "yd", "mil", "microinch", "px"]),
             ),
+            Field::optional("dpi", Kind::Number(DPI)),
             Field::optional("tolerance", Kind::Number(TOLERANCE)),
             Field::optional("keepDamaged", Kind::Flag),
             Field::optional("turn", Kind::Whole(TURN)),
             Field::optional("joinTolerance", Kind::Number(JOIN_TOLERANCE)),
+            Field::optional("copyTolerance", Kind::Number(COPY_TOLERANCE)),
             Field::optional("layers", Kind::List(&Kind::Object(LAYER_SETTINGS))),
             Field::optional("orderByLayer", Kind::Flag),
             Field::optional("passOrder", Kind::Choice(&["contour", "sheet"])),

@@ -4,10 +4,10 @@
 //! `option_fields.rs` lists the fields and `ranges.rs` the ranges of their numbers.
 
 use super::placement::Place;
-use super::ranges::{JOIN_TOLERANCE, SECONDS, TOLERANCE, TURN, WORKERS};
+use super::ranges::{COPY_TOLERANCE, DPI, JOIN_TOLERANCE, SECONDS, TOLERANCE, TURN, WORKERS};
 use super::{JobError, WarmPath};
 use crate::drawing::{ReadOptions, TextDecoder, Unit};
-use crate::fields::{FieldError, Range};
+use crate::fields::{Fault, FieldError, Range};
 use crate::machine::{self, Profile, Settings, Start};
 use crate::sheet::{CommonCuts, Group, Operation, PassOrder, SheetOptions};
 use serde::de::value::MapAccessDeserializer;
@@ -75,8 +75,10 @@ pub struct GroupChoice {
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
 pub struct LoadOptions {
-    /// The unit of the drawing. Default: the unit in the file's header, or a guess.
+    /// The unit of the drawing. Default: the unit that the file states, or a guess.
     pub units: Option<Unit>,
+    /// Pixels per inch, for a drawing in pixels: 96 in browsers and Inkscape, 90 in Inkscape before 0.92, 72 in Illustrator.
+    pub dpi: Option<f64>,
     /// Largest distance between a spline or ellipse and the lines and arcs that replace it, mm. Default 0.005.
     pub tolerance: f64,
     /// Whether entities are kept that were read across a defect in the file. Default false.
@@ -85,6 +87,8 @@ pub struct LoadOptions {
     pub turn: u32,
     /// Largest distance between ends that are joined, mm. Default 0.05.
     pub join_tolerance: f64,
+    /// Largest distance between lines that are copies of each other, mm. Default 0.01.
+    pub copy_tolerance: f64,
     /// The operation of each layer, by name. The order of the list is the order by layer.
     pub layers: Vec<LayerChoice>,
     /// Whether layers are processed one after the other. Default false.
@@ -121,10 +125,12 @@ impl Default for LoadOptions {
         let (read, sheet) = (ReadOptions::default(), SheetOptions::default());
         Self {
             units: read.unit,
+            dpi: read.dpi,
             tolerance: read.tolerance,
             keep_damaged: read.keep_damaged,
             turn: 90 * u32::from(read.quarter_turns),
             join_tolerance: sheet.join_tolerance,
+            copy_tolerance: sheet.copy_tolerance,
             layers: Vec::new(),
             order_by_layer: sheet.order_by_layer,
             pass_order: sheet.pass_order,
@@ -142,14 +148,23 @@ impl Default for LoadOptions {
 }
 
 impl LoadOptions {
-    /// The options of the DXF reader.
+    /// The options of the readers.
     pub fn read_options(&self) -> Result<ReadOptions, JobError> {
+        self.dpi.map_or(Ok(()), |dpi| within("dpi", dpi, &DPI))?;
+        if let (Some(_), Some(unit)) = (self.dpi, self.units.filter(|u| *u != Unit::Px)) {
+            let sentence = format!(
+                "The drawing cannot be in {} and in pixels of a resolution (dpi). Choose one of them.",
+                unit.plural()
+            );
+            return Err(FieldError::new(Fault::Contradiction, "dpi", sentence).into());
+        }
         within("tolerance", self.tolerance, &TOLERANCE)?;
         let quarters = [0, 1, 2, 3].into_iter().find(|&k| 90 * u32::from(k) == self.turn);
         let quarter_turns = quarters
             .ok_or_else(|| FieldError::out_of_range("The option", "turn", self.turn.into(), &TURN))?;
         Ok(ReadOptions {
             unit: self.units,
+            dpi: self.dpi,
             tolerance: self.tolerance,
             keep_damaged: self.keep_damaged,
             quarter_turns,
@@ -161,6 +176,7 @@ impl LoadOptions {
     /// The options of the sheet.
     pub fn sheet_options(&self) -> Result<SheetOptions, JobError> {
         within("joinTolerance", self.join_tolerance, &JOIN_TOLERANCE)?;
+        within("copyTolerance", self.copy_tolerance, &COPY_TOLERANCE)?;
         for layer in &self.layers {
             if let Err((field, value, range)) = machine::check_settings(&layer.settings()) {
                 let name = format!("layers: {}: {field}", layer.name);
@@ -169,6 +185,7 @@ impl LoadOptions {
         }
         Ok(SheetOptions {
             join_tolerance: self.join_tolerance,
+            copy_tolerance: self.copy_tolerance,
             layers: self.layers.iter().map(|l| (l.name.clone(), l.operation)).collect(),
             settings: self
                 .layers
@@ -186,7 +203,6 @@ impl LoadOptions {
             first: self.first.clone(),
             last: self.last.clone(),
             exclude: self.exclude.clone(),
-            ..SheetOptions::default()
         })
     }
 }

@@ -208,6 +208,8 @@ impl Job {
                 name: self.name.clone(),
                 units: self.drawing.units.unit,
                 units_source: self.drawing.units.source,
+                dpi: self.drawing.units.dpi,
+                units_doubt: self.drawing.units.doubt(),
             },
             // The library is not part of the plan.
             machine: Profile { materials: Vec::new(), ..profile.clone() },

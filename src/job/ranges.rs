@@ -12,8 +12,11 @@ pub(super) const TOLERANCE: Range = Range::new(
 );
 pub(super) const PLACE: Range = Range::new(-1e6, 1e6, "mm", "no table reaches further than 1 km");
 pub(super) const TURN: Range = Range::new(0.0, 270.0, "degrees", "quarter turns are 0, 90, 180 or 270");
+pub(super) const DPI: Range = Range::new(1.0, 100_000.0, "", "no program draws in larger or smaller pixels");
 pub(super) const JOIN_TOLERANCE: Range =
     Range::new(0.0, 5.0, "mm", "a larger one would join what was drawn apart");
+pub(super) const COPY_TOLERANCE: Range =
+    Range::new(0.0, 1.0, "mm", "a larger one would merge lines that are drawn side by side");
 pub(super) const SECONDS: Range =
     Range::new(0.0, 604_800.0, "s", "a search is over long before a week has passed");
 pub(super) const WORKERS: Range =

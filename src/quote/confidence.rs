@@ -48,6 +48,8 @@ pub struct Reason {
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub enum ReasonCode {
+    /// The units may be wrong.
+    UnitsDoubtful,
     /// The units were guessed.
     UnitsGuessed,
     /// Contours that are cut are open.
@@ -97,9 +99,13 @@ pub(super) fn confidence(
             format!("The machine has no setting for {material}: its times are those of \"{machine}\".");
         doubts.add(Level::Medium, Reason { code: ReasonCode::NoSetting, finding: None, count: 1, message });
     }
-    if input.units_source == UnitsSource::Guessed {
-        let message = "The file does not say its units; they were guessed.".into();
-        doubts.add(Level::Low, Reason { code: ReasonCode::UnitsGuessed, finding: None, count: 1, message });
+    let mut of_units =
+        |level, code, message| doubts.add(level, Reason { code, finding: None, count: 1, message });
+    if let Some(reason) = &input.units_doubt {
+        of_units(Level::Low, ReasonCode::UnitsDoubtful, format!("The unit is in doubt. {reason}"));
+    } else if input.units_source == UnitsSource::Guessed {
+        let message = "The file does not say its units; they were guessed from what it shows.".into();
+        of_units(Level::Medium, ReasonCode::UnitsGuessed, message);
     }
     let open = contours.iter().filter(|c| c.is_open() && c.operation == Operation::Cut).count();
     if open > 0 {
@@ -111,8 +117,13 @@ pub(super) fn confidence(
         doubts.add(Level::Medium, Reason { code: ReasonCode::OpenCuts, finding: None, count, message });
     }
     for defect in defects {
-        // The sentence above already names the open contours that are cut, and where a job lies changes no figure of it.
-        let told = defect.code == Code::OpenContour && open > 0;
+        // The sentences above already name the open contours that are cut and the doubt about the unit, and where a job lies
+        // changes no figure of it.
+        let told = match defect.code {
+            Code::OpenContour => open > 0,
+            Code::UnitsGuessed | Code::UnitsDoubtful => input.units_doubt.is_some(),
+            _ => false,
+        };
         if !told && defect.code != Code::OffBed {
             doubts.add_defect(defect);
         }

@@ -69,6 +69,12 @@ fn lines(job: &job::Job) -> Result<[JsValue; 2], JsError> {
     Ok([beam.transpose()?.unwrap_or(JsValue::NULL), geometry(&job.common_cuts())?])
 }
 
+/// Whether a file is SVG, by its first 16 kB.
+#[wasm_bindgen(js_name = isSvg)]
+pub fn is_svg(head: &[u8]) -> bool {
+    job::is_svg(head)
+}
+
 /// The options for reading, with the platform's text decoder.
 fn load_options_of(value: &JsValue) -> Result<LoadOptions, Failure> {
     let given: LoadOptions = options(value)?;
@@ -81,7 +87,7 @@ pub struct Job(job::Job);
 
 #[wasm_bindgen]
 impl Job {
-    /// Reads a DXF file and arranges its contours.
+    /// Reads a drawing and arranges its contours.
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "Uint8Array")] file: JsValue,

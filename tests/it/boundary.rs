@@ -139,8 +139,10 @@ fn written_files_are_accepted() {
     }
     let load = LoadOptions::default();
     let mut json = serde_json::to_value(&load).unwrap();
-    // No units are written as null.
-    json.as_object_mut().unwrap().remove("units");
+    // What was not chosen is written as null.
+    for name in ["units", "dpi"] {
+        json.as_object_mut().unwrap().remove(name);
+    }
     assert_eq!(fields::from_json::<LoadOptions>(&json.to_string()).unwrap(), load);
     for card in papers::cards() {
         let given = card.parameters.to_string();

@@ -35,7 +35,7 @@ fn base_point_of_the_block_comes_to_the_place_of_the_insert() {
 #[test]
 fn names_of_blocks_differ_by_more_than_case_and_blocks_may_follow() {
     let text = lines(&format!(
-        "0 SECTION 2 ENTITIES 0 INSERT 8 0 2 bar 10 0 20 0 0 ENDSEC 0 SECTION 2 BLOCKS {BAR} 0 ENDSEC 0 EOF"
+        "0 SECTION 2 HEADER 9 $INSUNITS 70 4 0 ENDSEC 0 SECTION 2 ENTITIES 0 INSERT 8 0 2 bar 10 0 20 0 0 ENDSEC 0 SECTION 2 BLOCKS {BAR} 0 ENDSEC 0 EOF"
     ));
     close(length(&read(&text).unwrap()), 2.0);
 }

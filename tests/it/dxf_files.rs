@@ -262,9 +262,9 @@ fn other_formats_are_named_with_advice() {
         (b"solid part\nfacet normal", "STL"),
         (b"", "empty"),
         (b" \r\n\r\n", "empty"),
-        (b"Dear reader,\nthis is a letter.\nYours\n", "not a DXF"),
-        (b"0\n", "not a DXF"),
-        (b"\0\0\0\0\0\0\0\0", "not a DXF"),
+        (b"Dear reader,\nthis is a letter.\nYours\n", "neither a DXF"),
+        (b"0\n", "neither a DXF"),
+        (b"\0\0\0\0\0\0\0\0", "neither a DXF"),
     ] {
         match bytes(start) {
             Err(ReadError::NotADrawing(sentence)) => {

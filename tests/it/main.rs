@@ -61,3 +61,6 @@ mod sheet;
 mod solve_exact;
 mod solve_partial;
 mod solve_search;
+mod svg_files;
+mod svg_oracle;
+mod units_evidence;

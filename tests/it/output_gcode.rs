@@ -313,3 +313,19 @@ fn the_interpreter_is_strict() {
     let after_rapid = crate::testkit::gcode::run("G0 X1\nM3 S10\nG4 P1").unwrap();
     assert_eq!(after_rapid.events[1], Event::Dwell { seconds: 1.0, beam: 0.0 });
 }
+
+#[test]
+fn file_names_do_not_reach_comments_unescaped() {
+    let (sheet, plan) = crate::testkit::plans::small();
+    let profile = crate::testkit::plans::machine();
+    for name in ["a\nG0 X0\n.dxf", "a)G1 X9(.svg", "~!?\u{18}.dxf", "\u{202e}fxd.a", "ä;M3\r\n"] {
+        let text = output::gcode(&plan, &sheet, &profile, name, kerfway::machine::Start::Absolute).unwrap();
+        let plain =
+            output::gcode(&plan, &sheet, &profile, "a.dxf", kerfway::machine::Start::Absolute).unwrap();
+        // Only the first line differs, and it is a comment of printable ASCII.
+        let (head, rest) = text.split_once('\n').unwrap();
+        assert_eq!(rest, plain.split_once('\n').unwrap().1, "{name:?}");
+        assert!(head.starts_with("; ") && head.bytes().all(|b| (0x20..0x7f).contains(&b)), "{head:?}");
+        assert!(!head[2..].contains(['(', ')', ';', '!', '?', '~']), "{head:?}");
+    }
+}

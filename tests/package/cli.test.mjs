@@ -84,7 +84,7 @@ describe('kerfway inspect', () => {
     assert.equal(code, 0);
     for (const words of [
       /^plate\.dxf.*300\.0 x 300\.0 mm/,
-      /^Units +mm \(given\): ./m,
+      /^Units +mm \(chosen by you\): ./m,
       /^Contours +2: 2 closed, 0 open$/m,
       /^Parts +1$/m,
       /^Length +1\.263 m to cut$/m,
@@ -136,7 +136,7 @@ describe('kerfway', () => {
     const { code, stdout } = await kerfway('help', 'plan');
     assert.deepEqual([code, stdout], [0, (await kerfway('plan', 'x.dxf', '--help')).stdout]);
     assert.match(stdout, /--no-return/);
-    assert.match((await kerfway('inspect', '-h')).stdout, /Usage: kerfway inspect FILE.dxf/);
+    assert.match((await kerfway('inspect', '-h')).stdout, /Usage: kerfway inspect FILE/);
     for (const command of COMMANDS) {
       const help = (await kerfway('help', command)).stdout;
       const examples = help.slice(help.indexOf('Examples:')).split('\n').filter((l) => /^ {2}[^#]*kerfway /.test(l));
@@ -149,7 +149,7 @@ describe('kerfway', () => {
   const wrong = [
     [[], /Name a command/],
     [['draw'], /no command draw/],
-    [['plan'], /Name a DXF file/],
+    [['plan'], /Name a DXF or SVG file/],
     [['help', 'draw'], /no command draw/],
     [['plan', 'a.dxf', 'b.dxf', '--gcode', 'x.nc'], /--gcode x\.nc is one file, and there are 2 drawings: name a folder/],
     [['plan', 'a.dxf', 'b.dxf', '--svg', '-'], /--svg - is for one drawing, and there are 2/],
@@ -189,7 +189,7 @@ describe('kerfway', () => {
 
   const unusable = [
     ['nothing', '', /empty/i],
-    ['a DWG file', 'AC1032\0\0\0\0', /DWG.*Save it as DXF/],
+    ['a DWG file', 'AC1032\0\0\0\0', /DWG.*Save As and choose DXF/],
     ['a PNG file', '\x89PNG\r\n\x1a\n', /PNG/],
     ['text', 'Dear Sir or Madam,\nplease cut this.\n', /DXF/],
   ];

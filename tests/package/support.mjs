@@ -20,8 +20,16 @@ export const KEYBOARD = 'dxf-dev/peej_lumberjack-keyboard__lumberjack-polaris.dx
 
 /** Runs the command line; resolves to its exit code and both outputs. */
 export function kerfway(...args) {
+  return run(args);
+}
+
+/** The same with bytes on standard input. */
+export const piped = (input, ...args) => run(args, input);
+
+function run(args, input = null) {
   return new Promise((resolve) => {
-    const child = spawn(process.execPath, [CLI, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
+    const child = spawn(process.execPath, [CLI, ...args], { stdio: [input === null ? 'ignore' : 'pipe', 'pipe', 'pipe'] });
+    if (input !== null) child.stdin.end(input);
     const out = { code: null, stdout: '', stderr: '' };
     child.stdout.on('data', (d) => (out.stdout += d));
     child.stderr.on('data', (d) => (out.stderr += d));
@@ -36,9 +44,17 @@ export function folder(t) {
   return path;
 }
 
-/** A DXF file of some entities, each given as its group codes and values. */
+/** A DXF file in millimetres of some entities, each given as its group codes and values. */
 export function dxf(...entities) {
-  const groups = [[0, 'SECTION'], [2, 'ENTITIES'], ...entities.flat(), [0, 'ENDSEC'], [0, 'EOF']];
+  return groupsOf([0, 'SECTION'], [2, 'HEADER'], [9, '$INSUNITS'], [70, 4], [0, 'ENDSEC'], ...entitiesOf(entities));
+}
+
+/** The same without a unit. */
+export const unitless = (...entities) => groupsOf(...entitiesOf(entities));
+
+const entitiesOf = (entities) => [[0, 'SECTION'], [2, 'ENTITIES'], ...entities.flat(), [0, 'ENDSEC'], [0, 'EOF']];
+
+function groupsOf(...groups) {
   return new TextEncoder().encode(groups.map(([code, value]) => `${code}\n${value}\n`).join(''));
 }
 

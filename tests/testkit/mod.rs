@@ -36,6 +36,7 @@ pub mod random_plans;
 pub mod rng;
 pub mod schema;
 pub mod sheets;
+pub mod svg_text;
 
 use std::path::{Path, PathBuf};
 

@@ -1,10 +1,9 @@
 //! What must be true for any bytes: the promises of the reader and of the whole intake. Used by the fuzz
 //! targets of what they invent, and by the tests of every file that once broke one of them.
 
-use kerfway::drawing::{Limits, ReadOptions, Unit};
-use kerfway::dxf::read;
+use kerfway::drawing::{Drawing, Limits, ReadError, ReadOptions, Unit};
 use kerfway::job::problem_of;
-use kerfway::{machine, plan, sheet, solve};
+use kerfway::{dxf, machine, plan, sheet, solve, svg};
 
 /// Smaller than in life, so that an input is done in milliseconds; the code on the way is the same.
 const LIMITS: Limits = Limits { bytes: 1 << 20, elements: 20_000, depth: 16, coordinate: 1e6 };
@@ -12,8 +11,19 @@ const LIMITS: Limits = Limits { bytes: 1 << 20, elements: 20_000, depth: 16, coo
 const BUILT: usize = 2_000;
 const PLANNED: usize = 300;
 
-/// The reader: a sentence, or shapes that are finite, joined and on layers that are shown.
+/// The reader of DXF.
 pub fn of_the_reader(data: &[u8]) {
+    of_a_reader(data, dxf::read);
+}
+
+/// The reader of SVG, whatever the file looks like.
+pub fn of_the_svg_reader(data: &[u8]) {
+    svg::is_svg(data);
+    of_a_reader(data, svg::read);
+}
+
+/// A reader: a sentence, or shapes that are finite, joined and on layers that are shown.
+fn of_a_reader(data: &[u8], read: fn(&[u8], &ReadOptions) -> Result<Drawing, ReadError>) {
     for (keep_damaged, unit) in [(false, None), (true, Some(Unit::Mm))] {
         let options = ReadOptions { keep_damaged, unit, limits: LIMITS, ..ReadOptions::default() };
         let drawing = match read(data, &options) {
@@ -41,6 +51,7 @@ pub fn of_the_reader(data: &[u8]) {
 /// that its checker passes.
 pub fn of_the_intake(data: &[u8]) {
     let options = ReadOptions { unit: Some(Unit::Mm), limits: LIMITS, ..ReadOptions::default() };
+    let read = if svg::is_svg(data) { svg::read } else { dxf::read };
     let Ok(drawing) = read(data, &options) else { return };
     if drawing.shapes.iter().map(|s| s.path.segments.len()).sum::<usize>() > BUILT {
         return;

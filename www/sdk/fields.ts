@@ -1844,10 +1844,25 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
             "ft",
             "yd",
             "mil",
-            "microinch"
+            "microinch",
+            "px"
           ]
         },
         "name": "units",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "number": {
+            "least": 1.0,
+            "most": 100000.0,
+            "or_zero": false,
+            "unit": "",
+            "why": "no program draws in larger or smaller pixels"
+          }
+        },
+        "name": "dpi",
         "nullable": false,
         "required": false
       },
@@ -1896,6 +1911,20 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
           }
         },
         "name": "joinTolerance",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "number": {
+            "least": 0.0,
+            "most": 1.0,
+            "or_zero": false,
+            "unit": "mm",
+            "why": "a larger one would merge lines that are drawn side by side"
+          }
+        },
+        "name": "copyTolerance",
         "nullable": false,
         "required": false
       },

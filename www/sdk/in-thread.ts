@@ -18,7 +18,7 @@ export const inThread: StartWorker = (onMessage) => {
   const host: Host = {
     post: (message: FromWorker) => void deliver(() => onMessage(message)),
     research: async () => {
-      throw new KerfwayError('not-in-this-build', `${NO_FILE}: it has no methods from papers. Use the entry kerfway, with its workers, for them.`);
+      throw new KerfwayError('not-in-this-build', `${NO_FILE}: it reads no SVG and has no methods from papers. Use the entry kerfway, with its workers, for them.`);
     },
     png: async () => {
       throw new KerfwayError('not-in-this-build', `${NO_FILE}: it writes no PNG. Render SVG instead, or use the entry kerfway, with its workers.`);

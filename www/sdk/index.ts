@@ -1,5 +1,5 @@
 /**
- * Kerfway in a browser: reads a DXF file and searches for the fastest cutting path.
+ * Kerfway in a browser: reads a DXF or SVG file and searches for the fastest cutting path.
  *
  *     import { plan } from 'kerfway';
  *     const { summary, outputs } = await plan(file, { seconds: 5, outputs: ['gcode'] });

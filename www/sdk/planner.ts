@@ -99,7 +99,7 @@ export class Planner {
     return planner;
   }
 
-  /** Reads a drawing. A running plan ends. Rejects with a `KerfwayError` when the file or an option is unusable. */
+  /** Reads a DXF or SVG file. A running plan ends. Rejects with a `KerfwayError` when the file or an option is unusable. */
   load(source: ArrayBuffer | ArrayBufferView, name: string, options: LoadOptions = {}): Promise<Loaded> {
     return quietAtClose(async () => {
       const bytes = checkFile(source, name);

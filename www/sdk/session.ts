@@ -13,19 +13,21 @@ import type {
 import type { Quote, QuoteTerms } from './quote.js';
 import { Search } from './search.js';
 
-/** The planner with the methods of papers and benchmark instances. It can do everything that `kerfway.wasm` can. */
+/** The planner with the reader of SVG, the methods of papers and benchmark instances. It can do everything that `kerfway.wasm` can. */
 type Research = typeof import('./pkg/kerfway_research.js');
 type Png = typeof import('./pkg/kerfway_png.js');
 
 /** What a session needs from the platform it runs on. */
 export interface Host {
   post(message: FromWorker, transfer?: ArrayBuffer[]): void;
-  /** Loads the research build, when a method from a paper is first used. */
+  /** Loads the research build, when an SVG file or a method from a paper is first used. */
   research(): Promise<Research>;
   /** Loads the PNG renderer, when it is first used. */
   png(): Promise<Png>;
 }
 
+/** Bytes at the start of a file by which SVG is recognised. */
+const HEAD = 16_384;
 /** Default width of a picture, in pixels. */
 const PNG_WIDTH = 1600;
 
@@ -70,8 +72,9 @@ export class Session {
         this.host.post({ type: 'ready', methods: planner.methods(), machines: planner.machines(), dialects: planner.dialects() });
         return;
       case 'load':
-        this.load(message.bytes, { name: message.name, options: given(message.options) });
-        this.postLoaded(message.id);
+        if (this.build === planner && planner.isSvg(new Uint8Array(message.bytes, 0, Math.min(HEAD, message.bytes.byteLength)))) {
+          void this.inResearch(message.id, (research) => this.load(message, research));
+        } else this.load(message, this.build);
         return;
       case 'reload':
         this.search?.stop();
@@ -83,8 +86,15 @@ export class Session {
       case 'plan':
         this.search?.stop();
         this.search = null;
-        if (this.needsResearch(message.options)) void this.planInResearch(message.id, message.options);
-        else this.plan(message.id, message.options);
+        if (this.needsResearch(message.options)) {
+          void this.inResearch(message.id, (research) => {
+            const job = this.loaded();
+            this.job = new research.Job(job.bytes(), this.source.name, this.source.options);
+            this.build = research;
+            job.free();
+            this.plan(message.id, message.options);
+          });
+        } else this.plan(message.id, message.options);
         return;
       case 'continue':
         if (this.search === null) throw new KerfwayError('no-plan', 'There is no plan to continue. Start one first.');
@@ -125,12 +135,14 @@ export class Session {
   }
 
   /** Reads another drawing. If it cannot be used, the one before stays, and its search goes on. */
-  private load(bytes: ArrayBuffer, source: { name: string; options: LoadOptions }): void {
-    const job = new this.build.Job(new Uint8Array(bytes), source.name, source.options);
+  private load({ id, bytes, name, options }: Extract<ToWorker, { type: 'load' }>, build: typeof planner | Research): void {
+    const source = { name, options: given(options) };
+    const job = new build.Job(new Uint8Array(bytes), name, source.options);
     this.search?.stop();
     this.search = null;
     this.job?.free();
-    [this.job, this.source] = [job, source];
+    [this.job, this.source, this.build] = [job, source, build];
+    this.postLoaded(id);
   }
 
   private loaded(): Job {
@@ -149,15 +161,11 @@ export class Session {
     return method !== undefined && this.build === planner && !planner.methods().some((m) => m.name === method);
   }
 
-  private async planInResearch(id: number, options: PlanOptions & Membership): Promise<void> {
+  /** Loads the research build and does there what a request asks for. Messages that arrive meanwhile wait. */
+  private async inResearch(id: number, work: (research: Research) => void): Promise<void> {
     this.held = [];
     try {
-      const research = await this.host.research();
-      const job = this.loaded();
-      this.job = new research.Job(job.bytes(), this.source.name, this.source.options);
-      this.build = research;
-      job.free();
-      this.plan(id, options);
+      work(await this.host.research());
     } catch (error) {
       this.fail(id, error);
     }

@@ -2,7 +2,7 @@
 //! that shows it did it.
 
 use kerfway::drawing::{Drawing, ReadOptions};
-use kerfway::{dxf, sheet};
+use kerfway::{dxf, sheet, svg};
 use std::io::Cursor;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -10,6 +10,13 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[wasm_bindgen]
 pub fn read_kerfway(bytes: &[u8]) -> usize {
     let drawing = dxf::read(bytes, &ReadOptions::default());
+    drawing.map_or(0, |d| d.shapes.iter().map(|s| s.path.segments.len()).sum())
+}
+
+/// Reads an SVG file; lines and arcs found, 0 when the file is refused.
+#[wasm_bindgen]
+pub fn read_svg(bytes: &[u8]) -> usize {
+    let drawing = svg::read(bytes, &ReadOptions::default());
     drawing.map_or(0, |d| d.shapes.iter().map(|s| s.path.segments.len()).sum())
 }
 

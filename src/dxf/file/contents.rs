@@ -38,6 +38,8 @@ pub(in crate::dxf) struct File<'a> {
     pub(in crate::dxf) model: Vec<Entity<'a>>,
     /// Names of kinds without an outline, see [`Geometry::Other`].
     pub(in crate::dxf) other_names: Vec<&'a [u8]>,
+    /// Heights of texts, as far as they are kept.
+    pub(in crate::dxf) text_heights: Vec<f64>,
     /// Findings made while reading.
     pub(in crate::dxf) notes: Notes<'a>,
     /// Whether a SECTION, a TABLE or a known entity was found, so that the file is a DXF.

@@ -10,6 +10,9 @@ use crate::dxf::tag::Tag;
 use crate::dxf::tokens::Tokens;
 use crate::finding::{Code, Severity};
 
+/// Number of texts whose heights are kept, as hints at the unit.
+const TEXTS: usize = 500;
+
 /// Kind of section that the reader is in.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Section {
@@ -175,6 +178,9 @@ impl<'a> Reader<'a> {
         }
         if record.name.is_empty() {
             return Some(Geometry::Invalid("its kind is lost", record.point(10)));
+        }
+        if matches!(record.name, b"TEXT" | b"MTEXT") && file.text_heights.len() < TEXTS {
+            file.text_heights.extend(record.real(40));
         }
         Some(Geometry::Other(file.other(record.name), record.point(10)))
     }

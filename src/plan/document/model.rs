@@ -77,6 +77,14 @@ pub struct Input {
     pub units: Unit,
     /// Where that unit came from.
     pub units_source: UnitsSource,
+    /// Pixels per inch, if the unit is a pixel.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub dpi: Option<f64>,
+    /// Why the unit may be wrong, in one sentence; missing if nothing speaks against it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub units_doubt: Option<String>,
 }
 
 /// Where the job lies on the bed. Every coordinate of the document is that of the machine, shifted already.
@@ -96,6 +104,9 @@ pub struct Options {
     /// Degrees by which the drawing was turned around its origin, counter-clockwise.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub turn: u32,
+    /// Pixels per inch given by a person.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dpi: Option<f64>,
     /// Largest distance between a spline or ellipse and its lines and arcs, mm.
     pub tolerance: f64,
     /// Whether entities that were read through a break in the file were kept.
@@ -220,6 +231,7 @@ impl Options {
         Self {
             units: read.unit,
             turn: 90 * u32::from(read.quarter_turns),
+            dpi: read.dpi,
             tolerance: read.tolerance,
             keep_damaged: read.keep_damaged,
             join_tolerance: arrange.join_tolerance,

@@ -94,3 +94,31 @@ fn the_border_of_a_sheet_is_ignored_and_comes_back_on_request() {
     }
     assert_eq!(without.parts.len(), plain.parts.len());
 }
+
+/// Prints each decision with `-- --nocapture`. None of the real drawings has a border; each sheet has one.
+#[test]
+fn borders_of_all_drawings_are_decided_rightly() {
+    for (folder, right) in [("dxf-dev", "no border"), ("sheets", "ignored")] {
+        for path in crate::testkit::files(&crate::testkit::fixtures().join(folder), "dxf") {
+            let name = crate::testkit::name(&path);
+            let bytes = std::fs::read(&path).unwrap();
+            let Ok(drawing) = read(&bytes, &ReadOptions::default()) else {
+                continue;
+            };
+            let sheet = kerfway::sheet::build(&drawing, &SheetOptions::default());
+            let told = findings(&sheet, Code::SheetOutline);
+            let decision = match told.first() {
+                None => "no border",
+                Some(f) if f.severity == kerfway::finding::Severity::Warning => "asked",
+                Some(_) if sheet.outline.is_none() => "ignored",
+                Some(_) => "cut",
+            };
+            println!(
+                "{name}: {decision}, {} parts. {}",
+                sheet.parts.len(),
+                told.first().map_or("", |f| &f.message)
+            );
+            assert_eq!(decision, right, "{name}");
+        }
+    }
+}

@@ -70,7 +70,15 @@ pub(crate) fn drawing<'a>(shapes: impl IntoIterator<Item = (&'a str, Path)>) -> 
             damaged: false,
         });
     }
-    let units = Units { unit: Unit::Mm, source: UnitsSource::Given, reason: String::new(), doubtful: false };
+    let units = Units {
+        unit: Unit::Mm,
+        dpi: None,
+        scale: 1.0,
+        source: UnitsSource::Given,
+        reason: String::new(),
+        doubtful: false,
+        confidence: 1.0,
+    };
     Drawing { version: None, units, layers, shapes: out, entities: Vec::new(), findings: Vec::new() }
 }
 

@@ -1,7 +1,7 @@
 /** Choosing files, dropping them anywhere on the page, and saving them. */
 
 /** Opens the file dialog for one kind of file, and calls `onFiles` when at least one file is chosen. */
-export function choose(onFiles: (files: File[]) => void, { accept = '.dxf,.DXF,.kerfway', multiple = false } = {}): void {
+export function choose(onFiles: (files: File[]) => void, { accept = '.dxf,.DXF,.svg,.SVG,image/svg+xml,.kerfway', multiple = false } = {}): void {
   const input = document.createElement('input');
   Object.assign(input, { type: 'file', accept, multiple });
   input.addEventListener('change', () => {

@@ -6,7 +6,7 @@ import type { DoneReason, Operation, Unit } from 'kerfway';
 
 /** Millimetres in a unit. */
 export const UNIT_SIZES: Record<Unit, number> = {
-  mm: 1, in: 25.4, cm: 10, m: 1000, dm: 100, um: 0.001, ft: 304.8, yd: 914.4, mil: 0.0254, microinch: 2.54e-5,
+  mm: 1, in: 25.4, cm: 10, m: 1000, dm: 100, um: 0.001, ft: 304.8, yd: 914.4, mil: 0.0254, microinch: 2.54e-5, px: 25.4 / 96,
 };
 
 export const OPERATIONS: readonly Operation[] = ['cut', 'mark', 'ignore'];

@@ -6,14 +6,19 @@
 import { button, h } from '../core/dom.js';
 import { count, extent } from '../core/format.js';
 import { UNIT_SIZES } from '../core/strings.js';
-import type { Loaded, Unit } from 'kerfway';
+import type { Loaded, LoadOptions, Unit } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { borderInDoubt } from '../session/drawing.js';
 import type { Question, State } from '../session/state.js';
 import { words } from '../core/words/index.js';
 
-/** The units offered in the card; the others are in the menu of the top bar. */
-const OFFERED: readonly Unit[] = ['mm', 'in', 'cm', 'm'];
+/** A unit, or pixels of a resolution. */
+export type UnitChoice = Pick<LoadOptions, 'units' | 'dpi'>;
+
+/** What is offered in the card; the other units are in the menu of the top bar. */
+const OFFERED: readonly UnitChoice[] = [{ units: 'mm' }, { units: 'in' }, { units: 'cm' }, { units: 'm' }];
+/** For a drawing in pixels: browsers and Inkscape, Inkscape before 0.92, Illustrator; or its numbers are millimetres. */
+const OFFERED_FOR_PIXELS: readonly UnitChoice[] = [{ dpi: 96 }, { dpi: 90 }, { dpi: 72 }, { units: 'mm' }];
 
 export function questionCard(session: Session): HTMLElement {
   const root = h('section', { class: 'card question', 'aria-labelledby': 'question', hidden: true });
@@ -32,21 +37,42 @@ export function questionCard(session: Session): HTMLElement {
 
 const CARDS: Record<Question, (session: Session, loaded: Loaded) => HTMLElement[]> = { units, damaged, border };
 
+/** What can be chosen for a drawing, the likeliest first. */
+export function unitChoices({ units: { unit } }: Loaded): readonly UnitChoice[] {
+  const all = (Object.keys(UNIT_SIZES) as Unit[]).filter((u) => u !== 'px').map((units) => ({ units }));
+  return unit === 'px' ? [...OFFERED_FOR_PIXELS.filter((c) => c.dpi !== undefined), ...all] : all;
+}
+
+/** Whether a drawing is read as a choice says. */
+export function isTaken({ units: { unit, dpi } }: Loaded, choice: UnitChoice): boolean {
+  return choice.dpi === undefined ? choice.units === unit : choice.dpi === dpi;
+}
+
+/** The name of a unit or a resolution. */
+export function unitName({ units = 'px', dpi }: UnitChoice): string {
+  return dpi === undefined ? words.unitNames[units] : words.question.dpi(dpi);
+}
+
 /** Width and height of the drawing if it were read in another unit. */
-export function sizeIn({ loaded, extent: [x0, y0, x1, y1] }: State, unit: Unit): string {
-  const factor = loaded ? UNIT_SIZES[unit] / UNIT_SIZES[loaded.units.unit] : 1;
+export function sizeIn({ loaded, extent: [x0, y0, x1, y1] }: State, { units = 'px', dpi }: UnitChoice): string {
+  const unit = dpi === undefined ? UNIT_SIZES[units] : MM_PER_INCH / dpi;
+  const factor = loaded ? unit / loaded.units.scale : 1;
   return extent((x1 - x0) * factor, (y1 - y0) * factor);
 }
 
+const MM_PER_INCH = 25.4;
+
 function units(session: Session, loaded: Loaded): HTMLElement[] {
-  const { unit } = loaded.units;
-  const others = OFFERED.filter((u) => u !== unit);
-  const choice = (u: Unit, primary: boolean) =>
-    h('button', { type: 'button', class: primary ? 'primary' : '', onclick: () => (u === unit ? session.drawing.answer('units') : session.drawing.setUnits(u)) }, h('span', {}, sizeIn(session.state, u)), h('span', {}, words.question.in(words.unitNames[u])));
+  const { unit, dpi } = loaded.units;
+  const now: UnitChoice = dpi === null ? { units: unit } : { dpi };
+  const others = (unit === 'px' ? OFFERED_FOR_PIXELS : OFFERED).filter((c) => !isTaken(loaded, c));
+  // An answer is a choice even if it is what was guessed: it is no longer a guess then.
+  const choice = (c: UnitChoice, primary: boolean) =>
+    h('button', { type: 'button', class: primary ? 'primary' : '', onclick: () => session.drawing.setUnits(c) }, h('span', {}, sizeIn(session.state, c)), h('span', {}, c.dpi === undefined ? words.question.in(words.unitNames[c.units ?? 'px']) : words.question.dpi(c.dpi)));
   return [
     h('h2', { id: 'question' }, words.question.size),
     h('p', {}, loaded.units.reason),
-    h('div', { class: 'choices' }, choice(unit, true), ...others.map((u) => choice(u, false))),
+    h('div', { class: 'choices' }, choice(now, true), ...others.map((c) => choice(c, false))),
   ];
 }
 

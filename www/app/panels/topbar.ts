@@ -3,14 +3,12 @@
 import { button, h, icon, setText } from '../core/dom.js';
 import { menuItem, popover } from '../core/menu.js';
 import { extent } from '../core/format.js';
-import { UNIT_SIZES } from '../core/strings.js';
-import type { Unit } from 'kerfway';
 import { SAMPLES, type Sample } from '../session/samples.js';
 import type { Session } from '../session/session.js';
 import type { Theme } from '../core/theme.js';
 import type { Queue } from '../session/queue.js';
 import { fileList } from './files.js';
-import { sizeIn } from './question.js';
+import { isTaken, sizeIn, unitChoices, unitName } from './question.js';
 import { words } from '../core/words/index.js';
 
 export interface TopActions {
@@ -56,8 +54,8 @@ export function topBar(session: Session, queue: Queue, theme: Theme, actions: To
     redo.disabled = !session.canRedo;
     units.hidden = measure.hidden = loaded === null;
     if (!loaded) return;
-    const { unit, source, doubtful } = loaded.units;
-    units.replaceChildren(h('span', { class: 'hidden' }, words.top.unitsAre), h('span', {}, unit), h('span', { class: 'soft source' }, words.unitSources[source]), icon('down'));
+    const { unit, dpi, source, doubtful } = loaded.units;
+    units.replaceChildren(h('span', { class: 'hidden' }, words.top.unitsAre), h('span', {}, dpi === null ? unit : words.top.resolution(dpi)), h('span', { class: 'soft source' }, words.unitSources[source]), icon('down'));
     units.title = loaded.units.reason;
     units.classList.toggle('doubtful', doubtful);
     setText(measure, extent(x1 - x0, y1 - y0));
@@ -85,8 +83,7 @@ function sampleWords(file: string): readonly [title: string, about: string] {
 function fillUnits(session: Session, list: HTMLElement): void {
   const { loaded } = session.state;
   if (!loaded) return;
-  const choices = Object.keys(UNIT_SIZES) as Unit[];
   list.replaceChildren(
     h('p', { class: 'menu-note' }, loaded.units.reason),
-    ...choices.map((u) => menuItem(words.unitNames[u], sizeIn(session.state, u), u === loaded.units.unit, () => session.drawing.setUnits(u))));
+    ...unitChoices(loaded).map((c) => menuItem(unitName(c), sizeIn(session.state, c), isTaken(loaded, c), () => session.drawing.setUnits(c))));
 }

@@ -27,6 +27,7 @@ export function written({ machine, search, load, placing }: State, defaults: { m
   put('seed', search.seed);
   put('seconds', search.seconds, defaults.seconds);
   put('units', load.units);
+  put('dpi', load.dpi);
   put('join', load.joinTolerance);
   put('by-layer', load.orderByLayer);
   put('part-by-part', load.partByPart);
@@ -46,8 +47,10 @@ export function read(hash: string): Shared {
   };
   const load: LoadOptions = {};
   const units = UNITS.find((u) => u === words.get('units'));
+  const dpi = number('dpi', 100_000);
   const join = number('join', 5);
   if (units !== undefined) load.units = units;
+  if (dpi !== null && dpi >= 1 && (units === undefined || units === 'px')) load.dpi = dpi;
   if (join !== null && join > 0) load.joinTolerance = join;
   if (words.get('by-layer') === '1') load.orderByLayer = true;
   if (words.get('part-by-part') === '1') load.partByPart = true;
@@ -72,4 +75,4 @@ function placeOf(word: string): Place | null {
 }
 
 const COMMON_CUTS: readonly CommonCuts[] = ['best', 'insertion', 'off'];
-const UNITS: readonly Unit[] = ['mm', 'cm', 'dm', 'm', 'um', 'in', 'ft', 'yd', 'mil', 'microinch'];
+const UNITS: readonly Unit[] = ['mm', 'cm', 'dm', 'm', 'um', 'in', 'ft', 'yd', 'mil', 'microinch', 'px'];

@@ -3,7 +3,7 @@
  * itself. A file or an option that cannot be used leaves everything as it was.
  */
 
-import type { Finding, LayerChoice, Loaded, LoadOptions, Operation, Unit } from 'kerfway';
+import type { Finding, LayerChoice, Loaded, LoadOptions, Operation } from 'kerfway';
 import { Latest } from '../core/latest.js';
 import { messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
@@ -126,9 +126,11 @@ export class Drawing {
     }
   }
 
-  setUnits(units: Unit): void {
+  /** Reads the drawing in a unit, or in pixels of a resolution. */
+  setUnits({ units, dpi }: Pick<LoadOptions, 'units' | 'dpi'>): void {
     this.answered.add('units');
-    this.change({ units });
+    const { units: _, dpi: __, ...load } = this.store.state.load;
+    void this.choose({ ...load, ...(units === undefined ? {} : { units }), ...(dpi === undefined ? {} : { dpi }) });
   }
 
   setOperation(layer: string, operation: Operation): void {

@@ -28,8 +28,8 @@ export function withoutRules({ first: _first, last: _last, exclude: _exclude, ..
 /** Whether two readings of a drawing find the same contours, so that the numbers of contours keep their meaning. */
 export function sameContours(a: LoadOptions, b: LoadOptions): boolean {
   // The border and groups keep their contours whatever is done with them.
-  const key = ({ units, tolerance, keepDamaged, joinTolerance, layers }: LoadOptions) =>
-    JSON.stringify([units, tolerance, keepDamaged, joinTolerance, layers?.map(({ name, operation }) => [name, operation])]);
+  const key = ({ units, dpi, tolerance, keepDamaged, joinTolerance, layers }: LoadOptions) =>
+    JSON.stringify([units, dpi, tolerance, keepDamaged, joinTolerance, layers?.map(({ name, operation }) => [name, operation])]);
   return key(a) === key(b);
 }
 

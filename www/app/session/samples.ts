@@ -19,6 +19,7 @@ export const SAMPLES: readonly Sample[] = [
   { file: 'layers.dxf', options: {} },
   { file: 'no-units.dxf', options: {} },
   { file: 'parts-in-parts.dxf', options: {} },
+  { file: 'luggage-tags.svg', options: {} },
   { file: 'lumberjack-polaris.dxf', options: {} },
 ];
 

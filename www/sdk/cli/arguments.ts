@@ -2,6 +2,7 @@
 
 import { parseArgs } from 'node:util';
 import { ANCHORS, pointOf } from '../anchors.js';
+import { checkOptions } from '../options.js';
 import type { LayerChoice, LoadOptions, MachineProfile, Operation, Place, PlanOptions } from '../protocol.js';
 import { COMMON_CUTS, GROUPS, OPERATIONS, optionsOf, PASS_ORDERS, STARTS, TURNS, UNITS } from './commands.js';
 import { WrongUse } from './io.js';
@@ -15,7 +16,7 @@ export interface Words {
 }
 
 /** Parses the arguments of a command, of which at least one is not an option. */
-export function parsed(command: string, args: string[], what = 'a DXF file'): Words {
+export function parsed(command: string, args: string[], what = 'a DXF or SVG file'): Words {
   const given = words(command, args);
   if (given.words.length === 0) throw new WrongUse(`Name ${what}.`);
   return given;
@@ -55,10 +56,32 @@ export function oneWord({ words: [word = '', second] }: Words): string {
   return word;
 }
 
+/** Refuses values that are out of range, with the names that the command line has for the options. */
+function checkAsWritten(options: LoadOptions): void {
+  try {
+    checkOptions(options, 'load');
+  } catch (error) {
+    const message = (error as Error).message;
+    const [, name] = /^The option "(\w+)"/.exec(message) ?? [];
+    const written = TOLERANCES.find(([, option]) => option === name)?.[0] ?? name;
+    throw new WrongUse(message.replace(/^The option "\w+"/, `--${written}`));
+  }
+}
+
+/** Options of distances, with the names that the API has for them. */
+const TOLERANCES = [['join-tolerance', 'joinTolerance'], ['curve-tolerance', 'tolerance'], ['copy-tolerance', 'copyTolerance']] as const;
+
 export function loadOptions(values: Values): LoadOptions {
   const options: LoadOptions = {};
   const units = text(values, 'units');
   if (units !== undefined) options.units = oneOf('--units', units, UNITS);
+  const dpi = positive(values, 'dpi');
+  if (dpi !== undefined) options.dpi = dpi;
+  for (const [name, option] of TOLERANCES) {
+    const tolerance = number(values, name);
+    if (tolerance !== undefined) options[option] = tolerance;
+  }
+  checkAsWritten(options);
   const layers = (values['layer'] as string[] | undefined) ?? [];
   if (layers.length > 0) options.layers = layers.map(layerChoice);
   const groups = (values['group'] as string[] | undefined) ?? [];

@@ -8,7 +8,7 @@ import type { CommonCuts, Group, Operation, PassOrder, Unit } from '../protocol.
 
 /** How contours with common cuts are cut. */
 export const COMMON_CUTS: readonly CommonCuts[] = ['best', 'insertion', 'off'];
-export const UNITS: readonly Unit[] = ['mm', 'cm', 'dm', 'm', 'um', 'in', 'ft', 'yd', 'mil', 'microinch'];
+export const UNITS: readonly Unit[] = ['mm', 'cm', 'dm', 'm', 'um', 'in', 'ft', 'yd', 'mil', 'microinch', 'px'];
 export const OPERATIONS: readonly Operation[] = ['cut', 'mark', 'ignore'];
 export const GROUPS: readonly Group[] = ['lettering', 'leaders'];
 export const TURNS = ['0', '90', '180', '270'] as const;
@@ -47,6 +47,10 @@ export interface Command {
 const READING: Options = {
   units: { value: 'UNIT', about: 'the unit, if the file does not state it or states a wrong one', choices: UNITS },
   turn: { value: 'DEGREES', about: 'turn the drawing around its origin, counter-clockwise', choices: TURNS },
+  dpi: { value: 'N', about: 'pixels per inch of a drawing in pixels: 96 (browsers, Inkscape), 90 (Inkscape before 0.92), 72 (Illustrator)' },
+  'join-tolerance': { value: 'MM', about: 'join ends that are closer (default 0.05)' },
+  'curve-tolerance': { value: 'MM', about: 'follow curves within this distance (default 0.005)' },
+  'copy-tolerance': { value: 'MM', about: 'remove copies of lines that are closer (default 0.01)' },
   layer: { value: `NAME=${OPERATIONS.join('|')}[,speed=..]`, about: 'the operation of a layer, and what it is worked with: speed (mm/s), power and min-power (0 to 1), passes, z-step (mm), air (on or off)', repeat: true },
   group: { value: `NAME=${OPERATIONS.join('|')}`, about: 'the operation of a group recognised by its look: lettering, leaders', repeat: true },
   'keep-border': { about: 'cut the border around everything, even if it clearly shows the sheet' },
@@ -98,14 +102,14 @@ const MESSAGES: Options = { quiet: { about: 'print no report and no progress, on
 const WATCHING: Options = { watch: { about: 'run again whenever a file changes; Ctrl+C ends' } };
 
 const MANY =
-  'Several drawings may be named, also by patterns (*, ?, [ab], **; in quotes if the shell does not expand them). OUT is then ' +
+  'A drawing is a DXF or an SVG; - is standard input. Several drawings may be named, also by patterns (*, ?, [ab], **; in quotes if the shell does not expand them). OUT is then ' +
   'a folder, ending in /, with one file for each drawing, or - for JSON with one document per line. An unusable drawing is ' +
   'reported in a sentence; the others are processed anyway.';
 
 export const COMMANDS: Readonly<Record<string, Command>> = {
   plan: {
     about: 'plan the path and write it',
-    words: 'FILE.dxf...',
+    words: 'FILE...',
     text: `Plans the path of the laser for each drawing and writes the requested outputs. ${MANY} Ctrl+C ends a search and keeps its result.`,
     options: {
       'Outputs; - is standard output': {
@@ -122,7 +126,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       'Where on the bed': PLACING,
       'How to plan': PLANNING,
       'Leads': LEADS,
-      'How to read': READING,
+      'How to read': { ...READING, 'accept-guess': { about: 'write G-code although the unit is in doubt' } },
       'When': WATCHING, 'Messages': MESSAGES,
     },
     examples: [
@@ -133,11 +137,12 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       ['kerfway plan plate.dxf --moves 1000000 --seed 7 --json -', 'the same bytes everywhere'],
       ['kerfway plan plate.dxf --machine fibre-3kw-thin --lead arc --overcut 0.5 --gcode plate.nc', 'every cut begins in scrap'],
       ['kerfway plan plate.dxf --svg plate.svg --watch', 'a picture that follows the drawing'],
+      ['curl -s https://example.com/box.svg | kerfway plan - --dpi 72 --gcode box.nc', 'an SVG from standard input'],
     ],
   },
   inspect: {
     about: 'describe the drawing, without planning',
-    words: 'FILE.dxf...',
+    words: 'FILE...',
     text: `Lists contours, parts, layers, units and findings of each drawing. ${MANY}`,
     options: { Output: { json: { value: 'OUT', about: 'the whole report' } }, 'How to read': READING, 'When': WATCHING, 'Messages': MESSAGES },
     examples: [
@@ -147,7 +152,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
   },
   quote: {
     about: 'plan, and report what a price depends on',
-    words: 'FILE.dxf...',
+    words: 'FILE...',
     text: `Reports lengths, times, areas, weight, identical parts and possible defects of each drawing, with a hash that confirms the report. ${MANY}`,
     options: {
       'The sheet': {

@@ -8,7 +8,7 @@ import { basename, extname, join } from 'node:path';
 import { text, type Words } from './arguments.js';
 import { writeAll } from './atomic.js';
 import { Unwritable, WrongUse } from './io.js';
-import { identityOf, identityOfInput, lookAt, STANDARD_OUTPUT } from './target.js';
+import { identityOf, identityOfInput, lookAt, STANDARD_INPUT, STANDARD_OUTPUT } from './target.js';
 
 /** A requested output. */
 export interface Output<Kind extends string = string> {
@@ -93,7 +93,7 @@ export class Destinations {
 
 /** The file that an output of a drawing goes to. */
 function placeOf({ kind, out }: Output, file: string): string {
-  return out !== STANDARD_OUTPUT && isFolder(out) ? join(out, basename(file, extname(file)) + (ENDINGS[kind] ?? '')) : out;
+  return out !== STANDARD_OUTPUT && isFolder(out) ? join(out, (file === STANDARD_INPUT ? 'standard-input' : basename(file, extname(file))) + (ENDINGS[kind] ?? '')) : out;
 }
 
 function makeFolder(folder: string): void {

@@ -10,7 +10,7 @@ import { outputsOf } from './destinations.js';
 import { usable } from './io.js';
 import { opened } from './opened.js';
 import type { Column } from './report.js';
-import { meters, plural, size } from './words.js';
+import { meters, plural, size, unitOf } from './words.js';
 
 export async function inspect(args: string[]): Promise<void> {
   const given = parsed('inspect', args);
@@ -47,7 +47,7 @@ function row(file: string, loaded: Loaded): string[] {
   const open = contours.filter((c) => !c.closed).length;
   return [
     ...[file, String(contours.length), String(open), String(loaded.parts.length), meters(lengthOf(loaded, 'cut'))],
-    ...[size(loaded.bounds), `${loaded.units.unit}, ${loaded.units.source}`, String(loaded.findings.length)],
+    ...[size(loaded.bounds), `${unitOf(loaded.units)}, ${loaded.units.source}`, String(loaded.findings.length)],
   ];
 }
 
@@ -58,7 +58,7 @@ function lines(loaded: Loaded): string[] {
   const marks = lengthOf(loaded, 'mark');
   return [
     `${loaded.name}${loaded.version === null ? '' : `, ${loaded.version}`}, ${size(loaded.bounds)}`,
-    `Units      ${units.unit} (${units.source}): ${units.reason}`,
+    `Units      ${unitOf(units)} (${units.source === 'given' ? 'chosen by you' : units.source}): ${units.reason}`,
     `Contours   ${contours.length}: ${contours.length - open} closed, ${open} open`,
     `Parts      ${parts.length}`,
     `Length     ${meters(lengthOf(loaded, 'cut'))} to cut${marks > 0 ? `, ${meters(marks)} to mark` : ''}`,

@@ -3,10 +3,11 @@
 import { open, writeFile, type FileHandle } from 'node:fs/promises';
 import { KerfwayError, reportOf } from '../errors.js';
 import type { ErrorReport } from '../generated/types.js';
+import { basename } from 'node:path';
 import { endless, MAX_BYTES, tooLarge } from '../size.js';
 import { isPattern } from './glob.js';
 import { visibleText } from './safe-text.js';
-import { STANDARD_OUTPUT } from './target.js';
+import { STANDARD_INPUT, STANDARD_OUTPUT } from './target.js';
 import { writing } from './temporary.js';
 
 /** The exit codes of the program. `some`: of several files, some failed and the others were processed; `all`: all of several failed. */
@@ -70,8 +71,18 @@ function cause(error: unknown, doing: 'read' | 'write'): Cause {
   return known ?? { why: `the system says ${code || String(error)}`, remedy: ELSEWHERE };
 }
 
-/** Reads a file. A file above the size limit is not read to its end. */
+/** The name of a drawing in reports and outputs. */
+export function nameOf(file: string): string {
+  return file === STANDARD_INPUT ? 'standard input' : basename(file);
+}
+
+/** Reads a file, or standard input (`-`). A file above the size limit is not read to its end. */
 export async function bytesOf(file: string): Promise<Uint8Array> {
+  if (file === STANDARD_INPUT) {
+    const bytes = await upToLimit(process.stdin);
+    if (bytes === null) throw new Unusable(`Standard input: ${endless()}`);
+    return bytes;
+  }
   let handle: FileHandle | undefined;
   try {
     handle = await open(file);
@@ -80,7 +91,7 @@ export async function bytesOf(file: string): Promise<Uint8Array> {
     if (refused !== null) throw new Unusable(`${file}: ${refused}`);
     // Pipes, devices and the files of /proc have no size before they are read.
     if (stat.isFile() && stat.size > 0) return await handle.readFile();
-    const bytes = await upToLimit(handle);
+    const bytes = await upToLimit(handle.createReadStream({ autoClose: false }));
     if (bytes === null) throw new Unusable(`${file}: ${endless()}`);
     return bytes;
   } catch (error) {
@@ -93,10 +104,10 @@ export async function bytesOf(file: string): Promise<Uint8Array> {
 }
 
 /** Reads a stream to its end; `null` if it is longer than the size limit. */
-async function upToLimit(handle: FileHandle): Promise<Uint8Array | null> {
+async function upToLimit(stream: AsyncIterable<unknown>): Promise<Uint8Array | null> {
   const chunks: Uint8Array[] = [];
   let length = 0;
-  for await (const chunk of handle.createReadStream({ autoClose: false }) as AsyncIterable<Uint8Array>) {
+  for await (const chunk of stream as AsyncIterable<Uint8Array>) {
     chunks.push(chunk);
     length += chunk.length;
     if (length > MAX_BYTES) return null;
@@ -150,6 +161,6 @@ export async function usable<T>(file: string, work: Promise<T>): Promise<T> {
     const report = reportOf(error);
     // The core does not know by what name the option is given here.
     const option = report.code === 'off-bed' ? ' (--allow-off-bed)' : '';
-    throw new Unusable(`${file}: ${(error as Error).message}${option}`, report);
+    throw new Unusable(`${file === STANDARD_INPUT ? 'Standard input' : file}: ${(error as Error).message}${option}`, report);
   }
 }

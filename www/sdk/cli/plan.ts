@@ -1,17 +1,16 @@
 /** `kerfway plan`: plans drawings and writes the outputs. */
 
-import { basename } from 'node:path';
 import { KerfwayError } from '../errors.js';
 import { jobReport } from '../job-report.js';
 import type { Planner, PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, OutputKind, PlanOptions } from '../protocol.js';
 import { parsed } from './arguments.js';
 import { outputsOf, type Written } from './destinations.js';
-import { usable } from './io.js';
+import { nameOf, usable } from './io.js';
 import { complain } from './safe-text.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
-import { duration, percent, meters, plural } from './words.js';
+import { duration, percent, meters, plural, unitOf } from './words.js';
 
 const OUTPUTS: readonly (OutputKind | 'report')[] = ['json', 'gcode', 'svg', 'dxf', 'png', 'lbrn2', 'rd', 'report'];
 
@@ -63,7 +62,7 @@ function lines(file: string, loaded: Loaded, result: PlanResult, { machine, work
   const { drawing, greedy } = result.baselines;
   const findings = notableFindings(loaded);
   const text = [
-    `${basename(file)}: ${plural(s.contours, 'contour')} (${s.open_contours} open), ${plural(s.parts, 'part')}, ` +
+    `${nameOf(file)}: ${plural(s.contours, 'contour')} (${s.open_contours} open), ${plural(s.parts, 'part')}, ` +
       `${meters(s.cut_length)} to cut`,
     `Job        ${duration(s.total_time)}: cut ${duration(s.cut_time)}, air ${duration(s.air_time)} ` +
       `(${meters(s.air_length)}), pierce ${duration(s.pierce_time)}`,
@@ -76,6 +75,7 @@ function lines(file: string, loaded: Loaded, result: PlanResult, { machine, work
     text.push(`Optimum    ${s.gap <= PROVEN ? 'this path is proven optimal' : `at least ${duration(s.lower_bound)}: this path takes at most ${percent(s.gap)} longer`}`);
   }
   for (const { message } of result.findings.filter((f) => f.code === 'off-bed')) text.push(`Bed        ${message}`);
+  if (loaded.units.doubtful) text.push(`Units      ${unitOf(loaded.units)}, in doubt: ${loaded.units.reason}`);
   if (findings > 0) text.push(`Findings   ${findings}: kerfway inspect ${file} lists them`);
   return text;
 }

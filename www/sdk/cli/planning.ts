@@ -1,6 +1,5 @@
 /** The common part of `plan` and `quote`: plans drawings one after the other with one planner. */
 
-import { basename } from 'node:path';
 import { budgeted, type DefaultBudget } from '../functions.js';
 import { checkOptions, given } from '../options.js';
 import type { SavedPlan } from '../project.js';
@@ -9,9 +8,10 @@ import type { Loaded, MachineProfile, PlanOptions } from '../protocol.js';
 import { loadOptions, oneOf, parameters, placingOptions, seconds, text, whole, type Words } from './arguments.js';
 import { checked, machineFiles, machineOf } from './machine.js';
 import { eachFile, type Requested, type Outlet, type Place } from './batch.js';
-import { usable, WrongUse } from './io.js';
+import { nameOf, Unusable, usable, WrongUse } from './io.js';
 import { opened } from './opened.js';
 import { progressLine } from './progress.js';
+import { complain } from './safe-text.js';
 
 /** A planned drawing. */
 export interface PlannedFile {
@@ -40,8 +40,9 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
       const loaded = await usable(file, planner.load(project.drawing, project.name, { ...project.reading, ...load }));
       // What decides on what is cut is reported here and not only by `inspect`: misspelt layers, borders, lettering.
       for (const { message } of loaded.findings.filter((f) => f.code === 'layer-unknown' || f.code === 'sheet-outline' || (f.code === 'lettering' && f.severity !== 'info'))) {
-        process.stderr.write(`kerfway: ${basename(file)}: ${message}\n`);
+        complain(`${nameOf(file)}: ${message}`);
       }
+      refuseDoubt(file, loaded, words, requested.outputs);
       const { seconds: _, moves: __, ...decided } = project.planning;
       const chosen = { ...decided, ...budget, ...(await choices(words, planner, requires, decided)) };
       const isAsSaved = Object.keys(load).length === 0 && values['machine'] === undefined && values['material'] === undefined;
@@ -54,6 +55,18 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
   } finally {
     planner.close();
   }
+}
+
+/** What a machine runs. */
+const PROGRAMS: readonly string[] = ['gcode', 'lbrn2', 'rd'];
+
+/** A program in a wrong unit is 25 times too large or too small: with doubt, none is written unless somebody accepts the guess. */
+function refuseDoubt(file: string, { units }: Loaded, { values }: Words, outputs: Requested['outputs']): void {
+  if (!units.doubtful) return;
+  if (outputs.some(({ kind }) => PROGRAMS.includes(kind)) && values['accept-guess'] !== true) {
+    throw new Unusable(`${nameOf(file)}: ${units.reason.replace(/ Check the units\.$/, '')} Nothing is written while the unit is in doubt: state it by --units or --dpi, or accept this guess by --accept-guess.`);
+  }
+  complain(`${nameOf(file)}: ${units.reason}`);
 }
 
 /** How a search goes on from the plan of a project. Without a budget it keeps that plan as it is. */
@@ -85,7 +98,7 @@ async function choices({ values }: Words, planner: Planner, requires: boolean, p
 async function searched(planner: Planner, options: PlanOptions, file: string, place: Place, quiet: boolean): Promise<PlanResult> {
   const show = process.stderr.isTTY && !quiet;
   const plan = planner.plan(options, (progress) => {
-    if (show) process.stderr.write(`\r\x1b[K${progressLine(progress, options, basename(file), place)}`);
+    if (show) process.stderr.write(`\r\x1b[K${progressLine(progress, options, nameOf(file), place)}`);
   });
   // The first Ctrl+C ends the search and keeps its result; the second ends the program.
   const stop = () => plan.stop();

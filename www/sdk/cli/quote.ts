@@ -12,7 +12,7 @@ import { bytesOf, Unusable, usable, WrongUse } from './io.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { STANDARD_OUTPUT } from './target.js';
-import { area, duration, grams, meters, millimetres, plural } from './words.js';
+import { area, duration, grams, meters, millimetres, plural, unitOf } from './words.js';
 
 export async function quote(args: string[]): Promise<void> {
   const given = parsed('quote', args);
@@ -125,6 +125,7 @@ function lines(q: Quote): string[] {
   ];
   if (q.smallest_hole !== null) text.push(`Narrowest  hole ${millimetres(q.smallest_hole.width)}${against(q.smallest_hole.over_thickness)}`);
   if (q.narrowest_web !== null) text.push(`           web ${millimetres(q.narrowest_web.width)}${against(q.narrowest_web.over_thickness)}`);
+  if (q.input.units_doubt !== undefined) text.push(`Units      ${unitOf({ unit: q.input.units, dpi: q.input.dpi ?? null })}, in doubt: ${q.input.units_doubt}`);
   for (const { message, at } of q.checks?.exceeded ?? []) text.push(`Limit      ${message} At ${at.map((n) => n.toFixed(1)).join(', ')}.`);
   text.push(`Confidence ${q.confidence.level}`, ...q.confidence.reasons.map((r) => `           ${r.message}`), `Hash       ${q.hash}`);
   return text;

@@ -3,8 +3,9 @@
 import { fstatSync, lstatSync, readlinkSync, realpathSync, statSync, type BigIntStats, type Stats } from 'node:fs';
 import { basename, dirname, isAbsolute, join, resolve, sep } from 'node:path';
 
-/** The name of standard output on the command line. */
+/** The name of standard output on the command line, and of standard input where a file is read. */
 export const STANDARD_OUTPUT = '-';
+export const STANDARD_INPUT = '-';
 
 /** The most links in a row: the same number as in Linux. */
 const MOST_LINKS = 40;
@@ -47,7 +48,7 @@ export function identityOf(name: string): string | null {
 
 /** The same for an input; `null` for streams, which an output cannot overwrite. */
 export function identityOfInput(name: string): string | null {
-  return lookAt(name)?.isFile() === false ? null : identityOf(name);
+  return name === STANDARD_INPUT || lookAt(name)?.isFile() === false ? null : identityOf(name);
 }
 
 /** The file with this name; `null` if there is none, or if it must not be seen. */

@@ -4,7 +4,7 @@ import { setTimeout as wait } from 'node:timers/promises';
 import { filesOf } from './glob.js';
 import { WrongUse } from './io.js';
 import { complain } from './safe-text.js';
-import { lookAt } from './target.js';
+import { lookAt, STANDARD_INPUT } from './target.js';
 
 /** How the files are processed. */
 export interface Watched {
@@ -26,6 +26,7 @@ const GONE = '';
  * file is not read while it is being written, and does not count as gone while it is being replaced.
  */
 export async function watch(words: readonly string[], { round, existing }: Watched): Promise<never> {
+  if (words.includes(STANDARD_INPUT)) throw new WrongUse('--watch follows files, and standard input (-) is none.');
   /** The version of each file when it was last processed. */
   const done = new Map<string, string>();
   let before = new Map<string, string>();

@@ -40,3 +40,8 @@ export function area(mm2: number): string {
 export function grams(g: number): string {
   return g < 1000 ? `${g.toFixed(0)} g` : `${(g / 1000).toFixed(2)} kg`;
 }
+
+/** A unit, with the resolution of pixels. */
+export function unitOf({ unit, dpi }: { unit: string; dpi: number | null }): string {
+  return dpi === null ? unit : `${unit} at ${dpi} dpi`;
+}

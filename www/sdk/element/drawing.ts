@@ -250,7 +250,7 @@ export abstract class DrawingElement<Result, K extends OutputKind> extends Base 
     if (file === null) return;
     const link = document.createElement('a');
     link.href = URL.createObjectURL(new Blob([file.text], { type: 'text/plain' }));
-    link.download = `${this.loaded?.name.replace(/\.dxf$/i, '')}${file.ending}`;
+    link.download = `${this.loaded?.name.replace(/\.(dxf|svg)$/i, '')}${file.ending}`;
     link.click();
     // A minute later the browser has read the file.
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);

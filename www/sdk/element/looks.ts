@@ -69,7 +69,7 @@ const BAR = `
   <button part="button again" data-does="choose" data-text="again" hidden></button>
   <p part="message" role="alert" hidden></p>
 </div>
-<input type="file" accept=".dxf" hidden>
+<input type="file" accept=".dxf,.svg" hidden>
 `;
 
 export function fillPlanner(root: ShadowRoot): void {

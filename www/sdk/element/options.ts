@@ -4,7 +4,7 @@ import type { PlanningOptions } from '../options.js';
 import type { Unit } from '../protocol.js';
 
 /** Attributes that are numbers. */
-const NUMBERS = ['seconds', 'moves', 'seed', 'workers'] as const;
+const NUMBERS = ['dpi', 'seconds', 'moves', 'seed', 'workers'] as const;
 
 /** The number in an attribute. Other text gives NaN, which the planner refuses with a sentence that names the option. */
 export function numberIn(text: string): number {

@@ -1,4 +1,4 @@
-/** The worker of the single-file build. It contains the core, but not the PNG renderer and the methods from papers, which would double its size. */
+/** The worker of the single-file build. It contains the core, but not the PNG renderer, the reader of SVG and the methods from papers, which would double its size. */
 
 import { KerfwayError } from '../errors.js';
 import type { FromWorker, ToWorker } from '../protocol.js';
@@ -12,7 +12,7 @@ const scope = self as unknown as {
 const session = new Session({
   post: (message, transfer = []) => scope.postMessage(message, transfer),
   research: async () => {
-    throw new KerfwayError('not-in-this-build', 'The single-file build has no methods from papers. Use the package with its files for them.');
+    throw new KerfwayError('not-in-this-build', 'The single-file build reads no SVG and has no methods from papers. Use the package with its files for them.');
   },
   png: async () => {
     throw new KerfwayError('not-in-this-build', 'The single-file build writes no PNG. Render SVG instead, or use the package with its files.');

@@ -1,6 +1,7 @@
 //! What a program should do: what the plan says, or what the header of the file itself says.
 
 use super::super::super::cuts::cuts;
+use super::words::number;
 use crate::geometry::Segment;
 use crate::plan::{Move, Plan};
 
@@ -107,11 +108,11 @@ fn count(n: f64) -> u32 {
 /// The words of a comment without its numbers and punctuation.
 fn words(comment: &str) -> Vec<&str> {
     let trimmed = comment.split(' ').map(|w| w.trim_matches([',', ':']));
-    trimmed.filter(|w| !w.is_empty() && w.parse::<f64>().is_err()).collect()
+    trimmed.filter(|w| !w.is_empty() && number(w).is_none()).collect()
 }
 
 fn numbers(comment: &str) -> Vec<f64> {
-    comment.split(' ').filter_map(|w| w.trim_matches([',', ':']).parse().ok()).collect()
+    comment.split(' ').filter_map(|w| number(w.trim_matches([',', ':']))).collect()
 }
 
 #[cfg(test)]

@@ -56,10 +56,13 @@ pub(super) fn read(text: &str) -> Result<Line, String> {
 }
 
 fn number_of(text: &str, letter: char) -> Result<f64, String> {
-    lexical_parse_float::FromLexical::from_lexical(text.as_bytes())
-        .ok()
-        .filter(|n: &f64| n.is_finite())
-        .ok_or_else(|| format!("has the word {letter}{text}, which is not a number"))
+    number(text).ok_or_else(|| format!("has the word {letter}{text}, which is not a number"))
+}
+
+/// A finite number. Not `str::parse`, whose table of powers is 10 kB of the wasm file.
+pub(super) fn number(text: &str) -> Option<f64> {
+    let value = lexical_parse_float::FromLexical::from_lexical(text.as_bytes()).ok();
+    value.filter(|n: &f64| n.is_finite())
 }
 
 impl Line {

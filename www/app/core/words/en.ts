@@ -60,7 +60,7 @@ const findingTitles: Record<FindingCode, string> = {
 
 const unitNames: Record<Unit, string> = {
   mm: 'millimetres', cm: 'centimetres', m: 'metres', dm: 'decimetres', um: 'micrometres',
-  in: 'inches', ft: 'feet', yd: 'yards', mil: 'mils', microinch: 'microinches',
+  in: 'inches', ft: 'feet', yd: 'yards', mil: 'mils', microinch: 'microinches', px: 'pixels',
 };
 const unitSources: Record<UnitsTaken['source'], string> = { header: 'from the file', guessed: 'guessed', given: 'chosen by you' };
 const operations: Record<Operation, string> = { cut: 'Cut', mark: 'Mark', ignore: 'Ignore' };
@@ -75,12 +75,13 @@ const samples: Record<string, readonly [title: string, about: string]> = {
   'layers.dxf': ['Layers', 'Cut, mark or ignore, suggested by the names of layers'],
   'no-units.dxf': ['Uncertain units', 'A file that does not say how large it is'],
   'parts-in-parts.dxf': ['Parts in parts', 'Nested rings: inner contours are cut before the ones around them'],
+  'luggage-tags.svg': ['Luggage tags, SVG', 'Layers of Inkscape: cut and engrave'],
   'lumberjack-polaris.dxf': ['Keyboard plate', 'A real drawing, by Paul James (MIT)'],
 };
 
 /** Each key with its action. */
 const keys: readonly (readonly [string, string])[] = [
-  ['O', 'Open a DXF file or a project'],
+  ['O', 'Open a DXF or SVG file, or a project'],
   ['S', 'Stop planning, keep the best path'],
   ['P', 'Pause or resume planning'],
   ['K', 'Keep improving'],
@@ -107,7 +108,7 @@ export const en = {
   page: {
     somethingElse: 'This drawing could not be processed. Reload the page and drop it again.',
     unreadable: (file: string) => `${file} could not be read from disk. Choose it again.`,
-    noSample: (title: string) => `The sample "${title}" could not be loaded. Reload the page, or drop a DXF of your own.`,
+    noSample: (title: string) => `The sample "${title}" could not be loaded. Reload the page, or drop a DXF or SVG of your own.`,
     chooseHome: 'Click on the sheet where the head should start. Esc cancels.',
     noCanvas: 'This browser cannot draw on a canvas.',
     best: (time: string) => `Best so far: ${time}.`,
@@ -124,8 +125,8 @@ export const en = {
   },
 
   top: {
-    samples: 'Samples', units: 'Units', unitsAre: 'Units: ', dark: 'Dark theme', light: 'Light theme', undo: 'Undo (Ctrl Z)', redo: 'Redo (Ctrl Shift Z)',
-    order: 'Cutting order', panel: 'Panel', open: 'Open', openFile: 'Open a DXF file', help: 'Keys and help',
+    samples: 'Samples', units: 'Units', unitsAre: 'Units: ', resolution: (dpi: number) => `${dpi} dpi`, dark: 'Dark theme', light: 'Light theme', undo: 'Undo (Ctrl Z)', redo: 'Redo (Ctrl Shift Z)',
+    order: 'Cutting order', panel: 'Panel', open: 'Open', openFile: 'Open a DXF or SVG file', help: 'Keys and help',
   },
 
   files: {
@@ -135,7 +136,7 @@ export const en = {
   },
 
   dock: {
-    progress: 'Progress', stop: 'Stop', pause: 'Pause', resume: 'Resume', more: 'Keep improving', choose: 'Choose a DXF', sheet: 'Drawing, machine, plan, result',
+    progress: 'Progress', stop: 'Stop', pause: 'Pause', resume: 'Resume', more: 'Keep improving', choose: 'Choose a DXF or SVG', sheet: 'Drawing, machine, plan, result',
     starting: 'Starting the planner…', reading: (file: string) => `Reading ${file}…`, question: 'An answer is needed before planning.',
     offBed: 'Not on the bed, so no G-code',
     nothing: 'Nothing to cut: set a layer to cut or mark.', failed: 'This file cannot be used.', optimal: 'Optimal: no better path exists.',
@@ -163,7 +164,7 @@ export const en = {
     },
     contours: (n: number, written: string) => counted(n, written, 'contour'), openContours: (n: number, written: string) => counted(n, written, 'open contour'),
     parts: (n: number, written: string) => counted(n, written, 'part'),
-    version: (name: string) => `DXF ${name}`, show: (contour: string) => `Contour ${contour}, show on the sheet`,
+    version: (name: string) => (name.startsWith('SVG') ? name : `DXF ${name}`), show: (contour: string) => `Contour ${contour}, show on the sheet`,
     decided: { first: (contours: string) => `Cut first: ${contours}`, last: (contours: string) => `Cut last: ${contours}`, exclude: (contours: string) => `Skipped: ${contours}` },
     unpin: { first: 'Unpin', last: 'Unpin', exclude: 'Cut again' }, others: (n: string) => `and ${n} more`,
     unpinAll: { first: 'Unpin contours that are cut first', last: 'Unpin contours that are cut last', exclude: 'Cut again: skipped contours' },
@@ -190,7 +191,7 @@ export const en = {
   },
 
   question: {
-    size: 'How large is this drawing?', in: (unit: string) => `in ${unit}`,
+    size: 'How large is this drawing?', in: (unit: string) => `in ${unit}`, dpi: (dpi: number) => `in pixels, ${dpi} to the inch`,
     damaged: (n: number, written: string) => `${counted(n, written, 'entity', 'entities')} in this file ${n === 1 ? 'is' : 'are'} damaged`,
     about: 'They are next to a damaged place in the file, so their shape may be wrong. Skip them, or keep them and check each one.',
     skip: 'Skip them', keep: 'Keep them',

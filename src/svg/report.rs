@@ -1,0 +1,271 @@
+//! Findings of the reader. They are counted while the drawing is walked, and named once all layers have their names.
+
+use super::layers::{Key, Names};
+use crate::finding::{Code, Finding, Findings, Seen, Severity};
+use crate::geometry::DVec2;
+use std::collections::BTreeMap;
+
+/// What is counted instead of listed.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Subject {
+    /// Elements of a kind without an outline.
+    Unsupported(String),
+    /// Shapes that are not drawn.
+    Hidden(Hidden),
+    /// Filled shapes without a stroke, of a kind.
+    Filled(&'static str),
+    /// Shapes with a wide stroke.
+    Wide,
+    /// Shapes with a dashed stroke.
+    Dashed,
+    /// Elements of which only a part is shown.
+    Clipped,
+    /// Elements that a mask fades.
+    Masked,
+    /// Elements with arrowheads or other markers.
+    Marked,
+    /// Shapes filled with a pattern.
+    Patterned,
+    /// Copies of an element that is not in the file.
+    Missing(String),
+    /// Copies of an element inside itself.
+    Cyclic(String),
+    /// Elements whose `transform` cannot be read.
+    Transform,
+    /// Rules of style sheets.
+    Rules,
+    /// Entities in text.
+    Entities,
+}
+
+/// Why a shape is not drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Hidden {
+    /// `display: none`, or an opacity of 0, on it or around it.
+    Gone,
+    /// `visibility: hidden`.
+    Invisible,
+    /// Neither stroke nor fill.
+    Unpainted,
+}
+
+#[derive(Debug, Default)]
+struct Tally {
+    count: u32,
+    handle: Option<String>,
+    at: Option<DVec2>,
+}
+
+/// Number of notes that are kept; the rest is only counted. It is above the number that [`Findings`] lists.
+const KEPT: u32 = 256;
+
+/// Collects what was found.
+#[derive(Debug, Default)]
+pub(super) struct Report {
+    tallies: BTreeMap<(Subject, Option<Key>), Tally>,
+    notes: Vec<(Finding, Option<Key>)>,
+    seen: Seen,
+    /// Tallies of groups, whose place is that of the first shape in them.
+    without_place: Vec<(Subject, Option<Key>)>,
+}
+
+impl Report {
+    /// Counts one more `subject`. Without a place, it gets that of the next shape.
+    pub(super) fn count(
+        &mut self,
+        subject: Subject,
+        key: Option<Key>,
+        handle: Option<&str>,
+        at: Option<DVec2>,
+    ) {
+        let entry = (subject, key);
+        if at.is_none() && !self.tallies.contains_key(&entry) {
+            self.without_place.push(entry.clone());
+        }
+        let tally = self.tallies.entry(entry).or_insert_with(|| Tally {
+            count: 0,
+            handle: handle.map(str::to_owned),
+            at,
+        });
+        tally.count = tally.count.saturating_add(1);
+    }
+
+    /// Counts many at once.
+    pub(super) fn count_all(&mut self, subject: Subject, n: u32) {
+        if n > 0 {
+            self.tallies.entry((subject, None)).or_default().count += n;
+        }
+    }
+
+    /// The place of a shape, for what waits for one.
+    pub(super) fn place(&mut self, at: DVec2) {
+        for entry in self.without_place.drain(..) {
+            if let Some(tally) = self.tallies.get_mut(&entry) {
+                tally.at = Some(at);
+            }
+        }
+    }
+
+    /// Notes a shape that cannot be cut, or only in part.
+    pub(super) fn invalid(&mut self, message: String, key: Key, handle: Option<&str>, at: Option<DVec2>) {
+        if self.seen.lists(Code::InvalidGeometry, 1, KEPT) {
+            let mut finding =
+                Finding::new(Code::InvalidGeometry, Severity::Warning, message).of_handle(handle);
+            finding.at = at;
+            self.notes.push((finding, Some(key)));
+        }
+    }
+
+    /// The findings, with the names of layers.
+    pub(super) fn into_findings(self, names: &Names) -> Vec<Finding> {
+        let mut findings = Findings::default();
+        let layer = |key: Option<Key>| key.and_then(|k| names.get(&k).cloned());
+        for (mut finding, key) in self.notes {
+            finding.layer = layer(key);
+            findings.push(finding);
+        }
+        for (code, rest) in self.seen.rests() {
+            findings.push(Finding::new(code, Severity::Info, "").times(rest));
+        }
+        for ((subject, key), tally) in self.tallies {
+            let (code, severity, message) = subject.sentence(tally.count);
+            findings.push(Finding {
+                code,
+                severity,
+                message,
+                layer: layer(key),
+                handle: tally.handle,
+                at: tally.at.filter(|p| p.is_finite()),
+                count: tally.count,
+            });
+        }
+        findings.into_list()
+    }
+}
+
+impl Subject {
+    fn sentence(&self, n: u32) -> (Code, Severity, String) {
+        use Severity::{Error, Info, Warning};
+        let many = |one: &str, many: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {many}") };
+        match self {
+            Self::Unsupported(kind) => {
+                (Code::UnsupportedEntity, Warning, format!("{n} {kind} left out: {}.", advice(kind)))
+            }
+            Self::Hidden(why) => {
+                let why = match why {
+                    Hidden::Gone => "not displayed (display: none, opacity 0, or a hidden layer)",
+                    Hidden::Invisible => "switched invisible",
+                    Hidden::Unpainted => "without stroke and fill, so not visible,",
+                };
+                (Code::HiddenEntity, Info, format!("{} {why} and not cut.", many("shape is", "shapes are")))
+            }
+            Self::Filled(kind) => (
+                Code::OutlineTaken,
+                Info,
+                format!(
+                    "The outline of {n} filled {kind} without a stroke is taken as lines to cut; the filling is not. Choose mark or ignore for its layer if it is an engraving."
+                ),
+            ),
+            Self::Wide => (
+                Code::OutlineTaken,
+                Info,
+                format!(
+                    "{} a stroke wider than 1 mm: cut along its middle line, once.",
+                    many("shape has", "shapes have")
+                ),
+            ),
+            Self::Dashed => (
+                Code::OutlineTaken,
+                Info,
+                format!(
+                    "{} a dashed stroke: cut as a whole line, without gaps.",
+                    many("shape has", "shapes have")
+                ),
+            ),
+            Self::Clipped => (
+                Code::UnsupportedEntity,
+                Warning,
+                format!(
+                    "{} clipped in the drawing, but cut whole. Apply the clip (intersection) in the drawing program.",
+                    many("object is", "objects are")
+                ),
+            ),
+            Self::Masked => (
+                Code::UnsupportedEntity,
+                Warning,
+                format!(
+                    "{} a mask, which is not applied: cut whole. Apply the mask in the drawing program.",
+                    many("object has", "objects have")
+                ),
+            ),
+            Self::Marked => (
+                Code::UnsupportedEntity,
+                Warning,
+                format!(
+                    "{} arrowheads or other markers, which are not cut. Convert them to paths in the drawing program.",
+                    many("object has", "objects have")
+                ),
+            ),
+            Self::Patterned => (
+                Code::UnsupportedEntity,
+                Warning,
+                format!(
+                    "{} filled with a pattern, whose lines are not cut. Convert the pattern to objects in the drawing program.",
+                    many("shape is", "shapes are")
+                ),
+            ),
+            Self::Missing(target) => (
+                Code::MissingBlock,
+                Error,
+                format!(
+                    "{} of \"{target}\", which is not in the file: the content is missing.",
+                    many("copy", "copies")
+                ),
+            ),
+            Self::Cyclic(target) => (
+                Code::CyclicBlock,
+                Error,
+                format!(
+                    "\"{target}\" contains itself; the inner {} left out.",
+                    many("copy is", "copies are")
+                ),
+            ),
+            Self::Transform => (
+                Code::InvalidGeometry,
+                Warning,
+                format!(
+                    "{} a transform that cannot be read: placed without it, as browsers do.",
+                    many("object has", "objects have")
+                ),
+            ),
+            Self::Rules => (
+                Code::UnsupportedEntity,
+                Info,
+                format!(
+                    "{} of the style sheet not understood (media queries, states, attribute selectors). Check that nothing is missing.",
+                    many("rule is", "rules are")
+                ),
+            ),
+            Self::Entities => (
+                Code::UnsupportedEntity,
+                Warning,
+                format!(
+                    "{} in the content not expanded. Save the drawing again as plain SVG.",
+                    many("entity is", "entities are")
+                ),
+            ),
+        }
+    }
+}
+
+/// What to do about an element without an outline.
+fn advice(kind: &str) -> &'static str {
+    match kind {
+        "text" | "flowRoot" => {
+            "letters have no outline until the text is converted to paths (Inkscape: Path, Object to Path; Illustrator: Type, Create Outlines)"
+        }
+        "image" => "a picture has no lines; trace it in the drawing program (Inkscape: Path, Trace Bitmap)",
+        "foreignObject" => "it holds text or a web page, which has no lines",
+        _ => "it has no outline to cut; convert it to paths in the drawing program",
+    }
+}

@@ -1,0 +1,163 @@
+//! The style of an element as far as cutting goes: stroke, fill, and what is visible.
+//!
+//! Attributes are the weakest, then come rules of style sheets, then the `style` attribute, then whatever is marked
+//! `!important`.
+
+use super::color::{self, Rgb};
+use super::css::{Declaration, StyleSheet, declarations};
+use super::length::{Axis, Lengths};
+use super::numbers::Scanner;
+use super::xml::{Document, Space};
+
+/// What a line or an area is painted with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Paint {
+    None,
+    Color(Rgb),
+    /// A gradient, or a paint that is taken from elsewhere.
+    Other,
+    /// A pattern, whose own lines are not read.
+    Pattern,
+}
+
+/// The inherited style of an element.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Style {
+    pub(super) stroke: Paint,
+    pub(super) fill: Paint,
+    color: Rgb,
+    pub(super) visible: bool,
+    /// Width of strokes in user units.
+    pub(super) width: f64,
+    pub(super) dashed: bool,
+    stroke_opaque: bool,
+    fill_opaque: bool,
+}
+
+impl Style {
+    /// The initial values of the specification.
+    pub(super) const INITIAL: Self = Self {
+        stroke: Paint::None,
+        fill: Paint::Color(Rgb::BLACK),
+        color: Rgb::BLACK,
+        visible: true,
+        width: 1.0,
+        dashed: false,
+        stroke_opaque: true,
+        fill_opaque: true,
+    };
+
+    /// The stroke, if anything of it is visible.
+    pub(super) fn visible_stroke(&self) -> Paint {
+        if self.stroke_opaque { self.stroke } else { Paint::None }
+    }
+
+    /// The fill, if anything of it is visible.
+    pub(super) fn visible_fill(&self) -> Paint {
+        if self.fill_opaque { self.fill } else { Paint::None }
+    }
+}
+
+/// What an element sets for itself only.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Own {
+    /// Whether it and everything in it is not drawn.
+    pub(super) gone: bool,
+    /// The value of the property or attribute `transform`.
+    pub(super) transform: Option<String>,
+    pub(super) clipped: bool,
+    pub(super) masked: bool,
+    pub(super) marked: bool,
+}
+
+/// The style of an element inside one with the style `inherited`.
+pub(super) fn resolve(
+    document: &Document<'_>,
+    sheet: &StyleSheet<'_>,
+    element: u32,
+    inherited: &Style,
+    lengths: &Lengths,
+) -> (Style, Own) {
+    let mut cascade = Cascade { document, inherited, lengths, style: *inherited, own: Own::default() };
+    for a in document.attributes(element).iter().filter(|a| a.space == Space::None) {
+        cascade.apply(a.name, a.value.trim());
+    }
+    let rules = sheet.matching(document, element);
+    let inline: Vec<Declaration<'_>> =
+        document.attribute(element, "style").map(|s| declarations(s).collect()).unwrap_or_default();
+    for important in [false, true] {
+        for d in rules.iter().chain(&inline).filter(|d| d.important == important) {
+            cascade.apply(d.name, d.value);
+        }
+    }
+    (cascade.style, cascade.own)
+}
+
+struct Cascade<'c> {
+    document: &'c Document<'c>,
+    inherited: &'c Style,
+    lengths: &'c Lengths,
+    style: Style,
+    own: Own,
+}
+
+impl Cascade<'_> {
+    fn apply(&mut self, name: &str, value: &str) {
+        let (style, inherited) = (&mut self.style, self.inherited);
+        let inherits = value == "inherit";
+        let is_reference = value.starts_with("url(");
+        match name {
+            "stroke" | "fill" => {
+                let is_stroke = name == "stroke";
+                let before = if is_stroke { inherited.stroke } else { inherited.fill };
+                let paint = if inherits { Some(before) } else { self.paint(value) };
+                if let Some(paint) = paint {
+                    *(if is_stroke { &mut self.style.stroke } else { &mut self.style.fill }) = paint;
+                }
+            }
+            "color" if inherits => style.color = inherited.color,
+            "color" => style.color = color::read(value).map_or(style.color, |c| c.0),
+            "visibility" if inherits => style.visible = inherited.visible,
+            "visibility" => style.visible = !matches!(value, "hidden" | "collapse"),
+            "display" => self.own.gone = value == "none",
+            "opacity" => self.own.gone |= is_zero(value),
+            "stroke-opacity" => style.stroke_opaque = !is_zero(value),
+            "fill-opacity" => style.fill_opaque = !is_zero(value),
+            "stroke-width" => {
+                style.width = self.lengths.read(value, Axis::Diagonal).unwrap_or(style.width);
+            }
+            "stroke-dasharray" => style.dashed = value.bytes().any(|b| b.is_ascii_digit() && b != b'0'),
+            "transform" => self.own.transform = Some(value.to_owned()),
+            "clip-path" => self.own.clipped = is_reference,
+            "mask" => self.own.masked = is_reference,
+            "marker" | "marker-start" | "marker-mid" | "marker-end" => self.own.marked |= is_reference,
+            _ => {}
+        }
+    }
+
+    /// A paint; `None` if the value is none, so that it is ignored.
+    fn paint(&self, value: &str) -> Option<Paint> {
+        Some(match value {
+            "none" => Paint::None,
+            "currentColor" | "currentcolor" => Paint::Color(self.style.color),
+            "context-fill" | "context-stroke" => Paint::Other,
+            _ => match value.strip_prefix("url(") {
+                Some(reference) => {
+                    let id = reference.split(')').next().unwrap_or_default();
+                    let id = id.trim().trim_matches(['"', '\'']).trim_start_matches('#');
+                    let server = self.document.by_id(id).map(|e| self.document.name(e));
+                    if server == Some("pattern") { Paint::Pattern } else { Paint::Other }
+                }
+                None => match color::read(value)? {
+                    (rgb, true) => Paint::Color(rgb),
+                    (_, false) => Paint::None,
+                },
+            },
+        })
+    }
+}
+
+fn is_zero(value: &str) -> bool {
+    let mut scanner = Scanner::new(value);
+    scanner.number().is_some_and(|v| v <= 0.0) && matches!(scanner.rest(), b"" | b"%")
+}

@@ -1,0 +1,107 @@
+//! The attribute and the CSS property `transform`.
+
+use super::numbers::Scanner;
+use crate::geometry::{Affine, DVec2, math};
+
+/// The map of a list of transforms, of which the last is applied first; `None` if it is not one.
+pub(super) fn read(text: &str) -> Option<Affine> {
+    let mut scanner = Scanner::new(text);
+    let mut map = Affine::IDENTITY;
+    loop {
+        scanner.skip_separator();
+        if scanner.peek().is_none() {
+            return Some(map);
+        }
+        let name = scanner.name();
+        if name == b"none" {
+            continue;
+        }
+        scanner.skip_blanks();
+        if !scanner.accept(b'(') {
+            return None;
+        }
+        let (values, count) = arguments(&mut scanner)?;
+        map = one(name, &values, count)?.then(&map);
+    }
+}
+
+/// Up to six numbers and the bracket after them. Units px and deg are those that SVG has anyway.
+fn arguments(scanner: &mut Scanner<'_>) -> Option<([f64; 6], usize)> {
+    let mut values = [0.0; 6];
+    let mut count = 0;
+    loop {
+        scanner.skip_separator();
+        if scanner.accept(b')') {
+            return Some((values, count));
+        }
+        let value = scanner.number()?;
+        let factor = match scanner.name() {
+            b"" | b"px" | b"deg" => 1.0,
+            b"rad" => 1_f64.to_degrees(),
+            b"turn" => 360.0,
+            _ => return None,
+        };
+        *values.get_mut(count)? = value * factor;
+        count += 1;
+    }
+}
+
+fn one(name: &[u8], v: &[f64; 6], count: usize) -> Option<Affine> {
+    let turn = |degrees: f64| Affine::rotation(degrees.to_radians());
+    let skew = |x: f64, y: f64| Affine {
+        x: DVec2::new(1.0, math::tan(y.to_radians())),
+        y: DVec2::new(math::tan(x.to_radians()), 1.0),
+        origin: DVec2::ZERO,
+    };
+    let map = match (name, count) {
+        (b"matrix", 6) => {
+            Affine { x: DVec2::new(v[0], v[1]), y: DVec2::new(v[2], v[3]), origin: DVec2::new(v[4], v[5]) }
+        }
+        (b"translate", 1 | 2) => Affine::translation(DVec2::new(v[0], v[1])),
+        (b"translateX", 1) => Affine::translation(DVec2::new(v[0], 0.0)),
+        (b"translateY", 1) => Affine::translation(DVec2::new(0.0, v[0])),
+        (b"scale", 1) => Affine::scale(DVec2::splat(v[0])),
+        (b"scale", 2) => Affine::scale(DVec2::new(v[0], v[1])),
+        (b"scaleX", 1) => Affine::scale(DVec2::new(v[0], 1.0)),
+        (b"scaleY", 1) => Affine::scale(DVec2::new(1.0, v[0])),
+        (b"rotate", 1) => turn(v[0]),
+        (b"rotate", 3) => {
+            let center = DVec2::new(v[1], v[2]);
+            Affine::translation(-center).then(&turn(v[0])).then(&Affine::translation(center))
+        }
+        (b"skewX", 1) => skew(v[0], 0.0),
+        (b"skewY", 1) => skew(0.0, v[0]),
+        (b"skew", 1 | 2) => skew(v[0], v[1]),
+        _ => return None,
+    };
+    map.is_finite().then_some(map)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn image(transform: &str, x: f64, y: f64) -> Vec<f64> {
+        let p = read(transform).unwrap().point(DVec2::new(x, y));
+        [p.x, p.y].iter().map(|v| (v * 1e9).round() / 1e9).collect()
+    }
+
+    #[test]
+    fn the_last_transform_is_applied_first() {
+        assert_eq!(image("translate(10, 20) scale(2)", 1.0, 1.0), [12.0, 22.0]);
+        assert_eq!(image("scale(2)translate(10 20)", 1.0, 1.0), [22.0, 42.0]);
+        assert_eq!(image("rotate(90)", 1.0, 0.0), [0.0, 1.0]);
+        assert_eq!(image("rotate(90, 10, 0)", 11.0, 0.0), [10.0, 1.0]);
+        assert_eq!(image("matrix(1 2 3 4 5 6)", 1.0, 1.0), [9.0, 12.0]);
+        assert_eq!(image("skewX(45)", 0.0, 3.0), [3.0, 3.0]);
+        assert_eq!(image("translate(5px) rotate(0.25turn)", 1.0, 0.0), [5.0, 1.0]);
+        assert_eq!(image("none", 1.0, 2.0), [1.0, 2.0]);
+    }
+
+    #[test]
+    fn what_is_no_transform_is_refused() {
+        for text in ["turn(3)", "rotate(1 2)", "scale", "matrix(1 2 3 4 5)", "translate(1", "scale(1e400)"] {
+            assert_eq!(read(text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,479 @@
+//! Walks through the drawing: groups, nested pages and copies, down to shapes with their place and style.
+//!
+//! The walk keeps a stack of its own, so that nesting takes no stack of the machine. Every element that is visited counts
+//! against a limit, which copies of copies soon reach: such a file is refused.
+
+use super::css::StyleSheet;
+use super::layers::{Key, Line};
+use super::length::{Axis, Lengths};
+use super::report::{Hidden, Report, Subject};
+use super::scale::Scale;
+use super::style::{self, Own, Paint, Style};
+use super::viewport;
+use super::xml::{Document, Space};
+use super::{shape, trace, transform};
+use crate::drawing::{EntityKindCount, ReadError, ReadOptions, Shape};
+use crate::geometry::{Affine, DVec2};
+use std::collections::BTreeMap;
+
+/// Width of a stroke in mm above which a finding says that its middle is cut. Lines for people to see are thinner.
+const WIDE: f64 = 1.0;
+
+/// What a walk found.
+pub(super) struct Walked {
+    /// Shapes with the key of their layer.
+    pub(super) shapes: Vec<(Key, Shape)>,
+    /// Labels of the groups that are layers.
+    pub(super) groups: Vec<String>,
+    /// Elements by kind, most frequent first.
+    pub(super) kinds: Vec<EntityKindCount>,
+    pub(super) report: Report,
+}
+
+/// Walks through all that is drawn.
+///
+/// # Errors
+/// The drawing has more elements than the limits allow, with all copies, or lies too far from its origin.
+pub(super) fn walk(
+    document: &Document<'_>,
+    scale: &Scale,
+    options: &ReadOptions,
+) -> Result<Walked, ReadError> {
+    let sheet = StyleSheet::read(&document.style);
+    let mut walker = Walker {
+        document,
+        sheet: &sheet,
+        options,
+        dpi: scale.dpi,
+        open: Vec::new(),
+        copies: Vec::new(),
+        visited: 0,
+        elements: 0,
+        far: 0,
+        kinds: BTreeMap::new(),
+        walked: Walked {
+            shapes: Vec::new(),
+            groups: Vec::new(),
+            kinds: Vec::new(),
+            report: Report::default(),
+        },
+    };
+    walker.walked.report.count_all(Subject::Rules, sheet.not_understood);
+    walker.walked.report.count_all(Subject::Entities, document.entities_left);
+    let place = Place {
+        map: scale.map,
+        style: Style::INITIAL,
+        viewport: scale.viewport,
+        group: None,
+        hidden: None,
+        copy: None,
+    };
+    walker.root(&place);
+    walker.run()?;
+    walker.finish()
+}
+
+/// Where an element is, and what it inherits.
+#[derive(Clone, Copy)]
+struct Place {
+    /// User units to mm on the sheet.
+    map: Affine,
+    style: Style,
+    viewport: DVec2,
+    /// Index of the layer around it.
+    group: Option<u32>,
+    /// Why nothing here is drawn.
+    hidden: Option<Hidden>,
+    /// Index of the innermost copy (`use`) around it.
+    copy: Option<u32>,
+}
+
+/// Elements that are still to be visited at one place.
+struct Frame {
+    next: u32,
+    end: u32,
+    place: Place,
+    /// The size that a `use` gives to the `symbol` or `svg` it copies.
+    instance: Option<[Option<f64>; 2]>,
+}
+
+/// A `use` with its target.
+struct Copy {
+    target: u32,
+    outer: Option<u32>,
+}
+
+struct Walker<'w, 'a> {
+    document: &'w Document<'a>,
+    sheet: &'w StyleSheet<'w>,
+    options: &'w ReadOptions,
+    dpi: f64,
+    open: Vec<Frame>,
+    copies: Vec<Copy>,
+    visited: usize,
+    elements: usize,
+    far: usize,
+    kinds: BTreeMap<&'a str, (u32, bool)>,
+    walked: Walked,
+}
+
+impl<'w, 'a> Walker<'w, 'a> {
+    fn run(&mut self) -> Result<(), ReadError> {
+        while let Some(frame) = self.open.last_mut() {
+            if frame.next >= frame.end {
+                self.open.pop();
+                continue;
+            }
+            let (element, place, instance) = (frame.next, frame.place, frame.instance);
+            frame.next = self.document.get(element).map_or(frame.end, |e| e.end);
+            self.visited += 1;
+            self.check()?;
+            self.element(element, &place, instance);
+        }
+        Ok(())
+    }
+
+    fn root(&mut self, place: &Place) {
+        let (place, _) = self.enter(0, place);
+        self.open_children(0, place);
+    }
+
+    fn open_children(&mut self, element: u32, place: Place) {
+        let end = self.document.get(element).map_or(0, |e| e.end);
+        self.open.push(Frame { next: element + 1, end, place, instance: None });
+    }
+
+    /// The place inside an element, with its style and transform.
+    fn enter(&mut self, element: u32, place: &Place) -> (Place, Own) {
+        let lengths = self.lengths(place);
+        let (style, own) = style::resolve(self.document, self.sheet, element, &place.style, &lengths);
+        let mut map = place.map;
+        if let Some(text) = &own.transform {
+            match transform::read(text) {
+                Some(own) => map = own.then(&place.map),
+                None => {
+                    let at = place.map.point(DVec2::ZERO);
+                    self.walked.report.count(Subject::Transform, None, self.id(element), Some(at));
+                }
+            }
+        }
+        let hidden = place.hidden.or(own.gone.then_some(Hidden::Gone));
+        (Place { map, style, hidden, ..*place }, own)
+    }
+
+    fn element(&mut self, element: u32, place: &Place, instance: Option<[Option<f64>; 2]>) {
+        let name = self.document.name(element);
+        if is_definition(name) && !(name == "symbol" && instance.is_some()) {
+            return;
+        }
+        let (mut inside, own) = self.enter(element, place);
+        if inside.hidden.is_none() {
+            let id = self.id(element);
+            for (is_so, subject) in [
+                (own.clipped, Subject::Clipped),
+                (own.masked, Subject::Masked),
+                (own.marked, Subject::Marked),
+            ] {
+                if is_so {
+                    self.walked.report.count(subject, None, id, None);
+                }
+            }
+        }
+        match name {
+            "g" | "a" => {
+                if let Some(label) = self.layer_label(element) {
+                    inside.group = u32::try_from(self.walked.groups.len()).ok();
+                    self.walked.groups.push(label);
+                }
+                self.open_children(element, inside);
+            }
+            "svg" | "symbol" => {
+                let lengths = self.lengths(place);
+                let (map, viewport) = viewport::inside(
+                    self.document,
+                    element,
+                    instance.unwrap_or_default(),
+                    &lengths,
+                    name == "svg",
+                );
+                inside.map = map.then(&inside.map);
+                inside.viewport = viewport;
+                self.open_children(element, inside);
+            }
+            "switch" => {
+                let chosen = self.document.children(element).find(|c| self.is_chosen(*c));
+                if let Some(child) = chosen {
+                    let end = self.document.get(child).map_or(0, |e| e.end);
+                    self.open.push(Frame { next: child, end, place: inside, instance: None });
+                }
+            }
+            "use" => {
+                self.count_kind(name, true, place);
+                self.copy(element, inside);
+            }
+            _ => match shape::kind(name) {
+                Some(kind) => {
+                    self.count_kind(name, true, place);
+                    self.shape(element, kind, &inside);
+                }
+                None => {
+                    self.count_kind(name, false, place);
+                    self.unsupported(element, name, &inside);
+                }
+            },
+        }
+    }
+
+    /// Visits the element that a `use` copies.
+    fn copy(&mut self, element: u32, mut place: Place) {
+        let lengths = self.lengths(&place);
+        let length =
+            |name: &str, axis| self.document.attribute(element, name).and_then(|t| lengths.read(t, axis));
+        let offset =
+            DVec2::new(length("x", Axis::Width).unwrap_or(0.0), length("y", Axis::Height).unwrap_or(0.0));
+        let size = [length("width", Axis::Width), length("height", Axis::Height)];
+        place.map = Affine::translation(offset).then(&place.map);
+        let href = self.document.attribute(element, "href");
+        let href =
+            href.or(self.document.attribute_in(element, Space::Xlink, "href")).unwrap_or_default().trim();
+        let short = || href.chars().take(60).collect::<String>();
+        let (id, at) = (self.id(element), Some(place.map.point(DVec2::ZERO)));
+        let Some(target) = href.strip_prefix('#').and_then(|id| self.document.by_id(id)) else {
+            self.walked.report.count(Subject::Missing(short()), None, id, at);
+            return;
+        };
+        let mut around = place.copy;
+        while let Some(copy) = around.and_then(|c| self.copies.get(c as usize)) {
+            if copy.target == target {
+                self.walked.report.count(Subject::Cyclic(short()), None, id, at);
+                return;
+            }
+            around = copy.outer;
+        }
+        let mut above = Some(element);
+        while let Some(e) = above {
+            if e == target {
+                self.walked.report.count(Subject::Cyclic(short()), None, id, at);
+                return;
+            }
+            above = self.document.get(e).and_then(|e| e.parent);
+        }
+        let this = u32::try_from(self.copies.len()).ok();
+        self.copies.push(Copy { target, outer: place.copy });
+        place.copy = this;
+        let end = self.document.get(target).map_or(0, |e| e.end);
+        self.open.push(Frame { next: target, end, place, instance: Some(size) });
+    }
+
+    fn shape(&mut self, element: u32, kind: &'static str, place: &Place) {
+        let outline = shape::outline(self.document, element, kind, &self.lengths(place));
+        let style = &place.style;
+        let (stroke, fill) = (style.visible_stroke(), style.visible_fill());
+        let line = if stroke == Paint::None { Line::Filled(fill) } else { Line::Stroke(stroke) };
+        let key = (place.group, line);
+        let id = self.id(element);
+        let at = outline.chains.first().map(|c| place.map.point(c.start));
+        if let Some(at) = at {
+            self.walked.report.place(at);
+        }
+        let unpainted = stroke == Paint::None && fill == Paint::None;
+        let hidden = place.hidden.or(match style.visible {
+            false => Some(Hidden::Invisible),
+            true if unpainted => Some(Hidden::Unpainted),
+            true => None,
+        });
+        if let Some(why) = hidden {
+            self.walked.report.count(Subject::Hidden(why), None, id, at);
+            return;
+        }
+        if let Some(fault) = outline.fault {
+            self.walked.report.invalid(format!("{}: {fault}.", named(kind, id)), key, id, at);
+        }
+        let mut drawn = 0_usize;
+        for chain in &outline.chains {
+            drawn += usize::from(self.chain(chain, kind, key, element, place));
+        }
+        if drawn == 0 {
+            return;
+        }
+        let width = style.width * place.map.determinant().abs().sqrt();
+        for (is_so, subject) in [
+            (matches!(line, Line::Filled(_)), Subject::Filled(kind)),
+            (fill == Paint::Pattern, Subject::Patterned),
+            (stroke != Paint::None && width > WIDE, Subject::Wide),
+            (stroke != Paint::None && style.dashed, Subject::Dashed),
+        ] {
+            if is_so {
+                self.walked.report.count(subject, Some(key), id, at);
+            }
+        }
+    }
+
+    /// Adds a chain of a shape; returns whether there is anything of it.
+    fn chain(
+        &mut self,
+        chain: &super::outline::Chain,
+        kind: &'static str,
+        key: Key,
+        element: u32,
+        place: &Place,
+    ) -> bool {
+        let limits = &self.options.limits;
+        let id = self.id(element);
+        let path = trace::path(chain, &place.map, self.options.tolerance);
+        let near = path.filter(|p| {
+            let bounds = p.bounds();
+            p.segments.is_empty() || (limits.is_near(bounds.min) && limits.is_near(bounds.max))
+        });
+        let Some(path) = near else {
+            self.far += 1;
+            let message = format!(
+                "{} cannot be cut: it reaches farther than {} m from the origin.",
+                named(kind, id),
+                limits.coordinate / 1000.0
+            );
+            self.walked.report.invalid(message, key, id, None);
+            return false;
+        };
+        if path.segments.is_empty() {
+            let message = format!("{} cannot be cut: it has no length.", named(kind, id));
+            self.walked.report.invalid(message, key, id, Some(place.map.point(chain.start)));
+            return false;
+        }
+        self.elements += path.segments.len();
+        let handle = id.map(str::to_owned);
+        self.walked.shapes.push((key, Shape { path, layer: 0, color: 0, handle, kind, damaged: false }));
+        true
+    }
+
+    fn unsupported(&mut self, element: u32, name: &str, place: &Place) {
+        let first = |e: u32, name: &str| {
+            let lengths = self.lengths(place);
+            let word = self.document.attribute(e, name)?.split([' ', ',']).next()?;
+            lengths.read(word, if name == "x" { Axis::Width } else { Axis::Height })
+        };
+        let nearest = |name: &str| {
+            first(element, name)
+                .or_else(|| self.document.children(element).find_map(|c| first(c, name)))
+                .unwrap_or(0.0)
+        };
+        let at = place.map.point(DVec2::new(nearest("x"), nearest("y")));
+        let hidden = place.hidden.or((!place.style.visible).then_some(Hidden::Invisible));
+        let subject = match hidden {
+            Some(why) => Subject::Hidden(why),
+            None => Subject::Unsupported(if name.is_empty() {
+                "element of another language".to_owned()
+            } else {
+                name.chars().take(40).collect()
+            }),
+        };
+        // Elements of other languages (metadata, settings of programs) are never drawn.
+        if !name.is_empty() {
+            self.walked.report.count(subject, None, self.id(element), Some(at));
+        }
+    }
+
+    /// The label of a group that is a layer.
+    fn layer_label(&self, element: u32) -> Option<String> {
+        let label = || self.document.attribute_in(element, Space::Inkscape, "label");
+        if self.document.attribute_in(element, Space::Inkscape, "groupmode") == Some("layer") {
+            return label().or(self.id(element)).map(str::to_owned);
+        }
+        // Illustrator writes its layers as groups of the page, with their names as ids.
+        let is_top = self.document.get(element).is_some_and(|e| e.parent == Some(0));
+        let by_illustrator = self.document.preamble.as_bytes().windows(17).any(|w| w == b"Adobe Illustrator");
+        let name = self.document.attribute(element, "data-name").or(self.id(element));
+        name.filter(|_| is_top && by_illustrator).map(|n| n.replace("_x20_", " "))
+    }
+
+    /// Whether a `switch` shows this child: what needs an extension or another language is skipped.
+    fn is_chosen(&self, child: u32) -> bool {
+        let attribute = |name: &str| self.document.attribute(child, name);
+        let language =
+            attribute("systemLanguage").is_none_or(|l| l.split(',').any(|l| l.trim().starts_with("en")));
+        !self.document.name(child).is_empty()
+            && attribute("requiredExtensions").is_none_or(str::is_empty)
+            && language
+    }
+
+    fn count_kind(&mut self, name: &'a str, supported: bool, place: &Place) {
+        if place.copy.is_none() && !name.is_empty() {
+            self.kinds.entry(name).or_insert((0, supported)).0 += 1;
+        }
+    }
+
+    fn lengths(&self, place: &Place) -> Lengths {
+        Lengths { dpi: self.dpi, viewport: place.viewport }
+    }
+
+    fn id(&self, element: u32) -> Option<&'w str> {
+        self.document.attribute(element, "id")
+    }
+
+    fn check(&self) -> Result<(), ReadError> {
+        let limit = self.options.limits.elements;
+        if self.elements.max(self.visited) <= limit {
+            return Ok(());
+        }
+        Err(ReadError::Limit(format!(
+            "The drawing makes more than {limit} elements with all copies (use) expanded and curves turned into lines and arcs. Delete what is not to be cut."
+        )))
+    }
+
+    fn finish(mut self) -> Result<Walked, ReadError> {
+        self.check()?;
+        if self.walked.shapes.is_empty() && self.far > 0 {
+            return Err(ReadError::Limit(format!(
+                "Everything in the drawing lies more than {} m from its origin. Check the units, or move the drawing onto its page and save again.",
+                self.options.limits.coordinate / 1000.0
+            )));
+        }
+        let count = |(kind, (count, supported)): (&str, (u32, bool))| EntityKindCount {
+            kind: kind.to_owned(),
+            count,
+            supported,
+        };
+        self.walked.kinds = self.kinds.into_iter().map(count).collect();
+        // The sort is stable, so kinds with equal counts stay in alphabetical order.
+        crate::order::sort_by(&mut self.walked.kinds, |c| [u64::MAX - u64::from(c.count), 0, 0]);
+        Ok(self.walked)
+    }
+}
+
+/// Elements that draw nothing themselves.
+fn is_definition(name: &str) -> bool {
+    const DEFINITIONS: [&str; 27] = [
+        "defs",
+        "symbol",
+        "clipPath",
+        "mask",
+        "marker",
+        "pattern",
+        "linearGradient",
+        "radialGradient",
+        "meshgradient",
+        "hatch",
+        "filter",
+        "style",
+        "script",
+        "title",
+        "desc",
+        "metadata",
+        "view",
+        "cursor",
+        "font",
+        "font-face",
+        "color-profile",
+        "solidColor",
+        "animate",
+        "animateTransform",
+        "animateMotion",
+        "animateColor",
+        "set",
+    ];
+    DEFINITIONS.contains(&name)
+}
+
+fn named(kind: &str, id: Option<&str>) -> String {
+    id.map_or_else(|| format!("A {kind}"), |id| format!("{kind} \"{id}\""))
+}
