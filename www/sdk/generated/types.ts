@@ -6,7 +6,7 @@
 import type { WarmPath } from '../protocol.js';
 
 /** The unit of length of a drawing. */
-export type Unit = "in" | "ft" | "yd" | "mil" | "microinch" | "um" | "mm" | "cm" | "dm" | "m";
+export type Unit = "in" | "ft" | "yd" | "mil" | "microinch" | "um" | "mm" | "cm" | "dm" | "m" | "px";
 
 /** Where the unit comes from. */
 export type UnitsSource = "header" | "guessed" | "given";
@@ -15,15 +15,21 @@ export type UnitsSource = "header" | "guessed" | "given";
 export interface UnitsTaken {
   /** The chosen unit. */
   unit: Unit,
+  /** Pixels per inch, if the unit is a pixel. */
+  dpi: number | null,
+  /** Length in mm of one unit of the drawing's coordinates. It differs from the unit where an SVG page is scaled. */
+  scale: number,
   /** Where the unit comes from. */
   source: UnitsSource,
   /** One sentence for people that gives the reason for this unit. */
   reason: string,
   /**
-   * Whether a person should be asked, because the unit was guessed without evidence or the size contradicts the
-   * header.
+   * Whether a person should be asked, because the unit was guessed from too little evidence or the evidence contradicts
+   * the file.
    */
   doubtful: boolean,
+  /** How sure the unit is, from 0 to 1: the share of the evidence for it. 1 for a unit that a person chose. */
+  confidence: number,
 }
 
 /** Number of entities of one kind. */
@@ -468,8 +474,10 @@ export interface GroupChoice {
 
 /** How a drawing is read and arranged. */
 export interface LoadOptions {
-  /** The unit of the drawing. Default: the unit in the file's header, or a guess. */
+  /** The unit of the drawing. Default: the unit that the file states, or a guess. */
   units?: Unit,
+  /** Pixels per inch, for a drawing in pixels: 96 in browsers and Inkscape, 90 in Inkscape before 0.92, 72 in Illustrator. */
+  dpi?: number,
   /** Largest distance between a spline or ellipse and the lines and arcs that replace it, mm. Default 0.005. */
   tolerance: number,
   /** Whether entities are kept that were read across a defect in the file. Default false. */
@@ -478,6 +486,8 @@ export interface LoadOptions {
   turn: number,
   /** Largest distance between ends that are joined, mm. Default 0.05. */
   joinTolerance: number,
+  /** Largest distance between lines that are copies of each other, mm. Default 0.01. */
+  copyTolerance: number,
   /** The operation of each layer, by name. The order of the list is the order by layer. */
   layers: Array<LayerChoice>,
   /** Whether layers are processed one after the other. Default false. */
@@ -959,7 +969,7 @@ export interface Defect {
 export type ConfidenceLevel = "high" | "medium" | "low";
 
 /** The kind of a reason. */
-export type ReasonCode = "units-guessed" | "open-cuts" | "no-setting" | "findings";
+export type ReasonCode = "units-doubtful" | "units-guessed" | "open-cuts" | "no-setting" | "findings";
 
 /** Why figures cannot be relied on. */
 export interface ConfidenceReason {
@@ -1034,6 +1044,10 @@ export interface Quote {
     units: Unit,
     /** Where that unit came from. */
     units_source: UnitsSource,
+    /** Pixels per inch, if the unit is a pixel. */
+    dpi?: number,
+    /** Why the unit may be wrong, in one sentence; missing if nothing speaks against it. */
+    units_doubt?: string,
   },
   /** The machine's whole profile. */
   machine: MachineProfile,
