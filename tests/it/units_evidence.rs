@@ -66,6 +66,7 @@ fn holes_contradict_a_header_from_a_template() {
 /// Every drawing of `tests/fixtures/dxf-dev` with the unit that is right, where it is known, and whether it is taken
 /// without doubt. The units of the others are not known.
 #[test]
+#[allow(clippy::print_stdout, reason = "a table for people")]
 fn no_real_drawing_is_taken_in_a_wrong_unit_without_doubt() {
     // From the repositories of the drawings: their README, the parts that they fit, or a second file of the same part.
     const INCHES: [&str; 2] = ["skymakerolof_dxf__arrayed-holes.dxf", "skymakerolof_dxf__issue53.dxf"];

@@ -97,6 +97,7 @@ fn the_border_of_a_sheet_is_ignored_and_comes_back_on_request() {
 
 /// Prints each decision with `-- --nocapture`. None of the real drawings has a border; each sheet has one.
 #[test]
+#[allow(clippy::print_stdout, reason = "a table for people")]
 fn borders_of_all_drawings_are_decided_rightly() {
     for (folder, right) in [("dxf-dev", "no border"), ("sheets", "ignored")] {
         for path in crate::testkit::files(&crate::testkit::fixtures().join(folder), "dxf") {
