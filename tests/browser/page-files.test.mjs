@@ -69,7 +69,7 @@ test('the samples are those of scripts/samples.mjs, and each shows what it says'
   await phase(page, 'planning', 'done');
   const take = async (title, file, ...phases) => {
     await page.getByRole('button', { name: 'Samples' }).click();
-    await page.locator('.menu-item', { hasText: title }).click();
+    await page.locator('.menu-item', { has: page.getByText(title, { exact: true }) }).click();
     await planned(page, file, ...phases);
     await page.evaluate(() => document.querySelectorAll('.section').forEach((d) => (d.open = d.textContent.startsWith('Drawing'))));
     await shot(page, `page-sample-${file.replace('.dxf', '')}`);
@@ -81,6 +81,7 @@ test('the samples are those of scripts/samples.mjs, and each shows what it says'
   await take('Uncertain units', 'no-units.dxf', 'question');
   await page.locator('.card.question button').first().click();
   assert.match(await take('Parts in parts', 'parts-in-parts.dxf'), /15 parts/);
+  assert.match(await take('Luggage tags, SVG', 'luggage-tags.svg'), /6 parts.*SVG 1\.1.*“Engrave” looks like a layer to mark/);
 });
 
 test('a click with Shift or a key pins a contour; the list unpins it, undo pins it again', async (t) => {
