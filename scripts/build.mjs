@@ -20,7 +20,7 @@ const COMPILED = join(ROOT, 'target', 'compiled');
 const TARGET = 'wasm32-unknown-unknown';
 
 /** kB gzip. The core: planner, pierce groups, kerf, lower bound and quote. A first visit to the page, everything it fetches. */
-export const BUDGETS = { core: 680, page: 850 };
+export const BUDGETS = { core: 690, page: 850 };
 
 /**
  * Functions are inlined up to this size instead of 2.5 times it, and loops are not unrolled. At 35 the planner is 3 kB gzip

@@ -20,13 +20,13 @@ pub(crate) fn number(value: &JsValue, name: &str) -> f64 {
 }
 
 /// A drawing loaded with options as JSON text.
-pub(crate) fn load(bytes: &[u8], options: &str) -> Result<Job, JsError> {
-    Job::new(Uint8Array::from(bytes).into(), "drawing.dxf".into(), js(options))
+pub(crate) fn load(bytes: &[u8], options: &str) -> Result<Job, JsValue> {
+    Job::new(Uint8Array::from(bytes).into(), "drawing.dxf".into(), js(options)).map_err(JsValue::from)
 }
 
 /// The sentence of an error.
-pub(crate) fn sentence<T>(result: Result<T, JsError>) -> String {
-    let error = JsValue::from(result.err().expect("an error"));
+pub(crate) fn sentence<T>(result: Result<T, impl Into<JsValue>>) -> String {
+    let error: JsValue = result.err().expect("an error").into();
     get(&error, "message").as_string().unwrap()
 }
 
