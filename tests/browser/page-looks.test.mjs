@@ -106,7 +106,7 @@ for (const [name, size] of Object.entries(SIZES)) {
       await phase(page, 'question');
       await keep('question');
       await drop(page, 'broken.dxf', Buffer.from('AC1032\0\0'));
-      await phase(page, 'failed');
+      await page.locator('.failure').waitFor();
       await keep('failed');
     });
   }

@@ -17,7 +17,7 @@ const BROKEN = Buffer.from('AC1032\0\0\0\0', 'latin1');
 /** A folder with drawings of 1, 2, ... squares: a.dxf, b.dxf, ..., and with other files by name. */
 function drawings(t, names, others = {}) {
   const at = folder(t);
-  names.forEach((name, k) => write(join(at, name), dxf(...Array.from({ length: k + 1 }, (_, i) => square(20 * i, 0, 10)))));
+  names.forEach((name, k) => write(join(at, name), dxf(...Array.from({ length: k + 1 }, (_, i) => square(40 * i, 0, 24)))));
   for (const [name, content] of Object.entries(others)) write(join(at, name), content);
   return at;
 }
@@ -148,8 +148,8 @@ describe('--watch', () => {
     write(join(at, 'new'), dxf(square(0, 0, 10), circle(50, 50, 5), circle(90, 50, 5)));
     renameSync(join(at, 'new'), join(at, 'a.dxf'));
     await until(() => contours('a.json') === 3);
-    write(join(at, 'b.dxf'), dxf(square(0, 0, 10)));
-    write(join(at, 'c.dxf'), dxf(square(0, 0, 10)));
+    write(join(at, 'b.dxf'), dxf(square(0, 0, 24)));
+    write(join(at, 'c.dxf'), dxf(square(0, 0, 24)));
     await until(() => contours('b.json') === 1 && contours('c.json') === 1);
     assert.equal(told.out.match(/a\.dxf/g).length, 3);
     assert.equal(told.err.match(/b\.dxf/g).length, 1);

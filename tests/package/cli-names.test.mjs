@@ -15,7 +15,7 @@ const POSIX = { skip: process.platform === 'win32' && 'links need a right there,
 /** A folder with a drawing, a machine, an instance, a program, and names of all kinds for them. */
 function place(t) {
   const at = folder(t);
-  writeFileSync(join(at, 'a.dxf'), dxf(square(0, 0, 10)));
+  writeFileSync(join(at, 'a.dxf'), dxf(square(0, 0, 24)));
   writeFileSync(join(at, 'b.dxf'), dxf(square(0, 0, 20)));
   writeFileSync(join(at, 'a.tsp'), 'NAME: t\nTYPE: TSP\nDIMENSION: 4\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n1 0 0\n2 0 9\n3 9 9\n4 9 0\nEOF\n');
   writeFileSync(join(at, 'mine.json'), '{}');
@@ -125,7 +125,7 @@ describe('names cannot control the terminal', POSIX, () => {
   it('JSON is made visible on a terminal too, and is unchanged in a file', { skip: spawnSync('script', ['--version']).status !== 0 && 'there is no script(1)' }, async (t) => {
     const at = folder(t);
     const file = join(at, 'a.dxf');
-    writeFileSync(file, dxf(square(0, 0, 10, 'layer\u009b31m\u202e')));
+    writeFileSync(file, dxf(square(0, 0, 24, 'layer\u009b31m\u202e')));
     const command = [process.execPath, CLI, 'inspect', file, '--json', '-'].join(' ');
     const { stdout } = spawnSync('script', ['-qec', command, '/dev/null'], { encoding: 'utf8' });
     assert.match(stdout, /layer\\u009b31m\\u202e/);
@@ -138,7 +138,7 @@ describe('--watch', () => {
   it('reports once that a program is stale when a drawing is broken or gone, and resumes', async (t) => {
     const at = folder(t);
     const drawing = join(at, 'a.dxf');
-    writeFileSync(drawing, dxf(square(0, 0, 10)));
+    writeFileSync(drawing, dxf(square(0, 0, 24)));
     const child = spawn(process.execPath, [CLI, 'plan', join(at, '*.dxf'), ...QUICK, '--json', `${at}/out/`, '--watch'], { stdio: ['ignore', 'ignore', 'pipe'] });
     t.after(() => child.kill('SIGKILL'));
     let said = '';

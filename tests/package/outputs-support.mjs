@@ -41,8 +41,13 @@ export function inputs(t) {
   writeFileSync(join(at, 'a.dxf'), DRAWING);
   writeFileSync(join(at, 'a.tsp'), INSTANCE);
   writeFileSync(join(at, 'a.ngc'), PROGRAM);
+  plan ??= execFileSync(process.execPath, [CLI, 'plan', join(at, 'a.dxf'), ...QUICK, '--json', '-'], { stdio: ['ignore', 'pipe', 'ignore'], maxBuffer: 2 ** 26 });
+  writeFileSync(join(at, 'plan.json'), plan);
   return at;
 }
+
+/** The plan of the drawing, made once. */
+let plan;
 
 export const refused = ({ code, stderr }, why) => {
   assert.equal(code, 3, stderr);

@@ -83,9 +83,9 @@ fn a_proof_of_the_bound_is_part_of_the_slices() {
 fn quotes_are_made_of_plans() {
     let (mut job, _) = keyboard(r#"{"seed":1,"moves":1000}"#);
     assert!(job.step(1000).is_ok());
-    let quote = job.quote(js(r#"{"thickness":3,"density":7.85}"#)).ok().unwrap();
+    let quote = job.quote(js(r#"{"material":{"thickness":3,"density":7.85}}"#)).ok().unwrap();
     assert_eq!(get(&quote, "hash").as_string().unwrap().len(), 64);
-    assert!(sentence(job.quote(js(r#"{"thicknes":3}"#))).contains("thickness"));
+    assert!(sentence(job.quote(js(r#"{"material":{"thicknes":3}}"#))).contains("thickness"));
 }
 
 #[wasm_bindgen_test]

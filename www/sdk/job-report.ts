@@ -8,7 +8,7 @@ import type { Baselines, BestPath, Finding, Loaded, Summary } from './protocol.j
 import type { Quote } from './quote.js';
 
 /** What a report is made of: what `plan` and `quote` return, and the plan's SVG. */
-export interface JobReport {
+export interface ReportInput {
   loaded: Loaded;
   summary: Summary;
   baselines: Baselines;
@@ -26,7 +26,7 @@ export interface JobReport {
 const MOST_ROWS = 500;
 
 /** The report as HTML. */
-export function jobReport(job: JobReport): string {
+export function jobReport(job: ReportInput): string {
   const { loaded, quote, summary: s } = job;
   const { machine, material } = quote;
   const title = `${loaded.name}, ${duration(s.total_time)}`;
@@ -66,7 +66,7 @@ type Fact = readonly [term: string, value: string];
 
 const UNITS: Record<string, string> = { header: 'stated in the file', guessed: 'guessed', given: 'chosen' };
 
-function times({ summary: s, baselines: { greedy, drawing } }: JobReport): Fact[] {
+function times({ summary: s, baselines: { greedy, drawing } }: ReportInput): Fact[] {
   return [
     ['Job', duration(s.total_time)],
     ['Cutting', `${duration(s.cut_time)} for ${metres(s.cut_length)}`],
@@ -81,7 +81,7 @@ function times({ summary: s, baselines: { greedy, drawing } }: JobReport): Fact[
 /** A gap below this is rounding: the path is optimal. */
 const PROVEN = 1e-9;
 
-function parts({ quote, loaded }: JobReport): Cell[][] {
+function parts({ quote, loaded }: ReportInput): Cell[][] {
   return quote.parts.map((part) => {
     const [first] = part.items;
     const [x0, y0, x1, y1] = first?.bounds ?? [0, 0, 0, 0];
@@ -90,13 +90,13 @@ function parts({ quote, loaded }: JobReport): Cell[][] {
   });
 }
 
-function findings({ loaded, findings: ofPlan = [] }: JobReport): string {
+function findings({ loaded, findings: ofPlan = [] }: ReportInput): string {
   const all = [...loaded.findings, ...ofPlan];
   if (all.length === 0) return '<p>None.</p>';
   return `<ul>${all.map((f) => `<li class="${f.severity}"><b>${f.severity}</b> ${escaped(f.message)}${f.count > 1 ? ` (${f.count} times)` : ''}${f.at === null ? '' : ` <small>at ${number(f.at[0])}, ${number(f.at[1])}</small>`}</li>`).join('')}</ul>`;
 }
 
-function order({ path, loaded }: JobReport): string {
+function order({ path, loaded }: ReportInput): string {
   const rows = Array.from(path.contours.subarray(0, MOST_ROWS), (contour, k): Cell[] => [
     k + 1, contour + 1, loaded.contours[contour]?.layer ?? '', duration(path.times[2 * k] ?? 0), `${number(path.points[4 * k] ?? 0)}, ${number(path.points[4 * k + 1] ?? 0)}`,
   ]);

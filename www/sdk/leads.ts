@@ -11,7 +11,7 @@ export const LEAD_KINDS: readonly LeadKind[] = ['none', 'line', 'arc', 'line-arc
 export const LEAD_POSITIONS: readonly LeadPosition[] = ['any', 'corner', 'side'];
 
 /** One lead for all contours, and small holes from their centres. */
-export interface LeadSettings {
+export interface LeadChoice {
   /** The lead-in. */
   kind: LeadKind;
   /** The lead-out. */
@@ -32,12 +32,12 @@ export interface LeadSettings {
 }
 
 /** What {@link leadRules} takes for settings that are not given. */
-export const DEFAULT_LEADS: Readonly<LeadSettings> = {
+export const DEFAULT_LEADS: Readonly<LeadChoice> = {
   kind: 'arc', out: 'none', length: 3, radius: 1.5, angle: 90, position: 'any', overcut: 0, clearance: 0.5, centerBelow: 6,
 };
 
 /** The rules of a machine profile for these settings; what is not given has its default ({@link DEFAULT_LEADS}). */
-export function leadRules(settings: Partial<LeadSettings> = {}): Leads {
+export function leadRules(settings: Partial<LeadChoice> = {}): Leads {
   const s = { ...DEFAULT_LEADS, ...settings };
   const shape = (kind: LeadKind): LeadShape => ({ kind, length: s.length, radius: s.radius, angle: (s.angle * Math.PI) / 180 });
   const small = s.centerBelow > 0 && s.kind !== 'none'
@@ -46,12 +46,12 @@ export function leadRules(settings: Partial<LeadSettings> = {}): Leads {
 }
 
 /** The settings that these rules were made from; `null` for rules of another form. */
-export function leadSettings(leads: Leads): LeadSettings | null {
+export function leadSettings(leads: Leads): LeadChoice | null {
   const last = leads.rules.at(-1);
   if (last === undefined) return null;
   const { length, radius, angle } = { ...DEFAULT_LEADS, ...last.lead_in };
   const small = leads.rules.length > 1 ? leads.rules[0]! : undefined;
-  const settings: LeadSettings = {
+  const settings: LeadChoice = {
     kind: last.lead_in.kind, out: last.lead_out?.kind ?? 'none', length, radius,
     angle: last.lead_in.angle === undefined ? DEFAULT_LEADS.angle : Math.round((angle * 180) / Math.PI * 1e6) / 1e6,
     position: last.position ?? 'any', overcut: last.overcut ?? 0, clearance: leads.clearance, centerBelow: small?.diameter_below ?? 0,

@@ -1,7 +1,7 @@
 /** The leads of the machine: the lead-in and lead-out of all closed cuts, small holes from their centres, overcut, clearance. */
 
 import { button, h } from '../core/dom.js';
-import { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS, leadRules, leadSettings, type LeadKind, type LeadPosition, type LeadSettings, type MachineProfile } from 'kerfway';
+import { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS, leadRules, leadSettings, type LeadKind, type LeadPosition, type LeadChoice, type MachineProfile } from 'kerfway';
 import { words } from '../core/words/index.js';
 import { field, select } from './section.js';
 
@@ -11,10 +11,10 @@ interface Quantity {
   least: number;
   most: number;
   /** Whether it matters for a lead-in or lead-out of one of these kinds. */
-  of(settings: LeadSettings): boolean;
+  of(settings: LeadChoice): boolean;
 }
 
-const has = (...kinds: LeadKind[]) => (s: LeadSettings) => kinds.includes(s.kind) || kinds.includes(s.out);
+const has = (...kinds: LeadKind[]) => (s: LeadChoice) => kinds.includes(s.kind) || kinds.includes(s.out);
 const any = has('line', 'arc', 'line-arc');
 
 /** The limits are those of machine profiles. */
@@ -27,7 +27,7 @@ const QUANTITIES: readonly Quantity[] = [
   { name: 'overcut', unit: 'mm', least: -100, most: 1000, of: () => true },
 ];
 
-const NONE: LeadSettings = { ...DEFAULT_LEADS, kind: 'none', out: 'none', overcut: 0 };
+const NONE: LeadChoice = { ...DEFAULT_LEADS, kind: 'none', out: 'none', overcut: 0 };
 
 export interface LeadsPanel {
   root: HTMLElement;
@@ -36,8 +36,8 @@ export interface LeadsPanel {
 
 export function leadsPanel(edit: (change: (m: MachineProfile) => void) => void): LeadsPanel {
   const w = words.leads;
-  let now: LeadSettings = NONE;
-  const set = (change: Partial<LeadSettings>) => {
+  let now: LeadChoice = NONE;
+  const set = (change: Partial<LeadChoice>) => {
     const next = { ...now, ...change };
     const off = next.kind === 'none' && next.out === 'none' && next.overcut === 0;
     edit((m) => {

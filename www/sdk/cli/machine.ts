@@ -3,7 +3,7 @@
 import type { Planner } from '../node.js';
 import { checkMachine } from '../options.js';
 import type { Dialect, MachineProfile } from '../protocol.js';
-import { LEAD_KINDS, LEAD_POSITIONS, leadRules, type LeadSettings } from '../leads.js';
+import { LEAD_KINDS, LEAD_POSITIONS, leadRules, type LeadChoice } from '../leads.js';
 import { number, oneOf, text, type Words } from './arguments.js';
 import { bytesOf, Unusable, WrongUse } from './io.js';
 
@@ -19,7 +19,7 @@ export async function machineOf({ values }: Words, planner: Planner, own?: Machi
 
 /** The machine with the leads that the options ask for. */
 function withLeads(values: Words['values'], machine: MachineProfile): MachineProfile {
-  const given: Partial<LeadSettings> = {};
+  const given: Partial<LeadChoice> = {};
   const [kind, out, position] = ['lead', 'lead-out', 'lead-position'].map((option) => text(values, option));
   if (kind !== undefined) given.kind = oneOf('--lead', kind, LEAD_KINDS);
   if (out !== undefined) given.out = oneOf('--lead-out', out, LEAD_KINDS);

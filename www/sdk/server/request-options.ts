@@ -23,7 +23,9 @@ export function fieldsOf(kind: JobKind): readonly Field[] {
   const plan = planning.fields.filter((f) => !NOT_FOR_REQUESTS.includes(f.name));
   const outputs: Field = { name: 'outputs', kind: { list: { choice: OUTPUTS } }, required: false, nullable: false };
   if (kind === 'inspect') return reading.fields;
-  return kind === 'plan' ? [...reading.fields, ...plan, outputs] : [...reading.fields, ...plan, ...terms.fields];
+  if (kind === 'plan') return [...reading.fields, ...plan, outputs];
+  // A quote states its material with thickness and density; a plan chooses a setting of the machine by its name.
+  return [...reading.fields, ...plan.filter((f) => !terms.fields.some((t) => t.name === f.name)), ...terms.fields];
 }
 
 /** Parameters of the query that are no options of the package. */
