@@ -11,7 +11,7 @@ test('the page opens with a sample already being planned', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning', 'done');
   assert.equal(await page.locator('.file-name').textContent(), 'sheet_500.dxf');
-  assert.equal(await page.locator('#hint').textContent(), 'Drop a DXF anywhere');
+  assert.equal(await page.locator('#hint').textContent(), 'Drop a DXF or SVG anywhere');
   await page.waitForFunction(() => document.querySelector('.section .gist').textContent.startsWith('500 contours'));
   assert.equal(await page.locator('.measure').textContent(), '1500 × 1000 mm');
 });
