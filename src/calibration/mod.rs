@@ -1,8 +1,8 @@
 //! Fits a machine to measured times: `cut.accel`, `junction_deviation` and `pierce_time` from the seconds that one or two
 //! jobs really took.
 //!
-//! A stopwatch gives one number a job, and three values are looked for, so many machines fit. The one that is least unlike
-//! the present one is taken: the sum of the squared relative errors of the jobs, plus [`WEIGHT`] times the squared changes
+//! A stopwatch gives one number for each job, but three values are needed, so many machines fit. The one closest to the
+//! present machine is taken: the sum of the squared relative errors of the jobs, plus [`WEIGHT`] times the squared changes
 //! of the values (logarithms of the acceleration's and the deviation's ratios, and the change of the pierce time in units
 //! of itself), is minimised by damped least squares (Levenberg 1944, Marquardt 1963). Jobs of different kinds, one with
 //! many piercings and one with many corners, tell the values apart best.

@@ -74,7 +74,7 @@ export function checkStock(stock: unknown): void {
   check(STOCK, stock);
 }
 
-/** Adds up several reports, each so many times. It computes nothing that the reports do not say, except the estimate of sheets. */
+/** Adds up several reports, each multiplied by its quantity. Every figure comes from the reports; only the number of sheets is estimated. */
 export function basket(items: readonly BasketItem[], { stock }: BasketOptions = {}): BasketReport {
   if (stock !== undefined) checkStock(stock);
   const lines = items.map(({ report, quantity = 1 }, k) => lineOf(checkReport(report, `items[${k}].report`), checkQuantity(`items[${k}].quantity`, quantity)));

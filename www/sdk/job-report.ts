@@ -3,6 +3,8 @@
  * It has the picture of the path, the times, the parts, the layers, the order and the findings.
  */
 
+import { base64 } from './base64.js';
+import { PROVEN } from './gap.js';
 import { partThumbnail } from './thumbnail.js';
 import type { Baselines, BestPath, Finding, Loaded, Summary } from './protocol.js';
 import type { Quote } from './quote.js';
@@ -50,7 +52,7 @@ export function jobReport(job: ReportInput): string {
 <body>
 <header><h1>${escaped(loaded.name)}</h1><p class="time">${duration(s.total_time)}</p></header>
 ${list(facts)}
-<figure><img src="data:image/svg+xml;base64,${base64(job.svg)}" alt="The path of the beam, with order and direction"></figure>
+<figure><img src="data:image/svg+xml;base64,${base64(new TextEncoder().encode(job.svg))}" alt="The path of the beam, with order and direction"></figure>
 ${section('Time', list(times(job)))}
 ${section('Layers', table(['Layer', 'Operation', 'Contours', 'Length'], quote.layers.map((l) => [l.layer, l.operation, l.contours, metres(l.length)])))}
 ${section('Parts', table(['', 'Count', 'Size', 'Area', 'To cut', 'Holes'], parts(job), [0]))}
@@ -78,9 +80,6 @@ function times({ summary: s, baselines: { greedy, drawing } }: ReportInput): Fac
   ];
 }
 
-/** A gap below this is rounding: the path is optimal. */
-const PROVEN = 1e-9;
-
 function parts({ quote, loaded }: ReportInput): Cell[][] {
   return quote.parts.map((part) => {
     const [first] = part.items;
@@ -106,7 +105,7 @@ function order({ path, loaded }: ReportInput): string {
 
 type Cell = string | number;
 
-/** A table; the columns in `raw` hold HTML. A table without rows is left out. */
+/** A table; the columns in `raw` hold HTML. Without rows it says that there are none. */
 function table(head: readonly string[], rows: readonly Cell[][], raw: readonly number[] = []): string {
   if (rows.length === 0) return '<p>None.</p>';
   const cell = (value: Cell, k: number) => (raw.includes(k) ? String(value) : escaped(String(value)));
@@ -119,10 +118,6 @@ const section = (title: string, body: string) => `<section><h2>${title}</h2>${bo
 
 const ESCAPES: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;', "'": '&#39;' };
 const escaped = (text: string) => text.replace(/[&<>"']/g, (c) => ESCAPES[c]!);
-
-function base64(text: string): string {
-  return btoa(Array.from(new TextEncoder().encode(text), (byte) => String.fromCharCode(byte)).join(''));
-}
 
 const number = (value: number) => String(Math.round(value * 100) / 100);
 const metres = (mm: number) => `${(mm / 1000).toFixed(2)} m`;

@@ -215,7 +215,7 @@ function checkCount(name: string, count: number, least: number): void {
 /** The longest time that a timer can wait, in seconds: 2^31 - 1 milliseconds. */
 const LONGEST_TIMER = 2_147_483;
 
-/** A signal that aborts with the given one, and with the code `deadline` after so many seconds. */
+/** A signal that aborts with the given one, or with the code `deadline` after the given number of seconds. */
 function withDeadline(given: AbortSignal | undefined, seconds: number): { signal: AbortSignal; clear: () => void } {
   const control = new AbortController();
   const follow = () => control.abort(given?.reason);

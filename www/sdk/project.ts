@@ -5,6 +5,7 @@
  * A project is a JSON document, `kerfway.project/1`. The drawing in it is compressed with gzip and written in base64.
  */
 
+import { base64 } from './base64.js';
 import { KerfwayError } from './errors.js';
 import { checkOptions } from './options.js';
 import { asJson, withWarmPath } from './plain-data.js';
@@ -114,14 +115,6 @@ async function through(bytes: Uint8Array, stream: CompressionStream | Decompress
     throw new KerfwayError('too-large', endless(), { bytes: length, limit: most });
   }
   return new Uint8Array(await new Blob(chunks).arrayBuffer());
-}
-
-function base64(bytes: Uint8Array): string {
-  // In pieces, because a call takes some ten thousand arguments at most.
-  const PIECE = 0x2000;
-  const pieces: string[] = [];
-  for (let at = 0; at < bytes.length; at += PIECE) pieces.push(String.fromCharCode(...bytes.subarray(at, at + PIECE)));
-  return btoa(pieces.join(''));
 }
 
 const unusable = (why: string) => new KerfwayError('not-a-drawing', `This project file cannot be used: ${why}. Save the project again.`);

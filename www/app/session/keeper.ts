@@ -87,8 +87,9 @@ export class Keeper extends Emitter<Events> {
   private async write(): Promise<void> {
     const { session } = this;
     const bytes = session.drawing.source?.bytes ?? null;
+    if (bytes === null || session.state.sample || bytes === this.forgotten) return;
     const { project } = session;
-    if (project === null || bytes === null || session.state.sample || bytes === this.forgotten) return;
+    if (project === null) return;
     this.tab ??= ownTab(this.before);
     const tab = await this.tab;
     const { drawing, ...rest } = project;

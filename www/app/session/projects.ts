@@ -14,7 +14,7 @@ export function projectOf(state: State, source: Source | null): Project | null {
     machine, method, seconds, start, allowOffBed, ...(place === null ? {} : { place }), ...(seed === null ? {} : { seed }),
     ...(Object.keys(parameters).length === 0 ? {} : { parameters }), ...(material === null ? {} : { material }),
   };
-  return { name: source.name, drawing: new Uint8Array(source.bytes), reading: load, planning, plan: saved(state) };
+  return { name: source.name, drawing: source.bytes instanceof Uint8Array ? source.bytes : new Uint8Array(source.bytes), reading: load, planning, plan: saved(state) };
 }
 
 function saved(state: State): SavedPlan | null {

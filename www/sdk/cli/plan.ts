@@ -1,6 +1,7 @@
 /** `kerfway plan`: plans drawings and writes the outputs. */
 
 import { KerfwayError } from '../errors.js';
+import { PROVEN } from '../gap.js';
 import { jobReport } from '../job-report.js';
 import type { Planner, PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, OutputKind, PlanOptions } from '../protocol.js';
@@ -53,9 +54,6 @@ function row(file: string, loaded: Loaded, { progress: { summary: s }, baselines
     String(notableFindings(loaded)),
   ];
 }
-
-/** A gap below this is rounding: the path is optimal. */
-const PROVEN = 1e-9;
 
 function lines(file: string, loaded: Loaded, result: PlanResult, { machine, workers = 1 }: PlanOptions): string[] {
   const { summary: s, moves, seconds } = result.progress;

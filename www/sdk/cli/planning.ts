@@ -32,9 +32,10 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
   checked(() => checkOptions(budget, 'planning'), WrongUse, '');
   const planner = await createPlanner();
   try {
-    const requires = requested.defaultBudget === undefined;
-    // Wrong usage is told before any file is read.
-    await choices(words, planner, requires);
+    // A quote has a budget of its own. It may name a material that the machine has no setting for, which a program may not.
+    const isQuote = requested.defaultBudget !== undefined;
+    // Report wrong usage before reading any file.
+    await choices(words, planner, !isQuote);
     await eachFile(words, { ...requested, inputs: machineFiles(words, planner) }, async (file, place, to) => {
       const project = await opened(file);
       const loaded = await usable(file, planner.load(project.drawing, project.name, { ...project.reading, ...load }));
@@ -44,10 +45,10 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
       }
       refuseDoubt(file, loaded, words, requested.outputs);
       const { seconds: _, moves: __, ...decided } = project.planning;
-      const chosen = { ...decided, ...budget, ...(await choices(words, planner, requires, decided)) };
+      const chosen = { ...decided, ...budget, ...(await choices(words, planner, !isQuote, decided)) };
       const isAsSaved = Object.keys(load).length === 0 && values['machine'] === undefined && values['material'] === undefined;
       // A quote starts without the plan of the project, because others must be able to make it from the drawing alone.
-      const plan = isAsSaved && requested.defaultBudget === undefined ? project.plan : null;
+      const plan = isAsSaved && !isQuote ? project.plan : null;
       const search = budgeted({ ...chosen, ...continuing(plan, budget) }, loaded, requested.defaultBudget);
       const result = await usable(file, searched(planner, search, file, place, values['quiet'] === true));
       await write({ file, place, planner, loaded, result, options: search }, to);

@@ -6,35 +6,18 @@
  */
 
 import type { HTMLAttributes, RefAttributes } from 'react';
-import type { ElementLabels, KerfwayPlanner, KerfwayQuote, PlannerEvents, QuoteEvents } from './index.js';
+import type { PlannerAttributes, QuoteAttributes } from './attributes.js';
+import type { KerfwayPlanner, KerfwayQuote, PlannerEvents, QuoteEvents } from './index.js';
 
 type Handlers<Events> = { [Name in keyof Events as `on${string & Name}`]?: (event: Events[Name]) => void };
 
-/** Attributes that both elements have. */
-interface Planning {
-  machine?: string;
-  method?: string;
-  units?: string;
-  seconds?: number | string;
-  moves?: number | string;
-  seed?: number | string;
-  workers?: number | string;
-  labels?: Partial<ElementLabels>;
-}
-
-type Of<Element, Events> = Omit<HTMLAttributes<Element>, keyof Handlers<Events>> & RefAttributes<Element> & Handlers<Events> & Planning;
+type Of<Element, Events> = Omit<HTMLAttributes<Element>, keyof Handlers<Events>> & RefAttributes<Element> & Handlers<Events>;
 
 /** The properties of `<kerfway-planner>`. */
-export type PlannerProps = Of<KerfwayPlanner, PlannerEvents> & { options?: KerfwayPlanner['options'] };
+export type PlannerProps = Of<KerfwayPlanner, PlannerEvents> & PlannerAttributes;
 
-/** The properties of `<kerfway-quote>`. `material` is its property if it is an object, and its attribute if it is a name. */
-export type QuoteProps = Of<KerfwayQuote, QuoteEvents> & {
-  options?: KerfwayQuote['options'];
-  material?: string | KerfwayQuote['material'];
-  thickness?: number | string;
-  density?: number | string;
-  price?: KerfwayQuote['price'];
-};
+/** The properties of `<kerfway-quote>`. */
+export type QuoteProps = Of<KerfwayQuote, QuoteEvents> & QuoteAttributes;
 
 declare module 'react' {
   namespace JSX {

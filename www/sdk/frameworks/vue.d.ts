@@ -6,35 +6,18 @@
  */
 
 import type { HTMLAttributes, VNodeProps } from 'vue';
-import type { ElementLabels, KerfwayPlanner, KerfwayQuote, PlannerEvents, QuoteEvents } from './index.js';
+import type { PlannerAttributes, QuoteAttributes } from './attributes.js';
+import type { PlannerEvents, QuoteEvents } from './index.js';
 
 type Handlers<Events> = { [Name in keyof Events as `on${Capitalize<string & Name>}`]?: (event: Events[Name]) => void };
 
-/** Attributes that both elements have. */
-interface Planning {
-  machine?: string;
-  method?: string;
-  units?: string;
-  seconds?: number | string;
-  moves?: number | string;
-  seed?: number | string;
-  workers?: number | string;
-  labels?: Partial<ElementLabels>;
-}
-
-type Of<Events> = Omit<HTMLAttributes, keyof Handlers<Events>> & Handlers<Events> & Planning & VNodeProps;
+type Of<Events> = Omit<HTMLAttributes, keyof Handlers<Events>> & Handlers<Events> & VNodeProps;
 
 /** The properties of `<kerfway-planner>`. */
-export type PlannerProps = Of<PlannerEvents> & { options?: KerfwayPlanner['options'] };
+export type PlannerProps = Of<PlannerEvents> & PlannerAttributes;
 
 /** The properties of `<kerfway-quote>`. */
-export type QuoteProps = Of<QuoteEvents> & {
-  options?: KerfwayQuote['options'];
-  material?: string | KerfwayQuote['material'];
-  thickness?: number | string;
-  density?: number | string;
-  price?: KerfwayQuote['price'];
-};
+export type QuoteProps = Of<QuoteEvents> & QuoteAttributes;
 
 declare module 'vue' {
   interface GlobalComponents {

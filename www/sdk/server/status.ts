@@ -1,4 +1,4 @@
-/** The HTTP status of each error, and the body that tells it. */
+/** The HTTP status of each error, and the body that describes it. */
 
 import type { ErrorCode, ErrorReport } from '../generated/types.js';
 
@@ -20,7 +20,7 @@ export function statusOf(code: ErrorCode): number {
 
 const FAULT = 'The request failed because of a fault of the service. Try again later.';
 
-/** What the sender is told. Details of faults of the service go to its log only. */
+/** What the client sees. Details of faults in the service go only to its log. */
 export function told(report: ErrorReport): ErrorReport {
   return report.code === 'internal' ? { ...report, message: FAULT, params: {} } : report;
 }
