@@ -1,5 +1,6 @@
 // A small static server for the built page. It sends the right types and nothing from outside its folder, and the Content-Security-Policy of
-// www/policy.json with every file, workers included. Browsers ask for each file again, but get its bytes again only after it has changed.
+// www/policy.json with every file, workers included. Browsers ask for each file again, but get its bytes again only after it has changed. A
+// file that lies there compressed as well (`x.js.br` beside `x.js`) is sent so to browsers that take Brotli.
 
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -21,7 +22,7 @@ const TYPES = {
 
 /**
  * Serves `folder` on this machine only. `port` 0 takes a free port, `more` changes directives of the policy, `onSent` is called with each
- * file whose bytes are sent. Resolves to `{ url, close }`.
+ * file whose bytes are sent, and the file they come from, which may be the compressed one. Resolves to `{ url, close }`.
  */
 export function serve(folder, port = 0, more = {}, onSent = () => {}) {
   const policy = policyWith(more);
@@ -31,17 +32,20 @@ export function serve(folder, port = 0, more = {}, onSent = () => {}) {
       response.writeHead(404, { 'content-type': 'text/plain' }).end('Not found\n');
       return;
     }
-    const { size, mtimeMs } = statSync(file);
+    const takesBrotli = /\bbr\b/.test(request.headers['accept-encoding'] ?? '');
+    const compressed = takesBrotli && statSync(`${file}.br`, { throwIfNoEntry: false })?.isFile();
+    const source = compressed ? `${file}.br` : file;
+    const { size, mtimeMs } = statSync(source);
     const etag = `"${size.toString(36)}-${mtimeMs.toString(36)}"`;
-    const headers = { etag, 'cache-control': 'no-cache', 'content-security-policy': policy };
+    const headers = { etag, vary: 'accept-encoding', 'cache-control': 'no-cache', 'content-security-policy': policy };
     if (request.headers['if-none-match'] === etag) {
       response.writeHead(304, headers).end();
       return;
     }
     const type = TYPES[extname(file).toLowerCase()] ?? 'application/octet-stream';
-    response.writeHead(200, { ...headers, 'content-type': type, 'content-length': size });
-    onSent(file);
-    createReadStream(file).pipe(response);
+    response.writeHead(200, { ...headers, ...(compressed && { 'content-encoding': 'br' }), 'content-type': type, 'content-length': size });
+    onSent(file, source);
+    createReadStream(source).pipe(response);
   });
   return new Promise((resolve, reject) => {
     server.once('error', reject);

@@ -18,11 +18,11 @@ export const SIZES = { desktop: { width: 1440, height: 900 }, phone: { width: 39
 
 /**
  * Opens the built page, and closes everything when the test ends. Errors on the page fail the test, unless `broken`. `sent` lists the files whose
- * bytes the server has sent, to the page or to its service worker.
+ * bytes the server has sent, to the page or to its service worker, and where the bytes came from.
  */
 export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch = false, hash = '', prepare, broken = false } = {}) {
   const sent = [];
-  const server = await serve(join(ROOT, 'dist', 'app'), 0, {}, (file) => sent.push(file));
+  const server = await serve(join(ROOT, 'dist', 'app'), 0, {}, (file, source) => sent.push({ file, source }));
   const browser = await chromium.launch({
     executablePath: browserPath(),
     args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
