@@ -57,6 +57,18 @@ fn a_sheet_size_in_a_layer_name_contradicts_the_header() {
 }
 
 #[test]
+fn a_washer_whose_header_is_metric_throughout_is_not_in_doubt() {
+    let washer = plate([10.0, 10.0], &[4.3], "0", "9 $INSUNITS 70 4 9 $MEASUREMENT 70 1");
+    assert_eq!((washer.unit, washer.doubtful), (Unit::Mm, false), "{}", washer.reason);
+    assert!(washer.confidence > 0.9, "{}", washer.confidence);
+    // Millimetres alone may come from a template, and a drawing of 10 mm is more often one of 10 in.
+    let unsure = plate([10.0, 7.0], &[0.25, 0.116], "0", "9 $INSUNITS 70 4");
+    assert_eq!((unsure.unit, unsure.doubtful), (Unit::Mm, true), "{}", unsure.reason);
+    let speck = plate([1.0, 1.0], &[0.5], "0", "9 $INSUNITS 70 4 9 $MEASUREMENT 70 1");
+    assert_eq!((speck.unit, speck.doubtful), (Unit::Mm, true), "{}", speck.reason);
+}
+
+#[test]
 fn holes_contradict_a_header_from_a_template() {
     let units = plate([100.0, 80.0], &[3.2, 4.3, 6.6], "M3", "9 $INSUNITS 70 1 9 $MEASUREMENT 70 1");
     assert_eq!((units.unit, units.doubtful), (Unit::In, true), "{}", units.reason);

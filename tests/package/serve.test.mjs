@@ -52,6 +52,22 @@ describe('the service', () => {
     assert.match(seen.thumbnails[0], /^<svg [^>]*width="64"/);
   });
 
+  it('writes no program in a unit that is in doubt', async (t) => {
+    const { send } = await serve(t);
+    // 10 x 10, and nothing but the header says millimetres: as likely inches.
+    const small = dxf(square(0, 0, 10), circle(5, 5, 1));
+    const error = await refused(await send(`/plan?${SHORT}&outputs=gcode`, small), 422, 'unwritable');
+    assert.match(error.message, /inches.*in doubt/);
+    assert.equal((await refused(await send(`/plan?${SHORT}&outputs=gcode&acceptGuess=yes`, small), 400, 'wrong-type')).params.field, 'acceptGuess');
+    for (const sure of ['units=mm', 'acceptGuess=true']) {
+      const planned = await (await send(`/plan?${SHORT}&outputs=gcode&${sure}`, small)).json();
+      assert.match(planned.outputs.gcode, /^G21 /m, sure);
+    }
+    // A picture cuts nothing.
+    const drawn = await (await send(`/plan?${SHORT}&outputs=svg`, small)).json();
+    assert.match(drawn.outputs.svg, /^<svg /);
+  });
+
   it('refuses with a status, a code and the name of the field', async (t) => {
     const { url, send } = await serve(t, '--largest', '0.1', '--most-seconds', '5');
     const field = async (query, status, code) => (await refused(await send(query, PLATE), status, code)).params.field;

@@ -9,8 +9,8 @@ const SEED = 1;
 const MOVES_PER_CONTOUR = 250_000;
 /** Larger drawings get as many as one of 100 contours, which takes some seconds: 4 million leave 1.5 % more air on some of them. */
 const MOVES_OF_HUNDRED = 100 * MOVES_PER_CONTOUR;
-/** Moves for each contour of a drawing of more than 1,666 contours. With 8,000, a sheet of 2,000 has 1.5 % more air. */
-const LEAST_PER_CONTOUR = 15_000;
+/** Moves for each contour of a drawing of more than 1,000 contours. With 15,000, a sheet of 2,000 has 1.6 % more air than with ten times as many. */
+const LEAST_PER_CONTOUR = 25_000;
 
 /** Moves that grow with the number of contours, and the seed. It depends on the drawing alone. */
 export function quoteBudget(loaded: Pick<Loaded, 'contours'>): Budget & { seed: number } {

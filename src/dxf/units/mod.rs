@@ -19,6 +19,9 @@ use facts::Facts;
 const SURE: f64 = 0.9;
 /// How many times likelier the unit of the header is than another one, before the drawing is looked at.
 const HEADER_ODDS: f64 = 20.0;
+/// Smallest part that somebody cuts by itself, mm: a washer. Below the usual sizes, millimetres in the header are believed down to here
+/// if nothing else speaks for inches.
+const SMALLEST_PART: f64 = 2.0;
 
 /// Chooses the unit for a drawing whose larger extent is `size` (in its own units; 0 when unknown). Adds a finding when
 /// the unit is guessed or doubtful.
@@ -46,7 +49,9 @@ fn from_header(unit: Unit, facts: &Facts, weighed: &Weighed) -> (Units, Option<F
     };
     // What the file says weighs as much as the strongest evidence.
     let against = against / (against + (1.0 - against) * HEADER_ODDS);
-    let doubt = if !is_plausible(unit, size) {
+    let is_small_part = unit == Unit::Mm && (SMALLEST_PART..*PLAUSIBLE_SIZE.start()).contains(&size);
+    let is_usual = is_plausible(unit, size) || is_small_part;
+    let doubt = if !is_usual {
         let likely = if is_plausible(Unit::Mm, size) { Unit::Mm } else { Unit::In };
         let likely = if is_plausible(likely, size) {
             format!(" In {} it would be {}.", likely.plural(), extent(likely, size))
@@ -71,7 +76,7 @@ fn from_header(unit: Unit, facts: &Facts, weighed: &Weighed) -> (Units, Option<F
     let finding =
         doubt.as_ref().map(|text| Finding::new(Code::UnitsDoubtful, Severity::Warning, text.clone()));
     let doubtful = doubt.is_some();
-    let confidence = if is_plausible(unit, size) { 1.0 - against } else { 0.5_f64.min(1.0 - against) };
+    let confidence = if is_usual { 1.0 - against } else { 0.5_f64.min(1.0 - against) };
     let reason = doubt.unwrap_or_else(|| format!("{named}."));
     (
         Units {

@@ -29,7 +29,7 @@ export function fieldsOf(kind: JobKind): readonly Field[] {
 }
 
 /** Parameters of the query that are no options of the package. */
-const OWN = ['name', 'options', 'thumbnails'];
+const OWN = ['name', 'options', 'thumbnails', 'acceptGuess'];
 
 /** The options of a request, checked. */
 export function requestOptions(kind: JobKind, query: URLSearchParams, form: ReadonlyMap<string, string>, settings: ServerSettings): Record<string, unknown> {

@@ -150,7 +150,10 @@ class HttpService {
       const { bytes, name, fields } = await uploadOf(request, this.settings);
       this.metrics.drawing(bytes.byteLength);
       const options = requestOptions(kind, url.searchParams, fields, this.settings);
-      const job = { kind, name: safeName(url.searchParams.get('name') ?? fields.get('name') ?? name), options, thumbnails: thumbnailsIn(kind, url.searchParams) };
+      const job = {
+        kind, name: safeName(url.searchParams.get('name') ?? fields.get('name') ?? name), options,
+        thumbnails: thumbnailsIn(kind, url.searchParams), acceptGuess: acceptGuessIn(url.searchParams, fields),
+      };
       const answer = await this.backend.take(job, bytes, gone.signal);
       const headers: Record<string, string> = answer.status === 202 ? { location: `/jobs/${answer.body.id}` } : {};
       return { ...ok(answer.body), status: answer.status, headers };
@@ -211,6 +214,12 @@ function thumbnailsIn(kind: JobKind, query: URLSearchParams): number | null {
   const size = Number(text);
   if (Number.isInteger(size) && size >= 8 && size <= 1024) return size;
   throw new KerfwayError('out-of-range', `The option "thumbnails" is ${JSON.stringify(text.slice(0, 40))}. Give a whole number from 8 to 1024 pixels.`, { field: 'thumbnails', value: text.slice(0, 40), least: 8, most: 1024 });
+}
+
+function acceptGuessIn(query: URLSearchParams, fields: ReadonlyMap<string, string>): boolean {
+  const text = query.get('acceptGuess') ?? fields.get('acceptGuess') ?? 'false';
+  if (text === 'true' || text === 'false') return text === 'true';
+  throw new KerfwayError('wrong-type', `The option "acceptGuess" is ${JSON.stringify(text.slice(0, 40))}. Give true or false.`, { field: 'acceptGuess' });
 }
 
 const ok = (body: object): Reply => ({ status: 200, body: JSON.stringify(body) });
