@@ -20,7 +20,7 @@ pub enum JobError {
     Options(#[from] FieldError),
     /// A contour that an option names is not in the drawing.
     #[error(
-        "Contour {contour} is listed as first, last or excluded, but there are only {count} contours, counted from 0."
+        "Contour {contour} is listed in the options, but there are only {count} contours, counted from 0."
     )]
     UnknownContour {
         /// Its id.
@@ -191,7 +191,7 @@ mod tests {
         let report = JobError::UnknownContour { contour: 9, count: 4 }.report();
         assert_eq!(
             serde_json::to_string(&report).unwrap(),
-            r#"{"code":"unknown-contour","message":"Contour 9 is listed as first, last or excluded, but there are only 4 contours, counted from 0.","params":{"contour":9.0,"count":4.0},"retryable":false}"#
+            r#"{"code":"unknown-contour","message":"Contour 9 is listed in the options, but there are only 4 contours, counted from 0.","params":{"contour":9.0,"count":4.0},"retryable":false}"#
         );
     }
 

@@ -41,6 +41,7 @@ pub use warm_path::WarmPath;
 use crate::drawing::{Drawing, ReadOptions};
 use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Severity};
+use crate::order::sort_by;
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
 use sha2::{Digest, Sha256};
 
@@ -215,9 +216,26 @@ impl Job {
 fn build_sheet(drawing: &Drawing, options: &SheetOptions) -> Result<Sheet, JobError> {
     let sheet = sheet::build(drawing, options);
     let count = sheet.contours.len();
-    let lists = [&options.first, &options.last, &options.exclude];
-    match lists.into_iter().flatten().find(|&&id| id as usize >= count) {
+    let lists = [&options.first, &options.last, &options.exclude, &options.mark];
+    if let Some(&contour) =
+        lists.into_iter().chain(&options.sequences).flatten().find(|&&id| id as usize >= count)
+    {
+        return Err(JobError::UnknownContour { contour, count });
+    }
+    let refused = |sentence: String| Err(FieldError::new(Fault::Contradiction, "sequences", sentence).into());
+    let mut named: Vec<u32> = options.sequences.iter().flatten().copied().collect();
+    sort_by(&mut named, |&id| [id.into(), 0, 0]);
+    if let Some(twice) = named.array_windows().find(|[a, b]| a == b) {
+        return refused(format!(
+            "The option \"sequences\" names contour {} twice. Name each contour once.",
+            twice[0]
+        ));
+    }
+    match sheet.contradiction() {
         None => Ok(sheet),
-        Some(&contour) => Err(JobError::UnknownContour { contour, count }),
+        Some(contour) => refused(format!(
+            "The option \"sequences\" asks for an order that is not possible: contour {contour} would have to be cut \
+             before itself. What lies inside a contour is cut before it."
+        )),
     }
 }

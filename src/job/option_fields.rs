@@ -39,6 +39,8 @@ impl Shaped for LoadOptions {
             Field::optional("commonCuts", Kind::Choice(&["best", "insertion", "off"])),
             Field::optional("first", IDS),
             Field::optional("last", IDS),
+            Field::optional("mark", IDS),
+            Field::optional("sequences", Kind::List(&IDS)),
             Field::optional("exclude", IDS),
         ],
     };

@@ -111,6 +111,12 @@ pub struct LoadOptions {
     pub first: Vec<u32>,
     /// Contours that are processed after all others, with the contours around them, by id.
     pub last: Vec<u32>,
+    /// Contours to mark instead of cutting them, by id. A mark bounds no part: a hole in it becomes a part of its own.
+    pub mark: Vec<u32>,
+    /// Sequences of contours, by id: each contour is finished, with everything inside it, before the next one of its sequence
+    /// begins. Others may be processed in between, where that is faster. A contour that is listed itself does not count as inside
+    /// another one of the same sequence.
+    pub sequences: Vec<Vec<u32>>,
     /// Contours to skip, by id. They stay in the list of contours with the operation `ignore`, so that the others keep their
     /// ids. A hole in a skipped contour becomes a part of its own. A side that a skipped contour shares with another
     /// contour is cut with the other one.
@@ -141,6 +147,8 @@ impl Default for LoadOptions {
             common_cuts: sheet.common_cuts,
             first: sheet.first,
             last: sheet.last,
+            mark: sheet.mark,
+            sequences: sheet.sequences,
             exclude: sheet.exclude,
             decoder: read.decoder,
         }
@@ -202,6 +210,8 @@ impl LoadOptions {
             common_cuts: self.common_cuts,
             first: self.first.clone(),
             last: self.last.clone(),
+            mark: self.mark.clone(),
+            sequences: self.sequences.clone(),
             exclude: self.exclude.clone(),
         })
     }

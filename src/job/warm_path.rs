@@ -143,7 +143,7 @@ struct Open<'p> {
 }
 
 /// Whether a path is feasible: every item that can be visited is visited, once around; nothing is finished before what lies
-/// inside it or begun before a lower rank; only contours that may be left are, they are resumed where they were left, and
+/// inside it or before what a sequence puts before it, or begun before a lower rank; only contours that may be left are, they are resumed where they were left, and
 /// visits nest.
 #[expect(clippy::float_cmp, reason = "visits of a contour join bit for bit")]
 fn is_feasible(stops: &[Stop], problem: &Problem) -> bool {
@@ -182,7 +182,9 @@ fn is_feasible(stops: &[Stop], problem: &Problem) -> bool {
         }
     }
     let order = stops.iter().map(|s| problem.nodes[s.node as usize].item);
+    let in_turn = |&(first, then): &(u32, u32)| finished[first as usize] <= finished[then as usize];
     open.is_empty()
+        && problem.pairs.iter().all(in_turn)
         && problem.groups.are_together(order, |i| problem.items[i as usize].rank)
         && problem.items.iter().zip(&finished).all(|(item, at)| match at {
             None => item.nodes.is_empty(),

@@ -29,6 +29,7 @@ use crate::sheet::{Contour, Operation, Sheet};
 ///   comes before the next.
 /// * Leads: if the machine has rules for them, the entries of a closed cut are those where its lead fits, and the seconds of
 ///   the lead are part of the entry. Nothing is left unfinished then, and pierce groups have no leads.
+/// * Sequences: pairs of items. Contours in a sequence are not left unfinished, and have at least the rank of those before them.
 /// * Skipped contours: items without nodes.
 /// * Groups: the parts, if the sheet is cut part by part.
 ///
@@ -37,8 +38,8 @@ use crate::sheet::{Contour, Operation, Sheet};
 pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> Problem {
     let joined = PierceGroups::new(sheet, machine, paths);
     let planner = Planner::new(sheet, machine);
-    let mut ranks = ranks(sheet);
-    joined.raise(&mut ranks);
+    let pairs = pairs(sheet, &joined);
+    let ranks = ranks(sheet, &joined, &pairs);
     let mut items = Vec::with_capacity(sheet.contours.len());
     let mut nodes: Vec<Node> = Vec::new();
     for ((contour, &rank), item) in sheet.contours.iter().zip(&ranks).zip(0..) {
@@ -79,7 +80,8 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             fixed,
             run,
             leave: leave_seconds(machine, contour)
-                .filter(|_| !sheet.part_by_part && passes == 1 && contour.pass == 0 && planner.is_none()),
+                .filter(|_| !sheet.part_by_part && passes == 1 && contour.pass == 0 && planner.is_none())
+                .filter(|_| !sheet.has_turn(contour)),
             track: contour.path.closed.then(|| contour.path.clone()),
             ..Item::default()
         });
@@ -90,7 +92,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         home: machine.home(),
         closed: machine.return_home,
         machine: machine.clone(),
-        pairs: Vec::new(),
+        pairs,
         groups: if sheet.part_by_part { parts(sheet) } else { Groups::default() },
         table: None,
     }
@@ -163,8 +165,18 @@ fn parts(sheet: &Sheet) -> Groups {
     Groups::new(of, sheet.parts.iter().map(|p| p.inside).collect())
 }
 
-/// The rank of each contour: by pin, then by layer, then by pass, then marks before cuts; never below the rank of anything inside it.
-fn ranks(sheet: &Sheet) -> Vec<u32> {
+/// The order that sequences ask for, between items.
+fn pairs(sheet: &Sheet, joined: &PierceGroups) -> Vec<(ItemId, ItemId)> {
+    let items = |(a, b): (u32, u32)| (joined.stands_for(a), joined.stands_for(b));
+    let mut pairs: Vec<_> = sheet.in_turn().into_iter().map(items).filter(|(a, b)| a != b).collect();
+    sort_by(&mut pairs, |&(a, b)| [a.into(), b.into(), 0]);
+    pairs.dedup();
+    pairs
+}
+
+/// The rank of each contour: by pin, then by layer, then by pass, then marks before cuts; never below the rank of anything
+/// that comes before it by nesting or in a sequence.
+fn ranks(sheet: &Sheet, joined: &PierceGroups, pairs: &[(ItemId, ItemId)]) -> Vec<u32> {
     let layers = 1 + sheet.layers.iter().map(|l| l.rank).max().unwrap_or(0);
     let passes = 1 + sheet.contours.iter().map(|c| c.pass).max().unwrap_or(0);
     let mut ranks: Vec<u32> = sheet
@@ -180,11 +192,22 @@ fn ranks(sheet: &Sheet) -> Vec<u32> {
     sort_by(&mut inwards, |&c| {
         [u64::MAX - u64::from(sheet.contours[c].depth), sheet.contours[c].pass.into(), 0]
     });
-    for c in inwards {
-        let rank = ranks[c];
-        if let Some(outer) = sheet.contours[c].inside.and_then(|o| ranks.get_mut(o as usize)) {
-            *outer = rank.max(*outer);
+    loop {
+        for &c in &inwards {
+            let rank = ranks[c];
+            if let Some(outer) = sheet.contours[c].inside.and_then(|o| ranks.get_mut(o as usize)) {
+                *outer = rank.max(*outer);
+            }
+        }
+        joined.raise(&mut ranks);
+        let mut raised = false;
+        for &(first, then) in pairs {
+            let least = ranks[first as usize];
+            raised |= ranks[then as usize] < least;
+            ranks[then as usize] = ranks[then as usize].max(least);
+        }
+        if !raised {
+            return ranks;
         }
     }
-    ranks
 }

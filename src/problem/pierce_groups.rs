@@ -82,7 +82,7 @@ impl<'s> PierceGroups<'s> {
     }
 
     /// The contour whose item stands for a contour: the first of its group.
-    fn stands_for(&self, contour: u32) -> ItemId {
+    pub(super) fn stands_for(&self, contour: u32) -> ItemId {
         let group = self.of.get(contour as usize).copied().flatten();
         group.map_or(contour, |g| self.groups[g as usize].0.contours[0])
     }

@@ -8,7 +8,7 @@ use super::lettering;
 use super::model::{CommonCuts, Contour, Ignored, LayerUse, Operation, Pin, Sheet, SheetOptions};
 use super::outline::{Decision, Evidence};
 use super::source::Source;
-use super::{crossings, exclude, layers, narrow, nest, outline, parts};
+use super::{crossings, exclude, layers, narrow, nest, outline, parts, sequence};
 use crate::drawing::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::Aabb;
@@ -38,6 +38,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     }
     sort_by(&mut contours, |c| [c.first_shape.into(), 0, 0]);
     exclude::exclude(&mut contours, &options.exclude, copy, &mut findings);
+    exclude::mark(&mut contours, &options.mark, copy, &mut findings);
     lettering::find(drawing, &mut contours, &options.groups, &mut findings);
     let mut crossing = crossings::find(source, &mut contours, copy.max(MIN_CROSSING_DEPTH), &mut findings);
     if !nest::nest(&mut contours, &crossing, join) {
@@ -69,6 +70,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     narrow::find(drawing, &contours, narrow::Limit::FinestBeam, &mut findings);
     parts::orient(&mut contours);
     pin(&mut contours, options);
+    sequence::assign(&mut contours, &options.sequences);
     let groups = find_groups(&contours, &layers, &crossing, options, join);
     let mut bounds = Aabb::EMPTY;
     for c in &contours {
@@ -112,7 +114,9 @@ pub(super) fn find_groups(
     let rank = |c: &Contour| (c.pin, layers.get(c.layer as usize).map_or(0, |l| l.rank));
     // A layer with settings of its own is not cut at the speed of the group.
     let plain = |c: &Contour| layers.get(c.layer as usize).is_none_or(|l| l.settings.is_none());
-    let alike = |a: &Contour, b: &Contour| rank(a) == rank(b) && plain(a) && plain(b);
+    // Neither is one that has its turn in a sequence.
+    let free = |c: &Contour| !sequence::has_turn(contours, c);
+    let alike = |a: &Contour, b: &Contour| rank(a) == rank(b) && plain(a) && plain(b) && free(a) && free(b);
     groups::find(contours, crossing, [join, options.copy_tolerance], alike)
 }
 
@@ -201,6 +205,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         pass: 0,
         next_pass: None,
         pin: Pin::None,
+        turn: None,
         first_shape: a.first_shape,
         rest_of: a.rest_of.filter(|_| !a.path.closed),
         outline: a.outline,

@@ -1,4 +1,4 @@
-//! Excludes single contours at a person's request. They stay in the list of contours, so that the others keep their
+//! Excludes or marks single contours at a person's request. They stay in the list of contours, so that the others keep their
 //! ids, but they contain nothing: a hole in an excluded contour becomes a part of its own.
 
 use super::findings::{count, plural};
@@ -29,6 +29,21 @@ pub(super) fn exclude(contours: &mut [Contour], ids: &[u32], tolerance: f64, fin
         let message = format!("{} left out by choice.", plural(left, "contour", "contours"));
         let finding = Finding::new(Code::ContourExcluded, Severity::Info, message);
         findings.push(finding.at(at).times(count(left)));
+    }
+}
+
+/// Marks the contours with these ids instead of cutting them. Like excluded ones they contain nothing, and the sides they
+/// share are cut with the other contour.
+pub(super) fn mark(contours: &mut [Contour], ids: &[u32], tolerance: f64, findings: &mut Findings) {
+    for &id in ids {
+        let Some(c) = contours.get_mut(id as usize).filter(|c| c.operation == Operation::Cut) else {
+            continue;
+        };
+        c.operation = Operation::Mark;
+        let (path, shape) = (std::mem::take(&mut c.path), c.rest_of);
+        findings.withdraw(|f| f.at == path.start() && f.code == Code::OpenContour);
+        restore_outlines(contours, &path, (Operation::Cut, shape), tolerance);
+        contours[id as usize].path = path;
     }
 }
 

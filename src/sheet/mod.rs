@@ -38,6 +38,7 @@ mod nest;
 mod outline;
 mod parts;
 mod passes;
+mod sequence;
 mod sliver;
 mod source;
 

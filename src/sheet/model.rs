@@ -96,6 +96,11 @@ pub struct SheetOptions {
     pub first: Vec<u32>,
     /// Ids of contours that are processed after all others, together with what lies around them.
     pub last: Vec<u32>,
+    /// Ids of contours that are marked instead of cut.
+    pub mark: Vec<u32>,
+    /// Sequences of contours: each is finished, together with what lies inside it, before the next one of its sequence
+    /// begins. Others may be processed in between.
+    pub sequences: Vec<Vec<u32>>,
     /// Ids of contours that are excluded; see [`Sheet::contours`]. A hole in an excluded contour becomes a part of its
     /// own, and a side shared with another contour is cut with that one.
     pub exclude: Vec<u32>,
@@ -117,6 +122,8 @@ impl Default for SheetOptions {
             common_cuts: CommonCuts::default(),
             first: Vec::new(),
             last: Vec::new(),
+            mark: Vec::new(),
+            sequences: Vec::new(),
             exclude: Vec::new(),
         }
     }
@@ -164,6 +171,8 @@ pub struct Contour {
     pub next_pass: Option<u32>,
     /// Whether it is pinned to be processed first or last.
     pub pin: Pin,
+    /// The sequence that it belongs to, and its place in it; see [`SheetOptions::sequences`].
+    pub turn: Option<(u32, u32)>,
     /// Whether it crosses itself, so that its interior is in doubt.
     pub self_crossing: bool,
     /// Smallest index of the shapes it consists of, which gives the drawing order.

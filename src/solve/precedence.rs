@@ -75,7 +75,7 @@ impl Precedence {
             before: Lists::new(items, &turned),
             after,
             any: !pairs.is_empty(),
-            nested_only: !pairs.is_empty() && problem.pairs.is_empty(),
+            nested_only: !pairs.is_empty() && problem.table().is_none(),
         }
     }
 

@@ -19,6 +19,7 @@ test('a method from a paper is chosen, shows its figures, takes parameters and i
   const { page } = await openPage(t, { hash: 'seconds=300' });
   await phase(page, 'planning');
   await open(page, 'Plan');
+  await method(page).selectOption({ label: 'Research methods…' });
   await page.waitForFunction(() => document.querySelectorAll('optgroup option').length >= 2);
   await method(page).selectOption({ label: 'RLSGA' });
   await page.getByText('J. Mar. Sci. Eng. 11 (2023) 652').waitFor();
@@ -116,6 +117,7 @@ test('after a first visit the page works without a network, with the methods of 
     await page.reload();
     await phase(page, 'planning', 'done');
     await open(page, 'Plan');
+    await method(page).selectOption({ label: 'Research methods…' });
     await page.waitForFunction(() => document.querySelectorAll('optgroup option').length >= 2);
     const { bytes } = await download(page, () => page.getByRole('button', { name: 'PNG' }).click());
     assert.deepEqual([...bytes.subarray(1, 4)], [...Buffer.from('PNG')]);

@@ -29,7 +29,7 @@ test('files dropped together are planned one after the other; each can be opened
   const all = new Promise((resolve) => page.on('download', (d) => saved.push(d) === 3 && resolve()));
   await page.getByRole('button', { name: 'G-code of all files' }).click();
   await all;
-  assert.deepEqual(saved.map((d) => d.suggestedFilename()).sort(), ['one.nc', 'three.nc', 'two.nc']);
+  assert.deepEqual(saved.map((d) => d.suggestedFilename().replace(/\d{4}-\d\d-\d\d/, 'DATE')).sort(), ['one', 'three', 'two'].map((name) => `${name}-co2-100w-DATE.nc`));
   const programs = await Promise.all(saved.map(async (d) => [d.suggestedFilename(), readFileSync(await d.path(), 'utf8')]));
   for (const [name, program] of programs) assert.match(program, /M4/, name);
   assert.equal(new Set(programs.map(([, program]) => program)).size, 3);

@@ -81,7 +81,9 @@ for (const [name, size] of Object.entries(SIZES)) {
       await panel('Machine', 'Advanced settings', 'Your machines');
       await keep('machine');
       await panel('Plan');
-      const method = page.locator('select').filter({ hasText: 'RLSGA' });
+      const method = page.getByLabel('Method');
+      await method.selectOption({ label: 'Research methods…' });
+      await page.waitForFunction(() => document.querySelectorAll('optgroup option').length > 0);
       await method.selectOption({ label: 'RLSGA' });
       await phase(page, 'done');
       await panel('Plan', 'Parameters');

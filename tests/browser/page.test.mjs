@@ -54,6 +54,12 @@ test('a dropped drawing is planned, improves, stops at once and gives G-code tha
   assert.ok(Math.abs(length / 35_811.62 - 1) < 1e-3, `all of the cut length, got ${length}`);
 });
 
+/** The name of a download of the first sample: file, machine, today's date. */
+const named = (suffix) => {
+  const now = new Date();
+  return `sheet_500-co2-100w-${now.getFullYear()}-${String(now.getMonth() + 1).padStart(2, '0')}-${String(now.getDate()).padStart(2, '0')}${suffix}`;
+};
+
 test('the other downloads are what they say', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning');
@@ -61,21 +67,21 @@ test('the other downloads are what they say', async (t) => {
   await phase(page, 'done');
   const get = (label) => download(page, () => page.locator('.downloads').getByRole('button', { name: label, exact: true }).click());
   const plan = await get('Plan (JSON)');
-  assert.equal(plan.name, 'sheet_500.plan.json');
+  assert.equal(plan.name, named('.plan.json'));
   const document = JSON.parse(plan.bytes.toString());
   assert.equal(document.schema, 'kerfway.plan/1');
   assert.equal(document.summary.contours, 500);
   const svg = await get('SVG');
-  assert.equal(svg.name, 'sheet_500.svg');
+  assert.equal(svg.name, named('.svg'));
   assert.match(svg.bytes.toString().slice(0, 200), /<svg/);
   const dxf = await get('DXF');
-  assert.equal(dxf.name, 'sheet_500-ordered.dxf');
+  assert.equal(dxf.name, named('-ordered.dxf'));
   assert.match(dxf.bytes.toString().slice(-40), /EOF\s*$/);
   const png = await get('PNG');
-  assert.equal(png.name, 'sheet_500.png');
+  assert.equal(png.name, named('.png'));
   assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
   const report = await get('Report');
-  assert.equal(report.name, 'sheet_500-report.html');
+  assert.equal(report.name, named('-report.html'));
   assert.match(report.bytes.toString(), /<h1>sheet_500\.dxf<\/h1>/);
 });
 

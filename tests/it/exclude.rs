@@ -151,10 +151,7 @@ fn skipping_unknown_or_all_contours_is_refused_in_a_sentence() {
             .to_string()
     };
     let told = text(&LoadOptions { exclude: vec![1, 8], ..LoadOptions::default() });
-    assert_eq!(
-        told,
-        "Contour 8 is listed as first, last or excluded, but there are only 8 contours, counted from 0."
-    );
+    assert_eq!(told, "Contour 8 is listed in the options, but there are only 8 contours, counted from 0.");
     let mut none = job(&entities(), &(0..8).collect::<Vec<_>>());
     assert!(matches!(none.start(&PlanOptions::default()), Err(JobError::NothingToCut(_))));
 }

@@ -41,7 +41,7 @@ describe('exclude', () => {
     await planner.load(PLATE, 'plate.dxf', { units: 'mm', exclude: [0] });
     const back = await planner.reload({ units: 'mm' });
     assert.deepEqual(back.contours.map((c) => [c.operation, c.inside]), [['cut', null], ['cut', 0], ['cut', null]]);
-    await assert.rejects(inspect(PLATE, { exclude: [3] }), /Contour 3 is listed as first, last or excluded, but there are only 3 contours, counted from 0\.$/);
+    await assert.rejects(inspect(PLATE, { exclude: [3] }), /Contour 3 is listed in the options, but there are only 3 contours, counted from 0\.$/);
   });
 
   it('is in the quote, and in its hash', async () => {

@@ -104,6 +104,7 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
             self_crossing: false,
             pass: 0,
             next_pass: None,
+            turn: None,
             pin: Pin::None,
             first_shape: id as u32,
             rest_of: None,

@@ -114,6 +114,7 @@ impl Builder {
             self_crossing: false,
             pass: 0,
             next_pass: None,
+            turn: None,
             pin: Pin::None,
             first_shape: id,
             rest_of: None,

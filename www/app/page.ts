@@ -1,6 +1,8 @@
 /** Builds the page: makes its parts and connects them. What they do is in the controllers, the panels and the session. */
 
 import type { Finding } from 'kerfway';
+import { BeforeAfter } from './controllers/before-after.js';
+import { dragSheet } from './controllers/bottom-sheet.js';
 import { Files } from './controllers/files.js';
 import { JobView } from './controllers/job-view.js';
 import { bindKeyboard } from './controllers/keyboard.js';
@@ -24,6 +26,7 @@ import { toolbar } from './panels/toolbar.js';
 import { topBar } from './panels/topbar.js';
 import { playbackBar } from './playback/bar.js';
 import { Playback } from './playback/playback.js';
+import type { Alternatives } from './session/alternatives.js';
 import { read as readAddress } from './session/address.js';
 import { Keeper } from './session/keeper.js';
 import { bedAround } from './session/placing.js';
@@ -56,12 +59,15 @@ export async function startPage(): Promise<void> {
 
   const files = new Files(session, notices, shared.load, () => layout.hideHint());
   const selection = new Selection(session, playback, scene, announcer, () => layout.toggleTable(false));
-  const tools = toolbar(viewport, { ramp: (on) => scene.setView({ ramp: on }), air: (on) => scene.setView({ air: on }) });
+  const tools = toolbar(viewport, { ramp: (on) => scene.setView({ colors: on ? 'order' : 'plain' }), layers: (on) => scene.setView({ colors: on ? 'layers' : 'plain' }), air: (on) => scene.setView({ air: on }), several: (on) => {
+    selection.several = on;
+    canvas.classList.toggle('placing', on);
+  } });
   const top = topBar(session, files.queue, theme, {
     open: () => files.choose(), sample: (sample) => files.chooseSample(sample),
     table: () => layout.toggleTable(), help: () => help.showModal(), panel: () => layout.togglePanel(),
   });
-  const layout = new Layout(viewport, { stage: element('stage'), hint: element('hint'), toolbar: tools.root, table: selection.table, toggles: top.toggles });
+  const layout = new Layout(viewport, { stage: element('stage'), hint: element('hint'), toolbar: tools.root, table: selection.table, card: selection.card.root, toggles: top.toggles });
 
   const showPlaceOf = (finding: Finding) => {
     selection.showFinding(finding);
@@ -74,7 +80,7 @@ export async function startPage(): Promise<void> {
     await keeper.forget();
     notices.show(words.page.forgotten);
   };
-  const drawing = drawingPanel(session, preview, { keeper, forget: () => void forget() }, showPlaceOf, (contour) => selection.reveal(contour));
+  const drawing = drawingPanel(session, preview, { keeper, forget: () => void forget() }, showPlaceOf, (contour) => selection.reveal(contour), (contours) => selection.selectAll(contours));
   const showInList = (finding: Finding) => {
     drawing.open = true;
     drawing.findings.reveal(finding);
@@ -82,20 +88,26 @@ export async function startPage(): Promise<void> {
   const placement = placementPanel(session, { drag: (on) => pointer.dragJob(on), showBed: () => showBed(session, viewport) });
   const pointer: Pointer = new Pointer(canvas, scene, session, playback, selection, notices, showInList, (on) => placement.setDragging(on));
   bindKeyboard({ session, playback, viewport, files, layout, pointer, selection, help, flip: tools.flip });
-  new JobView({ session, scene, playback, announcer, notices, selection, showCommon: tools.common });
+  let made: Promise<Alternatives> | null = null;
+  // The planner of comparisons is loaded when somebody compares.
+  const alternatives = () => (made ??= import('./session/alternatives.js').then((module) => new module.Alternatives(session)));
+  const orders = new BeforeAfter({ session, scene, playback, stage: element('stage'), alternatives, theme: () => theme.current, relayout: () => layout.update() });
+  new JobView({ session, scene, playback, announcer, notices, selection, orders, showCommon: tools.common });
   preview.on('comparison', (comparison) => scene.highlight({ marks: comparison?.marks ?? [] }));
 
-  element('top').append(...top.nodes);
-  element('sections').append(
+  element('top').replaceChildren(...top.nodes);
+  element('sections').replaceChildren(
     firstMachine(session), drawing, machinePanel(session, notify, () => pointer.chooseHome()), placement, planPanel(session),
-    resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject(), saveReport: () => void files.saveReport() }), quotePanel(session, notify));
+    resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject(), saveReport: () => void files.saveReport(), copyProgram: () => void files.copyProgram() }, alternatives), quotePanel(session, notify));
   element('dock').append(dock(session, { open: () => files.choose(), program: () => void files.download(session.state.machine?.takes ?? 'gcode'), sheet: () => layout.toggleSheet() }));
+  dragSheet(document.querySelector('.dock-state')!, element('sections'), { open: () => document.body.classList.contains('sheet-open'), toggle: () => layout.toggleSheet() });
   element('playback').append(...playbackBar(playback));
-  element('stage').append(tools.root, tools.legend, selection.card.root, questionCard(session), notices.failure, selection.table.root, notices.notice, pointer.tooltip.root);
+  element('stage').append(tools.root, orders.root, tools.legend, selection.card.root, questionCard(session), notices.failure, selection.table.root, notices.notice, pointer.tooltip.root);
   document.body.append(help);
 
   const showTheme = () => {
     scene.setTheme(theme.current);
+    orders.setTheme(theme.current);
     tools.colors(ramp(theme.current));
   };
   theme.on('change', showTheme);

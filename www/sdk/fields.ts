@@ -2158,6 +2158,40 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
             }
           }
         },
+        "name": "mark",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "list": {
+            "list": {
+              "whole": {
+                "least": 0.0,
+                "most": 4294967295.0,
+                "or_zero": false,
+                "unit": "",
+                "why": "contours are counted from 0"
+              }
+            }
+          }
+        },
+        "name": "sequences",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "list": {
+            "whole": {
+              "least": 0.0,
+              "most": 4294967295.0,
+              "or_zero": false,
+              "unit": "",
+              "why": "contours are counted from 0"
+            }
+          }
+        },
         "name": "exclude",
         "nullable": false,
         "required": false

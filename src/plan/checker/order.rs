@@ -1,9 +1,10 @@
-//! Checks the order of contours: inner before outer, by layer, and marks before cuts.
+//! Checks the order of contours: inner before outer, by layer, marks before cuts, and sequences.
 
 use super::groups::Groups;
 use super::nesting;
 use super::violation::Violation;
 use super::visits::Visits;
+use crate::order::sort_by;
 use crate::sheet::{Operation, Pin, Sheet};
 
 /// `visits` knows when each contour is cut. Within a pierce group, `groups.rs` follows element by element what is held.
@@ -18,7 +19,8 @@ pub(super) fn check(sheet: &Sheet, visits: &Visits, groups: &Groups, found: &mut
         })
         .collect();
     let mut rank = own.clone();
-    for (inner, outer) in nesting::pairs(sheet) {
+    let nested = nesting::pairs(sheet);
+    for &(inner, outer) in &nested {
         let (i, o) = (inner as usize, outer as usize);
         // An outer contour waits for what lies inside it, whatever its layer.
         rank[o] = rank[o].max(own[i]);
@@ -28,6 +30,12 @@ pub(super) fn check(sheet: &Sheet, visits: &Visits, groups: &Groups, found: &mut
         {
             found.push(Violation::CutFree { outer, inner });
         }
+    }
+
+    let turns = turns(sheet);
+    if !turns.is_empty() {
+        raise(&turns, &nested, &mut rank);
+        in_turn(&turns, visits, found);
     }
 
     let mut highest: Option<u32> = None;
@@ -65,6 +73,77 @@ fn part_by_part<R: Copy + PartialEq>(sheet: &Sheet, visits: &Visits, rank: &[R],
             {
                 found.push(Violation::Torn { part, contour });
             }
+        }
+    }
+}
+
+/// A contour that has a turn, itself or inside another one: its sequence, its pass, its place, and its id.
+type Turn = (u32, u32, u32, u32);
+
+/// The contours that have a turn, in the order of the sequences.
+fn turns(sheet: &Sheet) -> Vec<Turn> {
+    let around = |&c: &u32| sheet.contours.get(c as usize).and_then(|c| c.inside).filter(|&o| o != c);
+    let mut turns = Vec::new();
+    for (id, contour) in (0..).zip(&sheet.contours).filter(|(_, c)| c.is_processed()) {
+        let outwards = std::iter::successors(Some(id), around).take(sheet.contours.len());
+        let mut own: Vec<Turn> = Vec::new();
+        for (list, place) in outwards.filter_map(|c| sheet.contours.get(c as usize)?.turn) {
+            // In each sequence the turn of the innermost contour counts.
+            if own.iter().all(|t| t.0 != list) {
+                own.push((list, contour.pass, place, id));
+            }
+        }
+        turns.append(&mut own);
+    }
+    sort_by(&mut turns, |&(list, pass, place, id)| {
+        [(u64::from(list) << 32) + u64::from(pass), place.into(), id.into()]
+    });
+    turns
+}
+
+/// The contours of each place of each sequence.
+fn places(turns: &[Turn]) -> impl Iterator<Item = impl Iterator<Item = &[Turn]>> {
+    let lists = turns.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1));
+    lists.map(|list| list.chunk_by(|a, b| a.2 == b.2))
+}
+
+/// Raises ranks so that no contour of a sequence has a lower one than the contours before it, and none around another one
+/// a lower one than that.
+fn raise<R: Copy + Ord>(turns: &[Turn], nested: &[(u32, u32)], rank: &mut [R]) {
+    loop {
+        let before = rank.to_vec();
+        for list in places(turns) {
+            let mut highest = None;
+            for place in list {
+                for &(.., id) in place {
+                    rank[id as usize] = highest.map_or(rank[id as usize], |h| rank[id as usize].max(h));
+                }
+                highest = highest.max(place.iter().map(|t| rank[t.3 as usize]).max());
+            }
+        }
+        for &(inner, outer) in nested {
+            rank[outer as usize] = rank[outer as usize].max(rank[inner as usize]);
+        }
+        if before == rank {
+            return;
+        }
+    }
+}
+
+/// Checks that every contour of a sequence begins after all before it have ended.
+fn in_turn(turns: &[Turn], visits: &Visits, found: &mut Vec<Violation>) {
+    for list in places(turns) {
+        let mut done: Option<(usize, u32)> = None;
+        for place in list {
+            for &(.., later) in place {
+                if let (Some(begin), Some((end, earlier))) = (visits.begins(later), done)
+                    && begin < end
+                    && later != earlier
+                {
+                    found.push(Violation::Rank { earlier: later, later: earlier });
+                }
+            }
+            done = done.max(place.iter().filter_map(|t| Some((visits.ends(t.3)?, t.3))).max());
         }
     }
 }

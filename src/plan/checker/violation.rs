@@ -158,7 +158,7 @@ pub enum Violation {
         /// Which contour.
         contour: u32,
     },
-    /// The order by layer, or of marks before cuts, is not kept.
+    /// The order by layer, of marks before cuts, or of a sequence is not kept.
     #[error("contour {later} should have been cut before contour {earlier}")]
     Rank {
         /// The contour that was cut first.

@@ -138,6 +138,12 @@ pub struct Options {
     pub first: Vec<u32>,
     /// Contours worked after all others, by id.
     pub last: Vec<u32>,
+    /// Contours that were marked instead of cut, by id.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub mark: Vec<u32>,
+    /// Sequences of contours that were worked in their order, by id.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sequences: Vec<Vec<u32>>,
     /// Contours left out, by id.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub exclude: Vec<u32>,
@@ -250,6 +256,8 @@ impl Options {
             common_cuts: arrange.common_cuts,
             first: arrange.first.clone(),
             last: arrange.last.clone(),
+            mark: arrange.mark.clone(),
+            sequences: arrange.sequences.clone(),
             exclude: arrange.exclude.clone(),
         }
     }

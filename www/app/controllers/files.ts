@@ -3,7 +3,7 @@
 import { isProject, type LoadOptions, type OutputKind, type Project, readProject, tooLarge, writeProject } from 'kerfway';
 import { acceptDrops, choose, save } from '../core/files.js';
 import { Latest } from '../core/latest.js';
-import { baseName, messageOf } from '../core/strings.js';
+import { baseName, downloadName, messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
 import { Queue } from '../session/queue.js';
 import { fetchSample, type Sample } from '../session/samples.js';
@@ -41,7 +41,6 @@ export class Files {
 
   /** Opens a sample that somebody has chosen. */
   chooseSample(sample: Sample): void {
-    this.hideHint();
     void this.openSample(sample, fetchSample(sample));
   }
 
@@ -70,9 +69,19 @@ export class Files {
   async download(kind: OutputKind): Promise<void> {
     try {
       const data = await this.session.output(kind, kind === 'png' ? PICTURE : undefined);
-      save(data, baseName(this.session.state.name) + DOWNLOADS[kind].suffix, DOWNLOADS[kind].type);
+      save(data, downloadName(this.session.state, DOWNLOADS[kind].suffix), DOWNLOADS[kind].type);
     } catch (error) {
       this.notices.show(messageOf(error));
+    }
+  }
+
+  /** Copies the G-code to the clipboard. */
+  async copyProgram(): Promise<void> {
+    try {
+      await navigator.clipboard.writeText((await this.session.output('gcode')) as string);
+      this.notices.show(words.page.copied);
+    } catch (error) {
+      this.notices.show(error instanceof DOMException ? words.page.notCopied : messageOf(error));
     }
   }
 
@@ -80,7 +89,7 @@ export class Files {
   async saveReport(): Promise<void> {
     try {
       const report = await this.session.report();
-      if (report !== null) save(report, `${baseName(this.session.state.name)}-report.html`, 'text/html');
+      if (report !== null) save(report, downloadName(this.session.state, '-report.html'), 'text/html');
     } catch (error) {
       this.notices.show(messageOf(error));
     }

@@ -6,12 +6,12 @@ import { count, seconds } from '../core/format.js';
 import { words } from '../core/words/index.js';
 import { headline } from '../panels/dock.js';
 import type { Playback } from '../playback/playback.js';
-import { Timeline } from '../playback/timeline.js';
 import { bedAround, fitsBed, homeAround } from '../session/placing.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import type { Travel } from '../stage/raster-messages.js';
 import type { Scene } from '../stage/scene.js';
+import type { BeforeAfter } from './before-after.js';
 import type { Notices } from './notices.js';
 import type { Selection } from './selection.js';
 
@@ -22,6 +22,7 @@ interface Parts {
   announcer: Announcer;
   notices: Notices;
   selection: Selection;
+  orders: BeforeAfter;
   /** Shows in the legend whether anything is cut once for two parts. */
   showCommon(shown: boolean): void;
 }
@@ -41,9 +42,9 @@ export class JobView {
     const { session: { state }, scene, playback, announcer, selection } = this.parts;
     playback.setTimeline(null);
     // The selection stays when the contours are the same.
-    const selected = same ? scene.selected : null;
+    const selected = same ? selection.contours : [];
     scene.setDrawing(loaded, state.extent, !same);
-    selection.select(selected);
+    selection.selectAll(selected);
     const contours = activeContours(loaded).length;
     if (fresh) announcer.say(words.page.read(state.name, words.drawing.contours(contours, count(contours))));
   }
@@ -57,12 +58,11 @@ export class JobView {
 
   private showProgress(state: State): void {
     const { progress, path, machine, insights } = state;
-    const { scene, playback, announcer, selection } = this.parts;
+    const { scene, announcer, selection } = this.parts;
     if (!progress?.path || !path || !machine || !scene.shapes) return;
     const travel = travelOf(machine, state);
     scene.highlight({ partitions: insights.now?.partitions ?? null });
-    scene.setPath(path, travel);
-    playback.setTimeline(new Timeline(path, progress.summary.total_time, scene.shapes, scene.lengths, travel, machine.pierce_time + machine.beam_on_delay));
+    this.parts.orders.setNow({ path, total: progress.summary.total_time, travel, still: machine.pierce_time + machine.beam_on_delay });
     selection.refresh();
     announcer.say(words.page.best(seconds(progress.summary.total_time)));
   }
@@ -79,6 +79,7 @@ export class JobView {
     scene.setPrepared(state);
     if (state.progress !== null) return;
     playback.setTimeline(null);
+    this.parts.orders.setNow(null);
     scene.highlight({ partitions: null });
     if (state.machine) scene.setPath(null, travelOf(state.machine, state));
   }

@@ -3,6 +3,7 @@
 import { bindKeys } from '../core/keys.js';
 import type { Playback } from '../playback/playback.js';
 import type { Session } from '../session/session.js';
+import type { StageSwitches } from '../panels/toolbar.js';
 import type { Viewport } from '../stage/viewport.js';
 import type { Files } from './files.js';
 import type { Layout } from './layout.js';
@@ -22,7 +23,7 @@ interface Parts {
   pointer: Pointer;
   selection: Selection;
   help: HTMLDialogElement;
-  flip(what: 'ramp' | 'air'): void;
+  flip(what: keyof StageSwitches): void;
 }
 
 export function bindKeyboard({ session, playback, viewport, files, layout, pointer, selection, help, flip }: Parts): void {
@@ -30,7 +31,7 @@ export function bindKeyboard({ session, playback, viewport, files, layout, point
   const zoomIn = () => viewport.zoom(ZOOM);
   const redo = () => session.redo();
   bindKeys({
-    o: () => files.choose(),
+    o: () => files.choose(), g: () => void files.download(session.state.machine?.takes ?? 'gcode'),
     s: () => planning.stop(),
     p: () => (session.state.phase === 'paused' ? planning.resume() : planning.pause()),
     k: () => planning.keepImproving(),
@@ -40,8 +41,9 @@ export function bindKeyboard({ session, playback, viewport, files, layout, point
     '+': zoomIn, '=': zoomIn, '-': () => viewport.zoom(1 / ZOOM), f: () => viewport.fit(),
     'Shift+ArrowLeft': () => viewport.pan(STEP, 0), 'Shift+ArrowRight': () => viewport.pan(-STEP, 0),
     'Shift+ArrowUp': () => viewport.pan(0, STEP), 'Shift+ArrowDown': () => viewport.pan(0, -STEP),
-    c: () => flip('ramp'), a: () => flip('air'), t: () => layout.toggleTable(),
-    1: () => selection.toggleSelected('first'), 0: () => selection.toggleSelected('last'), x: () => selection.toggleSelected('exclude'),
+    c: () => flip('ramp'), v: () => flip('layers'), a: () => flip('air'), t: () => layout.toggleTable(),
+    1: () => selection.toggleSelected('first'), 0: () => selection.toggleSelected('last'), m: () => selection.toggleSelected('mark'), x: () => selection.toggleSelected('exclude'),
+    b: () => flip('several'), w: () => selection.selectWhole(), l: () => selection.selectLike(),
     'Ctrl+s': () => void files.saveProject(),
     'Ctrl+z': () => session.undo(), 'Ctrl+Shift+z': redo, 'Ctrl+y': redo,
     '?': () => help.showModal(),

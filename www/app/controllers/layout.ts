@@ -4,9 +4,7 @@ import type { OrderTable } from '../panels/table.js';
 import type { Viewport } from '../stage/viewport.js';
 
 /** Pixels around the fitted sheet. */
-const MARGIN = { top: 32, right: 24, bottom: 40, left: 40 };
-/** The same at the top while the hint is shown. */
-const BELOW_HINT = 60;
+const MARGIN = { top: 60, right: 24, bottom: 40, left: 40 };
 /** When the table covers more than this share of the stage, the sheet is fitted as if the table were not there. */
 const MOST_COVERED = 0.7;
 
@@ -15,18 +13,21 @@ interface Parts {
   hint: HTMLElement;
   toolbar: HTMLElement;
   table: OrderTable;
+  /** The card of what is selected. */
+  card: HTMLElement;
   /** The buttons that open and close the table and the panel. */
   toggles: { table: HTMLButtonElement; panel: HTMLButtonElement };
 }
 
 export class Layout {
   constructor(private readonly viewport: Viewport, private readonly parts: Parts) {
-    new ResizeObserver(() => this.update()).observe(parts.stage);
+    const sizes = new ResizeObserver(() => this.update());
+    sizes.observe(parts.stage);
+    sizes.observe(parts.card);
   }
 
   hideHint(): void {
     this.parts.hint.hidden = true;
-    this.update();
   }
 
   toggleTable(open = !this.parts.table.open): void {
@@ -54,17 +55,22 @@ export class Layout {
   }
 
   /** Tells the viewport its size, and what covers it. */
-  private update(): void {
-    const { stage, hint, toolbar, table } = this.parts;
+  update(): void {
+    const { stage, toolbar, table, card } = this.parts;
     const box = stage.getBoundingClientRect();
     const cover = table.open ? table.root.getBoundingClientRect().width : 0;
     const side = cover < box.width * MOST_COVERED ? cover : 0;
     stage.style.setProperty('--cover', `${side}px`);
     // The toolbar is a column at the right, or a row at the bottom of a narrow stage.
     const { offsetWidth: wide, offsetHeight: high } = toolbar;
-    const [right, bottom] = wide > high ? [0, high] : [wide, 0];
-    this.viewport.resize(box.width, box.height, {
-      top: hint.hidden ? MARGIN.top : BELOW_HINT, right: MARGIN.right + right, bottom: MARGIN.bottom + bottom, left: MARGIN.left + side,
+    const isNarrow = wide > high;
+    // On a narrow stage the card has the whole width, and the sheet the room above it.
+    const [right, bottom] = isNarrow ? [0, high + card.offsetHeight] : [wide, 0];
+    // Side by side, both stages show the same part of the sheet; on a narrow screen one is above the other.
+    const split = document.body.classList.contains('split');
+    const [across, down] = !split ? [1, 1] : box.width > box.height ? [2, 1] : [1, 2];
+    this.viewport.resize(box.width / across, box.height / down, {
+      top: MARGIN.top, right: MARGIN.right + right, bottom: MARGIN.bottom + bottom, left: MARGIN.left + side,
     });
   }
 }

@@ -6,7 +6,8 @@ import { describe, Tooltip } from '../panels/contour.js';
 import type { Playback } from '../playback/playback.js';
 import { bedAround, dragged, fitsBed, hundredths, shiftOf } from '../session/placing.js';
 import type { Session } from '../session/session.js';
-import { attachGestures } from '../stage/gestures.js';
+import { partsOf } from '../session/parts.js';
+import { attachGestures, type Click, type Drag } from '../stage/gestures.js';
 import type { Scene } from '../stage/scene.js';
 import type { Notices } from './notices.js';
 import type { Selection } from './selection.js';
@@ -15,6 +16,8 @@ import type { Selection } from './selection.js';
 const REACH = { pointer: 8, touch: 20 };
 /** How much farther a finding is picked, as its marker is larger than a line. */
 const MARKER = 4;
+/** Milliseconds within which a second click is a double click. */
+const TWICE = 350;
 
 export class Pointer {
   readonly tooltip = new Tooltip();
@@ -22,6 +25,7 @@ export class Pointer {
   private choosingHome = false;
   /** Dragging moves the job on the bed instead of the view; by how much it has moved since the last drop, mm. */
   private dragged: { x: number; y: number } | null = null;
+  private clickedAt = -Infinity;
 
   constructor(
     private readonly canvas: HTMLCanvasElement, private readonly scene: Scene, private readonly session: Session, private readonly playback: Playback,
@@ -29,7 +33,7 @@ export class Pointer {
     private readonly onDragging: (on: boolean) => void,
   ) {
     attachGestures(canvas, scene.viewport, {
-      hover: (at) => this.hover(at), click: (x, y, by) => this.click(x, y, by), drag: (dx, dy) => this.drag(dx, dy), drop: () => this.drop(),
+      hover: (at) => this.hover(at), click: (x, y, by) => this.click(x, y, by), drag: (by) => this.drag(by), drop: () => this.drop(),
     });
   }
 
@@ -59,8 +63,12 @@ export class Pointer {
   }
 
   // The job follows the pointer, and the bed stays: the view moves with the job, and the bed moves back on it.
-  private drag(dx: number, dy: number): boolean {
+  private drag({ dx, dy, from, to, shift }: Drag): boolean {
     const { dragged: sum, scene, session: { state: { placing, machine, loaded } } } = this;
+    if (sum === null && loaded && (shift || this.selection.several || scene.box !== null)) {
+      scene.highlight({ box: [from.x, from.y, to.x, to.y] });
+      return true;
+    }
     if (sum === null || !loaded) return false;
     scene.viewport.pan(dx, dy);
     sum.x += dx / scene.viewport.scale;
@@ -71,8 +79,13 @@ export class Pointer {
   }
 
   private drop(): void {
-    const { dragged: sum, session } = this;
+    const { dragged: sum, session, scene: { box, viewport: v } } = this;
     const { placing, loaded } = session.state;
+    if (box !== null) {
+      this.scene.highlight({ box: null });
+      this.selection.selectBox(v.worldX(box[0]), v.worldY(box[1]), v.worldX(box[2]), v.worldY(box[3]));
+      return;
+    }
     if (sum === null || !loaded || (sum.x === 0 && sum.y === 0)) return;
     const place = dragged(placing, loaded, sum.x, sum.y);
     [sum.x, sum.y] = [0, 0];
@@ -92,14 +105,31 @@ export class Pointer {
     this.canvas.classList.toggle('over', contour !== null);
   }
 
-  private click(x: number, y: number, { touch, shift, alt }: { touch: boolean; shift: boolean; alt: boolean }): void {
+  private click(x: number, y: number, { touch, shift, alt, command }: Click): void {
     if (this.choosingHome) return this.setHome(x, y);
     const finding = this.scene.pickFinding(x, y, touch ? REACH.touch : REACH.pointer + MARKER);
     this.selection.showFinding(finding);
     if (finding) return this.onFinding(finding);
     const contour = this.scene.pick(x, y, touch ? REACH.touch : REACH.pointer);
-    if (shift || alt) this.selection.toggleRule(contour, alt ? 'exclude' : 'first');
-    else this.selection.select(contour);
+    if (shift || alt) {
+      if (contour !== null) this.selection.toggleRule([contour], alt ? 'exclude' : 'first');
+      return;
+    }
+    const twice = performance.now() - this.clickedAt < TWICE;
+    this.clickedAt = performance.now();
+    const found = this.under(contour, x, y, twice);
+    if (command || this.selection.several) {
+      if (found.length > 0) this.selection.toggle(found);
+    } else this.selection.selectAll(found);
+  }
+
+  /** The contour under a click; with a second click, or between its contours, the part. */
+  private under(contour: number | null, x: number, y: number, twice: boolean): number[] {
+    const { scene: { viewport: v }, session: { state: { loaded } } } = this;
+    if (!loaded) return [];
+    if (contour !== null) return twice ? partsOf(loaded).whole([contour]) : [contour];
+    const part = partsOf(loaded).at(v.worldX(x), v.worldY(y));
+    return part === null ? [] : partsOf(loaded).contours(part);
   }
 
   private setHome(x: number, y: number): void {

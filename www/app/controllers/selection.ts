@@ -1,12 +1,14 @@
-/** The selected contour or finding: on the sheet, on the card, in the table; and the rules for single contours. */
+/** The selected contours or finding: on the sheet, on the card, in the table; and the rules for what is selected. */
 
 import type { Finding } from 'kerfway';
 import type { Announcer } from '../core/announce.js';
+import { count } from '../core/format.js';
 import { words } from '../core/words/index.js';
 import { ContourCard, describe } from '../panels/contour.js';
 import { OrderTable } from '../panels/table.js';
 import type { Playback } from '../playback/playback.js';
-import { type Rule, ruleOf } from '../session/rules.js';
+import { partsOf } from '../session/parts.js';
+import { namedBy, type Rule, ruleOf, shifted, withSequence } from '../session/rules.js';
 import type { Session } from '../session/session.js';
 import type { Scene } from '../stage/scene.js';
 
@@ -15,19 +17,77 @@ export class Selection {
   readonly table: OrderTable;
   /** The stop of the last step: a contour that is cut in several stretches has several stops. */
   private stop = 0;
+  /** What is selected, in the order in which it was. */
+  private chosen: readonly number[] = [];
+  /** Clicks and steps add to the selection. */
+  private adding = false;
 
   constructor(
     private readonly session: Session, private readonly playback: Playback, private readonly scene: Scene,
     private readonly announcer: Announcer, closeTable: () => void,
   ) {
-    this.card = new ContourCard(session, playback, { toggleRule: (contour, rule) => this.toggleRule(contour, rule), step: (by) => this.stepBy(by), close: () => this.select(null) });
-    this.table = new OrderTable(session, playback, (contour) => this.reveal(contour), closeTable);
+    this.card = new ContourCard(session, playback, {
+      toggleRule: (rule) => this.toggleSelected(rule), whole: () => this.selectWhole(), like: () => this.selectLike(), keepOrder: () => this.keepOrder(),
+      step: (by) => this.stepBy(by), close: () => this.select(null),
+    });
+    this.table = new OrderTable(session, playback, { select: (contour) => this.reveal(contour), shift: (contour, to) => this.shift(contour, to), close: closeTable });
+  }
+
+  get contours(): readonly number[] {
+    return this.chosen;
+  }
+
+  /** Whether clicks and steps add to the selection. */
+  get several(): boolean {
+    return this.adding;
+  }
+
+  set several(on: boolean) {
+    this.adding = on;
   }
 
   select(contour: number | null): void {
-    this.scene.highlight({ selected: contour });
-    this.card.show(contour);
-    this.table.select(contour);
+    this.selectAll(contour === null ? [] : [contour]);
+  }
+
+  /** Selects contours; the last one is shown in the table. */
+  selectAll(contours: readonly number[]): void {
+    this.chosen = contours;
+    const last = contours.at(-1) ?? null;
+    this.scene.highlight({ selected: last, others: contours.slice(0, -1) });
+    this.card.show(contours);
+    this.table.select(last);
+  }
+
+  /** Adds contours to the selection, or removes them if all of them are in it. */
+  toggle(contours: readonly number[]): void {
+    const had = new Set(this.chosen);
+    const rest = this.chosen.filter((c) => !contours.includes(c));
+    this.selectAll(contours.every((c) => had.has(c)) ? rest : [...rest, ...contours]);
+    this.announcer.say(words.contour.selected(this.chosen.length, count(this.chosen.length)));
+  }
+
+  /** Selects what lies in a box, mm, in addition to what is selected while several are being selected. */
+  selectBox(x0: number, y0: number, x1: number, y1: number): void {
+    const { loaded } = this.session.state;
+    if (!loaded) return;
+    const inside = partsOf(loaded).within(Math.min(x0, x1), Math.min(y0, y1), Math.max(x0, x1), Math.max(y0, y1));
+    this.selectAll([...this.chosen.filter((c) => this.adding && !inside.includes(c)), ...inside]);
+    this.announcer.say(words.contour.selected(this.chosen.length, count(this.chosen.length)));
+  }
+
+  /** Selects the whole parts of what is selected. */
+  selectWhole(): void {
+    const { loaded } = this.session.state;
+    if (loaded) this.selectAll(partsOf(loaded).whole(this.chosen));
+  }
+
+  /** Selects everything like what is selected. */
+  selectLike(): void {
+    const { loaded } = this.session.state;
+    if (!loaded || this.chosen.length === 0) return;
+    this.selectAll(partsOf(loaded).like(this.chosen));
+    this.announcer.say(words.contour.selected(this.chosen.length, count(this.chosen.length)));
   }
 
   /** Selects a contour, moves the view to it if needed, and announces it. */
@@ -46,21 +106,44 @@ export class Selection {
 
   /** Updates the card, because the path has changed. */
   refresh(): void {
-    if (this.scene.selected !== null) this.card.show(this.scene.selected);
+    if (this.chosen.length > 0) this.card.show(this.chosen);
   }
 
-  /** Cuts a contour first or last or skips it; removes that rule if the contour already has it. */
-  toggleRule(contour: number | null, rule: Rule): void {
-    if (contour === null) return;
-    const has = ruleOf(this.session.state.load, contour) === rule;
-    const [name = ''] = describe(this.session, this.playback, contour);
-    this.session.drawing.setRule(contour, has ? null : rule);
+  /** Gives contours a rule, or removes it if all of them have it. */
+  toggleRule(contours: readonly number[], rule: Rule): void {
+    const { state: { load, loaded }, drawing } = this.session;
+    if (contours.length === 0 || !loaded) return;
+    const named = namedBy(loaded, contours, rule);
+    const has = named.every((c) => ruleOf(load, c) === rule);
+    const name = contours.length === 1 ? (describe(this.session, this.playback, contours[0]!)[0] ?? '') : words.drawing.contours(contours.length, count(contours.length));
+    drawing.setRule(has ? contours : named, has ? null : rule);
     this.announcer.say(has ? words.page.unpinned(name) : words.page.decided[rule](name));
   }
 
-  /** The same for the selected contour. */
+  /** The same for what is selected. */
   toggleSelected(rule: Rule): void {
-    this.toggleRule(this.scene.selected, rule);
+    this.toggleRule(this.chosen, rule);
+  }
+
+  /** Fixes the order in which the selected parts are cut now. */
+  keepOrder(): void {
+    const { state: { load, loaded }, drawing } = this.session;
+    if (!loaded) return;
+    const named = namedBy(loaded, this.chosen, 'first').filter((c) => this.playback.stopOf(c) !== null);
+    const order = named.sort((a, b) => this.playback.stopOf(a)! - this.playback.stopOf(b)!);
+    if (order.length > 1) drawing.change(withSequence(load, [], order));
+  }
+
+  /** Moves a contour in the cutting order. `to`: the stop before which it comes. */
+  shift(contour: number, to: number): void {
+    const { state: { load, loaded }, drawing, store } = this.session;
+    const { path } = this.playback;
+    if (!loaded || !path) return;
+    const order = [...new Set(path.contours)];
+    const before = path.contours[to];
+    const next = shifted(load, loaded, { order, contour, to: before === undefined ? order.length : order.indexOf(before) });
+    if (next === null) store.notify(words.table.inside);
+    else drawing.change(next);
   }
 
   stepToFirst(): void {
@@ -89,6 +172,9 @@ export class Selection {
   private stepTo(stop: number): void {
     this.stop = Math.max(0, Math.min(this.playback.stops - 1, stop));
     const contour = this.playback.path?.contours[this.stop];
-    if (contour !== undefined) this.reveal(contour);
+    if (contour === undefined) return;
+    const before = this.chosen.filter((c) => c !== contour);
+    this.reveal(contour);
+    if (this.adding) this.selectAll([...before, contour]);
   }
 }

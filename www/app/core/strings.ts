@@ -2,7 +2,7 @@
 
 import { seconds } from './format.js';
 import { words } from './words/index.js';
-import type { DoneReason, Operation, Unit } from 'kerfway';
+import type { DoneReason, MachineProfile, Operation, Unit } from 'kerfway';
 
 /** Millimetres in a unit. */
 export const UNIT_SIZES: Record<Unit, number> = {
@@ -26,6 +26,12 @@ export function messageOf(error: unknown): string {
   if (typeof error === 'string') return error;
   const message = error instanceof Error ? error.message : null;
   return message || words.page.somethingElse;
+}
+
+/** The name of a download: file, machine and date, as in "plate-co2-100w-2026-03-01.nc". */
+export function downloadName({ name, machine }: { name: string; machine: MachineProfile | null }, suffix: string, date = new Date()): string {
+  const day = [date.getFullYear(), date.getMonth() + 1, date.getDate()].map((n) => String(n).padStart(2, '0')).join('-');
+  return [baseName(name), machine?.name, day].filter(Boolean).join('-') + suffix;
 }
 
 /** "drawing.dxf" -> "drawing". */

@@ -1,7 +1,7 @@
 /** Calibration: the seconds that one or two jobs really took, and the machine that is fitted to them, with the error before and after. */
 
 import { button, h } from '../core/dom.js';
-import { percent, seconds } from '../core/format.js';
+import { narrow, percent } from '../core/format.js';
 import { messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
 import type { Calibration, MachineProfile, MeasuredPlan } from 'kerfway';
@@ -55,7 +55,7 @@ export function calibration(session: Session, notify: (sentence: string) => void
   const show = (jobs: readonly Timed[], found: Calibration | null) => {
     timed = jobs;
     fitted = found;
-    list.replaceChildren(...jobs.map((j) => h('li', { class: 'number' }, words.calibration.job(j.name, seconds(j.seconds), seconds(j.planned)))));
+    list.replaceChildren(...jobs.map((j) => h('li', { class: 'number' }, words.calibration.job(j.name, narrow(j.seconds), narrow(j.planned)))));
     list.hidden = jobs.length === 0 || found !== null;
     actions.hidden = jobs.length === 0;
     fit.hidden = found !== null;

@@ -1,36 +1,50 @@
 /** What was read from the drawing: counts, layers with their operations, the border of the sheet, pinned and skipped contours, tolerances, findings. */
 
 import { button, h, setText } from '../core/dom.js';
-import { count } from '../core/format.js';
+import { count, extent } from '../core/format.js';
 import { activeContours, type Finding, type Loaded } from 'kerfway';
 import type { Keeper } from '../session/keeper.js';
 import type { Preview } from '../session/preview.js';
-import { type Rule, RULES } from '../session/rules.js';
+import { partsOf } from '../session/parts.js';
 import type { Session } from '../session/session.js';
 import { findingActions } from './finding-actions.js';
 import { FindingList, problemCounts } from './findings.js';
 import { layerList } from './layers.js';
+import { Pins } from './pins.js';
 import { section } from './section.js';
 import { tolerances } from './tolerances.js';
 import { words } from '../core/words/index.js';
 
 /** Height in CSS pixels from which the drawing and the result fit below each other. */
 const ROOMY = 1000;
+/** How many shapes with several copies are listed. */
+const COPIES = 4;
 
-/** How many contours with the same rule are listed one by one. */
-const LISTED = 24;
-
-export function drawingPanel(session: Session, preview: Preview, { keeper, forget }: { keeper: Keeper; forget: () => void }, onFinding: (finding: Finding) => void, onContour: (contour: number) => void): HTMLDetailsElement & { findings: FindingList } {
+export function drawingPanel(session: Session, preview: Preview, { keeper, forget }: { keeper: Keeper; forget: () => void }, onFinding: (finding: Finding) => void, onContour: (contour: number) => void, onContours: (contours: readonly number[]) => void): HTMLDetailsElement & { findings: FindingList } {
   const { root, body, setGist } = section(words.drawing.title, innerHeight >= ROOMY);
   const layers = h('div');
+  const copies = h('div', { class: 'copies' });
   const counts = h('p', { class: 'soft' });
   const findings = new FindingList(onFinding, (finding) => findingActions(session, finding));
-  const pins = h('div', { class: 'stack' });
+  const pins = new Pins(session, onContour);
   const kept = h('p', { class: 'soft kept', hidden: true }, words.page.kept, button(words.page.forget, { class: 'quiet small', onclick: forget }));
-  const content = h('div', { class: 'stack' }, counts, layers, pins, findings.root, tolerances(session, preview), kept);
+  const content = h('div', { class: 'stack' }, counts, copies, layers, pins.root, findings.root, tolerances(session, preview), kept);
   const empty = h('p', { class: 'soft' }, words.drawing.none);
   body.append(empty, content);
 
+  // The parts of which there are several copies; a click selects them.
+  const showCopies = (loaded: Loaded) => {
+    const parts = partsOf(loaded);
+    const repeated = parts.repeated();
+    const one = ({ parts: same }: (typeof repeated)[number]) => {
+      const [first = 0] = same;
+      const [x0, y0, x1, y1] = parts.boxOf(parts.contours(first));
+      return button(words.drawing.copies(count(same.length), extent(x1 - x0, y1 - y0)), { class: 'small number', title: words.drawing.copiesHint, onclick: () => onContours(same.flatMap((p) => parts.contours(p))) });
+    };
+    const more = repeated.length > COPIES && h('span', { class: 'soft' }, words.drawing.others(count(repeated.length - COPIES)));
+    copies.replaceChildren(...repeated.slice(0, COPIES).map(one), ...(more ? [more] : []));
+    copies.hidden = repeated.length === 0;
+  };
   // The findings about the drawing, then those of the plan.
   const showFindings = () => {
     const { loaded, planFindings, beam } = session.state;
@@ -51,10 +65,13 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     const contours = activeContours(loaded);
     setGist([words.drawing.contours(contours.length, count(contours.length)), ...problems].join(', '), problems.length > 0);
     const open = contours.filter((c) => !c.closed).length;
-    setText(counts, [words.drawing.parts(loaded.parts.length, count(loaded.parts.length)), open ? words.drawing.openContours(open, count(open)) : '', loaded.version ? versionName(loaded.version) : '']
+    const { kinds } = partsOf(loaded);
+    const different = kinds < loaded.parts.length ? words.drawing.kinds(kinds, count(kinds)) : '';
+    setText(counts, [words.drawing.parts(loaded.parts.length, count(loaded.parts.length)) + different, open ? words.drawing.openContours(open, count(open)) : '', loaded.version ? versionName(loaded.version) : '']
       .filter(Boolean).join(' · '));
     layers.replaceChildren(layerList(session, loaded));
-    pins.replaceChildren(...RULES.flatMap((rule) => ruleList(session, rule, onContour)));
+    pins.show();
+    showCopies(loaded);
     showFindings();
   };
   session.store.on('loaded', ({ loaded, fresh }) => {
@@ -76,16 +93,6 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
   session.store.on('cleared', show);
   show();
   return Object.assign(root, { findings });
-}
-
-/** The contours that have a rule, each with a button that shows it, and a button that removes the rule. */
-function ruleList(session: Session, rule: Rule, onContour: (contour: number) => void): HTMLElement[] {
-  const contours = session.state.load[rule] ?? [];
-  if (contours.length === 0) return [];
-  const unpin = button(words.drawing.unpin[rule], { class: 'quiet small', 'aria-label': words.drawing.unpinAll[rule], onclick: () => session.drawing.clearRule(rule) });
-  const shown = contours.slice(0, LISTED).map((c) => button(count(c + 1), { class: 'small number', 'aria-label': words.drawing.show(count(c + 1)), onclick: () => onContour(c) }));
-  const more = contours.length > LISTED && h('span', { class: 'soft' }, words.drawing.others(count(contours.length - LISTED)));
-  return [h('div', { class: 'pins' }, h('span', {}, words.drawing.decided[rule](words.drawing.contours(contours.length, count(contours.length)))), h('span', { class: 'pinned' }, ...shown, more), unpin)];
 }
 
 /** Whether there is something in a drawing that a person should decide or see. */

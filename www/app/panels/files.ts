@@ -4,7 +4,7 @@ import { button, h, icon, setText } from '../core/dom.js';
 import { save } from '../core/files.js';
 import { count, seconds } from '../core/format.js';
 import { menuItem, popover } from '../core/menu.js';
-import { baseName } from '../core/strings.js';
+import { downloadName } from '../core/strings.js';
 import type { Item, Queue } from '../session/queue.js';
 import { words } from '../core/words/index.js';
 
@@ -14,7 +14,7 @@ export function fileList(queue: Queue): Node[] {
   const opener = h('button', { type: 'button', class: 'quiet queue', hidden: true }, label, icon('down'));
   const list = h('div', { class: 'menu' });
   const all = button(words.files.all, { class: 'small', onclick: () => {
-    for (const { file, gcode } of queue.items) if (gcode !== null) save(gcode, `${baseName(file.name)}.nc`, 'text/plain');
+    for (const { file, gcode, machine } of queue.items) if (gcode !== null) save(gcode, downloadName({ name: file.name, machine }, '.nc'), 'text/plain');
   } });
   const fill = () => {
     list.replaceChildren(

@@ -2,14 +2,12 @@
 
 import { button, h } from '../core/dom.js';
 import { count } from '../core/format.js';
+import { LAYER_COLORS } from '../stage/layer-colors.js';
 import { OPERATIONS } from '../core/strings.js';
 import type { LayerChoice, LayerUse, Loaded, MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { words } from '../core/words/index.js';
 import { check, field } from './section.js';
-
-/** The first nine colours of AutoCAD by their index. The others are shown in the colour of text. */
-const COLORS = ['', '#e5484d', '#c9a400', '#3aa655', '#1ea7b8', '#4565e6', '#b34fd1', '', '#8a8f98', '#b4b8bf'];
 
 export function layerList(session: Session, loaded: Loaded): HTMLElement {
   const ordered = session.state.load.orderByLayer === true;
@@ -25,7 +23,7 @@ export function layerList(session: Session, loaded: Loaded): HTMLElement {
 
 function row(session: Session, layer: LayerUse, moves: [up: boolean, down: boolean] | null): HTMLElement {
   const swatch = h('span', { class: 'swatch', 'aria-hidden': 'true' });
-  swatch.style.setProperty('--swatch', COLORS[layer.color] || 'currentColor');
+  swatch.style.setProperty('--swatch', LAYER_COLORS[layer.color] || 'currentColor');
   const choice = h('select', { 'aria-label': words.layers.operation(layer.name), class: `operation ${layer.operation}` },
     ...OPERATIONS.map((o) => h('option', { value: o, selected: o === layer.operation }, words.operations[o])));
   choice.addEventListener('change', () => {

@@ -11,19 +11,26 @@ import { words } from '../core/words/index.js';
 /** The time budgets to choose from, s. */
 const BUDGETS = [2, 5, 10, 30, 60, 300];
 
+/** The entry of the list of methods that unfolds those from papers. */
+const MORE = '*';
+
 const span = (s: number) => (s < 60 || s % 60 > 0 ? `${s} s` : `${s / 60} min`);
 
 export function planPanel(session: Session): HTMLElement {
   const { root, body, setGist } = section(words.plan.title, false);
-  const method = select<string>((value) => session.setSearch({ method: value, parameters: {} }));
+  // The methods from papers are loaded and listed when somebody asks for them.
+  let unfolded = false;
+  const method = select<string>((value) => {
+    if (value !== MORE) return session.setSearch({ method: value, parameters: {} });
+    unfolded = true;
+    void session.catalog.loadPapers().then(() => session.store.catalogChanged());
+  });
   method.root.setAttribute('aria-label', words.plan.method);
   method.root.classList.add('wide');
   const budget = select<number>((value) => session.setSearch({ seconds: value }));
   const about = h('p', { class: 'soft' });
   const source = h('p', { class: 'soft' });
   const own = parameters(session);
-  // The methods from papers are loaded when this section is first opened.
-  root.addEventListener('toggle', () => void session.catalog.loadPapers());
   const seed = h('input', { type: 'number', min: 0, max: 4294967295, step: 1, inputmode: 'numeric', placeholder: words.plan.random });
   seed.addEventListener('input', () => {
     const value = seed.valueAsNumber;
@@ -43,7 +50,10 @@ export function planPanel(session: Session): HTMLElement {
     const { methods, papers } = session.catalog;
     const option = (m: MethodInfo) => ({ value: m.name, label: m.title });
     const chosen = [...methods, ...papers].find((m) => m.name === search.method);
-    method.fill(methods.map(option), search.method, { [words.plan.papers]: papers.map(option) });
+    const isPaper = papers.some((m) => m.name === search.method);
+    const shown = unfolded || isPaper ? papers : [];
+    const more = shown.length === 0 ? [{ value: MORE, label: words.plan.more }] : [];
+    method.fill([...methods.map(option), ...more], search.method, { [words.plan.papers]: shown.map(option) });
     own.show(papers.find((m) => m.name === search.method));
     setText(source, chosen?.source ?? '');
     source.hidden = !chosen?.source;

@@ -3,7 +3,7 @@
 import { button, h } from '../core/dom.js';
 import { save } from '../core/files.js';
 import { count, metres } from '../core/format.js';
-import { baseName, messageOf } from '../core/strings.js';
+import { downloadName, messageOf } from '../core/strings.js';
 import type { Material, Quote } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { field, section } from './section.js';
@@ -21,7 +21,7 @@ export function quotePanel(session: Session, notify: (sentence: string) => void)
   let report: Quote | null = null;
   let asked = 0;
   const download = button(words.quote.download, { class: 'small', onclick: () => {
-    if (report) save(`${JSON.stringify(report, null, 2)}\n`, `${baseName(session.state.name)}.quote.json`, 'application/json');
+    if (report) save(`${JSON.stringify(report, null, 2)}\n`, downloadName(session.state, '.quote.json'), 'application/json');
   } });
   body.append(h('div', { class: 'stack' }, field(words.quote.thickness, thickness, 'mm'), field(words.quote.density, density, 'g/cm³'), note, rows, download));
 

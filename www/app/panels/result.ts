@@ -3,12 +3,14 @@
 import { button, h, setText } from '../core/dom.js';
 import { count, metres, narrow, percent, seconds } from '../core/format.js';
 import type { OutputKind, Summary } from 'kerfway';
+import type { Alternatives } from '../session/alternatives.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import type { Theme } from '../core/theme.js';
 import { chart } from './chart.js';
 import { insightPanel } from './insight.js';
 import { preflight } from './preflight.js';
+import { savingsPanel } from './savings.js';
 import { section } from './section.js';
 import { words } from '../core/words/index.js';
 
@@ -27,9 +29,10 @@ export interface ResultActions {
   download(kind: OutputKind): void;
   saveProject(): void;
   saveReport(): void;
+  copyProgram(): void;
 }
 
-export function resultPanel(session: Session, theme: Theme, { download, saveProject, saveReport }: ResultActions): HTMLElement {
+export function resultPanel(session: Session, theme: Theme, { download, saveProject, saveReport, copyProgram }: ResultActions, alternatives: () => Promise<Alternatives>): HTMLElement {
   const { root, body } = section(words.result.title, true);
   const saved = h('p', { class: 'large' });
   const of = h('p', { class: 'soft number' });
@@ -40,10 +43,13 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
     ...rows.map((r) => r.root));
   const parts = h('dl', { class: 'parts' });
   const buttons = DOWNLOADS.map((kind) => button(words.result.kinds[kind], { class: 'small', title: words.result.downloadKind(words.result.kinds[kind]), onclick: () => download(kind) }));
+  const copy = button(words.result.copy, { class: 'small', title: words.result.copyHint, onclick: copyProgram });
   const files = h('div', { class: 'downloads', role: 'group', 'aria-label': words.result.download },
-    ...buttons, button(words.result.report, { class: 'small', title: words.result.reportHint, onclick: saveReport }), button(words.result.project, { class: 'small', title: words.result.projectHint, onclick: saveProject }));
-  const check = preflight(session, (passed) => (buttons[0]!.disabled = !passed));
-  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insightPanel(session, theme), parts, files, check);
+    ...buttons.slice(0, 1), copy, ...buttons.slice(1), button(words.result.report, { class: 'small', title: words.result.reportHint, onclick: saveReport }), button(words.result.project, { class: 'small', title: words.result.projectHint, onclick: saveProject }));
+  const check = preflight(session, (passed) => {
+    buttons[0]!.disabled = copy.disabled = !passed;
+  });
+  const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insightPanel(session, theme), parts, savingsPanel(session, alternatives), files, check);
   const empty = h('p', { class: 'soft' }, words.result.none);
   body.append(empty, content);
 

@@ -8,32 +8,42 @@ import { clock, count, millimetres, size } from '../core/format.js';
 import { cutLength } from '../stage/shapes.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
-import { pathContours } from '../session/rules.js';
+import { pathContours, ruleOf } from '../session/rules.js';
+import { RowDrag } from './row-drag.js';
 import { words } from '../core/words/index.js';
 
-/** Height of a row, CSS pixels; `styles/table.css` has the same. */
-const ROW = 32;
+/** Height of a row, CSS pixels: on a phone it is as high as a finger needs. `styles/table.css` has the same. */
+const ROW = matchMedia('(max-width: 719px)').matches ? 44 : 32;
 /** Rows that are kept above and below the visible ones. */
 const SPARE = 8;
 /** Milliseconds between two refreshes while the path improves: a table that jumps cannot be read. */
 const PAUSE = 1000;
+
+export interface TableActions {
+  select(contour: number): void;
+  /** Moves a contour before a stop. */
+  shift(contour: number, to: number): void;
+  close(): void;
+}
 
 export class OrderTable {
   readonly root: HTMLElement;
   private readonly body = h('div', { role: 'rowgroup', class: 'rows' });
   private readonly grid = h('div', { role: 'table', class: 'order', 'aria-label': words.table.title, 'aria-colcount': words.table.columns.length });
   private readonly scroller: HTMLElement;
+  private readonly drag: RowDrag;
   private selected: number | null = null;
   private timer = 0;
 
-  constructor(private readonly session: Session, private readonly playback: Playback, private readonly onSelect: (contour: number) => void, onClose: () => void) {
+  constructor(private readonly session: Session, private readonly playback: Playback, private readonly actions: TableActions) {
     this.grid.append(
       h('div', { role: 'rowgroup', class: 'order-head' }, h('div', { role: 'row', class: 'order-row', 'aria-rowindex': 1 }, ...words.table.columns.map((c) => h('span', { role: 'columnheader' }, c)))),
       this.body);
     this.scroller = h('div', { class: 'order-scroll', tabindex: 0, role: 'region', 'aria-label': words.table.rows }, this.grid);
     this.root = h('section', { class: 'drawer', 'aria-labelledby': 'order-title', hidden: true },
-      h('div', { class: 'dialog-head' }, h('h2', { id: 'order-title' }, words.table.title), button(words.table.close, { icon: 'close', iconOnly: true, class: 'quiet', onclick: onClose })),
+      h('div', { class: 'dialog-head' }, h('h2', { id: 'order-title' }, words.table.title), h('span', { class: 'soft' }, words.table.drag), button(words.table.close, { icon: 'close', iconOnly: true, class: 'quiet', onclick: actions.close })),
       this.scroller);
+    this.drag = new RowDrag(this.scroller, this.body, ROW, { rows: () => this.playback.stops, move: (stop, to) => this.move(stop, to) });
     this.scroller.addEventListener('scroll', () => this.draw());
     new ResizeObserver(() => this.draw()).observe(this.scroller);
     playback.on('path', () => {
@@ -64,29 +74,40 @@ export class OrderTable {
     this.draw();
   }
 
+  /** Moves the contour of a stop before another stop. */
+  private move(stop: number, to: number): void {
+    const contour = this.playback.path?.contours[stop];
+    if (contour !== undefined && to !== stop && to !== stop + 1) this.actions.shift(contour, to);
+  }
+
   private draw(): void {
     clearTimeout(this.timer);
     this.timer = 0;
-    if (!this.open) return;
+    // The rows stay while one of them is dragged.
+    if (!this.open || this.drag.active) return;
     const { stops } = this.playback;
     const first = Math.max(0, Math.floor(this.scroller.scrollTop / ROW) - SPARE);
     const last = Math.min(stops, first + Math.ceil(this.scroller.clientHeight / ROW) + 2 * SPARE);
     this.grid.setAttribute('aria-rowcount', String(stops + 1));
     this.body.style.height = `${stops * ROW}px`;
     const focus = (document.activeElement as HTMLElement | null)?.closest<HTMLElement>('.order-row')?.dataset.stop;
+    const onGrip = document.activeElement?.classList.contains('grip') ?? false;
     const rows: HTMLElement[] = [];
     for (let stop = first; stop < last; stop += 1) rows.push(this.row(stop));
     this.body.replaceChildren(...rows);
-    if (focus !== undefined) this.body.querySelector<HTMLElement>(`[data-stop="${focus}"] button`)?.focus({ preventScroll: true });
+    if (focus !== undefined) this.body.querySelector<HTMLElement>(`[data-stop="${this.drag.focus ?? focus}"] ${onGrip ? '.grip' : 'button'}`)?.focus({ preventScroll: true });
   }
 
   private row(stop: number): HTMLElement {
-    const path = this.session.state.path!;
+    const path = this.playback.path!;
     const contour = path.contours[stop]!;
     const info = pathContours(this.session.state)[contour];
     const cell = (text: string, extra = '') => h('span', { role: 'cell', class: extra }, text);
-    const row = h('div', { role: 'row', class: contour === this.selected ? 'order-row selected' : 'order-row', 'aria-rowindex': stop + 2, 'data-stop': stop },
-      h('span', { role: 'cell' }, h('button', { type: 'button', class: 'row-button number', 'aria-label': words.table.show(stop + 1), onclick: () => this.onSelect(contour) }, count(stop + 1))),
+    const { load } = this.session.state;
+    const fixed = ruleOf(load, contour) !== null || (load.sequences?.some((s) => s.includes(contour)) ?? false);
+    const row = h('div', { role: 'row', class: `order-row${contour === this.selected ? ' selected' : ''}${fixed ? ' fixed' : ''}`, 'aria-rowindex': stop + 2, 'data-stop': stop },
+      h('span', { role: 'cell' }, h('button', { type: 'button', class: 'row-button number', 'aria-label': words.table.show(stop + 1), onclick: () => this.actions.select(contour) }, count(stop + 1))),
+      h('span', { role: 'cell' }, this.drag.handle(words.table.move(stop + 1), stop)),
       cell(info?.layer ?? ''), cell(info ? millimetres(cutLength(path, stop, info.length)) : '', 'number'), cell(clock(this.playback.begin(stop)), 'number'),
       cell(`${size(path.points[stop * 4]!)}, ${size(path.points[stop * 4 + 1]!)}`, 'number'),
       cell(info?.closed ? (path.reversed[stop] ? words.table.reversed : words.table.asDrawn) : words.table.open));

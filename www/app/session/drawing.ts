@@ -164,14 +164,15 @@ export class Drawing {
     else this.askOrPlan();
   }
 
-  /** Cuts a contour before or after all others or skips it; with `null` it has no rule any more. */
-  setRule(contour: number, rule: Rule | null): void {
-    void this.choose(withRule(this.store.state.load, contour, rule));
+  /** Cuts contours before or after all others, marks or skips them; with `null` they have no rule any more. */
+  setRule(contours: readonly number[], rule: Rule | null): void {
+    void this.choose(withRule(this.store.state.load, contours, rule));
   }
 
   /** Removes a rule from all contours that have it. */
   clearRule(rule: Rule): void {
-    this.change({ [rule]: [] });
+    const { load } = this.store.state;
+    void this.choose(withRule(load, load[rule] ?? [], null));
   }
 
   /** Changes some of the options. */

@@ -3,7 +3,7 @@
  * The G-code of each is kept. Any of them can be opened again, which plans it again.
  */
 
-import type { LoadOptions } from 'kerfway';
+import type { LoadOptions, MachineProfile } from 'kerfway';
 import { Emitter } from '../core/emitter.js';
 import { messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
@@ -18,6 +18,8 @@ export interface Item {
   /** Seconds of the planned job. */
   seconds: number | null;
   gcode: string | null;
+  /** The machine that the G-code is for. */
+  machine: MachineProfile | null;
   /** The options it was read with when it was last open, with its pinned and skipped contours. */
   load: LoadOptions | null;
   /** Why it failed. */
@@ -55,7 +57,7 @@ export class Queue extends Emitter<Events> {
   take(files: readonly File[]): void {
     const [file] = files;
     if (file === undefined) return;
-    this.all = files.length < 2 ? [] : files.map((file) => ({ file, state: 'waiting', seconds: null, gcode: null, load: null, sentence: null }));
+    this.all = files.length < 2 ? [] : files.map((file) => ({ file, state: 'waiting', seconds: null, gcode: null, machine: null, load: null, sentence: null }));
     [this.opened, this.isRead] = [null, false];
     this.emit('change', this.all);
     const [first] = this.all;
@@ -106,7 +108,7 @@ export class Queue extends Emitter<Events> {
       const seconds = state.progress?.summary.total_time ?? null;
       try {
         const gcode = (await this.session.output('gcode')) as string;
-        this.end(item, 'done', { gcode, seconds });
+        this.end(item, 'done', { gcode, seconds, machine: state.machine });
       } catch (error) {
         this.end(item, 'failed', { sentence: messageOf(error) });
       }

@@ -11,19 +11,37 @@ const WHEEL_RATE = 0.0018;
 /** Zoom per unit of a trackpad pinch, which sends small deltas with the control key held. */
 const PINCH_RATE = 0.012;
 
+export interface Click {
+  touch: boolean;
+  shift: boolean;
+  alt: boolean;
+  /** The control key, or the command key of a Mac. */
+  command: boolean;
+}
+
+/** A pointer has moved by `dx`, `dy` pixels, on a drag that began at `from`. */
+export interface Drag {
+  dx: number;
+  dy: number;
+  from: { x: number; y: number };
+  to: { x: number; y: number };
+  shift: boolean;
+}
+
 export interface Picks {
   /** The pointer is over this place; null when it has left. */
   hover(at: { x: number; y: number } | null): void;
-  /** A pointer drags from a place by a number of pixels; returns whether something other than the view follows it. */
-  drag?(dx: number, dy: number): boolean;
+  /** A pointer drags; returns whether something other than the view follows it. */
+  drag?(by: Drag): boolean;
   /** A drag has ended. */
   drop?(): void;
-  click(x: number, y: number, by: { touch: boolean; shift: boolean; alt: boolean }): void;
+  click(x: number, y: number, by: Click): void;
 }
 
 export function attachGestures(target: HTMLElement, viewport: Viewport, picks: Picks): void {
   const pointers = new Map<number, { x: number; y: number }>();
   let moved = 0;
+  let from = { x: 0, y: 0 };
   let wasPinch = false;
 
   const local = (event: PointerEvent | WheelEvent) => {
@@ -37,6 +55,7 @@ export function attachGestures(target: HTMLElement, viewport: Viewport, picks: P
     pointers.set(event.pointerId, local(event));
     if (pointers.size === 1) {
       moved = 0;
+      from = local(event);
       wasPinch = false;
     } else wasPinch = true;
     picks.hover(null);
@@ -53,7 +72,8 @@ export function attachGestures(target: HTMLElement, viewport: Viewport, picks: P
       moved += Math.hypot(now.x - before.x, now.y - before.y);
       if (moved > CLICK_SLOP) {
         target.classList.add('dragging');
-        if (picks.drag?.(now.x - before.x, now.y - before.y) !== true) viewport.pan(now.x - before.x, now.y - before.y);
+        const by: Drag = { dx: now.x - before.x, dy: now.y - before.y, from, to: now, shift: event.shiftKey };
+        if (picks.drag?.(by) !== true) viewport.pan(now.x - before.x, now.y - before.y);
       }
     } else if (pointers.size === 2) {
       const other = [...pointers.entries()].find(([id]) => id !== event.pointerId)![1];
@@ -72,7 +92,7 @@ export function attachGestures(target: HTMLElement, viewport: Viewport, picks: P
     target.classList.remove('dragging');
     picks.drop?.();
     if (at && event.type === 'pointerup' && !wasPinch && moved <= CLICK_SLOP && event.button === 0) {
-      picks.click(at.x, at.y, { touch: event.pointerType === 'touch', shift: event.shiftKey, alt: event.altKey });
+      picks.click(at.x, at.y, { touch: event.pointerType === 'touch', shift: event.shiftKey, alt: event.altKey, command: event.ctrlKey || event.metaKey });
     }
   };
   target.addEventListener('pointerup', release);

@@ -25,7 +25,7 @@ export function drawSheet(pen: Pen, view: View, palette: Palette, bounds: readon
   pen.lineWidth = r;
   pen.strokeRect(Math.round(x0 - pad) + 0.5, Math.round(y0 - pad) + 0.5, Math.round(x1 - x0 + 2 * pad), Math.round(y1 - y0 + 2 * pad));
   pen.fillStyle = palette.faint;
-  pen.font = `${12 * r}px system-ui, sans-serif`;
+  pen.font = `${12 * view.text}px system-ui, sans-serif`;
   pen.textAlign = 'center';
   pen.textBaseline = 'top';
   if (x1 - x0 > 60 * r) pen.fillText(`${sizeText(bounds[2]! - bounds[0]!)} mm`, (x0 + x1) / 2, y1 + pad + 6 * r);
@@ -51,7 +51,7 @@ export function drawBed(pen: Pen, view: View, palette: Palette, bed: readonly nu
   pen.strokeRect(x0, y0, x1 - x0, y1 - y0);
   pen.setLineDash([]);
   pen.fillStyle = pen.strokeStyle;
-  pen.font = `${12 * r}px system-ui, sans-serif`;
+  pen.font = `${12 * view.text}px system-ui, sans-serif`;
   pen.textBaseline = 'bottom';
   pen.textAlign = 'right';
   const label = words.stage.bed(sizeText(bed[2]! - bed[0]!), sizeText(bed[3]! - bed[1]!));
@@ -72,6 +72,32 @@ export function drawEmphasis(pen: Pen, view: View, palette: Palette, shapes: Sha
   pen.globalAlpha = 1;
   pen.lineWidth = (strong ? 2.4 : 1.8) * view.ratio;
   pen.stroke();
+}
+
+/** All other selected contours, in one stroke. */
+export function drawSelection(pen: Pen, view: View, palette: Palette, shapes: Shapes, chains: readonly number[]): void {
+  pen.lineJoin = pen.lineCap = 'round';
+  pen.beginPath();
+  for (const chain of chains) if (chain < shapes.count) traceChain(pen, view, shapes, chain);
+  pen.globalAlpha = 0.22;
+  pen.lineWidth = 7 * view.ratio;
+  pen.strokeStyle = palette.accent;
+  pen.stroke();
+  pen.globalAlpha = 1;
+  pen.lineWidth = 1.8 * view.ratio;
+  pen.stroke();
+}
+
+/** The box that is being drawn to select what is in it. */
+export function drawBox(pen: Pen, ratio: number, palette: Palette, [x0, y0, x1, y1]: readonly [number, number, number, number]): void {
+  pen.fillStyle = pen.strokeStyle = palette.accent;
+  pen.globalAlpha = 0.1;
+  pen.fillRect(x0 * ratio, y0 * ratio, (x1 - x0) * ratio, (y1 - y0) * ratio);
+  pen.globalAlpha = 1;
+  pen.lineWidth = ratio;
+  pen.setLineDash([4 * ratio, 3 * ratio]);
+  pen.strokeRect(x0 * ratio, y0 * ratio, (x1 - x0) * ratio, (y1 - y0) * ratio);
+  pen.setLineDash([]);
 }
 
 /** The step from the colour of one partition to the next, as a share of the ramp: with the golden ratio, neighbours never look alike. */
@@ -138,6 +164,18 @@ export function drawTravel(pen: Pen, view: View, palette: Palette, path: BestPat
   else traceAir(pen, view, travel, p[stop * 4 - 2]!, p[stop * 4 - 1]!, p[stop * 4]!, p[stop * 4 + 1]!);
   if (stop < last) traceAir(pen, view, travel, p[stop * 4 + 2]!, p[stop * 4 + 3]!, p[stop * 4 + 4]!, p[stop * 4 + 5]!);
   else if (travel.returnHome) traceAir(pen, view, travel, p[stop * 4 + 2]!, p[stop * 4 + 3]!, hx, hy);
+  pen.stroke();
+}
+
+/** Where the head starts: a square, over everything that lies there. */
+export function drawStart(pen: Pen, view: View, palette: Palette, { home: [x, y] }: Travel): void {
+  const half = 4 * view.ratio;
+  pen.lineWidth = 1.5 * view.ratio;
+  pen.strokeStyle = palette.accent;
+  pen.fillStyle = palette.sheet;
+  pen.beginPath();
+  pen.rect(view.x + x * view.scale - half, view.y - y * view.scale - half, 2 * half, 2 * half);
+  pen.fill();
   pen.stroke();
 }
 

@@ -19,10 +19,15 @@ export interface View {
   height: number;
   /** Device pixels per CSS pixel. */
   ratio: number;
+  /** The same for text. */
+  text: number;
 }
 
 /** How a contour is drawn. Skipped contours have no role, because they are drawn with the ignored ones. */
 export const Role = { outer: 0, inner: 1, mark: 2, none: 3 } as const;
+
+/** What the colours of contours show: outer and inner contours, the order, or the layers as drawn. */
+export type Colors = 'plain' | 'order' | 'layers';
 
 /** How the head moves between contours. */
 export interface Travel {
@@ -33,11 +38,11 @@ export interface Travel {
 }
 
 export type ToRaster =
-  | { type: 'geometry'; geometry: Geometry; roles: Uint8Array; ignored: Geometry; drawn: Geometry | null }
+  | { type: 'geometry'; geometry: Geometry; roles: Uint8Array; ignored: Geometry; drawn: Geometry | null; layers: Uint8Array }
   | { type: 'common'; common: Geometry | null }
   /** `changed`: 1 for each stop that the improvement changed. */
   | { type: 'path'; path: BestPath | null; travel: Travel; changed: Uint8Array | null }
-  | { type: 'style'; palette: Palette; ramp: boolean; air: boolean }
+  | { type: 'style'; palette: Palette; colors: Colors; air: boolean }
   /** `upto`: the stop before which everything is drawn in the layer `done`. */
   | { type: 'draw'; layer: Layer; serial: number; view: View; upto: number };
 

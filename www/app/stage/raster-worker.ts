@@ -39,6 +39,7 @@ onmessage = (event: MessageEvent<ToRaster>) => {
       subject.ignored = prepare(message.ignored);
       subject.drawn = message.drawn && prepare(message.drawn);
       subject.roles = message.roles;
+      subject.layers = message.layers;
       subject.path = subject.common = null;
       epoch += 1;
       break;
@@ -52,7 +53,7 @@ onmessage = (event: MessageEvent<ToRaster>) => {
       break;
     case 'style':
       subject.palette = message.palette;
-      subject.ramp = message.ramp;
+      subject.colors = message.colors;
       subject.air = message.air;
       break;
     case 'draw':

@@ -7,7 +7,7 @@
 import { Emitter } from '../core/emitter.js';
 import type { BestPath, Geometry } from 'kerfway';
 import type { Palette } from './palette.js';
-import { LAYERS, type FromRaster, type Layer, type ToRaster, type Travel, type View } from './raster-messages.js';
+import { type Colors, LAYERS, type FromRaster, type Layer, type ToRaster, type Travel, type View } from './raster-messages.js';
 
 /** The largest size of a bitmap, pixels. The margin shrinks on large or dense screens. */
 const MOST_PIXELS = 6e6;
@@ -36,8 +36,8 @@ export class Raster extends Emitter<{ drawn: Layer }> {
   }
 
   /** Another drawing, so all bitmaps are dropped. `drawn`: the drawn outlines, where the contours are the lines of the beam beside them. */
-  setGeometry(geometry: Geometry, roles: Uint8Array, ignored: Geometry, drawn: Geometry | null): void {
-    this.send({ type: 'geometry', geometry, roles, ignored, drawn });
+  setGeometry(geometry: Geometry, roles: Uint8Array, ignored: Geometry, drawn: Geometry | null, layers: Uint8Array): void {
+    this.send({ type: 'geometry', geometry, roles, ignored, drawn, layers });
     for (const slot of Object.values(this.slots)) {
       slot.drawn?.bitmap.close();
       slot.drawn = slot.asked = null;
@@ -51,15 +51,15 @@ export class Raster extends Emitter<{ drawn: Layer }> {
     this.slots.sheet.stale = true;
   }
 
-  setPath(path: BestPath | null, travel: Travel, changed: Uint8Array | null, ramp: boolean): void {
+  setPath(path: BestPath | null, travel: Travel, changed: Uint8Array | null, colors: Colors): void {
     this.send({ type: 'path', path, travel, changed });
-    for (const layer of LAYERS) if (layer !== 'sheet' || ramp) this.slots[layer].stale = true;
+    for (const layer of LAYERS) if (layer !== 'sheet' || colors === 'order') this.slots[layer].stale = true;
     this.slots.glow.drawn?.bitmap.close();
     this.slots.glow.drawn = null;
   }
 
-  setStyle(palette: Palette, ramp: boolean, air: boolean): void {
-    this.send({ type: 'style', palette, ramp, air });
+  setStyle(palette: Palette, colors: Colors, air: boolean): void {
+    this.send({ type: 'style', palette, colors, air });
     for (const slot of Object.values(this.slots)) slot.stale = true;
   }
 

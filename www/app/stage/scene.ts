@@ -11,8 +11,9 @@ import { drawChanges, drawFindings } from './markers.js';
 import * as overlay from './overlay.js';
 import { readPalette, type Palette } from './palette.js';
 import { Raster } from './raster.js';
-import { type Layer, type Travel, type View } from './raster-messages.js';
+import { type Colors, type Layer, type Travel, type View } from './raster-messages.js';
 import { drawPlayed, LAG } from './played.js';
+import { layerColors } from './layer-colors.js';
 import { rolesOf } from './roles.js';
 import { chainLength, firstStops, prepare, type Shapes } from './shapes.js';
 import type { Moment } from '../playback/timeline.js';
@@ -28,13 +29,21 @@ const GLOW = 900;
 /** Most device pixels per CSS pixel: beyond two nobody sees the difference, and memory grows with the square. */
 const MOST_RATIO = 2;
 
+/** Text on the sheet grows with very wide windows, whose pixels are small. */
+const textScale = () => Math.min(2, Math.max(1, innerWidth / 1920));
+
 const NOWHERE: Travel = { home: [0, 0], returnHome: false, perAxis: null };
 
 /** What is emphasised or marked on the sheet. */
 export interface Highlights {
   /** The contour under the pointer. */
   hovered: number | null;
+  /** The contour that was selected last. */
   selected: number | null;
+  /** What else is selected. */
+  others: readonly number[];
+  /** The box that is being drawn to select what is in it, CSS pixels. */
+  box: readonly [number, number, number, number] | null;
   finding: Finding | null;
   /** What another reading of the drawing would change, during a preview. */
   marks: readonly ChangeMark[];
@@ -44,14 +53,14 @@ export interface Highlights {
   partitions: Insight['partitions'];
 }
 
-const NO_HIGHLIGHTS: Highlights = { hovered: null, selected: null, finding: null, marks: [], moment: null, partitions: null };
+const NO_HIGHLIGHTS: Highlights = { hovered: null, selected: null, others: [], box: null, finding: null, marks: [], moment: null, partitions: null };
 
 export class Scene {
   private readonly raster = new Raster();
   private geometry: { shapes: Shapes; lengths: Float64Array } | null = null;
   private highlights = NO_HIGHLIGHTS;
   private travel: Travel = NOWHERE;
-  private showRamp = false;
+  private colors: Colors = 'plain';
   private showAir = true;
   private loaded: Loaded | null = null;
   /** The lines that the beam follows, where they are not the drawn ones. */
@@ -102,6 +111,10 @@ export class Scene {
     return this.highlights.selected;
   }
 
+  get box(): Highlights['box'] {
+    return this.highlights.box;
+  }
+
   get hovered(): number | null {
     return this.highlights.hovered;
   }
@@ -117,8 +130,8 @@ export class Scene {
     this.restyle();
   }
 
-  setView(options: { ramp?: boolean; air?: boolean }): void {
-    this.showRamp = options.ramp ?? this.showRamp;
+  setView(options: { colors?: Colors; air?: boolean }): void {
+    this.colors = options.colors ?? this.colors;
     this.showAir = options.air ?? this.showAir;
     this.restyle();
   }
@@ -145,7 +158,7 @@ export class Scene {
       this.path = this.held = this.stopOf = null;
       const { selected } = this;
       const contours = (beam ?? this.loaded)?.contours.length ?? 0;
-      this.highlight({ hovered: null, selected: selected !== null && selected < contours ? selected : null });
+      this.highlight({ hovered: null, selected: selected !== null && selected < contours ? selected : null, others: this.highlights.others.filter((c) => c < contours) });
       this.showContours();
     }
     this.raster.setCommon(common);
@@ -160,7 +173,7 @@ export class Scene {
     const { geometry, contours } = beam ?? loaded;
     const shapes = prepare(geometry);
     this.geometry = { shapes, lengths: Float64Array.from({ length: shapes.count }, (_, c) => chainLength(shapes, c)) };
-    this.raster.setGeometry(geometry, rolesOf(contours, loaded.outline), loaded.ignored.geometry, beam && loaded.geometry);
+    this.raster.setGeometry(geometry, rolesOf(contours, loaded.outline), loaded.ignored.geometry, beam && loaded.geometry, layerColors(contours, loaded.layers));
   }
 
   /** The bed of the machine as seen from the drawing, if it is known; `fits`: the job lies on it. */
@@ -185,7 +198,7 @@ export class Scene {
     const changed = path && !lessMotion() ? changedStops(this.path, path) : null;
     this.path = path;
     this.stopOf = null;
-    this.raster.setPath(path, this.travel, changed, this.showRamp);
+    this.raster.setPath(path, this.travel, changed, this.colors);
     this.glowing = -Infinity;
     if (changed) this.raster.need('glow', this.view());
     this.invalidate();
@@ -219,14 +232,14 @@ export class Scene {
 
   private restyle(): void {
     this.palette = readPalette(this.theme);
-    this.raster.setStyle(this.palette, this.showRamp, this.showAir);
+    this.raster.setStyle(this.palette, this.colors, this.showAir);
     this.invalidate();
   }
 
   private view(): View {
     const { viewport: v } = this;
     const ratio = Math.min(MOST_RATIO, devicePixelRatio || 1);
-    return { scale: v.scale * ratio, x: v.x * ratio, y: v.y * ratio, width: Math.round(v.width * ratio), height: Math.round(v.height * ratio), ratio };
+    return { scale: v.scale * ratio, x: v.x * ratio, y: v.y * ratio, width: Math.round(v.width * ratio), height: Math.round(v.height * ratio), ratio, text: ratio * textScale() };
   }
 
   private draw(): void {
@@ -242,7 +255,7 @@ export class Scene {
     pen.fillStyle = palette.ground;
     pen.fillRect(0, 0, view.width, view.height);
     const { loaded, shapes, path } = this;
-    const { hovered, selected, finding, marks, moment, partitions } = this.highlights;
+    const { hovered, selected, others, box, finding, marks, moment, partitions } = this.highlights;
     if (!loaded || !shapes) return;
     overlay.drawSheet(pen, view, palette, this.extent);
     if (this.bed) overlay.drawBed(pen, view, palette, this.bed.box, this.bed.fits);
@@ -256,6 +269,7 @@ export class Scene {
       overlay.drawCutMarks(pen, view, palette, path);
     }
     if (hovered !== null && hovered !== selected) overlay.drawEmphasis(pen, view, palette, shapes, hovered, false);
+    if (others.length > 0) overlay.drawSelection(pen, view, palette, shapes, others);
     if (selected !== null) {
       overlay.drawEmphasis(pen, view, palette, shapes, selected, true);
       const stop = this.stopFor(selected);
@@ -263,6 +277,8 @@ export class Scene {
     }
     drawFindings(pen, view, palette, [...loaded.findings, ...this.planFindings], finding);
     drawChanges(pen, view, palette, marks);
+    if (path && !playing) overlay.drawStart(pen, view, palette, this.travel);
+    if (box) overlay.drawBox(pen, view.ratio, palette, box);
     if (playing) overlay.drawHead(pen, view, palette, moment.x, moment.y, moment.cutting);
   }
 

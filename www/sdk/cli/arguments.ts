@@ -101,10 +101,12 @@ export function loadOptions(values: Values): LoadOptions {
   if (values['part-by-part'] === true) options.partByPart = true;
   const common = text(values, 'common-cuts');
   if (common !== undefined) options.commonCuts = oneOf('--common-cuts', common, COMMON_CUTS);
-  for (const list of ['first', 'last', 'exclude'] as const) {
+  for (const list of ['first', 'last', 'exclude', 'mark'] as const) {
     const contours = (values[list] as string[] | undefined) ?? [];
     if (contours.length > 0) options[list] = contours.map((word) => wholeNumber(list, word));
   }
+  const sequences = (values['sequence'] as string[] | undefined) ?? [];
+  if (sequences.length > 0) options.sequences = sequences.map((words) => words.split(',').map((word) => wholeNumber('sequence', word)));
   return options;
 }
 

@@ -61,6 +61,8 @@ const READING: Options = {
   'common-cuts': { value: 'HOW', about: 'how to cut contours with common cuts: together, on the best path or that of a heuristic, or separately', choices: COMMON_CUTS },
   first: { value: 'ID', about: 'process a contour before all others', repeat: true },
   last: { value: 'ID', about: 'process a contour after all others', repeat: true },
+  sequence: { value: 'ID,ID,...', about: 'process these contours in this order; others may come in between', repeat: true },
+  mark: { value: 'ID', about: 'mark a contour instead of cutting it', repeat: true },
   exclude: { value: 'ID', about: 'skip a contour; the others keep their ids', repeat: true },
 };
 

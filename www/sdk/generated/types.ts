@@ -514,6 +514,13 @@ export interface LoadOptions {
   first: Array<number>,
   /** Contours that are processed after all others, with the contours around them, by id. */
   last: Array<number>,
+  /** Contours to mark instead of cutting them, by id. A mark bounds no part: a hole in it becomes a part of its own. */
+  mark: Array<number>,
+  /**
+   * Sequences of contours, by id: each contour is finished, with everything inside it, before the next one of its sequence
+   * begins. Others may be processed in between, where that is faster.
+   */
+  sequences: Array<Array<number>>,
   /**
    * Contours to skip, by id. They stay in the list of contours with the operation `ignore`, so that the others keep their
    * ids. A hole in a skipped contour becomes a part of its own. A side that a skipped contour shares with another

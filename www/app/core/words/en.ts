@@ -7,6 +7,7 @@
  * error messages itself, in English.
  */
 
+import type { Decision } from '../../session/alternatives.js';
 import type { Anchor, DoneReason, FindingCode, LeadKind, LeadPosition, Operation, Quote, Unit, UnitsTaken } from 'kerfway';
 
 /** "1 contour", "3 contours". The number `n` chooses the form; `written` is how it is shown. */
@@ -82,6 +83,7 @@ const samples: Record<string, readonly [title: string, about: string]> = {
 /** Each key with its action. */
 const keys: readonly (readonly [string, string])[] = [
   ['O', 'Open a DXF or SVG file, or a project'],
+  ['G', 'Download the program'],
   ['S', 'Stop planning, keep the best path'],
   ['P', 'Pause or resume planning'],
   ['K', 'Keep improving'],
@@ -92,10 +94,13 @@ const keys: readonly (readonly [string, string])[] = [
   ['F', 'Fit the sheet'],
   ['Shift with arrows', 'Move the view'],
   ['C', 'Colour contours by order'],
+  ['V', 'Show the colours of layers as drawn'],
   ['A', 'Show or hide air moves'],
   ['T', 'Table of the cutting order'],
   ['1 0', 'Cut the selected contour first or last'],
-  ['X', 'Skip the selected contour'],
+  ['M X', 'Mark or skip what is selected'],
+  ['W L', 'Select the whole part, or everything like it'],
+  ['B', 'Select several: clicks and steps add, dragging draws a box'],
   ['Ctrl Z', 'Undo a choice; with Shift, redo it'],
   ['Ctrl S', 'Save the project: drawing, decisions and plan'],
   ['Esc', 'Clear the selection'],
@@ -114,10 +119,11 @@ export const en = {
     best: (time: string) => `Best so far: ${time}.`,
     read: (file: string, contours: string) => `${file}: ${contours}.`,
     decided: {
-      first: (contour: string) => `${contour}: cut first.`, last: (contour: string) => `${contour}: cut last.`, exclude: (contour: string) => `${contour}: skipped, not cut.`,
+      first: (contour: string) => `${contour}: cut first.`, last: (contour: string) => `${contour}: cut last.`, mark: (contour: string) => `${contour}: marked, not cut.`, exclude: (contour: string) => `${contour}: skipped, not cut.`,
     },
     unpinned: (contour: string) => `${contour}: no longer pinned or skipped.`,
     noPapers: (why: string) => `The methods from published papers could not be loaded. ${why}`,
+    copied: 'The G-code is on the clipboard.', notCopied: 'This browser does not let the page write to the clipboard: download the G-code instead.',
     stays: 'The current drawing and its plan stay as they were.', close: 'Close',
     back: (file: string) => `${file} is back, as you left it.`, forget: 'Forget it', forgotten: 'Forgotten: nothing of it is stored in this browser any more.',
     kept: 'Kept in this browser for your next visit.',
@@ -165,9 +171,13 @@ export const en = {
     contours: (n: number, written: string) => counted(n, written, 'contour'), openContours: (n: number, written: string) => counted(n, written, 'open contour'),
     parts: (n: number, written: string) => counted(n, written, 'part'),
     version: (name: string) => (name.startsWith('SVG') ? name : `DXF ${name}`), show: (contour: string) => `Contour ${contour}, show on the sheet`,
-    decided: { first: (contours: string) => `Cut first: ${contours}`, last: (contours: string) => `Cut last: ${contours}`, exclude: (contours: string) => `Skipped: ${contours}` },
-    unpin: { first: 'Unpin', last: 'Unpin', exclude: 'Cut again' }, others: (n: string) => `and ${n} more`,
-    unpinAll: { first: 'Unpin contours that are cut first', last: 'Unpin contours that are cut last', exclude: 'Cut again: skipped contours' },
+    decided: { first: (contours: string) => `Cut first: ${contours}`, last: (contours: string) => `Cut last: ${contours}`, mark: (contours: string) => `Marked: ${contours}`, exclude: (contours: string) => `Skipped: ${contours}` },
+    unpin: { first: 'Unpin', last: 'Unpin', mark: 'Cut', exclude: 'Cut again' }, others: (n: string) => `and ${n} more`,
+    unpinAll: { first: 'Unpin contours that are cut first', last: 'Unpin contours that are cut last', mark: 'Cut instead of marking', exclude: 'Cut again: skipped contours' },
+    inOrder: 'In this order', inOrderHint: 'Cut them in the order of this list; otherwise in the fastest order', sequence: (contours: string) => `In this order: ${contours}`,
+    anyOrder: 'Any order', anyOrderAll: 'Leave the order of this sequence to the search',
+    move: (name: string, place: string, of: string) => `Move ${name}, ${place} of ${of}: drag, or arrow keys`, removeOne: (name: string) => `Remove ${name} from this list`,
+    kinds: (n: number, written: string) => `, ${counted(n, written, 'shape')}`, copies: (n: string, size: string) => `${n} × ${size}`, copiesHint: 'Select all copies of this part',
   },
 
   layers: {
@@ -245,7 +255,7 @@ export const en = {
   },
 
   plan: {
-    title: 'Plan', method: 'Method', papers: 'From published papers', time: 'Search for', seed: 'Seed', random: 'random', used: (seed: number) => `Seed used: ${seed}`,
+    title: 'Plan', method: 'Method', papers: 'Research methods, from published papers', more: 'Research methods…', time: 'Search for', seed: 'Seed', random: 'random', used: (seed: number) => `Seed used: ${seed}`,
     bySheet: 'Passes sheet by sheet', byLayer: 'Order by layer', byPart: 'Part by part', common: 'Cut shared sides once', parameters: 'Parameters', paperValues: "Back to the paper's values", noValue: 'none',
     always: 'Always on: cut inner shapes first, reduce travel, choose best starting point, choose best direction, remove overlapping lines.',
     partitions: 'Each partition has its own colour on the sheet; a ring marks where the head leaves a contour for a partition.',
@@ -256,6 +266,7 @@ export const en = {
     title: 'Result', none: 'Results appear here when the first path is ready.', compare: 'Before and after', order: 'Order', job: 'Job', air: 'Air', travel: 'Travel',
     drawing: 'Drawing order', greedy: 'Nearest first', now: 'Now', download: 'Download', downloadKind: (kind: string) => `Download ${kind}`,
     kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)' },
+    short: { now: 'Now', greedy: 'Nearest', drawing: 'As drawn' }, beside: 'Show side by side with the plan', copy: 'Copy', copyHint: 'Copy the G-code to the clipboard',
     report: 'Report', reportHint: 'One page for the operator: picture, times, parts, order, findings', project: 'Project', projectHint: 'Save the project: drawing, decisions, machine and plan (Ctrl S)',
     saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (share: string, order: string) => `${share} of what most programs cut, nearest first; ${order}`,
     less: (time: string) => `${time} less than as drawn`, more: (time: string) => `${time} more than as drawn`,
@@ -263,6 +274,12 @@ export const en = {
     chart: 'Job time while searching', chartAxis: 'Job time while searching', chartAbove: (time: string) => `as drawn ${time} ↑`, chartNone: 'Job time while searching: no values yet.',
     chartWords: (first: string, last: string, time: string) => `Job time while searching: from ${first} to ${last} in ${time}.`,
     chartOrders: (drawing: string, greedy: string) => ` Drawing order takes ${drawing}, nearest first ${greedy}.`,
+  },
+
+  savings: {
+    title: 'What saves what', about: 'Each decision is left out once, and the rest is planned again.', ask: 'Work it out', working: 'Working…',
+    decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads' } satisfies Record<Decision, string>,
+    saves: (time: string) => `saves ${time}`, costs: (time: string) => `costs ${time}`, done: (s: number) => `Plans without a decision were searched for up to ${s} s each.`,
   },
 
   preflight: {
@@ -288,16 +305,27 @@ export const en = {
 
   contour: {
     card: 'Selected contour', numbered: (n: number) => `Contour ${n}`, place: (n: string, of: string) => `No. ${n} of ${of}`, part: (n: string) => `part ${n}`,
-    mark: 'mark', open: 'open', outer: 'outer', inner: 'inner', begins: (time: string) => `cut begins at ${time}`, rules: { first: 'Cut first', last: 'Cut last', exclude: 'Skip' }, excluded: 'skipped, not cut',
+    mark: 'mark', open: 'open', outer: 'outer', inner: 'inner', begins: (time: string) => `cut begins at ${time}`, rules: { first: 'Cut first', last: 'Cut last', mark: 'Mark', exclude: 'Skip' }, actions: 'What to do with it',
+    wholePart: (n: string) => `Part ${n}`, selected: (n: number, written: string) => (n === 0 ? 'Nothing selected.' : `${counted(n, written, 'contour')} selected.`),
+    whole: 'Whole part', wholeKey: 'Select the whole part (W)', like: (n: string) => `All ${n} like this`, likeKey: 'Select everything like this (L)',
+    keepOrder: 'Keep this order', keepOrderHint: 'Cut the selected parts in the order in which they are cut now',
+    why: {
+      first: 'You cut it first.', last: 'You cut it last.', firstInOrder: 'In the order of your list Cut first.', lastInOrder: 'In the order of your list Cut last.',
+      arranged: (after: string) => `After no. ${after}, as you arranged it.`, mark: 'Marks come before cuts.',
+      outer: (n: number, written: string) => `After the ${counted(n, written, 'contour')} inside it.`, inner: 'Before the part around it is cut free.',
+      layer: (layer: string) => `Layer ${layer} has its turn.`, byPart: 'Its part has its turn.', begin: 'The job begins here.',
+      way: (from: string, way: string, nearest: boolean) => (nearest ? `Nearest to no. ${from}, ${way} away.` : `${way} from no. ${from}.`),
+    }, excluded: 'skipped, not cut',
     before: 'Previous contour (←)', next: 'Next contour (→)', close: 'Close (Esc)',
   },
 
   table: {
-    title: 'Cutting order', rows: 'Rows of the cutting order', close: 'Close the table', columns: ['No.', 'Layer', 'Length', 'Begins', 'Entry', 'Direction'],
-    show: (n: number) => `Contour ${n}, show on the sheet`, reversed: 'reversed', asDrawn: 'as drawn', open: 'open',
+    title: 'Cutting order', rows: 'Rows of the cutting order', close: 'Close the table', columns: ['No.', '', 'Layer', 'Length', 'Begins', 'Entry', 'Direction'],
+    show: (n: number) => `Contour ${n}, show on the sheet`, move: (n: number) => `Move contour ${n} in the order: drag, or arrow keys`, drag: 'Drag rows to fix their order', inside: 'What lies inside a contour is cut before it, so it cannot be moved there.',
+    reversed: 'reversed', asDrawn: 'as drawn', open: 'open',
   },
 
-  stage: { bed: (width: string, height: string) => `bed ${width} × ${height} mm`, first: 'first', last: 'last', common: 'cut once for two parts', colours: 'Colour by order (C)', air: 'Air moves (A)', view: 'View', zoomIn: 'Zoom in (+)', zoomOut: 'Zoom out (−)', fit: 'Fit the sheet (F)' },
+  stage: { bed: (width: string, height: string) => `bed ${width} × ${height} mm`, first: 'first', last: 'last', common: 'cut once for two parts', colours: 'Colour by order (C)', layers: 'Colours of layers as drawn (V)', air: 'Air moves (A)', several: 'Select several: clicks add, dragging draws a box (B)', view: 'View', zoomIn: 'Zoom in (+)', zoomOut: 'Zoom out (−)', fit: 'Fit the sheet (F)' },
 
   playback: {
     play: 'Play', moment: 'Time in the job', speed: 'Speed', whole: 'Whole job in 20 s', pauseKey: 'Pause the cut (Space)', playKey: 'Play the cut (Space)',
@@ -306,7 +334,7 @@ export const en = {
 
   help: {
     title: 'Keys', close: 'Close', with: 'with', keys,
-    more: 'The wheel or a pinch zooms about the pointer, dragging moves the sheet, a click selects a contour. Shift with a click cuts a contour first, Alt with a click skips it. The drawing never leaves this machine.',
+    more: 'The wheel or a pinch zooms about the pointer, dragging moves the sheet, a click selects a contour. Shift with dragging selects what is in a box, Ctrl with a click adds to the selection. Shift with a click cuts a contour first, Alt with a click skips it. The drawing never leaves this machine.',
   },
 
   numbers: { locale: 'en', thousand: (n: string) => `${n} thousand`, million: (n: string) => `${n} million` },

@@ -29,18 +29,20 @@ class Room {
 }
 
 export function* paintPath(pen: Pen, view: View, subject: Subject): Generator<void> {
-  const { path, palette, travel } = subject;
+  const { path, palette } = subject;
   if (!path) return;
   const r = view.ratio;
   const p = path.points;
   const stops = path.contours.length;
   // Thousands of air moves at full width would cover the sheet.
   pen.lineWidth = (stops > 2000 ? 0.8 : 1.15) * r;
-  pen.strokeStyle = pen.fillStyle = palette.accent;
+  // Colours show the order then, so that the air moves step back.
+  pen.strokeStyle = pen.fillStyle = subject.colors === 'order' ? palette.faint : palette.accent;
   if (subject.air) {
     yield* strokeAir(pen, view, subject, stops, () => true);
     yield* airArrows(pen, view, subject);
   }
+  pen.strokeStyle = pen.fillStyle = palette.accent;
   const leads = leadShapes(path);
   if (leads) {
     // The beam is on along a lead: it is drawn as a cut, over its air moves.
@@ -68,14 +70,6 @@ export function* paintPath(pen: Pen, view: View, subject: Subject): Generator<vo
   pen.fill();
   yield* cutArrows(pen, view, subject);
   yield* numbers(pen, view, subject);
-  const hx = view.x + travel.home[0] * view.scale, hy = view.y - travel.home[1] * view.scale;
-  pen.lineWidth = 1.5 * r;
-  pen.strokeStyle = palette.accent;
-  pen.fillStyle = palette.sheet;
-  pen.beginPath();
-  pen.rect(hx - 4 * r, hy - 4 * r, 8 * r, 8 * r);
-  pen.fill();
-  pen.stroke();
 }
 
 /** An arrow in the middle of each air move that is long enough for one. */
@@ -126,7 +120,9 @@ function* numbers(pen: Pen, view: View, subject: Subject): Generator<void> {
   const { shapes, path, palette } = subject;
   const r = view.ratio;
   const room = new Room(view, 40 * r, 22 * r);
-  pen.font = `${11 * r}px system-ui, sans-serif`;
+  // Not over the start marker.
+  room.take(view.x + subject.travel.home[0] * view.scale + 6 * r, view.y - subject.travel.home[1] * view.scale - 7 * r);
+  pen.font = `${11 * view.text}px system-ui, sans-serif`;
   pen.textBaseline = 'middle';
   pen.lineWidth = 3 * r;
   pen.lineJoin = 'round';

@@ -1,5 +1,6 @@
 /** Paints all contours: those that are cut or marked, the ignored ones, and stretches that are cut once for two parts. */
 
+import { LAYER_COLORS } from '../layer-colors.js';
 import { RAMP_STEPS } from '../ramp.js';
 import { Role, type View } from '../raster-messages.js';
 import type { Pen } from '../trace.js';
@@ -29,7 +30,15 @@ export function* paintSheet(pen: Pen, view: View, subject: Subject): Generator<v
     pen.strokeStyle = palette.faint;
   }
   if (subject.drawn) yield* strokeChains(pen, view, subject.drawn, (c) => roles[c] !== Role.mark);
-  if (subject.ramp && path) {
+  if (subject.colors === 'layers') {
+    pen.lineWidth = width * 1.2;
+    for (const [color, value] of LAYER_COLORS.entries()) {
+      pen.strokeStyle = value || palette.ink;
+      yield* strokeChains(pen, view, shapes, (c) => subject.layers[c] === color && roles[c] !== Role.none);
+    }
+    return;
+  }
+  if (subject.colors === 'order' && path) {
     const step = new Uint8Array(shapes.count).fill(RAMP_STEPS);
     const stops = path.contours.length;
     for (let k = 0; k < stops; k += 1) step[path.contours[k]!] = Math.min(RAMP_STEPS - 1, Math.floor((k * RAMP_STEPS) / stops));

@@ -5,7 +5,7 @@
 
 import type { BestPath } from 'kerfway';
 import type { Palette } from '../palette.js';
-import type { Travel, View } from '../raster-messages.js';
+import type { Colors, Travel, View } from '../raster-messages.js';
 import type { Shapes } from '../shapes.js';
 import { traceChain, type Pen } from '../trace.js';
 
@@ -23,7 +23,9 @@ export interface Subject {
   /** 1 for each stop that the last improvement changed. */
   changed: Uint8Array | null;
   palette: Palette;
-  ramp: boolean;
+  colors: Colors;
+  /** By contour: the index of the colour of its layer. */
+  layers: Uint8Array;
   air: boolean;
 }
 

@@ -1,0 +1,137 @@
+// Calm and exact: what is shown before the page is built, views of the sheet, the bottom sheet, targets for fingers, keyboard alone, less motion, wide screens.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { changedFrom, drop, grid, openPage, phase, planned, sample, shot, SIZES, still } from './page-support.mjs';
+
+test('the frame of the page is visible before its script runs', async (t) => {
+  const { page, url } = await openPage(t);
+  await phase(page, 'planning', 'done');
+  await page.context().route(/\.js$/, () => {});
+  const blocked = await page.context().newPage();
+  await blocked.goto(url, { waitUntil: 'commit' });
+  await blocked.locator('.skeleton-sheet').waitFor();
+  assert.equal(await blocked.locator('.skeleton-rows i').count(), 5);
+  await blocked.close();
+  await page.context().unroute(/\.js$/);
+  // Once the page is built, nothing of it is left.
+  assert.equal(await page.locator('.skeleton-sheet').isVisible(), false);
+  assert.equal(await page.locator('.skeleton-rows').count(), 0);
+});
+
+test('the hint stays as long as there is nothing of one\'s own', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  assert.equal(await page.locator('#hint').isVisible(), true);
+  await page.getByRole('button', { name: 'Samples' }).click();
+  await page.getByRole('button', { name: /^Layers/ }).click();
+  await planned(page, 'layers.dxf');
+  assert.equal(await page.locator('#hint').isVisible(), true, 'a sample is not of one\'s own');
+  await drop(page, 'own.dxf', grid(20));
+  await planned(page, 'own.dxf');
+  assert.equal(await page.locator('#hint').isVisible(), false);
+});
+
+test('contours are shown in the colours of their layers, and one view at a time', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  await drop(page, 'layers.dxf', sample('layers.dxf'));
+  await planned(page, 'layers.dxf', 'done');
+  const plain = await still(page);
+  const pressed = (name) => page.getByRole('button', { name }).getAttribute('aria-pressed');
+  await page.keyboard.press('v');
+  await changedFrom(page, plain);
+  await still(page);
+  await shot(page, 'layer-colours');
+  await page.keyboard.press('c');
+  assert.deepEqual([await pressed(/^Colours of layers/), await pressed(/^Colour by order/)], ['false', 'true']);
+  await page.keyboard.press('v');
+  assert.deepEqual([await pressed(/^Colours of layers/), await pressed(/^Colour by order/)], ['true', 'false']);
+  await page.keyboard.press('v');
+  assert.ok((await still(page)).equals(plain), 'as before');
+});
+
+test('on a phone the bottom sheet is dragged to other heights and closed by dragging', async (t) => {
+  const { page } = await openPage(t, { size: SIZES.phone, touch: true, hash: 'seconds=1' });
+  await phase(page, 'done');
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, points) => client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
+  const drag = async (by) => {
+    const box = await page.locator('.dock-state').boundingBox();
+    const [x, y] = [box.x + 60, box.y + 10];
+    await touch('touchStart', [[x, y]]);
+    for (let k = 1; k <= 8; k += 1) await touch('touchMove', [[x, y - (by * k) / 8]]);
+    await touch('touchEnd', []);
+  };
+  const height = () => page.evaluate(() => (document.body.classList.contains('sheet-open') ? document.querySelector('#sections').offsetHeight / innerHeight : 0));
+  const near = (share) => page.waitForFunction((s) => Math.abs((document.body.classList.contains('sheet-open') ? document.querySelector('#sections').offsetHeight / innerHeight : 0) - s) < 0.02, share);
+  assert.equal(await height(), 0);
+  await drag(280);
+  await near(0.36);
+  await drag(240);
+  await near(0.62);
+  await shot(page, 'sheet-dragged');
+  await drag(-480);
+  await near(0);
+  // A tap still opens it.
+  await page.locator('.sheet-toggle').tap();
+  await page.waitForFunction(() => document.body.classList.contains('sheet-open'));
+});
+
+test('on a phone every target is at least 44 pixels high and wide', async (t) => {
+  const { page } = await openPage(t, { size: SIZES.phone, touch: true, hash: 'seconds=1' });
+  await phase(page, 'done');
+  const small = () => page.evaluate(() => [...document.querySelectorAll('button, select, input:not([type=checkbox]), summary')]
+    .filter((e) => e.checkVisibility() && e.getClientRects().length > 0 && !e.closest('.hidden'))
+    .map((e) => [e, e.getBoundingClientRect()]).filter(([, b]) => b.height < 43.5 || b.width < 43.5)
+    .map(([e, b]) => `${e.tagName} ${e.className} "${e.getAttribute('aria-label') ?? e.textContent.trim().slice(0, 30)}" ${Math.round(b.width)} x ${Math.round(b.height)}`));
+  assert.deepEqual(await small(), [], 'the stage');
+  await page.keyboard.press('Home');
+  assert.deepEqual(await small(), [], 'with the card');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('t');
+  assert.deepEqual(await small(), [], 'with the table');
+  await page.keyboard.press('t');
+  await page.locator('.sheet-toggle').tap();
+  await page.evaluate(() => document.querySelectorAll('.section, .section details').forEach((d) => (d.open = true)));
+  assert.deepEqual([...new Set(await small())], [], 'with the panel');
+});
+
+test('from opening a file to its program by keyboard alone', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('o')]);
+  await chooser.setFiles({ name: 'keys.dxf', mimeType: 'image/vnd.dxf', buffer: grid(30) });
+  await planned(page, 'keys.dxf', 'done');
+  await page.keyboard.press('Home');
+  await page.keyboard.press('l');
+  await page.keyboard.press('0');
+  await page.waitForFunction(() => /^Cut last: /.test(document.querySelector('.pins')?.textContent ?? ''));
+  await phase(page, 'done');
+  const [file] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('g')]);
+  assert.match(file.suggestedFilename(), /^keys-co2-100w-.*\.nc$/);
+});
+
+test('with less motion nothing glides or glows', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await phase(page, 'done');
+  const before = await still(page);
+  await page.keyboard.press('+');
+  // One frame later the view is where it ends.
+  await changedFrom(page, before);
+  const next = await still(page);
+  await page.keyboard.press('f');
+  await changedFrom(page, next);
+  assert.equal(await page.evaluate(() => getComputedStyle(document.querySelector('.budget span')).animationName), 'none');
+});
+
+for (const theme of ['light', 'dark']) {
+  test(`a 4k window has larger text, on the sheet too (${theme})`, async (t) => {
+    const { page } = await openPage(t, { size: { width: 3840, height: 2160 }, theme, hash: 'seconds=1' });
+    await phase(page, 'done');
+    assert.equal(await page.evaluate(() => getComputedStyle(document.body).fontSize), '18px');
+    await still(page);
+    await shot(page, `wide-${theme}`);
+  });
+}

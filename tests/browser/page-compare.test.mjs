@@ -1,0 +1,80 @@
+// Before and after: other orders on the sheet, side by side, what each decision saves; downloads and the clipboard; the chart of a new file.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { changedFrom, download, drop, grid, openPage, phase, planned, sample, serious, shot, SIZES, still } from './page-support.mjs';
+
+const total = (page) => page.locator('#playback .whole').textContent();
+/** Seconds of "627 s", "1:52.1", "16:40" and "1:02:03". */
+const inSeconds = (text) => (/ s$/.test(text) ? Number(text.replace(/[^\d.]/g, '')) : text.replace(/[^\d:.]/g, '').split(':').reduce((sum, n) => 60 * sum + Number(n), 0));
+const row = (page, name) => page.locator('.compare tbody').filter({ hasText: name }).locator('td.number').first().textContent();
+
+for (const [name, size] of Object.entries(SIZES)) {
+  for (const theme of ['light', 'dark']) {
+    test(`the sheet shows the other orders, alone and side by side (${name}, ${theme})`, async (t) => {
+      const narrow = size === SIZES.phone;
+      const { page } = await openPage(t, { size, theme, touch: narrow, hash: 'seconds=1' });
+      await phase(page, 'planning', 'done');
+      await drop(page, 'rings.dxf', sample('parts-in-parts.dxf'));
+      await planned(page, 'rings.dxf', 'done');
+      const orders = page.getByRole('group', { name: 'Before and after' });
+      const now = await still(page);
+      const jobs = {};
+      for (const [label, line] of [['Nearest', 'Nearest first'], ['As drawn', 'Drawing order'], ['Now', 'Now']]) {
+        await orders.getByRole('button', { name: label, exact: true }).click();
+        jobs[line] = inSeconds(await row(page, line));
+        await page.waitForFunction((s) => Math.abs(document.querySelector('#playback .whole').textContent.replace(/[^\d:.]/g, '').split(':').reduce((sum, n) => 60 * sum + Number(n), 0) - s) < 1, jobs[line]);
+        if (label !== 'Now') await changedFrom(page, now);
+      }
+      assert.ok(jobs.Now <= jobs['Nearest first'] && jobs['Nearest first'] <= jobs['Drawing order'] + 60);
+      await orders.getByRole('button', { name: 'Show side by side with the plan' }).click();
+      await page.locator('.second').waitFor();
+      await page.waitForFunction(() => /Nearest first · /.test(document.querySelector('.second-label').textContent));
+      const [left, right] = await Promise.all(['#canvas', '.second'].map((c) => page.locator(c).boundingBox()));
+      assert.deepEqual([left.width, left.height], [right.width, right.height], 'both have the same size');
+      await page.evaluate(() => document.activeElement.blur());
+      await page.keyboard.press(' ');
+      await page.waitForFunction(() => { const v = Number(document.querySelector('#playback input').value); return v > 1500 && v < 9000; });
+      await page.keyboard.press(' ');
+      await still(page);
+      await shot(page, `beside-${name}-${theme}`);
+      assert.deepEqual(await serious(page), []);
+      await orders.getByRole('button', { name: 'Show side by side with the plan' }).click();
+      await page.locator('.second').waitFor({ state: 'hidden' });
+      assert.match(await total(page), /\d/);
+    });
+  }
+}
+
+test('what each kind of decision saves is worked out by leaving it out', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'done');
+  await page.evaluate(() => [...document.querySelectorAll('details.more')].find((d) => d.textContent.startsWith('What saves what')).setAttribute('open', ''));
+  await page.getByRole('button', { name: 'Work it out' }).click();
+  await page.getByText('Plans without a decision were searched').waitFor();
+  const lines = await page.locator('.savings').evaluate((list) => [...list.children].map((e) => e.textContent));
+  assert.equal(lines[0], 'Order, instead of nearest first');
+  assert.match(lines[1], /^saves [\d.:]+/);
+  assert.equal(lines[2], 'Entries, instead of where lines begin');
+  assert.match(lines[3], /^saves [\d.:]+/);
+  const gain = inSeconds(await row(page, 'Nearest first')) - inSeconds(await row(page, 'Now'));
+  assert.ok(Math.abs(inSeconds(lines[1].replace('saves ', '')) - gain) < 2, 'the order saves what the headline says');
+  await shot(page, 'savings');
+});
+
+test('the program is copied, its download carries file, machine and date, and a new file starts the chart anew', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await phase(page, 'done');
+  await drop(page, 'plate.dxf', grid(40));
+  await planned(page, 'plate.dxf', 'done');
+  const copy = page.getByRole('button', { name: 'Copy', exact: true });
+  await page.waitForFunction(() => !document.querySelector('.preflight').hidden);
+  await copy.click();
+  await page.getByText('on the clipboard').waitFor();
+  const file = await download(page, () => page.locator('.dock').getByRole('button', { name: 'G-code' }).click());
+  assert.match(file.name, /^plate-co2-100w-\d{4}-\d\d-\d\d\.nc$/);
+  assert.equal(await page.evaluate(() => navigator.clipboard.readText()), file.bytes.toString());
+  const label = await page.locator('.chart').getAttribute('aria-label');
+  assert.match(label, /in (1|0\.9\d*|1\.\d+) s/, 'the chart counts the seconds of this search only');
+});
