@@ -140,7 +140,7 @@ test('a finished plan gives a quote that can be downloaded', async (t) => {
   assert.match(await page.locator('.section-body').first().textContent(), /98 parts/, 'as the drawing says');
   assert.match(await page.locator('details', { hasText: 'Density' }).last().textContent(), /Parts98, \d+ different.* kg/);
   const { name, bytes } = await download(page, () => page.getByRole('button', { name: 'Download the report' }).click());
-  assert.equal(name, 'sheet_500.quote.json');
+  assert.match(name, /^sheet_500-co2-100w-[\d-]+\.quote\.json$/);
   const report = JSON.parse(bytes);
   assert.deepEqual([report.schema, report.material.thickness, report.part_count], ['kerfway.quote/2', 3, 98]);
 });

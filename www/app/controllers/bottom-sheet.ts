@@ -24,7 +24,7 @@ export function dragSheet(edge: HTMLElement, sheet: HTMLElement, { open, toggle 
       if (!moved && Math.abs(e.clientY - begin) < SLOP) return;
       moved = true;
       if (!open()) toggle();
-      sheet.style.setProperty('--sheet', `${Math.max(0, Math.min(HEIGHTS.at(-1)!, share(e))) * 100}dvh`);
+      sheet.style.setProperty('--sheet-height', `${Math.max(0, Math.min(HEIGHTS.at(-1)!, share(e))) * 100}dvh`);
       sheet.classList.add('dragged');
     };
     const end = (e: PointerEvent) => {
@@ -39,7 +39,7 @@ export function dragSheet(edge: HTMLElement, sheet: HTMLElement, { open, toggle 
       setTimeout(() => removeEventListener('click', swallow, { capture: true }), 0);
       const at = share(e);
       const nearest = HEIGHTS.reduce((a, b) => (Math.abs(b - at) < Math.abs(a - at) ? b : a));
-      sheet.style.setProperty('--sheet', `${nearest * 100}dvh`);
+      sheet.style.setProperty('--sheet-height', `${nearest * 100}dvh`);
       if (at < CLOSED && open()) toggle();
     };
     addEventListener('pointermove', follow);

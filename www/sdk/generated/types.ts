@@ -518,7 +518,8 @@ export interface LoadOptions {
   mark: Array<number>,
   /**
    * Sequences of contours, by id: each contour is finished, with everything inside it, before the next one of its sequence
-   * begins. Others may be processed in between, where that is faster.
+   * begins. Others may be processed in between, where that is faster. A contour that is listed itself does not count as inside
+   * another one of the same sequence.
    */
   sequences: Array<Array<number>>,
   /**
