@@ -46,7 +46,7 @@ test('a dropped drawing is planned, improves, stops at once and gives G-code tha
   await page.waitForFunction(() => / s saved$|min.* saved$/.test(document.querySelector('.large').textContent));
 
   const { name, bytes: program } = await download(page, () => page.locator('.dock').getByRole('button', { name: 'G-code' }).click());
-  assert.equal(name, 'mine.nc');
+  assert.equal(name.replace(/\d{4}-\d\d-\d\d/, 'DATE'), 'mine-co2-100w-DATE.nc');
   const runs = beamRuns(program.toString());
   assert.equal(runs.length, 500);
   for (const run of runs) assert.ok(Math.hypot(run.from.x - run.to.x, run.from.y - run.to.y) < 0.01, 'a closed contour ends where it began');
