@@ -51,6 +51,28 @@ test('contours are shown in the colours of their layers, and one view at a time'
   assert.ok((await still(page)).equals(plain), 'as before');
 });
 
+test('distances are measured between ends and centres, to which clicks snap', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  const square = [[0, 0], [120, 0], [120, 90], [0, 90]].flatMap(([x, y]) => ['10', x, '20', y]);
+  const text = ['0', 'SECTION', '2', 'HEADER', '9', '$INSUNITS', '70', 4, '0', 'ENDSEC', '0', 'SECTION', '2', 'ENTITIES', '0', 'LWPOLYLINE', '8', 'CUT', '90', 4, '70', 1, ...square, '0', 'ENDSEC', '0', 'EOF'];
+  await drop(page, 'square.dxf', Buffer.from(`${text.join('\n')}\n`));
+  await planned(page, 'square.dxf', 'done', 'question');
+  await page.keyboard.press('d');
+  // The rectangle fills the stage: its corners are found where the pointer finds its outline, a few pixels off.
+  const box = await page.locator('#canvas').boundingBox();
+  const stage = await page.evaluate(() => ({ w: document.querySelector('#canvas').clientWidth, h: document.querySelector('#canvas').clientHeight }));
+  const [left, right, top, bottom] = [40, 24 + 36, 60, 40];
+  const scale = 0.94 * Math.min((stage.w - left - right) / 120, (stage.h - top - bottom) / 90);
+  const [cx, cy] = [box.x + left + (stage.w - left - right) / 2, box.y + top + (stage.h - top - bottom) / 2];
+  await page.mouse.click(cx - 60 * scale + 3, cy - 45 * scale + 3);
+  await page.mouse.click(cx + 60 * scale - 3, cy + 45 * scale - 3);
+  await page.getByText('150 mm (x 120, y 90)').waitFor();
+  await shot(page, 'measured');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.getByRole('button', { name: /^Measure/ }).getAttribute('aria-pressed'), 'false');
+});
+
 test('on a phone the bottom sheet is dragged to other heights and closed by dragging', async (t) => {
   const { page } = await openPage(t, { size: SIZES.phone, touch: true, hash: 'seconds=1' });
   await phase(page, 'done');

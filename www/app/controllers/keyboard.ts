@@ -41,14 +41,15 @@ export function bindKeyboard({ session, playback, viewport, files, layout, point
     '+': zoomIn, '=': zoomIn, '-': () => viewport.zoom(1 / ZOOM), f: () => viewport.fit(),
     'Shift+ArrowLeft': () => viewport.pan(STEP, 0), 'Shift+ArrowRight': () => viewport.pan(-STEP, 0),
     'Shift+ArrowUp': () => viewport.pan(0, STEP), 'Shift+ArrowDown': () => viewport.pan(0, -STEP),
-    c: () => flip('ramp'), v: () => flip('layers'), a: () => flip('air'), t: () => layout.toggleTable(),
+    c: () => flip('ramp'), v: () => flip('layers'), d: () => flip('measure'), a: () => flip('air'), t: () => layout.toggleTable(),
     1: () => selection.toggleSelected('first'), 0: () => selection.toggleSelected('last'), m: () => selection.toggleSelected('mark'), x: () => selection.toggleSelected('exclude'),
     b: () => flip('several'), w: () => selection.selectWhole(), l: () => selection.selectLike(),
     'Ctrl+s': () => void files.saveProject(),
     'Ctrl+z': () => session.undo(), 'Ctrl+Shift+z': redo, 'Ctrl+y': redo,
     '?': () => help.showModal(),
     Escape: () => {
-      if (!pointer.cancelHome() && !pointer.dragJob(false)) selection.clear();
+      if (pointer.measure(false)) flip('measure');
+      else if (!pointer.cancelHome() && !pointer.dragJob(false)) selection.clear();
     },
   });
 }

@@ -8,6 +8,7 @@ import { bedAround, dragged, fitsBed, hundredths, shiftOf } from '../session/pla
 import type { Session } from '../session/session.js';
 import { partsOf } from '../session/parts.js';
 import { attachGestures, type Click, type Drag } from '../stage/gestures.js';
+import { inWords, type Measured, type Point, snap } from '../stage/measure.js';
 import type { Scene } from '../stage/scene.js';
 import type { Notices } from './notices.js';
 import type { Selection } from './selection.js';
@@ -26,6 +27,8 @@ export class Pointer {
   /** Dragging moves the job on the bed instead of the view; by how much it has moved since the last drop, mm. */
   private dragged: { x: number; y: number } | null = null;
   private clickedAt = -Infinity;
+  /** Clicks measure; the points so far. */
+  private measured: { points: Measured } | null = null;
 
   constructor(
     private readonly canvas: HTMLCanvasElement, private readonly scene: Scene, private readonly session: Session, private readonly playback: Playback,
@@ -49,6 +52,32 @@ export class Pointer {
     this.setChoosing(false);
     this.notices.hide();
     return true;
+  }
+
+  /** Lets clicks measure distances, or ends that. Returns whether it was going on. */
+  measure(on: boolean): boolean {
+    const before = this.measured !== null;
+    if (!on && !before) return false;
+    this.measured = on ? { points: null } : null;
+    this.canvas.classList.toggle('placing', on);
+    this.scene.highlight({ measured: null });
+    if (on) this.notices.show(words.stage.measuring);
+    return before;
+  }
+
+  private pointAt(x: number, y: number, reach: number): Point | null {
+    const { shapes, viewport: v } = this.scene;
+    return shapes && snap(shapes, v.worldX(x), v.worldY(y), reach / v.scale);
+  }
+
+  /** The next point; after two, a new measurement begins. */
+  private measureAt(point: Point | null): void {
+    if (this.measured === null || point === null) return;
+    const { points } = this.measured;
+    this.measured.points = points === null || points[1] ? [point] : [points[0], point];
+    this.scene.highlight({ measured: this.measured.points });
+    const [a, b] = this.measured.points;
+    if (b) this.notices.show(inWords([a, b]));
   }
 
   /** Lets dragging move the job on the bed, or ends it. Returns whether it was going on. */
@@ -107,6 +136,7 @@ export class Pointer {
 
   private click(x: number, y: number, { touch, shift, alt, command }: Click): void {
     if (this.choosingHome) return this.setHome(x, y);
+    if (this.measured) return this.measureAt(this.pointAt(x, y, touch ? REACH.touch : REACH.pointer));
     const finding = this.scene.pickFinding(x, y, touch ? REACH.touch : REACH.pointer + MARKER);
     this.selection.showFinding(finding);
     if (finding) return this.onFinding(finding);

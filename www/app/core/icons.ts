@@ -31,6 +31,7 @@ export const ICONS = {
   move: 'M8 1.5v13M1.5 8h13M6 3.5l2-2 2 2M6 12.5l2 2 2-2M3.5 6l-2 2 2 2M12.5 6l2 2-2 2',
   split: 'M2 3h12v10H2zM8 3v10',
   layers: 'M8 2 14 5 8 8 2 5zM2.5 8.2 8 11l5.5-2.8M2.5 11.2 8 14l5.5-2.8',
+  measure: 'M1.5 10.5 10.5 1.5l4 4-9 9zM4.5 7.5 6 9M7.5 4.5 9 6',
   grip: 'M6 3.5h.1M10 3.5h.1M6 8h.1M10 8h.1M6 12.5h.1M10 12.5h.1',
   several: 'M2 5V2h3M8 2h1M12 2h2v2.5M14 8v1M14 12v2h-2M9 14H8M5 14H2v-3M2 8V7M6 8l1.6 1.6L10.5 6',
   more: 'M3 8h.1M8 8h.1M13 8h.1',

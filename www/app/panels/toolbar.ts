@@ -10,6 +10,8 @@ export interface StageSwitches {
   /** Contours have the colours of their layers. */
   layers(on: boolean): void;
   air(on: boolean): void;
+  /** Clicks measure distances. */
+  measure(on: boolean): void;
   /** Clicks add to the selection, and dragging draws a box around more. */
   several(on: boolean): void;
 }
@@ -43,12 +45,13 @@ export function toolbar(viewport: Viewport, switches: StageSwitches): { root: HT
     switches.layers(on);
   });
   const several = toggle(words.stage.several, 'several', false, switches.several);
-  const switchOf = { ramp, layers, air, several };
+  const measure = toggle(words.stage.measure, 'measure', false, switches.measure);
+  const switchOf = { ramp, layers, air, several, measure };
   const root = h('div', { class: 'toolbar', role: 'toolbar', 'aria-label': words.stage.view, 'aria-orientation': 'vertical' },
     button(words.stage.zoomIn, { icon: 'plus', iconOnly: true, onclick: () => viewport.zoom(1.4) }),
     button(words.stage.zoomOut, { icon: 'minus', iconOnly: true, onclick: () => viewport.zoom(1 / 1.4) }),
     button(words.stage.fit, { icon: 'fit', iconOnly: true, onclick: () => viewport.fit() }),
-    ramp, layers, air, several);
+    ramp, layers, air, several, measure);
   return {
     root, legend,
     flip: (which) => switchOf[which].click(),

@@ -8,6 +8,7 @@ import type { Beam, BestPath, Finding, Geometry, Insight, Loaded } from 'kerfway
 import { changedStops } from './changes.js';
 import { HitGrid } from './hit-grid.js';
 import { drawChanges, drawFindings } from './markers.js';
+import { drawMeasured, type Measured } from './measure.js';
 import * as overlay from './overlay.js';
 import { readPalette, type Palette } from './palette.js';
 import { Raster } from './raster.js';
@@ -44,6 +45,7 @@ export interface Highlights {
   others: readonly number[];
   /** The box that is being drawn to select what is in it, CSS pixels. */
   box: readonly [number, number, number, number] | null;
+  measured: Measured;
   finding: Finding | null;
   /** What another reading of the drawing would change, during a preview. */
   marks: readonly ChangeMark[];
@@ -53,7 +55,7 @@ export interface Highlights {
   partitions: Insight['partitions'];
 }
 
-const NO_HIGHLIGHTS: Highlights = { hovered: null, selected: null, others: [], box: null, finding: null, marks: [], moment: null, partitions: null };
+const NO_HIGHLIGHTS: Highlights = { hovered: null, selected: null, others: [], box: null, measured: null, finding: null, marks: [], moment: null, partitions: null };
 
 export class Scene {
   private readonly raster = new Raster();
@@ -255,7 +257,7 @@ export class Scene {
     pen.fillStyle = palette.ground;
     pen.fillRect(0, 0, view.width, view.height);
     const { loaded, shapes, path } = this;
-    const { hovered, selected, others, box, finding, marks, moment, partitions } = this.highlights;
+    const { hovered, selected, others, box, measured, finding, marks, moment, partitions } = this.highlights;
     if (!loaded || !shapes) return;
     overlay.drawSheet(pen, view, palette, this.extent);
     if (this.bed) overlay.drawBed(pen, view, palette, this.bed.box, this.bed.fits);
@@ -278,6 +280,7 @@ export class Scene {
     drawFindings(pen, view, palette, [...loaded.findings, ...this.planFindings], finding);
     drawChanges(pen, view, palette, marks);
     if (path && !playing) overlay.drawStart(pen, view, palette, this.travel);
+    if (measured) drawMeasured(pen, view, palette, measured);
     if (box) overlay.drawBox(pen, view.ratio, palette, box);
     if (playing) overlay.drawHead(pen, view, palette, moment.x, moment.y, moment.cutting);
   }

@@ -103,6 +103,7 @@ const keys: readonly (readonly [string, string])[] = [
   ['B', 'Select several: clicks and steps add, dragging draws a box'],
   ['Ctrl Z', 'Undo a choice; with Shift, redo it'],
   ['Ctrl S', 'Save the project: drawing, decisions and plan'],
+  ['D', 'Measure between two points'],
   ['Esc', 'Clear the selection'],
   ['?', 'Show this list'],
 ];
@@ -325,7 +326,7 @@ export const en = {
     reversed: 'reversed', asDrawn: 'as drawn', open: 'open',
   },
 
-  stage: { bed: (width: string, height: string) => `bed ${width} × ${height} mm`, first: 'first', last: 'last', common: 'cut once for two parts', colours: 'Colour by order (C)', layers: 'Colours of layers as drawn (V)', air: 'Air moves (A)', several: 'Select several: clicks add, dragging draws a box (B)', view: 'View', zoomIn: 'Zoom in (+)', zoomOut: 'Zoom out (−)', fit: 'Fit the sheet (F)' },
+  stage: { bed: (width: string, height: string) => `bed ${width} × ${height} mm`, first: 'first', last: 'last', common: 'cut once for two parts', colours: 'Colour by order (C)', layers: 'Colours of layers as drawn (V)', air: 'Air moves (A)', several: 'Select several: clicks add, dragging draws a box (B)', measure: 'Measure between two points (D)', measuring: 'Click two points: they snap to ends and centres. Esc ends it.', view: 'View', zoomIn: 'Zoom in (+)', zoomOut: 'Zoom out (−)', fit: 'Fit the sheet (F)' },
 
   playback: {
     play: 'Play', moment: 'Time in the job', speed: 'Speed', whole: 'Whole job in 20 s', pauseKey: 'Pause the cut (Space)', playKey: 'Play the cut (Space)',
