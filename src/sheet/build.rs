@@ -38,8 +38,9 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     }
     sort_by(&mut contours, |c| [c.first_shape.into(), 0, 0]);
     exclude::exclude(&mut contours, &options.exclude, copy, &mut findings);
-    exclude::mark(&mut contours, &options.mark, copy, &mut findings);
-    lettering::find(drawing, &mut contours, &options.groups, &mut findings);
+    exclude::mark(&mut contours, &options.mark, copy);
+    let in_groups = lettering::find(drawing, &mut contours, &options.groups, &mut findings);
+    findings::open_contours(drawing, &contours, &in_groups, &mut findings);
     let mut crossing = crossings::find(source, &mut contours, copy.max(MIN_CROSSING_DEPTH), &mut findings);
     if !nest::nest(&mut contours, &crossing, join) {
         let message =
@@ -179,20 +180,6 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         ));
     }
     let length = a.path.length();
-    if !a.path.closed && a.rest_of.is_none() && operation == Operation::Cut {
-        let message = format!(
-            "This contour of {length:.3} mm does not close: it is cut as an open line and frees no part. \
-             Close it in the drawing, or raise the joining tolerance."
-        );
-        findings.push(findings::shape(
-            drawing,
-            a.first_shape,
-            Code::OpenContour,
-            Severity::Warning,
-            message,
-            at,
-        ));
-    }
     Contour {
         layer,
         operation,

@@ -21,7 +21,7 @@ pub(super) fn exclude(contours: &mut [Contour], ids: &[u32], tolerance: f64, fin
         let shape = c.rest_of;
         at = path.start().unwrap_or(at);
         left += 1;
-        findings.withdraw(|f| f.at == Some(at) && matches!(f.code, Code::OpenContour | Code::SeveralLayers));
+        findings.withdraw(|f| f.at == Some(at) && f.code == Code::SeveralLayers);
         restore_outlines(contours, &path, (operation, shape), tolerance);
         contours[id as usize].path = path;
     }
@@ -34,14 +34,13 @@ pub(super) fn exclude(contours: &mut [Contour], ids: &[u32], tolerance: f64, fin
 
 /// Marks the contours with these ids instead of cutting them. Like excluded ones they contain nothing, and the sides they
 /// share are cut with the other contour.
-pub(super) fn mark(contours: &mut [Contour], ids: &[u32], tolerance: f64, findings: &mut Findings) {
+pub(super) fn mark(contours: &mut [Contour], ids: &[u32], tolerance: f64) {
     for &id in ids {
         let Some(c) = contours.get_mut(id as usize).filter(|c| c.operation == Operation::Cut) else {
             continue;
         };
         c.operation = Operation::Mark;
         let (path, shape) = (std::mem::take(&mut c.path), c.rest_of);
-        findings.withdraw(|f| f.at == path.start() && f.code == Code::OpenContour);
         restore_outlines(contours, &path, (Operation::Cut, shape), tolerance);
         contours[id as usize].path = path;
     }

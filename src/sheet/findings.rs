@@ -1,9 +1,11 @@
 //! Builders for the findings of this stage, with layer, handle and place filled in.
 
+use super::model::{Contour, Operation};
 use crate::drawing::Drawing;
-use crate::finding::{Code, Finding, Severity};
+use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::DVec2;
 use crate::machine::FarOut;
+use rustc_hash::FxHashSet;
 
 /// A finding about the shape with index `index`.
 pub(super) fn shape(
@@ -21,6 +23,28 @@ pub(super) fn shape(
         f.layer = layer_name(drawing, s.layer);
     }
     f
+}
+
+/// A finding for each contour that is cut and does not close, except those of a group, about which the group's finding tells.
+pub(super) fn open_contours(
+    drawing: &Drawing,
+    contours: &[Contour],
+    in_groups: &FxHashSet<usize>,
+    findings: &mut Findings,
+) {
+    for (index, c) in contours.iter().enumerate() {
+        if c.path.closed || c.rest_of.is_some() || c.operation != Operation::Cut || in_groups.contains(&index)
+        {
+            continue;
+        }
+        let message = format!(
+            "This contour of {:.3} mm does not close: it is cut as an open line and frees no part. Close it in the \
+             drawing, or raise the joining tolerance.",
+            c.length
+        );
+        let (code, at) = (Code::OpenContour, c.path.start());
+        findings.push(shape(drawing, c.first_shape, code, Severity::Warning, message, at));
+    }
 }
 
 /// The finding that the drawing is too far from the origin to be cut.

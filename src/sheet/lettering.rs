@@ -17,6 +17,7 @@ use crate::drawing::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::{Aabb, BoxIndex, Segment};
 use crate::order::{real, sort_by};
+use rustc_hash::FxHashSet;
 
 /// Largest side of a stroke's box, mm. Larger letters are signs, and their strokes are as likely slots.
 const LARGEST_STROKE: f64 = 30.0;
@@ -32,18 +33,20 @@ const MIN_BENT: f64 = 0.2;
 /// Number of boxes looked at for each stroke. Letters have a few neighbours; a crowd of thousands is found through them.
 const BOXES_PER_STROKE: usize = 64;
 
-/// Finds the groups, reports them, and gives them the operations that were chosen.
+/// Finds the groups, reports them, and gives them the operations that were chosen. Returns the contours of the groups:
+/// that they are open is what their group says.
 pub(super) fn find(
     drawing: &Drawing,
     contours: &mut [Contour],
     choices: &[(Group, Operation)],
     findings: &mut Findings,
-) {
+) -> FxHashSet<usize> {
     let lettering = lettering(contours);
     if lettering.is_empty() {
-        return;
+        return FxHashSet::default();
     }
     let leaders = leaders(contours, &lettering);
+    let all = lettering.iter().chain(&leaders).copied().collect();
     for (group, members) in [(Group::Lettering, lettering), (Group::Leaders, leaders)] {
         let Some(&first) = members.first() else { continue };
         let choice = choices.iter().rev().find(|(g, _)| *g == group).map(|(_, operation)| *operation);
@@ -67,14 +70,10 @@ pub(super) fn find(
         }
         findings.push(finding);
         if let Some(operation) = choice {
-            let places: Vec<_> = members.iter().map(|&c| contours[c].path.start()).collect();
             members.iter().for_each(|&c| contours[c].operation = operation);
-            if operation != Operation::Cut {
-                // What is not cut through need not close.
-                findings.withdraw(|f| f.code == Code::OpenContour && places.contains(&f.at));
-            }
         }
     }
+    all
 }
 
 fn told(contours: &[Contour], members: &[usize]) -> String {

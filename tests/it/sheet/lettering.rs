@@ -39,6 +39,8 @@ fn lettering_and_its_leader_are_offered_and_stay_cut_until_the_person_chooses() 
     assert_eq!((told.len(), told[0].count, told[0].severity), (1, 12, Severity::Warning));
     assert_eq!((told[0].layer.as_deref(), told[0].at), (Some("0"), Some(p(20.0, 20.0))));
     assert_eq!(findings(&s, Code::Leaders)[0].count, 1);
+    let open = findings(&s, Code::OpenContour);
+    assert_eq!((open.len(), open[0].at), (1, Some(p(20.0, 60.0))), "the group tells about its strokes");
     assert!(
         s.contours.iter().all(|c| c.operation == Operation::Cut),
         "nothing is changed without being told"
