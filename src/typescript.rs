@@ -101,6 +101,8 @@ fn generated() -> String {
         machine::LeadShape,
         machine::LeadRule,
         machine::Leads,
+        machine::Levers,
+        machine::MovingPierce,
         machine::dialect::FileUnit,
         machine::dialect::Decimals,
         machine::dialect::DwellUnit,

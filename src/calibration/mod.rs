@@ -108,6 +108,7 @@ impl Job {
         let machine = &plan.machine;
         let air = AirTime::new(machine);
         let (mut head, mut height) = (machine.home(), 0.0);
+        let mut moving = false;
         let (mut fixed, mut pierces, mut cuts) = (0.0, 0.0, Vec::new());
         for step in &plan.moves {
             match step {
@@ -117,6 +118,7 @@ impl Job {
                     head = to;
                 }
                 Move::Pierce => pierces += 1.0,
+                Move::MovingStart => moving = true,
                 Move::PreCut { to, .. } => {
                     fixed += machine.pre_cut_time.unwrap_or(0.0);
                     head = DVec2::from(*to);
@@ -130,7 +132,7 @@ impl Job {
                     let known = contour.first().and_then(|c| plan.contours.get(c as usize));
                     let mark = known.is_some_and(|c| c.operation == Operation::Mark);
                     let process = plan.process_by_id(contour.first());
-                    fixed += machine.beam_delays();
+                    fixed += machine.delays_of_cut(std::mem::take(&mut moving));
                     cuts.push((mark, process, Element::segments(path, &mut head)));
                 }
             }

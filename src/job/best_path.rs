@@ -118,6 +118,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64
     let mut runs: Vec<[f64; 2]> = Vec::with_capacity(parts.len());
     let mut goes_on = false;
     let (mut now, mut head, mut height) = (0.0, machine.home(), 0.0);
+    let mut moving = false;
     // The contour whose passes go on until the next air move.
     let mut repeated = None;
     for step in &plan.moves {
@@ -128,6 +129,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64
                 head = *to;
             }
             Move::Pierce => now += machine.pierce_time,
+            Move::MovingStart => moving = true,
             Move::PreCut { to, .. } => {
                 now += machine.pre_cut_time.unwrap_or(0.0);
                 head = *to;
@@ -138,7 +140,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64
                 height = *z;
             }
             Move::Cut { contour, path, .. } => {
-                let begin = now + machine.beam_on_delay;
+                let begin = now + if std::mem::take(&mut moving) { 0.0 } else { machine.beam_on_delay };
                 let end = begin + cut_time(machine, &sheet.process_by_id(*contour, machine), path);
                 let passes =
                     sheet.contours.get(*contour as usize).map_or(1, |c| sheet.passes_at_once(c, machine));

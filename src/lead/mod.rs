@@ -14,6 +14,7 @@
 mod findings;
 mod inscribed;
 mod ladder;
+mod moving;
 mod planner;
 mod run;
 mod scrap;
@@ -21,5 +22,6 @@ mod shape;
 
 pub use findings::findings;
 pub use ladder::{Fit, Outcome};
+pub use moving::starts_moving;
 pub use planner::{ContourLeads, Entry, Planner};
 pub use run::{Lead, Run};

@@ -6,7 +6,7 @@ use super::run::Lead;
 use super::scrap::Scrap;
 use super::shape::Spot;
 use crate::geometry::{Aabb, DVec2, Path};
-use crate::machine::{LeadKind, LeadPosition, LeadShape, LeadSide, Leads, Profile};
+use crate::machine::{LeadKind, LeadPosition, LeadRule, LeadShape, LeadSide, Leads, Profile};
 use crate::sheet::{Contour, Operation, Sheet};
 
 /// Number of evenly spaced places that are tried in addition, where the entries of a contour have no room.
@@ -16,7 +16,7 @@ const MORE_PLACES: usize = 32;
 pub struct Planner<'s> {
     sheet: &'s Sheet,
     machine: &'s Profile,
-    leads: &'s Leads,
+    leads: Leads,
     scrap: Scrap<'s>,
 }
 
@@ -39,9 +39,12 @@ pub struct Entry {
 }
 
 impl<'s> Planner<'s> {
-    /// The planner for a sheet; `None` if the machine has no leads.
+    /// The planner for a sheet; `None` if the machine has no leads, and cuts nothing again.
     pub fn new(sheet: &'s Sheet, machine: &'s Profile) -> Option<Self> {
-        let leads = machine.leads.as_ref().filter(|l| !l.rules.is_empty())?;
+        let leads = machine.leads.clone().unwrap_or_default();
+        if leads.rules.is_empty() && machine.levers.cut_again(f64::INFINITY) <= 0.0 {
+            return None;
+        }
         let bed =
             machine.bed.map(|[x0, y0, x1, y1]| Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) });
         // A job that does not lie on the bed is reported elsewhere.
@@ -63,7 +66,16 @@ impl<'s> Planner<'s> {
         }
         let hole = !known.depth.is_multiple_of(2);
         let side = if hole { LeadSide::Hole } else { LeadSide::Outer };
-        let rule = self.leads.rule(side, known.bounds.size().max_element(), known.length)?;
+        let asked = self.leads.rule(side, known.bounds.size().max_element(), known.length);
+        let again = self.machine.levers.cut_again(known.length);
+        let rule = &match asked {
+            // What is pierced at speed is cut again, except for a gap, which is pierced at rest.
+            Some(rule) if rule.overcut >= 0.0 => {
+                LeadRule { overcut: rule.overcut.max(again), ..rule.clone() }
+            }
+            Some(rule) => rule.clone(),
+            None => LeadRule { overcut: again, ..LeadRule::default() },
+        };
         let kinds = [rule.lead_in.kind, rule.lead_out.kind];
         if kinds == [LeadKind::None; 2] && rule.overcut.total_cmp(&0.0).is_eq() {
             return None;

@@ -35,7 +35,12 @@ impl Profile {
         self.sharp_corner.map_or(0.0, |c| c.time + self.beam_delays())
     }
 
-    /// Seconds of beam delays before and after every run of the beam.
+    /// Seconds of beam delays of a run that begins moving, or at rest.
+    pub fn delays_of_cut(&self, moving: bool) -> f64 {
+        if moving { self.beam_off_delay } else { self.beam_delays() }
+    }
+
+    /// Seconds of beam delays before and after every run of the beam that begins at rest.
     pub fn beam_delays(&self) -> f64 {
         self.beam_on_delay + self.beam_off_delay
     }

@@ -6,6 +6,7 @@
 //! makers of such machines. The reason for each figure stands beside it.
 
 use super::dialect::DialectChoice;
+use super::levers::Levers;
 use super::process::Process;
 use super::profile::{Axes, Profile, Takes, Travel};
 use super::sharp_corner::SharpCorner;
@@ -71,6 +72,7 @@ fn co2_100w() -> Profile {
         z_speed: None,
         materials: Vec::new(),
         leads: None,
+        levers: Levers::default(),
         // A high-voltage CO2 supply rises and falls within a few ms.
         beam_on_delay: 0.005,
         beam_off_delay: 0.005,
@@ -111,6 +113,7 @@ fn diode_hobby() -> Profile {
         z_speed: None,
         materials: Vec::new(),
         leads: None,
+        levers: Levers::default(),
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         takes: Takes::Gcode,
@@ -152,6 +155,7 @@ fn fibre_3kw_thin() -> Profile {
         z_speed: None,
         materials: Vec::new(),
         leads: None,
+        levers: Levers::default(),
         // The gas and the height control need time to settle.
         beam_on_delay: 0.05,
         beam_off_delay: 0.02,
@@ -179,6 +183,7 @@ fn fibre_6kw_thick() -> Profile {
         z_speed: None,
         materials: Vec::new(),
         leads: None,
+        levers: Levers::default(),
         // The oxygen pressure is built up and released.
         beam_on_delay: 0.2,
         beam_off_delay: 0.1,
@@ -307,6 +312,7 @@ fn length(name: &str, title: &str, travel: Travel) -> Profile {
         z_speed: None,
         materials: Vec::new(),
         leads: None,
+        levers: Levers::default(),
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         takes: Takes::Gcode,

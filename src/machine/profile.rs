@@ -2,6 +2,7 @@
 
 use super::dialect::DialectChoice;
 use super::leads::Leads;
+use super::levers::Levers;
 use super::process::Process;
 use super::settings::MaterialSetting;
 use super::sharp_corner::SharpCorner;
@@ -113,6 +114,10 @@ pub struct Profile {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub leads: Option<Leads>,
+    /// Levers: abilities that make jobs shorter. Default: all off.
+    #[serde(default, skip_serializing_if = "Levers::is_none")]
+    #[cfg_attr(test, ts(optional, as = "Option<Levers>"))]
+    pub levers: Levers,
     /// Speed at which the head is lowered and raised, mm/s; `None` if it cannot be.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]

@@ -5,6 +5,7 @@
 
 use super::dialect::Dialect;
 use super::leads::Leads;
+use super::levers::Levers;
 use super::profile::Profile;
 use super::settings::Settings;
 use crate::fields::{Fault, Field, FieldError, Kind, Range, Shape, Shaped, out_of_range};
@@ -35,6 +36,11 @@ pub enum ProfileError {
         "The machine's field \"bed\" is [{0}, {1}, {2}, {3}]. Give [xmin, ymin, xmax, ymax] in mm, the least values first."
     )]
     Bed(f64, f64, f64, f64),
+    /// A lever that the machine cannot have.
+    #[error(
+        "The machine has levers.moving_pierce and pre_cut_time. A cut that is left unfinished is not begun moving: give one of them."
+    )]
+    MovingPreCuts,
     /// There is no such dialect, or its document contradicts itself.
     #[error("{0}")]
     Dialect(String),
@@ -48,6 +54,9 @@ impl From<ProfileError> for FieldError {
             }
             ProfileError::Materials(_) => Self::new(Fault::Contradiction, "materials", error.to_string()),
             ProfileError::Bed(..) => Self::new(Fault::Contradiction, "bed", error.to_string()),
+            ProfileError::MovingPreCuts => {
+                Self::new(Fault::Contradiction, "levers.moving_pierce", error.to_string())
+            }
             ProfileError::Dialect(sentence) => Self::new(Fault::Contradiction, "dialect", sentence),
         }
     }
@@ -101,6 +110,7 @@ const SHAPE: Shape = Shape {
         Field::nullable("z_speed", Kind::Number(SPEED)),
         Field::optional("materials", Kind::List(&Kind::Object(MATERIAL))),
         Field::nullable("leads", Kind::Object(Leads::FIELDS)),
+        Field::optional("levers", Kind::Object(Levers::FIELDS)),
         Field::required("beam_on_delay", Kind::Number(DELAY)),
         Field::required("beam_off_delay", Kind::Number(DELAY)),
         Field::optional("takes", Kind::Choice(&["gcode", "dxf", "svg"])),
@@ -202,11 +212,15 @@ impl Profile {
         let given = values.into_iter().filter_map(|(field, value, range)| Some((field, value?, range)));
         match given
             .chain(self.leads.iter().flat_map(Leads::numbers))
+            .chain(self.levers.numbers())
             .find(|(_, value, range)| !range.holds(*value))
         {
             None => match self.bed {
                 Some([x0, y0, x1, y1]) if x0 >= x1 || y0 >= y1 => Err(ProfileError::Bed(x0, y0, x1, y1)),
                 _ => {
+                    if self.levers.moving_pierce.is_some() && self.pre_cut_time.is_some() {
+                        return Err(ProfileError::MovingPreCuts);
+                    }
                     self.dialect.document().map_err(ProfileError::Dialect)?;
                     self.check_materials()
                 }

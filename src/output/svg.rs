@@ -58,7 +58,7 @@ pub fn svg(plan: &Plan, sheet: &Sheet, profile: &Profile) -> String {
 fn reach(plan: &Plan, home: DVec2) -> Aabb {
     plan.moves.iter().fold(Aabb::of(home), |b, step| match step {
         Move::Air { to } | Move::PreCut { to, .. } => b.with(*to),
-        Move::Pierce | Move::Macro { .. } | Move::Height { .. } => b,
+        Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } => b,
         Move::Cut { path, .. } => path.iter().fold(b, |b, s| b.union(s.bounds())),
     })
 }
@@ -136,7 +136,7 @@ fn air(out: &mut String, plan: &Plan, home: DVec2) {
                 let _ = write!(out, "M{}L{}", Point(at), Point(*to));
                 at = *to;
             }
-            Move::Pierce | Move::Macro { .. } | Move::Height { .. } => {}
+            Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } => {}
             Move::PreCut { to, .. } => at = *to,
             Move::Cut { path, .. } => at = path.last().map_or(at, Segment::end),
         }

@@ -8,13 +8,14 @@ use crate::sheet::Sheet;
 /// The sums over moves on a sheet that start at the machine's home. The moves do not contain the number of parts or a lower
 /// bound, so `parts` is 0 and there is no gap.
 ///
-/// Every cut and mark is charged the beam delays, and every piercing the pierce time; both are in `pierce_time`. A contour
+/// Every cut and mark is charged the beam delays, but only the one after it if it begins moving, and every piercing the pierce time; both are in `pierce_time`. A contour
 /// that is cut in several stretches or passes counts once.
 pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
     let air = AirTime::new(machine);
     let mut sum = Summary::default();
     let mut bounds = Aabb::EMPTY;
     let (mut head, mut height) = (machine.home(), 0.0);
+    let mut moving = false;
     let mut worked = vec![false; sheet.contours.len()];
     for step in moves {
         match step {
@@ -26,6 +27,10 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
             Move::Pierce => {
                 sum.pierces += 1;
                 sum.pierce_time += machine.pierce_time;
+            }
+            Move::MovingStart => {
+                sum.moving_starts += 1;
+                moving = true;
             }
             Move::PreCut { to, .. } => {
                 sum.pre_cuts += 1;
@@ -50,7 +55,7 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
                 sum.lead_length +=
                     [lead_in, overcut, lead_out].into_iter().flatten().map(Segment::length).sum::<f64>();
                 sum.cut_time += cut_time(machine, &process, path);
-                sum.pierce_time += machine.beam_delays();
+                sum.pierce_time += machine.delays_of_cut(std::mem::take(&mut moving));
                 bounds = path.iter().fold(bounds, |b, s| b.union(s.bounds()));
                 head = last.end();
             }

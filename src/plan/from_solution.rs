@@ -3,7 +3,7 @@
 use super::evaluate::evaluate;
 use super::model::{Leads, Move, Plan};
 use crate::geometry::{DVec2, Path, Segment};
-use crate::lead::{Lead, Run};
+use crate::lead::{Lead, Run, starts_moving};
 use crate::machine::{Process, Profile};
 use crate::problem::{Problem, Stroke};
 use crate::sheet::Sheet;
@@ -32,8 +32,9 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
             }
             continue;
         }
-        let (path, leads) = match problem.items.get(contour as usize).and_then(|i| i.lead(stop.node)) {
-            Some((lead, _)) => with_leads(lead, &known.path, stop.along),
+        let lead = problem.items.get(contour as usize).and_then(|i| i.lead(stop.node)).map(|l| l.0);
+        let (path, leads) = match lead {
+            Some(lead) => with_leads(lead, &known.path, stop.along),
             None => (path_of(&known.path, stop, node.reversed), Leads::default()),
         };
         let (Some(first), Some(last)) = (path.first(), path.last()) else { continue };
@@ -41,12 +42,19 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         go(&mut moves, &mut head, entry);
         let resumed = begun[contour as usize].is_some();
         let passes = sheet.passes_at_once(known, &problem.machine);
+        let start = match (starts_moving(sheet, &problem.machine, known, lead), known.is_mark()) {
+            _ if resumed => None,
+            (true, _) => Some(Move::MovingStart),
+            (false, true) => None,
+            (false, false) => Some(Move::Pierce),
+        };
         for pass in 0..passes {
             lower(&mut moves, known.pass + pass, &sheet.process_of(known, &problem.machine));
             // An open contour is run there and back.
             let back = !known.path.closed && !pass.is_multiple_of(2);
             let path = if back { Path::new(path.clone(), false).reversed().segments } else { path.clone() };
-            run(&mut moves, &problem.machine, contour, path, leads, known.is_mark(), resumed);
+            moves.extend(start.clone());
+            run(&mut moves, &problem.machine, contour, path, leads, known.is_mark());
         }
         raise(&mut moves);
         head = if !known.path.closed && passes.is_multiple_of(2) { entry } else { exit };
@@ -83,22 +91,11 @@ fn raise(moves: &mut Vec<Move>) {
     }
 }
 
-/// One pass over a contour, or a stretch of it.
-fn run(
-    moves: &mut Vec<Move>,
-    machine: &Profile,
-    contour: u32,
-    path: Vec<Segment>,
-    leads: Leads,
-    mark: bool,
-    resumed: bool,
-) {
+/// One pass over a contour, or a stretch of it, after the beam's start.
+fn run(moves: &mut Vec<Move>, machine: &Profile, contour: u32, path: Vec<Segment>, leads: Leads, mark: bool) {
     if mark {
         moves.push(Move::Cut { contour, with: Vec::new(), path, mark, leads });
         return;
-    }
-    if !resumed {
-        moves.push(Move::Pierce);
     }
     cut(moves, machine, &path, leads, |_| contour);
 }

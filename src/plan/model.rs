@@ -12,6 +12,8 @@ pub enum Move {
     },
     /// Pierces at the current point.
     Pierce,
+    /// The beam goes on as the next cut or mark begins to move, so that there is no wait before it.
+    MovingStart,
     /// Leaves a contour unfinished. The beam cuts a short stretch ahead, so that the contour can be resumed from within it
     /// without piercing.
     PreCut {
@@ -110,8 +112,12 @@ pub struct Summary {
     pub open_contours: u32,
     /// Number of parts.
     pub parts: u32,
-    /// Number of piercings.
+    /// Number of piercings at rest.
     pub pierces: u32,
+    /// Number of cuts and marks that begin with the beam on as the head starts to move.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub moving_starts: u32,
     /// Number of pre-cuts.
     pub pre_cuts: u32,
     /// Length of cuts and marks, leads included.
@@ -140,6 +146,11 @@ pub struct Summary {
     pub gap: Option<f64>,
     /// Bounding box of everything cut or marked: xmin, ymin, xmax, ymax.
     pub bounds: [f64; 4],
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
+fn is_none(count: &u32) -> bool {
+    *count == 0
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
@@ -180,7 +191,7 @@ impl Plan {
         for step in &mut self.moves {
             match step {
                 Move::Air { to } => *to += shift,
-                Move::Pierce | Move::Height { .. } => {}
+                Move::Pierce | Move::MovingStart | Move::Height { .. } => {}
                 Move::PreCut { to, ahead, .. } => {
                     *to += shift;
                     run(ahead);

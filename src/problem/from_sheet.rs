@@ -7,7 +7,7 @@ use super::leads::{ItemLeads, LeadNode};
 use super::model::{Item, Node, Problem};
 use super::pierce_groups::PierceGroups;
 use super::sub_path::SubPath;
-use crate::lead::Planner;
+use crate::lead::{Planner, starts_moving};
 use crate::machine::{ClosedRun, Profile, process_time};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
@@ -63,7 +63,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
                 before: joined.before(item),
                 area: joined.area(item),
                 rank,
-                fixed: machine.pierce_time + machine.beam_delays() + least,
+                fixed: start_seconds(machine, false, leads.start_moving(sheet, machine, contour)) + least,
                 leads: Some(leads),
                 ..Item::default()
             });
@@ -130,7 +130,7 @@ fn count(nodes: &[Node]) -> NodeId {
 fn seconds(sheet: &Sheet, machine: &Profile, contour: &Contour, passes: u32) -> (f64, Option<ClosedRun>) {
     let mark = contour.operation != Operation::Cut;
     let process = &sheet.process_of(contour, machine);
-    let pierce = if mark { 0.0 } else { machine.pierce_time };
+    let start = start_seconds(machine, mark, starts_moving(sheet, machine, contour, None));
     let path = &contour.path;
     let run = if path.closed { ClosedRun::new(machine, process, mark, &path.segments) } else { None };
     let run = run.map(|run| run.repeated(passes));
@@ -140,7 +140,13 @@ fn seconds(sheet: &Sheet, machine: &Profile, contour: &Contour, passes: u32) -> 
         .map_or_else(|| rounds * process_time(machine, process, mark, &path.segments), ClosedRun::least);
     // The head is lowered to the deepest pass and raised again before it goes on.
     let deepest = f64::from(contour.pass + passes - 1) * process.z_step;
-    (rounds * (pierce + machine.beam_delays()) + least + 2.0 * machine.height_seconds(deepest), run)
+    (rounds * start + least + 2.0 * machine.height_seconds(deepest), run)
+}
+
+/// Seconds of piercing and of the beam's delays of a cut or mark.
+fn start_seconds(machine: &Profile, mark: bool, moving: bool) -> f64 {
+    let pierce = if mark || moving { 0.0 } else { machine.pierce_time };
+    pierce + machine.delays_of_cut(moving)
 }
 
 /// Seconds of leaving a contour and resuming it: the pre-cut, and the beam off and on once more. `None` for marks and open

@@ -2,7 +2,7 @@
 
 use super::entries::entries;
 use crate::geometry::{DVec2, Segment};
-use crate::lead::{ContourLeads, Entry, Lead, Outcome, Planner};
+use crate::lead::{ContourLeads, Entry, Lead, Outcome, Planner, starts_moving};
 use crate::machine::{Profile, process_time};
 use crate::sheet::{Contour, Sheet};
 
@@ -49,6 +49,11 @@ impl ItemLeads {
         let least = leads.iter().map(|l| l.1).fold(f64::INFINITY, f64::min);
         leads.iter_mut().for_each(|l| l.1 -= least);
         (!nodes.is_empty()).then_some((Self { leads, outcome }, nodes, least))
+    }
+
+    /// Whether the contour's cut begins moving: its leads have one overcut.
+    pub(super) fn start_moving(&self, sheet: &Sheet, machine: &Profile, contour: &Contour) -> bool {
+        starts_moving(sheet, machine, contour, self.leads.first().map(|l| &l.0))
     }
 
     /// The lead of a node, by its place in the item.

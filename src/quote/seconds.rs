@@ -33,11 +33,12 @@ pub(super) fn seconds(
     };
     let machine = &document.machine;
     let mut at = machine.home();
-    let (mut pierces, mut dark) = (0, true);
+    let (mut pierces, mut dark, mut moving) = (0, true, false);
     for step in &document.moves {
         match step {
             Move::Air { to } => (at, dark) = (DVec2::from(*to), true),
             Move::Pierce => pierces += 1,
+            Move::MovingStart => moving = true,
             Move::PreCut { contour, to, .. } => {
                 at = DVec2::from(*to);
                 all[owner(*contour)].times.pre_cut += machine.pre_cut_time.unwrap_or(0.0);
@@ -59,7 +60,8 @@ pub(super) fn seconds(
                 }
                 let entered = &mut all[ids.first().map_or(parts, |&id| owner(id))];
                 entered.pierces += pierces;
-                entered.times.pierce += machine.beam_delays() + f64::from(pierces) * machine.pierce_time;
+                entered.times.pierce += machine.delays_of_cut(std::mem::take(&mut moving))
+                    + f64::from(pierces) * machine.pierce_time;
                 entered.starts += f64::from(u8::from(dark));
                 (pierces, dark) = (0, false);
             }

@@ -14,7 +14,7 @@ use crate::testkit::{files, fixtures, name, plans};
 use kerfway::geometry::Segment;
 use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions};
 use kerfway::machine::dialect::{Dialect, DialectChoice, FileUnit, dialects};
-use kerfway::machine::{Profile, Start};
+use kerfway::machine::{Levers, MovingPierce, Profile, Start};
 use kerfway::output;
 use kerfway::plan::{Move, Plan};
 use kerfway::sheet::Sheet;
@@ -140,14 +140,13 @@ fn assert_right(
     }
 }
 
-fn assert_all(file: &Path, dialects: &[(DialectChoice, Dialect, Controller)]) {
-    let machine = machine();
-    let Some((job, plan)) = planned(file, &machine) else { return };
+fn assert_all(file: &Path, machine: &Profile, dialects: &[(DialectChoice, Dialect, Controller)]) {
+    let Some((job, plan)) = planned(file, machine) else { return };
     let sheet: &Sheet = job.beam_sheet();
     let mut known = Vec::new();
     for (choice, dialect, controller) in dialects {
         let what = format!("{} in {}", name(file), dialect.name);
-        let profile = with(&machine, choice.clone());
+        let profile = with(machine, choice.clone());
         let text = output::gcode(&plan, sheet, &profile, name(file).as_str(), Start::Absolute)
             .unwrap_or_else(|e| panic!("{what}: {e}"));
         assert_right(&text, &plan, &profile, dialect, *controller, &what, &mut known);
@@ -172,8 +171,21 @@ fn every_dialect_cuts_every_drawing_with_the_beam_on_where_it_should_be() {
     let dialects = shipped();
     assert_eq!(dialects.len(), 11);
     for file in all {
-        assert_all(&file, &dialects);
+        assert_all(&file, &machine(), &dialects);
     }
+}
+
+#[test]
+fn every_dialect_begins_cuts_and_marks_moving_without_a_wait() {
+    let levers = Levers { moving_pierce: Some(MovingPierce { overcut: 0.4 }) };
+    let moving = Profile { levers, ..machine() };
+    let mut starts = 0;
+    for file in files(&fixtures().join("dxf-dev"), "dxf").iter().take(6) {
+        let Some((_, plan)) = planned(file, &moving) else { continue };
+        starts += plan.summary.moving_starts;
+        assert_all(file, &moving, &shipped());
+    }
+    assert!(starts > 100, "{starts} moving starts");
 }
 
 #[test]
@@ -192,7 +204,7 @@ fn inches_and_chords_stay_within_their_tolerance() {
         own.push((DialectChoice::Document(Box::new(dialect.clone())), dialect, controller));
     }
     for file in files(&fixtures().join("dxf-dev"), "dxf").iter().take(6) {
-        assert_all(file, &own);
+        assert_all(file, &machine(), &own);
     }
 }
 

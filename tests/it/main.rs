@@ -37,6 +37,7 @@ mod leads;
 mod lower_bound;
 mod machine_time;
 mod metamorphic_intake;
+mod moving_pierce;
 mod mutation_dxf;
 mod mutation_hostile;
 mod oracle_ezdxf;

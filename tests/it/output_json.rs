@@ -140,6 +140,7 @@ fn moves(document: &Value) -> Vec<Move> {
             Move::Air { to: at }
         }
         "pierce" => Move::Pierce,
+        "moving-start" => Move::MovingStart,
         "pre-cut" => {
             let (contour, to) = (m["contour"].as_u64().unwrap() as u32, point(&m["to"]));
             let mut from = to;

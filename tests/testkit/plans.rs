@@ -41,6 +41,7 @@ pub(crate) fn machine() -> Profile {
         z_speed: None,
         materials: Vec::new(),
         leads: None,
+        levers: kerfway::machine::Levers::default(),
         pre_cut_time: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,

@@ -98,7 +98,11 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
                 head = *to;
             }
             Move::Cut { path, .. } => head = path[path.len() - 1].end(),
-            Move::Pierce | Move::PreCut { .. } | Move::Macro { .. } | Move::Height { .. } => {}
+            Move::Pierce
+            | Move::MovingStart
+            | Move::PreCut { .. }
+            | Move::Macro { .. }
+            | Move::Height { .. } => {}
         }
     }
     Plan { moves, summary }

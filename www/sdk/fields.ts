@@ -1033,6 +1033,38 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
               },
               {
                 "kind": {
+                  "object": [
+                    {
+                      "kind": {
+                        "object": [
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 100.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "thin sheet is cut through after a few millimetres"
+                              }
+                            },
+                            "name": "overcut",
+                            "nullable": false,
+                            "required": false
+                          }
+                        ]
+                      },
+                      "name": "moving_pierce",
+                      "nullable": true,
+                      "required": false
+                    }
+                  ]
+                },
+                "name": "levers",
+                "nullable": false,
+                "required": false
+              },
+              {
+                "kind": {
                   "number": {
                     "least": 0.0,
                     "most": 60.0,

@@ -13,6 +13,8 @@
 //! off. On a controller whose beam fires only during motions, the head *creeps*: it cuts a short length at the beginning
 //! so slowly that this takes the piercing time.
 //!
+//! **Moving starts** have no dwell: the beam goes on with the first motion of the cut.
+//!
 //! **Partial cuts.** A contour is resumed from its pre-cut without a pierce, so a cut without a pierce before it has no
 //! dwell. A pre-cut with a length is cut in advance, and the head returns with the beam off.
 //!
@@ -174,17 +176,18 @@ impl<'d> Writer<'d> {
             _ => (plan.moves.as_slice(), None),
         };
         let all = cuts(plan).len();
-        let (mut order, mut pierce, mut goes_on) = (0, 0.0, false);
+        let (mut order, mut pierce, mut goes_on, mut moving) = (0, 0.0, false, false);
         let mut height = 0.0;
         for step in work {
             match step {
                 Move::Air { to } => self.pen.rapid(*to),
                 Move::Pierce => pierce += self.profile.pierce_time,
+                Move::MovingStart => moving = true,
                 // A pre-cut without length is only a charge of time, so nothing is cut.
                 Move::PreCut { contour, to, ahead } if !ahead.is_empty() => {
                     self.pen.lines.comment_naming(&format!("pre-cut into contour {contour}"), "");
                     let process = CutProcess::new(&sheet.process_by_id(*contour, self.profile), height);
-                    self.contour(&process, ahead, mem::take(&mut pierce));
+                    self.contour(&process, ahead, mem::take(&mut pierce) + self.profile.beam_on_delay);
                     self.pen.rapid(*to);
                 }
                 Move::PreCut { .. } => {}
@@ -202,7 +205,8 @@ impl<'d> Writer<'d> {
                         self.pen.lines.comment_naming(&words, layer);
                     }
                     let process = CutProcess::new(&sheet.process_by_id(*contour, self.profile), height);
-                    self.contour(&process, path, mem::take(&mut pierce));
+                    let on = if mem::take(&mut moving) { 0.0 } else { self.profile.beam_on_delay };
+                    self.contour(&process, path, mem::take(&mut pierce) + on);
                 }
             }
             goes_on = matches!(step, Move::Macro { .. });
@@ -216,9 +220,8 @@ impl<'d> Writer<'d> {
         self.pen.lines.into_program()
     }
 
-    /// Writes one contour: the piercing, the path, and the dwell after it.
-    fn contour(&mut self, process: &CutProcess, path: &[Segment], pierce: f64) {
-        let seconds = pierce + self.profile.beam_on_delay;
+    /// Writes one contour: `seconds` of waiting with the beam on, the path, and the dwell after it.
+    fn contour(&mut self, process: &CutProcess, path: &[Segment], seconds: f64) {
         self.pen.set_process(process);
         let mut rest = None;
         match self.dialect.pierce.as_ref() {

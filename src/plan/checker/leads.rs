@@ -22,17 +22,30 @@ const OVERCUT: f64 = 1e-3;
 
 /// The overcut of a contour by the machine's rules, mm; negative for a gap.
 pub(super) fn overcut(sheet: &Sheet, machine: &Profile, contour: &Contour) -> f64 {
-    let half = 0.5 * contour.path.length();
-    rule(sheet, machine, contour).map_or(0.0, |r| r.overcut.clamp(-half, half))
+    wanted(sheet, machine, contour).unwrap_or(0.0)
 }
 
-fn rule<'m>(sheet: &Sheet, machine: &'m Profile, contour: &Contour) -> Option<&'m LeadRule> {
+/// The same; `None` if nothing asks for leads or an overcut. What is pierced at speed is cut again, unless it has a gap.
+fn wanted(sheet: &Sheet, machine: &Profile, contour: &Contour) -> Option<f64> {
+    let half = 0.5 * contour.path.length();
+    let again = machine.levers.moving_pierce.map_or(0.0, |p| p.overcut);
+    let asked = match rule(sheet, machine, contour)? {
+        Some(rule) if rule.overcut < 0.0 => rule.overcut,
+        Some(rule) => rule.overcut.max(again),
+        None if again > 0.0 => again,
+        None => return None,
+    };
+    Some(asked.clamp(-half, half))
+}
+
+/// The rule of a contour that may have leads.
+fn rule<'m>(sheet: &Sheet, machine: &'m Profile, contour: &Contour) -> Option<Option<&'m LeadRule>> {
     let once = sheet.process_of(contour, machine).passes == 1;
     let may = once && contour.path.closed && contour.operation == Operation::Cut && !contour.self_crossing;
     let side = if contour.depth % 2 == 1 { LeadSide::Hole } else { LeadSide::Outer };
     let size = contour.path.bounds().size();
-    let rule = machine.leads.as_ref()?.rule(side, size.x.max(size.y), contour.path.length());
-    rule.filter(|_| may)
+    let rule = || machine.leads.as_ref()?.rule(side, size.x.max(size.y), contour.path.length());
+    may.then(rule)
 }
 
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
@@ -49,15 +62,14 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         let mut fault = |what, at| found.push(Violation::Lead { step, contour: *contour, what, at });
         let start = path.first().map_or(DVec2::ZERO, Segment::start);
         let [lead_in, on, again, lead_out] = leads.divide(path);
-        let Some(rule) = rule(sheet, machine, known).filter(|_| !groups.holds(*contour)) else {
+        let Some(wanted) = wanted(sheet, machine, known).filter(|_| !groups.holds(*contour)) else {
             if !leads.is_empty() {
                 fault("is one that no rule asks for", start);
             }
             continue;
         };
-        let wanted = overcut(sheet, machine, known);
         let length = |path: &[Segment]| path.iter().map(Segment::length).sum::<f64>();
-        let has_leads = !leads.is_empty() || rule.overcut < 0.0;
+        let has_leads = !leads.is_empty() || wanted < 0.0;
         if has_leads && (length(again) - wanted.max(0.0)).abs() > OVERCUT {
             fault("has the wrong length", again.first().map_or(start, Segment::start));
         }

@@ -11,6 +11,7 @@ mod kerf;
 mod lead_room;
 mod leads;
 mod macros;
+mod moving;
 mod nesting;
 mod order;
 mod passes;
@@ -48,6 +49,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     sums::check(sheet, machine, plan, &mut found);
     kerf::check(sheet, machine, plan, &mut found);
     leads::check(sheet, machine, plan, &mut found);
+    moving::check(sheet, machine, plan, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
 }
 
@@ -76,7 +78,7 @@ fn follow(
     found: &mut Vec<Violation>,
 ) {
     let mut head = machine.home();
-    let mut pierced = false;
+    let (mut pierced, mut moving) = (false, false);
     // The contour of the previous move, if that was a cut.
     let mut just_cut = None;
     for (step, m) in macros::joined(&plan.moves, machine, groups, found) {
@@ -87,7 +89,7 @@ fn follow(
                 if !to.is_finite() {
                     found.push(Violation::NotFinite { step });
                 }
-                if pierced {
+                if pierced || std::mem::take(&mut moving) {
                     found.push(Violation::Beam { step, what: "moves away from where it pierced" });
                 }
                 pierced = false;
@@ -97,15 +99,21 @@ fn follow(
                 if !z.is_finite() {
                     found.push(Violation::NotFinite { step });
                 }
-                if pierced {
+                if pierced || moving {
                     found.push(Violation::Beam { step, what: "is lowered or raised after it pierced" });
                 }
             }
             Move::Pierce => {
-                if pierced {
+                if pierced || moving {
                     found.push(Violation::Beam { step, what: "pierces twice" });
                 }
                 pierced = true;
+            }
+            Move::MovingStart => {
+                if pierced || moving {
+                    found.push(Violation::Beam { step, what: "pierces twice" });
+                }
+                moving = true;
             }
             Move::PreCut { contour, to, ahead } if groups.holds(*contour) => {
                 just_cut = before;
@@ -133,6 +141,8 @@ fn follow(
                 head = *to;
             }
             Move::Cut { contour, with, path, mark, leads } => {
+                // A mark is not pierced, but may begin moving.
+                pierced |= std::mem::take(&mut moving) && !*mark;
                 let grouped = groups.holds(*contour);
                 let resumed = !grouped && visits.is_unfinished(*contour);
                 if *mark && pierced {
@@ -175,7 +185,7 @@ fn follow(
             }
         }
     }
-    if pierced {
+    if pierced || moving {
         found.push(Violation::Beam { step: plan.moves.len(), what: "pierces and ends" });
     }
     let left = head.distance(machine.home());

@@ -17,6 +17,7 @@ const RELATIVE: f64 = 1e-9;
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     let (mut head, mut height) = (machine.home(), 0.0_f64);
     let (mut cuts, mut pierces, mut pre_cuts, mut macros) = (0u32, 0u32, 0u32, 0u32);
+    let mut moving_starts = 0u32;
     let mut worked: Vec<u32> = Vec::new();
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
     let mut lead_length = 0.0;
@@ -29,6 +30,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 head = *to;
             }
             Move::Pierce => pierces += 1,
+            Move::MovingStart => moving_starts += 1,
             Move::PreCut { .. } => pre_cuts += 1,
             Move::Macro { .. } => macros += 1,
             Move::Height { z } => {
@@ -55,8 +57,10 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             }
         }
     }
-    let delays = machine.beam_on_delay + machine.beam_off_delay;
-    let pierce_seconds = f64::from(pierces) * machine.pierce_time + f64::from(cuts) * delays;
+    let waits = f64::from(cuts) - f64::from(moving_starts);
+    let pierce_seconds = f64::from(pierces) * machine.pierce_time
+        + waits * machine.beam_on_delay
+        + f64::from(cuts) * machine.beam_off_delay;
     let pre_cut_seconds = f64::from(pre_cuts) * machine.pre_cut_time.unwrap_or(0.0);
     let macro_seconds = machine.macro_time() * f64::from(macros);
     // A contour that is cut in several stretches counts once.
@@ -74,6 +78,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         ("the number of open contours", f64::from(s.open_contours), open),
         ("the number of parts", f64::from(s.parts), f64::from(parts)),
         ("the number of piercings", f64::from(s.pierces), f64::from(pierces)),
+        ("the number of moving starts", f64::from(s.moving_starts), f64::from(moving_starts)),
         ("the number of pre-cuts", f64::from(s.pre_cuts), f64::from(pre_cuts)),
         ("the length of air moves", s.air_length, air_length),
         ("the length of cuts", s.cut_length, cut_length),

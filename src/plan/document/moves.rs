@@ -27,6 +27,8 @@ pub enum Move {
     },
     /// Piercing on the spot.
     Pierce,
+    /// The beam goes on as the next cut or mark begins to move: no wait before it.
+    MovingStart,
     /// A bit of a contour cut ahead where the head is: the contour is resumed there later without piercing.
     PreCut {
         /// The contour's id.
@@ -102,6 +104,7 @@ impl From<&model::Move> for Move {
         match step {
             model::Move::Air { to } => Self::Air { to: place(*to) },
             model::Move::Pierce => Self::Pierce,
+            model::Move::MovingStart => Self::MovingStart,
             model::Move::PreCut { contour, to, ahead } => {
                 Self::PreCut { contour: *contour, to: place(*to), ahead: Element::all(ahead) }
             }

@@ -36,7 +36,7 @@ pub fn strokes(document: &Document) -> Vec<Stroke> {
                 at = DVec2::from(*to);
                 Some(Stroke::Air { from, to: at })
             }
-            Move::Pierce | Move::Macro { .. } | Move::Height { .. } => None,
+            Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } => None,
             Move::PreCut { to, .. } => {
                 at = DVec2::from(*to);
                 Some(Stroke::Beam {

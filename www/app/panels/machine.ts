@@ -6,6 +6,7 @@ import type { Session } from '../session/session.js';
 import { calibration } from './calibration.js';
 import { dialectEditor } from './dialect.js';
 import { leadsPanel } from './leads.js';
+import { leversPanel } from './levers.js';
 import { materials } from './materials.js';
 import { ownMachines } from './own-machines.js';
 import { check, field, section, select } from './section.js';
@@ -98,7 +99,11 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
   const travel = select<MachineProfile['travel']>((value) => edit((m) => (m.travel = value)));
   travel.root.classList.add('wide');
   const home = check(words.machine.home, (on) => edit((m) => (m.return_home = on)));
-  const partialCuts = check(words.machine.partialCuts, (on) => edit((m) => (m.pre_cut_time = on ? PRE_CUT : null)));
+  const partialCuts = check(words.machine.partialCuts, (on) => edit((m) => {
+    m.pre_cut_time = on ? PRE_CUT : null;
+    // Cuts that are left unfinished are pierced at rest.
+    if (on) delete m.levers;
+  }));
   const pausing = check(words.machine.pausing, (on) => edit((m) => (m.sharp_corner = on ? PAUSE : null)));
   const inputs = QUANTITIES.map((q) => numberInput(q, edit));
   const back = button(words.machine.back, { class: 'small', onclick: () => {
@@ -107,11 +112,12 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
   } });
   const dialect = dialectEditor(session, edit);
   const leads = leadsPanel(edit);
+  const levers = leversPanel(edit);
   const own = ownMachines(session, notify);
   const advanced = h('details', { class: 'more' }, h('summary', {}, words.machine.advanced),
     h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!, q.unit), hintOf(q)]), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
-  body.append(h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, leads.root, dialect.root, advanced, library.root, fitting, own.root));
+  body.append(h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, levers.root, leads.root, dialect.root, advanced, library.root, fitting, own.root));
 
   const show = () => {
     const { machine } = session.state;
@@ -129,6 +135,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     dialect.show(machine);
     library.show(machine);
     leads.show(machine);
+    levers.show(machine);
     QUANTITIES.forEach((q, i) => {
       const input = inputs[i]!;
       if (document.activeElement !== input) input.value = shown(q.get(machine));

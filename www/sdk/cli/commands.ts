@@ -90,6 +90,10 @@ const LEADS: Options = {
   overcut: { value: 'MM', about: 'length that is cut again after the start; a negative one, as --overcut=-0.5, leaves a gap (default 0)' },
 };
 
+const LEVERS: Options = {
+  'moving-pierce': { value: 'MM', about: 'begin marks and closed cuts moving, without a wait, and cut this length of a cut again at its end' },
+};
+
 const PLACING: Options = {
   place: {
     value: 'POINT@PLACE', about: `put a point of the job (${ANCHORS[0]}, center, ... or X,Y in the drawing) at a place of the bed (X,Y or one of its points)`,
@@ -128,6 +132,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       'Where on the bed': PLACING,
       'How to plan': PLANNING,
       'Leads': LEADS,
+      'Levers': LEVERS,
       'How to read': { ...READING, 'accept-guess': { about: 'write G-code although the unit is in doubt' } },
       'When': WATCHING, 'Messages': MESSAGES,
     },
@@ -171,6 +176,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       Output: { json: { value: 'OUT', about: 'the report (kerfway.quote/2)' } },
       'How to plan': PLANNING,
       'Leads': LEADS,
+      'Levers': LEVERS,
       'How to read': READING,
       'When': WATCHING, 'Messages': MESSAGES,
     },

@@ -9,10 +9,10 @@ import { bytesOf, Unusable, WrongUse } from './io.js';
 
 const DEFAULT_MACHINE = 'co2-100w';
 
-/** The machine of the options `--machine`, `--dialect` and those of leads. `own`: the one to take where `--machine` names none. */
+/** The machine of the options `--machine`, `--dialect` and those of leads and levers. `own`: the one to take where `--machine` names none. */
 export async function machineOf({ values }: Words, planner: Planner, own?: MachineProfile): Promise<MachineProfile> {
   const word = text(values, 'machine');
-  const machine = withLeads(values, word === undefined && own !== undefined ? own : await named(word ?? DEFAULT_MACHINE, planner));
+  const machine = withLevers(values, withLeads(values, word === undefined && own !== undefined ? own : await named(word ?? DEFAULT_MACHINE, planner)));
   const dialect = text(values, 'dialect');
   return dialect === undefined ? machine : { ...machine, dialect: await dialectOf(dialect, machine, planner) };
 }
@@ -33,6 +33,15 @@ function withLeads(values: Words['values'], machine: MachineProfile): MachinePro
   // An overcut alone, or a lead-out alone, is no wish for a lead-in.
   const leads = leadRules({ kind: 'none', ...given });
   const changed = { ...machine, leads };
+  checked(() => checkMachine(changed), WrongUse, '');
+  return changed;
+}
+
+/** The machine with the levers that the options ask for. */
+function withLevers(values: Words['values'], machine: MachineProfile): MachineProfile {
+  const overcut = number(values, 'moving-pierce');
+  if (overcut === undefined) return machine;
+  const changed = { ...machine, levers: { ...machine.levers, moving_pierce: { overcut } } };
   checked(() => checkMachine(changed), WrongUse, '');
   return changed;
 }

@@ -241,6 +241,21 @@ export interface Leads {
   rules: Array<LeadRule>,
 }
 
+/** The levers that are switched on. */
+export interface Levers {
+  /** The beam goes on as the head starts to move; `null`: the head pierces at rest. */
+  moving_pierce?: MovingPierce,
+}
+
+/**
+ * Piercing while the head moves: for marks, and for closed cuts in material that is thin enough. Neither the piercing time
+ * nor the delay of the beam before a cut is spent then.
+ */
+export interface MovingPierce {
+  /** Length of a closed cut that is cut again at its end because the beam was not through at its beginning, mm. Default 0. */
+  overcut?: number,
+}
+
 /** Unit of coordinates in the program. */
 export type FileUnit = "mm" | "inch";
 
@@ -413,6 +428,8 @@ export interface MachineProfile {
   kerf_width?: number,
   /** Lead-ins, lead-outs and overcuts; `null` for none of them: cuts begin and end on their contours. */
   leads?: Leads | null,
+  /** Levers: abilities that make jobs shorter. Default: all off. */
+  levers?: Levers,
   /** Speed at which the head is lowered and raised, mm/s; `null` if it cannot be. */
   z_speed?: number | null,
   /** Settings for materials, by name. */
@@ -694,8 +711,10 @@ export interface Summary {
   open_contours: number,
   /** Number of parts. */
   parts: number,
-  /** Number of piercings. */
+  /** Number of piercings at rest. */
   pierces: number,
+  /** Number of cuts and marks that begin with the beam on as the head starts to move. */
+  moving_starts?: number,
   /** Number of pre-cuts. */
   pre_cuts: number,
   /** Length of cuts and marks, leads included. */

@@ -242,6 +242,11 @@ export const en = {
     custom: 'This machine has lead rules of its own.', replace: 'Replace them by one lead for all', ownRules: 'own rules',
   },
 
+  levers: {
+    moving: 'Begin cuts moving', overcut: 'Cut again at the end',
+    about: 'For marks, and for sheet so thin that the beam is through at once: it goes on as the head starts, without a wait. Open cuts and cuts in several passes still begin at rest.',
+  },
+
   placement: {
     title: 'On the bed', position: 'Position', asDrawn: 'As drawn', atPoint: 'A point of the job at', point: 'Point of the job', x: 'x', y: 'y',
     points: {

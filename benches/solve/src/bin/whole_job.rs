@@ -1,0 +1,81 @@
+//! Seconds of whole jobs, natively: `kerfway-bench-whole-job FILE --machines JSON [--moves N] [--seed S]`.
+//!
+//! `--machines` is a list of `{"preset": NAME, "set": {...}}`: the fields that `set` gives replace those of the preset. For
+//! each, a JSON line: the seconds of the nearest-next path with holes first on the preset as it is, and those of the best
+//! path that the search finds on the changed machine. Every plan is checked.
+
+use kerfway::job::{Job, LoadOptions, problem_of};
+use kerfway::machine::{self, Profile};
+use kerfway::plan::{self, Plan};
+use kerfway::solve::{self, Status};
+use serde_json::{Value, json};
+
+fn main() {
+    if let Err(why) = run() {
+        eprintln!("{why}");
+        std::process::exit(1);
+    }
+}
+
+fn run() -> Result<(), String> {
+    let (mut file, mut machines, mut moves, mut seed) = (String::new(), String::new(), 200_000, 1);
+    let mut args = std::env::args().skip(1);
+    while let Some(word) = args.next() {
+        let mut next = || args.next().ok_or(format!("{word} needs a value."));
+        match word.as_str() {
+            "--machines" => machines = next()?,
+            "--moves" => moves = next()?.parse().map_err(|_| "--moves needs a number.")?,
+            "--seed" => seed = next()?.parse().map_err(|_| "--seed needs a number.")?,
+            _ => file = word,
+        }
+    }
+    let bytes = std::fs::read(&file).map_err(|e| format!("{file}: {e}"))?;
+    let machines: Vec<Value> = serde_json::from_str(&machines).map_err(|e| e.to_string())?;
+    for machine in machines {
+        println!("{}", row(&file, &bytes, &machine, moves, seed)?);
+    }
+    Ok(())
+}
+
+fn row(file: &str, bytes: &[u8], wanted: &Value, moves: u64, seed: u64) -> Result<Value, String> {
+    let name = wanted["preset"].as_str().unwrap_or_default();
+    let preset = machine::preset(name).ok_or(format!("There is no machine {name}."))?;
+    let machine = changed(&preset, &wanted["set"])?;
+    let nearest = planned(bytes, &preset, 0, seed)?;
+    let ours = planned(bytes, &machine, moves, seed)?;
+    let s = &ours.summary;
+    Ok(json!({
+        "file": file, "preset": name, "set": wanted["set"], "contours": s.contours,
+        "nearest_next": nearest.summary.total_time, "total": s.total_time, "air": s.air_time, "cut": s.cut_time,
+        "pierce": s.pierce_time,
+    }))
+}
+
+fn changed(preset: &Profile, set: &Value) -> Result<Profile, String> {
+    let mut value = serde_json::to_value(preset).map_err(|e| e.to_string())?;
+    for (field, to) in set.as_object().into_iter().flatten() {
+        value[field] = to.clone();
+    }
+    serde_json::from_value(value).map_err(|e| e.to_string())
+}
+
+/// The plan after some moves of the search, checked; without moves, the nearest-next path.
+fn planned(bytes: &[u8], machine: &Profile, moves: u64, seed: u64) -> Result<Plan, String> {
+    let job = Job::load(bytes.to_vec(), "sheet", &LoadOptions::default()).map_err(|e| e.to_string())?;
+    let sheet = job.sheet();
+    let problem = problem_of(sheet, machine);
+    let method = solve::method("tour-tree").ok_or("There is no method tour-tree.")?;
+    let mut search = method.start(&problem, seed, None);
+    let mut left = moves;
+    while left > 0 {
+        let step = search.step(left);
+        left -= step.done.min(left);
+        if step.status == Status::Exhausted {
+            break;
+        }
+    }
+    let solution = if moves == 0 { solve::greedy(&problem) } else { search.best().clone() };
+    let plan = plan::from_solution(sheet, &problem, &solution);
+    plan::check(sheet, machine, &plan).map_err(|v| format!("{v:?}"))?;
+    Ok(plan)
+}

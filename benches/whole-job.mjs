@@ -1,0 +1,85 @@
+// Seconds of whole jobs: what the search and each lever of docs/levers.md save against the nearest-next path with holes first on
+// the same preset without levers:
+//
+//     npm run bench -- whole-job [drawings|sheets|plates]... [--moves N] [--preset NAME] [--only NAME] [--data FOLDER]
+//
+// Drawings are those of tests/fixtures/dxf-dev, and of `FOLDER/dxf-dev` with `--data FOLDER`; sheets are those of benches/data;
+// plates are perforated ones that benches/solve/grids.mjs draws. Budgets are in moves, so the figures do not depend on the
+// machine's load. Every plan is checked.
+
+import { rmSync } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
+import { parseArgs } from 'node:util';
+import { ROOT, run, Stop } from '../scripts/tools.mjs';
+import { Instances } from './common/data.mjs';
+import { drawings } from './common/drawings.mjs';
+import { median, rows, table } from './common/table.mjs';
+import { drawn } from './solve/grids.mjs';
+
+const HERE = join(ROOT, 'benches', 'solve');
+const NATIVE = join(HERE, 'target', 'release', 'whole_job');
+/** What each lever sets, by machine. */
+const LEVERS = {
+  // 1 mm sheet is through after some milliseconds: at this acceleration within half a millimetre.
+  'fibre-3kw-thin': { 'moving pierce': { levers: { moving_pierce: { overcut: 0.5 } } } },
+  // Acrylic is cut at a speed at which the beam is through at once.
+  'co2-100w': { 'moving pierce': { levers: { moving_pierce: { overcut: 1 } } } },
+  // No piercing and no delays: nothing to save. Plate is pierced at rest.
+  'diode-hobby': {},
+  'fibre-6kw-thick': {},
+};
+const PLATES = [['round', 20], ['round', 100], ['staggered', 20], ['slots', 20]];
+const SETS = {
+  drawings: ({ data, only }) => drawings([join(ROOT, 'tests', 'fixtures', 'dxf-dev'), ...(data ? [join(data, 'dxf-dev')] : [])], only),
+  sheets: ({ instances, only = '' }) => [100, 500, 2000].map((n) => `sheets/sheet_${n}.dxf`).filter((f) => f.includes(only)).map((f) => instances.file(f)),
+  plates: ({ only = '' }) => PLATES.filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => drawn(name, side)),
+};
+
+export async function bench(args) {
+  const { values, positionals } = parseArgs({
+    args,
+    allowPositionals: true,
+    options: { moves: { type: 'string' }, preset: { type: 'string' }, only: { type: 'string' }, data: { type: 'string' } },
+  });
+  const unknown = positionals.find((name) => !(name in SETS));
+  if (unknown !== undefined) throw new Stop(`There is no set ${unknown}: ${Object.keys(SETS).join(', ')}.`);
+  console.log('bench: the planner, natively');
+  run('cargo', ['build', '--release', '--manifest-path', join(HERE, 'Cargo.toml'), '--bin', 'whole_job']);
+  const { moves = '1000000', preset: only } = values;
+  const options = { ...values, instances: new Instances(values.data) };
+  const presets = Object.keys(LEVERS).filter((name) => only === undefined || name === only);
+  for (const name of positionals.length > 0 ? positionals : Object.keys(SETS)) {
+    const files = SETS[name](options);
+    for (const preset of presets) whole(name, preset, files, moves);
+    if (name === 'plates') for (const file of files) rmSync(dirname(file), { recursive: true });
+  }
+}
+
+/** One table: a row for each drawing, and a column for each lever alone and for all of them. */
+function whole(set, preset, files, moves) {
+  const levers = LEVERS[preset];
+  const names = Object.keys(levers);
+  const variants = [['search', {}], ...names.map((name) => [name, levers[name]]), ...(names.length > 1 ? [['all', Object.assign({}, ...Object.values(levers))]] : [])];
+  const machines = JSON.stringify(variants.map(([, changes]) => ({ preset, set: changes })));
+  const saved = variants.map(() => []);
+  const lines = [];
+  for (const file of files) {
+    let found;
+    try {
+      found = rows(NATIVE, [file, '--machines', machines, '--moves', moves]);
+    } catch (e) {
+      console.log(`${basename(file)} is left out: ${e.message.trim().split('\n').at(-1)}`);
+      continue;
+    }
+    if (found[0].nearest_next <= 0) continue;
+    const [{ nearest_next: nearest, contours, air, pierce, total }] = found;
+    const share = (part) => `${((100 * part) / total).toFixed(0)} %`;
+    const less = found.map((row) => (100 * (nearest - row.total)) / nearest);
+    less.forEach((value, k) => saved[k].push(value));
+    lines.push([basename(file), String(contours), nearest.toFixed(1), share(air), share(pierce), ...less.map((v) => `${v.toFixed(1)} %`)]);
+  }
+  const medians = saved.map((values) => (values.length > 0 ? `${median(values).toFixed(1)} %` : ''));
+  lines.push(['median', '', '', '', '', ...medians]);
+  const columns = ['', 'contours', 'nearest next, s', 'air', 'piercing', ...variants.map(([name]) => name)];
+  table(`${preset}, ${set}: whole-job seconds less than nearest-next with holes first, ${moves} moves`, columns, lines);
+}

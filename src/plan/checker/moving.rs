@@ -1,0 +1,44 @@
+//! Checks moving starts: only where the machine has them, and only of marks and of closed cuts in one pass that are cut again
+//! over the length at which the beam was not through.
+
+use super::groups::Groups;
+use super::violation::Violation;
+use crate::geometry::Segment;
+use crate::machine::Profile;
+use crate::plan::model::{Move, Plan};
+use crate::sheet::{Operation, Sheet};
+
+/// Largest error of the length that is cut again, mm.
+const LENGTH: f64 = 1e-3;
+
+pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+    if !plan.moves.contains(&Move::MovingStart) {
+        return;
+    }
+    let groups = Groups::new(sheet, machine);
+    for (step, pair) in plan.moves.windows(2).enumerate().filter(|(_, pair)| pair[0] == Move::MovingStart) {
+        let mut fault = |what| found.push(Violation::Beam { step, what });
+        let Some(lever) = machine.levers.moving_pierce else {
+            fault("begins moving, which the machine does not");
+            continue;
+        };
+        let Move::Cut { contour, path, leads, .. } = &pair[1] else {
+            fault("begins moving without a cut");
+            continue;
+        };
+        let Some(known) = sheet.contours.get(*contour as usize) else { continue };
+        if sheet.process_of(known, machine).passes > 1 {
+            fault("begins one of several passes moving");
+        }
+        if known.operation == Operation::Mark {
+            continue;
+        }
+        if !known.path.closed || groups.holds(*contour) {
+            fault("begins a cut moving that has to be pierced at rest");
+        }
+        let again: f64 = leads.divide(path)[2].iter().map(Segment::length).sum();
+        if again < lever.overcut.min(0.5 * known.path.length()) - LENGTH {
+            fault("begins moving and does not cut the beginning again");
+        }
+    }
+}
