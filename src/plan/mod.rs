@@ -11,4 +11,6 @@ pub use checker::{Violation, check};
 pub use evaluate::evaluate;
 pub use from_solution::from_solution;
 pub use lower_bound::LowerBound;
+#[cfg(feature = "research")]
+pub use lower_bound::{Certificate, CertificateFault, PricedCut, ShareBound, SharedLegs};
 pub use model::{Leads, Move, Plan, Summary};

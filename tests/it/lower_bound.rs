@@ -6,7 +6,7 @@ use crate::testkit::sheets::{Dice, machine, nested_sheet, p};
 use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
 use kerfway::machine::Profile;
-use kerfway::plan::LowerBound;
+use kerfway::plan::{Certificate, CertificateFault, LowerBound, PricedCut, ShareBound};
 use kerfway::problem::{Groups, Item, Node, NodeId, Problem, Table};
 use kerfway::solve;
 
@@ -282,4 +282,147 @@ fn the_43_contours_entered_anywhere() {
         let found = bound(&problem, known, work, 5_000_000);
         assert!(found <= known && known <= 1.03 * found, "{return_home}: {found}");
     }
+}
+
+/// The bound by shares after so much work; `None` if it does not apply.
+fn by_shares(problem: &Problem, work: u32) -> Option<ShareBound> {
+    let mut bound = ShareBound::new(problem)?;
+    let mut last = bound.value();
+    for _ in 0..work / 20_000 {
+        let more = bound.improve(20_000);
+        assert!(bound.value() >= last, "it only rises");
+        last = bound.value();
+        if !more {
+            break;
+        }
+    }
+    Some(bound)
+}
+
+/// 2,000 seeded problems: points, open contours, ranks, precedence, open and closed paths, and tables. The bound by shares is
+/// never above the optimum, and its certificate proves it.
+#[test]
+fn shares_never_above_the_optimum() {
+    let mut dice = Dice::new(17);
+    let (mut sum, mut sum_least, mut cases) = (0.0, 0.0, 0);
+    for k in 0..2500_u64 {
+        let mut problem = scattered(&mut dice, k);
+        if k % 4 == 3 {
+            problem.items.iter_mut().for_each(|i| (i.before, i.rank) = (None, 0));
+            problem.pairs.clear();
+            let n = problem.nodes.len();
+            let mut costs: Vec<f64> = (0..n * n).map(|_| dice.below(1000) as f64).collect();
+            for a in 0..n {
+                for b in 0..a {
+                    costs[a * n + b] = costs[b * n + a];
+                }
+            }
+            problem.table = Table::new(n, costs);
+        }
+        let Some(bound) = by_shares(&problem, 60_000) else { continue };
+        cases += 1;
+        let least = solve::exact(&problem).unwrap().cost;
+        let found = bound.value();
+        assert!(found <= least, "{k}: {found} above {least}");
+        if let Some(certificate) = bound.certificate() {
+            assert_eq!(certificate.check(&problem), Ok(found), "{k}");
+        }
+        (sum, sum_least) = (sum + found, sum_least + least);
+    }
+    assert!(cases >= 2000, "{cases} cases");
+    assert!(sum >= 0.6 * sum_least, "{sum} of {sum_least} proven");
+}
+
+/// Entries anywhere: never above the optimum over many nodes, on nested contours.
+#[test]
+fn shares_with_entries_anywhere() {
+    let (mut sum, mut sum_least) = (0.0, 0.0);
+    for seed in 0..24 {
+        let mut machine = machines(seed);
+        machine.return_home = seed % 3 != 0;
+        let mut problem = problem_of(&nested_sheet(2 + usize::try_from(seed).unwrap() % 2, seed), &machine);
+        problem.items.iter_mut().for_each(|i| i.run = None);
+        let least = solve::exact(&at_nodes(sampled(&problem, 60))).unwrap().cost;
+        let found = by_shares(&problem, 5_000_000).unwrap().value();
+        assert!(found <= least, "{seed}: {found} above {least}");
+        (sum, sum_least) = (sum + found, sum_least + least);
+    }
+    assert!(sum >= 0.6 * sum_least, "{sum} of {sum_least} proven");
+}
+
+/// 250 contours: never above a path found.
+#[test]
+fn shares_on_many_contours() {
+    let problem = problem_of(&nested_sheet(300, 3), &machine("length"));
+    let mut search = solve::methods()[0].start(&problem, 1, None);
+    search.step(1_000_000);
+    let cost = search.best().cost;
+    let shares = by_shares(&problem, 60_000_000).unwrap().value();
+    assert!(shares <= cost && shares > 0.3 * cost, "{shares}, path {cost}");
+}
+
+/// A certificate that states another bound than its numbers prove is rejected. One with a changed share is rejected too, unless
+/// the change does not matter: then what it proves is still true.
+#[test]
+fn changed_certificates() {
+    let mut dice = Dice::new(23);
+    let problem = scattered(&mut dice, 14);
+    let least = solve::exact(&problem).unwrap().cost;
+    let proven = by_shares(&problem, 2_000_000).unwrap();
+    let proof = proven.certificate().unwrap();
+    assert_eq!(proof.check(&problem), Ok(proven.value()));
+    let (mut rejected, mut all) = (0, 0);
+    let mut changed = |change: &dyn Fn(&mut Certificate)| {
+        let mut other = proof.clone();
+        change(&mut other);
+        let seconds = other.check(&problem);
+        assert!(seconds.as_ref().is_ok_and(|&s| s <= least) || seconds.is_err());
+        all += 1;
+        rejected += u32::from(seconds.is_err());
+        seconds
+    };
+    for by in [1, -1] {
+        assert!(matches!(changed(&|c| c.bound += by), Err(CertificateFault::Bound { .. })));
+    }
+    assert_eq!(changed(&|c| c.unit += 1), Err(CertificateFault::Shape("units")));
+    assert_eq!(changed(&|c| c.far.truncate(1)), Err(CertificateFault::Shape("knots")));
+    assert_eq!(changed(&|c| drop(c.legs.pop())), Err(CertificateFault::Shape("shares")));
+    assert_eq!(changed(&|c| c.legs[0].items = [3, 3]), Err(CertificateFault::Shape("shares")));
+    assert_eq!(
+        changed(&|c| c.cuts.push(PricedCut { members: vec![0], price: 1 })),
+        Err(CertificateFault::Shape("cuts"))
+    );
+    assert_eq!(
+        changed(&|c| c.cuts.push(PricedCut { members: vec![2], price: -1 })),
+        Err(CertificateFault::Shape("cuts"))
+    );
+    for leg in 0..proof.legs.len() {
+        for side in 0..2 {
+            for knot in 0..proof.legs[leg].shares[side].len() {
+                for by in [1 << 34, -(1 << 34), 1 << 38, -(1 << 38)] {
+                    let _ = changed(&|c| {
+                        c.legs[leg].shares[side][knot] += by;
+                        // With the bound that would follow if it were a gain.
+                        c.bound += by;
+                    });
+                    let _ = changed(&|c| c.legs[leg].shares[side][knot] += by);
+                }
+            }
+        }
+    }
+    assert!(rejected > all / 3, "{rejected} of {all} rejected");
+    // Read and written as JSON without a change.
+    let text = serde_json::to_string(proof).unwrap();
+    assert_eq!(&serde_json::from_str::<Certificate>(&text).unwrap(), proof);
+}
+
+/// Where the bound does not apply there is none.
+#[test]
+fn shares_do_not_apply() {
+    let mut machine = machine("length");
+    machine.pre_cut_time = Some(0.0);
+    let resumes = problem_of(&nested_sheet(5, 1), &machine);
+    assert!(resumes.items.iter().any(|i| i.leave.is_some()) && ShareBound::new(&resumes).is_none());
+    let one = scattered(&mut Dice::new(1), 8);
+    assert!(one.items.len() == 1 && ShareBound::new(&one).is_none());
 }

@@ -52,6 +52,8 @@
 //! spaces; Baldacci, Mingozzi & Roberti (2011) for the memory, Roberti & Mingozzi (2014) for letting it grow. Entries
 //! anywhere, contours left unfinished: worked out here.
 
+#[cfg(feature = "research")]
+mod certificate;
 mod cheap;
 mod minorant;
 mod net;
@@ -59,13 +61,19 @@ mod order;
 mod pairs;
 mod prices;
 mod rounds;
+#[cfg(feature = "research")]
+mod shares;
 mod space;
 mod tree;
 mod walks;
 
 use crate::problem::{Item, Problem};
+#[cfg(feature = "research")]
+pub use certificate::{Certificate, CertificateFault, PricedCut, SharedLegs};
 use cheap::Cheap;
 use rounds::Strong;
+#[cfg(feature = "research")]
+pub use shares::ShareBound;
 
 /// Most items for the strong bound: with more, one pass over all walks takes about a second.
 const STRONG: usize = 220;

@@ -127,6 +127,18 @@ impl Item {
         self.track.is_some()
     }
 
+    /// The same item with knots at these arc lengths along its track; without a track there must be none.
+    #[cfg(feature = "research")]
+    pub(super) fn with_knots(&self, along: &[f64]) -> Option<Self> {
+        let Some(track) = &self.track else { return along.is_empty().then(|| self.clone()) };
+        let length = track.starts[track.starts.len() - 1];
+        let inside = along.iter().all(|s| (0.0..length).contains(s)) && along.windows(2).all(|w| w[0] < w[1]);
+        if along.is_empty() || !inside {
+            return None;
+        }
+        Some(ring(track.clone(), along.to_vec())).filter(|item| item.knots == along.len())
+    }
+
     /// The same item with the marked pieces halved.
     pub(super) fn halved(&self, marked: &[bool]) -> Option<Self> {
         let track = self.track.as_ref()?;
