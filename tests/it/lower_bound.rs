@@ -6,7 +6,7 @@ use crate::testkit::sheets::{Dice, machine, nested_sheet, p};
 use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
 use kerfway::machine::Profile;
-use kerfway::plan::{Certificate, CertificateFault, LowerBound, PricedCut, ShareBound};
+use kerfway::plan::{LowerBound, ShareBound};
 use kerfway::problem::{Groups, Item, Node, NodeId, Problem, Table};
 use kerfway::solve;
 
@@ -305,7 +305,7 @@ fn by_shares(problem: &Problem, work: u32) -> Option<ShareBound> {
 fn shares_never_above_the_optimum() {
     let mut dice = Dice::new(17);
     let (mut sum, mut sum_least, mut cases) = (0.0, 0.0, 0);
-    for k in 0..2500_u64 {
+    for k in 0..2600_u64 {
         let mut problem = scattered(&mut dice, k);
         if k % 4 == 3 {
             problem.items.iter_mut().for_each(|i| (i.before, i.rank) = (None, 0));
@@ -319,7 +319,7 @@ fn shares_never_above_the_optimum() {
             }
             problem.table = Table::new(n, costs);
         }
-        let Some(bound) = by_shares(&problem, 60_000) else { continue };
+        let Some(bound) = by_shares(&problem, 100_000) else { continue };
         cases += 1;
         let least = solve::exact(&problem).unwrap().cost;
         let found = bound.value();
@@ -330,7 +330,7 @@ fn shares_never_above_the_optimum() {
         (sum, sum_least) = (sum + found, sum_least + least);
     }
     assert!(cases >= 2000, "{cases} cases");
-    assert!(sum >= 0.6 * sum_least, "{sum} of {sum_least} proven");
+    assert!(sum >= 0.8 * sum_least, "{sum} of {sum_least} proven");
 }
 
 /// Entries anywhere: never above the optimum over many nodes, on nested contours.
@@ -343,77 +343,11 @@ fn shares_with_entries_anywhere() {
         let mut problem = problem_of(&nested_sheet(2 + usize::try_from(seed).unwrap() % 2, seed), &machine);
         problem.items.iter_mut().for_each(|i| i.run = None);
         let least = solve::exact(&at_nodes(sampled(&problem, 60))).unwrap().cost;
-        let found = by_shares(&problem, 5_000_000).unwrap().value();
+        let found = by_shares(&problem, 20_000_000).unwrap().value();
         assert!(found <= least, "{seed}: {found} above {least}");
         (sum, sum_least) = (sum + found, sum_least + least);
     }
-    assert!(sum >= 0.6 * sum_least, "{sum} of {sum_least} proven");
-}
-
-/// 250 contours: never above a path found.
-#[test]
-fn shares_on_many_contours() {
-    let problem = problem_of(&nested_sheet(300, 3), &machine("length"));
-    let mut search = solve::methods()[0].start(&problem, 1, None);
-    search.step(1_000_000);
-    let cost = search.best().cost;
-    let shares = by_shares(&problem, 60_000_000).unwrap().value();
-    assert!(shares <= cost && shares > 0.3 * cost, "{shares}, path {cost}");
-}
-
-/// A certificate that states another bound than its numbers prove is rejected. One with a changed share is rejected too, unless
-/// the change does not matter: then what it proves is still true.
-#[test]
-fn changed_certificates() {
-    let mut dice = Dice::new(23);
-    let problem = scattered(&mut dice, 14);
-    let least = solve::exact(&problem).unwrap().cost;
-    let proven = by_shares(&problem, 2_000_000).unwrap();
-    let proof = proven.certificate().unwrap();
-    assert_eq!(proof.check(&problem), Ok(proven.value()));
-    let (mut rejected, mut all) = (0, 0);
-    let mut changed = |change: &dyn Fn(&mut Certificate)| {
-        let mut other = proof.clone();
-        change(&mut other);
-        let seconds = other.check(&problem);
-        assert!(seconds.as_ref().is_ok_and(|&s| s <= least) || seconds.is_err());
-        all += 1;
-        rejected += u32::from(seconds.is_err());
-        seconds
-    };
-    for by in [1, -1] {
-        assert!(matches!(changed(&|c| c.bound += by), Err(CertificateFault::Bound { .. })));
-    }
-    assert_eq!(changed(&|c| c.unit += 1), Err(CertificateFault::Shape("units")));
-    assert_eq!(changed(&|c| c.far.truncate(1)), Err(CertificateFault::Shape("knots")));
-    assert_eq!(changed(&|c| drop(c.legs.pop())), Err(CertificateFault::Shape("shares")));
-    assert_eq!(changed(&|c| c.legs[0].items = [3, 3]), Err(CertificateFault::Shape("shares")));
-    assert_eq!(
-        changed(&|c| c.cuts.push(PricedCut { members: vec![0], price: 1 })),
-        Err(CertificateFault::Shape("cuts"))
-    );
-    assert_eq!(
-        changed(&|c| c.cuts.push(PricedCut { members: vec![2], price: -1 })),
-        Err(CertificateFault::Shape("cuts"))
-    );
-    for leg in 0..proof.legs.len() {
-        for side in 0..2 {
-            for knot in 0..proof.legs[leg].shares[side].len() {
-                for by in [1 << 34, -(1 << 34), 1 << 38, -(1 << 38)] {
-                    let _ = changed(&|c| {
-                        c.legs[leg].shares[side][knot] += by;
-                        // With the bound that would follow if it were a gain.
-                        c.bound += by;
-                    });
-                    let _ = changed(&|c| c.legs[leg].shares[side][knot] += by);
-                }
-            }
-        }
-    }
-    assert!(rejected > all / 3, "{rejected} of {all} rejected");
-    // Read and written as JSON without a change.
-    let text = serde_json::to_string(proof).unwrap();
-    assert_eq!(&serde_json::from_str::<Certificate>(&text).unwrap(), proof);
+    assert!(sum >= 0.8 * sum_least, "{sum} of {sum_least} proven");
 }
 
 /// Where the bound does not apply there is none.

@@ -1,35 +1,13 @@
 //! Sets of items with fewer than two legs to the others: every tour has two or more.
 
 use super::ShareBound;
+use super::cut::Cut;
 use crate::order::{real, sort_by};
 
 /// Fewer legs than this are a fault: the smooth solution is nowhere exact.
 const ENOUGH: f64 = 1.98;
 /// Pairs that are used less do not hold a set together.
 const USED: f64 = 1e-3;
-
-/// A set of items, and the price of legs between it and the others.
-#[derive(Clone, Debug)]
-pub(super) struct Cut {
-    /// In ascending order.
-    pub(super) members: Vec<usize>,
-    /// The pairs of which it holds one item.
-    pub(super) pairs: Vec<usize>,
-    pub(super) price: f64,
-    /// The legs of the smooth solution that cross it.
-    pub(super) legs: f64,
-}
-
-impl Cut {
-    fn holds(&self, item: usize) -> bool {
-        self.members.binary_search(&item).is_ok()
-    }
-
-    /// Whether a leg between two items crosses it.
-    pub(super) fn crosses(&self, ends: [usize; 2]) -> bool {
-        self.holds(ends[0]) != self.holds(ends[1])
-    }
-}
 
 impl ShareBound {
     /// Adds cuts: joins items by the most used pairs first, and looks at each set that comes about. Cuts without a price

@@ -2,6 +2,7 @@
 
 use super::super::certificate::{Certificate, PricedCut, SharedLegs, unit, units};
 use super::super::pairs::box_seconds;
+use super::cut::Cut;
 use super::soft::cheapest_two;
 use super::{Kind, ShareBound};
 
@@ -132,7 +133,7 @@ impl ShareBound {
                 .map(|side| whole(&shares[at[side]..at[side] + self.items[pair.items[side]].knots])),
         });
         let cuts = self.cuts.iter().filter(|c| c.price > 0.0);
-        let priced = |c: &super::Cut| PricedCut { members: c.members.clone(), price: units(c.price, power) };
+        let priced = |c: &Cut| PricedCut { members: c.members.clone(), price: units(c.price, power) };
         let mut certificate = Certificate {
             unit: power,
             knots: self.items.iter().map(|i| i.along.clone()).collect(),

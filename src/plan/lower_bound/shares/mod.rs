@@ -28,6 +28,7 @@
 //!
 //! No part of this needs to be exact: what counts is the [`Certificate`] of the final shares, added up in whole numbers.
 
+mod cut;
 mod cuts;
 mod exact;
 mod refine;
@@ -38,7 +39,7 @@ use super::net::{Item, homes, items};
 use super::pairs::{Pairs, Scan};
 use super::prices::Prices;
 use crate::problem::Problem;
-use cuts::Cut;
+use cut::Cut;
 
 /// The temperatures of a round, as shares of an average leg: the first, the first of a later round, and the last. Hotter
 /// ones move far shares quickly; below the last one the smooth minimum is nearly the real one.

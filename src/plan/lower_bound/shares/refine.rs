@@ -1,5 +1,6 @@
 //! Halves pieces of contours where the solution uses legs that are priced below their real seconds.
 
+use super::super::net::Item;
 use super::super::pairs::Pairs;
 use super::ShareBound;
 use crate::geometry::DVec2;
@@ -109,7 +110,7 @@ impl ShareBound {
 }
 
 /// Where the knots of an item are.
-fn places(item: &super::Item) -> Vec<DVec2> {
+fn places(item: &Item) -> Vec<DVec2> {
     let mut places = vec![DVec2::ZERO; item.knots];
     for piece in &item.pieces {
         places[piece.knots[0]] = piece.ends[0];
