@@ -45,7 +45,7 @@ fn junk(rng: &mut Rng, deep: u32) -> Value {
 
 /// A value that a field takes, at times spoilt.
 fn near(rng: &mut Rng, kind: &Kind) -> Value {
-    if rng.random_range(0..30) == 0 {
+    if rng.random_range(0..45) == 0 {
         return junk(rng, 3);
     }
     match kind {
@@ -121,10 +121,14 @@ fn any_value_is_accepted_or_refused_in_a_sentence() {
         }
     });
     let machines = taken_or_refused::<Profile>(&mut rng, |profile| {
-        // Values may contradict each other although each is valid: a bed without an area.
+        // Values may contradict each other although each is valid: a bed without an area, moving starts with pre-cuts.
         let sound = matches!(
             profile.validate(),
-            Ok(()) | Err(ProfileError::Bed(..) | ProfileError::Dialect(_) | ProfileError::Materials(_))
+            Ok(())
+                | Err(ProfileError::Bed(..)
+                    | ProfileError::Dialect(_)
+                    | ProfileError::Materials(_)
+                    | ProfileError::MovingPreCuts)
         );
         assert!(sound, "{profile:?}");
     });
