@@ -36,7 +36,7 @@ describe('kerfway completion', () => {
     assert.deepEqual(offered('kerfway '), ['plan', 'inspect', 'quote', 'check', 'calibrate', 'serve', 'work', 'methods', 'solve', 'completion', 'help']);
     assert.deepEqual(offered('kerfway pl'), ['plan']);
     assert.deepEqual(offered('kerfway plan --wa'), ['--watch']);
-    assert.deepEqual(offered('kerfway inspect --se'), []);
+    assert.deepEqual(offered('kerfway inspect --sec'), []);
     assert.deepEqual(offered('kerfway quote a.dxf --thick'), ['--thickness']);
     assert.deepEqual(offered('kerfway plan --units mi'), ['mil', 'microinch']);
     assert.ok(offered('kerfway plan --machine ').includes('co2-100w'));

@@ -59,7 +59,7 @@ describe('the pages for people name what exists', () => {
     const modules = read(join('tests', 'it', 'main.rs'));
     for (const page of PAGES) {
       for (const name of commands(page, /npm run ([a-z]+)/g)) assert.ok(name in scripts, `${page}: npm run ${name}`);
-      for (const name of commands(page, /npm run bench -- ([a-z]+)/g)) assert.ok(existsSync(join(ROOT, 'benches', `${name}.mjs`)), `${page}: bench ${name}`);
+      for (const name of commands(page, /npm run bench -- ([a-z-]+)/g)) assert.ok(existsSync(join(ROOT, 'benches', `${name}.mjs`)), `${page}: bench ${name}`);
       for (const name of commands(page, /--test it\s+([a-z_]+)/g)) assert.ok(name === 'some_module' || modules.includes(`mod ${name};`), `${page}: test ${name}`);
       for (const name of commands(page, /node --test (tests\/[\w/.-]+\.mjs)/g)) assert.ok(/NAME/.test(name) || existsSync(join(ROOT, name)), `${page}: ${name}`);
     }
