@@ -79,7 +79,7 @@ for (const [name, size] of Object.entries(SIZES)) {
     await shot(page, `page-svg-${name}`);
     if (size === SIZES.phone) return;
     const { name: file, bytes } = await download(page, () => page.locator('.dock').getByRole('button', { name: /G-code/ }).click());
-    assert.equal(file, 'pixels.nc');
+    assert.match(file, /^pixels-co2-100w-.*\.nc$/);
     // 380 pixels are 134.056 mm.
     const x = [...bytes.toString().matchAll(/^G1.*X(-?[\d.]+)/gm)].map((m) => Number(m[1]));
     assert.ok(Math.abs(Math.max(...x) - Math.min(...x) - 134.056) < 0.002, `${Math.min(...x)} to ${Math.max(...x)}`);
