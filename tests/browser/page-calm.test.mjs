@@ -95,6 +95,9 @@ test('on a phone the bottom sheet is dragged to other heights and closed by drag
   await shot(page, 'sheet-dragged');
   await drag(-480);
   await near(0);
+  // A tap still opens it.
+  await page.locator('.sheet-toggle').tap();
+  await page.waitForFunction(() => document.body.classList.contains('sheet-open'));
 });
 
 test('on a phone every target is at least 44 pixels high and wide', async (t) => {

@@ -14,6 +14,8 @@ interface Sheet {
 
 /** `edge`: what is dragged; `sheet`: what gets higher and lower. */
 export function dragSheet(edge: HTMLElement, sheet: HTMLElement, { open, toggle }: Sheet): void {
+  // A flick is no scrolling to the browser then, which would take the next tap as the one that stops it.
+  edge.addEventListener('touchmove', (event) => event.preventDefault(), { passive: false });
   edge.addEventListener('pointerdown', (event) => {
     if (!matchMedia('(max-width: 719px)').matches) return;
     const begin = event.clientY;
