@@ -1,5 +1,6 @@
 /** The common part of `plan` and `quote`: plans drawings one after the other with one planner. */
 
+import { doubtAbout, hasProgram } from '../doubt.js';
 import { budgeted, type DefaultBudget } from '../functions.js';
 import { checkOptions, given } from '../options.js';
 import type { SavedPlan } from '../project.js';
@@ -58,16 +59,14 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
   }
 }
 
-/** What a machine runs. */
-const PROGRAMS: readonly string[] = ['gcode', 'lbrn2', 'rd'];
-
-/** A program in a wrong unit is 25 times too large or too small: with doubt, none is written unless somebody accepts the guess. */
-function refuseDoubt(file: string, { units }: Loaded, { values }: Words, outputs: Requested['outputs']): void {
-  if (!units.doubtful) return;
-  if (outputs.some(({ kind }) => PROGRAMS.includes(kind)) && values['accept-guess'] !== true) {
-    throw new Unusable(`${nameOf(file)}: ${units.reason.replace(/ Check the units\.$/, '')} Nothing is written while the unit is in doubt: state it by --units or --dpi, or accept this guess by --accept-guess.`);
+/** Writes no program while the unit is in doubt, unless somebody accepts the guess. */
+function refuseDoubt(file: string, loaded: Loaded, { values }: Words, outputs: Requested['outputs']): void {
+  const doubt = doubtAbout(loaded);
+  if (doubt === null) return;
+  if (hasProgram(outputs.map(({ kind }) => kind)) && values['accept-guess'] !== true) {
+    throw new Unusable(`${nameOf(file)}: ${doubt} Nothing is written while the unit is in doubt: state it by --units or --dpi, or accept this guess by --accept-guess.`);
   }
-  complain(`${nameOf(file)}: ${units.reason}`);
+  complain(`${nameOf(file)}: ${loaded.units.reason}`);
 }
 
 /** How a search goes on from the plan of a project. Without a budget it keeps that plan as it is. */

@@ -1,5 +1,6 @@
 /** Answers one request for a drawing: the same work for a service of one machine and for the workers of a queue. */
 
+import { doubtAbout, hasProgram } from '../doubt.js';
 import { KerfwayError } from '../errors.js';
 import type { Functions } from '../functions.js';
 import { inspectReport } from '../inspect-report.js';
@@ -19,9 +20,6 @@ export interface Job {
   acceptGuess: boolean;
 }
 
-/** What a machine runs. */
-const PROGRAMS: readonly OutputKind[] = ['gcode', 'lbrn2', 'rd'];
-
 /** Does the work. The result is what the response has as JSON. */
 export async function done(on: Functions, { kind, name, options, thumbnails, acceptGuess }: Job, bytes: Uint8Array, signal: AbortSignal): Promise<object> {
   const named = { ...options, name, signal };
@@ -31,15 +29,15 @@ export async function done(on: Functions, { kind, name, options, thumbnails, acc
     const pictures = thumbnails === null ? {} : { thumbnails: Object.fromEntries(loaded.parts.map(({ outer }) => [outer, partThumbnail(loaded, outer, { size: thumbnails })])) };
     return { ...inspectReport(loaded), ...pictures };
   }
-  if (!acceptGuess && outputsIn(options).some((of) => PROGRAMS.includes(of))) refuseDoubt(await on.inspect(bytes, { ...reading(options), name, signal }));
-  const { loaded, path: _, beam: __, common: ___, outputs, ...planned } = await on.plan<OutputKind>(bytes, { ...named, outputs: outputsIn(options) });
+  const wanted = outputsIn(options);
+  if (!acceptGuess && hasProgram(wanted)) refuseDoubt(await on.inspect(bytes, { ...reading(options), name, signal }));
+  const { loaded, path: _, beam: __, common: ___, outputs, ...planned } = await on.plan<OutputKind>(bytes, { ...named, outputs: wanted });
   const asText = Object.entries(outputs).map(([of, data]) => [of, typeof data === 'string' ? data : Buffer.from(data).toString('base64')]);
   return { schema: 'kerfway.planned/1', input: { sha256: loaded.sha256, name: loaded.name }, ...planned, findings: [...loaded.findings, ...planned.findings], outputs: Object.fromEntries(asText) };
 }
 
-/** A program in a wrong unit is 25 times too large or too small. It is refused before the search, which may take a minute. */
-function refuseDoubt({ units }: Loaded): void {
-  if (!units.doubtful) return;
-  const doubt = units.reason.replace(/ Check the units\.$/, '');
-  throw new KerfwayError('unwritable', `${doubt} No program is written while the unit is in doubt: state it by "units" or "dpi", or accept this guess by "acceptGuess".`);
+/** Refuses before the search, which may take a minute. */
+function refuseDoubt(loaded: Loaded): void {
+  const doubt = doubtAbout(loaded);
+  if (doubt !== null) throw new KerfwayError('unwritable', `${doubt} No program is written while the unit is in doubt: state it by "units" or "dpi", or accept this guess by "acceptGuess".`);
 }
