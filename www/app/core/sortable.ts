@@ -1,6 +1,6 @@
 /** Lists whose items are moved by hand: a handle is dragged by mouse or finger, or moved with the arrow keys while it has the focus. */
 
-import { button } from './dom.js';
+import { followPointer, grip } from './grip.js';
 
 interface Moves {
   /** An item is moved to another place; both are counted from 0, the new one without the item. */
@@ -9,20 +9,14 @@ interface Moves {
 
 /** A handle for item `index` of a list. The items are the children of the list. */
 export function handle(label: string, list: HTMLElement, index: number, { move }: Moves): HTMLButtonElement {
-  const grip = button(label, { icon: 'grip', iconOnly: true, class: 'quiet small grip' });
-  const last = () => list.children.length - 1;
-  grip.addEventListener('keydown', (event) => {
-    const by = event.key === 'ArrowUp' ? -1 : event.key === 'ArrowDown' ? 1 : 0;
+  const step = (by: number) => {
     const to = index + by;
-    if (by === 0 || to < 0 || to > last()) return;
-    event.preventDefault();
-    event.stopPropagation();
+    if (to < 0 || to >= list.children.length) return false;
     move(index, to);
-  });
-  grip.addEventListener('pointerdown', (event) => {
-    if (event.button !== 0) return;
-    event.preventDefault();
-    grip.focus();
+    return true;
+  };
+  const press = (event: PointerEvent, made: HTMLButtonElement) => {
+    made.focus();
     const item = list.children[index] as HTMLElement;
     const tops = [...list.children].map((child) => child.getBoundingClientRect());
     const begin = event.clientY;
@@ -37,29 +31,14 @@ export function handle(label: string, list: HTMLElement, index: number, { move }
         (child as HTMLElement).style.transform = shift === 0 ? '' : `translateY(${shift * item.offsetHeight}px)`;
       }
     };
-    const end = (keep: boolean) => {
-      removeEventListener('pointermove', follow);
-      removeEventListener('pointerup', drop);
-      removeEventListener('pointercancel', cancel);
-      removeEventListener('keydown', escape, true);
+    item.classList.add('dragged');
+    followPointer(follow, (keep) => {
       item.classList.remove('dragged');
       for (const child of list.children) (child as HTMLElement).style.transform = '';
       if (keep && to !== index) move(index, to);
-    };
-    const drop = () => end(true);
-    const cancel = () => end(false);
-    const escape = (e: KeyboardEvent) => {
-      if (e.key !== 'Escape') return;
-      e.stopPropagation();
-      end(false);
-    };
-    item.classList.add('dragged');
-    addEventListener('pointermove', follow);
-    addEventListener('pointerup', drop);
-    addEventListener('pointercancel', cancel);
-    addEventListener('keydown', escape, true);
-  });
-  return grip;
+    });
+  };
+  return grip(label, { step, press });
 }
 
 /** A list with one item moved. */

@@ -1,6 +1,7 @@
 /** Drags a row of the order table to another place: by its handle with mouse or finger, or with the arrow keys while the handle has the focus. */
 
-import { button, h } from '../core/dom.js';
+import { h } from '../core/dom.js';
+import { followPointer, grip } from '../core/grip.js';
 
 /** Pixels from the edge of the list where dragging scrolls it, and how far with each move of the pointer. */
 const EDGE = 28;
@@ -22,30 +23,25 @@ export class RowDrag {
   constructor(private readonly scroller: HTMLElement, private readonly body: HTMLElement, private readonly height: number, private readonly list: Rows) {}
 
   handle(label: string, row: number): HTMLButtonElement {
-    const grip = button(label, { icon: 'grip', iconOnly: true, class: 'quiet small grip' });
-    grip.addEventListener('keydown', (event) => {
-      const by = event.key === 'ArrowUp' ? -1 : event.key === 'ArrowDown' ? 1 : 0;
-      const to = row + by;
-      if (by === 0 || to < 0 || to >= this.list.rows()) return;
-      event.preventDefault();
-      event.stopPropagation();
-      this.focus = to;
-      this.list.move(row, by < 0 ? to : to + 1);
-    });
-    grip.addEventListener('blur', () => (this.focus = null));
-    grip.addEventListener('pointerdown', (event) => {
-      if (event.button === 0) this.begin(event, grip, row);
-    });
-    return grip;
+    const made = grip(label, { step: (by) => this.step(row, by), press: (_, pressed) => this.begin(pressed, row) });
+    made.addEventListener('blur', () => (this.focus = null));
+    return made;
   }
 
-  private begin(event: PointerEvent, grip: HTMLButtonElement, row: number): void {
-    event.preventDefault();
+  private step(row: number, by: number): boolean {
+    const to = row + by;
+    if (to < 0 || to >= this.list.rows()) return false;
+    this.focus = to;
+    this.list.move(row, by < 0 ? to : to + 1);
+    return true;
+  }
+
+  private begin(pressed: HTMLButtonElement, row: number): void {
     const { line, body, scroller, height } = this;
     let to = row;
     this.active = true;
     body.append(line);
-    const item = grip.closest('.order-row');
+    const item = pressed.closest('.order-row');
     item?.classList.add('dragged');
     const follow = ({ clientY }: PointerEvent) => {
       const view = scroller.getBoundingClientRect();
@@ -55,26 +51,11 @@ export class RowDrag {
       line.hidden = false;
       line.style.transform = `translateY(${to * height}px)`;
     };
-    const end = (keep: boolean) => {
-      removeEventListener('pointermove', follow);
-      removeEventListener('pointerup', drop);
-      removeEventListener('pointercancel', cancel);
-      removeEventListener('keydown', escape, true);
+    followPointer(follow, (keep) => {
       this.active = false;
       line.hidden = true;
       item?.classList.remove('dragged');
       if (keep) this.list.move(row, to);
-    };
-    const drop = () => end(true);
-    const cancel = () => end(false);
-    const escape = (e: KeyboardEvent) => {
-      if (e.key !== 'Escape') return;
-      e.stopPropagation();
-      end(false);
-    };
-    addEventListener('pointermove', follow);
-    addEventListener('pointerup', drop);
-    addEventListener('pointercancel', cancel);
-    addEventListener('keydown', escape, true);
+    });
   }
 }
