@@ -21,7 +21,7 @@ interface Parts {
   stage: HTMLElement;
   alternatives(): Promise<Alternatives>;
   theme(): 'light' | 'dark';
-  /** The size of the stage has changed hands. */
+  /** The stage is divided in another way. */
   relayout(): void;
 }
 
@@ -39,7 +39,7 @@ export class BeforeAfter {
   private beside = false;
   private now: Now | null = null;
   /** The second stage, which shows the other order beside the plan; made when it is first asked for. */
-  private other: { scene: Scene; canvas: HTMLCanvasElement; label: HTMLElement; timeline: Timeline | null; loaded: unknown; beam: unknown } | null = null;
+  private other: { scene: Scene; canvas: HTMLCanvasElement; label: HTMLElement; timeline: Timeline | null; loaded: unknown } | null = null;
   private readonly moment: Moment = { stop: 0, cutting: false, cut: 0, leadIn: 0, leadOut: 0, x: 0, y: 0 };
   private asked = 0;
 
@@ -163,7 +163,7 @@ export class BeforeAfter {
     const label = h('p', { class: 'second-label soft number' });
     this.parts.stage.insertBefore(canvas, this.parts.stage.querySelector('#hint'));
     this.parts.stage.append(label);
-    this.other = { scene: new Scene(canvas, this.parts.scene.viewport, this.parts.theme()), canvas, label, timeline: null, loaded: null, beam: null };
+    this.other = { scene: new Scene(canvas, this.parts.scene.viewport, this.parts.theme()), canvas, label, timeline: null, loaded: null };
   }
 
   /** The second stage follows the playback, at the same second of its own job. */

@@ -59,12 +59,16 @@ export class Selection {
     this.table.select(last);
   }
 
+  private sayHowMany(): void {
+    this.announcer.say(words.contour.selected(this.chosen.length, count(this.chosen.length)));
+  }
+
   /** Adds contours to the selection, or removes them if all of them are in it. */
   toggle(contours: readonly number[]): void {
     const had = new Set(this.chosen);
     const rest = this.chosen.filter((c) => !contours.includes(c));
     this.selectAll(contours.every((c) => had.has(c)) ? rest : [...rest, ...contours]);
-    this.announcer.say(words.contour.selected(this.chosen.length, count(this.chosen.length)));
+    this.sayHowMany();
   }
 
   /** Selects what lies in a box, mm, in addition to what is selected while several are being selected. */
@@ -73,7 +77,7 @@ export class Selection {
     if (!loaded) return;
     const inside = partsOf(loaded).within(Math.min(x0, x1), Math.min(y0, y1), Math.max(x0, x1), Math.max(y0, y1));
     this.selectAll([...this.chosen.filter((c) => this.adding && !inside.includes(c)), ...inside]);
-    this.announcer.say(words.contour.selected(this.chosen.length, count(this.chosen.length)));
+    this.sayHowMany();
   }
 
   /** Selects the whole parts of what is selected. */
@@ -87,7 +91,7 @@ export class Selection {
     const { loaded } = this.session.state;
     if (!loaded || this.chosen.length === 0) return;
     this.selectAll(partsOf(loaded).like(this.chosen));
-    this.announcer.say(words.contour.selected(this.chosen.length, count(this.chosen.length)));
+    this.sayHowMany();
   }
 
   /** Selects a contour, moves the view to it if needed, and announces it. */

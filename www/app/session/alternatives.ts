@@ -4,6 +4,7 @@
  */
 
 import { createPlanner, type BestPath, type LoadOptions, type PlanOptions, type Planner, type Progress, type Summary } from 'kerfway';
+import { jobOptions } from './placing.js';
 import { pathContours } from './rules.js';
 import type { Session } from './session.js';
 import type { State } from './state.js';
@@ -61,11 +62,12 @@ export class Alternatives {
 
   /** A plan of the current drawing with other options. */
   private async planned(reading: LoadOptions, planning: PlanOptions): Promise<{ progress: Progress; path: BestPath }> {
-    const { state: { load, machine, material, placing: { place, start, allowOffBed } } } = this.session;
+    const { state } = this.session;
+    const { load, machine } = state;
     if (machine === null) throw new Error('there is no machine');
     const planner = await this.reading({ ...load, ...reading });
     let path: BestPath | null = null;
-    const options: PlanOptions = { machine, start, allowOffBed, seed: 1, ...(place === null ? {} : { place }), ...(material === null ? {} : { material }), ...planning };
+    const options: PlanOptions = { machine, ...jobOptions(state), seed: 1, ...planning };
     const { progress } = await planner.plan(options, (p) => (path = p.path ?? path)).done;
     const found = progress.path ?? path;
     if (found === null) throw new Error('the plan has no path');

@@ -1,6 +1,6 @@
 /** Where the job lies on the bed of the machine: a choice of the person, and what follows from it. Lengths in mm. */
 
-import { type Anchor, type Loaded, type MachineProfile, type Place, pointOf, type Start } from 'kerfway';
+import { type Anchor, type Loaded, type MachineProfile, type Place, type PlanOptions, pointOf, type Start } from 'kerfway';
 import type { Box } from './extent.js';
 
 export interface Placing {
@@ -12,6 +12,11 @@ export interface Placing {
 }
 
 export const AS_DRAWN: Placing = { place: null, start: 'absolute', allowOffBed: false };
+
+/** What is chosen about where the job lies and what it is cut from, as options of a plan. */
+export function jobOptions({ placing: { place, start, allowOffBed }, material }: { placing: Placing; material: string | null }): PlanOptions {
+  return { start, allowOffBed, ...(place === null ? {} : { place }), ...(material === null ? {} : { material }) };
+}
 
 /** How far beyond the edge still counts as on the bed, as in the planner. */
 const EDGE = 0.0005;

@@ -5,6 +5,7 @@ import { Latest } from '../core/latest.js';
 import { messageOf } from '../core/strings.js';
 import type { Catalog } from './catalog.js';
 import { addedTo, type KeptPlan } from './kept-plan.js';
+import { jobOptions } from './placing.js';
 import type { Store } from './store.js';
 
 /** Milliseconds without a keystroke before the plan starts again, so that it does not start at every digit. */
@@ -27,7 +28,7 @@ export class Planning {
 
   /** Plans the drawing: from the start, or on from a plan that was kept. */
   start(kept: KeptPlan | null = null): void {
-    const { loaded, machine, search: { method, parameters, seed, seconds }, placing, material } = this.store.state;
+    const { loaded, machine, search: { method, parameters, seed, seconds } } = this.store.state;
     const { planner, papers } = this.catalog;
     if (!loaded || !machine || !planner) return;
     const isLatest = this.cancel();
@@ -37,9 +38,8 @@ export class Planning {
     }
     // A method from a paper works alone and has parameters.
     const fromPaper = papers.some((m) => m.name === method);
-    const { place, start, allowOffBed } = placing;
     const options = {
-      machine, start, allowOffBed, ...(place === null ? {} : { place }), ...(material === null ? {} : { material }), method,
+      machine, ...jobOptions(this.store.state), method,
       ...(fromPaper ? { parameters } : { workers: WORKERS }), ...(seed === null ? {} : { seed }), ...(kept === null ? { seconds } : continuing(kept)),
     };
     this.before = kept;

@@ -3,16 +3,15 @@
 import type { MachineProfile, PlanOptions, Project, SavedPlan } from 'kerfway';
 import type { Source } from './drawing.js';
 import { type KeptPlan, keptPlan } from './kept-plan.js';
-import { AS_DRAWN, type Placing } from './placing.js';
+import { AS_DRAWN, jobOptions, type Placing } from './placing.js';
 import type { Search, State } from './state.js';
 
 /** The current job; null while there is no drawing. */
 export function projectOf(state: State, source: Source | null): Project | null {
-  const { loaded, load, machine, search: { method, parameters, seed, seconds }, placing: { place, start, allowOffBed }, material } = state;
+  const { loaded, load, machine, search: { method, parameters, seed, seconds } } = state;
   if (source === null || loaded === null || machine === null) return null;
   const planning: PlanOptions = {
-    machine, method, seconds, start, allowOffBed, ...(place === null ? {} : { place }), ...(seed === null ? {} : { seed }),
-    ...(Object.keys(parameters).length === 0 ? {} : { parameters }), ...(material === null ? {} : { material }),
+    machine, method, seconds, ...jobOptions(state), ...(seed === null ? {} : { seed }), ...(Object.keys(parameters).length === 0 ? {} : { parameters }),
   };
   return { name: source.name, drawing: source.bytes instanceof Uint8Array ? source.bytes : new Uint8Array(source.bytes), reading: load, planning, plan: saved(state) };
 }

@@ -1,6 +1,7 @@
 /** Rules for contours: cut before all others, cut after all others, mark, or skip; and sequences that are cut in their order. */
 
 import type { ContourInfo, Loaded, LoadOptions } from 'kerfway';
+import { around } from '../core/nesting.js';
 import type { State } from './state.js';
 
 /** The rules, by their names in `LoadOptions`. A contour has one rule at most. */
@@ -80,8 +81,9 @@ export interface Shift {
  * Null where that is not possible, because what lies inside a contour is cut before it.
  */
 export function shifted(load: LoadOptions, loaded: Loaded, { order, contour, to }: Shift): LoadOptions | null {
-  const isInside = (c: number, around: number) => {
-    for (let o: number | null = c, depth = 0; o !== null && depth < DEEPEST; o = loaded.contours[o]?.inside ?? null, depth += 1) if (o === around) return true;
+  const isInside = (c: number, outer: number) => {
+    if (c === outer) return true;
+    for (const o of around(loaded.contours, c)) if (o === outer) return true;
     return false;
   };
   const rest = order.filter((c) => c !== contour);
@@ -97,7 +99,7 @@ export function shifted(load: LoadOptions, loaded: Loaded, { order, contour, to 
   const place = new Map([...earlier, contour, ...later].map((c, i) => [c, i]));
   const merged = [...joined].filter((c) => place.has(c)).sort((a, b) => place.get(a)! - place.get(b)!);
   // What lies inside a neighbour and is cut earlier keeps its place: it would have to wait for the contour otherwise.
-  const inner = [...earlier, ...later].filter((c) => !joined.has(c) && !isInside(c, contour) && merged.some((around, i) => around !== contour && i > 0 && isInside(c, around) && place.get(c)! < place.get(merged[i - 1]!)!));
+  const inner = [...earlier, ...later].filter((c) => !joined.has(c) && !isInside(c, contour) && merged.some((outer, i) => outer !== contour && i > 0 && isInside(c, outer) && place.get(c)! < place.get(merged[i - 1]!)!));
   merged.push(...inner);
   merged.sort((a, b) => place.get(a)! - place.get(b)!);
   const pins = (['first', 'last'] as const).filter((pin) => load[pin]?.includes(contour));
@@ -107,15 +109,12 @@ export function shifted(load: LoadOptions, loaded: Loaded, { order, contour, to 
   return withSequence(freed, [], merged);
 }
 
-/** How far contours may be nested: the bound ends the loop if the data is wrong. */
-const DEEPEST = 64;
-
 /** The contours that a rule has to name so that it holds for all of a selection: pins carry what lies inside the outermost. */
 export function namedBy(loaded: Loaded, contours: readonly number[], rule: Rule): number[] {
   if (rule === 'exclude' || rule === 'mark') return [...contours];
   const chosen = new Set(contours);
   const isWithin = (c: number) => {
-    for (let o = loaded.contours[c]?.inside ?? null, depth = 0; o !== null && depth < DEEPEST; o = loaded.contours[o]?.inside ?? null, depth += 1) if (chosen.has(o)) return true;
+    for (const o of around(loaded.contours, c)) if (chosen.has(o)) return true;
     return false;
   };
   return contours.filter((c) => !isWithin(c));

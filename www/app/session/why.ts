@@ -2,6 +2,7 @@
 
 import type { BestPath } from 'kerfway';
 import { count, millimetres } from '../core/format.js';
+import { around } from '../core/nesting.js';
 import { words } from '../core/words/index.js';
 import { isOrdered, pathContours } from './rules.js';
 import type { State } from './state.js';
@@ -18,15 +19,14 @@ function reason(state: State, contour: number, stopOf: (contour: number) => numb
   if (!info || !loaded) return '';
   const w = words.contour.why;
   // What holds for the contours around it holds for it.
-  const around: number[] = [];
-  for (let c: number | null = contour; c !== null && !around.includes(c); c = contours[c]?.inside ?? null) around.push(c);
-  for (const c of around) {
+  const line = [contour, ...around(contours, contour)];
+  for (const c of line) {
     const sequence = load.sequences?.find((s) => s.includes(c));
     const before = sequence?.[sequence.indexOf(c) - 1];
     const at = before === undefined ? null : stopOf(before);
     if (at !== null) return w.arranged(count(at + 1));
   }
-  if (around.some((c) => load.first?.includes(c))) return isOrdered(load, 'first') ? w.firstInOrder : w.first;
+  if (line.some((c) => load.first?.includes(c))) return isOrdered(load, 'first') ? w.firstInOrder : w.first;
   if (load.last?.includes(contour)) return isOrdered(load, 'last') ? w.lastInOrder : w.last;
   if (info.operation === 'mark') return w.mark;
   const inner = contours.filter((c) => c.inside === contour && c.operation !== 'ignore').length;
