@@ -1,11 +1,11 @@
 //! Fits a machine to measured times: `cut.accel`, `junction_deviation` and `pierce_time` from the seconds that one or two
 //! jobs really took.
 //!
-//! A stopwatch gives one number for each job, but three values are needed, so many machines fit. The one closest to the
-//! present machine is taken: the sum of the squared relative errors of the jobs, plus [`WEIGHT`] times the squared changes
-//! of the values (logarithms of the acceleration's and the deviation's ratios, and the change of the pierce time in units
-//! of itself), is minimised by damped least squares (Levenberg 1944, Marquardt 1963). Jobs of different kinds, one with
-//! many piercings and one with many corners, tell the values apart best.
+//! A stopwatch gives one number for each job, and three values are wanted, so the times of one or two jobs agree with many
+//! sets of values. The set closest to the present machine is taken: the sum of the squared relative errors of the jobs, plus
+//! [`WEIGHT`] times the squared changes of the values (logarithms of the acceleration's and the deviation's ratios, and the
+//! change of the pierce time in units of itself), is minimised by damped least squares (Levenberg 1944, Marquardt 1963). Jobs
+//! of different kinds, one with many piercings and one with many corners, tell the values apart best.
 
 use crate::geometry::{Segment, math};
 use crate::machine::{AirTime, Process, Profile, cut_time};

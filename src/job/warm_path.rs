@@ -143,8 +143,8 @@ struct Open<'p> {
 }
 
 /// Whether a path is feasible: every item that can be visited is visited, once around; nothing is finished before what lies
-/// inside it or before what a sequence puts before it, or begun before a lower rank; only contours that may be left are, they are resumed where they were left, and
-/// visits nest.
+/// inside it or before what a sequence puts before it, or begun before a lower rank; only contours that may be left are, they
+/// are resumed where they were left, and visits nest.
 #[expect(clippy::float_cmp, reason = "visits of a contour join bit for bit")]
 fn is_feasible(stops: &[Stop], problem: &Problem) -> bool {
     let mut finished = vec![None; problem.items.len()];

@@ -8,8 +8,8 @@ use crate::sheet::Sheet;
 /// The sums over moves on a sheet that start at the machine's home. The moves do not contain the number of parts or a lower
 /// bound, so `parts` is 0 and there is no gap.
 ///
-/// Every cut and mark is charged the beam delays, but only the one after it if it begins moving, and every piercing the pierce time; both are in `pierce_time`. A contour
-/// that is cut in several stretches or passes counts once.
+/// Every cut and mark is charged the beam delays, but only the one after it if it begins moving, and every piercing the pierce
+/// time; both are in `pierce_time`. A contour that is cut in several stretches or passes counts once.
 pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
     let air = AirTime::new(machine);
     let mut sum = Summary::default();
