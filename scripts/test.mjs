@@ -2,7 +2,7 @@
 // between two edits. The last line counts passed, failed and skipped tests.
 
 import { readdirSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { build, wasmFiles } from './build.mjs';
 import { setup } from './setup.mjs';
 import { sinceStart } from './together.mjs';
@@ -19,15 +19,27 @@ const NATIVE = [
   command('Rust tests', 'cargo', ['test', '--locked', '--features', 'png', '--no-fail-fast']),
 ];
 
+/** Nothing runs the benches here, so that at least they must compile. */
+const BENCHES = ['intake', 'solve'].map((bench) =>
+  command(`bench ${bench} compiles`, 'cargo', [
+    ...['check', '--locked', '--all-targets', '--manifest-path', join(ROOT, 'benches', bench, 'Cargo.toml'), '--target-dir', join(ROOT, 'target')],
+  ]),
+);
+
 const IN_WASM = [
   command('clippy of the core, in wasm', 'cargo', ['clippy', '--locked', ...WASM, '--lib', '--no-default-features', '--features', 'planner', ...DENY]),
   command('clippy of the research build and its tests, in wasm', 'cargo', ['clippy', '--locked', ...WASM, ...WASM_TESTS, ...DENY]),
-  command('wasm tests under Node', 'wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--locked', '--test', 'wasm']),
+  // wasm-pack builds the tests before it runs them: with the profile of the run, so that they are compiled once.
+  command('wasm tests under Node', 'wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--locked', '--test', 'wasm', '--profile', 'test']),
 ];
 
+/** Tests that look at what the page does by the clock: no other test runs beside them. */
+const BY_THE_CLOCK = ['page-speed.test.mjs', 'page-visit.test.mjs'];
+
 const OF_THE_BUILD = [
-  command('package tests', 'node', ['--test', '--test-reporter=spec', ...testFiles('package')]),
-  command('browser tests', 'node', ['--test', '--test-reporter=spec', '--test-concurrency=1', ...testFiles('browser')]),
+  node('package tests', 2, testFiles('package')),
+  node('browser tests', 2, testFiles('browser').filter((f) => !BY_THE_CLOCK.includes(basename(f)))),
+  node('browser tests by the clock', 1, testFiles('browser').filter((f) => BY_THE_CLOCK.includes(basename(f)))),
 ];
 
 const TYPES = [
@@ -43,18 +55,19 @@ main(async () => {
   const all = async (steps) => {
     for (const { name, work } of steps) {
       console.log(`\n== ${name}`);
-      results.push({ name, ...(await work()) });
+      const begun = Date.now();
+      results.push({ name, ...(await work()), seconds: Math.round((Date.now() - begun) / 1000) });
     }
   };
   await all(NATIVE);
   if (quick) await all(TYPES);
   else {
-    await all([...IN_WASM, step('build', build)]);
+    await all([...BENCHES, ...IN_WASM, step('build', build)]);
     if (results.at(-1).failed === 0) await all(OF_THE_BUILD);
-    else results.push({ name: 'package and browser tests, not run without a build', passed: 0, failed: 1, skipped: 0 });
+    else results.push({ name: 'package and browser tests, not run without a build', passed: 0, failed: 1, skipped: 0, seconds: 0 });
   }
   console.log('');
-  for (const r of results) console.log(`${r.failed === 0 ? 'ok    ' : 'FAILED'}  ${r.name}${counts(r)}`);
+  for (const r of results) console.log(`${r.failed === 0 ? 'ok    ' : 'FAILED'}${String(r.seconds).padStart(6)} s  ${r.name}${counts(r)}`);
   const sum = (key) => results.reduce((n, r) => n + r[key], 0);
   console.log(`\nAfter ${sinceStart()}:\n${sum('passed')} passed, ${sum('failed')} failed, ${sum('skipped')} skipped`);
   if (sum('failed') > 0) process.exitCode = 1;
@@ -71,6 +84,11 @@ function command(name, program, args) {
     return code === 0 ? { passed: passed || 1, failed, skipped } : { passed, failed: failed || 1, skipped };
   };
   return { name, work };
+}
+
+/** Test files, so many of them at the same time: most wait for a browser or a program they have started. */
+function node(name, atOnce, files) {
+  return command(name, 'node', ['--test', '--test-reporter=spec', `--test-concurrency=${atOnce}`, ...files]);
 }
 
 /** A step of our own scripts, which counts as one test. */

@@ -45,7 +45,7 @@ fn bench() -> Result<(), String> {
         let faithful = solve::method(method).is_none();
         let solver: Box<dyn Solver> = match solve::method(method) {
             Some(_) => Box::new(Default(method.to_owned())),
-            None => papers::method(method, &parameters.to_string())?,
+            None => papers::method(method, &parameters.to_string()).map_err(|e| e.message)?,
         };
         for seed in 1..=seeds {
             let clock = ThreadTime::now();

@@ -99,7 +99,7 @@ fn run(source: &Source, name: &str, seed: u64, options: &Options) -> Result<serd
     let method: &dyn Solver = match (&paper, solve::method(name)) {
         (Ok(paper), _) => paper.as_ref(),
         (Err(_), Some(own)) => own,
-        (Err(why), None) => return Err(why.clone()),
+        (Err(why), None) => return Err(why.message.clone()),
     };
     let clock = ThreadTime::now();
     let mut search = method.start(&source.problem, seed, None);
