@@ -1,6 +1,7 @@
 // inspect, plan and render in Node: promises, progress, signals. Browsers share this code.
 
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { createRequire } from 'node:module';
 import { describe, it } from 'node:test';
 import { createPlanner, inspect, plan, render } from 'kerfway';
@@ -44,6 +45,13 @@ describe('plan', () => {
     assert.equal(seed, 5);
     assert.equal(path.contours.length, loaded.contours.length);
     assert.deepEqual(JSON.parse(outputs.json).summary.total_time, summary.total_time);
+  });
+
+  it('works in a script that is given to Node as text', () => {
+    const drawing = `new TextEncoder().encode(${JSON.stringify(new TextDecoder().decode(PLATE))})`;
+    const script = `import { plan } from 'kerfway'; console.log((await plan(${drawing}, { seed: 1, moves: 10 })).summary.contours);`;
+    const { stdout, stderr } = spawnSync(process.execPath, ['--max-old-space-size=500', '--input-type=module', '--eval', script], { encoding: 'utf8' });
+    assert.equal(stdout, '2\n', stderr);
   });
 
   it('reports progress to a callback and to a loop', async () => {

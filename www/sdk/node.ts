@@ -29,8 +29,11 @@ function fileBeside(name: string): URL | null {
   }
 }
 
+/** A worker inherits what Node was started with, but refuses to start from a file with `--input-type`; it needs none of it. */
+const inherited = process.execArgv.some((arg) => arg.startsWith('--input-type')) ? { execArgv: [] } : {};
+
 const threads = (url: string | URL): StartWorker => (onMessage, onDeath) => {
-  const worker = new Worker(url instanceof URL || !url.startsWith('file:') ? url : new URL(url));
+  const worker = new Worker(url instanceof URL || !url.startsWith('file:') ? url : new URL(url), inherited);
   worker.on('message', onMessage);
   worker.on('error', (error) => onDeath(`The planner broke down (${error.message}).`));
   worker.on('exit', () => onDeath('The planner ended unexpectedly.'));

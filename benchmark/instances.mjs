@@ -1,0 +1,29 @@
+// The frozen instances: instances.json names each with its checksum, licence, source and best plan.
+
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { gunzipSync } from 'node:zlib';
+import { ROOT } from '../scripts/tools.mjs';
+
+export const HERE = join(ROOT, 'benchmark');
+const LIST = join(HERE, 'instances.json');
+
+/** The list as it is stored. */
+export function listed() {
+  return JSON.parse(readFileSync(LIST, 'utf8'));
+}
+
+/** Stores the list, an instance a line. */
+export function store({ instances: all, ...rest }) {
+  const lines = all.map((entry) => `    ${JSON.stringify(entry)}`).join(',\n');
+  writeFileSync(LIST, `${JSON.stringify(rest, null, 2).slice(0, -2)},\n  "instances": [\n${lines}\n  ]\n}\n`);
+}
+
+/** The entries of instances.json with what is in their files. */
+export function* instances({ only = '', track } = {}) {
+  for (const entry of listed().instances) {
+    if (!entry.name.includes(only) || (track !== undefined && entry.track !== track)) continue;
+    const file = join(HERE, entry.file);
+    yield { entry, instance: entry.track === 'GTSP' ? { gtsplib: entry.file } : JSON.parse(gunzipSync(readFileSync(file)).toString()) };
+  }
+}

@@ -1,0 +1,40 @@
+// Takes plans that are sound and better than the best known into the benchmark.
+
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { gunzipSync, gzipSync } from 'node:zlib';
+import { HERE, listed, store } from './instances.mjs';
+
+/** Values closer than this share are the same. */
+const SAME = 1e-9;
+
+export function keep(folder) {
+  const list = listed();
+  mkdirSync(join(HERE, 'best'), { recursive: true });
+  for (const entry of list.instances) {
+    const file = [`${entry.name}.json.gz`, `${entry.name}.json`].map((name) => join(folder, name)).find(existsSync);
+    if (file === undefined) continue;
+    const { status, stdout } = spawnSync('python3', [join(HERE, 'check.py'), '--instance', entry.name, file], { encoding: 'utf8' });
+    if (status !== 0) {
+      console.log(`${entry.name}: ${stdout.trim()}`);
+      continue;
+    }
+    const value = Number(stdout);
+    const bytes = readFileSync(file);
+    const { bound, by = 'unknown', ...plan } = JSON.parse((file.endsWith('.gz') ? gunzipSync(bytes) : bytes).toString());
+    const best = entry.best;
+    const known = Math.max(bound ?? 0, best?.bound ?? 0);
+    if (best === undefined || value < best.value * (1 - SAME)) {
+      const stored = `best/${entry.name}.json.gz`;
+      writeFileSync(join(HERE, stored), gzipSync(JSON.stringify(plan), { level: 9 }));
+      entry.best = { value: rounded(value), plan: stored, by, bound: known > 0 ? rounded(known) : null };
+      console.log(`${entry.name}: ${rounded(value)}${best === undefined ? '' : ` instead of ${best.value}`}`);
+    } else if (known > (best.bound ?? 0)) {
+      best.bound = rounded(known);
+    }
+  }
+  store(list);
+}
+
+const rounded = (value) => Number(value.toFixed(6));

@@ -1,0 +1,94 @@
+// npm run benchmark -- COMMAND: the public benchmark of cutting paths. README.md says what it is.
+//
+//     check FOLDER                       checks the plans of a folder with check.py, which needs Python and nothing else
+//     solve FOLDER [--seconds S]         writes Kerfway's plans into a folder [--only NAME] [--seed N] [--track T]
+//     trace [--only NAME]                writes how our values fall over the seconds into `traces`, for the plots of the site
+//     compare FOLDER [--only NAME]       writes the plans of other programs into folders below, those that are installed
+//     keep FOLDER                        takes the plans of a folder that are sound and better into `best`
+//     generate FOLDER --seed N           writes fresh instances and our plans for them [--count K] [--seconds S]
+//     freeze                             makes the instances anew, for the maintainers of the benchmark
+//     site [FOLDER]                      writes the static pages (default target/benchmark-site)
+
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { parseArgs } from 'node:util';
+import { gzipSync } from 'node:zlib';
+import { main, run, ROOT, Stop } from '../scripts/tools.mjs';
+import { HERE, instances } from './instances.mjs';
+
+const COMMANDS = {
+  async check({ folder }) {
+    run('python3', [join(HERE, 'check.py'), needed(folder)]);
+  },
+  async solve({ folder, only, track, seconds, seed }) {
+    const { solved } = await import('./solve.mjs');
+    mkdirSync(needed(folder), { recursive: true });
+    for (const { entry, instance } of instances({ only, track })) {
+      const { plan, bound } = await solved(instance, { seconds }, seed);
+      writeFileSync(join(folder, `${entry.name}.json.gz`), gzipSync(JSON.stringify({ ...plan, bound }), { level: 9 }));
+      console.log(`${entry.name.padEnd(24)} ${plan.by}, ${seconds} s, lower bound ${bound.toFixed(3)}`);
+    }
+  },
+  async trace({ only, seconds, seed }) {
+    const { solved } = await import('./solve.mjs');
+    mkdirSync(join(HERE, 'traces'), { recursive: true });
+    for (const { entry, instance } of instances({ only })) {
+      const { trace } = await solved(instance, { seconds }, seed);
+      writeFileSync(join(HERE, 'traces', `${entry.name}.json`), `${JSON.stringify({ kerfway: trace })}\n`);
+      console.log(`${entry.name}: ${trace.length} values`);
+    }
+  },
+  async compare({ folder, only, seconds }) {
+    run('python3', [join(HERE, 'compare.py'), needed(folder), '--seconds', String(seconds), ...(only === '' ? [] : ['--only', only])]);
+  },
+  async keep({ folder }) {
+    const { keep } = await import('./keep.mjs');
+    keep(needed(folder));
+  },
+  async generate({ folder, seed, count, seconds }) {
+    const { generated } = await import('./generate.mjs');
+    const { solved } = await import('./solve.mjs');
+    mkdirSync(needed(folder), { recursive: true });
+    for (const track of ['CCP', 'ICP']) {
+      const instance = generated({ seed, count, track });
+      const [file, answer] = [join(folder, `${instance.name}.json`), join(folder, `${instance.name}.plan.json`)];
+      writeFileSync(file, JSON.stringify(instance));
+      writeFileSync(answer, JSON.stringify((await solved(instance, { seconds }, seed)).plan));
+      console.log(instance.name);
+      run('python3', [join(HERE, 'check.py'), file, answer]);
+    }
+  },
+  async freeze() {
+    const { freeze } = await import('./freeze.mjs');
+    await freeze();
+  },
+  async site({ folder }) {
+    const { site } = await import('./site.mjs');
+    await site(folder ?? join(ROOT, 'target', 'benchmark-site'));
+  },
+};
+
+main(async () => {
+  const { values, positionals } = parseArgs({
+    allowPositionals: true,
+    options: { only: { type: 'string' }, track: { type: 'string' }, seconds: { type: 'string' }, seed: { type: 'string' }, count: { type: 'string' } },
+  });
+  const [name, folder] = positionals;
+  const command = Object.hasOwn(COMMANDS, name ?? '') ? COMMANDS[name] : undefined;
+  if (command === undefined) throw new Stop(`Which command? npm run benchmark -- ${Object.keys(COMMANDS).join('|')}`);
+  await command({
+    ...{ folder: folder && resolve(folder), only: values.only ?? '', track: values.track },
+    ...{ seconds: positive('seconds', values.seconds, 10), seed: positive('seed', values.seed, 1), count: positive('count', values.count, 50) },
+  });
+});
+
+function needed(folder) {
+  if (folder === undefined) throw new Stop('Which folder? Name it after the command.');
+  return folder;
+}
+
+function positive(name, text, otherwise) {
+  const value = text === undefined ? otherwise : Number(text);
+  if (!(value > 0 && Number.isFinite(value))) throw new Stop(`--${name} needs a number above 0, not ${text}.`);
+  return value;
+}

@@ -1,0 +1,54 @@
+// Kerfway's plans for instances of the benchmark.
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { gunzipSync } from 'node:zlib';
+import { DIST, ROOT } from '../scripts/tools.mjs';
+import { asDxf } from './drawing.mjs';
+
+/** A machine without anything but what an instance charges for. */
+function machine({ track, cost, home, closed }) {
+  const timed = cost.unit === 's';
+  const rapid = timed ? { speed: [cost.speed, cost.speed], accel: [cost.acceleration, cost.acceleration] } : { speed: [1, 1], accel: null };
+  const base = { version: 1, name: 'benchmark', title: 'Benchmark', home, return_home: closed, travel: 'vector', rapid, pierce_time: cost.pierce };
+  const rest = { cut: { speed: 1, accel: null, power: 1 }, mark: { speed: 1, accel: null, power: 0.1 }, junction_deviation: null };
+  // A machine whose pre-cuts cost nothing may leave contours unfinished.
+  return { ...base, ...rest, pre_cut_time: track === 'ECP' || track === 'ICP' ? 0 : null, beam_on_delay: 0, beam_off_delay: 0, dialect: 'grbl-m4', max_s: 1000 };
+}
+
+/**
+ * A plan for an instance, with its lower bound if there is one, and the values found on the way with their seconds; budget: `seconds`
+ * or `moves`.
+ */
+export async function solved(instance, budget, seed = 1) {
+  if (instance.gtsplib) return tour(instance, budget, seed);
+  const { plan } = await import(pathToFileURL(join(DIST, 'sdk', 'node.js')).href);
+  const options = { keepBorder: true, commonCuts: 'off', joinTolerance: 1e-5, copyTolerance: 1e-5, tolerance: 1e-5 };
+  // The default method stops anywhere on a contour; the method of the paper can be told to stop at ends of lines and arcs only.
+  const at = instance.track === 'ECP' ? { method: 'partition-tree', parameters: { nodes: 'element-ends' } } : { method: 'tour-tree' };
+  const trace = [];
+  const onProgress = ({ seconds, summary: { air_time: air, pierce_time: pierce } }) => {
+    if (trace.at(-1)?.[1] !== air + pierce) trace.push([Number(seconds.toFixed(3)), air + pierce]);
+  };
+  const run = await plan(Buffer.from(asDxf(instance)), { ...options, machine: machine(instance), ...at, seed, ...budget, onProgress, outputs: ['json'] });
+  const { moves, summary } = JSON.parse(text(run.outputs.json));
+  const bound = Math.max(0, (summary.lower_bound ?? 0) - (summary.total_time - summary.air_time - summary.pierce_time));
+  return { trace, plan: { by: `kerfway ${at.method}, seed ${seed}`, moves }, bound };
+}
+
+const text = (output) => (typeof output === 'string' ? output : Buffer.from(output).toString());
+
+/** A tour of an instance of GTSPLIB, by the command line. */
+function tour({ gtsplib }, { seconds, moves }, seed) {
+  const folder = mkdtempSync(join(tmpdir(), 'kerfway-'));
+  const file = join(folder, 'instance.gtsp');
+  writeFileSync(file, gunzipSync(readFileSync(join(ROOT, 'benchmark', gtsplib))));
+  const budget = moves === undefined ? ['--seconds', seconds] : ['--moves', moves];
+  const out = execFileSync('node', [join(DIST, 'sdk', 'cli.js'), 'solve', file, ...budget.map(String), '--seed', String(seed), '--json', '-'], { stdio: ['ignore', 'pipe', 'ignore'] });
+  rmSync(folder, { recursive: true });
+  const { tour: nodes, lower_bound: bound } = JSON.parse(out);
+  return { plan: { by: `kerfway tour-tree, seed ${seed}`, tour: nodes }, bound: bound ?? 0 };
+}

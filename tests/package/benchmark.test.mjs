@@ -1,0 +1,118 @@
+// The reference checker of the benchmark: our plans, plans made wrong, and plans of other programs.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { describe, it } from 'node:test';
+import { gunzipSync } from 'node:zlib';
+import { generated } from '../../benchmark/generate.mjs';
+import { HERE, listed } from '../../benchmark/instances.mjs';
+import { solved } from '../../benchmark/solve.mjs';
+
+const python = spawnSync('python3', ['--version']).status === 0;
+const NEEDS_PYTHON = { skip: !python && 'there is no Python' };
+
+/** What the checker says to a plan for an instance of the benchmark, or for one in a file. */
+function checked(t, instance, plan) {
+  const folder = mkdtempSync(join(tmpdir(), 'kerfway-'));
+  t.after(() => rmSync(folder, { recursive: true }));
+  writeFileSync(join(folder, 'plan.json'), typeof plan === 'string' ? plan : JSON.stringify(plan));
+  const named = typeof instance === 'string' ? ['--instance', instance] : [join(folder, 'instance.json')];
+  if (typeof instance !== 'string') writeFileSync(join(folder, 'instance.json'), JSON.stringify(instance));
+  const { stdout, status } = spawnSync('python3', [join(HERE, 'check.py'), ...named, join(folder, 'plan.json')], { encoding: 'utf8' });
+  return { text: stdout.trim(), status };
+}
+
+const best = (name) => {
+  const { best: found } = listed().instances.find((e) => e.name === name);
+  return { value: found.value, plan: JSON.parse(gunzipSync(readFileSync(join(HERE, found.plan))).toString()) };
+};
+
+const cuts = (plan) => plan.moves.flatMap((m, k) => (m.kind === 'cut' ? [k] : []));
+const SHEET = 'sheet-100-ccp';
+
+/** Each changes a sound plan for the sheet, and the fault has this name. */
+const WRONG = {
+  'a contour left out': ['not-cut', (p) => p.moves.splice(cuts(p)[40] - 2, 3)],
+  'a contour cut twice': ['cut-twice', (p) => p.moves.splice(cuts(p)[40] + 1, 0, { kind: 'pierce' }, p.moves[cuts(p)[40]])],
+  'an outer contour before what is inside': ['order', (p) => p.moves.unshift(...p.moves.splice(-4, 3))],
+  'a move left out': ['off-contour', (p) => p.moves.splice(p.moves.findIndex((m, k) => k > 9 && m.kind === 'air'), 1)],
+  'no piercing': ['no-pierce', (p) => p.moves.splice(p.moves.findIndex((m) => m.kind === 'pierce'), 1)],
+  'a start that is 0.01 mm off': ['off-contour', (p) => (p.moves[0].to[0] += 0.01)],
+  'a chord instead of an arc': ['off-contour', (p) => withArc(p, (piece) => ({ line: piece.arc }))],
+  'an arc the other way round': ['off-contour', (p) => withArc(p, (piece) => ({ ...piece, ccw: !piece.ccw }))],
+  'a contour that is not closed': ['not-whole', (p) => p.moves[cuts(p)[0]].path.length > 1 ? p.moves[cuts(p)[0]].path.pop() : p.moves[longest(p)].path.pop()],
+  'a head that does not return': ['no-return', (p) => p.moves.pop()],
+  'a coordinate that is no number': ['not-a-number', (p) => (p.moves[0].to[1] = 'NaN')],
+  'a claim that is too good': ['claim', (p) => (p.value = 2000)],
+  'a move of an unknown kind': ['not-a-plan', (p) => (p.moves[5].kind = 'jump')],
+};
+
+function longest(plan) {
+  return cuts(plan).find((k) => plan.moves[k].path.length > 2);
+}
+
+/** Replaces an arc that is no full turn. */
+function withArc(plan, change) {
+  const at = cuts(plan).find((k) => plan.moves[k].path.length > 1 && plan.moves[k].path.some((piece) => piece.arc));
+  const path = plan.moves[at].path;
+  const k = path.findIndex((piece) => piece.arc);
+  path[k] = change(path[k]);
+}
+
+describe('the reference checker', NEEDS_PYTHON, () => {
+  it('gives the value of the best plan', (t) => {
+    const { value, plan } = best(SHEET);
+    const { text, status } = checked(t, SHEET, plan);
+    assert.equal(status, 0, text);
+    assert.ok(Math.abs(Number(text) - value) < 1e-5, text);
+  });
+
+  for (const [what, [name, change]] of Object.entries(WRONG)) {
+    it(`rejects ${what} by name`, (t) => {
+      const { plan } = best(SHEET);
+      change(plan);
+      const { text, status } = checked(t, SHEET, plan);
+      assert.equal(status, 1);
+      assert.match(text, new RegExp(`^WRONG  ${name}: `));
+    });
+  }
+
+  it('rejects a tour that visits a set twice, or not at all', (t) => {
+    const { plan } = best('31pr152');
+    assert.match(checked(t, '31pr152', { tour: [...plan.tour, plan.tour[0]] }).text, /^WRONG {2}visited-twice: /);
+    assert.match(checked(t, '31pr152', { tour: plan.tour.slice(1) }).text, /^WRONG {2}not-visited: /);
+  });
+
+  it('accepts a path that another program found: sides of hull parts by HiGHS', (t) => {
+    const { plan, value } = best('hull-5-20-1-ecp');
+    assert.ok(Math.abs(Number(checked(t, 'hull-5-20-1-ecp', plan).text) - value) < 1e-5);
+    // The same walk begins in the middle of a side: allowed where a contour may be left anywhere, not where only at its ends.
+    const away = structuredClone(plan);
+    const first = away.moves.findIndex((m) => m.kind === 'cut');
+    const [from, to] = [away.moves[first - 2].to, away.moves[first].path[0].line];
+    away.moves[first].path.unshift({ line: from.map((v, k) => (v + to[k]) / 2) });
+    const middle = away.moves[first].path.splice(0, 1);
+    away.moves.splice(first, 0, { kind: 'cut', path: middle });
+    assert.match(checked(t, 'hull-5-20-1-ecp', away).text, /^WRONG {2}not-an-endpoint: /);
+    assert.ok(Math.abs(Number(checked(t, 'hull-5-20-1-icp', away).text) - value) < 1e-5);
+  });
+
+  for (const track of ['CCP', 'ECP', 'ICP']) {
+    it(`accepts our plan for a fresh instance of ${track}`, async (t) => {
+      const instance = generated({ seed: 7, count: 30, track });
+      const { plan, bound } = await solved(instance, { moves: 20_000 });
+      const { text, status } = checked(t, instance, plan);
+      assert.equal(status, 0, text);
+      assert.ok(Number(text) >= bound, `${text} is at least the bound ${bound}`);
+    });
+  }
+});
+
+it('instances made by seed are the same everywhere', () => {
+  const { contours } = generated({ seed: 7, count: 30 });
+  assert.equal(contours.length, 30);
+  assert.deepEqual(contours[0].start, generated({ seed: 7, count: 30 }).contours[0].start);
+});
