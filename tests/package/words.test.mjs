@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { it } from 'node:test';
+import { transformSync } from 'esbuild';
 import { ROOT } from './support.mjs';
 
 const APP = join(ROOT, 'www', 'app');
@@ -41,5 +42,67 @@ it('every entry of the word files is used', () => {
       const nested = new RegExp(`words\\.\\w+\\.\\w+(\\.${key}\\b|\\[)`);
       assert.ok(all.includes(`words.${name}.${key}`) || nested.test(all) || new RegExp(`words\\.${name}\\[`).test(all), `${name}.${key}`);
     }
+  }
+});
+
+const WORDS = join(APP, 'core', 'words');
+const OTHERS = readdirSync(WORDS).map((file) => file.replace('.ts', '')).filter((name) => name !== 'en' && name !== 'index');
+
+async function wordsOf(language) {
+  const { code } = transformSync(readFileSync(join(WORDS, `${language}.ts`), 'utf8'), { loader: 'ts', format: 'esm' });
+  return (await import(`data:text/javascript;base64,${Buffer.from(code).toString('base64')}`))[language];
+}
+
+/** Every text and function of a language with its place. */
+function entries(value, at = '') {
+  if (value !== null && typeof value === 'object') return Object.entries(value).flatMap(([key, inner]) => entries(inner, at === '' ? key : `${at}.${key}`));
+  return [[at, value]];
+}
+
+/** What goes into a sentence, marked so that it can be found in it, and for one thing and for several. */
+function sayings(at, say) {
+  if (at.startsWith('numbers.')) return [say(20, () => '<number>')];
+  if (at === 'drawing.preview.sentence') return [say(['<0>', '<1>'])];
+  // The first of two is the number that chooses the form, the second how it is written.
+  return [1, 2, 5].map((n) => {
+    const args = Array.from({ length: Math.max(say.length, 3) }, (_, i) => `<${i}>`);
+    if (/\(_?n, /.test(say.toString()) && /^\(_?n, (w|written)/.test(say.toString())) args[0] = n;
+    if (at === 'quote.part') args[1] = n;
+    return say(...args);
+  });
+}
+
+const marks = (text) => [...new Set(text.match(/<[^>]+>/g) ?? [])].sort();
+
+it('every language says everything that English says, with the same values in it', async () => {
+  const [en, reference] = [await wordsOf('en'), await wordsOf('de')];
+  assert.deepEqual(OTHERS, ['de', 'es', 'ja', 'zh'], 'another language is listed here and in index.ts');
+  const index = readFileSync(join(WORDS, 'index.ts'), 'utf8');
+  for (const language of OTHERS) {
+    assert.match(index, new RegExp(`\\b${language}: '`), `${language} can be chosen`);
+    const { errors, ...words } = await wordsOf(language);
+    const other = new Map(entries(words));
+    const own = entries(en);
+    // English shows the planner's own sentences about errors; the other languages name the same values.
+    assert.deepEqual(Object.keys(errors).sort(), Object.keys(reference.errors).sort(), `${language} has a sentence for each error`);
+    for (const [code, say] of Object.entries(errors)) assert.deepEqual(marks(say((name) => `<${name}>`)), marks(reference.errors[code]((name) => `<${name}>`)), `${language} ${code}`);
+    assert.deepEqual([...other.keys()].sort(), own.map(([at]) => at).sort(), `${language} has the entries of English`);
+    const same = [];
+    for (const [at, english] of own) {
+      const translated = other.get(at);
+      assert.equal(typeof translated, typeof english, `${language} ${at}`);
+      if (typeof english === 'function') {
+        const [theirs, ours] = [sayings(at, translated), sayings(at, english)];
+        theirs.forEach((text, k) => {
+          assert.notEqual(text.trim(), '', `${language} ${at}`);
+          assert.deepEqual(marks(text), marks(ours[k % ours.length]), `${language} ${at}: ${text}`);
+        });
+      } else if (english !== '' || at === 'settings.draft') {
+        assert.notEqual(String(translated).trim(), '', `${language} ${at}`);
+        if (translated === english && /[A-Za-z]{4}/.test(english)) same.push(at);
+      }
+    }
+    // Names, and a few words that are the same: the rest is translated.
+    assert.ok(same.length < 0.08 * own.length, `${language} leaves in English: ${same.join(', ')}`);
   }
 });

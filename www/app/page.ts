@@ -33,6 +33,7 @@ import { bedAround } from './session/placing.js';
 import { Preview } from './session/preview.js';
 import { fetchSample, SAMPLES } from './session/samples.js';
 import { Session } from './session/session.js';
+import { translate } from './core/markup.js';
 import { words } from './core/words/index.js';
 import { ramp } from './stage/ramp.js';
 import { Scene } from './stage/scene.js';
@@ -40,6 +41,7 @@ import { Viewport } from './stage/viewport.js';
 
 export async function startPage(): Promise<void> {
   const element = (id: string) => document.getElementById(id)!;
+  translate();
   // The sample is fetched, and the page is built, while the planner starts.
   const first = SAMPLES[0]!;
   const sampleBytes = fetchSample(first);
@@ -61,11 +63,20 @@ export async function startPage(): Promise<void> {
   const selection = new Selection(session, playback, scene, announcer, () => layout.toggleTable(false));
   const tools = toolbar(viewport, { ramp: (on) => scene.setView({ colors: on ? 'order' : 'plain' }), layers: (on) => scene.setView({ colors: on ? 'layers' : 'plain' }), air: (on) => scene.setView({ air: on }), measure: (on) => void pointer.measure(on), several: (on) => {
     selection.several = on;
-    canvas.classList.toggle('placing', on);
+    canvas.classList.toggle('selecting', on);
   } });
+  const restart = async () => {
+    const start = async () => {
+      await keeper.settled();
+      location.reload();
+    };
+    // Of several files only the open one is kept, so the person decides when.
+    if (files.queue.items.length > 0) notices.show(words.settings.later, { label: words.settings.reload, act: () => void start() });
+    else await start();
+  };
   const top = topBar(session, files.queue, theme, {
     open: () => files.choose(), sample: (sample) => files.chooseSample(sample),
-    table: () => layout.toggleTable(), help: () => help.showModal(), panel: () => layout.togglePanel(),
+    table: () => layout.toggleTable(), help: () => help.showModal(), panel: () => layout.togglePanel(), restart: () => void restart(),
   });
   const layout = new Layout(viewport, { stage: element('stage'), hint: element('hint'), toolbar: tools.root, table: selection.table, card: selection.card.root, toggles: top.toggles });
 

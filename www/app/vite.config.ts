@@ -23,5 +23,9 @@ export default defineConfig({
   resolve: { alias: { kerfway: at('../../dist/sdk/index.js') } },
   plugins: [contentSecurityPolicy],
   worker: { format: 'es' },
-  build: { outDir: at('../../dist/app'), emptyOutDir: true, target: 'es2022' },
+  build: {
+    outDir: at('../../dist/app'), emptyOutDir: true, target: 'es2022',
+    // Languages are loaded on demand. The build and the service worker know them by their names.
+    rolldownOptions: { output: { chunkFileNames: ({ facadeModuleId }) => (/core\/words\/\w+\.ts$/.test(facadeModuleId ?? '') ? 'assets/language-[name]-[hash].js' : 'assets/[name]-[hash].js') } },
+  },
 });

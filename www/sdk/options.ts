@@ -143,7 +143,7 @@ function picked<T extends object>(options: T, fields: readonly Field[]): T {
   return Object.fromEntries(Object.entries(options).filter(isGiven)) as T;
 }
 
-/** The options without those that are `undefined`, which the core would not take for absent. */
+/** The options without those that are `undefined`: the planner takes an option for given if its name is there. */
 export function given<T extends object>(options: T): T {
   return Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined)) as T;
 }

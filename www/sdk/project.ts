@@ -23,6 +23,8 @@ export interface SavedPlan {
   seconds: number;
   /** Time of the whole job, s. */
   total_time: number;
+  /** No path of this job takes less, s. Absent or 0: nothing is proven. */
+  lower_bound?: number;
   /** Whether its search had ended. */
   done: boolean;
   /** How the job time fell: seconds of search, and the job time found by then, s. Two lists of one length. */
@@ -82,13 +84,13 @@ function parsed(bytes: ArrayBuffer | Uint8Array): Record<string, unknown> {
 
 function savedPlan(value: unknown): SavedPlan {
   if (!isObject(value) || !isObject(value['path'])) throw unusable('its plan has no path');
-  const { seed, moves, seconds, total_time, done, path, curve } = value;
+  const { seed, moves, seconds, total_time, lower_bound = 0, done, path, curve } = value;
   const { at, total } = isObject(curve) ? curve : {};
   const isNumbers = (list: unknown): list is number[] => Array.isArray(list) && list.every((n) => typeof n === 'number' && n >= 0);
-  if (!isNumbers([seed, moves, seconds, total_time]) || !isNumbers(at) || !isNumbers(total) || at.length !== total.length) throw unusable('a number of its plan is missing');
+  if (!isNumbers([seed, moves, seconds, total_time, lower_bound]) || !isNumbers(at) || !isNumbers(total) || at.length !== total.length) throw unusable('a number of its plan is missing');
   const options = withWarmPath({ seed: seed as number, warm: path as unknown as WarmPath });
   checkOptions(options, 'planning');
-  return { seed, moves, seconds, total_time, done: done === true, curve: { at, total }, path: options.warm } as SavedPlan;
+  return { seed, moves, seconds, total_time, lower_bound, done: done === true, curve: { at, total }, path: options.warm } as SavedPlan;
 }
 
 async function unpacked(text: string): Promise<Uint8Array> {

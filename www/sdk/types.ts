@@ -19,4 +19,6 @@ export { isProject, readProject, writeProject, type Project, type SavedPlan } fr
 export { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS, leadRules, leadSettings, type LeadChoice } from './leads.js';
 export { activeContours } from './contours.js';
 export { tooLarge } from './size.js';
+export { PROVEN } from './gap.js';
+export { given } from './options.js';
 export { isKerfwayError, KerfwayError, type ErrorParams } from './errors.js';

@@ -1,6 +1,6 @@
 /** Files in and out: opening drawings and samples, several at once, and downloading the outputs of the plan. */
 
-import { isProject, type LoadOptions, type OutputKind, type Project, readProject, tooLarge, writeProject } from 'kerfway';
+import { isProject, KerfwayError, type LoadOptions, type OutputKind, type Project, readProject, tooLarge, writeProject } from 'kerfway';
 import { acceptDrops, choose, save } from '../core/files.js';
 import { Latest } from '../core/latest.js';
 import { baseName, downloadName, messageOf } from '../core/strings.js';
@@ -107,7 +107,7 @@ export class Files {
     this.latest.begin();
     const { session } = this;
     const refusal = tooLarge(file.size);
-    if (refusal !== null) return session.drawing.refuse(file.name, refusal);
+    if (refusal !== null) return session.drawing.refuse(file.name, new KerfwayError('too-large', refusal));
     let bytes: ArrayBuffer;
     try {
       bytes = await file.arrayBuffer();

@@ -59,7 +59,7 @@ export class Pointer {
     const before = this.measured !== null;
     if (!on && !before) return false;
     this.measured = on ? { points: null } : null;
-    this.canvas.classList.toggle('placing', on);
+    this.canvas.classList.toggle('measuring', on);
     this.scene.highlight({ measured: null });
     if (on) this.notices.show(words.stage.measuring);
     return before;

@@ -1,74 +1,100 @@
-/** Numbers for people: seconds, lengths, counts. Measured values have three significant digits, as more would suggest an accuracy they do not have. */
+/**
+ * Numbers for people: seconds, lengths, counts, in the form of the language. Measured values have three significant digits, as more would suggest
+ * an accuracy they do not have.
+ */
 
+import { lengthUnit, shownIn } from './lengths.js';
 import { words } from './words/index.js';
 
-const grouping = new Intl.NumberFormat(words.numbers.locale, { maximumFractionDigits: 0 });
+/** Formats with a number of decimals, made once each: making one takes far longer than using it. */
+const formats = new Map<string, Intl.NumberFormat>();
+
+function decimal(x: number, least: number, most = least, useGrouping = false): string {
+  const key = `${least} ${most} ${useGrouping}`;
+  let format = formats.get(key);
+  if (format === undefined) formats.set(key, (format = new Intl.NumberFormat(words.numbers.locale, { minimumFractionDigits: least, maximumFractionDigits: most, useGrouping })));
+  return format.format(x);
+}
 
 /** 1234 -> "1,234". */
 export function count(n: number): string {
-  return grouping.format(n);
+  return decimal(n, 0, 0, true);
 }
 
 /** Three significant digits, without an exponent: 0.0123, 1.23, 12.3, 123, 1,230. */
 export function three(x: number): string {
   const size = Math.abs(x);
   if (size < 5e-4) return '0';
-  if (size >= 999.5) return grouping.format(Number(x.toPrecision(3)));
-  const decimals = Math.min(3, Math.max(0, 2 - Math.floor(Math.log10(size))));
-  return x.toFixed(decimals);
+  if (size >= 999.5) return count(Number(x.toPrecision(3)));
+  return decimal(x, Math.min(3, Math.max(0, 2 - Math.floor(Math.log10(size)))));
 }
 
-/** Job time: "0.42 s", "42.3 s", "627 s", "16 min 40 s", "1 h 23 min". */
-export function seconds(s: number): string {
+/** A number with so many decimals. */
+export function fixed(x: number, decimals: number): string {
+  return decimal(x, decimals);
+}
+
+/** A number as it is, with up to so many decimals. */
+export function upTo(x: number, decimals: number): string {
+  return decimal(x, 0, decimals);
+}
+
+/** From here on times are hours, minutes and seconds, s. */
+const LONG = 999.5;
+
+/** Job time: "0.42 s", "42.3 s", "627 s", and from 1,000 s on "0:16:40". `beside`: the longest of the times it is compared with, as they should look alike. */
+export function seconds(s: number, beside = s): string {
   if (!Number.isFinite(s)) return '–';
-  if (Math.abs(s) < 999.5) return `${three(s)} s`;
-  const sign = s < 0 ? '-' : '';
+  if (Math.max(Math.abs(s), beside) < LONG) return `${three(s)} s`;
   const whole = Math.round(Math.abs(s));
-  if (whole < 3600) return `${sign}${Math.floor(whole / 60)} min ${String(whole % 60).padStart(2, '0')} s`;
-  const minutes = Math.round(whole / 60);
-  return `${sign}${count(Math.floor(minutes / 60))} h ${String(minutes % 60).padStart(2, '0')} min`;
+  return `${s < 0 ? '-' : ''}${count(Math.floor(whole / 3600))}:${pair(Math.floor(whole / 60) % 60)}:${pair(whole % 60)}`;
 }
 
-/** Job time in a narrow column, where it is compared with others: "627 s", "16:40", "1:23:07". */
-export function narrow(s: number): string {
-  if (Math.abs(s) < 999.5) return seconds(s);
-  const whole = Math.round(s);
-  return whole < 3600 ? `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, '0')}` : clock(whole);
-}
+const pair = (n: number) => String(n).padStart(2, '0');
 
 /** A time within the job: "1:23.4", "1:02:03". */
 export function clock(s: number): string {
   const t = Math.max(0, s);
-  if (t >= 3600) {
-    const whole = Math.floor(t);
-    const parts = [Math.floor(whole / 60) % 60, whole % 60].map((n) => String(n).padStart(2, '0'));
-    return `${Math.floor(whole / 3600)}:${parts.join(':')}`;
-  }
+  if (t >= 3600) return `${Math.floor(t / 3600)}:${pair(Math.floor(t / 60) % 60)}:${pair(Math.floor(t) % 60)}`;
   const tenths = Math.floor(t * 10 + 1e-6);
-  return `${Math.floor(tenths / 600)}:${String(Math.floor(tenths / 10) % 60).padStart(2, '0')}.${tenths % 10}`;
+  return `${Math.floor(tenths / 600)}:${pair(Math.floor(tenths / 10) % 60)}${POINT}${tenths % 10}`;
 }
 
-/** A length in mm as metres: "2.76 m"; from 10 km on as kilometres. */
+/** What stands between whole numbers and decimals. */
+const POINT = decimal(0.5, 1).slice(1, -1);
+
+/** A long way: "2.76 m"; from 10 km on as kilometres. */
 export function metres(mm: number): string {
+  if (lengthUnit === 'in') return millimetres(mm);
   if (mm >= 1e7) return `${three(mm / 1e6)} km`;
   return `${three(mm / 1000)} m`;
 }
 
 /** A length on the sheet: "44.2 mm"; above 10 m in metres. */
 export function millimetres(mm: number): string {
-  return mm >= 10_000 ? metres(mm) : `${three(mm)} mm`;
+  const { unit, factor } = shownIn('mm');
+  return mm >= 10_000 && unit === 'mm' ? metres(mm) : `${three(mm / factor)} ${unit}`;
 }
 
-/** A length on the sheet, to a tenth: "1000", "297.5". */
+/** A length on the sheet, to a tenth of a millimetre or a hundredth of an inch: "1000", "297.5". */
 export function size(mm: number): string {
-  if (Math.abs(mm) < 1) return three(mm);
-  return String(Math.round(mm * 10) / 10);
+  const { unit, factor } = shownIn('mm');
+  const value = mm / factor;
+  return Math.abs(value) < 1 ? three(value) : upTo(value, unit === 'mm' ? 1 : 2);
 }
 
 /** "1000 × 500 mm"; from 10 m on in metres. */
 export function extent(width: number, height: number): string {
-  if (Math.max(width, height) >= 10_000) return `${three(width / 1000)} × ${three(height / 1000)} m`;
-  return `${size(width)} × ${size(height)} mm`;
+  const { unit } = shownIn('mm');
+  if (unit === 'mm' && Math.max(width, height) >= 10_000) return `${three(width / 1000)} × ${three(height / 1000)} m`;
+  return `${size(width)} × ${size(height)} ${unit}`;
+}
+
+/** An area: "120 mm²", from 100 cm² on "0.0123 m²", or "19.1 in²". */
+export function area(mm2: number): string {
+  const { unit, factor } = shownIn('mm²');
+  if (unit !== 'mm²') return `${three(mm2 / factor)} ${unit}`;
+  return mm2 < 1e4 ? `${count(Math.round(mm2))} mm²` : `${fixed(mm2 / 1e6, 4)} m²`;
 }
 
 /** A share: "12.3 %". */
@@ -79,6 +105,6 @@ export function percent(ratio: number): string {
 /** Large counts in a short form: 950, "12.3 thousand", "4.5 million". */
 export function short(n: number): string {
   if (n < 10_000) return count(n);
-  if (n < 1e6) return words.numbers.thousand(three(n / 1e3));
-  return words.numbers.million(three(n / 1e6));
+  if (n < 1e6) return words.numbers.thousand(n / 1e3, three);
+  return words.numbers.million(n / 1e6, three);
 }

@@ -1,8 +1,9 @@
 /** Sentences that depend on a state, units and operations in the order of their lists, names of files. */
 
-import { seconds } from './format.js';
-import { words } from './words/index.js';
-import type { DoneReason, MachineProfile, Operation, Unit } from 'kerfway';
+import { count, seconds } from './format.js';
+import { inChosenUnit } from './lengths.js';
+import { language, words } from './words/index.js';
+import { type DoneReason, type Finding, isKerfwayError, type KerfwayError, type MachineProfile, type Operation, type Unit } from 'kerfway';
 
 /** Millimetres in a unit. */
 export const UNIT_SIZES: Record<Unit, number> = {
@@ -24,8 +25,24 @@ export function doneSentence(reason: DoneReason | null, quiet: number): string {
 /** The sentence of an error that the planner or the browser has thrown. */
 export function messageOf(error: unknown): string {
   if (typeof error === 'string') return error;
+  if (isKerfwayError(error)) return ofCode(error);
   const message = error instanceof Error ? error.message : null;
   return message || words.page.somethingElse;
+}
+
+/** The planner's own sentence in English; in other languages that of its code, with the planner's behind it unless its values say it all. */
+function ofCode({ code, message, params }: KerfwayError): string {
+  const own = inChosenUnit(message);
+  const say = Object.entries(words.errors ?? {}).find(([known]) => known === code)?.[1];
+  if (say === undefined) return own;
+  const sentence = say((name) => [params[name] ?? ''].flat().join(', '));
+  return Object.keys(params).length > 0 ? sentence : `${sentence} (${own})`;
+}
+
+/** What a finding says. `detail`: the planner's sentence, in English, where the page is in another language. */
+export function sentenceOf({ code, message, count: n }: Finding): { text: string; detail: string | null } {
+  const own = inChosenUnit(message);
+  return language === 'en' ? { text: own, detail: null } : { text: words.findingTitles[code](n, count(n)), detail: own };
 }
 
 /** The name of a download: file, machine and date, as in "plate-co2-100w-2026-03-01.nc". */

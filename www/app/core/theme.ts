@@ -4,6 +4,7 @@
  */
 
 import { Emitter } from './emitter.js';
+import { keep, kept } from './kept.js';
 
 const KEY = 'kerfway.theme';
 
@@ -12,8 +13,8 @@ export class Theme extends Emitter<{ change: 'light' | 'dark' }> {
 
   constructor() {
     super();
-    const kept = stored();
-    if (kept) document.documentElement.dataset.theme = kept;
+    const chosen = kept(KEY, ['light', 'dark']);
+    if (chosen) document.documentElement.dataset.theme = chosen;
     this.system.addEventListener('change', () => this.emit('change', this.current));
   }
 
@@ -26,20 +27,7 @@ export class Theme extends Emitter<{ change: 'light' | 'dark' }> {
   toggle(): void {
     const next = this.current === 'dark' ? 'light' : 'dark';
     document.documentElement.dataset.theme = next;
-    try {
-      localStorage.setItem(KEY, next);
-    } catch {
-      // Private windows have no storage: the choice then lasts as long as the page.
-    }
+    keep(KEY, next);
     this.emit('change', next);
-  }
-}
-
-function stored(): 'light' | 'dark' | null {
-  try {
-    const kept = localStorage.getItem(KEY);
-    return kept === 'light' || kept === 'dark' ? kept : null;
-  } catch {
-    return null;
   }
 }

@@ -1,5 +1,5 @@
 // Stores the page for use without a network. The files of a first visit are stored at once. What is loaded on demand (the PNG renderer, the
-// file for SVG and methods of papers, further samples) is stored when it is first used. The build fills in the list of files, and a version made of their
+// file for SVG and methods of papers, further samples, another language) is stored when it is first used. The build fills in the list of files, and a version made of their
 // contents. A newer version is stored while the old one is open and replaces it at the next visit, so that a page never mixes files of two
 // builds. Only the page's own files pass through here.
 

@@ -1,8 +1,9 @@
 /** Calibration: the seconds that one or two jobs really took, and the machine that is fitted to them, with the error before and after. */
 
 import { button, h } from '../core/dom.js';
-import { narrow, percent } from '../core/format.js';
+import { percent, seconds } from '../core/format.js';
 import { messageOf } from '../core/strings.js';
+import { shownIn } from '../core/lengths.js';
 import { words } from '../core/words/index.js';
 import type { Calibration, MachineProfile, MeasuredPlan } from 'kerfway';
 import type { Session } from '../session/session.js';
@@ -55,7 +56,7 @@ export function calibration(session: Session, notify: (sentence: string) => void
   const show = (jobs: readonly Timed[], found: Calibration | null) => {
     timed = jobs;
     fitted = found;
-    list.replaceChildren(...jobs.map((j) => h('li', { class: 'number' }, words.calibration.job(j.name, narrow(j.seconds), narrow(j.planned)))));
+    list.replaceChildren(...jobs.map((j) => h('li', { class: 'number' }, words.calibration.job(j.name, seconds(j.seconds), seconds(j.planned)))));
     list.hidden = jobs.length === 0 || found !== null;
     actions.hidden = jobs.length === 0;
     fit.hidden = found !== null;
@@ -77,17 +78,18 @@ function withMaterial(machine: MachineProfile, material: string | null): Machine
 }
 
 const error = (planned: number, measured: number) => `${planned >= measured ? '+' : '−'}${percent(Math.abs(planned / measured - 1))}`;
-const digits = (n: number | null) => (n === null ? words.machine.unlimited : String(Number(n.toPrecision(4))));
+const digits = (n: number | null | undefined, unit: string) => (typeof n !== 'number' ? words.machine.unlimited : String(Number((n / shownIn(unit).factor).toPrecision(4))));
 
 /** The error of each job and the fitted values, before and after. */
 function rows({ jobs, machine }: Calibration, { state: { machine: before } }: Session): HTMLElement[] {
-  const row = (label: string, from: string, to: string) => h('tr', {}, h('th', { scope: 'row' }, label), h('td', { class: 'number' }, from), h('td', { class: 'number' }, to));
+  const line = (label: string, from: string, to: string) => h('tr', {}, h('th', { scope: 'row' }, label), h('td', { class: 'number' }, from), h('td', { class: 'number' }, to));
+  const row = (label: string, unit: string, from: number | null | undefined, to: number | null | undefined) => line(`${label}, ${shownIn(unit).unit}`, digits(from, unit), digits(to, unit));
   return [
     h('thead', {}, h('tr', {}, h('td', {}), ...[words.calibration.before, words.calibration.after].map((t) => h('th', { scope: 'col', class: 'number' }, t)))),
     h('tbody', {},
-      ...jobs.map((j) => row(j.name, error(j.before, j.measured), error(j.after, j.measured))),
-      row(`${words.machine.cutAccel}, mm/s²`, digits(before?.cut.accel ?? null), digits(machine.cut.accel)),
-      row(`${words.machine.corners}, mm`, digits(before?.junction_deviation ?? null), digits(machine.junction_deviation)),
-      row(`${words.machine.pierce}, s`, digits(before?.pierce_time ?? null), digits(machine.pierce_time))),
+      ...jobs.map((j) => line(j.name, error(j.before, j.measured), error(j.after, j.measured))),
+      row(words.machine.cutAccel, 'mm/s²', before?.cut.accel, machine.cut.accel),
+      row(words.machine.corners, 'mm', before?.junction_deviation, machine.junction_deviation),
+      row(words.machine.pierce, 's', before?.pierce_time, machine.pierce_time)),
   ];
 }

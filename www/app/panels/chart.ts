@@ -7,7 +7,7 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { colorOf } from '../core/color.js';
 import { h, setText } from '../core/dom.js';
-import { narrow, seconds } from '../core/format.js';
+import { seconds } from '../core/format.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
 import type { Theme } from '../core/theme.js';
@@ -41,7 +41,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
     scales: { x: { time: false, distr: 3, range: (_u, _low, high) => [FIRST, Math.max(1, high)] }, y: { range: (_u, low, high) => pad(low, high) } },
     axes: [
       { ...axis, size: 22, space: 40, filter: decades, grid: { ...axis.grid, filter: decades }, values: (_u, splits) => splits.map((s) => (s === null ? '' : `${Number(s.toPrecision(3))} s`)) },
-      { ...axis, size: 52, space: 32, values: (_u, splits) => splits.map((s) => (s < 999.5 ? `${Math.round(s * 100) / 100} s` : narrow(s))) },
+      { ...axis, size: 52, space: 32, values: (_u, splits) => splits.map((s) => (s < 999.5 ? `${Math.round(s * 100) / 100} s` : seconds(s))) },
     ],
     series: [
       {},
@@ -59,7 +59,7 @@ export function chart(session: Session, theme: Theme): HTMLElement {
     if (plot.width !== holder.clientWidth) plot.setSize({ width: holder.clientWidth, height: HEIGHT });
     const { data, above } = dataOf(session.state);
     plot.setData(data);
-    setText(off, above === null ? '' : words.result.chartAbove(narrow(above)));
+    setText(off, above === null ? '' : words.result.chartAbove(seconds(above)));
     holder.setAttribute('aria-label', describe(session.state));
   };
   const soon = () => {
@@ -98,6 +98,6 @@ function decades(_plot: uPlot, splits: number[]): (number | null)[] {
 function describe({ curve, baselines }: State): string {
   const first = curve.total[0], last = curve.total.at(-1);
   if (first === undefined || last === undefined) return words.result.chartNone;
-  const order = baselines ? words.result.chartOrders(narrow(baselines.drawing.total_time), narrow(baselines.greedy.total_time)) : '';
-  return words.result.chartWords(narrow(first), narrow(last), seconds(curve.at.at(-1) ?? 0)) + order;
+  const order = baselines ? words.result.chartOrders(seconds(baselines.drawing.total_time), seconds(baselines.greedy.total_time)) : '';
+  return words.result.chartWords(seconds(first), seconds(last), seconds(curve.at.at(-1) ?? 0)) + order;
 }

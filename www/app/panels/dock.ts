@@ -6,9 +6,9 @@
 import { button, h, setText } from '../core/dom.js';
 import { seconds, short } from '../core/format.js';
 import { doneSentence } from '../core/strings.js';
+import { PROVEN } from 'kerfway';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
-import { PROVEN } from './result.js';
 import { words } from '../core/words/index.js';
 
 export interface DockActions {

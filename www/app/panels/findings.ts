@@ -5,6 +5,7 @@
 
 import { button, h, icon, setText } from '../core/dom.js';
 import { count } from '../core/format.js';
+import { sentenceOf } from '../core/strings.js';
 import type { Finding, Severity } from 'kerfway';
 import { words } from '../core/words/index.js';
 
@@ -36,8 +37,7 @@ export class FindingList {
   show(findings: readonly Finding[]): void {
     this.buttons.clear();
     const problems = problemCounts(findings);
-    const notes = findings.filter((f) => f.severity === 'info').length;
-    setText(this.head, headline(problems, notes));
+    setText(this.head, headline(problems, kindsOf(findings, 'info')));
     this.root.classList.toggle('grave', problems.length > 0);
     this.root.classList.toggle('errors', findings.some((f) => f.severity === 'error'));
     this.root.hidden = findings.length === 0;
@@ -67,15 +67,15 @@ export class FindingList {
     if (findings.length === 1) return this.item(first);
     const sum = findings.reduce((n, f) => n + f.count, 0);
     return h('details', { class: 'finding-group' },
-      h('summary', {}, mark(first.severity), h('span', {}, words.findingTitles[first.code]), h('span', { class: 'soft number' }, count(sum))),
+      h('summary', {}, mark(first.severity), h('span', {}, words.findingTitles[first.code](sum, count(sum)))),
       ...findings.slice(0, LISTED).map((f) => this.item(f)),
       findings.length > LISTED && h('p', { class: 'soft' }, words.findings.more(count(findings.length - LISTED))));
   }
 
   private item(finding: Finding): HTMLElement {
-    const text = h('span', {}, finding.message);
+    const { text, detail } = sentenceOf(finding);
     const where = [finding.layer && words.findings.layer(finding.layer), finding.handle && words.findings.entity(finding.handle)].filter(Boolean).join(', ');
-    const inner = [mark(finding.severity), h('span', { class: 'finding-text' }, text, where ? h('span', { class: 'soft' }, ` ${where}`) : null)];
+    const inner = [mark(finding.severity), h('span', { class: 'finding-text' }, h('span', {}, text), where ? h('span', { class: 'soft' }, ` ${where}`) : null, detail && h('span', { class: 'soft detail', lang: 'en' }, detail))];
     const actions = this.actions(finding).map(({ label, name, act }) => button(label, { class: 'small', 'aria-label': name, onclick: act }));
     const withActions = (item: HTMLElement) => (actions.length > 0 ? h('div', { class: 'finding-choice' }, item, h('div', { class: 'finding-actions' }, ...actions)) : item);
     if (!finding.at) return withActions(h('div', { class: 'finding' }, ...inner));
@@ -85,10 +85,14 @@ export class FindingList {
   }
 }
 
+/** How many kinds of findings there are of a severity: 45 skipped texts are one issue. */
+function kindsOf(findings: readonly Finding[], severity: Severity): number {
+  return new Set(findings.filter((f) => f.severity === severity).map((f) => f.code)).size;
+}
+
 /** The numbers of errors and warnings in words; empty when there are neither. */
 export function problemCounts(findings: readonly Finding[]): string[] {
-  const number = (severity: Severity) => findings.filter((f) => f.severity === severity).length;
-  const [errors, warnings] = [number('error'), number('warning')];
+  const [errors, warnings] = [kindsOf(findings, 'error'), kindsOf(findings, 'warning')];
   return [errors > 0 ? words.findings.errors(errors, count(errors)) : '', warnings > 0 ? words.findings.warnings(warnings, count(warnings)) : ''].filter((text) => text !== '');
 }
 

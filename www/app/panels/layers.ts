@@ -1,7 +1,8 @@
 /** The layers: name, number of contours, operation. What the name of a layer suggests can be accepted with one click. */
 
 import { button, h } from '../core/dom.js';
-import { count } from '../core/format.js';
+import { count, upTo } from '../core/format.js';
+import { shownIn, typed, written } from '../core/lengths.js';
 import { LAYER_COLORS } from '../stage/layer-colors.js';
 import { OPERATIONS } from '../core/strings.js';
 import type { LayerChoice, LayerUse, Loaded, MachineProfile } from 'kerfway';
@@ -72,21 +73,23 @@ const QUANTITIES: readonly Quantity[] = [
   { key: 'zStep', label: words.layers.zStep, unit: 'mm', least: 0, most: 50, factor: 1, otherwise: (p) => p.z_step ?? 0 },
 ];
 
-const rounded = (value: number) => Math.round(value * 1e4) / 1e4;
+/** A setting as it is typed. */
+const shown = (value: number, { unit, factor }: Pick<Quantity, 'unit' | 'factor'>) => written(value / factor, unit);
 
 function settingFields(session: Session, layer: LayerUse, set: LayerChoice | undefined): HTMLElement[] {
   const { machine } = session.state;
   const process = layer.operation === 'mark' ? machine?.mark : machine?.cut;
-  const fields = QUANTITIES.map(({ key, label, unit, least, most, factor, whole, otherwise }) => {
+  const fields = QUANTITIES.map((quantity) => {
+    const { key, label, unit, least, most, factor, whole, otherwise } = quantity;
     const given = set?.[key];
     const usual = process && otherwise(process);
     const input = h('input', {
-      type: 'number', step: 'any', min: least, max: most, inputmode: 'decimal', 'aria-label': words.layers.settingOf(label, layer.name),
-      placeholder: typeof usual === 'number' ? String(rounded(usual / factor)) : words.layers.unset, value: typeof given === 'number' ? String(rounded(given / factor)) : '',
+      type: 'number', step: 'any', min: written(least, unit), max: written(most, unit), inputmode: 'decimal', 'aria-label': words.layers.settingOf(label, layer.name),
+      placeholder: typeof usual === 'number' ? shown(usual, quantity) : words.layers.unset, value: typeof given === 'number' ? shown(given, quantity) : '',
     });
     // On `change`, not on every keystroke: the drawing is arranged again.
     input.addEventListener('change', () => {
-      const value = input.value === '' ? undefined : input.valueAsNumber;
+      const value = input.value === '' ? undefined : typed(input, unit);
       const valid = value === undefined || (value >= least && value <= most && (!whole || Number.isInteger(value)));
       input.setAttribute('aria-invalid', String(!valid));
       if (valid) session.drawing.setLayer(layer.name, { [key]: value === undefined ? undefined : value * factor });
@@ -98,12 +101,14 @@ function settingFields(session: Session, layer: LayerUse, set: LayerChoice | und
   return [...fields, air.root];
 }
 
+const inUnit = (value: number, unit: string) => `${upTo(value / shownIn(unit).factor, 4)} ${shownIn(unit).unit}`;
+
 /** What is set for a layer, in a few words. */
 function inWords(set: LayerChoice | undefined): string {
   if (!set) return '';
   return [
-    typeof set.speed === 'number' && `${rounded(set.speed)} mm/s`, typeof set.power === 'number' && `${rounded(set.power * 100)} %`,
-    typeof set.passes === 'number' && set.passes > 1 && `${set.passes} ×`, typeof set.zStep === 'number' && set.zStep > 0 && `${rounded(set.zStep)} mm`, set.air === true && words.layers.air.toLowerCase(),
+    typeof set.speed === 'number' && inUnit(set.speed, 'mm/s'), typeof set.power === 'number' && inUnit(set.power * 100, '%'),
+    typeof set.passes === 'number' && set.passes > 1 && `${set.passes} ×`, typeof set.zStep === 'number' && set.zStep > 0 && inUnit(set.zStep, 'mm'), set.air === true && words.layers.air.toLowerCase(),
   ].filter(Boolean).join(', ');
 }
 

@@ -2,6 +2,7 @@
 
 import { button, h } from '../core/dom.js';
 import { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS, leadRules, leadSettings, type LeadKind, type LeadPosition, type LeadChoice, type MachineProfile } from 'kerfway';
+import { typed, written } from '../core/lengths.js';
 import { words } from '../core/words/index.js';
 import { field, select } from './section.js';
 
@@ -51,9 +52,9 @@ export function leadsPanel(edit: (change: (m: MachineProfile) => void) => void):
   const placed = field(w.position, position.root);
   const kinds = LEAD_KINDS.map((value) => ({ value, label: w.kinds[value] }));
   const inputs = QUANTITIES.map((q) => {
-    const input = h('input', { type: 'number', step: 'any', min: q.least, max: q.most, inputmode: 'decimal' });
+    const input = h('input', { type: 'number', step: 'any', min: written(q.least, q.unit), max: written(q.most, q.unit), inputmode: 'decimal' });
     input.addEventListener('input', () => {
-      const value = input.valueAsNumber;
+      const value = typed(input, q.unit);
       const valid = value >= q.least && value <= q.most;
       input.setAttribute('aria-invalid', String(!valid && input.value !== ''));
       if (valid) set({ [q.name]: value });
@@ -78,7 +79,7 @@ export function leadsPanel(edit: (change: (m: MachineProfile) => void) => void):
       placed.hidden = !any(now);
       for (const { q, input, row } of inputs) {
         row.hidden = !q.of(now);
-        if (document.activeElement !== input) input.value = String(Math.round(now[q.name] * 1e6) / 1e6);
+        if (document.activeElement !== input) input.value = written(now[q.name], q.unit);
       }
     },
   };

@@ -2,6 +2,7 @@
 
 import { h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
+import { typed, written } from '../core/lengths.js';
 import { words } from '../core/words/index.js';
 import { check, field } from './section.js';
 
@@ -22,9 +23,9 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
     else m.levers = { ...m.levers, moving_pierce: { overcut } };
   });
   const moving = check(w.moving, (on) => set(on ? OVERCUT : null));
-  const input = h('input', { type: 'number', step: 'any', min: 0, max: MOST, inputmode: 'decimal' });
+  const input = h('input', { type: 'number', step: 'any', min: 0, max: written(MOST, 'mm'), inputmode: 'decimal' });
   input.addEventListener('input', () => {
-    const value = input.valueAsNumber;
+    const value = typed(input, 'mm');
     const valid = value >= 0 && value <= MOST;
     input.setAttribute('aria-invalid', String(!valid && input.value !== ''));
     if (valid) set(value);
@@ -38,7 +39,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       // A machine that leaves contours unfinished pierces at rest.
       moving.input.disabled = !lever && typeof pre_cut_time === 'number';
       more.hidden = !lever;
-      if (document.activeElement !== input) input.value = String(lever?.overcut ?? 0);
+      if (document.activeElement !== input) input.value = written(lever?.overcut ?? 0, 'mm');
     },
   };
 }

@@ -9,6 +9,7 @@ import { leadsPanel } from './leads.js';
 import { leversPanel } from './levers.js';
 import { materials } from './materials.js';
 import { ownMachines } from './own-machines.js';
+import { typed, written } from '../core/lengths.js';
 import { check, field, section, select } from './section.js';
 import { words } from '../core/words/index.js';
 
@@ -138,7 +139,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     levers.show(machine);
     QUANTITIES.forEach((q, i) => {
       const input = inputs[i]!;
-      if (document.activeElement !== input) input.value = shown(q.get(machine));
+      if (document.activeElement !== input) input.value = shown(q, machine);
     });
   };
   session.store.on('change', show);
@@ -153,15 +154,16 @@ function hintOf(quantity: Quantity): HTMLElement | null {
   return quantity.hint === undefined ? null : h('p', { class: 'soft', id: hintId(quantity) }, quantity.hint);
 }
 
-function shown(value: number | null): string {
-  return value === null ? '' : String(Math.round(value * 1e6) / 1e6);
+function shown(quantity: Quantity, machine: MachineProfile): string {
+  const value = quantity.get(machine);
+  return value === null ? '' : written(value, quantity.unit);
 }
 
 function numberInput(quantity: Quantity, edit: (change: (m: MachineProfile) => void) => void): HTMLInputElement {
-  const input = h('input', { type: 'number', step: 'any', min: quantity.least, inputmode: 'decimal', placeholder: quantity.none ?? words.machine.unlimited });
+  const input = h('input', { type: 'number', step: 'any', min: written(quantity.least, quantity.unit), inputmode: 'decimal', placeholder: quantity.none ?? words.machine.unlimited });
   if (quantity.hint !== undefined) input.setAttribute('aria-describedby', hintId(quantity));
   input.addEventListener('input', () => {
-    const value = input.valueAsNumber;
+    const value = typed(input, quantity.unit);
     const valid = Number.isFinite(value) && value >= quantity.least;
     input.setAttribute('aria-invalid', String(!valid && input.value !== ''));
     if (valid) edit((m) => quantity.set(m, value));

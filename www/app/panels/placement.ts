@@ -2,6 +2,8 @@
 
 import { button, h, setText } from '../core/dom.js';
 import { size } from '../core/format.js';
+import { shownIn, typed, written } from '../core/lengths.js';
+import { sentenceOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
 import { type Anchor, ANCHORS, pointOf } from 'kerfway';
 import { anchoredAt, AS_DRAWN, fitsBed, jobBox, shiftOf } from '../session/placing.js';
@@ -36,7 +38,7 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
   const [x, y] = ([0, 1] as const).map((axis) => {
     const input = h('input', { type: 'number', step: 'any', inputmode: 'decimal' });
     input.addEventListener('input', () => {
-      const value = input.valueAsNumber;
+      const value = typed(input, 'mm');
       const valid = Number.isFinite(value) && Math.abs(value) <= 1e6;
       input.setAttribute('aria-invalid', String(!valid && input.value !== ''));
       if (valid) moveTo(session, axis, value);
@@ -71,13 +73,14 @@ export function placementPanel(session: Session, actions: PlacementActions): Pla
     where.hidden = place === null;
     if (place !== null) {
       for (const [anchor, { input }] of points) input.checked = place.point === anchor;
-      if (document.activeElement !== x) x.value = String(place.at[0]);
-      if (document.activeElement !== y) y.value = String(place.at[1]);
+      if (document.activeElement !== x) x.value = written(place.at[0], 'mm');
+      if (document.activeElement !== y) y.value = written(place.at[1], 'mm');
     }
     const fit = fitsBed(placing, machine, loaded);
-    const sentence = planFindings.find((f) => f.code === 'off-bed')?.message ?? (fit ? '' : words.placement.off);
+    const off = planFindings.find((f) => f.code === 'off-bed');
+    const sentence = off !== undefined ? sentenceOf(off).text : fit ? '' : words.placement.off;
     const [x0, y0, x1, y1] = jobBox(placing, loaded);
-    setText(fits, words.placement.reaches(size(x0), size(x1), size(y0), size(y1)));
+    setText(fits, words.placement.reaches(size(x0), size(x1), size(y0), size(y1), shownIn('mm').unit));
     setText(advice, sentence);
     alert.hidden = sentence === '';
     corner.hidden = !machine.bed || !roomFor(session.state);

@@ -5,6 +5,7 @@
 
 import { h, icon } from '../core/dom.js';
 import { count, metres, seconds } from '../core/format.js';
+import { inChosenUnit } from '../core/lengths.js';
 import { messageOf } from '../core/strings.js';
 import type { ProgramCheck } from 'kerfway';
 import type { Session } from '../session/session.js';
@@ -27,7 +28,7 @@ export function preflight(session: Session, usable: (passed: boolean) => void): 
     verdict.replaceChildren(icon(passed ? 'check' : 'warning'), passed ? words.preflight.passes : words.preflight.fails);
     facts.textContent = report === null ? refusal : factsOf(report).join(' · ');
     const list = report?.problems ?? [];
-    problems.replaceChildren(...list.slice(0, LISTED).map((p) => h('li', { class: p.severity }, p.count > 1 ? words.preflight.more(p.message, count(p.count - 1)) : p.message)));
+    problems.replaceChildren(...list.slice(0, LISTED).map((p) => h('li', { class: p.severity }, p.count > 1 ? words.preflight.more(inChosenUnit(p.message), count(p.count - 1)) : inChosenUnit(p.message))));
     usable(root.hidden || passed);
   };
   const make = async () => {

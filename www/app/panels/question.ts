@@ -5,7 +5,7 @@
 
 import { button, h } from '../core/dom.js';
 import { count, extent } from '../core/format.js';
-import { UNIT_SIZES } from '../core/strings.js';
+import { sentenceOf, UNIT_SIZES } from '../core/strings.js';
 import type { Loaded, LoadOptions, Unit } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { borderInDoubt } from '../session/drawing.js';
@@ -88,9 +88,10 @@ function damaged(session: Session, loaded: Loaded): HTMLElement[] {
 }
 
 function border(session: Session, loaded: Loaded): HTMLElement[] {
+  const doubt = borderInDoubt(loaded);
   return [
     h('h2', { id: 'question' }, words.question.border),
-    h('p', {}, borderInDoubt(loaded)?.message ?? ''),
+    h('p', {}, doubt === undefined ? '' : sentenceOf(doubt).text),
     h('div', { class: 'choices' },
       button(words.question.ignoreBorder, { class: 'primary', onclick: () => session.drawing.answer('border', { ignoreOutline: true }) }),
       button(words.question.keepBorder, { onclick: () => session.drawing.answer('border', { keepBorder: true }) })),

@@ -2,7 +2,8 @@
 
 import { button, h } from '../core/dom.js';
 import { save } from '../core/files.js';
-import { count, metres } from '../core/format.js';
+import { area, count, fixed, metres } from '../core/format.js';
+import { shownIn, typed } from '../core/lengths.js';
 import { downloadName, messageOf } from '../core/strings.js';
 import type { Material, Quote } from 'kerfway';
 import type { Session } from '../session/session.js';
@@ -57,20 +58,20 @@ export function quotePanel(session: Session, notify: (sentence: string) => void)
 }
 
 function material(thickness: HTMLInputElement, density: HTMLInputElement): Material {
-  const given = (input: HTMLInputElement) => (input.valueAsNumber > 0 ? input.valueAsNumber : undefined);
-  const [t, d] = [given(thickness), given(density)];
+  const given = (input: HTMLInputElement, unit: string) => (typed(input, unit) > 0 ? typed(input, unit) : undefined);
+  const [t, d] = [given(thickness, 'mm'), given(density, '')];
   return { ...(t === undefined ? {} : { thickness: t }), ...(d === undefined ? {} : { density: d }) };
 }
 
-const mm = (value: number) => `${value.toFixed(2)} mm`;
-const area = (mm2: number) => (mm2 < 1e4 ? `${count(Math.round(mm2))} mm²` : `${(mm2 / 1e6).toFixed(4)} m²`);
+
+const width = (mm: number) => `${fixed(mm / shownIn('mm').factor, shownIn('mm').unit === 'mm' ? 2 : 3)} ${shownIn('mm').unit}`;
 
 function facts(q: Quote): [string, string][] {
-  const against = (ratio: number | null) => (ratio === null ? '' : words.quote.against(ratio.toFixed(2)));
+  const against = (ratio: number | null) => (ratio === null ? '' : words.quote.against(fixed(ratio, 2)));
   const all: [string, string][] = [[words.quote.parts, words.quote.different(count(q.part_count), count(q.parts.length))], [words.quote.area, area(q.net_area)]];
-  if (q.weight !== null) all.push([words.quote.weight, q.weight < 1000 ? `${q.weight.toFixed(0)} g` : `${(q.weight / 1000).toFixed(2)} kg`]);
-  if (q.smallest_hole !== null) all.push([words.quote.hole, mm(q.smallest_hole.width) + against(q.smallest_hole.over_thickness)]);
-  if (q.narrowest_web !== null) all.push([words.quote.web, mm(q.narrowest_web.width) + against(q.narrowest_web.over_thickness)]);
+  if (q.weight !== null) all.push([words.quote.weight, q.weight < 1000 ? `${fixed(q.weight, 0)} g` : `${fixed(q.weight / 1000, 2)} kg`]);
+  if (q.smallest_hole !== null) all.push([words.quote.hole, width(q.smallest_hole.width) + against(q.smallest_hole.over_thickness)]);
+  if (q.narrowest_web !== null) all.push([words.quote.web, width(q.narrowest_web.width) + against(q.narrowest_web.over_thickness)]);
   for (const p of q.parts.slice(0, LISTED)) all.push([`${count(p.count)} × ${area(p.net_area)}`, words.quote.part(metres(p.cut_length), p.holes, count(p.holes))]);
   if (q.parts.length > LISTED) all.push([words.quote.and, words.quote.others(count(q.parts.length - LISTED))]);
   return all;

@@ -1,8 +1,8 @@
 /** The result: the seconds saved, the orders compared, the chart, what the job time consists of, downloads. */
 
 import { button, h, setText } from '../core/dom.js';
-import { count, metres, narrow, percent, seconds } from '../core/format.js';
-import type { OutputKind, Summary } from 'kerfway';
+import { count, metres, percent, seconds } from '../core/format.js';
+import { type OutputKind, PROVEN, type Summary } from 'kerfway';
 import type { Alternatives } from '../session/alternatives.js';
 import type { Session } from '../session/session.js';
 import type { State } from '../session/state.js';
@@ -19,9 +19,6 @@ const ROWS = [
   { key: 'greedy', label: words.result.greedy, line: 'dotted' },
   { key: 'now', label: words.result.now, line: 'solid' },
 ] as const;
-
-/** A gap below this is rounding: the path is optimal. */
-export const PROVEN = 1e-9;
 
 const DOWNLOADS: readonly OutputKind[] = ['gcode', 'dxf', 'svg', 'png', 'json', 'lbrn2', 'rd'];
 
@@ -102,7 +99,7 @@ class Row {
   show(summary: Summary | undefined, longest: number): void {
     this.root.hidden = summary === undefined;
     if (!summary) return;
-    [narrow(summary.total_time), narrow(summary.air_time), metres(summary.air_length)].forEach((text, i) => setText(this.cells[i]!, text));
+    [seconds(summary.total_time, longest), seconds(summary.air_time, longest), metres(summary.air_length)].forEach((text, i) => setText(this.cells[i]!, text));
     const shares = [summary.cut_time + summary.macro_time, summary.pierce_time + summary.pre_cut_time, summary.air_time];
     [...this.bar.children].forEach((span, i) => (span as HTMLElement).style.setProperty('width', `${(100 * shares[i]!) / longest}%`));
   }
@@ -115,16 +112,16 @@ function leftToGain({ gap, total_time, lower_bound }: Summary): string {
 }
 
 function showParts(list: HTMLElement, s: Summary): void {
-  const rows: [string, string][] = [
-    [words.result.cut, `${seconds(s.cut_time)} · ${metres(s.cut_length)}`],
-    [words.result.pierce, `${seconds(s.pierce_time)} · ${words.result.piercings(count(s.pierces))}`],
+  const rows: [name: string, term: string, value: string][] = [
+    ['cut', words.result.cut, `${seconds(s.cut_time)} · ${metres(s.cut_length)}`],
+    ['pierce', words.result.pierce, `${seconds(s.pierce_time)} · ${words.result.piercings(count(s.pierces))}`],
   ];
-  if (s.lead_length) rows.push([words.result.leads, metres(s.lead_length)]);
-  if (s.pre_cuts > 0) rows.push([words.result.preCuts, `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);
-  if (s.macro_time > 0) rows.push([words.result.corners, seconds(s.macro_time)]);
-  rows.push([words.result.gap, leftToGain(s)]);
+  if (s.lead_length) rows.push(['leads', words.result.leads, metres(s.lead_length)]);
+  if (s.pre_cuts > 0) rows.push(['pre-cuts', words.result.preCuts, `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);
+  if (s.macro_time > 0) rows.push(['corners', words.result.corners, seconds(s.macro_time)]);
+  rows.push(['gap', words.result.gap, leftToGain(s)]);
   const text = JSON.stringify(rows);
   if (list.dataset.shown === text) return;
   list.dataset.shown = text;
-  list.replaceChildren(...rows.flatMap(([term, value]) => [h('dt', { class: term.toLowerCase() }, term), h('dd', { class: 'number' }, value)]));
+  list.replaceChildren(...rows.flatMap(([name, term, value]) => [h('dt', { class: name }, term), h('dd', { class: 'number' }, value)]));
 }

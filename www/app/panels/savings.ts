@@ -1,7 +1,7 @@
 /** What each kind of decision saves, found by leaving it out. It is worked out when somebody asks for it. */
 
 import { button, h } from '../core/dom.js';
-import { narrow } from '../core/format.js';
+import { seconds } from '../core/format.js';
 import { messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
 import type { Alternatives } from '../session/alternatives.js';
@@ -31,9 +31,9 @@ export function savingsPanel(session: Session, alternatives: () => Promise<Alter
     note.textContent = words.savings.working;
     const searched = Math.min(SEARCHED, session.state.search.seconds);
     try {
-      for await (const { decision, seconds } of (await alternatives()).savings(searched)) {
+      for await (const { decision, seconds: saved } of (await alternatives()).savings(searched)) {
         if (now !== asked) return;
-        list.append(h('dt', {}, words.savings.decisions[decision]), h('dd', { class: 'number' }, seconds >= 0 ? words.savings.saves(narrow(seconds)) : words.savings.costs(narrow(-seconds))));
+        list.append(h('dt', {}, words.savings.decisions[decision]), h('dd', { class: 'number' }, saved >= 0 ? words.savings.saves(seconds(saved)) : words.savings.costs(seconds(-saved))));
       }
       if (now === asked) note.textContent = words.savings.done(searched);
     } catch (error) {

@@ -1,6 +1,7 @@
 /** A section of the right panel: a heading that opens and closes it, with a summary in a few words beside it; and the controls in it. */
 
 import { h, setText } from '../core/dom.js';
+import { shownIn } from '../core/lengths.js';
 
 export interface Section {
   root: HTMLDetailsElement;
@@ -20,9 +21,9 @@ export function section(title: string, open: boolean): Section {
   return { root, body, setGist };
 }
 
-/** A label above or beside its control. */
+/** A label above or beside its control. `unit`: that of the value; a length is shown in the unit that the person has chosen. */
 export function field(label: string, control: HTMLElement, unit?: string): HTMLLabelElement {
-  return h('label', { class: 'field' }, h('span', { class: 'field-label' }, label), h('span', { class: 'field-control' }, control, unit ? h('span', { class: 'unit' }, unit) : null));
+  return h('label', { class: 'field' }, h('span', { class: 'field-label' }, label), h('span', { class: 'field-control' }, control, unit ? h('span', { class: 'unit' }, shownIn(unit).unit) : null));
 }
 
 /** A checkbox with its label. */

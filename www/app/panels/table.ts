@@ -9,6 +9,7 @@ import { cutLength } from '../stage/shapes.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
 import { pathContours, ruleOf } from '../session/rules.js';
+import type { Phase } from '../session/state.js';
 import { RowDrag } from './row-drag.js';
 import { words } from '../core/words/index.js';
 
@@ -18,6 +19,9 @@ const ROW = matchMedia('(max-width: 719px)').matches ? 44 : 32;
 const SPARE = 8;
 /** Milliseconds between two refreshes while the path improves: a table that jumps cannot be read. */
 const PAUSE = 1000;
+
+/** The phases after which a path follows by itself. */
+const BEFORE_A_PATH: ReadonlySet<Phase> = new Set(['reading', 'planning', 'paused']);
 
 export interface TableActions {
   select(contour: number): void;
@@ -34,6 +38,8 @@ export class OrderTable {
   private readonly drag: RowDrag;
   private selected: number | null = null;
   private timer = 0;
+  /** The rows are those of the plan before. */
+  private waits = false;
 
   constructor(private readonly session: Session, private readonly playback: Playback, private readonly actions: TableActions) {
     this.grid.append(
@@ -47,7 +53,10 @@ export class OrderTable {
     this.scroller.addEventListener('scroll', () => this.draw());
     new ResizeObserver(() => this.draw()).observe(this.scroller);
     playback.on('path', () => {
-      if (!this.timer && this.open) this.timer = window.setTimeout(() => this.draw(), PAUSE);
+      if (!this.open) return;
+      // While the job is planned again, the rows of the plan before stay until the first new path, which is shown at once.
+      if (this.waits && playback.stops > 0) this.draw();
+      else if (!this.timer) this.timer = window.setTimeout(() => this.draw(), PAUSE);
     });
   }
 
@@ -86,6 +95,8 @@ export class OrderTable {
     // The rows stay while one of them is dragged.
     if (!this.open || this.drag.active) return;
     const { stops } = this.playback;
+    this.waits = stops === 0 && BEFORE_A_PATH.has(this.session.state.phase);
+    if (this.waits) return;
     const first = Math.max(0, Math.floor(this.scroller.scrollTop / ROW) - SPARE);
     const last = Math.min(stops, first + Math.ceil(this.scroller.clientHeight / ROW) + 2 * SPARE);
     this.grid.setAttribute('aria-rowcount', String(stops + 1));

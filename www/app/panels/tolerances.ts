@@ -4,7 +4,8 @@
  */
 
 import { button, h, setText } from '../core/dom.js';
-import { count } from '../core/format.js';
+import { count, upTo } from '../core/format.js';
+import { shownIn, typed, written } from '../core/lengths.js';
 import type { Comparison } from '../session/comparison.js';
 import type { Preview } from '../session/preview.js';
 import { withoutRules } from '../session/rules.js';
@@ -27,6 +28,8 @@ const TOLERANCES = {
 
 type Key = keyof typeof TOLERANCES;
 
+const inUnit = (mm: number) => `${upTo(mm / shownIn('mm').factor, 6)} ${shownIn('mm').unit}`;
+
 /** Steps of a slider. The scale is logarithmic, because the range covers several powers of ten. */
 const STEPS = 200;
 
@@ -46,7 +49,7 @@ export function tolerances(session: Session, preview: Preview): HTMLElement {
     const same = keys.every((k) => (draft[k] ?? chosen(k)) === chosen(k));
     apply.disabled = wrong;
     choice.hidden = same && !wrong;
-    if (wrong) setText(outcome, words.drawing.within(TOLERANCES[key].least, TOLERANCES[key].most));
+    if (wrong) setText(outcome, words.drawing.within(upTo(TOLERANCES[key].least / shownIn('mm').factor, 6), inUnit(TOLERANCES[key].most)));
     else if (same) preview.clear();
     else {
       setText(outcome, words.drawing.checking);
@@ -81,34 +84,35 @@ export function tolerances(session: Session, preview: Preview): HTMLElement {
 
 /** A slider with its number. `onTurn` is called with the value, or with null where it is not a valid one. */
 function tolerance({ label, least, most }: Tolerance, onTurn: (mm: number | null) => void): { root: HTMLElement; set(mm: number): void; valid(): boolean } {
-  const input = h('input', { type: 'number', min: least, max: most, step: 'any', inputmode: 'decimal' });
+  const input = h('input', { type: 'number', min: written(least, 'mm'), max: written(most, 'mm'), step: 'any', inputmode: 'decimal' });
   const slider = h('input', { type: 'range', min: 0, max: STEPS, 'aria-label': label, class: 'tolerance' });
   const span = Math.log(most / least);
-  const valid = () => input.valueAsNumber >= least && input.valueAsNumber <= most;
+  const value = () => typed(input, 'mm');
+  const valid = () => value() >= least && value() <= most;
   const slide = (mm: number) => {
     const share = Math.min(1, Math.max(0, Math.log(mm / least) / span));
     slider.value = String(Math.round(STEPS * share));
     slider.style.setProperty('--share', String(share));
-    slider.setAttribute('aria-valuetext', `${mm} mm`);
+    slider.setAttribute('aria-valuetext', inUnit(mm));
   };
   const report = () => {
     input.setAttribute('aria-invalid', String(!valid()));
-    onTurn(valid() ? input.valueAsNumber : null);
+    onTurn(valid() ? value() : null);
   };
   input.addEventListener('input', () => {
-    if (valid()) slide(input.valueAsNumber);
+    if (valid()) slide(value());
     report();
   });
   slider.addEventListener('input', () => {
     // A slider cannot be set more exactly than to two digits.
     const mm = Number((least * Math.exp((span * slider.valueAsNumber) / STEPS)).toPrecision(2));
-    input.value = String(mm);
+    input.value = written(mm, 'mm');
     slide(mm);
     report();
   });
   const root = h('div', { class: 'tolerance-field' }, field(label, input, 'mm'), slider);
   const set = (mm: number) => {
-    input.value = String(mm);
+    input.value = written(mm, 'mm');
     input.setAttribute('aria-invalid', 'false');
     slide(mm);
   };

@@ -8,6 +8,7 @@ import type { Session } from '../session/session.js';
 import type { Theme } from '../core/theme.js';
 import type { Queue } from '../session/queue.js';
 import { fileList } from './files.js';
+import { settingsMenu } from './settings.js';
 import { isTaken, sizeIn, unitChoices, unitName } from './question.js';
 import { words } from '../core/words/index.js';
 
@@ -17,6 +18,8 @@ export interface TopActions {
   table(): void;
   help(): void;
   panel(): void;
+  /** Starts the page anew with another language or unit of lengths. */
+  restart(): void;
 }
 
 export function topBar(session: Session, queue: Queue, theme: Theme, actions: TopActions): { nodes: Node[]; toggles: { table: HTMLButtonElement; panel: HTMLButtonElement } } {
@@ -70,7 +73,7 @@ export function topBar(session: Session, queue: Queue, theme: Theme, actions: To
       button(words.top.open, { icon: 'open', class: 'quiet open', 'aria-label': words.top.openFile, onclick: actions.open }),
       samples, popover(samples, words.top.samples, list),
       h('div', { class: 'file' }, name, ...fileList(queue), units, unitMenu, measure),
-      h('div', { class: 'tools' }, undo, redo, table, themes, button(words.top.help, { icon: 'help', iconOnly: true, class: 'quiet', onclick: actions.help }), panel),
+      h('div', { class: 'tools' }, undo, redo, table, ...settingsMenu(actions.restart), themes, button(words.top.help, { icon: 'help', iconOnly: true, class: 'quiet', onclick: actions.help }), panel),
     ],
     toggles: { table, panel },
   };

@@ -3,7 +3,7 @@
  * itself. A file or an option that cannot be used leaves everything as it was.
  */
 
-import type { Finding, LayerChoice, Loaded, LoadOptions, Operation } from 'kerfway';
+import { type Finding, given, type LayerChoice, type Loaded, type LoadOptions, type Operation } from 'kerfway';
 import { Latest } from '../core/latest.js';
 import { messageOf } from '../core/strings.js';
 import { words } from '../core/words/index.js';
@@ -139,7 +139,7 @@ export class Drawing {
 
   /** Changes what is done with a layer; `undefined` takes a setting back. */
   setLayer(layer: string, choice: Partial<LayerChoice>): void {
-    this.change({ layers: this.layers().map((l) => (l.name === layer ? defined({ ...l, ...choice }) : l)) });
+    this.change({ layers: this.layers().map((l) => (l.name === layer ? given({ ...l, ...choice }) : l)) });
   }
 
   /** What was set for a layer. */
@@ -200,9 +200,4 @@ export class Drawing {
       this.planning.start(plan);
     }
   }
-}
-
-/** A layer's choice without the settings that were taken back. */
-function defined(choice: LayerChoice): LayerChoice {
-  return Object.fromEntries(Object.entries(choice).filter(([, value]) => value !== undefined)) as unknown as LayerChoice;
 }

@@ -76,6 +76,11 @@ export class Keeper extends Emitter<Events> {
     this.emit('change', undefined);
   }
 
+  /** Writes the current job at once, before the page is left. */
+  settled(): Promise<void> {
+    return this.keep();
+  }
+
   /** Writes the current job. Where the browser stores nothing, the page works all the same. */
   private keep(): Promise<void> {
     clearTimeout(this.timer);

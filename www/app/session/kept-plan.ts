@@ -13,6 +13,8 @@ export interface KeptPlan {
   readonly budget: number;
   /** Why its search had ended; null if it had not. */
   readonly reason: DoneReason | null;
+  /** No path of this job takes less, s; 0 while nothing is proven. */
+  readonly bound: number;
   readonly curve: PlanState['curve'];
   /** What the page showed of it; null if it comes from a file. */
   readonly shown: PlanState | null;
@@ -26,14 +28,14 @@ export function keptPlan(state: State): KeptPlan | null {
     seed, baselines: state.baselines, planFindings: state.planFindings, beam: state.beam, common: state.common,
     progress: { ...progress, path }, path, curve: state.curve, insights: state.insights, reason,
   };
-  return { seed, path, curve: state.curve, moves: progress.moves, seconds: progress.seconds, budget, reason, shown };
+  return { seed, path, curve: state.curve, moves: progress.moves, seconds: progress.seconds, budget, reason, bound: progress.summary.lower_bound, shown };
 }
 
 /** What a search reports, with the search before it counted in. Its bound still holds: it is one of the same drawing and machine. */
 export function addedTo(kept: KeptPlan | null, progress: Progress): Progress {
   if (kept === null) return progress;
   const { summary } = progress;
-  const bound = Math.max(summary.lower_bound, kept.shown?.progress?.summary.lower_bound ?? 0);
+  const bound = Math.max(summary.lower_bound, kept.bound);
   const proven = bound > 0 && bound <= summary.total_time ? { lower_bound: bound, gap: (summary.total_time - bound) / bound } : {};
   return { ...progress, moves: progress.moves + kept.moves, seconds: progress.seconds + kept.seconds, summary: { ...summary, ...proven } };
 }

@@ -20,8 +20,8 @@ function saved(state: State): SavedPlan | null {
   const kept = keptPlan(state);
   if (kept === null || state.path === null) return null;
   const { contours, along, until, reversed } = state.path;
-  const { seed, moves, seconds, reason } = kept;
-  return { seed, moves, seconds, total_time: state.progress?.summary.total_time ?? 0, done: reason !== null, curve: { at: [...state.curve.at], total: [...state.curve.total] }, path: { contours, along, until, reversed } };
+  const { seed, moves, seconds, reason, bound: lower_bound } = kept;
+  return { seed, moves, seconds, total_time: state.progress?.summary.total_time ?? 0, lower_bound, done: reason !== null, curve: { at: [...state.curve.at], total: [...state.curve.total] }, path: { contours, along, until, reversed } };
 }
 
 /** The choices in a project; where it has none, those of the page. `machines`: those with a name. */
@@ -37,6 +37,6 @@ export function decidedIn({ planning }: Project, { machine: own, search }: State
 }
 
 /** The plan of a project, to go on with. */
-export function keptIn({ planning }: Project, { seed, moves, seconds, done, curve, path }: SavedPlan): KeptPlan {
-  return { seed, moves, seconds, path, curve, budget: Math.max(planning.seconds ?? 0, seconds), reason: done ? 'budget' : null, shown: null };
+export function keptIn({ planning }: Project, { seed, moves, seconds, lower_bound = 0, done, curve, path }: SavedPlan): KeptPlan {
+  return { seed, moves, seconds, path, curve, budget: Math.max(planning.seconds ?? 0, seconds), reason: done ? 'budget' : null, bound: lower_bound, shown: null };
 }

@@ -3,7 +3,8 @@
  * pre-cuts, the head. All of it takes a handful of strokes, in device pixels.
  */
 
-import { size as sizeText } from '../core/format.js';
+import { extent, size } from '../core/format.js';
+import { shownIn } from '../core/lengths.js';
 import type { BestPath, Insight } from 'kerfway';
 import type { Palette } from './palette.js';
 import type { Travel, View } from './raster-messages.js';
@@ -12,6 +13,8 @@ import { traceAir, traceChain } from './trace.js';
 import { words } from '../core/words/index.js';
 
 type Pen = CanvasRenderingContext2D;
+
+const length = (mm: number) => `${size(mm)} ${shownIn('mm').unit}`;
 
 /** The sheet as an area with its width and height written at its edges. */
 export function drawSheet(pen: Pen, view: View, palette: Palette, bounds: readonly number[]): void {
@@ -28,13 +31,13 @@ export function drawSheet(pen: Pen, view: View, palette: Palette, bounds: readon
   pen.font = `${12 * view.text}px system-ui, sans-serif`;
   pen.textAlign = 'center';
   pen.textBaseline = 'top';
-  if (x1 - x0 > 60 * r) pen.fillText(`${sizeText(bounds[2]! - bounds[0]!)} mm`, (x0 + x1) / 2, y1 + pad + 6 * r);
+  if (x1 - x0 > 60 * r) pen.fillText(length(bounds[2]! - bounds[0]!), (x0 + x1) / 2, y1 + pad + 6 * r);
   if (y1 - y0 > 60 * r) {
     pen.save();
     pen.translate(x0 - pad - 6 * r, (y0 + y1) / 2);
     pen.rotate(-Math.PI / 2);
     pen.textBaseline = 'bottom';
-    pen.fillText(`${sizeText(bounds[3]! - bounds[1]!)} mm`, 0, 0);
+    pen.fillText(length(bounds[3]! - bounds[1]!), 0, 0);
     pen.restore();
   }
   pen.textAlign = 'start';
@@ -54,7 +57,7 @@ export function drawBed(pen: Pen, view: View, palette: Palette, bed: readonly nu
   pen.font = `${12 * view.text}px system-ui, sans-serif`;
   pen.textBaseline = 'bottom';
   pen.textAlign = 'right';
-  const label = words.stage.bed(sizeText(bed[2]! - bed[0]!), sizeText(bed[3]! - bed[1]!));
+  const label = words.stage.bed(extent(bed[2]! - bed[0]!, bed[3]! - bed[1]!));
   if (x1 - x0 > pen.measureText(label).width + 16 * r) pen.fillText(label, x1 - 6 * r, y1 - 4 * r);
   pen.textAlign = 'start';
   pen.textBaseline = 'alphabetic';

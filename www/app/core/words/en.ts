@@ -3,8 +3,8 @@
  * do about it. Another language is another file of this shape, listed in `index.ts`. A sentence that contains a value is a function, because
  * languages put the value in different places.
  *
- * Two kinds of text are elsewhere: `index.html` holds what is visible before any script runs, and the planner writes findings, reasons and
- * error messages itself, in English.
+ * The planner writes its findings, reasons and errors itself, in English. Other languages have a phrase for each code of a finding or an error, and
+ * show the planner's sentence as a detail. `index.html` holds what is visible before any script runs.
  */
 
 import type { Decision } from '../../session/alternatives.js';
@@ -13,50 +13,53 @@ import type { Anchor, DoneReason, FindingCode, LeadKind, LeadPosition, Operation
 /** "1 contour", "3 contours". The number `n` chooses the form; `written` is how it is shown. */
 const counted = (n: number, written: string, one: string, many = `${one}s`) => `${written} ${n === 1 ? one : many}`;
 
-/** A title for the findings of each code. */
-const findingTitles: Record<FindingCode, string> = {
-  'unsupported-entity': 'Entities that cannot be cut',
-  'damaged-entity': 'Damaged entities',
-  resynchronised: 'Damaged places in the file',
-  truncated: 'The file ends too early',
-  'bad-number': 'Unreadable numbers',
-  'invalid-geometry': 'Entities without valid geometry',
-  'missing-block': 'Missing blocks',
-  'cyclic-block': 'Blocks that contain themselves',
-  'hidden-entity': 'Hidden entities, not cut',
-  'units-guessed': 'Guessed units',
-  'units-doubtful': 'Uncertain units',
-  encoding: 'Unreadable characters',
-  projected: 'Three-dimensional entities, flattened',
-  'outline-taken': 'Filled areas and wide lines',
-  'gap-closed': 'Closed gaps',
-  'gap-left': 'Open gaps',
-  branch: 'Places where more than two ends meet',
-  'duplicate-removed': 'Removed duplicates',
-  'overlap-removed': 'Removed overlapping lines',
-  'feature-too-small': 'Contours too small for the beam',
-  'common-cut': 'Contours with shared cuts',
-  'kerf-not-applied': 'Contours without kerf compensation',
-  'zero-length': 'Elements of zero length',
-  'sliver-collapsed': 'Slivers cut as one line',
-  lettering: 'Lettering',
-  leaders: 'Lines that lead to lettering',
-  'self-crossing': 'Contours that cross themselves',
-  crossing: 'Contours that cross each other',
-  'open-contour': 'Open contours',
-  'several-layers': 'Contours on several layers',
-  'sheet-outline': 'Border of the sheet',
-  'layer-suggestion': 'Layers that should probably not be cut',
-  'layer-ignored': 'Ignored layers',
-  'contour-excluded': 'Skipped contours',
-  'layer-unknown': 'Layers that are not in the drawing',
-  'lead-adjusted': 'Leads changed to fit',
-  'lead-missing': 'No room for leads',
-  'far-from-origin': 'Too far from the origin',
-  'off-bed': 'Not on the bed',
-  'least-power-left-out': 'Least power is not part of G-code',
-  'not-all-checked': 'Incomplete checks',
-  more: 'Further findings, not listed',
+/** A phrase about `n` things; `written` is how the number is shown. */
+export type Counted = (n: number, written: string) => string;
+
+/** What the findings of each code report, `n` of them, as a short phrase. */
+const findingTitles: Record<FindingCode, Counted> = {
+  'unsupported-entity': (n, w) => counted(n, w, 'object without an outline (text, image, ...) skipped', 'objects without an outline (text, images, ...) skipped'),
+  'damaged-entity': (n, w) => counted(n, w, 'damaged entity', 'damaged entities'),
+  resynchronised: (n, w) => counted(n, w, 'damaged place in the file', 'damaged places in the file'),
+  truncated: () => 'The file ends too early',
+  'bad-number': (n, w) => counted(n, w, 'unreadable number'),
+  'invalid-geometry': (n, w) => counted(n, w, 'entity without valid geometry', 'entities without valid geometry'),
+  'missing-block': (n, w) => counted(n, w, 'missing block'),
+  'cyclic-block': (n, w) => counted(n, w, 'block that contains itself', 'blocks that contain themselves'),
+  'hidden-entity': (n, w) => counted(n, w, 'hidden entity, not cut', 'hidden entities, not cut'),
+  'units-guessed': () => 'Guessed units',
+  'units-doubtful': () => 'Uncertain units',
+  encoding: (n, w) => counted(n, w, 'unreadable character'),
+  projected: (n, w) => counted(n, w, 'three-dimensional entity flattened', 'three-dimensional entities flattened'),
+  'outline-taken': (n, w) => counted(n, w, 'filled area or wide line cut as a thin line', 'filled areas or wide lines cut as thin lines'),
+  'gap-closed': (n, w) => counted(n, w, 'gap closed', 'gaps closed'),
+  'gap-left': (n, w) => counted(n, w, 'open gap'),
+  branch: (n, w) => counted(n, w, 'place where more than two ends meet', 'places where more than two ends meet'),
+  'duplicate-removed': (n, w) => counted(n, w, 'duplicate removed', 'duplicates removed'),
+  'overlap-removed': (n, w) => counted(n, w, 'overlapping line removed', 'overlapping lines removed'),
+  'feature-too-small': (n, w) => counted(n, w, 'contour too small for the beam', 'contours too small for the beam'),
+  'common-cut': (n, w) => counted(n, w, 'group of contours with shared cuts', 'groups of contours with shared cuts'),
+  'kerf-not-applied': (n, w) => counted(n, w, 'contour without kerf compensation', 'contours without kerf compensation'),
+  'zero-length': (n, w) => counted(n, w, 'element of zero length removed', 'elements of zero length removed'),
+  'sliver-collapsed': (n, w) => counted(n, w, 'sliver cut as one line', 'slivers cut as one line each'),
+  lettering: (n, w) => counted(n, w, 'small stroke that looks like lettering', 'small strokes that look like lettering'),
+  leaders: (n, w) => counted(n, w, 'line that leads to lettering', 'lines that lead to lettering'),
+  'self-crossing': (n, w) => counted(n, w, 'place where a contour crosses itself', 'places where a contour crosses itself'),
+  crossing: (n, w) => counted(n, w, 'place where two contours cross', 'places where two contours cross'),
+  'open-contour': (n, w) => counted(n, w, 'open contour'),
+  'several-layers': (n, w) => counted(n, w, 'contour on several layers', 'contours on several layers'),
+  'sheet-outline': () => 'Border of the sheet',
+  'layer-suggestion': (n, w) => counted(n, w, 'shape on a layer that should probably not be cut', 'shapes on layers that should probably not be cut'),
+  'layer-ignored': (n, w) => counted(n, w, 'shape on an ignored layer', 'shapes on ignored layers'),
+  'contour-excluded': (n, w) => counted(n, w, 'contour skipped', 'contours skipped'),
+  'layer-unknown': (n, w) => counted(n, w, 'layer that is not in the drawing', 'layers that are not in the drawing'),
+  'lead-adjusted': (n, w) => counted(n, w, 'lead changed to fit', 'leads changed to fit'),
+  'lead-missing': (n, w) => counted(n, w, 'contour without room for a lead', 'contours without room for leads'),
+  'far-from-origin': () => 'Too far from the origin',
+  'off-bed': () => 'Not on the bed',
+  'least-power-left-out': () => 'Least power is not part of G-code',
+  'not-all-checked': (n, w) => counted(n, w, 'incomplete check'),
+  more: (n, w) => counted(n, w, 'further finding, not listed', 'further findings, not listed'),
 };
 
 const unitNames: Record<Unit, string> = {
@@ -111,6 +114,19 @@ const keys: readonly (readonly [string, string])[] = [
 export const en = {
   findingTitles, unitNames, unitSources, operations, samples,
 
+  /** What `index.html` holds in English, for the other languages. */
+  markup: {
+    title: 'Kerfway: the path of a laser cutter', heading: 'Kerfway, the path of a laser cutter', canvas: 'The sheet with its cutting path',
+    keys: 'Left and right arrows step through the contours in cutting order, plus and minus zoom, F fits the sheet, the question mark lists all keys.',
+    hint: 'Drop a DXF or SVG anywhere', drop: 'Drop to open', panel: 'Drawing, machine, plan and result', playback: 'Playback',
+  },
+
+  settings: {
+    title: 'Language and lengths', language: 'Language', lengths: 'Lengths', units: { mm: 'Millimetres', in: 'Inches' },
+    /** Empty in a language that a native reader has reviewed. */
+    draft: '', later: 'Several files are open, so this takes effect when you next open the page.', reload: 'Reload now',
+  },
+
   page: {
     somethingElse: 'This drawing could not be processed. Reload the page and drop it again.',
     unreadable: (file: string) => `${file} could not be read from disk. Choose it again.`,
@@ -162,7 +178,7 @@ export const en = {
   drawing: {
     title: 'Drawing', none: 'No drawing yet.', tolerances: 'Tolerances',
     join: 'Join ends closer than', curves: 'Follow curves within', apply: 'Apply', cancel: 'Cancel', checking: 'Checking what would change…',
-    within: (least: number, most: number) => `Enter a value from ${least} to ${most} mm.`,
+    within: (least: string, most: string) => `Enter a value from ${least} to ${most}.`,
     preview: {
       joins: (n: number, written: string) => `${counted(n, written, 'gap')} would close`, opens: (n: number, written: string) => `${counted(n, written, 'joint')} would open`,
       removals: (n: number, written: string) => `${counted(n, written, 'piece')} would disappear`, contours: (now: string, then: string) => `${then} contours instead of ${now}`,
@@ -254,7 +270,7 @@ export const en = {
       'center-right': 'Centre right', 'upper-left': 'Upper left', 'upper-center': 'Upper centre', 'upper-right': 'Upper right',
     } satisfies Record<Anchor, string>,
     turnLeft: 'Turn left', turnRight: 'Turn right', drag: 'Drag the job', show: 'Show the bed', coordinates: 'Coordinates', absolute: 'Of the machine', current: 'From the head',
-    allow: 'Write programs that leave the bed', reaches: (x0: string, x1: string, y0: string, y1: string) => `x ${x0} to ${x1}, y ${y0} to ${y1} mm`,
+    allow: 'Write programs that leave the bed', reaches: (x0: string, x1: string, y0: string, y1: string, unit: string) => `x ${x0} to ${x1}, y ${y0} to ${y1} ${unit}`,
     off: 'The job is not on the bed.', corner: 'Move to the corner', noBed: 'This machine has no bed: enter its size under Machine, so that programs are checked against it.',
     drawn: 'as drawn', placed: 'placed', offBed: 'not on the bed', turned: (degrees: number) => `turned ${degrees}°`,
     dragging: 'Drag the job on the bed. Esc ends it.',
@@ -331,7 +347,7 @@ export const en = {
     reversed: 'reversed', asDrawn: 'as drawn', open: 'open',
   },
 
-  stage: { bed: (width: string, height: string) => `bed ${width} × ${height} mm`, first: 'first', last: 'last', common: 'cut once for two parts', colours: 'Colour by order (C)', layers: 'Colours of layers as drawn (V)', air: 'Air moves (A)', several: 'Select several: clicks add, dragging draws a box (B)', measure: 'Measure between two points (D)', measuring: 'Click two points: they snap to ends and centres. Esc ends it.', view: 'View', zoomIn: 'Zoom in (+)', zoomOut: 'Zoom out (−)', fit: 'Fit the sheet (F)' },
+  stage: { bed: (size: string) => `bed ${size}`, first: 'first', last: 'last', common: 'cut once for two parts', colours: 'Colour by order (C)', layers: 'Colours of layers as drawn (V)', air: 'Air moves (A)', several: 'Select several: clicks add, dragging draws a box (B)', measure: 'Measure between two points (D)', measuring: 'Click two points: they snap to ends and centres. Esc ends it.', view: 'View', zoomIn: 'Zoom in (+)', zoomOut: 'Zoom out (−)', fit: 'Fit the sheet (F)' },
 
   playback: {
     play: 'Play', moment: 'Time in the job', speed: 'Speed', whole: 'Whole job in 20 s', pauseKey: 'Pause the cut (Space)', playKey: 'Play the cut (Space)',
@@ -343,5 +359,8 @@ export const en = {
     more: 'The wheel or a pinch zooms about the pointer, dragging moves the sheet, a click selects a contour. Shift with dragging selects what is in a box, Ctrl with a click adds to the selection. Shift with a click cuts a contour first, Alt with a click skips it. The drawing never leaves this machine.',
   },
 
-  numbers: { locale: 'en', thousand: (n: string) => `${n} thousand`, million: (n: string) => `${n} million` },
+  /** `three` writes a number with three digits. Not every language counts in thousands and millions. */
+  numbers: {
+    locale: 'en', thousand: (n: number, three: (n: number) => string) => `${three(n)} thousand`, million: (n: number, three: (n: number) => string) => `${three(n)} million`,
+  },
 };

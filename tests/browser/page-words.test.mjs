@@ -1,0 +1,119 @@
+// Languages and inches: what people read is in the language and the unit of lengths that they have chosen, and both choices are kept.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { transformSync } from 'esbuild';
+import { download, drop, openPage, phase, planned, sample, shot } from './page-support.mjs';
+
+const WORDS = join(import.meta.dirname, '..', '..', 'www', 'app', 'core', 'words');
+const LANGUAGES = ['de', 'es', 'zh', 'ja'];
+
+async function wordsOf(language) {
+  const { code } = transformSync(readFileSync(join(WORDS, `${language}.ts`), 'utf8'), { loader: 'ts', format: 'esm' });
+  return (await import(`data:text/javascript;base64,${Buffer.from(code).toString('base64')}`))[language];
+}
+
+/** Texts that are not functions, with their places. */
+const texts = (value, at = '') => (typeof value === 'string' ? [[at, value]] : value !== null && typeof value === 'object' ? Object.entries(value).flatMap(([key, inner]) => texts(inner, `${at}.${key}`)) : []);
+
+/** Chooses an entry of the menu of settings; the page starts anew with it. */
+async function choose(page, entry) {
+  await page.locator('.top .settings').click();
+  await Promise.all([page.waitForEvent('load'), page.getByRole('button', { name: entry, exact: true }).click()]);
+}
+
+/** Everything on the page that somebody reads or hears, except what the planner says. */
+const read = (page) => page.evaluate(() => {
+  const all = [];
+  for (const element of document.querySelectorAll('body *')) {
+    if (element.closest('[lang=en], noscript, script')) continue;
+    for (const node of element.childNodes) if (node.nodeType === Node.TEXT_NODE && node.textContent.trim() !== '') all.push(node.textContent.trim());
+    for (const name of ['aria-label', 'title', 'placeholder']) if (element.getAttribute(name)) all.push(element.getAttribute(name));
+  }
+  return all;
+});
+
+test('every language: the job stays, nothing is left in English, numbers and errors are in its form, and it works without a network', async (t) => {
+  const { page, sent } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  assert.equal(sent.filter(({ file }) => file.includes('language-')).length, 0, 'a first visit in English loads no other language');
+  await drop(page, 'careless.dxf', sample('gaps-and-copies.dxf'));
+  await planned(page, 'careless.dxf', 'done');
+  const size = await page.locator('.top .measure').textContent();
+  assert.match(size, /^\d+(\.\d)? × \d+(\.\d)? mm$/);
+  const english = await wordsOf('en');
+  for (const language of LANGUAGES) {
+    const words = await wordsOf(language);
+    await choose(page, { de: 'Deutsch', es: 'Español', zh: '简体中文', ja: '日本語' }[language]);
+    await planned(page, 'careless.dxf', 'done');
+    assert.equal(await page.evaluate(() => document.documentElement.lang), words.numbers.locale);
+    await page.locator('details.more.grave > summary').first().click({ force: true });
+    const findings = await page.locator('.findings').textContent();
+    const n = await page.locator('.finding-group summary').first().textContent();
+    assert.ok(Object.values(words.findingTitles).some((say) => n.includes(say(2, '#').split('#').sort((a, b) => b.length - a.length)[0].trim())), `${language}: ${n}`);
+    assert.ok(findings.length > 50);
+    // A text of the page that English has and this language has otherwise.
+    const foreign = new Map(texts(english).filter(([at, text]) => text.length > 3 && !new Set(texts(words).map(([, own]) => own)).has(text) && at !== '.top.openFile').map(([at, text]) => [text, at]));
+    const left = (await read(page)).filter((text) => foreign.has(text));
+    assert.deepEqual([...new Set(left)], [], `${language} is complete on the page`);
+    await drop(page, 'letter.pdf', Buffer.from('%PDF-1.7 not a drawing'));
+    const card = page.locator('.failure');
+    await card.waitFor();
+    assert.ok((await card.textContent()).includes(words.errors['not-a-drawing']((name) => name)), await card.textContent());
+    await card.getByRole('button').click();
+    await shot(page, `language-${language}`);
+  }
+  // Japanese is chosen now. Its words come from the store of the service worker.
+  await page.waitForFunction(async () => {
+    for (const name of await caches.keys()) if ((await (await caches.open(name)).keys()).some(({ url }) => url.includes('language-ja'))) return true;
+    return false;
+  });
+  await page.context().setOffline(true);
+  await page.reload();
+  await planned(page, 'careless.dxf', 'done');
+  assert.equal(await page.evaluate(() => document.documentElement.lang), 'ja', 'kept, and there without a network');
+  await page.context().setOffline(false);
+
+  await choose(page, 'Deutsch');
+  await planned(page, 'careless.dxf', 'done');
+  assert.equal(await page.locator('.top .measure').textContent(), size.replaceAll('.', ','), 'numbers as the language writes them');
+  await page.locator('.top .settings').click();
+  assert.match(await page.locator('.popover:popover-open').textContent(), /noch niemand geprüft/, 'it says that it is a draft');
+});
+
+test('lengths in inches: shown, typed and kept, and the drawing and the program stay in millimetres', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  const square = [[20, 20], [274, 20], [274, 147], [20, 147]].flatMap(([x, y]) => ['10', x, '20', y]);
+  const text = ['0', 'SECTION', '2', 'HEADER', '9', '$INSUNITS', '70', 4, '0', 'ENDSEC', '0', 'SECTION', '2', 'ENTITIES', '0', 'LWPOLYLINE', '8', 'CUT', '90', 4, '70', 1, ...square, '0', 'ENDSEC', '0', 'EOF'];
+  await drop(page, 'plate.dxf', Buffer.from(`${text.join('\n')}\n`));
+  await planned(page, 'plate.dxf', 'done');
+  assert.equal(await page.locator('.top .measure').textContent(), '254 × 127 mm');
+  await choose(page, 'Inches');
+  await planned(page, 'plate.dxf', 'done');
+  assert.equal(await page.locator('.top .measure').textContent(), '10 × 5 in');
+  await page.keyboard.press('t');
+  await page.locator('.order-row').nth(1).waitFor();
+  assert.match(await page.locator('.order-row').nth(1).textContent(), /30\.0 in/, 'the length of the contour');
+  await page.keyboard.press('Home');
+  assert.match(await page.locator('.card.contour').textContent(), /30\.0 in/);
+  await page.keyboard.press('t');
+  await page.locator('summary:has-text("Machine")').first().click();
+  await page.locator('summary:has-text("Advanced settings")').click();
+  const kerf = page.getByLabel('Kerf width');
+  assert.deepEqual(await page.locator('.section .unit').evaluateAll((all) => all.filter((u) => /\bmm\b/.test(u.textContent)).map((u) => u.textContent)), [], 'no field is in millimetres');
+  await kerf.fill('0.01');
+  await page.waitForFunction(() => document.body.dataset.phase === 'planning');
+  await phase(page, 'done');
+  // 0.254 mm around the outside: half the kerf on each side.
+  const { bytes } = await download(page, () => page.locator('.downloads').getByRole('button', { name: 'G-code' }).click());
+  const program = bytes.toString();
+  assert.match(program, /^G21\b/m, 'millimetres');
+  assert.match(program, /X274\.127\b/);
+  await shot(page, 'inches');
+  await page.reload();
+  await planned(page, 'plate.dxf', 'done');
+  assert.equal(await page.locator('.top .measure').textContent(), '10 × 5 in', 'kept');
+});

@@ -1,0 +1,47 @@
+/**
+ * Lengths for people: millimetres, or inches where the person has chosen them. Only what is shown and typed changes; the drawing, the machine and
+ * every program stay in millimetres.
+ */
+
+import { kept } from './kept.js';
+
+export type LengthUnit = 'mm' | 'in';
+
+const LENGTH_UNITS: readonly LengthUnit[] = ['mm', 'in'];
+
+/** Where the choice is kept. */
+export const LENGTH_KEY = 'kerfway.lengths';
+
+/** The unit of lengths on the page. */
+export const lengthUnit: LengthUnit = kept(LENGTH_KEY, LENGTH_UNITS) ?? 'mm';
+
+const INCH = 25.4;
+
+/** What a value with a unit is shown in, and how much of the value's own unit one shown unit is. */
+export interface Shown {
+  unit: string;
+  factor: number;
+}
+
+/** How values of a unit are shown. Units without a length stay as they are. */
+export function shownIn(unit: string): Shown {
+  return lengthUnit === 'in' && /^mm\b/.test(unit) ? { unit: unit.replace('mm', 'in'), factor: unit.endsWith('²') && !unit.includes('/') ? INCH * INCH : INCH } : { unit, factor: 1 };
+}
+
+/** A value as a field shows it, without digits that come from the conversion only. */
+export function written(value: number, unit: string): string {
+  return String(Number((value / shownIn(unit).factor).toFixed(6)));
+}
+
+/** The value that is typed into a field; NaN where there is none. */
+export function typed(input: HTMLInputElement, unit: string): number {
+  return Number((input.valueAsNumber * shownIn(unit).factor).toFixed(9));
+}
+
+/** The planner's sentence with its lengths in the chosen unit: "12.7 mm" becomes "0.5 in", "100 × 50 mm" becomes "3.94 × 1.97 in". */
+export function inChosenUnit(sentence: string): string {
+  if (lengthUnit === 'mm') return sentence;
+  const convert = (number: string) => String(Number((Number(number.replaceAll(',', '')) / INCH).toPrecision(3)));
+  return sentence.replace(/(?:(-?[\d,]*\.?\d+)( × | x | to | and ))?(-?[\d,]*\.?\d+) mm(?![²³/\w])/g, (_all, first: string | undefined, between: string | undefined, last: string) =>
+    `${first === undefined ? '' : `${convert(first)}${between}`}${convert(last)} in`);
+}

@@ -1,0 +1,377 @@
+/** The words of the page in Spanish. The language has not been reviewed by a native reader yet: see `settings.draft`. */
+
+import type { Words } from './index.js';
+
+/** "1 contorno", "3 contornos". */
+const counted = (n: number, written: string, one: string, many = `${one}s`) => `${written} ${n === 1 ? one : many}`;
+
+const contours = (n: number, written: string) => counted(n, written, 'contorno');
+const parts = (n: number, written: string) => counted(n, written, 'pieza');
+
+export const es: Words = {
+  findingTitles: {
+    'unsupported-entity': (n, w) => counted(n, w, 'objeto sin contorno (texto, imagen, ...) omitido', 'objetos sin contorno (textos, imágenes, ...) omitidos'),
+    'damaged-entity': (n, w) => counted(n, w, 'entidad dañada', 'entidades dañadas'),
+    resynchronised: (n, w) => counted(n, w, 'lugar dañado del archivo', 'lugares dañados del archivo'),
+    truncated: () => 'El archivo termina antes de tiempo',
+    'bad-number': (n, w) => counted(n, w, 'número ilegible', 'números ilegibles'),
+    'invalid-geometry': (n, w) => counted(n, w, 'entidad sin geometría válida', 'entidades sin geometría válida'),
+    'missing-block': (n, w) => counted(n, w, 'bloque ausente', 'bloques ausentes'),
+    'cyclic-block': (n, w) => counted(n, w, 'bloque que se contiene a sí mismo', 'bloques que se contienen a sí mismos'),
+    'hidden-entity': (n, w) => counted(n, w, 'entidad oculta, sin cortar', 'entidades ocultas, sin cortar'),
+    'units-guessed': () => 'Unidades supuestas',
+    'units-doubtful': () => 'Unidades dudosas',
+    encoding: (n, w) => counted(n, w, 'carácter ilegible', 'caracteres ilegibles'),
+    projected: (n, w) => counted(n, w, 'entidad tridimensional aplanada', 'entidades tridimensionales aplanadas'),
+    'outline-taken': (n, w) => counted(n, w, 'área rellena o línea ancha cortada como línea fina', 'áreas rellenas o líneas anchas cortadas como líneas finas'),
+    'gap-closed': (n, w) => counted(n, w, 'hueco cerrado', 'huecos cerrados'),
+    'gap-left': (n, w) => counted(n, w, 'hueco abierto', 'huecos abiertos'),
+    branch: (n, w) => counted(n, w, 'punto donde se juntan más de dos extremos', 'puntos donde se juntan más de dos extremos'),
+    'duplicate-removed': (n, w) => counted(n, w, 'línea duplicada eliminada', 'líneas duplicadas eliminadas'),
+    'overlap-removed': (n, w) => counted(n, w, 'línea superpuesta eliminada', 'líneas superpuestas eliminadas'),
+    'feature-too-small': (n, w) => counted(n, w, 'contorno demasiado pequeño para el haz', 'contornos demasiado pequeños para el haz'),
+    'common-cut': (n, w) => counted(n, w, 'grupo de contornos con cortes comunes', 'grupos de contornos con cortes comunes'),
+    'kerf-not-applied': (n, w) => counted(n, w, 'contorno sin compensación del ancho de corte', 'contornos sin compensación del ancho de corte'),
+    'zero-length': (n, w) => counted(n, w, 'elemento de longitud cero eliminado', 'elementos de longitud cero eliminados'),
+    'sliver-collapsed': (n, w) => counted(n, w, 'tira fina cortada como una línea', 'tiras finas cortadas como una línea cada una'),
+    lettering: (n, w) => counted(n, w, 'trazo pequeño que parece rotulación', 'trazos pequeños que parecen rotulación'),
+    leaders: (n, w) => counted(n, w, 'línea que lleva a una rotulación', 'líneas que llevan a rotulaciones'),
+    'self-crossing': (n, w) => counted(n, w, 'punto donde un contorno se cruza a sí mismo', 'puntos donde un contorno se cruza a sí mismo'),
+    crossing: (n, w) => counted(n, w, 'punto donde se cruzan dos contornos', 'puntos donde se cruzan dos contornos'),
+    'open-contour': (n, w) => counted(n, w, 'contorno abierto', 'contornos abiertos'),
+    'several-layers': (n, w) => counted(n, w, 'contorno en varias capas', 'contornos en varias capas'),
+    'sheet-outline': () => 'Borde de la chapa',
+    'layer-suggestion': (n, w) => counted(n, w, 'forma en una capa que seguramente no se corta', 'formas en capas que seguramente no se cortan'),
+    'layer-ignored': (n, w) => counted(n, w, 'forma en una capa ignorada', 'formas en capas ignoradas'),
+    'contour-excluded': (n, w) => counted(n, w, 'contorno omitido', 'contornos omitidos'),
+    'layer-unknown': (n, w) => counted(n, w, 'capa que no está en el dibujo', 'capas que no están en el dibujo'),
+    'lead-adjusted': (n, w) => counted(n, w, 'entrada adaptada', 'entradas adaptadas'),
+    'lead-missing': (n, w) => counted(n, w, 'contorno sin sitio para una entrada', 'contornos sin sitio para entradas'),
+    'far-from-origin': () => 'Demasiado lejos del origen',
+    'off-bed': () => 'Fuera de la mesa',
+    'least-power-left-out': () => 'La potencia mínima no forma parte del G-code',
+    'not-all-checked': (n, w) => counted(n, w, 'comprobación incompleta', 'comprobaciones incompletas'),
+    more: (n, w) => counted(n, w, 'aviso más, no listado', 'avisos más, no listados'),
+  },
+
+  errors: {
+    'unknown-field': (v) => `No existe el campo ${v('field')}.`,
+    'missing-field': (v) => `Falta el campo ${v('field')}.`,
+    'wrong-type': (v) => `El valor de ${v('field')} es de otro tipo.`,
+    'out-of-range': (v) => `${v('field')} es ${v('value')}; puede ir de ${v('least')} a ${v('most')} ${v('unit')}.`,
+    'not-a-choice': (v) => `${v('field')} no puede ser ${v('value')}. Elija entre: ${v('choices')}.`,
+    'invalid-parameter': () => 'Un parámetro del método no se puede usar.',
+    'not-json': () => 'Esto no es JSON.',
+    'options-conflict': () => 'Dos ajustes se excluyen entre sí.',
+    'unknown-contour': (v) => `No hay ningún contorno ${v('contour')}: el dibujo tiene ${v('count')}.`,
+    'unfit-path': () => 'El plan guardado ya no corresponde a este dibujo.',
+    'not-bytes': () => 'El dibujo no se puede leer.',
+    'not-a-drawing': () => 'Este archivo no es un dibujo que se pueda leer. Guárdelo como DXF (R2000 o posterior, ASCII) o SVG.',
+    'empty-drawing': () => 'En este archivo no hay nada que se pueda cortar.',
+    'too-large': () => 'Este archivo es demasiado grande.',
+    'nothing-to-cut': () => 'No hay nada que cortar.',
+    'other-drawing': () => 'Este dibujo no es el que se planificó.',
+    'far-from-origin': (v) => `El trabajo llega a x ${v('x')}, y ${v('y')}, donde los números del controlador son demasiado bastos. Acérquelo al origen.`,
+    'off-bed': () => 'El trabajo no está sobre la mesa de la máquina. No se ha escrito nada.',
+    unwritable: () => 'Este plan no se puede escribir en este formato.',
+    'not-a-quote': () => 'Esto no es un informe de presupuesto.',
+    'download-failed': () => 'No se pudo descargar el archivo.',
+    'no-drawing': () => 'Todavía no hay ningún dibujo.',
+    'no-plan': () => 'Todavía no hay ningún plan.',
+    'unsound-plan': () => 'El plan no pasa su propia comprobación. No se ha escrito nada. Comuníquelo junto con el dibujo.',
+    'planner-died': () => 'El planificador tuvo que parar. Inténtelo de nuevo.',
+    'not-started': () => 'No se pudo iniciar el planificador. Recargue la página.',
+    deadline: () => 'Esto ha tardado demasiado.',
+    closed: () => 'El planificador se cerró.',
+    'not-in-this-build': () => 'Esta versión no puede hacer eso.',
+    internal: () => 'Ha fallado algo que no debía fallar. Recargue la página.',
+  },
+
+  unitNames: {
+    mm: 'milímetros', cm: 'centímetros', m: 'metros', dm: 'decímetros', um: 'micrómetros',
+    in: 'pulgadas', ft: 'pies', yd: 'yardas', mil: 'milésimas de pulgada', microinch: 'micropulgadas', px: 'píxeles',
+  },
+  unitSources: { header: 'del archivo', guessed: 'supuestas', given: 'elegidas por usted' },
+  operations: { cut: 'Cortar', mark: 'Marcar', ignore: 'Ignorar' },
+  samples: {
+    'sheet_500.dxf': ['Chapa, 500 contornos', 'Una chapa completa con piezas dentro de piezas'],
+    'sheet_100.dxf': ['Chapa, 100 contornos', 'Engranajes, bridas y escuadras en 1000 × 500 mm'],
+    'qu_du_43.dxf': ['43 contornos de Qu y Du', 'La chapa de prueba de un artículo de 2023'],
+    'gaps-and-copies.dxf': ['Huecos, copias, cruces', 'Un dibujo descuidado, y lo que se encuentra en él'],
+    'layers.dxf': ['Capas', 'Cortar, marcar o ignorar, según los nombres de las capas'],
+    'no-units.dxf': ['Unidades dudosas', 'Un archivo que no dice qué tamaño tiene'],
+    'parts-in-parts.dxf': ['Piezas en piezas', 'Anillos anidados: los contornos interiores se cortan antes que los que los rodean'],
+    'luggage-tags.svg': ['Etiquetas de equipaje, SVG', 'Capas de Inkscape: cortar y grabar'],
+    'lumberjack-polaris.dxf': ['Placa de teclado', 'Un dibujo real, de Paul James (MIT)'],
+  },
+
+  markup: {
+    title: 'Kerfway: el recorrido de una cortadora láser', heading: 'Kerfway, el recorrido de una cortadora láser', canvas: 'La chapa con su recorrido de corte',
+    keys: 'Las flechas izquierda y derecha recorren los contornos en orden de corte, más y menos acercan y alejan, F encaja la chapa, el signo de interrogación muestra todas las teclas.',
+    hint: 'Suelte un DXF o SVG en cualquier lugar', drop: 'Suelte para abrir', panel: 'Dibujo, máquina, plan y resultado', playback: 'Reproducción',
+  },
+
+  settings: {
+    title: 'Idioma y longitudes', language: 'Idioma', lengths: 'Longitudes', units: { mm: 'Milímetros', in: 'Pulgadas' },
+    draft: 'Esta traducción aún no la ha revisado una persona nativa.', later: 'Hay varios archivos abiertos; el cambio se aplicará la próxima vez que abra la página.', reload: 'Recargar ahora',
+  },
+
+  page: {
+    somethingElse: 'Este dibujo no se pudo procesar. Recargue la página y suéltelo de nuevo.',
+    unreadable: (file) => `No se pudo leer ${file} del disco. Elíjalo de nuevo.`,
+    noSample: (title) => `No se pudo cargar el ejemplo «${title}». Recargue la página, o suelte un DXF o SVG propio.`,
+    chooseHome: 'Haga clic en la chapa donde deba empezar el cabezal. Esc cancela.',
+    noCanvas: 'Este navegador no puede dibujar en un canvas.',
+    best: (time) => `Lo mejor hasta ahora: ${time}.`,
+    read: (file, n) => `${file}: ${n}.`,
+    decided: {
+      first: (contour) => `${contour}: se corta primero.`, last: (contour) => `${contour}: se corta al final.`, mark: (contour) => `${contour}: marcado, sin cortar.`, exclude: (contour) => `${contour}: omitido, sin cortar.`,
+    },
+    unpinned: (contour) => `${contour}: ya no está fijado ni omitido.`,
+    noPapers: (why) => `No se pudieron cargar los métodos de publicaciones. ${why}`,
+    copied: 'El G-code está en el portapapeles.', notCopied: 'Este navegador no permite que la página escriba en el portapapeles: descargue el G-code.',
+    stays: 'El dibujo actual y su plan siguen como estaban.', close: 'Cerrar',
+    back: (file) => `${file} ha vuelto, tal como lo dejó.`, forget: 'Olvidarlo', forgotten: 'Olvidado: en este navegador ya no queda nada guardado de ello.',
+    kept: 'Guardado en este navegador para su próxima visita.',
+    pinsGone: 'Los contornos han cambiado; los contornos fijados y omitidos se han restablecido.',
+  },
+
+  top: {
+    samples: 'Ejemplos', units: 'Unidades', unitsAre: 'Unidades: ', resolution: (dpi) => `${dpi} ppp`, dark: 'Tema oscuro', light: 'Tema claro', undo: 'Deshacer (Ctrl Z)', redo: 'Rehacer (Ctrl Mayús Z)',
+    order: 'Orden de corte', panel: 'Panel', open: 'Abrir', openFile: 'Abrir un archivo DXF o SVG', help: 'Teclas y ayuda',
+  },
+
+  files: {
+    title: 'Archivos', all: 'G-code de todos los archivos', done: (n, of) => `${n} de ${of}`, label: (n, of) => `Archivos: ${n} de ${of} listos`,
+    waiting: 'En espera', planning: 'Planificando', question: 'Necesita una respuesta suya', failed: 'No se puede planificar', planned: 'Planificado',
+    plannedIn: (time) => `Planificado: ${time}`, nothing: 'No hay nada que cortar en este archivo.',
+  },
+
+  dock: {
+    progress: 'Progreso', stop: 'Parar', pause: 'Pausa', resume: 'Reanudar', more: 'Seguir mejorando', choose: 'Elegir un DXF o SVG', sheet: 'Dibujo, máquina, plan, resultado',
+    starting: 'Iniciando el planificador…', reading: (file) => `Leyendo ${file}…`, question: 'Hace falta una respuesta antes de planificar.',
+    offBed: 'Fuera de la mesa, así que no hay G-code',
+    nothing: 'Nada que cortar: ponga una capa en cortar o marcar.', failed: 'Este archivo no se puede usar.', optimal: 'Óptimo: no existe un recorrido mejor.',
+    planning: (best) => (best === null ? 'Planificando' : `Planificando, lo mejor hasta ahora ${best}`),
+    paused: (best) => (best === null ? 'En pausa' : `En pausa, lo mejor hasta ahora ${best}`),
+    saved: (time) => `${time} ahorrados`, pace: (moves) => `${moves} movimientos/s`, moves: (moves) => `${moves} movimientos`,
+    gap: (time) => `como mucho quedan ${time} por ganar`,
+    done: {
+      exhausted: 'Listo. Este método no encuentra nada mejor.',
+      replaced: 'Parado: hubo que reiniciar el planificador. El mejor recorrido se conserva.',
+      stopped: 'Parado. El mejor recorrido se conserva.',
+    },
+    improving: 'Se acabó el tiempo, pero el recorrido seguía mejorando.', quiet: (time) => `Listo. Nada mejor en los últimos ${time}.`, second: '1 s',
+  },
+
+  drawing: {
+    title: 'Dibujo', none: 'Todavía no hay dibujo.', tolerances: 'Tolerancias',
+    join: 'Unir extremos más próximos que', curves: 'Seguir las curvas a menos de', apply: 'Aplicar', cancel: 'Cancelar', checking: 'Comprobando qué cambiaría…',
+    within: (least, most) => `Introduzca un valor de ${least} a ${most}.`,
+    preview: {
+      joins: (n, w) => `${counted(n, w, 'hueco se cerraría', 'huecos se cerrarían')}`, opens: (n, w) => `${counted(n, w, 'unión se abriría', 'uniones se abrirían')}`,
+      removals: (n, w) => `${counted(n, w, 'trozo desaparecería', 'trozos desaparecerían')}`, contours: (now, then) => `${then} contornos en vez de ${now}`,
+      open: (now, then) => `${then} de ellos abiertos en vez de ${now}`, elements: (now, then) => `${then} líneas y arcos en vez de ${now}`,
+      nothing: 'No cambiaría nada.', sentence: (all) => `${all.join(', ')}.`,
+    },
+    contours, openContours: (n, w) => counted(n, w, 'contorno abierto', 'contornos abiertos'), parts,
+    version: (name) => (name.startsWith('SVG') ? name : `DXF ${name}`), show: (contour) => `Contorno ${contour}, mostrar en la chapa`,
+    decided: { first: (list) => `Cortar primero: ${list}`, last: (list) => `Cortar al final: ${list}`, mark: (list) => `Marcados: ${list}`, exclude: (list) => `Omitidos: ${list}` },
+    unpin: { first: 'Soltar', last: 'Soltar', mark: 'Cortar', exclude: 'Volver a cortar' }, others: (n) => `y ${n} más`,
+    unpinAll: { first: 'Soltar los contornos que se cortan primero', last: 'Soltar los contornos que se cortan al final', mark: 'Cortar en vez de marcar', exclude: 'Volver a cortar los contornos omitidos' },
+    inOrder: 'En este orden', inOrderHint: 'Cortarlos en el orden de esta lista; si no, en el más rápido', sequence: (list) => `En este orden: ${list}`,
+    anyOrder: 'Cualquier orden', anyOrderAll: 'Dejar el orden de esta secuencia a la búsqueda',
+    move: (name, place, of) => `Mover ${name}, ${place} de ${of}: arrastre o use las flechas`, removeOne: (name) => `Quitar ${name} de esta lista`,
+    kinds: (n, w) => `, ${counted(n, w, 'forma')}`, copies: (n, size) => `${n} × ${size}`, copiesHint: 'Seleccionar todas las copias de esta pieza',
+  },
+
+  layers: {
+    title: 'Capas', operation: (layer) => `Operación de la capa ${layer}`, contours: 'Contornos', earlier: (layer) => `Antes: ${layer}`, later: (layer) => `Después: ${layer}`,
+    settings: (layer) => `Ajustes de la capa ${layer}`, settingOf: (setting, layer) => `${setting}, capa ${layer}`, speed: 'Velocidad', power: 'Potencia', minPower: 'Potencia mínima', passes: 'Pasadas', zStep: 'Bajar en cada pasada', air: 'Aire', unset: 'auto',
+    suggested: {
+      cut: (layer) => `«${layer}» parece una capa para cortar.`,
+      mark: (layer) => `«${layer}» parece una capa para marcar, no para cortar.`,
+      ignore: (layer) => `«${layer}» no parece una capa para cortar. ¿Ignorarla?`,
+    },
+    take: { cut: 'Cortarla', mark: 'Marcarla', ignore: 'Ignorarla' },
+  },
+
+  findings: {
+    error: 'Error', warning: 'Advertencia', info: 'Nota', layer: (name) => `capa ${name}`, entity: (handle) => `entidad ${handle}`, show: 'mostrar',
+    errors: (n, w) => counted(n, w, 'error', 'errores'), warnings: (n, w) => counted(n, w, 'advertencia'),
+    notes: (n, w) => counted(n, w, 'nota'), nothingToDo: (notes) => `${notes}, nada que hacer`,
+    more: (n) => `Y ${n} más, marcados en la chapa.`,
+    actions: { keepBorder: 'Cortar el borde', ignoreBorder: 'Ignorar el borde', cut: 'Cortar', mark: 'Marcar', ignore: 'Ignorar' },
+    group: { lettering: 'rotulación', leaders: 'líneas que llevan a rotulación' }, act: (action, group) => `${action}: ${group}`,
+  },
+
+  question: {
+    size: '¿Qué tamaño tiene este dibujo?', in: (unit) => `en ${unit}`, dpi: (dpi) => `en píxeles, ${dpi} por pulgada`,
+    damaged: (n, w) => `${counted(n, w, 'entidad', 'entidades')} de este archivo ${n === 1 ? 'está dañada' : 'están dañadas'}`,
+    about: 'Están junto a un lugar dañado del archivo, así que su forma puede ser errónea. Omítalas, o consérvelas y compruebe cada una.',
+    skip: 'Omitirlas', keep: 'Conservarlas',
+    border: '¿El rectángulo que rodea todo se corta?', ignoreBorder: 'No, es la chapa: ignorarlo', keepBorder: 'Sí, cortarlo',
+  },
+
+  machine: {
+    title: 'Máquina', preset: 'Ajuste predefinido', changed: (title) => `${title}, modificada`, home: 'Volver al inicio al acabar', partialCuts: 'Permitir cortes parciales', pausing: 'Pausa en esquinas agudas', back: 'Volver al ajuste predefinido',
+    advanced: 'Ajustes avanzados', air: 'Movimientos en vacío', start: 'Elegir el inicio en la chapa', unlimited: 'sin límite', whole: 'de una vez',
+    travel: { straight: 'Línea recta, límites por eje', vector: 'Línea recta, una velocidad', 'per-axis': 'Ejes independientes' },
+    cutSpeed: 'Velocidad de corte', cutAccel: 'Aceleración de corte', cutPower: 'Potencia de corte', markSpeed: 'Velocidad de marcado', markPower: 'Potencia de marcado',
+    rapidX: 'Velocidad rápida, x', rapidY: 'Velocidad rápida, y', rapidAccelX: 'Aceleración rápida, x', rapidAccelY: 'Aceleración rápida, y', corners: 'Desviación en esquinas',
+    pierce: 'Tiempo de perforación', preCut: 'Tiempo de precorte', preCutLength: 'Longitud de precorte', sharpAngle: 'Pausa en esquinas menores de', sharpTime: 'Pausa en una esquina', noPauses: 'sin pausas', kerf: 'Ancho de corte',
+    kerfHint: 'Las piezas conservan su medida dibujada: el haz se desplaza medio ancho de corte. Los contornos a un ancho de corte de distancia se cortan una vez. 0: el haz sigue las líneas dibujadas.',
+    beamOn: 'Retardo de encendido', beamOff: 'Retardo de apagado', homeX: 'Inicio, x', homeY: 'Inicio, y', bedX0: 'Mesa desde x', bedX1: 'Mesa hasta x', bedY0: 'Mesa desde y', bedY1: 'Mesa hasta y', noBed: 'desconocida', fullPower: 'Valor a plena potencia',
+    material: 'Material', ownSetting: 'Como está ajustada la máquina', materialName: 'Nombre del material', saveMaterial: 'Guardar ajuste', removeMaterial: 'Borrar ajuste', materials: 'Biblioteca de materiales', materialsHint: 'Guarda velocidad, potencia, pasadas, tiempo de perforación y ancho de corte con un nombre. La biblioteca se guarda, exporta e importa con la máquina.',
+    zSpeed: 'Velocidad del eje z', noZ: 'sin eje z',
+    which: '¿Qué máquina corta?', keep: 'Conservar esta máquina',
+    own: 'Sus máquinas', name: 'Nombre de su máquina', notSaved: 'Este navegador no guarda datos de esta página: exporte la máquina a un archivo.',
+    save: 'Guardar', remove: 'Borrar', export: 'Exportar', import: 'Importar',
+    noJson: 'Este archivo no es un perfil de máquina: no es JSON.', noSchema: (schema) => `Este archivo no es un perfil de máquina: su "schema" no es ${schema}.`,
+    incomplete: 'Este perfil de máquina está incompleto. Exporte una máquina para ver qué campos tiene un perfil.',
+  },
+
+  calibration: {
+    title: 'Calibrar con un cronómetro', hint: 'Ejecute un trabajo y escriba los segundos que tardó. Bastan uno o dos trabajos; lo mejor es uno con muchas perforaciones y otro con muchas esquinas.',
+    took: 'Este trabajo tardó', none: 'medido', add: 'Añadir este trabajo', fit: 'Ajustar la máquina', clear: 'Empezar de nuevo', take: 'Usar los valores ajustados', before: 'Antes', after: 'Después',
+    job: (name, measured, planned) => `${name}: ${measured}, previsto ${planned}`, notYet: 'Escriba los segundos del trabajo en pantalla cuando su plan esté listo.',
+  },
+
+  leads: {
+    title: 'Entradas y sobrecorte', kind: 'Entrada', out: 'Salida', position: 'Posición', length: 'Longitud de la línea', radius: 'Radio del arco', angle: 'Ángulo',
+    clearance: 'Distancia a las piezas', centerBelow: 'Desde el centro en agujeros menores de', overcut: 'Sobrecorte',
+    kinds: { none: 'Ninguna', line: 'Línea', arc: 'Arco', 'line-arc': 'Línea y arco', center: 'Desde el centro' },
+    positions: { any: 'Donde sea más rápido', corner: 'En las esquinas', side: 'En el centro de los lados' },
+    about: 'Las entradas quedan en el recorte: dentro de agujeros, fuera de piezas. Donde una no cabe se gira, se mueve, se acorta o se omite, y aparece en los avisos. Un sobrecorte negativo deja un hueco.',
+    custom: 'Esta máquina tiene reglas de entrada propias.', replace: 'Sustituirlas por una entrada para todos', ownRules: 'reglas propias',
+  },
+
+  levers: {
+    moving: 'Empezar los cortes en movimiento', overcut: 'Volver a cortar al final',
+    about: 'Para marcas y para chapa tan fina que el haz la atraviesa al instante: se enciende cuando el cabezal arranca, sin espera. Los cortes abiertos y los de varias pasadas siguen empezando en reposo.',
+  },
+
+  placement: {
+    title: 'Sobre la mesa', position: 'Posición', asDrawn: 'Como está dibujado', atPoint: 'Un punto del trabajo en', point: 'Punto del trabajo', x: 'x', y: 'y',
+    points: {
+      'lower-left': 'Abajo a la izquierda', 'lower-center': 'Abajo en el centro', 'lower-right': 'Abajo a la derecha', 'center-left': 'Centro a la izquierda', center: 'Centro',
+      'center-right': 'Centro a la derecha', 'upper-left': 'Arriba a la izquierda', 'upper-center': 'Arriba en el centro', 'upper-right': 'Arriba a la derecha',
+    },
+    turnLeft: 'Girar a la izquierda', turnRight: 'Girar a la derecha', drag: 'Arrastrar el trabajo', show: 'Mostrar la mesa', coordinates: 'Coordenadas', absolute: 'De la máquina', current: 'Desde el cabezal',
+    allow: 'Escribir programas que salen de la mesa', reaches: (x0, x1, y0, y1, unit) => `x ${x0} a ${x1}, y ${y0} a ${y1} ${unit}`,
+    off: 'El trabajo no está sobre la mesa.', corner: 'Mover a la esquina', noBed: 'Esta máquina no tiene mesa: introduzca su tamaño en Máquina, para comprobar los programas con ella.',
+    drawn: 'como está dibujado', placed: 'colocado', offBed: 'fuera de la mesa', turned: (degrees) => `girado ${degrees}°`,
+    dragging: 'Arrastre el trabajo sobre la mesa. Esc termina.',
+  },
+
+  plan: {
+    title: 'Plan', method: 'Método', papers: 'Métodos de investigación, de publicaciones', more: 'Métodos de investigación…', time: 'Buscar durante', seed: 'Semilla', random: 'aleatoria', used: (seed) => `Semilla usada: ${seed}`,
+    bySheet: 'Pasadas chapa por chapa', byLayer: 'Ordenar por capa', byPart: 'Pieza por pieza', common: 'Cortar una vez los lados comunes', parameters: 'Parámetros', paperValues: 'Volver a los valores del artículo', noValue: 'ninguno',
+    always: 'Siempre activo: cortar primero las formas interiores, reducir desplazamientos, elegir el mejor punto de inicio, elegir el mejor sentido, eliminar líneas superpuestas.',
+    partitions: 'Cada partición tiene su color en la chapa; un anillo marca dónde el cabezal deja un contorno por una partición.',
+    inside: 'Dentro del método', numbers: 'Cifras del método', round: (n) => `ronda ${n}`,
+  },
+
+  result: {
+    title: 'Resultado', none: 'Los resultados aparecen aquí cuando el primer recorrido está listo.', compare: 'Antes y después', order: 'Orden', job: 'Trabajo', air: 'Vacío', travel: 'Recorrido',
+    drawing: 'Orden del dibujo', greedy: 'El más cercano primero', now: 'Ahora', download: 'Descargar', downloadKind: (kind) => `Descargar ${kind}`,
+    kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)' },
+    short: { now: 'Ahora', greedy: 'Cercano', drawing: 'Dibujado' }, beside: 'Mostrar junto al plan', copy: 'Copiar', copyHint: 'Copiar el G-code al portapapeles',
+    report: 'Informe', reportHint: 'Una página para el operador: imagen, tiempos, piezas, orden, avisos', project: 'Proyecto', projectHint: 'Guardar el proyecto: dibujo, decisiones, máquina y plan (Ctrl S)',
+    saved: (time) => `${time} ahorrados`, longer: (time) => `${time} más`, of: (share, order) => `${share} de lo que corta la mayoría de programas (el más cercano primero); ${order}`,
+    less: (time) => `${time} menos que como está dibujado`, more: (time) => `${time} más que como está dibujado`,
+    cut: 'Corte', pierce: 'Perforación', piercings: (n) => `${n} perforaciones`, preCuts: 'Precortes', leads: 'Entradas', corners: 'Esquinas', gap: 'Por ganar', atMost: (time, share) => `como mucho ${time} (${share})`, noBound: 'aún sin cota', nothingLeft: 'nada: este recorrido es óptimo',
+    chart: 'Tiempo del trabajo durante la búsqueda', chartAxis: 'Tiempo del trabajo durante la búsqueda', chartAbove: (time) => `como está dibujado ${time} ↑`, chartNone: 'Tiempo del trabajo durante la búsqueda: aún sin valores.',
+    chartWords: (first, last, time) => `Tiempo del trabajo durante la búsqueda: de ${first} a ${last} en ${time}.`,
+    chartOrders: (drawing, greedy) => ` El orden del dibujo tarda ${drawing}, el más cercano primero ${greedy}.`,
+  },
+
+  savings: {
+    title: 'Qué ahorra qué', about: 'Cada decisión se quita una vez y el resto se planifica de nuevo.', ask: 'Calcularlo', working: 'Calculando…',
+    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas' },
+    saves: (time) => `ahorra ${time}`, costs: (time) => `cuesta ${time}`, done: (s) => `Los planes sin una decisión se buscaron hasta ${s} s cada uno.`,
+  },
+
+  preflight: {
+    title: 'Comprobación del programa', passes: 'El programa pasa su comprobación', fails: 'El programa no pasa su comprobación y no se entrega',
+    parts, once: (n, w) => `${contours(n, w)}, cada uno cortado una vez`,
+    times: (n, w, times) => `${contours(n, w)}, cada uno cortado ${times} veces`, uneven: (n) => `${n} contornos, no todos cortados las mismas veces`,
+    dark: 'haz apagado en cada rápido', lit: 'haz encendido en un rápido', onBed: 'sobre la mesa', offBed: 'fuera de la mesa', read: (dialect) => `releído como ${dialect}`,
+    more: (message, n) => `${message} Y ${n} más como este.`,
+  },
+
+  dialect: {
+    title: 'Dialecto de G-code', own: 'Editar el dialecto', document: 'Documento del dialecto (JSON)', preview: 'Primeras líneas de un programa', take: 'Usar este dialecto', import: 'Importar', export: 'Exportar',
+    hint: 'Un dialecto dice cómo entiende su controlador la potencia, las esperas y las unidades. Cámbielo aquí y dele un nombre propio.', mine: (title) => `${title} (suyo)`,
+    noJson: (why) => `Esto no es JSON: ${why}.`,
+  },
+
+  quote: {
+    title: 'Presupuesto', notGiven: 'sin indicar', download: 'Descargar el informe', thickness: 'Espesor', density: 'Densidad', none: 'El presupuesto aparece aquí cuando el plan está listo.',
+    confidence: { high: 'Confianza alta.', medium: 'Confianza media.', low: 'Confianza baja.' }, parts: 'Piezas', gist: (n) => `${n} piezas`, different: (n, kinds) => `${n}, ${kinds} distintas`, area: 'Área de las piezas', weight: 'Peso',
+    hole: 'Agujero más estrecho', web: 'Puente más estrecho', against: (ratio) => ` · ${ratio} × espesor`,
+    part: (length, holes, w) => `${length} de corte, ${counted(holes, w, 'agujero')}`, and: 'Y', others: (n) => `${n} tipos de piezas más`,
+  },
+
+  contour: {
+    card: 'Contorno seleccionado', numbered: (n) => `Contorno ${n}`, place: (n, of) => `N.º ${n} de ${of}`, part: (n) => `pieza ${n}`,
+    mark: 'marca', open: 'abierto', outer: 'exterior', inner: 'interior', begins: (time) => `el corte empieza en ${time}`, rules: { first: 'Primero', last: 'Al final', mark: 'Marcar', exclude: 'Omitir' }, actions: 'Qué hacer con él',
+    wholePart: (n) => `Pieza ${n}`, selected: (n, w) => (n === 0 ? 'Nada seleccionado.' : `${counted(n, w, 'contorno seleccionado', 'contornos seleccionados')}.`),
+    whole: 'Pieza entera', wholeKey: 'Seleccionar la pieza entera (W)', like: (n) => `Los ${n} iguales`, likeKey: 'Seleccionar todo lo igual (L)',
+    keepOrder: 'Conservar este orden', keepOrderHint: 'Cortar las piezas seleccionadas en el orden en que se cortan ahora',
+    why: {
+      first: 'Usted lo corta primero.', last: 'Usted lo corta al final.', firstInOrder: 'En el orden de su lista Cortar primero.', lastInOrder: 'En el orden de su lista Cortar al final.',
+      arranged: (after) => `Después del n.º ${after}, como usted lo dispuso.`, mark: 'Las marcas van antes que los cortes.',
+      outer: (n, w) => `Después de ${counted(n, w, 'contorno', 'contornos')} en su interior.`, inner: 'Antes de que se libere la pieza que lo rodea.',
+      layer: (layer) => `Es el turno de la capa ${layer}.`, byPart: 'Es el turno de su pieza.', begin: 'Aquí empieza el trabajo.',
+      way: (from, way, nearest) => (nearest ? `El más cercano al n.º ${from}, a ${way}.` : `A ${way} del n.º ${from}.`),
+    }, excluded: 'omitido, sin cortar',
+    before: 'Contorno anterior (←)', next: 'Contorno siguiente (→)', close: 'Cerrar (Esc)',
+  },
+
+  table: {
+    title: 'Orden de corte', rows: 'Filas del orden de corte', close: 'Cerrar la tabla', columns: ['N.º', '', 'Capa', 'Longitud', 'Empieza', 'Perforación', 'Sentido'],
+    show: (n) => `Contorno ${n}, mostrar en la chapa`, move: (n) => `Mover el contorno ${n} en el orden: arrastre o use las flechas`, drag: 'Arrastre filas para fijar su orden', inside: 'Lo que está dentro de un contorno se corta antes que él, así que no se puede mover ahí.',
+    reversed: 'inverso', asDrawn: 'como está dibujado', open: 'abierto',
+  },
+
+  stage: { bed: (size) => `mesa ${size}`, first: 'primero', last: 'último', common: 'cortado una vez para dos piezas', colours: 'Color por orden (C)', layers: 'Colores de las capas como están dibujadas (V)', air: 'Movimientos en vacío (A)', several: 'Seleccionar varios: los clics añaden, arrastrar dibuja un recuadro (B)', measure: 'Medir entre dos puntos (D)', measuring: 'Haga clic en dos puntos: se ajustan a extremos y centros. Esc termina.', view: 'Vista', zoomIn: 'Acercar (+)', zoomOut: 'Alejar (−)', fit: 'Encajar la chapa (F)' },
+
+  playback: {
+    play: 'Reproducir', moment: 'Tiempo en el trabajo', speed: 'Velocidad', whole: 'Todo el trabajo en 20 s', pauseKey: 'Pausar el corte (Espacio)', playKey: 'Reproducir el corte (Espacio)',
+    at: (time, total, contour, of) => `${time} de ${total}, contorno ${contour} de ${of}`,
+  },
+
+  help: {
+    title: 'Teclas', close: 'Cerrar', with: 'con',
+    keys: [
+      ['O', 'Abrir un archivo DXF o SVG, o un proyecto'],
+      ['G', 'Descargar el programa'],
+      ['S', 'Parar la planificación, conservar el mejor recorrido'],
+      ['P', 'Pausar o reanudar la planificación'],
+      ['K', 'Seguir mejorando'],
+      ['Espacio', 'Reproducir o pausar el corte'],
+      ['← →', 'Contorno anterior o siguiente del orden'],
+      ['Inicio Fin', 'Primer o último contorno'],
+      ['+ −', 'Acercar o alejar'],
+      ['F', 'Encajar la chapa'],
+      ['Mayús con flechas', 'Mover la vista'],
+      ['C', 'Colorear los contornos por orden'],
+      ['V', 'Mostrar los colores de las capas como están dibujadas'],
+      ['A', 'Mostrar u ocultar los movimientos en vacío'],
+      ['T', 'Tabla del orden de corte'],
+      ['1 0', 'Cortar el contorno seleccionado primero o al final'],
+      ['M X', 'Marcar u omitir lo seleccionado'],
+      ['W L', 'Seleccionar la pieza entera o todo lo igual'],
+      ['B', 'Seleccionar varios: clics y pasos añaden, arrastrar dibuja un recuadro'],
+      ['Ctrl Z', 'Deshacer una decisión; con Mayús, rehacerla'],
+      ['Ctrl S', 'Guardar el proyecto: dibujo, decisiones y plan'],
+      ['D', 'Medir entre dos puntos'],
+      ['Esc', 'Quitar la selección'],
+      ['?', 'Mostrar esta lista'],
+    ],
+    more: 'La rueda o un pellizco acercan y alejan en torno al puntero, arrastrar mueve la chapa, un clic selecciona un contorno. Mayús al arrastrar selecciona lo que hay en un recuadro, Ctrl con un clic añade a la selección. Mayús con un clic corta un contorno primero, Alt con un clic lo omite. El dibujo nunca sale de este equipo.',
+  },
+
+  numbers: { locale: 'es', thousand: (n, three) => `${three(n)} mil`, million: (n, three) => `${three(n)} millones` },
+};

@@ -1,0 +1,25 @@
+/** The menu for the language of the page and the unit of lengths. The page starts anew with another one, with the job as it was. */
+
+import { button, h } from '../core/dom.js';
+import { keep } from '../core/kept.js';
+import { LENGTH_KEY, lengthUnit } from '../core/lengths.js';
+import { menuItem, popover } from '../core/menu.js';
+import { language, LANGUAGE_KEY, LANGUAGES, words } from '../core/words/index.js';
+
+export function settingsMenu(restart: () => void): [opener: HTMLElement, menu: HTMLElement] {
+  const w = words.settings;
+  const opener = button(w.title, { icon: 'globe', iconOnly: true, class: 'quiet settings' });
+  const choose = (key: string, value: string, now: string) => {
+    if (value !== now && keep(key, value)) restart();
+  };
+  const languages = Object.entries(LANGUAGES).map(([code, name]) => {
+    const item = menuItem(name, null, code === language, () => choose(LANGUAGE_KEY, code, language));
+    item.lang = code;
+    return item;
+  });
+  const lengths = (['mm', 'in'] as const).map((unit) => menuItem(w.units[unit], null, unit === lengthUnit, () => choose(LENGTH_KEY, unit, lengthUnit)));
+  const list = h('div', { class: 'menu rows-only' },
+    h('p', { class: 'menu-note' }, w.language), ...languages, w.draft && h('p', { class: 'menu-note' }, w.draft),
+    h('p', { class: 'menu-note' }, w.lengths), ...lengths);
+  return [opener, popover(opener, w.title, list)];
+}
