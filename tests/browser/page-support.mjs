@@ -137,7 +137,7 @@ export function nextFrames(page, count) {
 
 /** Waits until the page shows a drawing of that name that is being planned or is done. */
 export async function planned(page, name, ...phases) {
-  await page.waitForFunction((n) => document.querySelector('.file-name').textContent === n, name);
+  await page.waitForFunction((n) => document.querySelector('.file-name')?.textContent === n, name);
   await phase(page, ...(phases.length > 0 ? phases : ['planning', 'done']));
 }
 

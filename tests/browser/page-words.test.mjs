@@ -66,9 +66,12 @@ test('every language: the job stays, nothing is left in English, numbers and err
     await shot(page, `language-${language}`);
   }
   // Japanese is chosen now. Its words come from the store of the service worker.
-  await page.waitForFunction(async () => {
-    for (const name of await caches.keys()) if ((await (await caches.open(name)).keys()).some(({ url }) => url.includes('language-ja'))) return true;
-    return false;
+  await page.evaluate(async () => {
+    const isStored = async () => {
+      const stored = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
+      return stored.flat().some(({ url }) => url.includes('language-ja'));
+    };
+    while (!(await isStored())) await new Promise(requestAnimationFrame);
   });
   await page.context().setOffline(true);
   await page.reload();
