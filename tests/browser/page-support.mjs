@@ -228,15 +228,25 @@ export async function tasksOf(page, act) {
   return tasks.map((e) => e.tdur / 1000).sort((a, b) => b - a);
 }
 
-/** Pans, zooms and moves the pointer, as a person would. */
-export async function roam(page) {
+/** Drags the sheet about, as a person would. */
+export async function pan(page) {
   await page.mouse.move(500, 450);
   await page.mouse.down();
   for (let i = 0; i < 40; i += 1) await page.mouse.move(500 + 4 * i, 450 + 30 * Math.sin(i / 5));
   await page.mouse.up();
+}
+
+/** Zooms in and out with the wheel. */
+export async function zoom(page) {
   for (let i = 0; i < 12; i += 1) {
     await page.mouse.wheel(0, i < 6 ? -240 : 240);
     await nextFrames(page, 4);
   }
+}
+
+/** Pans, zooms and moves the pointer over the sheet. */
+export async function roam(page) {
+  await pan(page);
+  await zoom(page);
   for (let i = 0; i < 20; i += 1) await page.mouse.move(300 + 20 * i, 400);
 }

@@ -28,6 +28,9 @@ interface Parts {
 }
 
 export class JobView {
+  /** By how many degrees the shown job is turned. */
+  private turn = 0;
+
   constructor(private readonly parts: Parts) {
     const { session: { store }, playback, scene, notices } = parts;
     store.on('notice', (sentence) => notices.show(sentence));
@@ -43,7 +46,10 @@ export class JobView {
     playback.setTimeline(null);
     // The selection stays when the contours are the same.
     const selected = same ? selection.contours : [];
-    scene.setDrawing(loaded, state.extent, !same);
+    // A job that is turned lies somewhere else.
+    const turn = state.load.turn ?? 0;
+    scene.setDrawing(loaded, state.extent, !same || turn !== this.turn);
+    this.turn = turn;
     selection.selectAll(selected);
     const contours = activeContours(loaded).length;
     if (fresh) announcer.say(words.page.read(state.name, words.drawing.contours(contours, count(contours))));

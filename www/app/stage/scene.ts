@@ -147,7 +147,7 @@ export class Scene {
     this.beam = this.common = null;
     this.planFindings = [];
     this.showContours();
-    if (loaded && fit) this.viewport.setBounds(extent);
+    if (loaded) this.viewport.setBounds(extent, fit);
     this.invalidate();
   }
 

@@ -43,12 +43,12 @@ export class Viewport extends Emitter<{ change: void }> {
     else this.emit('change', undefined);
   }
 
-  /** Takes over the size of the sheet, and fits it. */
-  setBounds(bounds: Box): void {
+  /** Takes over the size of the sheet. The view stays where it is unless `fit`. */
+  setBounds(bounds: Box, fit: boolean): void {
     const [x0, y0, x1, y1] = bounds;
     const sound = [x0, y0, x1, y1].every(Number.isFinite) && x1 >= x0 && y1 >= y0;
     this.bounds = sound ? bounds : [0, 0, 1, 1];
-    this.fit(false);
+    if (fit) this.fit(false);
   }
 
   /** Shows the whole sheet. */
