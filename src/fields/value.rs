@@ -1,6 +1,6 @@
 //! A value from a caller before its type is known. Unlike JSON it can hold NaN, so that the message can name it.
 
-use serde::de::value::{MapDeserializer, SeqDeserializer};
+use serde::de::value::{MapDeserializer, SeqDeserializer, StringDeserializer};
 use serde::de::{DeserializeSeed, Deserializer, EnumAccess, IntoDeserializer, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, forward_to_deserialize_any};
 use std::fmt;
@@ -113,43 +113,109 @@ impl<'de> Deserialize<'de> for Value {
     }
 }
 
-/// The error type of serde's deserializers for plain values.
-type Error = serde::de::value::Error;
+/// What serde says of a value that does not fit. It names nothing: the tables refuse such a value before, in a sentence.
+/// An error without a text keeps the formatting of serde's own messages out of the wasm file.
+#[derive(Debug)]
+pub struct Unfit;
 
-impl<'de> Deserializer<'de> for Value {
-    type Error = Error;
+impl fmt::Display for Unfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a value does not fit its field")
+    }
+}
 
-    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {
+impl std::error::Error for Unfit {}
+
+impl serde::de::Error for Unfit {
+    fn custom<T: fmt::Display>(_: T) -> Self {
+        Self
+    }
+}
+
+impl Value {
+    /// The number as a whole one, if it is a whole number from 0 to 2^53 - 1.
+    fn whole(&self) -> Option<u64> {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a whole number in range"
+        )]
         match self {
-            Self::Null => visitor.visit_unit(),
-            Self::Flag(flag) => visitor.visit_bool(flag),
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "a whole number from 0 to 2^53 - 1"
-            )]
-            Self::Number(n) if (0.0..=COUNTS).contains(&n) && n.fract() <= 0.0 => visitor.visit_u64(n as u64),
-            Self::Number(n) => visitor.visit_f64(n),
-            Self::Text(text) => visitor.visit_string(text),
-            Self::List(list) => visitor.visit_seq(SeqDeserializer::new(list.into_iter())),
-            Self::Object(fields) => visitor.visit_map(MapDeserializer::new(fields.into_iter())),
-            Self::Other(kind) => Err(serde::de::Error::custom(kind)),
+            Self::Number(n) if (0.0..=COUNTS).contains(n) && n.fract() <= 0.0 => Some(*n as u64),
+            _ => None,
         }
     }
+}
+
+/// Methods of a [`Deserializer`] that accept whole numbers only.
+macro_rules! deserialize_whole {
+    ($($name:ident)*) => {$(
+        fn $name<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unfit> {
+            self.whole().ok_or(Unfit).and_then(|n| visitor.visit_u64(n))
+        }
+    )*};
+}
+
+/// Each type accepts one kind of value, so that the code for all others is not compiled for every struct and field.
+impl<'de> Deserializer<'de> for Value {
+    type Error = Unfit;
+
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unfit> {
+        match (self.whole(), self) {
+            (Some(n), _) => visitor.visit_u64(n),
+            (None, Self::Null) => visitor.visit_unit(),
+            (None, Self::Flag(flag)) => visitor.visit_bool(flag),
+            (None, Self::Number(n)) => visitor.visit_f64(n),
+            (None, Self::Text(text)) => visitor.visit_string(text),
+            (None, list @ Self::List(_)) => list.deserialize_seq(visitor),
+            (None, object @ Self::Object(_)) => object.deserialize_map(visitor),
+            (None, Self::Other(_)) => Err(Unfit),
+        }
+    }
+
+    fn deserialize_bool<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unfit> {
+        if let Self::Flag(flag) = self { visitor.visit_bool(flag) } else { Err(Unfit) }
+    }
+
+    deserialize_whole! { deserialize_u8 deserialize_u16 deserialize_u32 deserialize_u64 }
 
     // Keeps the sign of zero, which a whole number loses.
-    fn deserialize_f64<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {
-        match self {
-            Self::Number(n) => visitor.visit_f64(n),
-            other => other.deserialize_any(visitor),
-        }
+    fn deserialize_f64<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unfit> {
+        if let Self::Number(n) = self { visitor.visit_f64(n) } else { Err(Unfit) }
     }
 
-    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {
+    fn deserialize_string<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unfit> {
+        if let Self::Text(text) = self { visitor.visit_string(text) } else { Err(Unfit) }
+    }
+
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unfit> {
         match self {
             Self::Null => visitor.visit_none(),
             some => visitor.visit_some(some),
         }
+    }
+
+    fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unfit> {
+        let Self::List(list) = self else { return Err(Unfit) };
+        visitor.visit_seq(SeqDeserializer::new(list.into_iter()))
+    }
+
+    fn deserialize_tuple<V: Visitor<'de>>(self, _: usize, visitor: V) -> Result<V::Value, Unfit> {
+        self.deserialize_seq(visitor)
+    }
+
+    fn deserialize_map<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unfit> {
+        let Self::Object(fields) = self else { return Err(Unfit) };
+        visitor.visit_map(MapDeserializer::new(fields.into_iter()))
+    }
+
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        _: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Unfit> {
+        self.deserialize_map(visitor)
     }
 
     fn deserialize_enum<V: Visitor<'de>>(
@@ -157,20 +223,16 @@ impl<'de> Deserializer<'de> for Value {
         _: &'static str,
         _: &'static [&'static str],
         visitor: V,
-    ) -> Result<V::Value, Error> {
-        match self {
-            Self::Text(word) => visitor.visit_enum(Word(word)),
-            other => other.deserialize_any(visitor),
-        }
+    ) -> Result<V::Value, Unfit> {
+        if let Self::Text(word) = self { visitor.visit_enum(Word(word)) } else { Err(Unfit) }
     }
 
     forward_to_deserialize_any! {
-        bool i8 i16 i32 i64 u8 u16 u32 u64 f32 char str string bytes byte_buf unit unit_struct newtype_struct seq
-        tuple tuple_struct map struct identifier ignored_any
+        i8 i16 i32 i64 f32 char str bytes byte_buf unit unit_struct newtype_struct tuple_struct identifier ignored_any
     }
 }
 
-impl IntoDeserializer<'_> for Value {
+impl IntoDeserializer<'_, Unfit> for Value {
     type Deserializer = Self;
 
     fn into_deserializer(self) -> Self {
@@ -182,10 +244,10 @@ impl IntoDeserializer<'_> for Value {
 struct Word(String);
 
 impl<'de> EnumAccess<'de> for Word {
-    type Error = Error;
-    type Variant = <serde::de::value::StringDeserializer<Error> as EnumAccess<'de>>::Variant;
+    type Error = Unfit;
+    type Variant = <StringDeserializer<Unfit> as EnumAccess<'de>>::Variant;
 
-    fn variant_seed<S: DeserializeSeed<'de>>(self, seed: S) -> Result<(S::Value, Self::Variant), Error> {
-        IntoDeserializer::<Error>::into_deserializer(self.0).variant_seed(seed)
+    fn variant_seed<S: DeserializeSeed<'de>>(self, seed: S) -> Result<(S::Value, Self::Variant), Unfit> {
+        IntoDeserializer::<Unfit>::into_deserializer(self.0).variant_seed(seed)
     }
 }
