@@ -31,18 +31,40 @@ const MIN_TOLERANCE: f64 = 1e-6;
 /// The curve as lines and arcs whose distance from the curve is at most `tolerance` mm (at least a nanometre), in both
 /// directions. The result is empty for a curve without length or with non-finite numbers.
 pub(super) fn fit(curve: &dyn Curve, tolerance: f64) -> Vec<Segment> {
-    let tolerance = if tolerance.is_finite() { tolerance.max(MIN_TOLERANCE) } else { MIN_TOLERANCE };
-    let mut chain = Chain::new(tolerance);
+    let mut chain = Chain::new(limited(tolerance));
+    add(curve, limited(tolerance), &mut chain);
+    chain.segments
+}
+
+/// A tolerance that can be met, mm.
+pub(super) fn limited(tolerance: f64) -> f64 {
+    if tolerance.is_finite() { tolerance.max(MIN_TOLERANCE) } else { MIN_TOLERANCE }
+}
+
+/// Adds the lines and arcs of a curve to a chain. The tolerance is limited.
+pub(super) fn add(curve: &dyn Curve, tolerance: f64, chain: &mut Chain) {
     if curve.extent().is_finite() {
         for run in sampler::runs(curve, tolerance) {
             chain.start_run();
-            match single_segment(&run, tolerance * SAMPLED_SHARE) {
+            match single(&run, tolerance) {
                 Some(segment) => chain.push(segment),
-                None => elements(&run, tolerance, &mut chain),
+                None => elements(&run, tolerance, chain),
             }
         }
     }
-    chain.segments
+}
+
+/// A run as one line, one arc or one circle, if one of them is near enough.
+pub(super) fn single(run: &[Sample], tolerance: f64) -> Option<Segment> {
+    single_segment(run, tolerance * SAMPLED_SHARE)
+}
+
+/// A run as one biarc in the directions of its ends, if it is near enough.
+pub(super) fn biarc(run: &[Sample], tolerance: f64) -> Option<[Segment; 2]> {
+    let [first, between @ .., last] = run else { return None };
+    let biarc = Biarc::along(*first, *last, between)?;
+    let segment = |arc: TangentArc| arc.segment(tolerance * EXACT_SHARE);
+    biarc.within(between, tolerance * SAMPLED_SHARE).then(|| [biarc.first, biarc.second].map(segment))
 }
 
 /// A run as drawn lines and arcs, with biarcs between them.

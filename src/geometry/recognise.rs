@@ -40,8 +40,8 @@ fn arc(run: &[Sample], within: f64) -> Option<Segment> {
     let bulge = math::tan(through.sweep * 0.25);
     let candidate = |scale: f64| Arc::from_bulge(first.point, last.point, bulge * scale);
     let worst = |scale: f64| {
-        candidate(scale)
-            .and_then(|a| deviation_from_circle(run, a.center, a.radius(), a.ccw()))
+        Arc::bulge_center(first.point, last.point, bulge * scale)
+            .and_then(|c| deviation_from_circle(run, c, first.point.distance(c), bulge * scale > 0.0))
             .unwrap_or(f64::INFINITY)
     };
     // Moving the middle by d moves no other point by more than d. If the first attempt misses by more than twice the
@@ -70,9 +70,9 @@ fn circle(run: &[Sample], within: f64) -> Option<Segment> {
     })
 }
 
-/// Signed sum of the angles between successive directions, rad.
+/// Signed sum of the sines of the angles between successive directions: about the angle in rad, as each is small.
 fn total_turn(run: &[Sample]) -> f64 {
-    run.windows(2).map(|w| math::turn(w[0].tangent, w[1].tangent)).sum()
+    run.windows(2).map(|w| w[0].tangent.perp_dot(w[1].tangent)).sum()
 }
 
 /// Largest distance of the samples from a circle; `None` when one of them runs in another direction.

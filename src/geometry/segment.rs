@@ -72,6 +72,12 @@ impl Arc {
 
     /// The arc between two points with DXF bulge `b` = tan(sweep / 4); `None` when straight or degenerate.
     pub fn from_bulge(start: DVec2, end: DVec2, b: f64) -> Option<Self> {
+        let center = Self::bulge_center(start, end, b)?;
+        Some(Self { start, end, center, sweep: 4.0 * math::atan(b) })
+    }
+
+    /// The centre of that arc.
+    pub(super) fn bulge_center(start: DVec2, end: DVec2, b: f64) -> Option<DVec2> {
         let chord = end - start;
         let finite = b.is_finite() && chord.length_squared() > 0.0;
         // Below 1e-9 the sagitta of a 1 m chord is half a picometre, so the arc is a line.
@@ -80,8 +86,7 @@ impl Arc {
         }
         // The centre is the middle of the chord, moved along its left normal by c/2 * (1 - b^2) / (2 b). In this form a
         // huge bulge does not overflow.
-        let center = (start + end) * 0.5 + chord.perp() * ((1.0 / b - b) * 0.25);
-        Some(Self { start, end, center, sweep: 4.0 * math::atan(b) })
+        Some((start + end) * 0.5 + chord.perp() * ((1.0 / b - b) * 0.25))
     }
 
     /// Radius in mm.

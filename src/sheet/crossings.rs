@@ -230,8 +230,8 @@ fn finding(source: Source, contours: &[Contour], (a, b): (u32, u32), at: &[DVec2
     } else {
         let other = contours[b as usize].first_shape;
         let handle = source.handle(other);
-        let other = handle.map_or_else(String::new, |h| format!(" (handle {h})"));
-        let text = format!("Two contours cross in {places}, the other one{other}: both are cut as drawn.");
+        let other = handle.map_or_else(String::new, |h| format!(", the other one (handle {h})"));
+        let text = format!("Two contours cross in {places}{other}: both are cut as drawn.");
         (Code::Crossing, text)
     };
     source.finding(first, code, Severity::Warning, message, at.first().copied()).times(count(at.len()))

@@ -9,12 +9,13 @@
 )]
 
 use crate::testkit::beam_machine::{Controller, Run, Step, run};
+use crate::testkit::leads::{leads, with_leads};
 use crate::testkit::paths::{Element, assert_same_path};
 use crate::testkit::{files, fixtures, name, plans};
 use kerfway::geometry::Segment;
 use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions};
 use kerfway::machine::dialect::{Dialect, DialectChoice, FileUnit, dialects};
-use kerfway::machine::{Levers, MovingPierce, Profile, Start};
+use kerfway::machine::{LeadKind, Levers, MovingPierce, Profile, Start};
 use kerfway::output;
 use kerfway::plan::{Move, Plan};
 use kerfway::sheet::Sheet;
@@ -186,6 +187,26 @@ fn every_dialect_begins_cuts_and_marks_moving_without_a_wait() {
         assert_all(file, &moving, &shipped());
     }
     assert!(starts > 100, "{starts} moving starts");
+}
+
+#[test]
+fn every_dialect_writes_leads_with_every_cut() {
+    let machine = with_leads(machine(), leads(LeadKind::Arc, 1.0, 0.5));
+    let (mut both, mut into, mut overcuts) = (0, 0, 0);
+    for file in files(&fixtures().join("dxf-dev"), "dxf").iter().take(6) {
+        let Some((_, plan)) = planned(file, &machine) else { continue };
+        for cut in &plan.moves {
+            let Move::Cut { leads, .. } = cut else { continue };
+            both += u32::from(leads.lead_in > 0 && leads.lead_out > 0);
+            into += u32::from(leads.lead_in > 0 && leads.lead_out == 0);
+            overcuts += u32::from(leads.overcut > 0);
+        }
+        assert_all(file, &machine, &shipped());
+    }
+    assert!(
+        both > 10 && into > 100 && overcuts > 100,
+        "{both} in and out, {into} in only, {overcuts} overcuts"
+    );
 }
 
 #[test]

@@ -1,6 +1,6 @@
-//! Programs that other people's interpreters have read: LinuxCNC's `rs274` and MeerK40t's `rdjob`. They ran once, by
-//! `tests/oracle/rs274.py` and `tests/oracle/rdjob.py`, which recorded what they found. Here the programs are written again,
-//! and must be the same.
+//! Programs that other people's readers have read: LinuxCNC's `rs274`, and MeerK40t's of Ruida files and of LightBurn projects.
+//! They ran once, by `rs274.py`, `rdjob.py` and `lbrn2.py` in `tests/oracle`, which recorded what they found. Here the programs
+//! are written again, and must be the same.
 //!
 //! After a change of programs: `KERFWAY_PROGRAMS=FOLDER cargo test --features png --test it recorded` writes them to a folder, then
 //! the scripts with that folder record again.
@@ -93,15 +93,25 @@ fn linuxcnc_has_run_these_programs_and_waited_as_long_as_planned() {
 
 #[test]
 fn meerk40t_has_read_these_ruida_files_as_planned() {
-    let record = recorded("rdjob.json");
+    meerk40t_has_read("rd", "rdjob.json", |job| job.output_bytes(OutputKind::Rd).unwrap());
+}
+
+#[test]
+fn meerk40t_has_read_these_lightburn_projects_as_planned() {
+    meerk40t_has_read("lbrn2", "lbrn2.json", |job| job.output(OutputKind::Lbrn2).unwrap().into_bytes());
+}
+
+/// Compares the files that `write` writes with what a script has recorded of them.
+fn meerk40t_has_read(ending: &str, record: &str, write: impl Fn(&Job) -> Vec<u8>) {
+    let record = recorded(record);
     let mut compared = 0;
     let set = |layer: &mut LayerChoice| {
         (layer.speed, layer.power, layer.min_power, layer.passes) =
             (Some(12.5), Some(0.45), Some(0.2), Some(2));
     };
     each(Some(set), |name, job, machine| {
-        let bytes = job.output_bytes(OutputKind::Rd).unwrap();
-        let program = format!("{name}.rd");
+        let bytes = write(job);
+        let program = format!("{name}.{ending}");
         if hand_out(&program, &bytes) {
             hand_out(&format!("{program}.json"), planned(job, machine).to_string().as_bytes());
             return;
