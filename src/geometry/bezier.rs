@@ -167,6 +167,7 @@ impl Curve for Beziers {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::math;
 
     /// Distance of the end of the control lines that makes four cubic curves a circle within 0.03 %.
     const CIRCLE: f64 = 0.552_284_749_8;
@@ -218,7 +219,7 @@ mod tests {
         };
         let (mut simple, mut alone) = (0, 0);
         for _ in 0..400 {
-            let size = 10_f64.powf(-1.5 + 3.0 * random());
+            let size = math::pow(10.0, -1.5 + 3.0 * random());
             let mut point = |x: f64| DVec2::new(x + 0.3 * random(), 0.4 * random()) * size;
             let curve = [DVec2::ZERO, point(0.2), point(0.5), DVec2::new(size, 0.0)];
             simple += u32::from(is_simple(&curve));

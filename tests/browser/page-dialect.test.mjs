@@ -1,8 +1,9 @@
 // The dialect editor with its preview, and the check of the program below the downloads.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { openPage, phase } from './page-support.mjs';
+import { download, openPage, phase } from './page-support.mjs';
 
 test('a program is checked below the downloads, and a dialect of one\'s own is tried while it is typed', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=1' });
@@ -32,4 +33,27 @@ test('a program is checked below the downloads, and a dialect of one\'s own is t
   await machine.getByRole('button', { name: 'Use this dialect' }).click();
   await phase(page, 'done');
   await page.waitForFunction(() => document.querySelector('.preflight')?.textContent?.includes('read back as mine'));
+});
+
+test('a program that fails its check is not offered, neither among the downloads nor at the foot', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'done');
+  const foot = page.locator('.dock').getByRole('button', { name: 'G-code' });
+  assert.equal(await foot.isEnabled(), true);
+  const machine = page.locator('details.section', { has: page.locator('h2', { hasText: 'Machine' }) });
+  await machine.locator('> summary').click();
+  await machine.getByLabel('Name of your machine').fill('Inches');
+  await machine.getByRole('button', { name: 'Save', exact: true }).click();
+  await page.waitForFunction(() => document.querySelector('[aria-label=Preset]').value === 'my-inches');
+  const { bytes } = await download(page, () => machine.getByRole('button', { name: 'Export' }).last().click());
+  const { schema, profile } = JSON.parse(bytes);
+  // Numbers in millimetres behind a header that says inches.
+  const dialect = JSON.parse(readFileSync(new URL('../../src/machine/dialect/shipped/linuxcnc-m67.json', import.meta.url), 'utf8'));
+  const wrong = { ...profile, dialect: { ...dialect, name: 'mine', title: 'Mine', header: ['G20 G90 G91.1 G17 G94'] } };
+  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), machine.getByRole('button', { name: 'Import' }).last().click()]);
+  await chooser.setFiles({ name: 'inches.machine.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify({ schema, profile: wrong })) });
+  await page.locator('.preflight').getByText('The program fails its check and is not handed out').waitFor();
+  assert.match(await page.locator('.preflight').innerText(), /cuts with \d+ mm\/min; this machine moves with at most 24000/);
+  assert.equal(await foot.isDisabled(), true);
+  assert.match(await page.locator('.dock').innerText(), /The program fails its check, so no G-code/);
 });

@@ -4,7 +4,7 @@
 //! wiki on `$11` and `$12`); it shares no arithmetic with the crate. An arc is run as chords that deviate from it by at
 //! most the arc tolerance. Every block has a highest entry speed, from the feed and from the angle to the block before it;
 //! a pass backward makes it possible to brake, a pass forward to accelerate, and each block is run as a trapezoid. The
-//! the look-ahead is unlimited here; GRBL's buffer has 15 blocks.
+//! look-ahead of single contours is unlimited; that of whole programs has as many blocks as GRBL's buffer.
 
 use super::gcode::{Event, Program};
 use super::paths::Element;

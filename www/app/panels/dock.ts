@@ -41,6 +41,7 @@ export function dock(session: Session, actions: DockActions): HTMLElement {
     resume.hidden = phase !== 'paused';
     more.hidden = phase !== 'done' || state.reason === 'exhausted';
     gcode.hidden = phase !== 'done';
+    gcode.disabled = failsCheck(state) && !isOffBed(state);
     setText(gcodeLabel, words.result.kinds[state.machine?.takes ?? 'gcode']);
     open.hidden = phase !== 'failed' && phase !== 'ready';
     const busy = phase === 'starting' || phase === 'reading';
@@ -83,8 +84,17 @@ function detailOf(state: State): string {
   const bound = progress.summary.gap === null || isOptimal(state) ? null : words.dock.gap(seconds(progress.summary.total_time - progress.summary.lower_bound));
   const pace = phase === 'planning' ? words.dock.pace(short(Math.round(progress.rate))) : words.dock.moves(short(progress.moves));
   const gain = (state.baselines?.greedy.total_time ?? 0) - progress.summary.total_time;
-  const off = !state.placing.allowOffBed && state.planFindings.some((f) => f.code === 'off-bed') ? words.dock.offBed : null;
-  return [off, gain > 0 ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', ');
+  const refused = isOffBed(state) ? words.dock.offBed : failsCheck(state) ? words.dock.fails : null;
+  return [refused, gain > 0 ? words.dock.saved(seconds(gain)) : null, pace, bound].filter((part) => part !== null).join(', ');
+}
+
+/** Whether the job is refused because of its place. The button stays, and says so with what to do. */
+function isOffBed({ placing, planFindings }: State): boolean {
+  return !placing.allowOffBed && planFindings.some((f) => f.code === 'off-bed');
+}
+
+function failsCheck({ programFails, machine }: State): boolean {
+  return programFails && (machine?.takes ?? 'gcode') === 'gcode';
 }
 
 function isOptimal(state: State): boolean {

@@ -45,6 +45,7 @@ export function resultPanel(session: Session, theme: Theme, { download, saveProj
     ...buttons.slice(0, 1), copy, ...buttons.slice(1), button(words.result.report, { class: 'small', title: words.result.reportHint, onclick: saveReport }), button(words.result.project, { class: 'small', title: words.result.projectHint, onclick: saveProject }));
   const check = preflight(session, (passed) => {
     buttons[0]!.disabled = copy.disabled = !passed;
+    session.store.programChecked(passed);
   });
   const content = h('div', { class: 'stack' }, h('div', {}, saved, of), table, chart(session, theme), insightPanel(session, theme), parts, savingsPanel(session, alternatives), files, check);
   const empty = h('p', { class: 'soft' }, words.result.none);

@@ -26,7 +26,7 @@ export function keptPlan(state: State): KeptPlan | null {
   if (seed === null || path === null || progress === null) return null;
   const shown: PlanState = {
     seed, baselines: state.baselines, planFindings: state.planFindings, beam: state.beam, common: state.common,
-    progress: { ...progress, path }, path, curve: state.curve, insights: state.insights, reason,
+    progress: { ...progress, path }, path, curve: state.curve, insights: state.insights, reason, programFails: state.programFails,
   };
   return { seed, path, curve: state.curve, moves: progress.moves, seconds: progress.seconds, budget, reason, bound: progress.summary.lower_bound, shown };
 }

@@ -45,6 +45,8 @@ export interface PlanState {
   /** What a method from a paper has reported about itself. */
   readonly insights: Insights;
   readonly reason: DoneReason | null;
+  /** Whether the program of the best path has failed its check. */
+  readonly programFails: boolean;
 }
 
 export interface State extends PlanState {
@@ -76,7 +78,7 @@ export interface State extends PlanState {
 export function noPlan(): PlanState {
   return {
     seed: null, baselines: null, planFindings: [], beam: null, common: null, progress: null, path: null,
-    curve: { at: [], total: [] }, insights: noInsights, reason: null,
+    curve: { at: [], total: [] }, insights: noInsights, reason: null, programFails: false,
   };
 }
 

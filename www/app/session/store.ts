@@ -108,6 +108,10 @@ export class Store extends Emitter<Events> {
     this.update({ phase: 'question', question });
   }
 
+  programChecked(passed: boolean): void {
+    if (this.state.programFails === passed) this.update({ programFails: !passed });
+  }
+
   /** No question is open any more. Planning starts next, so there is no event. */
   questionsAnswered(): void {
     this.set({ question: null });
