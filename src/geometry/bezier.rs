@@ -245,7 +245,7 @@ mod tests {
                 }
             }
         }
-        assert!(simple > 200 && alone > 50 && alone < simple, "{alone} of {simple}");
+        assert!(simple > 100 && alone > 50 && alone < simple, "{alone} of {simple}");
     }
 
     #[test]
