@@ -157,3 +157,76 @@ for (const theme of ['light', 'dark']) {
     await shot(page, `wide-${theme}`);
   });
 }
+
+test('the start lies over a finding, air moves are grey while colours show the order, rows stay while planning, and the bound survives a reload', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  // The ends of the outline are 0.3 mm apart at the origin, where the head starts.
+  const points = [[0, 0], [240, 0], [240, 180], [0, 180], [0, 0.3]].flatMap(([x, y]) => ['10', x, '20', y]);
+  const circles = Array.from({ length: 12 }, (_, i) => ['0', 'CIRCLE', '8', 'CUT', '10', 30 + 60 * (i % 4), '20', 30 + 60 * Math.floor(i / 4), '40', 5 + i]).flat();
+  const text = ['0', 'SECTION', '2', 'HEADER', '9', '$INSUNITS', '70', 4, '0', 'ENDSEC', '0', 'SECTION', '2', 'ENTITIES', '0', 'LWPOLYLINE', '8', 'CUT', '90', 5, '70', 0, ...points, ...circles, '0', 'ENDSEC', '0', 'EOF'];
+  await drop(page, 'open.dxf', Buffer.from(`${text.join('\n')}\n`));
+  await planned(page, 'open.dxf', 'done', 'question');
+  await still(page);
+  const seen = await page.evaluate(() => {
+    const canvas = document.querySelector('#canvas');
+    const [left, right, top, bottom] = [40, 24 + 36, 60, 40];
+    const scale = 0.94 * Math.min((canvas.width - left - right) / 240, (canvas.height - top - bottom) / 180);
+    const [x, y] = [left + (canvas.width - left - right) / 2 - 120 * scale, top + (canvas.height - top - bottom) / 2 + 90 * scale];
+    const at = (dx, dy) => [...canvas.getContext('2d').getImageData(Math.round(x + dx), Math.round(y + dy), 1, 1).data].slice(0, 3);
+    const isAmber = ([r, g, b]) => r > 150 && g > 80 && g < r - 30 && b < 90;
+    const around = [];
+    for (let dx = -9; dx <= 9; dx += 1) for (let dy = -9; dy <= 9; dy += 1) if (isAmber(at(dx, dy))) around.push([dx, dy]);
+    return { badge: around.length, within: around.filter(([dx, dy]) => Math.abs(dx) < 3 && Math.abs(dy) < 3).length };
+  });
+  assert.ok(seen.badge > 10, 'the finding has its badge there');
+  assert.equal(seen.within, 0, 'the start is in front of it');
+
+  const accent = () => page.evaluate(() => {
+    const { width, height } = document.querySelector('#canvas');
+    const { data } = document.querySelector('#canvas').getContext('2d').getImageData(0, 0, width, height);
+    let n = 0;
+    for (let i = 0; i < data.length; i += 4) if (data[i + 2] > data[i] + 90 && data[i] < 110) n += 1;
+    return n;
+  });
+  const plain = await accent();
+  await page.keyboard.press('c');
+  await still(page);
+  await page.keyboard.press('a');
+  await still(page);
+  const without = await accent();
+  await page.keyboard.press('a');
+  await still(page);
+  const grey = await accent();
+  assert.ok(plain - grey > 100 && Math.abs(grey - without) < 20, `air moves have no accent then: ${plain}, ${grey}, ${without} without them`);
+  await page.keyboard.press('c');
+
+  // The rows of the plan before stay until there is a new path.
+  await page.keyboard.press('t');
+  await page.locator('.order-row').nth(1).waitFor();
+  await page.evaluate(() => {
+    window.least = Infinity;
+    const look = () => {
+      window.least = Math.min(window.least, document.querySelectorAll('.order-row').length);
+      requestAnimationFrame(look);
+    };
+    look();
+  });
+  await page.keyboard.press('Home');
+  await page.keyboard.press('0');
+  await page.waitForFunction(() => /Cut last: /.test(document.querySelector('#sections').textContent));
+  await phase(page, 'done');
+  assert.ok((await page.evaluate(() => window.least)) > 10, 'the table is never empty');
+
+  const left = () => page.evaluate(() => document.querySelector('.parts .gap + dd')?.textContent);
+  await drop(page, 'bound.dxf', grid(60));
+  await planned(page, 'bound.dxf', 'done');
+  const before = await left();
+  assert.match(before, /at most|optimal/);
+  await page.waitForFunction(() => document.querySelector('.kept') !== null && !document.querySelector('.kept').hidden);
+  // The language menu stores the job before the page starts anew.
+  await page.locator('.top .settings').click();
+  await Promise.all([page.waitForEvent('load'), page.getByRole('button', { name: 'Inches' }).click()]);
+  await planned(page, 'bound.dxf', 'done');
+  await page.waitForFunction((text) => document.querySelector('.parts .gap + dd')?.textContent === text, before);
+});

@@ -115,7 +115,7 @@ function leftToGain({ gap, total_time, lower_bound }: Summary): string {
 function showParts(list: HTMLElement, s: Summary): void {
   const rows: [name: string, term: string, value: string][] = [
     ['cut', words.result.cut, `${seconds(s.cut_time)} · ${metres(s.cut_length)}`],
-    ['pierce', words.result.pierce, `${seconds(s.pierce_time)} · ${words.result.piercings(count(s.pierces))}`],
+    ['pierce', words.result.pierce, `${seconds(s.pierce_time)} · ${words.result.piercings(s.pierces, count(s.pierces))}`],
   ];
   if (s.lead_length) rows.push(['leads', words.result.leads, metres(s.lead_length)]);
   if (s.pre_cuts > 0) rows.push(['pre-cuts', words.result.preCuts, `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);

@@ -280,7 +280,7 @@ export const de: Words = {
     report: 'Bericht', reportHint: 'Eine Seite für den Bediener: Bild, Zeiten, Teile, Reihenfolge, Befunde', project: 'Projekt', projectHint: 'Das Projekt speichern: Zeichnung, Entscheidungen, Maschine und Plan (Strg S)',
     saved: (time) => `${time} gespart`, longer: (time) => `${time} länger`, of: (share, order) => `${share} von dem, was die meisten Programme schneiden (nächste zuerst); ${order}`,
     less: (time) => `${time} weniger als gezeichnet`, more: (time) => `${time} mehr als gezeichnet`,
-    cut: 'Schneiden', pierce: 'Einstechen', piercings: (n) => `${n} Einstiche`, preCuts: 'Vorschnitte', leads: 'Anfahrten', corners: 'Ecken', gap: 'Noch zu gewinnen', atMost: (time, share) => `höchstens ${time} (${share})`, noBound: 'noch keine Schranke', nothingLeft: 'nichts: dieser Weg ist optimal',
+    cut: 'Schneiden', pierce: 'Einstechen', piercings: (n, w) => counted(n, w, 'Einstich', 'Einstiche'), preCuts: 'Vorschnitte', leads: 'Anfahrten', corners: 'Ecken', gap: 'Noch zu gewinnen', atMost: (time, share) => `höchstens ${time} (${share})`, noBound: 'noch keine Schranke', nothingLeft: 'nichts: dieser Weg ist optimal',
     chart: 'Auftragszeit während der Suche', chartAxis: 'Auftragszeit während der Suche', chartAbove: (time) => `wie gezeichnet ${time} ↑`, chartNone: 'Auftragszeit während der Suche: noch keine Werte.',
     chartWords: (first, last, time) => `Auftragszeit während der Suche: von ${first} auf ${last} in ${time}.`,
     chartOrders: (drawing, greedy) => ` Die Reihenfolge der Zeichnung dauert ${drawing}, nächste zuerst ${greedy}.`,

@@ -280,7 +280,7 @@ export const es: Words = {
     report: 'Informe', reportHint: 'Una página para el operador: imagen, tiempos, piezas, orden, avisos', project: 'Proyecto', projectHint: 'Guardar el proyecto: dibujo, decisiones, máquina y plan (Ctrl S)',
     saved: (time) => `${time} ahorrados`, longer: (time) => `${time} más`, of: (share, order) => `${share} de lo que corta la mayoría de programas (el más cercano primero); ${order}`,
     less: (time) => `${time} menos que como está dibujado`, more: (time) => `${time} más que como está dibujado`,
-    cut: 'Corte', pierce: 'Perforación', piercings: (n) => `${n} perforaciones`, preCuts: 'Precortes', leads: 'Entradas', corners: 'Esquinas', gap: 'Por ganar', atMost: (time, share) => `como mucho ${time} (${share})`, noBound: 'aún sin cota', nothingLeft: 'nada: este recorrido es óptimo',
+    cut: 'Corte', pierce: 'Perforación', piercings: (n, w) => counted(n, w, 'perforación', 'perforaciones'), preCuts: 'Precortes', leads: 'Entradas', corners: 'Esquinas', gap: 'Por ganar', atMost: (time, share) => `como mucho ${time} (${share})`, noBound: 'aún sin cota', nothingLeft: 'nada: este recorrido es óptimo',
     chart: 'Tiempo del trabajo durante la búsqueda', chartAxis: 'Tiempo del trabajo durante la búsqueda', chartAbove: (time) => `como está dibujado ${time} ↑`, chartNone: 'Tiempo del trabajo durante la búsqueda: aún sin valores.',
     chartWords: (first, last, time) => `Tiempo del trabajo durante la búsqueda: de ${first} a ${last} en ${time}.`,
     chartOrders: (drawing, greedy) => ` El orden del dibujo tarda ${drawing}, el más cercano primero ${greedy}.`,

@@ -277,7 +277,7 @@ export const ja: Words = {
     report: '報告書', reportHint: '作業者のための 1 ページ：図、時間、部品、順番、指摘', project: 'プロジェクト', projectHint: 'プロジェクトを保存：図面、決定、機械、計画（Ctrl S）',
     saved: (time) => `${time} 短縮`, longer: (time) => `${time} 増加`, of: (share, order) => `多くのプログラムの切り方（近い順）の ${share}、${order}`,
     less: (time) => `図面の順より ${time} 短い`, more: (time) => `図面の順より ${time} 長い`,
-    cut: '切断', pierce: 'ピアス', piercings: (n) => `ピアス ${n} 回`, preCuts: '予備切断', leads: 'リード', corners: '角', gap: '残りの余地', atMost: (time, share) => `最大 ${time}（${share}）`, noBound: '下界はまだありません', nothingLeft: 'なし：この経路は最適です',
+    cut: '切断', pierce: 'ピアス', piercings: (_n, w) => `ピアス ${w} 回`, preCuts: '予備切断', leads: 'リード', corners: '角', gap: '残りの余地', atMost: (time, share) => `最大 ${time}（${share}）`, noBound: '下界はまだありません', nothingLeft: 'なし：この経路は最適です',
     chart: '探索中のジョブ時間', chartAxis: '探索中のジョブ時間', chartAbove: (time) => `図面の順 ${time} ↑`, chartNone: '探索中のジョブ時間：まだ値がありません。',
     chartWords: (first, last, time) => `探索中のジョブ時間：${time} で ${first} から ${last} になりました。`,
     chartOrders: (drawing, greedy) => `図面の順は ${drawing}、近い順は ${greedy} です。`,

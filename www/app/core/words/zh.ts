@@ -277,7 +277,7 @@ export const zh: Words = {
     report: '报告', reportHint: '给操作员的一页：图片、时间、零件、顺序、检查结果', project: '项目', projectHint: '保存项目：图、决定、机器和方案（Ctrl S）',
     saved: (time) => `节省 ${time}`, longer: (time) => `多用 ${time}`, of: (share, order) => `占多数程序切法（最近优先）的 ${share}；${order}`,
     less: (time) => `比按图少 ${time}`, more: (time) => `比按图多 ${time}`,
-    cut: '切割', pierce: '穿孔', piercings: (n) => `${n} 次穿孔`, preCuts: '预切', leads: '引线', corners: '拐角', gap: '还可节省', atMost: (time, share) => `最多 ${time}（${share}）`, noBound: '尚无下界', nothingLeft: '没有了：此路径是最优的',
+    cut: '切割', pierce: '穿孔', piercings: (_n, w) => `${w} 次穿孔`, preCuts: '预切', leads: '引线', corners: '拐角', gap: '还可节省', atMost: (time, share) => `最多 ${time}（${share}）`, noBound: '尚无下界', nothingLeft: '没有了：此路径是最优的',
     chart: '搜索过程中的任务时间', chartAxis: '搜索过程中的任务时间', chartAbove: (time) => `按图 ${time} ↑`, chartNone: '搜索过程中的任务时间：尚无数值。',
     chartWords: (first, last, time) => `搜索过程中的任务时间：在 ${time} 内从 ${first} 降到 ${last}。`,
     chartOrders: (drawing, greedy) => `图的顺序需要 ${drawing}，最近优先需要 ${greedy}。`,
