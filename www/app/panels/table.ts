@@ -20,8 +20,8 @@ const SPARE = 8;
 /** Milliseconds between two refreshes while the path improves: a table that jumps cannot be read. */
 const PAUSE = 1000;
 
-/** The phases after which a path follows by itself. */
-const BEFORE_A_PATH: ReadonlySet<Phase> = new Set(['reading', 'planning', 'paused']);
+/** The phases in which a path is there or follows by itself: while the drawing is read again, the phase is still that of the plan before. */
+const BEFORE_A_PATH: ReadonlySet<Phase> = new Set(['reading', 'planning', 'paused', 'done']);
 
 export interface TableActions {
   select(contour: number): void;
