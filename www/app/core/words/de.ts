@@ -151,6 +151,7 @@ export const de: Words = {
     progress: 'Fortschritt', stop: 'Stopp', pause: 'Pause', resume: 'Fortsetzen', more: 'Weiter verbessern', choose: 'DXF oder SVG wählen', sheet: 'Zeichnung, Maschine, Plan, Ergebnis',
     starting: 'Der Planer startet…', reading: (file) => `${file} wird gelesen…`, question: 'Vor dem Planen wird eine Antwort gebraucht.',
     offBed: 'Nicht auf dem Arbeitsbereich, daher kein G-Code',
+    fails: 'Das Programm besteht seine Prüfung nicht, daher wird es nicht ausgegeben',
     nothing: 'Nichts zu schneiden: stellen Sie einen Layer auf Schneiden oder Markieren.', failed: 'Diese Datei kann nicht verwendet werden.', optimal: 'Optimal: es gibt keinen besseren Weg.',
     planning: (best) => (best === null ? 'Plant' : `Plant, bisher am besten ${best}`),
     paused: (best) => (best === null ? 'Angehalten' : `Angehalten, bisher am besten ${best}`),
@@ -274,7 +275,7 @@ export const de: Words = {
 
   result: {
     title: 'Ergebnis', none: 'Ergebnisse erscheinen hier, sobald der erste Weg fertig ist.', compare: 'Vorher und nachher', order: 'Reihenfolge', job: 'Auftrag', air: 'Leerfahrt', travel: 'Weg',
-    drawing: 'Reihenfolge der Zeichnung', greedy: 'Nächste zuerst', now: 'Jetzt', download: 'Herunterladen', downloadKind: (kind) => `${kind} herunterladen`,
+    drawing: 'Wie gezeichnet', greedy: 'Nächste zuerst', now: 'Jetzt', download: 'Herunterladen', downloadKind: (kind) => `${kind} herunterladen`,
     kinds: { gcode: 'G-Code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimentell)' },
     short: { now: 'Jetzt', greedy: 'Nächste', drawing: 'Gezeichnet' }, beside: 'Neben dem Plan zeigen', copy: 'Kopieren', copyHint: 'Den G-Code in die Zwischenablage kopieren',
     report: 'Bericht', reportHint: 'Eine Seite für den Bediener: Bild, Zeiten, Teile, Reihenfolge, Befunde', project: 'Projekt', projectHint: 'Das Projekt speichern: Zeichnung, Entscheidungen, Maschine und Plan (Strg S)',

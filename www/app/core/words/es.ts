@@ -151,6 +151,7 @@ export const es: Words = {
     progress: 'Progreso', stop: 'Parar', pause: 'Pausa', resume: 'Reanudar', more: 'Seguir mejorando', choose: 'Elegir un DXF o SVG', sheet: 'Dibujo, máquina, plan, resultado',
     starting: 'Iniciando el planificador…', reading: (file) => `Leyendo ${file}…`, question: 'Hace falta una respuesta antes de planificar.',
     offBed: 'Fuera de la mesa, así que no hay G-code',
+    fails: 'El programa no pasa su comprobación, así que no se entrega',
     nothing: 'Nada que cortar: ponga una capa en cortar o marcar.', failed: 'Este archivo no se puede usar.', optimal: 'Óptimo: no existe un recorrido mejor.',
     planning: (best) => (best === null ? 'Planificando' : `Planificando, lo mejor hasta ahora ${best}`),
     paused: (best) => (best === null ? 'En pausa' : `En pausa, lo mejor hasta ahora ${best}`),
@@ -274,7 +275,7 @@ export const es: Words = {
 
   result: {
     title: 'Resultado', none: 'Los resultados aparecen aquí cuando el primer recorrido está listo.', compare: 'Antes y después', order: 'Orden', job: 'Trabajo', air: 'Vacío', travel: 'Recorrido',
-    drawing: 'Orden del dibujo', greedy: 'El más cercano primero', now: 'Ahora', download: 'Descargar', downloadKind: (kind) => `Descargar ${kind}`,
+    drawing: 'Orden dibujado', greedy: 'Más cercano', now: 'Ahora', download: 'Descargar', downloadKind: (kind) => `Descargar ${kind}`,
     kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)' },
     short: { now: 'Ahora', greedy: 'Cercano', drawing: 'Dibujado' }, beside: 'Mostrar junto al plan', copy: 'Copiar', copyHint: 'Copiar el G-code al portapapeles',
     report: 'Informe', reportHint: 'Una página para el operador: imagen, tiempos, piezas, orden, avisos', project: 'Proyecto', projectHint: 'Guardar el proyecto: dibujo, decisiones, máquina y plan (Ctrl S)',
