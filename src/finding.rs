@@ -105,6 +105,10 @@ pub enum Code {
     LeadAdjusted,
     /// There is no room for the lead of a contour, or contours that share cuts have none.
     LeadMissing,
+    /// The micro-joints of a contour are fewer or at other places than asked for.
+    JointAdjusted,
+    /// There is no room for a micro-joint, or a contour cannot have any.
+    JointMissing,
     /// The drawing lies so far from the origin that the controller's single-precision numbers cannot resolve its
     /// details.
     FarFromOrigin,

@@ -97,6 +97,7 @@ pub mod dxf;
 pub mod fields;
 pub mod finding;
 pub mod job;
+pub mod joint;
 pub mod lead;
 pub mod machine;
 mod order;

@@ -108,8 +108,8 @@ impl Job {
         let machine = &plan.machine;
         let air = AirTime::new(machine);
         let (mut head, mut height) = (machine.home(), 0.0);
-        let mut moving = false;
-        let (mut fixed, mut pierces, mut cuts) = (0.0, 0.0, Vec::new());
+        let (mut moving, mut flying) = (false, false);
+        let (mut fixed, mut pierces, mut cuts) = (0.0, 0.0, Vec::<(bool, Process, Vec<Segment>)>::new());
         for step in &plan.moves {
             match step {
                 Move::Air { to } => {
@@ -124,6 +124,15 @@ impl Job {
                     head = DVec2::from(*to);
                 }
                 Move::Macro { .. } => fixed += machine.macro_time(),
+                Move::Joint { path, flying: runs, .. } => {
+                    let from = head;
+                    let path = Element::segments(path, &mut head);
+                    flying = *runs;
+                    match cuts.last_mut().filter(|_| flying) {
+                        Some(cut) => cut.2.extend(path),
+                        None => fixed += air.seconds(from, head),
+                    }
+                }
                 Move::Height { z } => {
                     fixed += machine.height_seconds(z - height);
                     height = *z;
@@ -132,8 +141,15 @@ impl Job {
                     let known = contour.first().and_then(|c| plan.contours.get(c as usize));
                     let mark = known.is_some_and(|c| c.operation == Operation::Mark);
                     let process = plan.process_by_id(contour.first());
-                    fixed += machine.delays_of_cut(std::mem::take(&mut moving));
-                    cuts.push((mark, process, Element::segments(path, &mut head)));
+                    let path = Element::segments(path, &mut head);
+                    // Over a flying joint the motion goes on.
+                    match cuts.last_mut().filter(|_| std::mem::take(&mut flying)) {
+                        Some(cut) => cut.2.extend(path),
+                        None => {
+                            fixed += machine.delays_of_cut(std::mem::take(&mut moving));
+                            cuts.push((mark, process, path));
+                        }
+                    }
                 }
             }
         }

@@ -100,6 +100,11 @@ impl Code {
                 Counted("contour has another lead than wanted", "contours have other leads than wanted")
             }
             Self::LeadMissing => Counted("contour has no lead", "contours have no lead"),
+            Self::JointAdjusted => Counted(
+                "contour has other micro-joints than wanted",
+                "contours have other micro-joints than wanted",
+            ),
+            Self::JointMissing => Counted("micro-joint is missing", "micro-joints are missing"),
             Self::FarFromOrigin => Whole("The drawing lies too far from the origin to be cut"),
             Self::OffBed => Whole("The job does not lie on the bed"),
             Self::LeastPowerLeftOut => Whole("The least power of a layer is not part of G-code"),

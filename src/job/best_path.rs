@@ -25,6 +25,8 @@ pub struct BestPath {
     pub times: Vec<f64>,
     /// The lead-in and the lead-out of each stop, in this order; no paths if there are no leads.
     pub leads: Geometry,
+    /// The micro-joints, which stay uncut, in the order of the stops.
+    pub joints: Geometry,
     /// Positions of pre-cuts: x, y each, mm.
     pub pre_cuts: Vec<f64>,
     /// Sharp corners where a cut pauses: x, y each, mm.
@@ -61,6 +63,7 @@ impl BestPath {
             }
         }
         path.leads = leads(run);
+        path.joints = Geometry::of(joints(run, sheet).iter());
         path.times = cutting_times(&plan, &run.machine, sheet, &parts);
         (path, plan)
     }
@@ -110,6 +113,20 @@ fn leads(run: &Run) -> Geometry {
     Geometry::of(paths.iter())
 }
 
+/// The joints of the stops.
+fn joints(run: &Run, sheet: &Sheet) -> Vec<Path> {
+    let problem = run.problem();
+    let mut paths = Vec::new();
+    for stop in &run.best().stops {
+        let Some(contour) = problem.nodes.get(stop.node as usize).map(|n| n.item as usize) else { continue };
+        let item = problem.items.get(contour).and_then(|i| i.joints.as_ref());
+        if let (Some(joints), Some(known)) = (item, sheet.contours.get(contour)) {
+            paths.extend(joints.joints.iter().map(|j| Path::new(known.path.between(j.from, j.to), false)));
+        }
+    }
+    paths
+}
+
 /// Start and end of cutting for each stop, in seconds from the start of the job. In a run through a pierce group, the
 /// seconds are divided among the stretches by their length. These are the partial sums of [`crate::plan::evaluate`].
 fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64>]) -> Vec<f64> {
@@ -121,8 +138,24 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64
     let mut moving = false;
     // The contour whose passes go on until the next air move.
     let mut repeated = None;
-    for step in &plan.moves {
+    // Since a joint was left: the elements of a motion that goes on, and whether the contour does.
+    let (mut motion, mut after_joint) = (Vec::new(), false);
+    for (index, step) in plan.moves.iter().enumerate() {
+        let flies_on = matches!(plan.moves.get(index + 1), Some(Move::Joint { flying: true, .. }));
         match step {
+            Move::Joint { path, flying, .. } => {
+                let to = path.last().map_or(head, Segment::end);
+                if *flying {
+                    motion.extend_from_slice(path);
+                } else {
+                    now += air.seconds(head, to);
+                }
+                (head, after_joint) = (to, !flying);
+            }
+            Move::Cut { path, .. } if flies_on => {
+                motion.extend_from_slice(path);
+                head = path.last().map_or(head, Segment::end);
+            }
             Move::Air { to } => {
                 repeated = None;
                 now += air.seconds(head, *to);
@@ -141,20 +174,24 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64
             }
             Move::Cut { contour, path, .. } => {
                 let begin = now + if std::mem::take(&mut moving) { 0.0 } else { machine.beam_on_delay };
-                let end = begin + cut_time(machine, &sheet.process_by_id(*contour, machine), path);
+                motion.extend_from_slice(path);
+                let end = begin + cut_time(machine, &sheet.process_by_id(*contour, machine), &motion);
+                motion.clear();
                 let passes =
                     sheet.contours.get(*contour as usize).map_or(1, |c| sheet.passes_at_once(c, machine));
                 let again = repeated == Some(*contour);
                 repeated = (passes > 1).then_some(*contour);
-                match runs.last_mut().filter(|_| goes_on || again) {
+                match runs.last_mut().filter(|_| goes_on || again || after_joint) {
                     Some(run) => run[1] = end,
                     None => runs.push([begin, end]),
                 }
+                after_joint = false;
                 now = end + machine.beam_off_delay;
                 head = path.last().map_or(head, Segment::end);
             }
         }
-        goes_on = matches!(step, Move::Macro { .. });
+        let in_motion = flies_on || matches!(step, Move::Joint { flying: true, .. });
+        goes_on = matches!(step, Move::Macro { .. }) || (goes_on && in_motion);
     }
     let mut times = Vec::with_capacity(2 * runs.len());
     for ([begin, end], lengths) in runs.into_iter().zip(parts) {

@@ -8,6 +8,7 @@ mod best_path;
 mod code;
 mod common_cuts;
 mod error;
+mod joints;
 mod leads;
 mod option_fields;
 mod options;
@@ -217,8 +218,14 @@ fn build_sheet(drawing: &Drawing, options: &SheetOptions) -> Result<Sheet, JobEr
     let sheet = sheet::build(drawing, options);
     let count = sheet.contours.len();
     let lists = [&options.first, &options.last, &options.exclude, &options.mark];
-    if let Some(&contour) =
-        lists.into_iter().chain(&options.sequences).flatten().find(|&&id| id as usize >= count)
+    let joints = options.joints.iter().map(|j| j.contour);
+    if let Some(contour) = lists
+        .into_iter()
+        .chain(&options.sequences)
+        .flatten()
+        .copied()
+        .chain(joints)
+        .find(|&id| id as usize >= count)
     {
         return Err(JobError::UnknownContour { contour, count });
     }

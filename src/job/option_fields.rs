@@ -2,8 +2,8 @@
 
 use super::options::{Budget, LoadOptions, PlanOptions};
 use super::ranges::{
-    ALONG, COPY_TOLERANCE, COUNT, DPI, ID, JOIN_TOLERANCE, MEMBER, PLACE, REVERSED, SECONDS, TOLERANCE, TURN,
-    WORKERS,
+    ALONG, COPY_TOLERANCE, COUNT, DPI, ID, JOIN_TOLERANCE, MEMBER, PLACE, REVERSED, SECONDS, SHARE,
+    TOLERANCE, TURN, WORKERS,
 };
 use crate::fields::{Field, Kind, Shape, Shaped};
 use crate::machine::{Anchor, LAYER_SETTINGS, Profile};
@@ -42,9 +42,13 @@ impl Shaped for LoadOptions {
             Field::optional("mark", IDS),
             Field::optional("sequences", Kind::List(&IDS)),
             Field::optional("exclude", IDS),
+            Field::optional("joints", Kind::List(&Kind::Object(JOINT))),
         ],
     };
 }
+
+const JOINT: &[Field] =
+    &[Field::required("contour", Kind::Whole(ID)), Field::required("at", Kind::Number(SHARE))];
 
 const GROUP: &[Field] = &[
     Field::required("name", Kind::Choice(&["lettering", "leaders"])),
@@ -90,6 +94,8 @@ const WARM: &[Field] = &[
     Field::optional("times", LENGTHS),
     Field::optional("leads", LENGTHS),
     Field::optional("leadOffsets", IDS),
+    Field::optional("joints", LENGTHS),
+    Field::optional("jointOffsets", IDS),
     Field::optional("preCuts", LENGTHS),
     Field::optional("pauses", LENGTHS),
 ];

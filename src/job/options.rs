@@ -4,12 +4,12 @@
 //! `option_fields.rs` lists the fields and `ranges.rs` the ranges of their numbers.
 
 use super::placement::Place;
-use super::ranges::{COPY_TOLERANCE, DPI, JOIN_TOLERANCE, SECONDS, TOLERANCE, TURN, WORKERS};
+use super::ranges::{COPY_TOLERANCE, DPI, JOIN_TOLERANCE, SECONDS, SHARE, TOLERANCE, TURN, WORKERS};
 use super::{JobError, WarmPath};
 use crate::drawing::{ReadOptions, TextDecoder, Unit};
 use crate::fields::{Fault, FieldError, Range};
 use crate::machine::{self, Profile, Settings, Start};
-use crate::sheet::{CommonCuts, Group, Operation, PassOrder, SheetOptions};
+use crate::sheet::{CommonCuts, Group, HandJoint, Operation, PassOrder, SheetOptions};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -121,6 +121,8 @@ pub struct LoadOptions {
     /// ids. A hole in a skipped contour becomes a part of its own. A side that a skipped contour shares with another
     /// contour is cut with the other one.
     pub exclude: Vec<u32>,
+    /// Micro-joints that are placed by hand. A contour that has such ones has no others.
+    pub joints: Vec<HandJoint>,
     /// Decodes text in multi-byte code pages. It is not an option of the caller; the bindings set it.
     #[serde(skip)]
     pub decoder: TextDecoder,
@@ -150,6 +152,7 @@ impl Default for LoadOptions {
             mark: sheet.mark,
             sequences: sheet.sequences,
             exclude: sheet.exclude,
+            joints: sheet.joints,
             decoder: read.decoder,
         }
     }
@@ -185,6 +188,7 @@ impl LoadOptions {
     pub fn sheet_options(&self) -> Result<SheetOptions, JobError> {
         within("joinTolerance", self.join_tolerance, &JOIN_TOLERANCE)?;
         within("copyTolerance", self.copy_tolerance, &COPY_TOLERANCE)?;
+        self.joints.iter().try_for_each(|j| within("joints.at", j.at, &SHARE))?;
         for layer in &self.layers {
             if let Err((field, value, range)) = machine::check_settings(&layer.settings()) {
                 let name = format!("layers: {}: {field}", layer.name);
@@ -213,6 +217,7 @@ impl LoadOptions {
             mark: self.mark.clone(),
             sequences: self.sequences.clone(),
             exclude: self.exclude.clone(),
+            joints: self.joints.clone(),
         })
     }
 }

@@ -23,6 +23,7 @@ pub(super) const WORKERS: Range =
     Range::new(1.0, 64.0, "", "more searches than processors find nothing sooner");
 pub(super) const MEMBER: Range = Range::new(0.0, 63.0, "", "there are at most 64 searches side by side");
 pub(super) const ID: Range = Range::new(0.0, 4_294_967_295.0, "", "contours are counted from 0");
+pub(super) const SHARE: Range = Range::new(0.0, 1.0, "", "it is a fraction of the contour's length");
 pub(super) const ALONG: Range = Range::new(-1e9, 1e9, "mm", "no contour is longer than 1,000 km");
 pub(super) const REVERSED: Range =
     Range::new(0.0, 1.0, "", "1 says that the stop runs against the stored direction");

@@ -35,7 +35,7 @@ pub enum Fit {
 }
 
 /// What became of the leads of one contour.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Outcome {
     /// How well its lead-in fits.
     pub lead_in: Fit,

@@ -56,6 +56,32 @@ impl<'s> Planner<'s> {
     /// The leads of a contour that is entered at one of `places` (mm from its start); `None` if it has none: it is open,
     /// not cut, cut in several passes, crosses itself, or no rule asks for anything there.
     pub fn leads(&self, contour: u32, places: &[f64]) -> Option<ContourLeads> {
+        let again = self.machine.levers.cut_again(self.sheet.contours.get(contour as usize)?.length);
+        self.by_rule(contour, places, |asked| match asked {
+            // What is pierced at speed is cut again, except for a gap, which is pierced at rest.
+            Some(rule) if rule.overcut >= 0.0 => {
+                Some(LeadRule { overcut: rule.overcut.max(again), ..rule.clone() })
+            }
+            Some(rule) => Some(rule.clone()),
+            None => Some(LeadRule { overcut: again, ..LeadRule::default() }),
+        })
+    }
+
+    /// The leads of a contour that is pierced at rest, whatever the levers of the machine. `overcut`: instead of that of the
+    /// rule, mm.
+    pub fn leads_at_rest(&self, contour: u32, places: &[f64], overcut: Option<f64>) -> Option<ContourLeads> {
+        self.by_rule(contour, places, |asked| {
+            asked.map(|rule| LeadRule { overcut: overcut.unwrap_or(rule.overcut), ..rule.clone() })
+        })
+    }
+
+    /// The leads by the rule that `rule` makes of the machine's.
+    fn by_rule(
+        &self,
+        contour: u32,
+        places: &[f64],
+        rule: impl Fn(Option<&LeadRule>) -> Option<LeadRule>,
+    ) -> Option<ContourLeads> {
         let known = self.sheet.contours.get(contour as usize)?;
         let path = &known.path;
         if !path.closed || known.operation != Operation::Cut || known.self_crossing || known.length <= 0.0 {
@@ -66,16 +92,7 @@ impl<'s> Planner<'s> {
         }
         let hole = !known.depth.is_multiple_of(2);
         let side = if hole { LeadSide::Hole } else { LeadSide::Outer };
-        let asked = self.leads.rule(side, known.bounds.size().max_element(), known.length);
-        let again = self.machine.levers.cut_again(known.length);
-        let rule = &match asked {
-            // What is pierced at speed is cut again, except for a gap, which is pierced at rest.
-            Some(rule) if rule.overcut >= 0.0 => {
-                LeadRule { overcut: rule.overcut.max(again), ..rule.clone() }
-            }
-            Some(rule) => rule.clone(),
-            None => LeadRule { overcut: again, ..LeadRule::default() },
-        };
+        let rule = rule(self.leads.rule(side, known.bounds.size().max_element(), known.length))?;
         let kinds = [rule.lead_in.kind, rule.lead_out.kind];
         if kinds == [LeadKind::None; 2] && rule.overcut.total_cmp(&0.0).is_eq() {
             return None;
@@ -91,7 +108,7 @@ impl<'s> Planner<'s> {
                 lead_out = limited(lead_out, rule.max_share * radius);
             }
         }
-        let ladder = Ladder { scrap: &self.scrap, contour, path, rule, lead_in, lead_out, center };
+        let ladder = Ladder { scrap: &self.scrap, contour, path, rule: &rule, lead_in, lead_out, center };
         let is_arc = kinds.iter().any(|k| matches!(k, LeadKind::Arc | LeadKind::LineArc));
         let [wanted, others] = places_of(known, places, rule.position, is_arc);
         let (found, outcome) = ladder.climb(&wanted, &others);

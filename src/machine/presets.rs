@@ -73,6 +73,7 @@ fn co2_100w() -> Profile {
         materials: Vec::new(),
         leads: None,
         levers: Levers::default(),
+        joints: None,
         // A high-voltage CO2 supply rises and falls within a few ms.
         beam_on_delay: 0.005,
         beam_off_delay: 0.005,
@@ -114,6 +115,7 @@ fn diode_hobby() -> Profile {
         materials: Vec::new(),
         leads: None,
         levers: Levers::default(),
+        joints: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         takes: Takes::Gcode,
@@ -156,6 +158,7 @@ fn fibre_3kw_thin() -> Profile {
         materials: Vec::new(),
         leads: None,
         levers: Levers::default(),
+        joints: None,
         // The gas and the height control need time to settle.
         beam_on_delay: 0.05,
         beam_off_delay: 0.02,
@@ -184,6 +187,7 @@ fn fibre_6kw_thick() -> Profile {
         materials: Vec::new(),
         leads: None,
         levers: Levers::default(),
+        joints: None,
         // The oxygen pressure is built up and released.
         beam_on_delay: 0.2,
         beam_off_delay: 0.1,
@@ -313,6 +317,7 @@ fn length(name: &str, title: &str, travel: Travel) -> Profile {
         materials: Vec::new(),
         leads: None,
         levers: Levers::default(),
+        joints: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         takes: Takes::Gcode,

@@ -1,6 +1,7 @@
 //! The machine profile: versioned data in mm, s and rad.
 
 use super::dialect::DialectChoice;
+use super::joints::Joints;
 use super::leads::Leads;
 use super::levers::Levers;
 use super::process::Process;
@@ -118,6 +119,10 @@ pub struct Profile {
     #[serde(default, skip_serializing_if = "Levers::is_none")]
     #[cfg_attr(test, ts(optional, as = "Option<Levers>"))]
     pub levers: Levers,
+    /// Micro-joints; `None` for none, unless they are placed by hand.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub joints: Option<Joints>,
     /// Speed at which the head is lowered and raised, mm/s; `None` if it cannot be.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]

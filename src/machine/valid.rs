@@ -4,6 +4,7 @@
 //! controller cannot read, but not unusual machines.
 
 use super::dialect::Dialect;
+use super::joints::Joints;
 use super::leads::Leads;
 use super::levers::Levers;
 use super::profile::Profile;
@@ -111,6 +112,7 @@ const SHAPE: Shape = Shape {
         Field::optional("materials", Kind::List(&Kind::Object(MATERIAL))),
         Field::nullable("leads", Kind::Object(Leads::FIELDS)),
         Field::optional("levers", Kind::Object(Levers::FIELDS)),
+        Field::nullable("joints", Kind::Object(Joints::FIELDS)),
         Field::required("beam_on_delay", Kind::Number(DELAY)),
         Field::required("beam_off_delay", Kind::Number(DELAY)),
         Field::optional("takes", Kind::Choice(&["gcode", "dxf", "svg"])),
@@ -213,6 +215,7 @@ impl Profile {
         match given
             .chain(self.leads.iter().flat_map(Leads::numbers))
             .chain(self.levers.numbers())
+            .chain(self.joints.iter().flat_map(Joints::numbers))
             .find(|(_, value, range)| !range.holds(*value))
         {
             None => match self.bed {

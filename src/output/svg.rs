@@ -48,6 +48,7 @@ pub fn svg(plan: &Plan, sheet: &Sheet, profile: &Profile) -> String {
     style(&mut out, width);
     contours(&mut out, plan, sheet);
     leads(&mut out, plan);
+    joints(&mut out, plan, width);
     air(&mut out, plan, profile.home());
     entries(&mut out, plan, width);
     out.push_str("</svg>\n");
@@ -59,7 +60,7 @@ fn reach(plan: &Plan, home: DVec2) -> Aabb {
     plan.moves.iter().fold(Aabb::of(home), |b, step| match step {
         Move::Air { to } | Move::PreCut { to, .. } => b.with(*to),
         Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } => b,
-        Move::Cut { path, .. } => path.iter().fold(b, |b, s| b.union(s.bounds())),
+        Move::Cut { path, .. } | Move::Joint { path, .. } => path.iter().fold(b, |b, s| b.union(s.bounds())),
     })
 }
 
@@ -111,6 +112,27 @@ fn leads(out: &mut String, plan: &Plan) {
     out.push_str("\"><title>Lead-ins, lead-outs, overcuts</title></path>\n");
 }
 
+/// Micro-joints, as short wide strokes between the stretches of their contours.
+fn joints(out: &mut String, plan: &Plan, width: f64) {
+    let of = |m: &Move| {
+        if let Move::Joint { path, .. } = m { path.first().copied().map(|f| (f, path.clone())) } else { None }
+    };
+    let mut joints = plan.moves.iter().filter_map(of).peekable();
+    if joints.peek().is_none() {
+        return;
+    }
+    let wide = number(width * 4.0);
+    let _ = write!(
+        out,
+        "<style>.joint{{stroke:#b3267a;stroke-width:{wide}}}@media(prefers-color-scheme:dark){{.joint{{stroke:#ff7ac0}}}}</style>\n<path class=\"joint\" d=\""
+    );
+    for (first, path) in joints {
+        let _ = write!(out, "M{}", Point(first.start()));
+        path.iter().for_each(|segment| element(out, segment));
+    }
+    out.push_str("\"><title>Micro-joints</title></path>\n");
+}
+
 fn element(out: &mut String, segment: &Segment) {
     match segment {
         Segment::Line(l) => {
@@ -138,7 +160,7 @@ fn air(out: &mut String, plan: &Plan, home: DVec2) {
             }
             Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } => {}
             Move::PreCut { to, .. } => at = *to,
-            Move::Cut { path, .. } => at = path.last().map_or(at, Segment::end),
+            Move::Cut { path, .. } | Move::Joint { path, .. } => at = path.last().map_or(at, Segment::end),
         }
     }
     out.push_str("\"/>\n");

@@ -1,12 +1,16 @@
 //! Adds up a list of moves on a machine, from the moves alone.
+//!
+//! Cuts that are joined by joints without a stop are one motion: its time is that of all its elements, and the beam settles
+//! once.
 
 use super::model::{Move, Summary};
 use crate::geometry::{Aabb, Segment};
 use crate::machine::{AirTime, Profile, cut_time};
 use crate::sheet::Sheet;
+use std::borrow::Cow;
 
-/// The sums over moves on a sheet that start at the machine's home. The moves do not contain the number of parts or a lower
-/// bound, so `parts` is 0 and there is no gap.
+/// The sums over moves on a sheet that start at the machine's home. The moves do not contain the number of parts, that of
+/// joints or a lower bound, so `parts` and `joints` are 0 and there is no gap.
 ///
 /// Every cut and mark is charged the beam delays, but only the one after it if it begins moving, and every piercing the pierce
 /// time; both are in `pierce_time`. A contour that is cut in several stretches or passes counts once.
@@ -17,7 +21,9 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
     let (mut head, mut height) = (machine.home(), 0.0);
     let mut moving = false;
     let mut worked = vec![false; sheet.contours.len()];
-    for step in moves {
+    // The elements of a motion that goes on over a joint.
+    let mut motion: Vec<Segment> = Vec::new();
+    for (index, step) in moves.iter().enumerate() {
         match step {
             Move::Air { to } => {
                 sum.air_length += head.distance(*to);
@@ -42,6 +48,18 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
                 height = *z;
             }
             Move::Macro { .. } => sum.macro_time += machine.macro_time(),
+            Move::Joint { path, flying: true, .. } => {
+                motion.extend(path);
+                head = path.last().map_or(head, Segment::end);
+            }
+            Move::Joint { path, .. } => {
+                let to = path.last().map_or(head, Segment::end);
+                let seconds = air.seconds(head, to);
+                sum.air_length += head.distance(to);
+                sum.air_time += seconds;
+                sum.joint_time += seconds + machine.pierce_time + machine.beam_delays();
+                head = to;
+            }
             Move::Cut { contour, with, path, leads, .. } => {
                 let Some(last) = path.last() else { continue };
                 let [lead_in, _, overcut, lead_out] = leads.divide(path);
@@ -54,8 +72,18 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
                 sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
                 sum.lead_length +=
                     [lead_in, overcut, lead_out].into_iter().flatten().map(Segment::length).sum::<f64>();
-                sum.cut_time += cut_time(machine, &process, path);
-                sum.pierce_time += machine.delays_of_cut(std::mem::take(&mut moving));
+                if matches!(moves.get(index + 1), Some(Move::Joint { flying: true, .. })) {
+                    motion.extend(path);
+                } else {
+                    let whole = if motion.is_empty() {
+                        Cow::Borrowed(path)
+                    } else {
+                        motion.extend(path);
+                        Cow::Owned(std::mem::take(&mut motion))
+                    };
+                    sum.cut_time += cut_time(machine, &process, &whole);
+                    sum.pierce_time += machine.delays_of_cut(std::mem::take(&mut moving));
+                }
                 bounds = path.iter().fold(bounds, |b, s| b.union(s.bounds()));
                 head = last.end();
             }

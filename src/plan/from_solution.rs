@@ -3,16 +3,18 @@
 use super::evaluate::evaluate;
 use super::model::{Leads, Move, Plan};
 use crate::geometry::{DVec2, Path, Segment};
+use crate::joint::{ContourJoints, Divided, Stretch, divided};
 use crate::lead::{Lead, Run, starts_moving};
-use crate::machine::{Process, Profile};
-use crate::problem::{Problem, Stroke};
+use crate::machine::{JointKind, Process, Profile};
+use crate::problem::{Item, Problem, Stroke};
 use crate::sheet::Sheet;
 use crate::solve::{Solution, Stop};
 
 /// The plan of a solution. `solution` must belong to `problem`, and `problem` to `sheet`.
 ///
 /// Cuts are pierced in every pass; marks are not. A contour that is left unfinished gets a pre-cut where it is left, if
-/// the machine charges for pre-cuts, and is resumed without piercing; so is a pierce group. A cut pauses in sharp corners. There is no air move if the head
+/// the machine charges for pre-cuts, and is resumed without piercing; so is a pierce group. A cut pauses in sharp corners, and
+/// is interrupted by micro-joints. There is no air move if the head
 /// is already in place.
 pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> Plan {
     let mut moves = Vec::with_capacity(3 * solution.stops.len() + 1);
@@ -32,7 +34,18 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
             }
             continue;
         }
-        let lead = problem.items.get(contour as usize).and_then(|i| i.lead(stop.node)).map(|l| l.0);
+        let item = problem.items.get(contour as usize);
+        if let Some((lead, joints)) = item.and_then(|i| with_joints(i, stop)) {
+            let cut = divided(lead, &known.path, stop.along, &joints.joints);
+            let Some(entry) = cut.stretches.first().and_then(|s| s.path.first()).map(Segment::start) else {
+                continue;
+            };
+            go(&mut moves, &mut head, entry);
+            over_joints(&mut moves, &problem.machine, contour, cut, joints.kind == JointKind::Flying);
+            head = moves.iter().rev().find_map(end_of_cut).unwrap_or(entry);
+            continue;
+        }
+        let lead = item.and_then(|i| i.lead(stop.node)).map(|l| l.0);
         let (path, leads) = match lead {
             Some(lead) => with_leads(lead, &known.path, stop.along),
             None => (path_of(&known.path, stop, node.reversed), Leads::default()),
@@ -42,7 +55,9 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         go(&mut moves, &mut head, entry);
         let resumed = begun[contour as usize].is_some();
         let passes = sheet.passes_at_once(known, &problem.machine);
-        let start = match (starts_moving(sheet, &problem.machine, known, lead), known.is_mark()) {
+        let moving =
+            item.is_none_or(|i| i.joints.is_none()) && starts_moving(sheet, &problem.machine, known, lead);
+        let start = match (moving, known.is_mark()) {
             _ if resumed => None,
             (true, _) => Some(Move::MovingStart),
             (false, true) => None,
@@ -71,6 +86,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         go(&mut moves, &mut head, problem.home);
     }
     let mut summary = evaluate(&moves, sheet, &problem.machine);
+    summary.joints = joints_of(problem);
     summary.parts = u32::try_from(sheet.parts.len()).unwrap_or(u32::MAX);
     Plan { moves, summary }
 }
@@ -98,6 +114,37 @@ fn run(moves: &mut Vec<Move>, machine: &Profile, contour: u32, path: Vec<Segment
         return;
     }
     cut(moves, machine, &path, leads, |_| contour);
+}
+
+/// The lead and the joints of a visit of a contour that has joints.
+fn with_joints<'p>(item: &'p Item, stop: &Stop) -> Option<(&'p Lead, &'p ContourJoints)> {
+    let joints = item.joints.as_ref().filter(|j| !j.joints.is_empty())?;
+    Some((item.lead(stop.node)?.0, joints))
+}
+
+/// Number of joints of all contours.
+fn joints_of(problem: &Problem) -> u32 {
+    let joints = problem.items.iter().filter_map(|i| i.joints.as_ref());
+    u32::try_from(joints.map(|j| j.joints.len()).sum::<usize>()).unwrap_or(u32::MAX)
+}
+
+/// The stretches of a contour with joints, from its entry on.
+fn over_joints(moves: &mut Vec<Move>, machine: &Profile, contour: u32, divided: Divided, flying: bool) {
+    let mut joints = divided.joints.into_iter();
+    for (k, stretch) in divided.stretches.into_iter().enumerate() {
+        if k == 0 || !flying {
+            moves.push(Move::Pierce);
+        }
+        let Stretch { path, lead_in, overcut, lead_out } = stretch;
+        cut(moves, machine, &path, Leads { lead_in, overcut, lead_out }, |_| contour);
+        if let Some(path) = joints.next() {
+            moves.push(Move::Joint { contour, path, flying });
+        }
+    }
+}
+
+fn end_of_cut(step: &Move) -> Option<DVec2> {
+    if let Move::Cut { path, .. } = step { path.last().map(Segment::end) } else { None }
 }
 
 /// The moves of a visit of a pierce group, which begins at `head`.

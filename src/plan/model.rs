@@ -32,6 +32,16 @@ pub enum Move {
         /// Position of the corner, mm.
         at: DVec2,
     },
+    /// Leaves a micro-joint uncut: with the beam off, the head goes to its end, where the contour is cut on.
+    Joint {
+        /// The contour's id.
+        contour: u32,
+        /// The elements of the contour that stay uncut.
+        path: Vec<Segment>,
+        /// Whether the head runs along them without stopping, as if it cut. If not, it stops, moves straight to the end of
+        /// the joint, and pierces there.
+        flying: bool,
+    },
     /// Lowers or raises the head with the beam off, for the passes of a deep cut.
     Height {
         /// Height, mm: 0 as focused, negative when lowered.
@@ -120,6 +130,15 @@ pub struct Summary {
     pub moving_starts: u32,
     /// Number of pre-cuts.
     pub pre_cuts: u32,
+    /// Number of micro-joints.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub joints: u32,
+    /// Time of stopping at micro-joints: moving over them and piercing after them. It is part of the time of air moves and
+    /// of piercing.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[cfg_attr(test, ts(as = "Option<f64>", optional))]
+    pub joint_time: f64,
     /// Length of cuts and marks, leads included.
     pub cut_length: f64,
     /// Length of lead-ins, lead-outs and overcuts.
@@ -197,7 +216,7 @@ impl Plan {
                     run(ahead);
                 }
                 Move::Macro { at, .. } => *at += shift,
-                Move::Cut { path, .. } => run(path),
+                Move::Cut { path, .. } | Move::Joint { path, .. } => run(path),
             }
         }
         let [x0, y0, x1, y1] = self.summary.bounds;

@@ -3,11 +3,11 @@
 use super::entries::entries;
 use super::groups::Groups;
 use super::ids::{ItemId, NodeId};
-use super::leads::{ItemLeads, LeadNode};
+use super::leads::{ItemLeads, LeadNode, Planners};
 use super::model::{Item, Node, Problem};
 use super::pierce_groups::PierceGroups;
 use super::sub_path::SubPath;
-use crate::lead::{Planner, starts_moving};
+use crate::lead::starts_moving;
 use crate::machine::{ClosedRun, Profile, process_time};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
@@ -29,6 +29,8 @@ use crate::sheet::{Contour, Operation, Sheet};
 ///   comes before the next.
 /// * Leads: if the machine has rules for them, the entries of a closed cut are those where its lead fits, and the seconds of
 ///   the lead are part of the entry. Nothing is left unfinished then, and pierce groups have no leads.
+/// * Joints: a contour with micro-joints is entered where its leads are away from them, or at the end of one. It is not left
+///   unfinished, and is pierced at rest.
 /// * Sequences: pairs of items. Contours in a sequence are not left unfinished, and have at least the rank of those before them.
 /// * Skipped contours: items without nodes.
 /// * Groups: the parts, if the sheet is cut part by part.
@@ -37,7 +39,7 @@ use crate::sheet::{Contour, Operation, Sheet};
 /// contours of a group without a path are items of their own.
 pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> Problem {
     let joined = PierceGroups::new(sheet, machine, paths);
-    let planner = Planner::new(sheet, machine);
+    let planners = Planners::new(sheet, machine);
     let pairs = pairs(sheet, &joined);
     let ranks = ranks(sheet, &joined, &pairs);
     let mut items = Vec::with_capacity(sheet.contours.len());
@@ -52,8 +54,8 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             items.push(Item::default());
             continue;
         }
-        let leads = planner.as_ref().and_then(|p| ItemLeads::new(p, sheet, machine, item, contour));
-        if let Some((leads, places, least)) = leads {
+        let joints = planners.joints(item);
+        if let Some((leads, places, least)) = ItemLeads::new(&planners, item, contour, joints.as_ref()) {
             for LeadNode { along, entry, exit } in places {
                 let twin = count(&nodes);
                 nodes.push(Node { item, entry, exit, along, reversed: false, twin });
@@ -63,15 +65,21 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
                 before: joined.before(item),
                 area: joined.area(item),
                 rank,
-                fixed: start_seconds(machine, false, leads.start_moving(sheet, machine, contour)) + least,
+                fixed: start_seconds(
+                    machine,
+                    false,
+                    joints.is_none() && leads.start_moving(sheet, machine, contour),
+                ) + least,
                 leads: Some(leads),
+                joints,
                 ..Item::default()
             });
             continue;
         }
         let passes = sheet.passes_at_once(contour, machine);
         push_nodes(&mut nodes, item, contour, passes);
-        let (fixed, run) = seconds(sheet, machine, contour, passes);
+        let may_move = joints.is_none();
+        let (fixed, run) = seconds(sheet, machine, contour, passes, may_move);
         items.push(Item {
             nodes: first..count(&nodes),
             before: joined.before(item),
@@ -80,9 +88,10 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             fixed,
             run,
             leave: leave_seconds(machine, contour)
-                .filter(|_| !sheet.part_by_part && passes == 1 && contour.pass == 0 && planner.is_none())
-                .filter(|_| !sheet.has_turn(contour)),
+                .filter(|_| !sheet.part_by_part && passes == 1 && contour.pass == 0)
+                .filter(|_| planners.leads.is_none() && !sheet.has_turn(contour)),
             track: contour.path.closed.then(|| contour.path.clone()),
+            joints,
             ..Item::default()
         });
     }
@@ -127,10 +136,18 @@ fn count(nodes: &[Node]) -> NodeId {
 }
 
 /// The fixed seconds of all passes of a contour, and the run whose seconds depend on the entry.
-fn seconds(sheet: &Sheet, machine: &Profile, contour: &Contour, passes: u32) -> (f64, Option<ClosedRun>) {
+///
+/// `may_move`: whether it may begin moving.
+fn seconds(
+    sheet: &Sheet,
+    machine: &Profile,
+    contour: &Contour,
+    passes: u32,
+    may_move: bool,
+) -> (f64, Option<ClosedRun>) {
     let mark = contour.operation != Operation::Cut;
     let process = &sheet.process_of(contour, machine);
-    let start = start_seconds(machine, mark, starts_moving(sheet, machine, contour, None));
+    let start = start_seconds(machine, mark, may_move && starts_moving(sheet, machine, contour, None));
     let path = &contour.path;
     let run = if path.closed { ClosedRun::new(machine, process, mark, &path.segments) } else { None };
     let run = run.map(|run| run.repeated(passes));

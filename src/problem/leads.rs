@@ -1,17 +1,22 @@
-//! The leads of an item: one for each of its nodes, with what it costs.
+//! The leads of an item: one for each of its nodes, with what it costs. An item with micro-joints has them as well, because
+//! the seconds of its cut depend on where it is entered: at a joint it has one stretch less.
 
 use super::entries::entries;
 use crate::geometry::{DVec2, Segment};
-use crate::lead::{ContourLeads, Entry, Lead, Outcome, Planner, starts_moving};
-use crate::machine::{Profile, process_time};
+use crate::joint::{self, ContourJoints, Divided, Joint, divided};
+use crate::lead::{ContourLeads, Entry, Fit, Lead, Outcome, Planner, starts_moving};
+use crate::machine::{JointKind, Process, Profile, air_time, process_time};
 use crate::sheet::{Contour, Sheet};
+
+/// Least distance of a joint from leads and overcuts, in lengths of a joint.
+const JOINT_APART: f64 = 1.5;
 
 /// The leads of a contour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ItemLeads {
     /// The lead of each node, and its seconds beyond those of the cheapest.
     leads: Vec<(Lead, f64)>,
-    /// How well they fit.
+    /// How well they fit; the default if the contour has no leads, but joints.
     pub outcome: Outcome,
 }
 
@@ -22,29 +27,60 @@ pub(super) struct LeadNode {
     pub(super) exit: DVec2,
 }
 
+/// The leads and joints of a sheet.
+pub(super) struct Planners<'s> {
+    sheet: &'s Sheet,
+    machine: &'s Profile,
+    pub(super) leads: Option<Planner<'s>>,
+    pub(super) joints: Option<joint::Planner<'s>>,
+}
+
+impl<'s> Planners<'s> {
+    pub(super) fn new(sheet: &'s Sheet, machine: &'s Profile) -> Self {
+        let (leads, joints) = (Planner::new(sheet, machine), joint::Planner::new(sheet, machine));
+        Self { sheet, machine, leads, joints }
+    }
+
+    /// The joints of a contour, if it may have any.
+    pub(super) fn joints(&self, id: u32) -> Option<ContourJoints> {
+        self.joints.as_ref()?.joints(id)
+    }
+}
+
 impl ItemLeads {
-    /// The leads of a contour with the nodes that they make, and the seconds of the cheapest; `None` if it has no leads.
+    /// The leads of a contour with the nodes that they make, and the seconds of the cheapest; `None` if it has neither leads
+    /// nor joints.
     pub(super) fn new(
-        planner: &Planner,
-        sheet: &Sheet,
-        machine: &Profile,
+        planners: &Planners,
         id: u32,
         contour: &Contour,
+        joints: Option<&ContourJoints>,
     ) -> Option<(Self, Vec<LeadNode>, f64)> {
-        let places: Vec<f64> = if contour.path.closed {
-            entries(&contour.path).into_iter().map(|(along, _)| along).collect()
-        } else {
+        if !contour.path.closed {
             return None;
+        }
+        let Planners { sheet, machine, .. } = planners;
+        let places: Vec<f64> = entries(&contour.path).into_iter().map(|(along, _)| along).collect();
+        let found = planners.leads.as_ref().and_then(|p| match joints {
+            None => p.leads(id, &places),
+            Some(_) => p.leads_at_rest(id, &places, None),
+        });
+        let joints = joints.filter(|j| !j.joints.is_empty());
+        let (entries, outcome) = match (found, joints) {
+            (None, None) => return None,
+            (Some(ContourLeads { entries, outcome }), None) => (entries, outcome),
+            (found, Some(joints)) => with_joints(planners, id, contour, &places, found, joints),
         };
-        let ContourLeads { entries, outcome } = planner.leads(id, &places)?;
         let process = sheet.process_of(contour, machine);
+        let (joints, kind) = joints.map_or((&[][..], JointKind::Stop), |j| (j.joints.as_slice(), j.kind));
         let mut nodes = Vec::with_capacity(entries.len());
         let mut leads = Vec::with_capacity(entries.len());
         for Entry { along, lead } in entries {
-            let path = lead.run(&contour.path, along).path;
-            let (entry, exit) = (path.first()?.start(), path.last().map(Segment::end)?);
+            let cut = divided(&lead, &contour.path, along, joints);
+            let (first, last) = (cut.stretches.first()?, cut.stretches.last()?);
+            let (entry, exit) = (first.path.first()?.start(), last.path.last().map(Segment::end)?);
             nodes.push(LeadNode { along, entry, exit });
-            leads.push((lead, process_time(machine, &process, false, &path)));
+            leads.push((lead, seconds(machine, &process, &cut, kind)));
         }
         let least = leads.iter().map(|l| l.1).fold(f64::INFINITY, f64::min);
         leads.iter_mut().for_each(|l| l.1 -= least);
@@ -60,4 +96,67 @@ impl ItemLeads {
     pub(super) fn get(&self, node: usize) -> Option<(&Lead, f64)> {
         self.leads.get(node).map(|(lead, seconds)| (lead, *seconds))
     }
+}
+
+/// Seconds of a cut with its joints, without the first piercing.
+fn seconds(machine: &Profile, process: &Process, cut: &Divided, kind: JointKind) -> f64 {
+    if kind == JointKind::Flying && !cut.joints.is_empty() {
+        let joints = cut.joints.iter().map(Vec::as_slice).chain([&[][..]]);
+        let whole: Vec<Segment> =
+            cut.stretches.iter().zip(joints).flat_map(|(s, j)| s.path.iter().chain(j)).copied().collect();
+        return process_time(machine, process, false, &whole);
+    }
+    let over = |joint: &Vec<Segment>| {
+        let ends = joint.first().zip(joint.last());
+        let air = ends.map_or(0.0, |(a, b)| air_time(machine, a.start(), b.end()));
+        air + machine.pierce_time + machine.beam_delays()
+    };
+    let stretches = cut.stretches.iter().map(|s| process_time(machine, process, false, &s.path));
+    stretches.sum::<f64>() + cut.joints.iter().map(over).sum::<f64>()
+}
+
+/// The entries of a contour with joints: those whose leads and overcuts are away from joints, and the ends of its joints.
+fn with_joints(
+    planners: &Planners,
+    id: u32,
+    contour: &Contour,
+    places: &[f64],
+    found: Option<ContourLeads>,
+    ContourJoints { joints, .. }: &ContourJoints,
+) -> (Vec<Entry>, Outcome) {
+    let bare = |along, overcut| Entry { along, lead: Lead { overcut, ..Lead::default() } };
+    let (mut entries, mut outcome) = match found {
+        Some(ContourLeads { entries, outcome }) => (entries, Some(outcome)),
+        None => (places.iter().map(|&along| bare(along, 0.0)).collect(), None),
+    };
+    entries.retain(|e| joints.iter().all(|j| is_apart(e, j, contour.length)));
+    for joint in joints {
+        let overcut = -joint.length;
+        let at_joint = |e: &Entry| (e.along - joint.to).abs() < 1e-9;
+        let with_lead = planners.leads.as_ref().and_then(|p| p.leads_at_rest(id, &[joint.to], Some(overcut)));
+        match (with_lead, &outcome) {
+            (Some(lead), Some(wanted))
+                if lead.outcome.lead_in <= wanted.lead_in && lead.outcome.lead_out <= wanted.lead_out =>
+            {
+                entries.extend(lead.entries.into_iter().filter(at_joint));
+            }
+            (_, None) => entries.push(bare(joint.to, overcut)),
+            _ => {}
+        }
+    }
+    if entries.is_empty() {
+        // No lead keeps away from the joints, so the cut begins at one of them.
+        entries = joints.iter().map(|j| bare(j.to, -j.length)).collect();
+        outcome.iter_mut().for_each(|o| (o.lead_in, o.lead_out) = (Fit::None, Fit::None));
+    }
+    (entries, outcome.unwrap_or_default())
+}
+
+/// Whether the lead and the overcut of an entry are away from a joint.
+fn is_apart(entry: &Entry, joint: &Joint, whole: f64) -> bool {
+    let least = JOINT_APART * joint.length;
+    let around = |d: f64| d.rem_euclid(whole);
+    around(entry.along - joint.from) > joint.length
+        && around(joint.from - entry.along) >= least + entry.lead.overcut.max(0.0)
+        && around(entry.along - joint.to) >= least + (-entry.lead.overcut).max(0.0)
 }

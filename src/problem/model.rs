@@ -13,6 +13,7 @@ use super::leads::ItemLeads;
 use super::sub_path::SubPath;
 use super::table::Table;
 use crate::geometry::Path;
+use crate::joint::ContourJoints;
 use crate::lead::Lead;
 use crate::machine::{ClosedRun, Profile};
 use glam::DVec2;
@@ -58,6 +59,9 @@ pub struct Item {
     /// Of a contour with leads: the lead of each node, in the order of the nodes. Its nodes are entered where the lead-in
     /// begins and left where the lead-out ends.
     pub leads: Option<ItemLeads>,
+    /// Of a contour for which micro-joints are asked for: those that it has, and what does not fit. If it has any, its nodes
+    /// are those of [`Item::leads`], where a lead may be empty.
+    pub joints: Option<ContourJoints>,
     /// Of an item that comes before a pierce group: the area of the group in which it lies. The group may be left for it
     /// until this area falls out.
     pub area: Option<u32>,
@@ -122,6 +126,7 @@ impl Item {
             run: self.run.clone(),
             track: self.track.clone(),
             leads: self.leads.clone(),
+            joints: self.joints.clone(),
             nodes: self.nodes.clone(),
             ..*self
         }

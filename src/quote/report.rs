@@ -77,6 +77,14 @@ pub struct Quote {
     pub pierces: u32,
     /// Number of pre-cuts.
     pub pre_cuts: u32,
+    /// Number of micro-joints.
+    #[serde(skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub joints: u32,
+    /// Time of stopping at micro-joints, which is part of the times of air moves and of piercing.
+    #[serde(skip_serializing_if = "is_zero")]
+    #[cfg_attr(test, ts(as = "Option<f64>", optional))]
+    pub joint_time: f64,
     /// Cut and marked contours by layer.
     pub layers: Vec<LayerUse>,
     /// Number of parts.
@@ -152,6 +160,11 @@ fn by_name<T: Serialize, S: Serializer>(value: &T, serializer: S) -> Result<S::O
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
+fn is_none(count: &u32) -> bool {
+    *count == 0
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
 fn is_zero(length: &f64) -> bool {
     length.total_cmp(&0.0).is_eq()
 }
@@ -201,6 +214,8 @@ pub(super) fn made(document: &Document, shapes: &[Shape], terms: &Terms) -> Quot
         air_length: summary.air_length,
         pierces: summary.pierces,
         pre_cuts: summary.pre_cuts,
+        joints: summary.joints,
+        joint_time: summary.joint_time,
         layers: layers(contours),
         part_count: parts.len(),
         parts: parts::groups(&parts, contours, shapes, items),

@@ -34,7 +34,9 @@ pub(super) fn seconds(
     let machine = &document.machine;
     let mut at = machine.home();
     let (mut pierces, mut dark, mut moving) = (0, true, false);
-    for step in &document.moves {
+    // The elements of a motion that goes on over a joint.
+    let mut motion = Vec::new();
+    for (index, step) in document.moves.iter().enumerate() {
         match step {
             Move::Air { to } => (at, dark) = (DVec2::from(*to), true),
             Move::Pierce => pierces += 1,
@@ -44,6 +46,13 @@ pub(super) fn seconds(
                 all[owner(*contour)].times.pre_cut += machine.pre_cut_time.unwrap_or(0.0);
             }
             Move::Macro { contour, .. } => all[owner(*contour)].times.macros += machine.macro_time(),
+            // With a stop, the time of a joint is part of the air time, which is shared.
+            Move::Joint { path, flying, .. } => {
+                let path = segments(path, &mut at);
+                if *flying {
+                    motion.extend(path);
+                }
+            }
             // Their time is part of the air time, which is shared.
             Move::Height { .. } => {}
             Move::Cut { contour, path, .. } => {
@@ -51,7 +60,11 @@ pub(super) fn seconds(
                     Contours::One(id) => &[*id],
                     Contours::Several(ids) => ids,
                 };
-                let path = segments(path, &mut at);
+                motion.extend(segments(path, &mut at));
+                if matches!(document.moves.get(index + 1), Some(Move::Joint { flying: true, .. })) {
+                    continue;
+                }
+                let path = std::mem::take(&mut motion);
                 let process = document.process_by_id(ids.first().copied());
                 let share = 1.0 / ids.len().max(1) as f64;
                 let cut = cut_time(machine, &process, &path) * share;

@@ -92,6 +92,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         groups,
         pass_order: options.pass_order,
         common_cuts: options.common_cuts,
+        joints: options.joints.clone(),
         bounds,
         contours,
         layers,

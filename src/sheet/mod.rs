@@ -46,5 +46,6 @@ pub use build::build;
 pub use groups::{GroupElement, PierceGroup};
 pub(crate) use kerf::compensated;
 pub use model::{
-    CommonCuts, Contour, Group, Ignored, LayerUse, Operation, Part, PassOrder, Pin, Sheet, SheetOptions,
+    CommonCuts, Contour, Group, HandJoint, Ignored, LayerUse, Operation, Part, PassOrder, Pin, Sheet,
+    SheetOptions,
 };

@@ -104,6 +104,19 @@ pub struct SheetOptions {
     /// Ids of contours that are excluded; see [`Sheet::contours`]. A hole in an excluded contour becomes a part of its
     /// own, and a side shared with another contour is cut with that one.
     pub exclude: Vec<u32>,
+    /// Micro-joints that a person placed.
+    pub joints: Vec<HandJoint>,
+}
+
+/// A micro-joint that a person placed on a contour. The joints of a contour that has such ones are these and no others.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "JointChoice"))]
+pub struct HandJoint {
+    /// The contour, by id.
+    pub contour: u32,
+    /// Its middle, as a fraction of the length of the drawn contour from its start: 0 to 1.
+    pub at: f64,
 }
 
 impl Default for SheetOptions {
@@ -125,6 +138,7 @@ impl Default for SheetOptions {
             mark: Vec::new(),
             sequences: Vec::new(),
             exclude: Vec::new(),
+            joints: Vec::new(),
         }
     }
 }
@@ -280,6 +294,8 @@ pub struct Sheet {
     pub groups: Vec<PierceGroup>,
     /// How paths through groups are found.
     pub common_cuts: CommonCuts,
+    /// Micro-joints that a person placed.
+    pub joints: Vec<HandJoint>,
     /// Box around all contours that are cut or marked.
     pub bounds: Aabb,
     /// Findings of this stage.

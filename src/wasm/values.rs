@@ -85,6 +85,8 @@ pub(super) fn path(p: &BestPath) -> Result<JsValue, JsError> {
         ("times", Float64Array::from(p.times.as_slice()).into()),
         ("leads", Float64Array::from(p.leads.segments.as_slice()).into()),
         ("leadOffsets", Uint32Array::from(p.leads.offsets.as_slice()).into()),
+        ("joints", Float64Array::from(p.joints.segments.as_slice()).into()),
+        ("jointOffsets", Uint32Array::from(p.joints.offsets.as_slice()).into()),
         ("preCuts", Float64Array::from(p.pre_cuts.as_slice()).into()),
         ("pauses", Float64Array::from(p.pauses.as_slice()).into()),
     ])

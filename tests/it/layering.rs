@@ -23,20 +23,24 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("machine", &[]),
     ("sheet", &["drawing", "machine"]),
     ("lead", &["machine", "sheet"]),
-    ("problem", &["machine", "sheet", "lead"]),
+    ("joint", &["machine", "sheet", "lead"]),
+    ("problem", &["machine", "sheet", "lead", "joint"]),
     // Solvers know no drawing: neither `drawing` nor `sheet`.
     ("solve", &["machine", "problem"]),
     // The plan model knows neither how a plan was found nor who checks it.
     ("plan/model", &["drawing", "machine", "sheet"]),
     ("plan/document", &["drawing", "machine", "sheet", "plan/model"]),
-    ("plan", &["drawing", "machine", "sheet", "lead", "problem", "solve"]),
+    ("plan", &["drawing", "machine", "sheet", "lead", "joint", "problem", "solve"]),
     // Output and quote know no solver.
     ("output", &["drawing", "machine", "sheet", "plan"]),
     ("calibration", &["machine", "sheet", "plan"]),
     ("quote", &["drawing", "machine", "sheet", "plan", "output"]),
     (
         "job",
-        &["drawing", "dxf", "svg", "machine", "sheet", "lead", "problem", "solve", "plan", "output", "quote"],
+        &[
+            "drawing", "dxf", "svg", "machine", "sheet", "lead", "joint", "problem", "solve", "plan",
+            "output", "quote",
+        ],
     ),
     (
         "typescript",

@@ -29,6 +29,7 @@ mod inspect_dev;
 mod inspect_promises;
 mod instance_read;
 mod instance_solve;
+mod joints;
 mod kerf;
 mod kerf_drawings;
 mod layering;

@@ -148,6 +148,11 @@ fn moves(document: &Value) -> Vec<Move> {
             Move::PreCut { contour, to, ahead }
         }
         "macro" => Move::Macro { contour: m["contour"].as_u64().unwrap() as u32, at: point(&m["at"]) },
+        "joint" => {
+            let contour = m["contour"].as_u64().unwrap() as u32;
+            let path = m["path"].as_array().unwrap().iter().map(|e| element(e, &mut at)).collect();
+            Move::Joint { contour, path, flying: m["flying"].as_bool().unwrap_or(false) }
+        }
         "cut" => {
             let all = m["contour"].as_array().cloned().unwrap_or_else(|| vec![m["contour"].clone()]);
             let mut all = all.iter().map(|c| c.as_u64().unwrap() as u32);

@@ -22,6 +22,7 @@ pub mod dxf_text;
 pub mod gcode;
 pub mod grbl_arc;
 pub mod grbl_planner;
+pub mod joints;
 pub mod leads;
 pub mod linuxcnc_planner;
 pub mod methods;

@@ -78,6 +78,7 @@ impl Builder {
                 groups: Vec::new(),
                 pass_order: kerfway::sheet::PassOrder::Contour,
                 common_cuts: kerfway::sheet::CommonCuts::Best,
+                joints: Vec::new(),
                 outline: None,
                 bounds,
                 findings,

@@ -27,6 +27,11 @@ impl<'d> Beam<'d> {
         matches!(self.dialect.power.by, LaserM4 | LaserM3 | InlineM3 | Motion)
     }
 
+    /// Whether the power changes with the motions, without a stop between them.
+    pub(super) fn changes_in_motion(&self) -> bool {
+        self.is_on_motions() || self.dialect.power.by == PowerBy::OutputM67
+    }
+
     /// Whether a line that holds only a power word is a command: GRBL takes it, Marlin and Smoothieware do not.
     pub(super) fn takes_bare_power(&self) -> bool {
         matches!(self.dialect.power.by, PowerBy::LaserM4 | PowerBy::LaserM3)

@@ -18,6 +18,9 @@
 //! **Partial cuts.** A contour is resumed from its pre-cut without a pierce, so a cut without a pierce before it has no
 //! dwell. A pre-cut with a length is cut in advance, and the head returns with the beam off.
 //!
+//! **Micro-joints** with a stop are a rapid over the joint and another piercing. Over flying joints the head runs on with the
+//! power at 0, on controllers that set the power with the motion.
+//!
 //! **Sharp corners** are a dwell with the beam off in the corner; then the cut goes on.
 //!
 //! What a dialect cannot do is refused in a sentence that names it, and nothing is written.
@@ -146,6 +149,13 @@ impl<'d> Writer<'d> {
                 "switches the beam off with the next motion only, so the program must end with one: let the machine return home.",
             );
         }
+        if has(|m| matches!(m, Move::Joint { flying: true, .. }))
+            && !Beam::new(self.dialect).changes_in_motion()
+        {
+            return refuse(
+                "switches the beam only at rest, so it cannot leave flying joints: set the kind of the joints to stop.",
+            );
+        }
         if waits(self.profile.beam_off_delay) {
             return refuse("cannot wait: set the machine's beam-off delay to 0.");
         }
@@ -177,8 +187,9 @@ impl<'d> Writer<'d> {
         };
         let all = cuts(plan).len();
         let (mut order, mut pierce, mut goes_on, mut moving) = (0, 0.0, false, false);
-        let mut height = 0.0;
-        for step in work {
+        let (mut height, mut flying) = (0.0, false);
+        for (index, step) in work.iter().enumerate() {
+            let ends = !matches!(work.get(index + 1), Some(Move::Joint { flying: true, .. }));
             match step {
                 Move::Air { to } => self.pen.rapid(*to),
                 Move::Pierce => pierce += self.profile.pierce_time,
@@ -187,11 +198,18 @@ impl<'d> Writer<'d> {
                 Move::PreCut { contour, to, ahead } if !ahead.is_empty() => {
                     self.pen.lines.comment_naming(&format!("pre-cut into contour {contour}"), "");
                     let process = CutProcess::new(&sheet.process_by_id(*contour, self.profile), height);
-                    self.contour(&process, ahead, mem::take(&mut pierce) + self.profile.beam_on_delay);
+                    self.contour(&process, ahead, mem::take(&mut pierce) + self.profile.beam_on_delay, true);
                     self.pen.rapid(*to);
                 }
                 Move::PreCut { .. } => {}
                 Move::Macro { .. } => self.pen.settle_dark(self.profile.macro_time()),
+                Move::Joint { contour, path, flying: true } => {
+                    let length = path.iter().map(Segment::length).sum::<f64>();
+                    let words = format!("flying joint of contour {contour}: beam off for {length:.3} mm");
+                    self.pen.lines.comment_naming(&words, "");
+                    self.pen.run_dark(path);
+                }
+                Move::Joint { path, .. } => path.last().iter().for_each(|s| self.pen.rapid(s.end())),
                 Move::Height { z } => {
                     height = *z;
                     self.pen.lower_to(height);
@@ -205,11 +223,13 @@ impl<'d> Writer<'d> {
                         self.pen.lines.comment_naming(&words, layer);
                     }
                     let process = CutProcess::new(&sheet.process_by_id(*contour, self.profile), height);
-                    let on = if mem::take(&mut moving) { 0.0 } else { self.profile.beam_on_delay };
-                    self.contour(&process, path, mem::take(&mut pierce) + on);
+                    // Over a flying joint the motion goes on: the beam needs no time to settle.
+                    let on = if mem::take(&mut moving) || flying { 0.0 } else { self.profile.beam_on_delay };
+                    self.contour(&process, path, mem::take(&mut pierce) + on, ends);
                 }
             }
             goes_on = matches!(step, Move::Macro { .. });
+            flying = matches!(step, Move::Joint { flying: true, .. });
         }
 
         self.pen.off();
@@ -220,8 +240,8 @@ impl<'d> Writer<'d> {
         self.pen.lines.into_program()
     }
 
-    /// Writes one contour: `seconds` of waiting with the beam on, the path, and the dwell after it.
-    fn contour(&mut self, process: &CutProcess, path: &[Segment], seconds: f64) {
+    /// Writes one contour: `seconds` of waiting with the beam on, the path, and the dwell after it if the head rests there.
+    fn contour(&mut self, process: &CutProcess, path: &[Segment], seconds: f64, rests: bool) {
         self.pen.set_process(process);
         let mut rest = None;
         match self.dialect.pierce.as_ref() {
@@ -234,7 +254,9 @@ impl<'d> Writer<'d> {
         for segment in rest.as_deref().unwrap_or(path) {
             self.pen.cut(segment);
         }
-        self.pen.settle_dark(self.profile.beam_off_delay);
+        if rests {
+            self.pen.settle_dark(self.profile.beam_off_delay);
+        }
     }
 
     /// Cuts the beginning of a path in `seconds`, and returns its rest. A path that is cut in less time than that is

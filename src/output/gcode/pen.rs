@@ -228,6 +228,13 @@ impl<'d> Pen<'d> {
         }
     }
 
+    /// Runs along elements as if it cut, with the power at 0.
+    pub(super) fn run_dark(&mut self, path: &[Segment]) {
+        let power = std::mem::replace(&mut self.power, "0".to_owned());
+        path.iter().for_each(|segment| self.cut(segment));
+        self.power = power;
+    }
+
     /// The F word for a speed in mm/s.
     pub(super) fn feed_word(&self, speed: f64) -> String {
         let decimals = self.dialect.decimals.feed;

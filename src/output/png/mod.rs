@@ -1,7 +1,7 @@
 //! Draws a plan as PNG with tiny-skia, from the text of its [document](crate::plan::document).
 //!
 //! The input is text and not a document in memory, because this module is in a wasm file of its own (feature `png`),
-//! which is loaded only when a picture is requested. The ground is white, cuts are dark, marks blue, leads green, air moves thin,
+//! which is loaded only when a picture is requested. The ground is white, cuts are dark, marks blue, leads green, joints purple, air moves thin,
 //! dashed and orange, and entries are dots: the colours of the SVG on white.
 
 mod frame;
@@ -21,10 +21,12 @@ pub const WIDTHS: std::ops::RangeInclusive<u32> = 64..=8192;
 const INK: [u8; 3] = [0x1b, 0x1f, 0x24];
 const BLUE: [u8; 3] = [0x25, 0x63, 0xc9];
 const GREEN: [u8; 3] = [0x1a, 0x8f, 0x5a];
+const PURPLE: [u8; 3] = [0xb3, 0x26, 0x7a];
 const ORANGE: [u8; 3] = [0xc2, 0x57, 0x1a];
 
 /// Width of contours and of air moves, and radius of entries, in line px ([`Frame::line_px`]).
 const CONTOUR_WIDTH: f32 = 1.8;
+const JOINT_WIDTH: f32 = 4.0;
 const AIR_WIDTH: f32 = 1.0;
 const ENTRY_RADIUS: f32 = 3.0;
 /// Dash and gap of air moves, in line px.
@@ -58,13 +60,16 @@ pub fn render(plan_json: &str, width: u32) -> Result<Vec<u8>, String> {
 fn bounds(document: &Document, strokes: &[Drawn]) -> Aabb {
     strokes.iter().fold(Aabb::of(document.machine.home()), |b, stroke| match stroke {
         Drawn::Air { to, .. } => b.with(*to),
-        Drawn::Beam { path, .. } => path.iter().fold(b, |b, s| b.union(s.bounds())),
+        Drawn::Beam { path, .. } | Drawn::Joint { path, .. } => {
+            path.iter().fold(b, |b, s| b.union(s.bounds()))
+        }
     })
 }
 
 fn draw(pixels: &mut Pixmap, document: &Document, strokes: &[Drawn], frame: &Frame) {
     let px = frame.line_px();
-    let [mut cuts, mut marks, mut leads, mut air, mut entries] = [(); 5].map(|()| PathBuilder::new());
+    let [mut cuts, mut marks, mut leads, mut joints, mut air, mut entries] =
+        [(); 6].map(|()| PathBuilder::new());
     // A pre-cut is a cut.
     let is_mark =
         |id: u32| document.contours.get(id as usize).is_some_and(|c| c.operation == Operation::Mark);
@@ -74,6 +79,7 @@ fn draw(pixels: &mut Pixmap, document: &Document, strokes: &[Drawn], frame: &Fra
                 move_to(&mut air, frame.place(*from));
                 line_to(&mut air, frame.place(*to));
             }
+            Drawn::Joint { path, .. } => trace(&mut joints, frame, path),
             Drawn::Beam { contour, path, leads: parts } => {
                 let to = if contour.is_some_and(is_mark) { &mut marks } else { &mut cuts };
                 trace(to, frame, path);
@@ -91,6 +97,7 @@ fn draw(pixels: &mut Pixmap, document: &Document, strokes: &[Drawn], frame: &Fra
     line(pixels, cuts, INK, &contour);
     line(pixels, marks, BLUE, &contour);
     line(pixels, leads, GREEN, &contour);
+    line(pixels, joints, PURPLE, &Stroke { width: JOINT_WIDTH * px, ..contour.clone() });
     let dash = StrokeDash::new(DASH.map(|d| d * px).to_vec(), 0.0);
     let dashed = Stroke { width: AIR_WIDTH * px, line_cap: LineCap::Butt, dash, ..Stroke::default() };
     line(pixels, air, ORANGE, &dashed);

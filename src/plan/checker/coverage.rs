@@ -5,7 +5,7 @@
 //! is that of the contour, it has passed each place once.
 
 use super::tolerance::{SAME, rounding};
-use crate::geometry::{DVec2, Path, Segment};
+use crate::geometry::{DVec2, Path, Segment, math};
 
 /// Why a cut does not follow its contour.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,7 +72,12 @@ impl<'s> Element<'s> {
     fn new(shape: &'s Segment) -> Self {
         let ends = match shape {
             Segment::Line(_) => 0.0,
-            Segment::Arc(a) => (a.start.distance(a.center) - a.end.distance(a.center)).abs(),
+            // Where an end was moved along the circle as well, its sweep does not lead to it exactly.
+            Segment::Arc(a) if a.is_circle() => 0.0,
+            Segment::Arc(a) => {
+                let turned = a.center + math::unit(a.sweep).rotate(a.start - a.center);
+                turned.distance(a.end)
+            }
         };
         let slack = ends + rounding(shape);
         let circle = matches!(shape, Segment::Arc(a) if a.is_circle());

@@ -5,6 +5,7 @@
 //! lie in scrap is checked at points along them (`lead_room.rs`).
 
 use super::groups::Groups;
+use super::joints;
 use super::lead_room::Room;
 use super::macros::joined;
 use super::tolerance::SAME;
@@ -21,14 +22,16 @@ const TANGENT: f64 = 0.1 * PI / 180.0;
 const OVERCUT: f64 = 1e-3;
 
 /// The overcut of a contour by the machine's rules, mm; negative for a gap.
-pub(super) fn overcut(sheet: &Sheet, machine: &Profile, contour: &Contour) -> f64 {
-    wanted(sheet, machine, contour).unwrap_or(0.0)
+pub(super) fn overcut(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> f64 {
+    wanted(sheet, machine, id, contour).unwrap_or(0.0)
 }
 
-/// The same; `None` if nothing asks for leads or an overcut. What is pierced at speed is cut again, unless it has a gap.
-fn wanted(sheet: &Sheet, machine: &Profile, contour: &Contour) -> Option<f64> {
+/// The same; `None` if nothing asks for leads or an overcut. What is pierced at speed is cut again, unless it has a gap; a
+/// contour with joints is pierced at rest.
+fn wanted(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> Option<f64> {
     let half = 0.5 * contour.path.length();
-    let again = machine.levers.moving_pierce.map_or(0.0, |p| p.overcut);
+    let moving = machine.levers.moving_pierce.filter(|_| joints::asked(sheet, machine, id).is_none());
+    let again = moving.map_or(0.0, |p| p.overcut);
     let asked = match rule(sheet, machine, contour)? {
         Some(rule) if rule.overcut < 0.0 => rule.overcut,
         Some(rule) => rule.overcut.max(again),
@@ -56,20 +59,23 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let groups = Groups::new(sheet, machine);
     let room = Room::new(sheet, machine);
     // Faults of pauses are reported elsewhere.
-    for (step, m) in joined(&plan.moves, machine, &groups, &mut Vec::new()) {
+    for (step, m) in joints::whole(joined(&plan.moves, machine, &groups, &mut Vec::new())) {
         let Move::Cut { contour, path, leads, .. } = m.as_ref() else { continue };
         let Some(known) = sheet.contours.get(*contour as usize) else { continue };
         let mut fault = |what, at| found.push(Violation::Lead { step, contour: *contour, what, at });
         let start = path.first().map_or(DVec2::ZERO, Segment::start);
         let [lead_in, on, again, lead_out] = leads.divide(path);
-        let Some(wanted) = wanted(sheet, machine, known).filter(|_| !groups.holds(*contour)) else {
+        let Some(wanted) = wanted(sheet, machine, *contour, known).filter(|_| !groups.holds(*contour)) else {
             if !leads.is_empty() {
                 fault("is one that no rule asks for", start);
             }
             continue;
         };
         let length = |path: &[Segment]| path.iter().map(Segment::length).sum::<f64>();
-        let has_leads = !leads.is_empty() || wanted < 0.0;
+        let joint = joints::length(sheet, machine, *contour);
+        // A cut that begins at a joint ends where the joint begins, whatever the overcut.
+        let at_joint = joint > 0.0 && (known.path.length() - length(on) - joint).abs() <= OVERCUT;
+        let has_leads = (!leads.is_empty() || wanted < 0.0) && !(at_joint && again.is_empty());
         if has_leads && (length(again) - wanted.max(0.0)).abs() > OVERCUT {
             fault("has the wrong length", again.first().map_or(start, Segment::start));
         }

@@ -7,6 +7,7 @@
 
 mod coverage;
 mod groups;
+mod joints;
 mod kerf;
 mod lead_room;
 mod leads;
@@ -50,6 +51,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     kerf::check(sheet, machine, plan, &mut found);
     leads::check(sheet, machine, plan, &mut found);
     moving::check(sheet, machine, plan, &mut found);
+    joints::check(sheet, machine, plan, &groups, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
 }
 
@@ -81,9 +83,28 @@ fn follow(
     let (mut pierced, mut moving) = (false, false);
     // The contour of the previous move, if that was a cut.
     let mut just_cut = None;
+    // The contour of a joint that was left, and whether without a stop, until the contour is cut on.
+    let mut left = None;
     for (step, m) in macros::joined(&plan.moves, machine, groups, found) {
         let before = just_cut.take();
+        if !matches!(m.as_ref(), Move::Cut { .. } | Move::Pierce) && left.take().is_some() {
+            found.push(Violation::Beam { step, what: "does not cut on after a joint" });
+        }
         match m.as_ref() {
+            Move::Joint { contour, path, flying } => {
+                if before != Some(*contour) || !visits.joint(*contour, path) {
+                    found
+                        .push(Violation::Beam { step, what: "leaves a joint where no contour is being cut" });
+                }
+                for s in path {
+                    let gap = s.start().distance(head);
+                    if !gap.is_finite() || gap > JOIN {
+                        found.push(Violation::NotJoined { step, gap });
+                    }
+                    head = s.end();
+                }
+                left = Some((*contour, *flying));
+            }
             Move::Macro { .. } => {}
             Move::Air { to } => {
                 if !to.is_finite() {
@@ -144,14 +165,21 @@ fn follow(
                 // A mark is not pierced, but may begin moving.
                 pierced |= std::mem::take(&mut moving) && !*mark;
                 let grouped = groups.holds(*contour);
-                let resumed = !grouped && visits.is_unfinished(*contour);
+                let after_joint = left.take();
+                if let Some((of, flying)) = after_joint
+                    && (of != *contour || flying == pierced)
+                {
+                    found.push(Violation::Beam { step, what: "does not cut on as a joint asks for" });
+                }
+                let resumed = !grouped && after_joint.is_none() && visits.is_unfinished(*contour);
                 if *mark && pierced {
                     found.push(Violation::Beam { step, what: "pierces for a mark" });
                 }
                 if resumed && pierced {
                     found.push(Violation::Beam { step, what: "pierces where it goes on with a cut" });
                 }
-                let ready = *mark || pierced || (resumed && visits.is_ready(*contour));
+                let flies = after_joint.is_some_and(|(_, flying)| flying);
+                let ready = *mark || pierced || flies || (resumed && visits.is_ready(*contour));
                 let goes_on = before.is_some_and(|b| groups.same(b, *contour));
                 let begun = pierced || goes_on;
                 if !grouped && !ready {

@@ -1,7 +1,8 @@
-//! Checks moving starts: only where the machine has them, and only of marks and of closed cuts in one pass that are cut again
-//! over the length at which the beam was not through.
+//! Checks moving starts: only where the machine has them, and only of marks and of closed cuts in one pass, without joints, that
+//! are cut again over the length at which the beam was not through.
 
 use super::groups::Groups;
+use super::joints;
 use super::violation::Violation;
 use crate::geometry::Segment;
 use crate::machine::Profile;
@@ -33,7 +34,8 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         if known.operation == Operation::Mark {
             continue;
         }
-        if !known.path.closed || groups.holds(*contour) {
+        let at_rest = groups.holds(*contour) || joints::asked(sheet, machine, *contour).is_some();
+        if !known.path.closed || at_rest {
             fault("begins a cut moving that has to be pierced at rest");
         }
         let again: f64 = leads.divide(path)[2].iter().map(Segment::length).sum();

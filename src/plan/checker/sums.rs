@@ -3,9 +3,10 @@
 //! The trapezoidal motion of an air move is computed here a second time on purpose, in the plain form of textbooks: speed,
 //! acceleration, distance. Otherwise an error in `machine/motion.rs` would not be noticed.
 
+use super::joints;
 use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
-use crate::geometry::{Aabb, DVec2, Path};
+use crate::geometry::{Aabb, DVec2, Path, Segment};
 use crate::machine::{Profile, Travel, cut_time};
 use crate::order::sort_by;
 use crate::plan::model::{Move, Plan};
@@ -22,7 +23,10 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
     let mut lead_length = 0.0;
     let (mut bounds, mut slack) = (Aabb::EMPTY, 0.0_f64);
-    for m in &plan.moves {
+    let mut motion: Vec<Segment> = Vec::new();
+    let (mut joint_seconds, mut stops) = (0.0, 0_u32);
+    for (step, m) in plan.moves.iter().enumerate() {
+        let flies_on = matches!(plan.moves.get(step + 1), Some(Move::Joint { flying: true, .. }));
         match m {
             Move::Air { to } => {
                 air_length += (*to - head).length();
@@ -37,13 +41,30 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 air_seconds += machine.z_speed.map_or(0.0, |speed| (z - height).abs() / speed);
                 height = *z;
             }
+            Move::Joint { path, flying, .. } => {
+                let to = path.last().map_or(head, |s| s.end());
+                if *flying {
+                    motion.extend(path);
+                } else {
+                    air_length += (to - head).length();
+                    air_seconds += air_time(machine, to - head);
+                    joint_seconds += air_time(machine, to - head);
+                    stops += 1;
+                }
+                head = to;
+            }
             Move::Cut { contour, with, path, leads, .. } => {
-                cuts += 1;
+                cuts += u32::from(!flies_on);
                 worked.push(*contour);
                 worked.extend(with);
-                for path in with.iter().chain([contour]).filter_map(|&c| path_of(sheet, machine, c)) {
-                    bounds = bounds.union(path.bounds());
-                    slack = path.segments.iter().map(rounding).fold(slack, f64::max);
+                if joints::asked(sheet, machine, *contour).is_some() {
+                    // A joint may be where the contour reaches farthest.
+                    bounds = path.iter().fold(bounds, |b, s| b.union(s.bounds()));
+                } else {
+                    for path in with.iter().chain([contour]).filter_map(|&c| path_of(sheet, machine, c)) {
+                        bounds = bounds.union(path.bounds());
+                        slack = path.segments.iter().map(rounding).fold(slack, f64::max);
+                    }
                 }
                 let [lead_in, _, overcut, lead_out] = leads.divide(path);
                 for s in lead_in.iter().chain(lead_out) {
@@ -52,7 +73,11 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 }
                 lead_length += overcut.iter().map(|s| s.length()).sum::<f64>();
                 cut_length += path.iter().map(|s| s.length()).sum::<f64>();
-                cut_seconds += cut_time(machine, &sheet.process_by_id(*contour, machine), path);
+                motion.extend(path);
+                if !flies_on {
+                    cut_seconds += cut_time(machine, &sheet.process_by_id(*contour, machine), &motion);
+                    motion.clear();
+                }
                 head = path.last().map_or(head, |s| s.end());
             }
         }
@@ -82,6 +107,12 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         ("the number of pre-cuts", f64::from(s.pre_cuts), f64::from(pre_cuts)),
         ("the length of air moves", s.air_length, air_length),
         ("the length of cuts", s.cut_length, cut_length),
+        (
+            "the time of joints",
+            s.joint_time,
+            joint_seconds
+                + f64::from(stops) * (machine.pierce_time + machine.beam_on_delay + machine.beam_off_delay),
+        ),
         ("the length of leads", s.lead_length, lead_length),
         ("the time of air moves", s.air_time, air_seconds),
         ("the time of cuts", s.cut_time, cut_seconds),

@@ -122,6 +122,18 @@ pub enum Violation {
         /// Position, mm.
         at: DVec2,
     },
+    /// A micro-joint is not as the machine's rules or a person ask for.
+    #[error("move {step}: a micro-joint of contour {contour} {what} at {at}")]
+    Joint {
+        /// Which move.
+        step: usize,
+        /// Which contour.
+        contour: u32,
+        /// What is wrong.
+        what: &'static str,
+        /// Position, mm.
+        at: DVec2,
+    },
     /// Less or more than the whole contour is cut.
     #[error("move {step} cuts {worked} mm of contour {contour}, which is {length} mm long")]
     Partly {

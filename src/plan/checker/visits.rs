@@ -5,6 +5,7 @@
 
 use super::coverage::{Fault, follows, leads};
 use super::groups::Groups;
+use super::joints;
 use super::leads::overcut;
 use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
@@ -26,6 +27,8 @@ struct Work {
     ready: bool,
     /// The stretch of the remaining contour that was cut ahead.
     ahead: Vec<Segment>,
+    /// Whether the last thing on it was a joint.
+    at_joint: bool,
 }
 
 /// The contours of a sheet and their states.
@@ -36,8 +39,8 @@ pub(super) struct Visits<'s> {
     work: Vec<Work>,
     /// Number of passes over each contour before the head goes on.
     passes: Vec<u32>,
-    /// By contour: length that the machine's rules leave uncut, mm.
-    gap: Vec<f64>,
+    /// By contour: lengths that the machine's rules leave uncut at its end, mm: a gap, or a joint at which it begins.
+    gap: Vec<[f64; 2]>,
     /// Contours that are begun and not finished, the outermost first.
     open: Vec<u32>,
     /// The contours of all cuts in order.
@@ -48,7 +51,8 @@ impl<'s> Visits<'s> {
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
         let work = vec![Work::default(); sheet.contours.len()];
         let passes = sheet.contours.iter().map(|c| sheet.passes_at_once(c, machine)).collect();
-        let gap = sheet.contours.iter().map(|c| (-overcut(sheet, machine, c)).max(0.0)).collect();
+        let gap = |(id, c)| [(-overcut(sheet, machine, id, c)).max(0.0), joints::length(sheet, machine, id)];
+        let gap = (0..).zip(&sheet.contours).map(gap).collect();
         Self { sheet, pre_cut: machine.pre_cut_time, work, passes, gap, open: Vec::new(), order: Vec::new() }
     }
 
@@ -80,7 +84,8 @@ impl<'s> Visits<'s> {
             found.push(Violation::Unknown { step, contour });
             return;
         };
-        let gap = self.gap.get(contour as usize).copied().unwrap_or(0.0);
+        let gap = self.gap.get(contour as usize).copied().unwrap_or_default();
+        let gap = gap[0].max(gap[1]);
         let length = known.path.length() - gap - SAME - known.path.segments.iter().map(rounding).sum::<f64>();
         let passes = self.passes.get(contour as usize).map_or(1, |&n| n as usize);
         if let Some((first, _)) = work.steps.filter(|_| work.length >= length) {
@@ -99,7 +104,7 @@ impl<'s> Visits<'s> {
         } else if let Some((first, _)) = work.steps {
             let may_be_left =
                 self.pre_cut.is_some() && known.path.closed && known.operation == Operation::Cut;
-            if !may_be_left {
+            if !may_be_left && !work.at_joint {
                 found.push(Violation::Left { step, contour });
             }
             if let Some(&inner) = self.open.last().filter(|&&last| last != contour) {
@@ -116,11 +121,22 @@ impl<'s> Visits<'s> {
         }
         work.path.extend(path);
         work.length += path.iter().map(Segment::length).sum::<f64>();
-        work.ready = false;
+        (work.ready, work.at_joint) = (false, false);
         if work.length >= length {
             self.open.retain(|&o| o != contour);
         }
         self.order.push(contour);
+    }
+
+    /// Follows a joint, which stays uncut. Returns whether the contour is being cut.
+    pub(super) fn joint(&mut self, contour: u32, path: &[Segment]) -> bool {
+        let unfinished = self.is_unfinished(contour);
+        if let Some(work) = self.work.get_mut(contour as usize) {
+            work.path.extend(path);
+            work.length += path.iter().map(Segment::length).sum::<f64>();
+            work.at_joint = true;
+        }
+        unfinished
     }
 
     /// Follows a cut of a contour that is cut with its group.
@@ -156,7 +172,10 @@ impl<'s> Visits<'s> {
             if work.done.len() + 1 != self.passes.get(contour as usize).map_or(1, |&n| n as usize) {
                 found.push(Violation::Passes { contour, what: "is not cut in as many passes as asked for" });
             }
-            let gap = self.gap.get(contour as usize).copied().unwrap_or(0.0);
+            let gaps = self.gap.get(contour as usize).copied().unwrap_or_default();
+            // Without a lead's gap, a contour may begin at a joint.
+            let uncut = known.path.length() - work.length;
+            let gap = if (uncut - gaps[0]).abs() <= (uncut - gaps[1]).abs() { gaps[0] } else { gaps[1] };
             let rounds = work.done.iter().chain([&work.path]);
             if let Some(fault) = rounds.map(|path| follows(&known.path, path, gap)).find_map(Result::err) {
                 found.push(match fault {

@@ -6,7 +6,7 @@ use super::moves::Move;
 use crate::drawing::{ReadOptions, Unit, UnitsSource};
 use crate::finding::Finding;
 use crate::machine::{Process, Profile, Settings, Start};
-use crate::sheet::{CommonCuts, Group, Operation, PassOrder, SheetOptions};
+use crate::sheet::{CommonCuts, Group, HandJoint, Operation, PassOrder, SheetOptions};
 use serde::{Deserialize, Serialize};
 
 /// The name and version of the format.
@@ -147,6 +147,9 @@ pub struct Options {
     /// Contours left out, by id.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub exclude: Vec<u32>,
+    /// Micro-joints that a person placed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub joints: Vec<HandJoint>,
 }
 
 /// What is done with a group of contours.
@@ -259,6 +262,7 @@ impl Options {
             mark: arrange.mark.clone(),
             sequences: arrange.sequences.clone(),
             exclude: arrange.exclude.clone(),
+            joints: arrange.joints.clone(),
         }
     }
 }

@@ -46,6 +46,16 @@ pub enum Move {
         /// The corner.
         at: [f64; 2],
     },
+    /// A micro-joint: a length of a contour that stays uncut. The beam is off; the contour is cut on at its end.
+    Joint {
+        /// The contour's id.
+        contour: u32,
+        /// The elements of the contour that stay uncut.
+        path: Vec<Element>,
+        /// Whether the head runs along them without stopping. If not, it moves straight to their end and pierces there.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        flying: bool,
+    },
     /// The head is lowered or raised, beam off.
     Height {
         /// mm; 0 as focused, negative when lowered.
@@ -109,6 +119,9 @@ impl From<&model::Move> for Move {
                 Self::PreCut { contour: *contour, to: place(*to), ahead: Element::all(ahead) }
             }
             model::Move::Macro { contour, at } => Self::Macro { contour: *contour, at: place(*at) },
+            model::Move::Joint { contour, path, flying } => {
+                Self::Joint { contour: *contour, path: Element::all(path), flying: *flying }
+            }
             model::Move::Height { z } => Self::Height { z: *z },
             model::Move::Cut { contour, with, path, leads, .. } => {
                 // An arc may become two elements, so each part is counted as it is written.

@@ -15,6 +15,13 @@ pub enum Stroke {
         /// mm.
         to: DVec2,
     },
+    /// A micro-joint, which stays uncut.
+    Joint {
+        /// The contour's id.
+        contour: u32,
+        /// Elements, mm.
+        path: Vec<Segment>,
+    },
     /// Beam on.
     Beam {
         /// The contour's id, the first of several; `None` for a pre-cut.
@@ -37,6 +44,9 @@ pub fn strokes(document: &Document) -> Vec<Stroke> {
                 Some(Stroke::Air { from, to: at })
             }
             Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } => None,
+            Move::Joint { contour, path, .. } => {
+                Some(Stroke::Joint { contour: *contour, path: segments(path, &mut at) })
+            }
             Move::PreCut { to, .. } => {
                 at = DVec2::from(*to);
                 Some(Stroke::Beam {

@@ -46,7 +46,7 @@ export interface EntityKindCount {
 export type Severity = "info" | "warning" | "error";
 
 /** The kind of a finding. Written in kebab case in JSON (`unsupported-entity`). Later versions may add codes. */
-export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "far-from-origin" | "off-bed" | "least-power-left-out" | "not-all-checked" | "more";
+export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "joint-adjusted" | "joint-missing" | "far-from-origin" | "off-bed" | "least-power-left-out" | "not-all-checked" | "more";
 
 /** One finding. */
 export interface Finding {
@@ -78,6 +78,14 @@ export type CommonCuts = "best" | "insertion" | "off";
 
 /** A group of contours that are recognised by their look, not by a layer. */
 export type Group = "lettering" | "leaders";
+
+/** A micro-joint that a person placed on a contour. The joints of a contour that has such ones are these and no others. */
+export interface JointChoice {
+  /** The contour, by id. */
+  contour: number,
+  /** Its middle, as a fraction of the length of the drawn contour from its start: 0 to 1. */
+  at: number,
+}
 
 /** How contours with several passes are run. */
 export type PassOrder = "contour" | "sheet";
@@ -545,6 +553,8 @@ export interface LoadOptions {
    * contour is cut with the other one.
    */
   exclude: Array<number>,
+  /** Micro-joints that are placed by hand. A contour that has such ones has no others. */
+  joints: Array<JointChoice>,
 }
 
 /** The name of a preset machine, or a whole profile. */
@@ -717,6 +727,13 @@ export interface Summary {
   moving_starts?: number,
   /** Number of pre-cuts. */
   pre_cuts: number,
+  /** Number of micro-joints. */
+  joints?: number,
+  /**
+   * Time of stopping at micro-joints: moving over them and piercing after them. It is part of the time of air moves and
+   * of piercing.
+   */
+  joint_time?: number,
   /** Length of cuts and marks, leads included. */
   cut_length: number,
   /** Length of lead-ins, lead-outs and overcuts. */
@@ -1113,6 +1130,10 @@ export interface Quote {
   pierces: number,
   /** Number of pre-cuts. */
   pre_cuts: number,
+  /** Number of micro-joints. */
+  joints?: number,
+  /** Time of stopping at micro-joints, which is part of the times of air moves and of piercing. */
+  joint_time?: number,
   /** Cut and marked contours by layer. */
   layers: Array<QuoteLayer>,
   /** Number of parts. */

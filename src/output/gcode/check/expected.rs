@@ -19,6 +19,8 @@ pub(super) struct Expected {
     pub(super) pierces: Option<u32>,
     /// Length of cuts, mm.
     pub(super) cut_length: Option<f64>,
+    /// Length that flying joints leave dark, mm.
+    pub(super) dark_length: f64,
     /// Box of everything cut: xmin, ymin, xmax, ymax, mm.
     pub(super) bounds: Option<[f64; 4]>,
     /// Seconds of the whole job.
@@ -40,6 +42,10 @@ impl Expected {
                 _ => 0.0,
             })
             .sum();
+        let flying = |m: &Move| match m {
+            Move::Joint { path, flying: true, .. } => path.iter().map(Segment::length).sum(),
+            _ => 0.0,
+        };
         let sums = &plan.summary;
         Self {
             by_kerfway: true,
@@ -47,6 +53,7 @@ impl Expected {
             stretches: Some(count_of(plan)),
             pierces: Some(sums.pierces),
             cut_length: Some(sums.cut_length + ahead),
+            dark_length: plan.moves.iter().map(flying).sum(),
             bounds: (sums.contours > 0).then_some(sums.bounds),
             // What is cut in advance takes its own time, and the plan charges a time of the profile instead.
             seconds: (ahead <= 0.0).then_some(sums.total_time),
@@ -64,6 +71,10 @@ impl Expected {
         }
         for comment in comments {
             let numbers = numbers(comment);
+            if comment.starts_with(FLYING) {
+                e.dark_length += numbers.last().unwrap_or(&0.0);
+                continue;
+            }
             match (words(comment).as_slice(), numbers.as_slice()) {
                 (["contours", "pierces"], &[contours, pierces]) => {
                     (e.contours, e.pierces) = (Some(count(contours)), Some(count(pierces)));
@@ -86,6 +97,9 @@ impl Expected {
         e
     }
 }
+
+/// How the comment at a flying joint begins.
+const FLYING: &str = "flying joint ";
 
 /// Number of cuts of a plan, those ahead of a pre-cut included.
 fn count_of(plan: &Plan) -> u32 {

@@ -55,6 +55,8 @@ pub(super) struct Figures {
     pub(super) parts: u32,
     pub(super) pierces: u32,
     pub(super) cut_length: f64,
+    /// Length of motions at cutting speed with the beam off, mm.
+    pub(super) dark_length: f64,
     air_length: f64,
     pub(super) seconds: f64,
     pub(super) bounds: Aabb,
@@ -69,7 +71,7 @@ const BED_SLACK: f64 = 0.01;
 
 pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Figures {
     let mut reach = Aabb::EMPTY;
-    let (mut air_length, mut pierces, mut dark_rapids) = (0.0, 0, true);
+    let (mut air_length, mut dark_length, mut pierces, mut dark_rapids) = (0.0, 0.0, 0, true);
     let mut first = true;
     for event in &program.events {
         match event {
@@ -77,6 +79,7 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
                 // Where the head comes from is not known.
                 reach = if first { reach.with(path.end()) } else { reach.union(path.bounds()) };
                 air_length += if *rapid && !first { path.length() } else { 0.0 };
+                dark_length += if *rapid || power.lit > 0.0 { 0.0 } else { path.length() };
                 dark_rapids &= !(*rapid && power.lit > 0.0);
                 first = false;
             }
@@ -91,6 +94,7 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
         parts: contours::parts(cuts),
         pierces,
         cut_length: cuts.iter().map(Cut::length).sum(),
+        dark_length,
         air_length,
         seconds: seconds(program, profile),
         bounds: cuts.iter().flat_map(|c| &c.path).fold(Aabb::EMPTY, |b, s| b.union(s.bounds())),

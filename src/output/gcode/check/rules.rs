@@ -68,7 +68,7 @@ pub(super) fn beam(
             }
             Event::Move { line, path, power, feed, .. } => {
                 let n = *line;
-                if power.lit <= 0.0 && path.length() > 0.0 && strict {
+                if power.lit <= 0.0 && path.length() > 0.0 && strict && expected.dark_length <= 0.0 {
                     problems
                         .error(Code::DarkCut, Some(n), || format!("Line {n} is a cut with the beam off."));
                 }
@@ -153,6 +153,17 @@ pub(super) fn compare(
         let slack = e.precision + LENGTH.0 * f64::from(figures.stretches) + LENGTH.1 * length;
         if (figures.cut_length - length).abs() > slack {
             differs("cuts", format!("{:.1} mm", figures.cut_length), format!("{length:.1} mm"));
+        }
+    }
+    if e.by_kerfway && e.dark_length > 0.0 {
+        // Both ends of a joint are rounded.
+        let slack = e.precision + LENGTH.0 * f64::from(figures.stretches) + LENGTH.1 * e.dark_length;
+        if (figures.dark_length - e.dark_length).abs() > slack {
+            differs(
+                "leaves",
+                format!("{:.2} mm dark at joints", figures.dark_length),
+                format!("{:.2} mm", e.dark_length),
+            );
         }
     }
     let b = figures.bounds;

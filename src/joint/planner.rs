@@ -1,0 +1,353 @@
+//! The joints of the contours of a sheet: which contours, how many, where.
+//!
+//! The places of joints are tried on a grid along the contour. For each of several beginnings, evenly spaced places are
+//! moved to the nearest place with room; the beginning with the shortest longest stretch is taken. Then joints are added
+//! where a stretch is still too long or joints are missing, as long as there is room.
+
+use super::room::{Cuts, Room, corners};
+use crate::geometry::{DVec2, Path};
+use crate::machine::{JointKind, JointRule, LeadSide, Profile};
+use crate::order::{real, sort_by};
+use crate::sheet::{Contour, HandJoint, Operation, Sheet};
+
+/// Places of the grid in the length of a joint, and the largest number of places on a contour.
+const FINE: f64 = 2.0;
+const MOST_PLACES: f64 = 4096.0;
+/// Number of beginnings that are tried for evenly spaced joints.
+const BEGINNINGS: u32 = 12;
+/// A stretch between joints is at least this long, in lengths of a joint.
+const LEAST_STRETCH: f64 = 2.0;
+/// Rounding of lengths, mm.
+const SLACK: f64 = 1e-6;
+
+/// A length of a contour that stays uncut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// Arc length at which it begins, from the contour's start, mm.
+    pub from: f64,
+    /// Arc length at which it ends, mm: below `from` where it runs across the contour's start.
+    pub to: f64,
+    /// Its length, mm: the width of the material that holds, and the width of the cut.
+    pub length: f64,
+}
+
+/// The joints of one contour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContourJoints {
+    /// The joints, in order along the contour.
+    pub joints: Vec<Joint>,
+    /// Whether the head stops at them.
+    pub kind: JointKind,
+    /// What does not fit.
+    pub outcome: Outcome,
+}
+
+/// How well the joints of a contour fit.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Outcome {
+    /// Number of joints asked for.
+    pub wanted: u32,
+    /// Number of joints found.
+    pub found: u32,
+    /// The longest stretch without a joint and the longest allowed, mm, if it is longer.
+    pub too_long: Option<[f64; 2]>,
+    /// Joints placed by hand that had to be moved: where they were wanted, and by how much, mm.
+    pub moved: Vec<(DVec2, f64)>,
+    /// Joints placed by hand for which there is no room.
+    pub left_out: Vec<DVec2>,
+    /// A place on the contour, mm.
+    pub at: DVec2,
+}
+
+/// Why a contour that should have joints has none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// It is cut in several passes.
+    Passes,
+    /// It is cut together with others that share cuts with it.
+    Group,
+    /// It is open, or the open rest of a shape that shares cuts.
+    Open,
+    /// It crosses itself.
+    CrossesItself,
+}
+
+/// Finds the joints of contours.
+pub struct Planner<'s> {
+    sheet: &'s Sheet,
+    machine: &'s Profile,
+    /// By contour: whether it is cut as one with others.
+    grouped: Vec<bool>,
+    cuts: Cuts,
+}
+
+impl<'s> Planner<'s> {
+    /// The planner for a sheet; `None` if there are no joints.
+    pub fn new(sheet: &'s Sheet, machine: &'s Profile) -> Option<Self> {
+        if machine.joints.as_ref().is_none_or(|j| j.rules.is_empty()) && sheet.joints.is_empty() {
+            return None;
+        }
+        let mut grouped = vec![false; sheet.contours.len()];
+        for &id in sheet.cut_as_one(machine.makes_pre_cuts()).iter().flat_map(|g| &g.contours) {
+            if let Some(grouped) = grouped.get_mut(id as usize) {
+                *grouped = true;
+            }
+        }
+        Some(Self { sheet, machine, grouped, cuts: Cuts::new(&sheet.contours) })
+    }
+
+    /// The rule of a contour, and the places of joints by hand. `None` if it is not cut or nothing asks for joints.
+    fn asked(&self, id: u32) -> Option<(JointRule, Vec<f64>)> {
+        let contour = self.sheet.contours.get(id as usize)?;
+        if contour.operation != Operation::Cut || contour.next_pass.is_some() {
+            return None;
+        }
+        let side = if contour.depth.is_multiple_of(2) { LeadSide::Outer } else { LeadSide::Hole };
+        let rules = self.machine.joints.as_ref();
+        let rule = rules.and_then(|j| j.rule(side, contour.bounds.size().to_array()));
+        let own = self.sheet.joints.iter().filter(|j| j.contour == id);
+        let by_hand: Vec<f64> = own.filter_map(|j| place_by_hand(contour, j)).collect();
+        if by_hand.is_empty() {
+            let rule = *rule?;
+            return (rule.count > 0 || rule.spacing.is_some()).then_some((rule, by_hand));
+        }
+        let first = || rules.and_then(|j| j.rules.first()).copied();
+        Some((rule.copied().or_else(first).unwrap_or_default(), by_hand))
+    }
+
+    /// Why a contour has no joints although they are asked for.
+    pub fn refused(&self, id: u32) -> Option<Refusal> {
+        let contour = self.sheet.contours.get(id as usize)?;
+        let (_, by_hand) = self.asked(id)?;
+        if self.grouped.get(id as usize).is_some_and(|g| *g) {
+            Some(Refusal::Group)
+        } else if !contour.path.closed {
+            // By rule, joints are for what falls out: not for lines and slots that were drawn open.
+            (contour.outline.is_some() || !by_hand.is_empty()).then_some(Refusal::Open)
+        } else if self.sheet.process_of(contour, self.machine).passes > 1 {
+            Some(Refusal::Passes)
+        } else {
+            contour.self_crossing.then_some(Refusal::CrossesItself)
+        }
+    }
+
+    /// The joints of a contour; `None` if it has none, or is refused.
+    pub fn joints(&self, id: u32) -> Option<ContourJoints> {
+        let contour = self.sheet.contours.get(id as usize)?;
+        let path = &contour.path;
+        let whole = path.length();
+        if !path.closed || whole <= 0.0 || self.refused(id).is_some() {
+            return None;
+        }
+        let (rule, by_hand) = self.asked(id)?;
+        let gap = rule.width + self.machine.kerf_width;
+        let clearance = rule.corner_clearance;
+        let room =
+            Room { cuts: &self.cuts, contour: id, path, whole, gap, clearance, corners: corners(path) };
+        let mut grid = Grid::new(room);
+        let at = contour.path.start().unwrap_or_default();
+        let mut outcome = Outcome { at, ..Outcome::default() };
+        let places = if by_hand.is_empty() {
+            grid.spread(&rule, &mut outcome)
+        } else {
+            grid.by_hand(&by_hand, &mut outcome)
+        };
+        let joints = places.into_iter().map(|at| grid.room.joint(at)).collect();
+        Some(ContourJoints { joints, kind: rule.kind, outcome })
+    }
+}
+
+/// The arc length on the path of the beam that is nearest to a place on the drawn contour.
+fn place_by_hand(contour: &Contour, joint: &HandJoint) -> Option<f64> {
+    let drawn = contour.drawn.as_ref().unwrap_or(&contour.path);
+    let along = joint.at.clamp(0.0, 1.0) * drawn.length();
+    if contour.drawn.is_none() {
+        return Some(along);
+    }
+    Some(nearest(&contour.path, drawn.at(along)?))
+}
+
+/// The arc length of the place on a path that is nearest to a point.
+fn nearest(path: &Path, point: DVec2) -> f64 {
+    let (mut at, mut best) = (0.0, (f64::INFINITY, 0.0));
+    for s in &path.segments {
+        let (f, d2) = s.nearest(point);
+        if d2 < best.0 {
+            best = (d2, at + f * s.length());
+        }
+        at += s.length();
+    }
+    best.1
+}
+
+/// The places that are tried on a contour, and what is known of them.
+struct Grid<'a> {
+    room: Room<'a>,
+    /// Distance of the places, mm.
+    step: f64,
+    /// By place: whether there is room, if that is known.
+    known: Vec<Option<bool>>,
+}
+
+impl<'a> Grid<'a> {
+    fn new(room: Room<'a>) -> Self {
+        let count = (FINE * room.whole / room.gap).ceil().clamp(16.0, MOST_PLACES);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most MOST_PLACES")]
+        let known = vec![None; count as usize];
+        Self { step: room.whole / count, known, room }
+    }
+
+    fn at(&self, place: usize) -> f64 {
+        (place as f64 + 0.5) * self.step
+    }
+
+    /// The place nearest to `at` mm.
+    fn place(&self, at: f64) -> usize {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the contour")]
+        let place = (at.rem_euclid(self.room.whole) / self.step) as usize;
+        place.min(self.known.len() - 1)
+    }
+
+    fn has_room(&mut self, place: usize) -> bool {
+        let at = self.at(place);
+        let room = &self.room;
+        *self.known[place].get_or_insert_with(|| room.is_off_corners(at) && room.is_off_others(at))
+    }
+
+    /// The place with room that is nearest to `at` mm, at most `most` mm away.
+    fn nearest(&mut self, at: f64, most: f64) -> Option<usize> {
+        let (count, first) = (self.known.len(), self.place(at));
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most MOST_PLACES")]
+        let reach = (most / self.step).ceil().min(count as f64 * 0.5) as usize;
+        (0..=reach).find_map(|k| {
+            let both = [(first + k) % count, (first + count - k) % count];
+            both.into_iter().find(|&place| self.has_room(place))
+        })
+    }
+
+    /// Whether a joint keeps its distance from others.
+    fn is_apart(&self, at: f64, others: &[f64]) -> bool {
+        let least = (1.0 + LEAST_STRETCH) * self.room.gap - SLACK;
+        others.iter().all(|&o| {
+            let ahead = (at - o).rem_euclid(self.room.whole);
+            // A joint alone has the whole contour as its stretch.
+            ahead.min(self.room.whole - ahead) >= least
+        })
+    }
+
+    /// Lengths between neighbouring joints, each with the place of the joint before it; `places` are in order.
+    fn stretches<'p>(&'p self, places: &'p [f64]) -> impl Iterator<Item = (f64, f64)> + 'p {
+        let next = places.iter().cycle().skip(1);
+        places.iter().zip(next).map(|(&a, &b)| {
+            let ahead = (b - a).rem_euclid(self.room.whole);
+            (a, if ahead > 0.0 { ahead } else { self.room.whole } - self.room.gap)
+        })
+    }
+
+    /// Evenly spread joints by a rule, in order.
+    fn spread(&mut self, rule: &JointRule, outcome: &mut Outcome) -> Vec<f64> {
+        let Room { whole, gap, .. } = self.room;
+        let spacing = rule.spacing.unwrap_or(f64::INFINITY);
+        let by_spacing = (whole / (spacing + gap)).ceil();
+        // No more than half of a contour stays uncut, whatever is asked for.
+        let most = (whole / (gap * (1.0 + LEAST_STRETCH))).floor();
+        let wanted = f64::from(rule.count).max(by_spacing).max(1.0);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "at most the grid's places"
+        )]
+        let count = wanted.min(most) as u32;
+        let mut best: (f64, Vec<f64>) = (f64::INFINITY, Vec::new());
+        for beginning in 0..BEGINNINGS {
+            let pitch = whole / f64::from(count.max(1));
+            let offset = pitch * (f64::from(beginning) + 0.5) / f64::from(BEGINNINGS);
+            let mut places: Vec<f64> = Vec::new();
+            for k in 0..count {
+                let wished = offset + pitch * f64::from(k);
+                if let Some(place) = self.nearest(wished, 0.5 * pitch) {
+                    let at = self.at(place);
+                    if self.is_apart(at, &places) {
+                        places.push(at);
+                    }
+                }
+            }
+            sort_by(&mut places, |&a| [real(a), 0, 0]);
+            let longest = self.stretches(&places).map(|s| s.1).fold(0.0, f64::max);
+            let fewer = f64::from(count) - places.len() as f64;
+            let score = if places.is_empty() { f64::INFINITY } else { longest + fewer * whole };
+            // Beginnings that differ by rounding only are the same.
+            if score < best.0 - SLACK || best.1.is_empty() {
+                best = (score, places);
+            }
+        }
+        let mut places = best.1;
+        self.fill(&mut places, rule.count.max(1), spacing);
+        let longest = self.stretches(&places).map(|s| s.1).fold(0.0, f64::max);
+        outcome.too_long = (longest > spacing + SLACK).then_some([longest, spacing]);
+        outcome.found = u32::try_from(places.len()).unwrap_or(u32::MAX);
+        outcome.wanted = rule.count.max(1);
+        places
+    }
+
+    /// Adds joints in the longest stretches while there are fewer than `least` or a stretch is longer than `spacing`.
+    fn fill(&mut self, places: &mut Vec<f64>, least: u32, spacing: f64) {
+        while places.len() < self.known.len() {
+            let missing = (places.len() as f64) < f64::from(least);
+            let whole = self.room.whole;
+            let mut longest: Vec<(f64, f64)> = match places.as_slice() {
+                [] => vec![(0.0, whole)],
+                some => self.stretches(some).filter(|s| missing || s.1 > spacing + SLACK).collect(),
+            };
+            sort_by(&mut longest, |s| [real(-s.1), real(s.0), 0]);
+            let half_gap = 0.5 * self.room.gap;
+            let added =
+                longest.into_iter().find_map(|(from, length)| self.between(from + half_gap, length, places));
+            let Some(at) = added else { return };
+            places.push(at);
+            sort_by(places, |&a| [real(a), 0, 0]);
+        }
+    }
+
+    /// The place with room for one more joint that is nearest to the middle of a stretch.
+    fn between(&mut self, from: f64, length: f64, others: &[f64]) -> Option<f64> {
+        let (count, first) = (self.known.len(), self.place(from + 0.5 * length));
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "at most the grid's places"
+        )]
+        let reach = (0.5 * length / self.step).ceil() as usize;
+        (0..=reach.min(count / 2)).find_map(|k| {
+            let both = [(first + k) % count, (first + count - k) % count];
+            let mut fits = |&place: &usize| self.is_apart(self.at(place), others) && self.has_room(place);
+            both.into_iter().find(|p| fits(p)).map(|place| self.at(place))
+        })
+    }
+
+    /// Joints at the places of a person, moved out of corners where necessary, in order.
+    fn by_hand(&mut self, wished: &[f64], outcome: &mut Outcome) -> Vec<f64> {
+        let mut places: Vec<f64> = Vec::new();
+        let most = self.room.clearance + 2.0 * self.room.gap;
+        for &at in wished {
+            let point = self.room.path.at(at.rem_euclid(self.room.whole)).unwrap_or_default();
+            let exact = self.room.is_off_corners(at) && self.room.is_off_others(at);
+            let place = if exact { Some(at) } else { self.nearest(at, most).map(|place| self.at(place)) };
+            match place.filter(|&at| self.is_apart(at, &places)) {
+                Some(found) => {
+                    places.push(found);
+                    let ahead = (found - at).rem_euclid(self.room.whole);
+                    let by = ahead.min(self.room.whole - ahead);
+                    if by > SLACK {
+                        outcome.moved.push((point, by));
+                    }
+                }
+                None => outcome.left_out.push(point),
+            }
+        }
+        sort_by(&mut places, |&a| [real(a), 0, 0]);
+        outcome.wanted = u32::try_from(wished.len()).unwrap_or(u32::MAX);
+        outcome.found = u32::try_from(places.len()).unwrap_or(u32::MAX);
+        places
+    }
+}

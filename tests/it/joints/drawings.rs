@@ -1,0 +1,46 @@
+//! Joints on every real drawing and on the sheets: plans pass the check, and programs are written and read back.
+
+use crate::testkit::joints::{rule, with_joints};
+use crate::testkit::leads::{leads, with_leads};
+use crate::testkit::{files, fixtures, name};
+use kerfway::job::{Job, LoadOptions, MachineChoice, OutputKind, PlanOptions};
+use kerfway::machine::{JointKind, JointRule, LeadKind, preset};
+
+#[test]
+fn every_drawing_is_planned_with_joints() {
+    let mut all = files(&fixtures().join("dxf-dev"), "dxf");
+    all.extend(files(&fixtures().join("sheets"), "dxf"));
+    let mut with = 0;
+    for (k, path) in all.iter().enumerate() {
+        let Ok(mut job) = Job::load(std::fs::read(path).unwrap(), &name(path), &LoadOptions::default())
+        else {
+            continue;
+        };
+        let kind = [JointKind::Stop, JointKind::Flying][k / 2 % 2];
+        let rule = JointRule { spacing: [Some(150.0), None][k % 2], ..rule(1 + k as u32 % 4, kind) };
+        let mut machine = with_joints(preset(["co2-100w", "fibre-3kw-thin"][k % 2]).unwrap(), vec![rule]);
+        if k % 3 == 0 {
+            machine = with_leads(machine, leads(LeadKind::Arc, 0.5, 0.2));
+        }
+        machine.kerf_width = [0.0, 0.2, 0.0][k % 3];
+        let options = PlanOptions {
+            machine: MachineChoice::Profile(Box::new(machine)),
+            moves: Some(2_000),
+            allow_off_bed: true,
+            ..PlanOptions::default()
+        };
+        if job.start(&options).is_err() {
+            continue;
+        }
+        job.run_mut().unwrap().step(2_000);
+        let plan = job.plan().unwrap_or_else(|e| panic!("{}: {e}", name(path)));
+        with += usize::from(plan.summary.joints > 0);
+        for kind in [OutputKind::Gcode, OutputKind::Svg, OutputKind::Dxf, OutputKind::Json, OutputKind::Lbrn2]
+        {
+            if let Err(e) = job.output(kind) {
+                panic!("{} {kind:?}: {e}", name(path));
+            }
+        }
+    }
+    assert!(with > 20, "{with}");
+}

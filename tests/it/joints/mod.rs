@@ -1,0 +1,6 @@
+//! Micro-joints: found, priced by the search, checked, written.
+
+mod checker;
+mod drawings;
+mod places;
+mod search;
