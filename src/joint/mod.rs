@@ -15,5 +15,5 @@ mod room;
 mod stretches;
 
 pub use findings::findings;
-pub use planner::{ContourJoints, Joint, Outcome, Planner, Refusal};
-pub use stretches::{Divided, Stretch, divided};
+pub use planner::{ContourJoints, Outcome, Planner, Refusal};
+pub use stretches::{Divided, Joint, Stretch, divided};

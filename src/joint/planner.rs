@@ -5,6 +5,7 @@
 //! where a stretch is still too long or joints are missing, as long as there is room.
 
 use super::room::{Cuts, Room, corners};
+use super::stretches::Joint;
 use crate::geometry::{DVec2, Path};
 use crate::machine::{JointKind, JointRule, LeadSide, Profile};
 use crate::order::{real, sort_by};
@@ -19,17 +20,6 @@ const BEGINNINGS: u32 = 12;
 const LEAST_STRETCH: f64 = 2.0;
 /// Rounding of lengths, mm.
 const SLACK: f64 = 1e-6;
-
-/// A length of a contour that stays uncut.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Joint {
-    /// Arc length at which it begins, from the contour's start, mm.
-    pub from: f64,
-    /// Arc length at which it ends, mm: below `from` where it runs across the contour's start.
-    pub to: f64,
-    /// Its length, mm: the width of the material that holds, and the width of the cut.
-    pub length: f64,
-}
 
 /// The joints of one contour.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Where on a contour a joint has room: away from corners, and from the cuts of other contours.
 
-use super::planner::Joint;
+use super::stretches::Joint;
 use crate::geometry::{Aabb, BoxIndex, Path, Segment, distance, math};
 use crate::sheet::{Contour, Operation};
 

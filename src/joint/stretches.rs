@@ -1,8 +1,18 @@
 //! The cut of a contour with joints: its stretches in order, and what stays uncut between them.
 
-use super::planner::Joint;
 use crate::geometry::{Path, Segment};
 use crate::lead::Lead;
+
+/// A length of a contour that stays uncut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// Arc length at which it begins, from the contour's start, mm.
+    pub from: f64,
+    /// Arc length at which it ends, mm: below `from` where it runs across the contour's start.
+    pub to: f64,
+    /// Its length, mm: the width of the material that holds, and the width of the cut.
+    pub length: f64,
+}
 
 /// A stretch that is cut in one go. The elements of leads and overcut are counted as in [`crate::lead::Run`].
 #[derive(Clone, Debug, PartialEq, Default)]

@@ -15,7 +15,7 @@ use crate::testkit::{files, fixtures, name, plans};
 use kerfway::geometry::Segment;
 use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions};
 use kerfway::machine::dialect::{Dialect, DialectChoice, FileUnit, dialects};
-use kerfway::machine::{LeadKind, Levers, MovingPierce, Profile, Start};
+use kerfway::machine::{JointKind, JointRule, Joints, LeadKind, Levers, MovingPierce, Profile, Start};
 use kerfway::output;
 use kerfway::plan::{Move, Plan};
 use kerfway::sheet::Sheet;
@@ -62,10 +62,12 @@ fn stretches(run: &Run) -> Vec<Vec<Element>> {
     for step in &run.steps {
         match step {
             Step::Contour => all.push(Vec::new()),
-            Step::Move { rapid: false, path, .. } => all.last_mut().unwrap().push(*path),
+            Step::Move { rapid: false, path, beam, .. } if *beam > 0.0 => all.last_mut().unwrap().push(*path),
             _ => {}
         }
     }
+    // The comment of a joint announces no cut.
+    all.retain(|elements| !elements.is_empty());
     all
 }
 
@@ -85,7 +87,7 @@ fn assert_right(
     let rounding = 0.51 * 10_f64.powi(-(dialect.power.decimals as i32));
     let powers = [profile.cut.power * full, profile.mark.power * full];
     let creeps = dialect.pierce.as_ref().is_some_and(|p| p.length.is_some());
-    let (mut lit, mut waited) = (0, 0.0);
+    let (mut lit, mut waited, mut dark) = (0, 0.0, 0.0);
     for step in &run.steps {
         match step {
             Step::Move { rapid: true, beam, asked, feed, line, .. } => {
@@ -98,6 +100,8 @@ fn assert_right(
                     "{what}, line {line}: a rapid at {feed} mm/min"
                 );
             }
+            // Dark at the speed of a cut: a joint without a stop.
+            Step::Move { beam: 0.0, path, .. } => dark += path.length(),
             Step::Move { beam, line, .. } => {
                 assert!(
                     powers.iter().any(|p| (p - beam).abs() <= rounding),
@@ -114,6 +118,15 @@ fn assert_right(
             Step::Contour => {}
         }
     }
+    let flying = |m: &Move| match m {
+        Move::Joint { path, flying: true, .. } => path.iter().map(Segment::length).sum(),
+        _ => 0.0,
+    };
+    let joints: f64 = plan.moves.iter().map(flying).sum();
+    assert!(
+        (dark - joints).abs() <= 1e-3 * (1.0 + plan.moves.len() as f64),
+        "{what}: {dark} mm dark, not {joints}"
+    );
     let stretches = stretches(&run);
     let cuts: Vec<&[Segment]> = plan
         .moves
@@ -135,7 +148,8 @@ fn assert_right(
         let each = 0.51 * 10_f64.powi(-(dialect.dwell.as_ref().unwrap().decimals as i32))
             / dialect.dwell.as_ref().unwrap().unit.per_second();
         assert!(
-            (waited - planned).abs() <= each * 3.0 * f64::from(plan.summary.contours) + 1e-9,
+            (waited - planned).abs()
+                <= each * 3.0 * f64::from(plan.summary.contours + plan.summary.pierces) + 1e-9,
             "{what}: waits {waited}, not {planned}"
         );
     }
@@ -187,6 +201,34 @@ fn every_dialect_begins_cuts_and_marks_moving_without_a_wait() {
         assert_all(file, &moving, &shipped());
     }
     assert!(starts > 100, "{starts} moving starts");
+}
+
+/// Dialects that switch the beam only at rest refuse joints without a stop; all others leave them dark.
+#[test]
+fn every_dialect_leaves_joints_dark() {
+    for kind in [JointKind::Stop, JointKind::Flying] {
+        let rule = JointRule { kind, spacing: Some(100.0), ..JointRule::default() };
+        let with_joints = Profile { joints: Some(Joints { rules: vec![rule] }), ..machine() };
+        let (mut joints, mut refused) = (0, Vec::new());
+        for file in files(&fixtures().join("dxf-dev"), "dxf").iter().take(6) {
+            let Some((job, plan)) = planned(file, &with_joints) else { continue };
+            joints += plan.summary.joints;
+            let mut able = shipped();
+            able.retain(|(choice, dialect, _)| {
+                let profile = with(&with_joints, choice.clone());
+                let written = output::gcode(&plan, job.beam_sheet(), &profile, "a.dxf", Start::Absolute);
+                let refuses = written.is_err_and(|e| e.to_string().contains("cannot leave flying joints"));
+                refused.extend(refuses.then(|| dialect.name.clone()));
+                !refuses
+            });
+            assert_all(file, &with_joints, &able);
+        }
+        refused.sort();
+        refused.dedup();
+        assert!(joints > 50, "{joints} joints");
+        assert!(kind == JointKind::Flying || refused.is_empty(), "{refused:?}");
+        assert!(refused.len() <= 4, "{refused:?}");
+    }
 }
 
 #[test]

@@ -108,7 +108,7 @@ export async function startPage(): Promise<void> {
 
   element('top').replaceChildren(...top.nodes);
   element('sections').replaceChildren(
-    firstMachine(session), drawing, machinePanel(session, notify, () => pointer.chooseHome()), placement, planPanel(session),
+    firstMachine(session), drawing, machinePanel(session, notify, () => pointer.chooseHome(), () => void pointer.placeJoints(true)), placement, planPanel(session),
     resultPanel(session, theme, { download: (kind) => void files.download(kind), saveProject: () => void files.saveProject(), saveReport: () => void files.saveReport(), copyProgram: () => void files.copyProgram() }, alternatives), quotePanel(session, notify));
   element('dock').append(dock(session, { open: () => files.choose(), program: () => void files.download(session.state.machine?.takes ?? 'gcode'), sheet: () => layout.toggleSheet() }));
   dragSheet(document.querySelector('.dock-state')!, element('sections'), { open: () => document.body.classList.contains('sheet-open'), toggle: () => layout.toggleSheet() });

@@ -84,6 +84,10 @@ export interface BestPath {
   leads: Float64Array;
   /** Where each lead begins among the elements: the lead-in of stop k is chain 2k, its lead-out chain 2k + 1. Empty without leads. */
   leadOffsets: Uint32Array;
+  /** The elements of micro-joints, which stay uncut, seven numbers each as in `Geometry.segments`. */
+  joints: Float64Array;
+  /** Where each joint begins among the elements. */
+  jointOffsets: Uint32Array;
   /** The positions of pre-cuts: x and y of each. */
   preCuts: Float64Array;
   /** The sharp corners in which the beam pauses: x and y of each. */

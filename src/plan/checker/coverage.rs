@@ -182,6 +182,23 @@ mod tests {
         }
     }
 
+    /// Joining ends over a gap may move the end of an arc along its circle as well; its sweep stays. A cut that divides such
+    /// an arc follows its contour all the same.
+    #[test]
+    fn a_cut_that_divides_an_arc_whose_end_was_moved_follows() {
+        let mut slot = slot();
+        let moved = DVec2::new(10.02, 4.0);
+        if let [_, Segment::Arc(arc), Segment::Line(next), _] = slot.segments.as_mut_slice() {
+            (arc.end, next.start) = (moved, moved);
+        }
+        let length = slot.length();
+        for k in 0..50 {
+            let cut = slot.starting_at(length * f64::from(k) / 50.0);
+            assert_eq!(follows(&slot, &cut.segments), Ok(()), "{k}");
+            assert_eq!(follows(&slot, &cut.reversed().segments), Ok(()), "{k}");
+        }
+    }
+
     #[test]
     fn parts_and_repeats_are_reported() {
         let whole = slot().starting_at(3.0).segments;

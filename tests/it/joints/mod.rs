@@ -2,5 +2,7 @@
 
 mod checker;
 mod drawings;
+mod held;
+mod machines;
 mod places;
 mod search;

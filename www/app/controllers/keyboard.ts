@@ -49,7 +49,7 @@ export function bindKeyboard({ session, playback, viewport, files, layout, point
     '?': () => help.showModal(),
     Escape: () => {
       if (pointer.measure(false)) flip('measure');
-      else if (!pointer.cancelHome() && !pointer.dragJob(false)) selection.clear();
+      else if (!pointer.placeJoints(false) && !pointer.cancelHome() && !pointer.dragJob(false)) selection.clear();
     },
   });
 }

@@ -4,12 +4,14 @@ import type { Finding } from 'kerfway';
 import { words } from '../core/words/index.js';
 import { describe, Tooltip } from '../panels/contour.js';
 import type { Playback } from '../playback/playback.js';
+import { jointAt, withJoint } from '../session/hand-joints.js';
 import { bedAround, dragged, fitsBed, hundredths, shiftOf } from '../session/placing.js';
 import type { Session } from '../session/session.js';
 import { partsOf } from '../session/parts.js';
 import { attachGestures, type Click, type Drag } from '../stage/gestures.js';
 import { inWords, type Measured, type Point, snap } from '../stage/measure.js';
 import type { Scene } from '../stage/scene.js';
+import { chainLength } from '../stage/shapes.js';
 import type { Notices } from './notices.js';
 import type { Selection } from './selection.js';
 
@@ -27,6 +29,8 @@ export class Pointer {
   /** Dragging moves the job on the bed instead of the view; by how much it has moved since the last drop, mm. */
   private dragged: { x: number; y: number } | null = null;
   private clickedAt = -Infinity;
+  /** Clicks place micro-joints. */
+  private placingJoints = false;
   /** Clicks measure; the points so far. */
   private measured: { points: Measured } | null = null;
 
@@ -52,6 +56,24 @@ export class Pointer {
     this.setChoosing(false);
     this.notices.hide();
     return true;
+  }
+
+  /** Lets clicks place micro-joints on contours and remove them, or ends that. Returns whether it was going on. */
+  placeJoints(on: boolean): boolean {
+    const before = this.placingJoints;
+    this.placingJoints = on;
+    this.canvas.classList.toggle('placing', on);
+    if (on) this.notices.show(words.joints.placing);
+    else if (before) this.notices.hide();
+    return before;
+  }
+
+  private joint(x: number, y: number, reach: number): void {
+    const { shapes, viewport: v } = this.scene;
+    const contour = this.scene.pick(x, y, reach);
+    if (!shapes || contour === null) return;
+    const joint = jointAt(shapes, contour, v.worldX(x), v.worldY(y));
+    this.session.drawing.change(withJoint(this.session.state.load, joint, chainLength(shapes, contour), reach / v.scale));
   }
 
   /** Lets clicks measure distances, or ends that. Returns whether it was going on. */
@@ -136,6 +158,7 @@ export class Pointer {
 
   private click(x: number, y: number, { touch, shift, alt, command }: Click): void {
     if (this.choosingHome) return this.setHome(x, y);
+    if (this.placingJoints) return this.joint(x, y, touch ? REACH.touch : REACH.pointer);
     if (this.measured) return this.measureAt(this.pointAt(x, y, touch ? REACH.touch : REACH.pointer));
     const finding = this.scene.pickFinding(x, y, touch ? REACH.touch : REACH.pointer + MARKER);
     this.selection.showFinding(finding);

@@ -5,6 +5,7 @@ import type { MachineProfile } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { calibration } from './calibration.js';
 import { dialectEditor } from './dialect.js';
+import { jointsPanel } from './joints.js';
 import { leadsPanel } from './leads.js';
 import { leversPanel } from './levers.js';
 import { materials } from './materials.js';
@@ -78,7 +79,7 @@ const TRAVELS: { value: MachineProfile['travel']; label: string }[] = [
   { value: 'per-axis', label: words.machine.travel['per-axis'] },
 ];
 
-export function machinePanel(session: Session, notify: (sentence: string) => void, chooseHome: () => void): HTMLElement {
+export function machinePanel(session: Session, notify: (sentence: string) => void, chooseHome: () => void, placeJoints: () => void): HTMLElement {
   const { root, body, setGist } = section(words.machine.title, false);
   const preset = () => session.catalog.machines.find((m) => m.name === session.state.machine?.name);
   const edit = (change: (m: MachineProfile) => void) => {
@@ -113,12 +114,13 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
   } });
   const dialect = dialectEditor(session, edit);
   const leads = leadsPanel(edit);
+  const joints = jointsPanel(session, edit, placeJoints);
   const levers = leversPanel(edit);
   const own = ownMachines(session, notify);
   const advanced = h('details', { class: 'more' }, h('summary', {}, words.machine.advanced),
     h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!, q.unit), hintOf(q)]), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
-  body.append(h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, levers.root, leads.root, dialect.root, advanced, library.root, fitting, own.root));
+  body.append(h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, levers.root, leads.root, joints.root, dialect.root, advanced, library.root, fitting, own.root));
 
   const show = () => {
     const { machine } = session.state;
@@ -136,6 +138,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     dialect.show(machine);
     library.show(machine);
     leads.show(machine);
+    joints.show(machine, session.state.load);
     levers.show(machine);
     QUANTITIES.forEach((q, i) => {
       const input = inputs[i]!;

@@ -118,6 +118,7 @@ function showParts(list: HTMLElement, s: Summary): void {
     ['pierce', words.result.pierce, `${seconds(s.pierce_time)} · ${words.result.piercings(s.pierces, count(s.pierces))}`],
   ];
   if (s.lead_length) rows.push(['leads', words.result.leads, metres(s.lead_length)]);
+  if (s.joints) rows.push(['joints', words.result.joints, [count(s.joints), s.joint_time ? seconds(s.joint_time) : ''].filter((t) => t !== '').join(' · ')]);
   if (s.pre_cuts > 0) rows.push(['pre-cuts', words.result.preCuts, `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);
   if (s.macro_time > 0) rows.push(['corners', words.result.corners, seconds(s.macro_time)]);
   rows.push(['gap', words.result.gap, leftToGain(s)]);

@@ -95,6 +95,15 @@ export function leadShapes(path: BestPath): Shapes | null {
   return shapes;
 }
 
+const JOINTS = new WeakMap<BestPath, Shapes>();
+
+/** The micro-joints of a path: each is a chain. */
+export function jointShapes(path: BestPath): Shapes {
+  const shapes = JOINTS.get(path) ?? prepare({ segments: path.joints, offsets: path.jointOffsets });
+  JOINTS.set(path, shapes);
+  return shapes;
+}
+
 /** Whether a stop cuts its whole contour at once. */
 export function isWhole(path: BestPath, stop: number): boolean {
   return path.along[stop] === path.until[stop];

@@ -107,7 +107,17 @@ export function loadOptions(values: Values): LoadOptions {
   }
   const sequences = (values['sequence'] as string[] | undefined) ?? [];
   if (sequences.length > 0) options.sequences = sequences.map((words) => words.split(',').map((word) => wholeNumber('sequence', word)));
+  const joints = (values['joint-at'] as string[] | undefined) ?? [];
+  if (joints.length > 0) options.joints = joints.map(jointChoice);
   return options;
+}
+
+/** `ID@SHARE`: a contour, and the place of a joint on it. */
+function jointChoice(word: string): { contour: number; at: number } {
+  const [id = '', share = '', more] = word.split('@');
+  const at = share.trim() === '' ? NaN : Number(share);
+  if (more !== undefined || !(at >= 0 && at <= 1)) throw new WrongUse(`--joint-at ${word}: give the id of a contour and a share of its length from 0 to 1, as 3@0.25.`);
+  return { contour: wholeNumber('joint-at', id), at };
 }
 
 /** Where the job lies on the bed. */

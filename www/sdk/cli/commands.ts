@@ -3,6 +3,7 @@
  */
 
 import { ANCHORS } from '../anchors.js';
+import { DEFAULT_JOINTS, JOINT_KINDS, JOINT_SIDES, SIZE_TESTS } from '../joints.js';
 import { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS } from '../leads.js';
 import type { CommonCuts, Group, Operation, PassOrder, Unit } from '../protocol.js';
 
@@ -63,6 +64,7 @@ const READING: Options = {
   last: { value: 'ID', about: 'process a contour after all others', repeat: true },
   sequence: { value: 'ID,ID,...', about: 'process these contours in this order; others may come in between', repeat: true },
   mark: { value: 'ID', about: 'mark a contour instead of cutting it', repeat: true },
+  'joint-at': { value: 'ID@SHARE', about: 'place a micro-joint on a contour, at a share (0 to 1) of its length from its start', repeat: true },
   exclude: { value: 'ID', about: 'skip a contour; the others keep their ids', repeat: true },
 };
 
@@ -88,6 +90,18 @@ const LEADS: Options = {
   'lead-clearance': { value: 'MM', about: `least distance from everything that is not scrap (default ${DEFAULT_LEADS.clearance})` },
   'lead-center-below': { value: 'MM', about: `holes smaller than this begin at their centres (default ${DEFAULT_LEADS.centerBelow}; 0: none)` },
   overcut: { value: 'MM', about: 'length that is cut again after the start; a negative one, as --overcut=-0.5, leaves a gap (default 0)' },
+};
+
+const JOINTS: Options = {
+  joints: { value: 'N', about: `least number of micro-joints of each contour, instead of the machine's joints (default ${DEFAULT_JOINTS.count}, if another option asks for joints)` },
+  'joint-width': { value: 'MM', about: `width of the material that holds (default ${DEFAULT_JOINTS.width}); the width of the cut is added` },
+  'joint-spacing': { value: 'MM', about: 'greatest length that is cut without a joint (default any)' },
+  'joint-side': { value: 'WHICH', about: `the contours that have joints (default ${DEFAULT_JOINTS.side})`, choices: JOINT_SIDES },
+  'joint-kind': { value: 'KIND', about: `whether the head stops at a joint (default ${DEFAULT_JOINTS.kind})`, choices: JOINT_KINDS },
+  'joint-corners': { value: 'MM', about: `least distance of joints from corners (default ${DEFAULT_JOINTS.cornerClearance})` },
+  'joint-size-min': { value: 'MM|X,Y', about: 'only contours at least this large' },
+  'joint-size-max': { value: 'MM|X,Y', about: 'only contours at most this large' },
+  'joint-test': { value: SIZE_TESTS.join('|'), about: `whether both sizes have to be within these limits, or one of them (default ${DEFAULT_JOINTS.test})`, choices: SIZE_TESTS },
 };
 
 const LEVERS: Options = {
@@ -132,6 +146,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       'Where on the bed': PLACING,
       'How to plan': PLANNING,
       'Leads': LEADS,
+      'Micro-joints': JOINTS,
       'Levers': LEVERS,
       'How to read': { ...READING, 'accept-guess': { about: 'write G-code although the unit is in doubt' } },
       'When': WATCHING, 'Messages': MESSAGES,
@@ -176,6 +191,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       Output: { json: { value: 'OUT', about: 'the report (kerfway.quote/2)' } },
       'How to plan': PLANNING,
       'Leads': LEADS,
+      'Micro-joints': JOINTS,
       'Levers': LEVERS,
       'How to read': READING,
       'When': WATCHING, 'Messages': MESSAGES,

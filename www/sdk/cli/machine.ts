@@ -3,16 +3,17 @@
 import type { Planner } from '../node.js';
 import { checkMachine } from '../options.js';
 import type { Dialect, MachineProfile } from '../protocol.js';
+import { JOINT_KINDS, JOINT_SIDES, jointRules, SIZE_TESTS, type JointSettings } from '../joints.js';
 import { LEAD_KINDS, LEAD_POSITIONS, leadRules, type LeadChoice } from '../leads.js';
 import { number, oneOf, text, type Words } from './arguments.js';
 import { bytesOf, Unusable, WrongUse } from './io.js';
 
 const DEFAULT_MACHINE = 'co2-100w';
 
-/** The machine of the options `--machine`, `--dialect` and those of leads and levers. `own`: the one to take where `--machine` names none. */
+/** The machine of the options `--machine`, `--dialect` and those of leads, joints and levers. `own`: the one to take where `--machine` names none. */
 export async function machineOf({ values }: Words, planner: Planner, own?: MachineProfile): Promise<MachineProfile> {
   const word = text(values, 'machine');
-  const machine = withLevers(values, withLeads(values, word === undefined && own !== undefined ? own : await named(word ?? DEFAULT_MACHINE, planner)));
+  const machine = withLevers(values, withJoints(values, withLeads(values, word === undefined && own !== undefined ? own : await named(word ?? DEFAULT_MACHINE, planner))));
   const dialect = text(values, 'dialect');
   return dialect === undefined ? machine : { ...machine, dialect: await dialectOf(dialect, machine, planner) };
 }
@@ -35,6 +36,36 @@ function withLeads(values: Words['values'], machine: MachineProfile): MachinePro
   const changed = { ...machine, leads };
   checked(() => checkMachine(changed), WrongUse, '');
   return changed;
+}
+
+/** The machine with the joints that the options ask for. */
+function withJoints(values: Words['values'], machine: MachineProfile): MachineProfile {
+  const given: Partial<JointSettings> = {};
+  const [side, kind, test] = ['joint-side', 'joint-kind', 'joint-test'].map((option) => text(values, option));
+  if (side !== undefined) given.side = oneOf('--joint-side', side, JOINT_SIDES);
+  if (kind !== undefined) given.kind = oneOf('--joint-kind', kind, JOINT_KINDS);
+  if (test !== undefined) given.test = oneOf('--joint-test', test, SIZE_TESTS);
+  const numbers = { count: 'joints', width: 'joint-width', spacing: 'joint-spacing', cornerClearance: 'joint-corners' } as const;
+  for (const [name, option] of Object.entries(numbers)) {
+    const value = number(values, option);
+    if (value !== undefined) given[name as keyof typeof numbers] = value;
+  }
+  const least = sizes(values, 'joint-size-min'), most = sizes(values, 'joint-size-max');
+  if (least !== undefined) given.sizeMin = least;
+  if (most !== undefined) given.sizeMax = most;
+  if (Object.keys(given).length === 0) return machine;
+  const changed = { ...machine, joints: jointRules(given) };
+  checked(() => checkMachine(changed), WrongUse, '');
+  return changed;
+}
+
+/** A size in x and y: one number for both, or two. */
+function sizes(values: Words['values'], name: string): [number, number] | undefined {
+  const word = text(values, name);
+  if (word === undefined) return undefined;
+  const [x = NaN, y = x, more] = word.split(',').map((part) => (part.trim() === '' ? NaN : Number(part)));
+  if (!Number.isFinite(x) || !Number.isFinite(y) || more !== undefined) throw new WrongUse(`--${name} ${word}: give one length in mm for x and y, or two as X,Y.`);
+  return [x, y];
 }
 
 /** The machine with the levers that the options ask for. */

@@ -264,6 +264,43 @@ export interface MovingPierce {
   overcut?: number,
 }
 
+/** How the sizes of a contour are compared with the limits of a rule. */
+export type SizeTest = "and" | "or";
+
+/** How a joint is left uncut. */
+export type JointKind = "stop" | "flying";
+
+/** The joints of some contours. Conditions that are not given fit every contour. */
+export interface JointRule {
+  /** Fits holes or outlines of parts only. */
+  side?: LeadSide,
+  /** Fits contours whose box is at least this large in x and y, mm. */
+  size_min?: [number, number],
+  /** Fits contours whose box is at most this large in x and y, mm. */
+  size_max?: [number, number],
+  /** Whether the sizes in x and in y have to be within the limits, or one of them is enough. Default `and`. */
+  test?: SizeTest,
+  /** Width of the material that holds, mm. The width of the cut is added to it. Default 0.5. */
+  width?: number,
+  /** Least number of joints. Default 2. */
+  count?: number,
+  /** Greatest length that is cut without a joint, mm; not given: any. */
+  spacing?: number,
+  /** Least distance of joints from corners, mm. Default 2. */
+  corner_clearance?: number,
+  /** Whether the head stops at a joint. Default `stop`. */
+  kind?: JointKind,
+}
+
+/** Micro-joints of a machine with a material. */
+export interface Joints {
+  /**
+   * The first rule that fits a contour applies to it. A contour that none fits has no joints, unless they are placed by
+   * hand.
+   */
+  rules: Array<JointRule>,
+}
+
 /** Unit of coordinates in the program. */
 export type FileUnit = "mm" | "inch";
 
@@ -438,6 +475,8 @@ export interface MachineProfile {
   leads?: Leads | null,
   /** Levers: abilities that make jobs shorter. Default: all off. */
   levers?: Levers,
+  /** Micro-joints; `null` for none, unless they are placed by hand. */
+  joints?: Joints | null,
   /** Speed at which the head is lowered and raised, mm/s; `null` if it cannot be. */
   z_speed?: number | null,
   /** Settings for materials, by name. */

@@ -47,6 +47,8 @@ export const de: Words = {
     'layer-unknown': (n, w) => counted(n, w, 'Layer, der nicht in der Zeichnung ist', 'Layer, die nicht in der Zeichnung sind'),
     'lead-adjusted': (n, w) => counted(n, w, 'Anfahrt angepasst', 'Anfahrten angepasst'),
     'lead-missing': (n, w) => counted(n, w, 'Kontur ohne Platz für eine Anfahrt', 'Konturen ohne Platz für Anfahrten'),
+    'joint-adjusted': (n, w) => counted(n, w, 'Kontur mit anderen Mikrostegen als verlangt', 'Konturen mit anderen Mikrostegen als verlangt'),
+    'joint-missing': (n, w) => counted(n, w, 'Kontur ohne Platz für einen Mikrosteg', 'Konturen ohne Platz für Mikrostege'),
     'far-from-origin': () => 'Zu weit vom Nullpunkt entfernt',
     'off-bed': () => 'Nicht auf dem Arbeitsbereich',
     'least-power-left-out': () => 'Die kleinste Leistung kommt im G-Code nicht vor',
@@ -247,6 +249,17 @@ export const de: Words = {
     custom: 'Diese Maschine hat eigene Regeln für Anfahrten.', replace: 'Durch eine Anfahrt für alle ersetzen', ownRules: 'eigene Regeln',
   },
 
+  joints: {
+    title: 'Mikrostege', on: 'Teile mit Mikrostegen halten', side: 'An', count: 'Mindestens, je Kontur', width: 'Breite, die hält', spacing: 'Längster Schnitt ohne Steg', cornerClearance: 'Abstand von Ecken',
+    least: 'Nur Konturen ab', most: 'Nur Konturen bis', any: 'beliebig', kind: 'An einem Steg',
+    sides: { both: 'Teilen und Löchern', outer: 'Teilen', hole: 'Löchern' },
+    kinds: { stop: 'Anhalten und einstechen', flying: 'Weiterfahren' },
+    about: 'Kurze Stücke einer Kontur bleiben ungeschnitten, damit ihr Stück weder fällt noch kippt. Die Schnittfuge kommt zur Breite dazu. Stege bleiben von Ecken, Anfahrten und anderen Schnitten weg; wo einer nicht passt, steht es unter Befunde.',
+    custom: 'Diese Maschine hat eigene Regeln für Stege.', replace: 'Durch eine Regel ersetzen', ownRules: 'eigene Regeln',
+    place: 'Von Hand setzen', placing: 'Klicken Sie auf eine Kontur, wo sie gehalten werden soll; ein Klick auf einen Steg entfernt ihn. Esc beendet es.', clear: 'Alle entfernen',
+    placed: (n, written) => `${counted(n, written, 'Steg', 'Stege')} von Hand`,
+  },
+
   levers: {
     moving: 'Schnitte in Bewegung beginnen', overcut: 'Am Ende noch einmal schneiden',
     about: 'Für Markierungen und für Blech, das so dünn ist, dass der Strahl sofort durch ist: er geht an, während der Kopf losfährt, ohne Wartezeit. Offene Schnitte und Schnitte in mehreren Durchgängen beginnen weiter im Stillstand.',
@@ -281,7 +294,7 @@ export const de: Words = {
     report: 'Bericht', reportHint: 'Eine Seite für den Bediener: Bild, Zeiten, Teile, Reihenfolge, Befunde', project: 'Projekt', projectHint: 'Das Projekt speichern: Zeichnung, Entscheidungen, Maschine und Plan (Strg S)',
     saved: (time) => `${time} gespart`, longer: (time) => `${time} länger`, of: (share, order) => `${share} von dem, was die meisten Programme schneiden (nächste zuerst); ${order}`,
     less: (time) => `${time} weniger als gezeichnet`, more: (time) => `${time} mehr als gezeichnet`,
-    cut: 'Schneiden', pierce: 'Einstechen', piercings: (n, w) => counted(n, w, 'Einstich', 'Einstiche'), preCuts: 'Vorschnitte', leads: 'Anfahrten', corners: 'Ecken', gap: 'Noch zu gewinnen', atMost: (time, share) => `höchstens ${time} (${share})`, noBound: 'noch keine Schranke', nothingLeft: 'nichts: dieser Weg ist optimal',
+    cut: 'Schneiden', pierce: 'Einstechen', piercings: (n, w) => counted(n, w, 'Einstich', 'Einstiche'), preCuts: 'Vorschnitte', leads: 'Anfahrten', joints: 'Mikrostege', corners: 'Ecken', gap: 'Noch zu gewinnen', atMost: (time, share) => `höchstens ${time} (${share})`, noBound: 'noch keine Schranke', nothingLeft: 'nichts: dieser Weg ist optimal',
     chart: 'Auftragszeit während der Suche', chartAxis: 'Auftragszeit während der Suche', chartAbove: (time) => `wie gezeichnet ${time} ↑`, chartNone: 'Auftragszeit während der Suche: noch keine Werte.',
     chartWords: (first, last, time) => `Auftragszeit während der Suche: von ${first} auf ${last} in ${time}.`,
     chartOrders: (drawing, greedy) => ` Die Reihenfolge der Zeichnung dauert ${drawing}, nächste zuerst ${greedy}.`,

@@ -8,7 +8,7 @@
  */
 
 import type { Decision } from '../../session/alternatives.js';
-import type { Anchor, DoneReason, FindingCode, LeadKind, LeadPosition, Operation, Quote, Unit, UnitsTaken } from 'kerfway';
+import type { Anchor, DoneReason, FindingCode, JointKind, JointSide, LeadKind, LeadPosition, Operation, Quote, Unit, UnitsTaken } from 'kerfway';
 
 /** "1 contour", "3 contours". The number `n` chooses the form; `written` is how it is shown. */
 const counted = (n: number, written: string, one: string, many = `${one}s`) => `${written} ${n === 1 ? one : many}`;
@@ -55,6 +55,8 @@ const findingTitles: Record<FindingCode, Counted> = {
   'layer-unknown': (n, w) => counted(n, w, 'layer that is not in the drawing', 'layers that are not in the drawing'),
   'lead-adjusted': (n, w) => counted(n, w, 'lead changed to fit', 'leads changed to fit'),
   'lead-missing': (n, w) => counted(n, w, 'contour without room for a lead', 'contours without room for leads'),
+  'joint-adjusted': (n, w) => counted(n, w, 'contour with other micro-joints than asked for', 'contours with other micro-joints than asked for'),
+  'joint-missing': (n, w) => counted(n, w, 'contour without room for a micro-joint', 'contours without room for micro-joints'),
   'far-from-origin': () => 'Too far from the origin',
   'off-bed': () => 'Not on the bed',
   'least-power-left-out': () => 'Least power is not part of G-code',
@@ -258,6 +260,17 @@ export const en = {
     custom: 'This machine has lead rules of its own.', replace: 'Replace them by one lead for all', ownRules: 'own rules',
   },
 
+  joints: {
+    title: 'Micro-joints', on: 'Hold parts by micro-joints', side: 'On', count: 'At least, per contour', width: 'Width that holds', spacing: 'Longest cut without a joint', cornerClearance: 'Distance from corners',
+    least: 'Only contours from', most: 'Only contours up to', any: 'any', kind: 'At a joint',
+    sides: { both: 'Parts and holes', outer: 'Parts', hole: 'Holes' } satisfies Record<JointSide, string>,
+    kinds: { stop: 'Stop, and pierce again', flying: 'Keep moving, beam off' } satisfies Record<JointKind, string>,
+    about: 'Short lengths of a contour stay uncut, so that its piece neither falls nor tips. The kerf is added to the width. Joints keep away from corners, leads and other cuts; where one does not fit, Findings say so.',
+    custom: 'This machine has joint rules of its own.', replace: 'Replace them by one rule', ownRules: 'own rules',
+    place: 'Place by hand', placing: 'Click a contour where it should be held; click a joint to remove it. Esc ends it.', clear: 'Remove all',
+    placed: (n: number, written: string) => `${counted(n, written, 'joint')} by hand`,
+  },
+
   levers: {
     moving: 'Begin cuts moving', overcut: 'Cut again at the end',
     about: 'For marks, and for sheet so thin that the beam is through at once: it goes on as the head starts, without a wait. Open cuts and cuts in several passes still begin at rest.',
@@ -292,7 +305,7 @@ export const en = {
     report: 'Report', reportHint: 'One page for the operator: picture, times, parts, order, findings', project: 'Project', projectHint: 'Save the project: drawing, decisions, machine and plan (Ctrl S)',
     saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (share: string, order: string) => `${share} of what most programs cut, nearest first; ${order}`,
     less: (time: string) => `${time} less than as drawn`, more: (time: string) => `${time} more than as drawn`,
-    cut: 'Cut', pierce: 'Pierce', piercings: (n: number, written: string) => counted(n, written, 'piercing'), preCuts: 'Pre-cuts', leads: 'Leads', corners: 'Corners', gap: 'Left to gain', atMost: (time: string, share: string) => `at most ${time} (${share})`, noBound: 'no bound yet', nothingLeft: 'nothing: this path is optimal',
+    cut: 'Cut', pierce: 'Pierce', piercings: (n: number, written: string) => counted(n, written, 'piercing'), preCuts: 'Pre-cuts', leads: 'Leads', joints: 'Micro-joints', corners: 'Corners', gap: 'Left to gain', atMost: (time: string, share: string) => `at most ${time} (${share})`, noBound: 'no bound yet', nothingLeft: 'nothing: this path is optimal',
     chart: 'Job time while searching', chartAxis: 'Job time while searching', chartAbove: (time: string) => `as drawn ${time} ↑`, chartNone: 'Job time while searching: no values yet.',
     chartWords: (first: string, last: string, time: string) => `Job time while searching: from ${first} to ${last} in ${time}.`,
     chartOrders: (drawing: string, greedy: string) => ` Drawing order takes ${drawing}, nearest first ${greedy}.`,

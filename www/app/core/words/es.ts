@@ -47,6 +47,8 @@ export const es: Words = {
     'layer-unknown': (n, w) => counted(n, w, 'capa que no está en el dibujo', 'capas que no están en el dibujo'),
     'lead-adjusted': (n, w) => counted(n, w, 'entrada adaptada', 'entradas adaptadas'),
     'lead-missing': (n, w) => counted(n, w, 'contorno sin sitio para una entrada', 'contornos sin sitio para entradas'),
+    'joint-adjusted': (n, w) => counted(n, w, 'contorno con otras microuniones que las pedidas', 'contornos con otras microuniones que las pedidas'),
+    'joint-missing': (n, w) => counted(n, w, 'contorno sin sitio para una microunión', 'contornos sin sitio para microuniones'),
     'far-from-origin': () => 'Demasiado lejos del origen',
     'off-bed': () => 'Fuera de la mesa',
     'least-power-left-out': () => 'La potencia mínima no forma parte del G-code',
@@ -247,6 +249,17 @@ export const es: Words = {
     custom: 'Esta máquina tiene reglas de entrada propias.', replace: 'Sustituirlas por una entrada para todos', ownRules: 'reglas propias',
   },
 
+  joints: {
+    title: 'Microuniones', on: 'Sujetar las piezas con microuniones', side: 'En', count: 'Al menos, por contorno', width: 'Anchura que sujeta', spacing: 'Corte más largo sin unión', cornerClearance: 'Distancia de las esquinas',
+    least: 'Solo contornos desde', most: 'Solo contornos hasta', any: 'cualquiera', kind: 'En una unión',
+    sides: { both: 'Piezas y agujeros', outer: 'Piezas', hole: 'Agujeros' },
+    kinds: { stop: 'Parar y perforar', flying: 'Seguir en marcha' },
+    about: 'Tramos cortos de un contorno quedan sin cortar, para que su pieza ni caiga ni se levante. A la anchura se suma la del corte. Las uniones evitan esquinas, entradas y otros cortes; donde una no cabe, se dice en Avisos.',
+    custom: 'Esta máquina tiene reglas propias de uniones.', replace: 'Sustituirlas por una regla', ownRules: 'reglas propias',
+    place: 'Colocar a mano', placing: 'Haga clic en un contorno donde deba sujetarse; un clic en una unión la quita. Esc termina.', clear: 'Quitar todas',
+    placed: (n, written) => `${counted(n, written, 'unión', 'uniones')} a mano`,
+  },
+
   levers: {
     moving: 'Empezar los cortes en movimiento', overcut: 'Volver a cortar al final',
     about: 'Para marcas y para chapa tan fina que el haz la atraviesa al instante: se enciende cuando el cabezal arranca, sin espera. Los cortes abiertos y los de varias pasadas siguen empezando en reposo.',
@@ -281,7 +294,7 @@ export const es: Words = {
     report: 'Informe', reportHint: 'Una página para el operador: imagen, tiempos, piezas, orden, avisos', project: 'Proyecto', projectHint: 'Guardar el proyecto: dibujo, decisiones, máquina y plan (Ctrl S)',
     saved: (time) => `${time} ahorrados`, longer: (time) => `${time} más`, of: (share, order) => `${share} de lo que corta la mayoría de programas (el más cercano primero); ${order}`,
     less: (time) => `${time} menos que como está dibujado`, more: (time) => `${time} más que como está dibujado`,
-    cut: 'Corte', pierce: 'Perforación', piercings: (n, w) => counted(n, w, 'perforación', 'perforaciones'), preCuts: 'Precortes', leads: 'Entradas', corners: 'Esquinas', gap: 'Por ganar', atMost: (time, share) => `como mucho ${time} (${share})`, noBound: 'aún sin cota', nothingLeft: 'nada: este recorrido es óptimo',
+    cut: 'Corte', pierce: 'Perforación', piercings: (n, w) => counted(n, w, 'perforación', 'perforaciones'), preCuts: 'Precortes', leads: 'Entradas', joints: 'Microuniones', corners: 'Esquinas', gap: 'Por ganar', atMost: (time, share) => `como mucho ${time} (${share})`, noBound: 'aún sin cota', nothingLeft: 'nada: este recorrido es óptimo',
     chart: 'Tiempo del trabajo durante la búsqueda', chartAxis: 'Tiempo del trabajo durante la búsqueda', chartAbove: (time) => `como está dibujado ${time} ↑`, chartNone: 'Tiempo del trabajo durante la búsqueda: aún sin valores.',
     chartWords: (first, last, time) => `Tiempo del trabajo durante la búsqueda: de ${first} a ${last} en ${time}.`,
     chartOrders: (drawing, greedy) => ` El orden del dibujo tarda ${drawing}, el más cercano primero ${greedy}.`,

@@ -44,6 +44,8 @@ export const ja: Words = {
     'layer-unknown': (_n, w) => `図面にないレイヤー ${w} 個`,
     'lead-adjusted': (_n, w) => `調整したリード ${w} 本`,
     'lead-missing': (_n, w) => `リードを置く余地のない輪郭 ${w} 個`,
+    'joint-adjusted': (_n, w) => `指定と異なるミクロジョイントの輪郭 ${w} 個`,
+    'joint-missing': (_n, w) => `ミクロジョイントを置く余地のない輪郭 ${w} 個`,
     'far-from-origin': () => '原点から遠すぎます',
     'off-bed': () => 'ベッドの上にありません',
     'least-power-left-out': () => '最小出力は G コードに含まれません',
@@ -244,6 +246,17 @@ export const ja: Words = {
     custom: 'この機械には独自のリード規則があります。', replace: '全体を 1 種類のリードに置き換える', ownRules: '独自の規則',
   },
 
+  joints: {
+    title: 'ミクロジョイント', on: 'ミクロジョイントで部品を保持', side: '対象', count: '輪郭ごとの最少数', width: '残す幅', spacing: 'ジョイントなしの最長切断', cornerClearance: '角からの距離',
+    least: '輪郭の大きさの下限', most: '輪郭の大きさの上限', any: '任意', kind: 'ジョイントで',
+    sides: { both: '部品と穴', outer: '部品', hole: '穴' },
+    kinds: { stop: '止まってピアス', flying: '動き続ける' },
+    about: '輪郭の短い部分を切らずに残し、切った部分が落ちたり傾いたりしないようにします。幅には切り溝が加わります。ジョイントは角、リード、ほかの切断を避けます。置けない場合は検出事項に示されます。',
+    custom: 'この機械には独自のジョイントの規則があります。', replace: '1 つの規則に置き換える', ownRules: '独自の規則',
+    place: '手で置く', placing: '保持したい輪郭の場所をクリックします。ジョイントをクリックすると消えます。Esc で終わります。', clear: 'すべて消す',
+    placed: (_n, written) => `手で置いた ${written} 個`,
+  },
+
   levers: {
     moving: '動きながら切断を始める', overcut: '最後に重ねて切断',
     about: 'マークと、ビームがすぐ貫通する薄い板に使います。ヘッドが動き出すと同時に点灯し、待ちません。開いた切断と複数回の切断は静止から始まります。',
@@ -278,7 +291,7 @@ export const ja: Words = {
     report: '報告書', reportHint: '作業者のための 1 ページ：図、時間、部品、順番、指摘', project: 'プロジェクト', projectHint: 'プロジェクトを保存：図面、決定、機械、計画（Ctrl S）',
     saved: (time) => `${time} 短縮`, longer: (time) => `${time} 増加`, of: (share, order) => `多くのプログラムの切り方（近い順）の ${share}、${order}`,
     less: (time) => `図面の順より ${time} 短い`, more: (time) => `図面の順より ${time} 長い`,
-    cut: '切断', pierce: 'ピアス', piercings: (_n, w) => `ピアス ${w} 回`, preCuts: '予備切断', leads: 'リード', corners: '角', gap: '残りの余地', atMost: (time, share) => `最大 ${time}（${share}）`, noBound: '下界はまだありません', nothingLeft: 'なし：この経路は最適です',
+    cut: '切断', pierce: 'ピアス', piercings: (_n, w) => `ピアス ${w} 回`, preCuts: '予備切断', leads: 'リード', joints: 'ミクロジョイント', corners: '角', gap: '残りの余地', atMost: (time, share) => `最大 ${time}（${share}）`, noBound: '下界はまだありません', nothingLeft: 'なし：この経路は最適です',
     chart: '探索中のジョブ時間', chartAxis: '探索中のジョブ時間', chartAbove: (time) => `図面の順 ${time} ↑`, chartNone: '探索中のジョブ時間：まだ値がありません。',
     chartWords: (first, last, time) => `探索中のジョブ時間：${time} で ${first} から ${last} になりました。`,
     chartOrders: (drawing, greedy) => `図面の順は ${drawing}、近い順は ${greedy} です。`,

@@ -44,6 +44,8 @@ export const zh: Words = {
     'layer-unknown': (_n, w) => `图中没有 ${w} 个图层`,
     'lead-adjusted': (_n, w) => `已调整 ${w} 条引线`,
     'lead-missing': (_n, w) => `${w} 个轮廓没有放引线的空间`,
+    'joint-adjusted': (_n, w) => `${w} 个轮廓的微连接与要求不同`,
+    'joint-missing': (_n, w) => `${w} 个轮廓没有放微连接的空间`,
     'far-from-origin': () => '离原点太远',
     'off-bed': () => '不在工作台上',
     'least-power-left-out': () => 'G 代码不含最小功率',
@@ -244,6 +246,17 @@ export const zh: Words = {
     custom: '这台机器有自己的引线规则。', replace: '全部替换为一种引线', ownRules: '自有规则',
   },
 
+  joints: {
+    title: '微连接', on: '用微连接固定零件', side: '位置', count: '每个轮廓至少', width: '连接宽度', spacing: '无连接的最长切割', cornerClearance: '距拐角',
+    least: '仅限轮廓不小于', most: '仅限轮廓不大于', any: '任意', kind: '在连接处',
+    sides: { both: '零件和孔', outer: '零件', hole: '孔' },
+    kinds: { stop: '停下并穿孔', flying: '继续运动' },
+    about: '轮廓上留下短段不切，使切下的部分既不掉落也不翘起。宽度之外再加上割缝。连接避开拐角、引线和其他切割；放不下时会在检查结果中说明。',
+    custom: '此机器有自己的微连接规则。', replace: '用一条规则替换', ownRules: '自有规则',
+    place: '手动放置', placing: '在轮廓上要固定的地方单击；单击连接可将其移除。Esc 结束。', clear: '全部移除',
+    placed: (_n, written) => `手动放置 ${written} 个`,
+  },
+
   levers: {
     moving: '运动中开始切割', overcut: '结尾重切',
     about: '适用于打标，以及薄到光束立即穿透的板：切割头启动时出光，无需等待。开放切割和多遍切割仍从静止开始。',
@@ -278,7 +291,7 @@ export const zh: Words = {
     report: '报告', reportHint: '给操作员的一页：图片、时间、零件、顺序、检查结果', project: '项目', projectHint: '保存项目：图、决定、机器和方案（Ctrl S）',
     saved: (time) => `节省 ${time}`, longer: (time) => `多用 ${time}`, of: (share, order) => `占多数程序切法（最近优先）的 ${share}；${order}`,
     less: (time) => `比按图少 ${time}`, more: (time) => `比按图多 ${time}`,
-    cut: '切割', pierce: '穿孔', piercings: (_n, w) => `${w} 次穿孔`, preCuts: '预切', leads: '引线', corners: '拐角', gap: '还可节省', atMost: (time, share) => `最多 ${time}（${share}）`, noBound: '尚无下界', nothingLeft: '没有了：此路径是最优的',
+    cut: '切割', pierce: '穿孔', piercings: (_n, w) => `${w} 次穿孔`, preCuts: '预切', leads: '引线', joints: '微连接', corners: '拐角', gap: '还可节省', atMost: (time, share) => `最多 ${time}（${share}）`, noBound: '尚无下界', nothingLeft: '没有了：此路径是最优的',
     chart: '搜索过程中的任务时间', chartAxis: '搜索过程中的任务时间', chartAbove: (time) => `按图 ${time} ↑`, chartNone: '搜索过程中的任务时间：尚无数值。',
     chartWords: (first, last, time) => `搜索过程中的任务时间：在 ${time} 内从 ${first} 降到 ${last}。`,
     chartOrders: (drawing, greedy) => `图的顺序需要 ${drawing}，最近优先需要 ${greedy}。`,

@@ -4,7 +4,7 @@
  */
 
 import type { View } from '../raster-messages.js';
-import { leadShapes, placeAfter, type Place } from '../shapes.js';
+import { chainLength, jointShapes, leadShapes, placeAfter, type Place } from '../shapes.js';
 import { traceArrow, type Pen } from '../trace.js';
 import { strokeAir } from './air.js';
 import { BATCH, contourWidth, meanSize, strokeChains, type Subject } from './strokes.js';
@@ -51,6 +51,7 @@ export function* paintPath(pen: Pen, view: View, subject: Subject): Generator<vo
     yield* strokeChains(pen, view, leads, (chain) => leads.offsets[chain + 1]! > leads.offsets[chain]!);
     pen.strokeStyle = palette.accent;
   }
+  yield* joints(pen, view, subject);
   const mean = meanSize(subject, view);
   const dot = Math.min(2.3, Math.max(0.8, mean / 8)) * r;
   const room = new Room(view, 8 * r, 8 * r);
@@ -70,6 +71,28 @@ export function* paintPath(pen: Pen, view: View, subject: Subject): Generator<vo
   pen.fill();
   yield* cutArrows(pen, view, subject);
   yield* numbers(pen, view, subject);
+}
+
+/** A gap in the contour at each micro-joint with a ring around it, as joints are too small to see. */
+function* joints(pen: Pen, view: View, { path, palette }: Subject): Generator<void> {
+  const shapes = jointShapes(path!);
+  if (shapes.count === 0) return;
+  const r = view.ratio;
+  const room = new Room(view, 7 * r, 7 * r);
+  const place: Place = { x: 0, y: 0, dx: 0, dy: 0 };
+  pen.lineWidth = 1.4 * r;
+  pen.fillStyle = palette.sheet;
+  for (let k = 0; k < shapes.count; k += 1) {
+    const length = chainLength(shapes, k);
+    placeAfter(shapes, k, 0, false, length / 2, place);
+    const x = view.x + place.x * view.scale, y = view.y - place.y * view.scale;
+    if (!room.take(x, y)) continue;
+    pen.beginPath();
+    pen.arc(x, y, Math.max(3.4 * r, (length / 2) * view.scale), 0, 2 * Math.PI);
+    pen.fill();
+    pen.stroke();
+    if (k % BATCH === 0) yield;
+  }
 }
 
 /** An arrow in the middle of each air move that is long enough for one. */

@@ -1,0 +1,110 @@
+//! Plans with micro-joints that Shapely has cut: `tests/fixtures/joints.json` names the moves of each plan by their hash, with what
+//! `tests/oracle/joints.py` found when everything was cut. As long as Kerfway makes the same plans, its findings hold.
+//!
+//! After a change that is meant to change joints, `KERFWAY_BLESS=1 cargo test --test it joints::held` writes the plans to
+//! `target/joints`, and `python tests/oracle/joints.py` cuts them and writes the fixture.
+
+use crate::testkit::joints::with_joints;
+use crate::testkit::leads::{leads, with_leads};
+use crate::testkit::sheets::{machine, nested_sheet};
+use crate::testkit::{files, fixtures, name};
+use kerfway::job::{Job, LoadOptions, MachineChoice, OutputKind, PlanOptions, problem_of};
+use kerfway::machine::{JointKind, JointRule, LeadKind, preset};
+use kerfway::{output, plan, solve};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Number of seeded nests.
+const NESTS: u64 = 20;
+/// Larger drawings would take Shapely minutes.
+const MOST_BYTES: usize = 200_000;
+
+#[derive(serde::Deserialize)]
+struct Held {
+    /// SHA-256 of the moves as they are written.
+    moves: String,
+    /// Parts, those that the sheet still holds after all cuts, and those that cannot have the joints that were asked for.
+    parts: u32,
+    held: u32,
+    told: u32,
+    /// Joints that a move leaves.
+    joints: u32,
+    faults: Vec<String>,
+}
+
+fn drawings() -> Vec<(String, Vec<u8>)> {
+    let mut all: Vec<_> = files(&fixtures().join("dxf-dev"), "dxf")
+        .iter()
+        .chain([&fixtures().join("sheets/sheet_100.dxf")])
+        .map(|p| (name(p), std::fs::read(p).unwrap()))
+        .filter(|(_, bytes)| bytes.len() < MOST_BYTES)
+        .collect();
+    for seed in 0..NESTS {
+        let sheet = nested_sheet(12, seed);
+        let machine = machine("co2-100w");
+        let problem = problem_of(&sheet, &machine);
+        let plain = plan::from_solution(&sheet, &problem, &solve::greedy(&problem));
+        all.push((format!("nest-{seed:03}"), output::dxf(&plain, &sheet).into_bytes()));
+    }
+    all
+}
+
+/// The plan of a drawing by the nearest next entry, with and without joints on outlines and holes; every third has leads.
+fn planned(k: usize, name: &str, bytes: Vec<u8>, joints: bool) -> Option<String> {
+    let mut job = Job::load(bytes, name, &LoadOptions::default()).ok()?;
+    let mut machine = preset("fibre-3kw-thin")?;
+    if joints {
+        let kind = [JointKind::Stop, JointKind::Flying][k % 2];
+        let spacing = [None, Some(120.0)][k / 2 % 2];
+        machine = with_joints(machine, vec![JointRule { width: 0.4, spacing, kind, ..JointRule::default() }]);
+    }
+    if k.is_multiple_of(3) {
+        machine = with_leads(machine, leads(LeadKind::Arc, 0.5, 0.4));
+    }
+    machine.kerf_width = 0.2;
+    let machine = MachineChoice::Profile(Box::new(machine));
+    let method = Some("greedy".to_owned());
+    let options =
+        PlanOptions { machine, method, moves: Some(1), allow_off_bed: true, ..PlanOptions::default() };
+    job.start(&options).ok()?;
+    job.run_mut().unwrap().step(1);
+    Some(job.output(OutputKind::Json).unwrap_or_else(|e| panic!("{name}: {e}")))
+}
+
+#[test]
+fn the_sheet_holds_every_part_with_joints_and_none_without() {
+    let mut plans: BTreeMap<String, String> = BTreeMap::new();
+    for (k, (name, bytes)) in drawings().into_iter().enumerate() {
+        for (suffix, joints) in [("with", true), ("without", false)] {
+            let Some(plan) = planned(k, &name, bytes.clone(), joints) else { continue };
+            plans.insert(format!("{name} {suffix}"), plan);
+        }
+    }
+    if std::env::var_os("KERFWAY_BLESS").is_some() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/joints");
+        std::fs::create_dir_all(&folder).unwrap();
+        for (name, plan) in &plans {
+            std::fs::write(folder.join(format!("{name}.json")), plan).unwrap();
+        }
+        return;
+    }
+    let text = std::fs::read_to_string(fixtures().join("joints.json")).unwrap();
+    let cut: BTreeMap<String, Held> = serde_json::from_str(&text).unwrap();
+    assert_eq!(plans.keys().collect::<Vec<_>>(), cut.keys().collect::<Vec<_>>());
+    let (mut parts, mut joints) = (0, 0);
+    for (name, plan) in &plans {
+        let moves = plan.split("\"moves\":[").nth(1).unwrap().split("],\"findings\":[").next().unwrap();
+        let hash: String = Sha256::digest(moves).iter().map(|b| format!("{b:02x}")).collect();
+        let found = &cut[name];
+        assert_eq!(hash, found.moves, "{name} is another plan than the one that was cut");
+        assert_eq!(found.faults, Vec::<String>::new(), "{name}");
+        if name.ends_with(" with") {
+            assert!(found.held + found.told >= found.parts, "{name}: {} of {}", found.held, found.parts);
+            (parts, joints) = (parts + found.held, joints + found.joints);
+        } else {
+            assert_eq!((found.held, found.joints), (0, 0), "{name}");
+        }
+    }
+    assert!(parts > 200 && joints > 400, "{parts} parts, {joints} joints");
+}
