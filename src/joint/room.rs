@@ -9,8 +9,8 @@ const CORNER: f64 = 10.0 * std::f64::consts::PI / 180.0;
 
 /// All cuts, as joints see them.
 pub(super) struct Cuts {
-    /// The elements of all cuts with their contours.
-    elements: Vec<(u32, Segment)>,
+    /// The elements of all cuts with their contours, and where they begin along them, mm.
+    elements: Vec<(u32, Segment, f64)>,
     index: BoxIndex,
 }
 
@@ -19,9 +19,10 @@ impl Cuts {
         let cut = (0..).zip(contours).filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0);
         // The outline of an open rest runs along the sides that another contour cuts for it.
         let of = |(id, c): (u32, &Contour)| {
-            c.boundary().unwrap_or(&c.path).segments.iter().map(move |s| (id, *s)).collect::<Vec<_>>()
+            let begin = |at: &mut f64, s: &Segment| Some((id, *s, std::mem::replace(at, *at + s.length())));
+            c.boundary().unwrap_or(&c.path).segments.iter().scan(0.0, begin).collect::<Vec<_>>()
         };
-        let elements: Vec<(u32, Segment)> = cut.flat_map(of).collect();
+        let elements: Vec<(u32, Segment, f64)> = cut.flat_map(of).collect();
         let index = BoxIndex::new(elements.iter().map(|e| e.1.bounds()));
         Self { elements, index }
     }
@@ -31,7 +32,7 @@ impl Cuts {
         let bounds = stretch.iter().fold(Aabb::EMPTY, |b, s| b.union(s.bounds())).grown(least);
         let mut near = false;
         self.index.visit(bounds, |k| {
-            if let Some((_, other)) = self.elements.get(k).filter(|e| e.0 != contour) {
+            if let Some((_, other, _)) = self.elements.get(k).filter(|e| e.0 != contour) {
                 near = stretch.iter().any(|s| distance(s, other).0 < least);
             }
             !near
@@ -39,6 +40,9 @@ impl Cuts {
         near
     }
 }
+
+/// Points along a joint at which its distance from the other sides of its own contour is measured.
+const POINTS: u32 = 4;
 
 /// The room for joints on one contour.
 pub(super) struct Room<'a> {
@@ -83,7 +87,30 @@ impl Room<'_> {
     /// as wide as itself.
     pub(super) fn is_off_others(&self, at: f64) -> bool {
         let Joint { from, to, .. } = self.joint(at);
-        !self.cuts.is_near(self.contour, &self.path.between(from, to), 0.5 * self.gap)
+        let stretch = self.path.between(from, to);
+        !self.cuts.is_near(self.contour, &stretch, 0.5 * self.gap) && !self.is_near_itself(at, &stretch)
+    }
+
+    /// Whether another side of the contour itself is as near to a joint as another cut may not be, as in a narrow slot.
+    fn is_near_itself(&self, at: f64, stretch: &[Segment]) -> bool {
+        let least = 0.5 * self.gap;
+        let bounds = stretch.iter().fold(Aabb::EMPTY, |b, s| b.union(s.bounds())).grown(least);
+        let mut near = false;
+        self.cuts.index.visit(bounds, |k| {
+            let Some((_, side, begin)) = self.cuts.elements.get(k).filter(|e| e.0 == self.contour) else {
+                return true;
+            };
+            near = stretch.iter().any(|s| {
+                (0..=POINTS).any(|i| {
+                    let (f, d2) = side.nearest(s.at(f64::from(i) / f64::from(POINTS)));
+                    let ahead = (begin + f * side.length() - at).rem_euclid(self.whole);
+                    // What is next to the joint along the contour is no other side.
+                    d2 < least * least && ahead.min(self.whole - ahead) > 1.5 * self.gap
+                })
+            });
+            !near
+        });
+        near
     }
 }
 

@@ -118,7 +118,7 @@ fn run(moves: &mut Vec<Move>, machine: &Profile, contour: u32, path: Vec<Segment
 
 /// The lead and the joints of a visit of a contour that has joints.
 fn with_joints<'p>(item: &'p Item, stop: &Stop) -> Option<(&'p Lead, &'p ContourJoints)> {
-    let joints = item.joints.as_ref().filter(|j| !j.joints.is_empty())?;
+    let joints = item.joints.as_deref().filter(|j| !j.joints.is_empty())?;
     Some((item.lead(stop.node)?.0, joints))
 }
 

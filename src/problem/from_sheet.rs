@@ -54,8 +54,8 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             items.push(Item::default());
             continue;
         }
-        let joints = planners.joints(item);
-        if let Some((leads, places, least)) = ItemLeads::new(&planners, item, contour, joints.as_ref()) {
+        let joints = planners.joints(item).map(Box::new);
+        if let Some((leads, places, least)) = ItemLeads::new(&planners, item, contour, joints.as_deref()) {
             for LeadNode { along, entry, exit } in places {
                 let twin = count(&nodes);
                 nodes.push(Node { item, entry, exit, along, reversed: false, twin });

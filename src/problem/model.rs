@@ -61,7 +61,7 @@ pub struct Item {
     pub leads: Option<ItemLeads>,
     /// Of a contour for which micro-joints are asked for: those that it has, and what does not fit. If it has any, its nodes
     /// are those of [`Item::leads`], where a lead may be empty.
-    pub joints: Option<ContourJoints>,
+    pub joints: Option<Box<ContourJoints>>,
     /// Of an item that comes before a pierce group: the area of the group in which it lies. The group may be left for it
     /// until this area falls out.
     pub area: Option<u32>,

@@ -1065,6 +1065,147 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
               },
               {
                 "kind": {
+                  "object": [
+                    {
+                      "kind": {
+                        "list": {
+                          "object": [
+                            {
+                              "kind": {
+                                "choice": [
+                                  "hole",
+                                  "outer"
+                                ]
+                              },
+                              "name": "side",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "pair": {
+                                  "number": {
+                                    "least": 0.0,
+                                    "most": 1000000.0,
+                                    "or_zero": false,
+                                    "unit": "mm",
+                                    "why": "no contour is larger than 1 km"
+                                  }
+                                }
+                              },
+                              "name": "size_min",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "pair": {
+                                  "number": {
+                                    "least": 0.0,
+                                    "most": 1000000.0,
+                                    "or_zero": false,
+                                    "unit": "mm",
+                                    "why": "no contour is larger than 1 km"
+                                  }
+                                }
+                              },
+                              "name": "size_max",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "choice": [
+                                  "and",
+                                  "or"
+                                ]
+                              },
+                              "name": "test",
+                              "nullable": false,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.01,
+                                  "most": 100.0,
+                                  "or_zero": false,
+                                  "unit": "mm",
+                                  "why": "a joint is broken by hand"
+                                }
+                              },
+                              "name": "width",
+                              "nullable": false,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "whole": {
+                                  "least": 0.0,
+                                  "most": 1000.0,
+                                  "or_zero": false,
+                                  "unit": "",
+                                  "why": "nobody breaks more joints"
+                                }
+                              },
+                              "name": "count",
+                              "nullable": false,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 1.0,
+                                  "most": 1000000.0,
+                                  "or_zero": false,
+                                  "unit": "mm",
+                                  "why": "joints are further apart than they are wide"
+                                }
+                              },
+                              "name": "spacing",
+                              "nullable": true,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "number": {
+                                  "least": 0.0,
+                                  "most": 1000.0,
+                                  "or_zero": false,
+                                  "unit": "mm",
+                                  "why": "sides of contours are shorter"
+                                }
+                              },
+                              "name": "corner_clearance",
+                              "nullable": false,
+                              "required": false
+                            },
+                            {
+                              "kind": {
+                                "choice": [
+                                  "stop",
+                                  "flying"
+                                ]
+                              },
+                              "name": "kind",
+                              "nullable": false,
+                              "required": false
+                            }
+                          ]
+                        }
+                      },
+                      "name": "rules",
+                      "nullable": false,
+                      "required": true
+                    }
+                  ]
+                },
+                "name": "joints",
+                "nullable": true,
+                "required": false
+              },
+              {
+                "kind": {
                   "number": {
                     "least": 0.0,
                     "most": 60.0,
@@ -1775,6 +1916,38 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                   }
                 }
               },
+              "name": "joints",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "whole": {
+                    "least": 0.0,
+                    "most": 4294967295.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "contours are counted from 0"
+                  }
+                }
+              },
+              "name": "jointOffsets",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "number": {
+                    "least": -1000000000.0,
+                    "most": 1000000000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "no contour is longer than 1,000 km"
+                  }
+                }
+              },
               "name": "preCuts",
               "nullable": false,
               "required": false
@@ -2225,6 +2398,45 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
           }
         },
         "name": "exclude",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "list": {
+            "object": [
+              {
+                "kind": {
+                  "whole": {
+                    "least": 0.0,
+                    "most": 4294967295.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "contours are counted from 0"
+                  }
+                },
+                "name": "contour",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "number": {
+                    "least": 0.0,
+                    "most": 1.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "it is a fraction of the contour's length"
+                  }
+                },
+                "name": "at",
+                "nullable": false,
+                "required": true
+              }
+            ]
+          }
+        },
+        "name": "joints",
         "nullable": false,
         "required": false
       }

@@ -227,6 +227,42 @@ struct On<'a> {
 }
 
 impl On<'_> {
+    /// The arc length of the middle of a joint, mm. Where sides of the contour touch, the joint is on the side along which it
+    /// runs.
+    fn middle(&self, joint: &[Segment]) -> Option<f64> {
+        let path = &self.contour.path;
+        let (start, half) = (joint.first()?.start(), 0.5 * length_of(joint));
+        let middle = Path::new(joint.to_vec(), false).at(half)?;
+        let (mut at, mut best) = (0.0, (f64::INFINITY, 0.0));
+        for s in &path.segments {
+            let (f, d2) = s.nearest(start);
+            let place = (at + f * s.length() + half) % path.length();
+            let off = d2.sqrt() + path.at(place)?.distance(middle);
+            if off < best.0 {
+                best = (off, place);
+            }
+            at += s.length();
+        }
+        Some(best.1)
+    }
+
+    /// Whether another side of the contour itself is nearer than `least` to a joint with its middle at `at` mm.
+    fn is_near_itself(&self, joint: &[Segment], at: f64, least: f64) -> bool {
+        let bounds = joint.iter().fold(Aabb::EMPTY, |b, s| b.union(s.bounds())).grown(least.max(0.0));
+        let points: Vec<DVec2> = joint.iter().flat_map(|s| [0.0, 0.5, 1.0].map(|f| s.at(f))).collect();
+        let mut begin = 0.0;
+        self.contour.path.segments.iter().any(|side| {
+            let from = begin;
+            begin += side.length();
+            let touches = side.bounds().overlaps(&bounds);
+            touches
+                && points.iter().any(|p| {
+                    let (f, d2) = side.nearest(*p);
+                    d2.sqrt() < least && self.apart(from + f * side.length(), at) > 1.6 * self.gap
+                })
+        })
+    }
+
     /// The arc length of a point on the contour, mm.
     fn along(&self, p: DVec2) -> f64 {
         let (mut at, mut best) = (0.0, (f64::INFINITY, 0.0));
@@ -256,11 +292,12 @@ impl On<'_> {
         if joint.flying.is_some_and(|f| f != (kind == JointKind::Flying)) {
             return Some(("is of the wrong kind", at));
         }
-        let middle = self.along(at) + 0.5 * length;
+        let middle = self.middle(&joint.path)?;
         if self.corners.iter().any(|&c| self.apart(c, middle) < 0.5 * length + self.clearance - LENGTH) {
             return Some(("is too near to a corner", at));
         }
-        self.is_near_others(&joint.path, 0.5 * self.gap - LENGTH)
+        let least = 0.5 * self.gap - LENGTH;
+        (self.is_near_others(&joint.path, least) || self.is_near_itself(&joint.path, middle, least))
             .then_some(("is too near to another cut", at))
     }
 
@@ -273,10 +310,7 @@ impl On<'_> {
     fn missing(&self, rule: &JointRule, joints: &[Made]) -> Option<(&'static str, DVec2)> {
         let path = &self.contour.path;
         let whole = path.length();
-        let middles: Vec<f64> = joints
-            .iter()
-            .filter_map(|j| Some(self.along(j.path.first()?.start()) + 0.5 * self.gap))
-            .collect();
+        let middles: Vec<f64> = joints.iter().filter_map(|j| self.middle(&j.path)).collect();
         let few = (middles.len() as f64) < f64::from(rule.count.max(1));
         let step = (self.gap / FINE).max(whole / MOST_PLACES);
         let room = MORE_ROOM * self.gap + whole / 4096.0;
@@ -296,7 +330,8 @@ impl On<'_> {
                     (at - 0.5 * self.gap).rem_euclid(whole),
                     (at + 0.5 * self.gap).rem_euclid(whole),
                 );
-                if !self.is_near_others(&joint, 0.5 * self.gap + room) {
+                let least = 0.5 * self.gap + room;
+                if !self.is_near_others(&joint, least) && !self.is_near_itself(&joint, at, least) {
                     return Some(("is missing, although there is room for it", path.at(at)?));
                 }
             }

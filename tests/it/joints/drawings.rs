@@ -9,7 +9,7 @@ use kerfway::machine::{JointKind, JointRule, LeadKind, preset};
 #[test]
 fn every_drawing_is_planned_with_joints() {
     let mut all = files(&fixtures().join("dxf-dev"), "dxf");
-    all.extend(files(&fixtures().join("sheets"), "dxf"));
+    all.push(fixtures().join("sheets/sheet_100.dxf"));
     let mut with = 0;
     for (k, path) in all.iter().enumerate() {
         let Ok(mut job) = Job::load(std::fs::read(path).unwrap(), &name(path), &LoadOptions::default())

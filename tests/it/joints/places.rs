@@ -121,6 +121,33 @@ fn a_side_next_to_another_cut_has_no_joint() {
     }
 }
 
+/// A plate with a slot whose sides are nearer to each other than half a joint: the beam would cut a joint there from the
+/// other side.
+#[test]
+fn no_joint_is_in_a_narrow_slot_of_its_own_contour() {
+    let slot = [
+        p(0.0, 0.0),
+        p(60.0, 0.0),
+        p(60.0, 40.0),
+        p(30.1, 40.0),
+        p(30.1, 5.0),
+        p(30.0, 5.0),
+        p(30.0, 40.0),
+        p(0.0, 40.0),
+    ];
+    let mut b = Builder::new();
+    b.cut(polygon(&slot), None);
+    let sheet = oriented(b.sheet);
+    let rule = JointRule { count: 1, spacing: Some(12.0), corner_clearance: 1.0, ..JointRule::default() };
+    let found = joints(&sheet, &with_joints(machine("co2-100w"), vec![rule]), 0);
+    assert!(found.joints.len() >= 8, "{}", found.joints.len());
+    for joint in &found.joints {
+        let at = sheet.contours[0].path.at(joint.from).unwrap();
+        assert!((at.x - 30.05).abs() > 0.2 || at.y < 0.1, "{at}");
+    }
+    assert!(found.outcome.too_long.is_some_and(|[longest, _]| longest > 60.0));
+}
+
 #[test]
 fn joints_by_hand_replace_those_of_rules() {
     let mut sheet = plate();

@@ -1,0 +1,76 @@
+// Micro-joints on the page: switched on in the machine's panel, drawn, placed by clicking a contour, in the plan.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { circle, dxf, square } from '../package/support.mjs';
+import { download, drop, openPage, phase, planned, shot, SIZES } from './page-support.mjs';
+
+const DRAWING = dxf([...square(20, 20, 40), ...square(75, 20, 40), ...circle(40, 40, 8), ...circle(95, 40, 12)]);
+
+async function opened(t, options = {}) {
+  const { page } = await openPage(t, { hash: 'machine=fibre-3kw-thin&seconds=1&seed=1&units=mm', ...options });
+  await phase(page, 'planning', 'done');
+  await drop(page, 'joints.dxf', Buffer.from(DRAWING));
+  await planned(page, 'joints.dxf', 'done');
+  if (options.size === SIZES.phone) await page.locator('.sheet-toggle').click();
+  const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
+  await machine.evaluate((d) => (d.open = true));
+  const joints = machine.locator('details.more', { hasText: 'Micro-joints' });
+  await joints.evaluate((d) => (d.open = true));
+  return { page, joints };
+}
+
+async function replanned(page) {
+  await page.waitForTimeout(700);
+  await phase(page, 'done');
+}
+
+const plan = async (page) => {
+  const press = () => page.locator('.downloads').getByRole('button', { name: 'Plan (JSON)', exact: true }).click();
+  return JSON.parse((await download(page, press)).bytes.toString());
+};
+
+for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone', 'light'], ['phone', 'dark']]) {
+  test(`micro-joints are switched on, drawn and placed by hand (${size}, ${theme})`, async (t) => {
+    const { page, joints } = await opened(t, { size: SIZES[size], theme, touch: size === 'phone' });
+    await joints.getByLabel('Hold parts by micro-joints').check();
+    await replanned(page);
+    await joints.getByLabel('Width that holds').fill('1');
+    await replanned(page);
+    await joints.scrollIntoViewIfNeeded();
+    await shot(page, `joints-${size}-${theme}`);
+    if (size === 'phone') return;
+    const { machine, summary } = await plan(page);
+    assert.deepEqual(machine.joints.rules, [{ side: 'outer', width: 1, count: 2, corner_clearance: 2, kind: 'stop' }]);
+    assert.equal(summary.joints, 4);
+
+    // A click near the middle of a side of the first square places a joint there, and a second click removes it.
+    await joints.getByRole('button', { name: 'Place by hand' }).click();
+    const canvas = page.locator('canvas').first();
+    const box = await canvas.boundingBox();
+    // The drawing is fitted, so that some column of pixels left of the middle crosses the lower side of the first square.
+    const found = await page.evaluate(() => document.querySelector('canvas') !== null);
+    assert.ok(found);
+    let at = null;
+    for (let y = box.y + box.height - 40; y > box.y + 40 && at === null; y -= 6) {
+      await page.mouse.move(box.x + box.width * 0.62, y);
+      if (await canvas.evaluate((c) => c.classList.contains('over'))) at = [box.x + box.width * 0.62, y];
+    }
+    assert.ok(at, 'a contour under the pointer');
+    await page.mouse.click(...at);
+    await replanned(page);
+    await joints.getByText('1 joint by hand').waitFor();
+    await shot(page, `joints-by-hand-${size}-${theme}`);
+    const placed = await plan(page);
+    assert.equal(placed.options.joints.length, 1);
+    assert.equal(placed.summary.joints, 3);
+    await page.mouse.click(...at);
+    await replanned(page);
+    assert.equal((await plan(page)).options.joints, undefined);
+    await page.keyboard.press('Escape');
+
+    await joints.getByLabel('Hold parts by micro-joints').uncheck();
+    await replanned(page);
+    assert.equal((await plan(page)).machine.joints, undefined);
+  });
+}
