@@ -41,7 +41,7 @@ for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone'
     await shot(page, `joints-${size}-${theme}`);
     if (size === 'phone') return;
     const { machine, summary } = await plan(page);
-    assert.deepEqual(machine.joints.rules, [{ side: 'outer', width: 1, count: 2, corner_clearance: 2, kind: 'stop' }]);
+    assert.deepEqual(machine.joints.rules, [{ side: 'outer', width: 1, count: 2, corner_clearance: 2, kind: 'stop', test: 'and' }]);
     assert.equal(summary.joints, 4);
 
     // A click near the middle of a side of the first square places a joint there, and a second click removes it.

@@ -20,7 +20,7 @@ describe('micro-joints', () => {
   const planned = async (machine, load = {}) => {
     await planner.load(DRAWING, 'plate.dxf', load);
     const run = planner.plan({ machine, seed: 1, moves: 20_000 });
-    const { path } = await run.done;
+    const { path } = (await run.done).progress;
     return { path, plan: JSON.parse(await planner.output('json')) };
   };
 

@@ -264,7 +264,7 @@ export const en = {
     title: 'Micro-joints', on: 'Hold parts by micro-joints', side: 'On', count: 'At least, per contour', width: 'Width that holds', spacing: 'Longest cut without a joint', cornerClearance: 'Distance from corners',
     least: 'Only contours from', most: 'Only contours up to', any: 'any', kind: 'At a joint',
     sides: { both: 'Parts and holes', outer: 'Parts', hole: 'Holes' } satisfies Record<JointSide, string>,
-    kinds: { stop: 'Stop, and pierce again', flying: 'Keep moving, beam off' } satisfies Record<JointKind, string>,
+    kinds: { stop: 'Stop and pierce', flying: 'Keep moving' } satisfies Record<JointKind, string>,
     about: 'Short lengths of a contour stay uncut, so that its piece neither falls nor tips. The kerf is added to the width. Joints keep away from corners, leads and other cuts; where one does not fit, Findings say so.',
     custom: 'This machine has joint rules of its own.', replace: 'Replace them by one rule', ownRules: 'own rules',
     place: 'Place by hand', placing: 'Click a contour where it should be held; click a joint to remove it. Esc ends it.', clear: 'Remove all',
