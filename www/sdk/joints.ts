@@ -9,6 +9,7 @@ import type { JointKind, JointRule, Joints, SizeTest } from './protocol.js';
 export const JOINT_KINDS: readonly JointKind[] = ['stop', 'flying'];
 /** The contours that have joints. */
 export const JOINT_SIDES = ['both', 'outer', 'hole'] as const;
+/** Which contours have joints. */
 export type JointSide = (typeof JOINT_SIDES)[number];
 /** Whether the sizes in x and in y have to be within the limits, or one of them. */
 export const SIZE_TESTS: readonly SizeTest[] = ['and', 'or'];
