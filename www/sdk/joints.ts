@@ -15,7 +15,7 @@ export type JointSide = (typeof JOINT_SIDES)[number];
 export const SIZE_TESTS: readonly SizeTest[] = ['and', 'or'];
 
 /** The same joints for all contours of some sizes. */
-export interface JointSettings {
+export interface JointPattern {
   /** Least number of joints of a contour. */
   count: number;
   /** Width of the material that holds, mm. */
@@ -34,14 +34,14 @@ export interface JointSettings {
 }
 
 /** What {@link jointRules} takes for settings that are not given. */
-export const DEFAULT_JOINTS: Readonly<JointSettings> = {
+export const DEFAULT_JOINTS: Readonly<JointPattern> = {
   count: 2, width: 0.5, spacing: 0, cornerClearance: 2, side: 'outer', kind: 'stop', sizeMin: [0, 0], sizeMax: [0, 0], test: 'and',
 };
 
 const isAny = ([x, y]: readonly [number, number]) => x === 0 && y === 0;
 
 /** The rule of a machine profile for these settings; what is not given has its default ({@link DEFAULT_JOINTS}). */
-export function jointRules(settings: Partial<JointSettings> = {}): Joints {
+export function jointRules(settings: Partial<JointPattern> = {}): Joints {
   const s = { ...DEFAULT_JOINTS, ...settings };
   const rule: JointRule = { count: s.count, width: s.width, corner_clearance: s.cornerClearance, kind: s.kind };
   if (s.spacing > 0) rule.spacing = s.spacing;
@@ -53,7 +53,7 @@ export function jointRules(settings: Partial<JointSettings> = {}): Joints {
 }
 
 /** The settings of rules that are one rule; `null` for several. */
-export function jointSettings({ rules }: Joints): JointSettings | null {
+export function jointSettings({ rules }: Joints): JointPattern | null {
   const [rule, second] = rules;
   if (rule === undefined || second !== undefined) return null;
   return {

@@ -16,7 +16,7 @@ export type { SheetEstimate, Stock } from './sheets.js';
 export { partThumbnail, type ThumbnailOptions } from './thumbnail.js';
 export { jobReport, type ReportInput } from './job-report.js';
 export { isProject, readProject, writeProject, type Project, type SavedPlan } from './project.js';
-export { DEFAULT_JOINTS, JOINT_KINDS, JOINT_SIDES, SIZE_TESTS, jointRules, jointSettings, type JointSettings, type JointSide } from './joints.js';
+export { DEFAULT_JOINTS, JOINT_KINDS, JOINT_SIDES, SIZE_TESTS, jointRules, jointSettings, type JointPattern, type JointSide } from './joints.js';
 export { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS, leadRules, leadSettings, type LeadChoice } from './leads.js';
 export { activeContours } from './contours.js';
 export { tooLarge } from './size.js';

@@ -1,6 +1,6 @@
 /** The micro-joints of the machine: how many, how wide, how far apart, on which contours. */
 
-import { DEFAULT_JOINTS, JOINT_KINDS, JOINT_SIDES, jointRules, jointSettings, type JointKind, type JointSettings, type JointSide, type LoadOptions, type MachineProfile } from 'kerfway';
+import { DEFAULT_JOINTS, JOINT_KINDS, JOINT_SIDES, jointRules, jointSettings, type JointKind, type JointPattern, type JointSide, type LoadOptions, type MachineProfile } from 'kerfway';
 import { button, h } from '../core/dom.js';
 import { count } from '../core/format.js';
 import { typed, written } from '../core/lengths.js';
@@ -15,8 +15,8 @@ interface Quantity {
   most: number;
   /** What the empty field says, which stands for 0. */
   empty?: string;
-  get(settings: JointSettings): number;
-  set(value: number): Partial<JointSettings>;
+  get(settings: JointPattern): number;
+  set(value: number): Partial<JointPattern>;
 }
 
 const w = words.joints;
@@ -37,8 +37,8 @@ export interface JointsPanel {
 }
 
 export function jointsPanel(session: Session, edit: (change: (m: MachineProfile) => void) => void, place: () => void): JointsPanel {
-  let now: JointSettings = DEFAULT_JOINTS;
-  const set = (change: Partial<JointSettings>) => edit((m) => (m.joints = jointRules({ ...now, ...change })));
+  let now: JointPattern = DEFAULT_JOINTS;
+  const set = (change: Partial<JointPattern>) => edit((m) => (m.joints = jointRules({ ...now, ...change })));
   const on = check(w.on, (checked) => edit((m) => {
     if (checked) m.joints = jointRules();
     else delete m.joints;

@@ -3,7 +3,7 @@
 import type { Planner } from '../node.js';
 import { checkMachine } from '../options.js';
 import type { Dialect, MachineProfile } from '../protocol.js';
-import { JOINT_KINDS, JOINT_SIDES, jointRules, SIZE_TESTS, type JointSettings } from '../joints.js';
+import { JOINT_KINDS, JOINT_SIDES, jointRules, SIZE_TESTS, type JointPattern } from '../joints.js';
 import { LEAD_KINDS, LEAD_POSITIONS, leadRules, type LeadChoice } from '../leads.js';
 import { number, oneOf, text, type Words } from './arguments.js';
 import { bytesOf, Unusable, WrongUse } from './io.js';
@@ -40,7 +40,7 @@ function withLeads(values: Words['values'], machine: MachineProfile): MachinePro
 
 /** The machine with the joints that the options ask for. */
 function withJoints(values: Words['values'], machine: MachineProfile): MachineProfile {
-  const given: Partial<JointSettings> = {};
+  const given: Partial<JointPattern> = {};
   const [side, kind, test] = ['joint-side', 'joint-kind', 'joint-test'].map((option) => text(values, option));
   if (side !== undefined) given.side = oneOf('--joint-side', side, JOINT_SIDES);
   if (kind !== undefined) given.kind = oneOf('--joint-kind', kind, JOINT_KINDS);
