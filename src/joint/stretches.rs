@@ -59,7 +59,7 @@ pub fn divided(lead: &Lead, contour: &Path, along: f64, joints: &[Joint]) -> Div
         from = joint.to;
     }
     let last = (along + end).rem_euclid(whole);
-    let mut path = if from == along && end >= whole {
+    let mut path = if divided.stretches.is_empty() && end >= whole {
         contour.starting_at(along).segments
     } else {
         contour.between(from, last)

@@ -17,7 +17,7 @@ fn small_sheets_with_joints_are_solved_exactly() {
         let sheet = oriented(nested_sheet(1 + k % 6, seed));
         let name = ["length", "length-chebyshev", "co2-100w", "fibre-3kw-thin"][k % 4];
         let kind = [JointKind::Stop, JointKind::Flying][k / 2 % 2];
-        let rule = JointRule { spacing: [None, Some(40.0)][k % 2], ..rule(1 + seed as u32 % 3, kind) };
+        let rule = JointRule { spacing: [None, Some(40.0)][k % 2], ..rule([1, 2, 3][k % 3], kind) };
         let mut machine = with_joints(machine(name), vec![rule]);
         if k % 3 == 2 {
             machine = with_leads(machine, leads(LeadKind::Arc, 0.5, [0.0, 0.5, -0.3][k / 3 % 3]));
