@@ -42,6 +42,10 @@ use entity::{Geometry, Hidden};
 use file::File;
 use std::collections::BTreeMap;
 
+/// Bytes within which a large file has to show that it is a DXF, so that junk is refused at once. Drawing programs write
+/// the first section within a hundred.
+const HEAD: usize = 1 << 20;
+
 /// Reads a drawing from the bytes of a DXF file, ASCII or binary.
 ///
 /// # Errors
@@ -51,7 +55,8 @@ pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadError> {
     if let Some(sentence) = other_format(bytes) {
         return Err(ReadError::NotADrawing(sentence.to_owned()));
     }
-    let mut file = file::read(bytes);
+    let head = bytes.get(..HEAD).filter(|head| !file::read(head).recognised);
+    let mut file = file::read(head.unwrap_or(bytes));
     if !file.recognised {
         return Err(ReadError::NotADrawing(
             "This is neither a DXF nor an SVG file, or one damaged beyond reading. Save the drawing as DXF or SVG and drop it again.".to_owned(),

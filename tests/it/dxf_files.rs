@@ -291,3 +291,22 @@ fn a_misspelt_section_is_read_and_reported() {
         assert!(finding.message.starts_with("The word SUCTION is in the place of SECTION"), "{finding:?}");
     }
 }
+
+#[test]
+fn junk_is_refused_by_its_first_megabyte_and_long_comments_before_a_drawing_are_not_junk() {
+    const MEGABYTE: usize = 1 << 20;
+    for junk in ["a", "0\nJUNK\n", "999\nno drawing\n"] {
+        match bytes(&junk.as_bytes().repeat(3 * MEGABYTE / junk.len())) {
+            Err(ReadError::NotADrawing(sentence)) => {
+                assert!(sentence.starts_with("This is neither"), "{sentence}")
+            }
+            other => panic!("{junk}: {other:?}"),
+        }
+    }
+    let text = file("", LINE);
+    let comment = "999\na line of a long comment\n";
+    let commented = comment.repeat(MEGABYTE / 2 / comment.len()) + &text;
+    assert_eq!(shapes(&read(&commented).unwrap()), [("LINE", 50.0)]);
+    let long = text.clone() + &comment.repeat(2 * MEGABYTE / comment.len());
+    assert_eq!(shapes(&read(&long).unwrap()), [("LINE", 50.0)], "a large file is read whole");
+}
