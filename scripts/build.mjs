@@ -183,9 +183,12 @@ function weigh() {
 /** The sample shown on a first visit. */
 const FIRST_SAMPLE = 'sheet_500.dxf';
 
-/** Not fetched before somebody asks for it: the research build, the PNG renderer, other languages, source maps, samples past the first. Nor are compressed copies. */
+/**
+ * Not fetched before somebody asks for it: the research build, the PNG renderer, other languages, source maps, samples past the first, and the
+ * planner without a worker, which the page never uses. Nor are compressed copies.
+ */
 function onDemand(file) {
-  return /kerfway_(png|research)|language-[^/\\]*\.js$|\.(map|br)$/.test(file) || (/samples[\\/]/.test(file) && !file.endsWith(FIRST_SAMPLE));
+  return /kerfway_(png|research)|(language|in-thread)-[^/\\]*\.js$|\.(map|br)$/.test(file) || (/samples[\\/]/.test(file) && !file.endsWith(FIRST_SAMPLE));
 }
 
 const kB = (n) => n.toFixed(1).padStart(9);
