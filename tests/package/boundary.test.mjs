@@ -64,7 +64,7 @@ describe('names', () => {
     assert.equal(await says({ machine: machine((m) => (m.kerf_witdh = 0.2)) }), 'The machine has no field "kerf_witdh". Did you mean "kerf_width"?');
     assert.equal(await says({ machine: machine((m) => (m.cut.sped = 1)) }), 'The machine has no field "cut.sped". Did you mean "cut.speed"?');
     assert.equal(await says({ secnds: 1 }), 'plan has no option "secnds". Did you mean "seconds"?');
-    assert.equal(await says({ member: 1 }), 'plan has no option "member". There are: ' + 'units, dpi, tolerance, keepDamaged, turn, joinTolerance, copyTolerance, layers, orderByLayer, passOrder, ignoreOutline, keepBorder, groups, partByPart, commonCuts, first, last, mark, sequences, exclude, machine, material, place, start, allowOffBed, method, parameters, seed, warm, workers, seconds, moves, name, signal, onLoaded, onProgress, outputs.');
+    assert.equal(await says({ member: 1 }), 'plan has no option "member". There are: ' + 'units, dpi, tolerance, keepDamaged, turn, joinTolerance, copyTolerance, layers, orderByLayer, passOrder, ignoreOutline, keepBorder, groups, partByPart, commonCuts, first, last, mark, sequences, exclude, joints, machine, material, place, start, allowOffBed, method, parameters, seed, warm, workers, seconds, moves, name, signal, onLoaded, onProgress, outputs.');
     assert.equal(await says({ method: 'rlsga', parameters: { popluation: 9 } }), 'The method has no parameter "popluation". Did you mean "population"?');
     assert.match(await says({ machine: 'co2-10w' }), /^There is no machine named "co2-10w"\. Did you mean "co2-100w"\?/);
     assert.equal(await refusal(quote(PLATE, { material: { thicknes: 1 } })), 'quote has no option "material.thicknes". Did you mean "material.thickness"?');
