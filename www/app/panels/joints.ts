@@ -59,7 +59,7 @@ export function jointsPanel(session: Session, edit: (change: (m: MachineProfile)
   const custom = h('div', { class: 'stack' }, h('p', { class: 'soft' }, w.custom), button(w.replace, { class: 'small', onclick: () => edit((m) => (m.joints = jointRules())) }));
   const placed = h('span', { class: 'soft' });
   const clear = button(w.clear, { class: 'quiet small', onclick: () => session.drawing.change({ joints: [] }) });
-  const byHand = h('div', { class: 'pins' }, button(w.place, { class: 'small', title: w.placing, onclick: place }), placed, clear);
+  const byHand = h('div', { class: 'by-hand' }, button(w.place, { class: 'small', title: w.placing, onclick: place }), placed, clear);
   const gist = h('span', { class: 'soft' });
   return {
     root: h('details', { class: 'more' }, h('summary', {}, w.title, ' ', gist), h('div', { class: 'stack' }, on.root, simple, custom, byHand)),
