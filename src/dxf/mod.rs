@@ -55,8 +55,8 @@ pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadError> {
     if let Some(sentence) = other_format(bytes) {
         return Err(ReadError::NotADrawing(sentence.to_owned()));
     }
-    let head = bytes.get(..HEAD).filter(|head| !file::read(head).recognised);
-    let mut file = file::read(head.unwrap_or(bytes));
+    let junk = bytes.get(..HEAD).filter(|head| !file::is_recognised(head));
+    let mut file = file::read(junk.unwrap_or(bytes));
     if !file.recognised {
         return Err(ReadError::NotADrawing(
             "This is neither a DXF nor an SVG file, or one damaged beyond reading. Save the drawing as DXF or SVG and drop it again.".to_owned(),

@@ -82,6 +82,20 @@ impl Path {
         self.segments.get(i).map(|g| g.at(f))
     }
 
+    /// The place nearest to a point: its arc length, mm, and the point there; `None` for a path without elements.
+    pub fn nearest(&self, p: DVec2) -> Option<(f64, DVec2)> {
+        let mut before = 0.0;
+        let mut best: Option<(f64, f64, DVec2)> = None;
+        for s in &self.segments {
+            let (fraction, distance2) = s.nearest(p);
+            if best.is_none_or(|b| distance2 < b.0) {
+                best = Some((distance2, before + fraction * s.length(), s.at(fraction)));
+            }
+            before += s.length();
+        }
+        best.map(|b| (b.1, b.2))
+    }
+
     /// Index of the element `s` mm along the path, and the fraction along it, which is 0 within 1e-9 mm of the
     /// element's start.
     pub fn locate(&self, s: f64) -> Option<(usize, f64)> {

@@ -141,7 +141,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64
     // Since a joint was left: the elements of a motion that goes on, and whether the contour does.
     let (mut motion, mut after_joint) = (Vec::new(), false);
     for (index, step) in plan.moves.iter().enumerate() {
-        let flies_on = matches!(plan.moves.get(index + 1), Some(Move::Joint { flying: true, .. }));
+        let flies_on = plan.moves.get(index + 1).is_some_and(Move::is_flying_joint);
         match step {
             Move::Joint { path, flying, .. } => {
                 let to = path.last().map_or(head, Segment::end);
@@ -190,7 +190,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64
                 head = path.last().map_or(head, Segment::end);
             }
         }
-        let in_motion = flies_on || matches!(step, Move::Joint { flying: true, .. });
+        let in_motion = flies_on || step.is_flying_joint();
         goes_on = matches!(step, Move::Macro { .. }) || (goes_on && in_motion);
     }
     let mut times = Vec::with_capacity(2 * runs.len());

@@ -6,7 +6,7 @@
 
 use super::room::{Cuts, Room, corners};
 use super::stretches::Joint;
-use crate::geometry::{DVec2, Path};
+use crate::geometry::DVec2;
 use crate::machine::{JointKind, JointRule, LeadSide, Profile};
 use crate::order::{real, sort_by};
 use crate::sheet::{Contour, HandJoint, Operation, Sheet};
@@ -154,20 +154,7 @@ fn place_by_hand(contour: &Contour, joint: &HandJoint) -> Option<f64> {
     if contour.drawn.is_none() {
         return Some(along);
     }
-    Some(nearest(&contour.path, drawn.at(along)?))
-}
-
-/// The arc length of the place on a path that is nearest to a point.
-fn nearest(path: &Path, point: DVec2) -> f64 {
-    let (mut at, mut best) = (0.0, (f64::INFINITY, 0.0));
-    for s in &path.segments {
-        let (f, d2) = s.nearest(point);
-        if d2 < best.0 {
-            best = (d2, at + f * s.length());
-        }
-        at += s.length();
-    }
-    best.1
+    Some(contour.path.nearest(drawn.at(along)?)?.0)
 }
 
 /// The places that are tried on a contour, and what is known of them.

@@ -72,7 +72,7 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
                 sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
                 sum.lead_length +=
                     [lead_in, overcut, lead_out].into_iter().flatten().map(Segment::length).sum::<f64>();
-                if matches!(moves.get(index + 1), Some(Move::Joint { flying: true, .. })) {
+                if moves.get(index + 1).is_some_and(Move::is_flying_joint) {
                     motion.extend(path);
                 } else {
                     let whole = if motion.is_empty() {

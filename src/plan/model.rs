@@ -63,6 +63,13 @@ pub enum Move {
     },
 }
 
+impl Move {
+    /// Whether this is a joint over which the head runs on, so that the cuts before and after it are one motion.
+    pub fn is_flying_joint(&self) -> bool {
+        matches!(self, Self::Joint { flying: true, .. })
+    }
+}
+
 /// How many elements of a cut belong to leads and overcut. The lead-in comes first; then the contour, the overcut, and the
 /// lead-out. All are cut without switching the beam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]

@@ -10,11 +10,18 @@ mod reader;
 pub(super) use contents::File;
 use reader::Reader;
 
+/// Whether something in these bytes is that of a DXF file. Reads no further than that.
+pub(super) fn is_recognised(bytes: &[u8]) -> bool {
+    let mut file = File::default();
+    Reader::new(bytes).run(&mut file, true);
+    file.recognised
+}
+
 /// Reads the whole file.
 pub(super) fn read(bytes: &[u8]) -> File<'_> {
     let mut file = File::default();
     file.layers.zero();
-    Reader::new(bytes).run(&mut file);
+    Reader::new(bytes).run(&mut file, false);
     file.find_blocks();
     file
 }

@@ -52,8 +52,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads all records into `file`.
-    pub(super) fn run(mut self, file: &mut File<'a>) {
+    /// Reads all records into `file`, or those `until_recognised`.
+    pub(super) fn run(mut self, file: &mut File<'a>, until_recognised: bool) {
         let mut record = Record::default();
         let mut variable: &[u8] = b"";
         let mut next = self.tokens.next();
@@ -89,6 +89,9 @@ impl<'a> Reader<'a> {
                 None => file.header.take(variable, &tag),
             }
             self.note_breaks(file, None);
+            if until_recognised && file.recognised {
+                return;
+            }
             if next.is_none() {
                 next = self.tokens.next();
             }

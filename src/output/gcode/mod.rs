@@ -149,9 +149,7 @@ impl<'d> Writer<'d> {
                 "switches the beam off with the next motion only, so the program must end with one: let the machine return home.",
             );
         }
-        if has(|m| matches!(m, Move::Joint { flying: true, .. }))
-            && !Beam::new(self.dialect).changes_in_motion()
-        {
+        if has(Move::is_flying_joint) && !Beam::new(self.dialect).changes_in_motion() {
             return refuse(
                 "switches the beam only at rest, so it cannot leave flying joints: set the kind of the joints to stop.",
             );
@@ -189,7 +187,7 @@ impl<'d> Writer<'d> {
         let (mut order, mut pierce, mut goes_on, mut moving) = (0, 0.0, false, false);
         let (mut height, mut flying) = (0.0, false);
         for (index, step) in work.iter().enumerate() {
-            let ends = !matches!(work.get(index + 1), Some(Move::Joint { flying: true, .. }));
+            let ends = !work.get(index + 1).is_some_and(Move::is_flying_joint);
             match step {
                 Move::Air { to } => self.pen.rapid(*to),
                 Move::Pierce => pierce += self.profile.pierce_time,
@@ -229,7 +227,7 @@ impl<'d> Writer<'d> {
                 }
             }
             goes_on = matches!(step, Move::Macro { .. });
-            flying = matches!(step, Move::Joint { flying: true, .. });
+            flying = step.is_flying_joint();
         }
 
         self.pen.off();

@@ -124,13 +124,12 @@ pub(super) fn check(
             Move::Cut { contour, path, leads, mark: false, .. } => {
                 let Some(work) = work.get_mut(*contour as usize) else { continue };
                 let [_, on, overcut, _] = leads.divide(path);
-                let length = |path: &[Segment]| path.iter().map(Segment::length).sum::<f64>();
                 work.first = work.first.or(on.first().map(|s| (step, s.start())));
                 work.last = on.last().map(Segment::end).or(work.last);
-                work.cut += length(on);
-                work.overcut += length(overcut);
+                work.cut += length_of(on);
+                work.overcut += length_of(overcut);
                 if work.joints.is_empty() {
-                    work.begins += length(on);
+                    work.begins += length_of(on);
                 }
             }
             _ => {}
@@ -168,7 +167,8 @@ pub(super) fn check(
             && (uncut - gap).abs() <= LENGTH
         {
             // The contour begins at a joint, which no move leaves.
-            let path = contour.path.between(on.along(end), on.along(start));
+            let along = |p| contour.path.nearest(p).map_or(0.0, |n| n.0);
+            let path = contour.path.between(along(end), along(start));
             work.joints.push(Made { step, path, flying: None });
         }
         count = count.saturating_add(u32::try_from(work.joints.len()).unwrap_or(u32::MAX));
@@ -261,19 +261,6 @@ impl On<'_> {
                     d2.sqrt() < least && self.apart(from + f * side.length(), at) > 1.6 * self.gap
                 })
         })
-    }
-
-    /// The arc length of a point on the contour, mm.
-    fn along(&self, p: DVec2) -> f64 {
-        let (mut at, mut best) = (0.0, (f64::INFINITY, 0.0));
-        for s in &self.contour.path.segments {
-            let (f, d2) = s.nearest(p);
-            if d2 < best.0 {
-                best = (d2, at + f * s.length());
-            }
-            at += s.length();
-        }
-        best.1
     }
 
     fn apart(&self, a: f64, b: f64) -> f64 {

@@ -26,7 +26,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let mut motion: Vec<Segment> = Vec::new();
     let (mut joint_seconds, mut stops) = (0.0, 0_u32);
     for (step, m) in plan.moves.iter().enumerate() {
-        let flies_on = matches!(plan.moves.get(step + 1), Some(Move::Joint { flying: true, .. }));
+        let flies_on = plan.moves.get(step + 1).is_some_and(Move::is_flying_joint);
         match m {
             Move::Air { to } => {
                 air_length += (*to - head).length();

@@ -75,25 +75,11 @@ fn touching(
         if id == own || !sound[c] {
             continue;
         }
-        if let Some((along, place)) = nearest(&contour.path, at).filter(|n| n.1.distance(at) <= tolerance) {
+        if let Some((along, place)) = contour.path.nearest(at).filter(|n| n.1.distance(at) <= tolerance) {
             found.push(Break { contour: id, along, at: place });
         }
     }
     found
-}
-
-/// The place on a path nearest to a point: its arc length and the point.
-fn nearest(path: &Path, p: DVec2) -> Option<(f64, DVec2)> {
-    let mut before = 0.0;
-    let mut best: Option<(f64, f64, DVec2)> = None;
-    for s in &path.segments {
-        let (fraction, distance2) = s.nearest(p);
-        if best.is_none_or(|b| distance2 < b.0) {
-            best = Some((distance2, before + fraction * s.length(), s.at(fraction)));
-        }
-        before += s.length();
-    }
-    best.map(|b| (b.1, b.2))
 }
 
 /// A set with its nodes. Breaks within the tolerance of each other are one node, and those of one contour are one
