@@ -6,14 +6,11 @@
 
 use crate::testkit::joints::with_joints;
 use crate::testkit::leads::{leads, with_leads};
-use crate::testkit::sheets::{machine, nested_sheet};
+use crate::testkit::replayed::{findings, nearest_next, nests};
 use crate::testkit::{files, fixtures, name};
-use kerfway::job::{Job, LoadOptions, MachineChoice, OutputKind, PlanOptions, problem_of};
+use kerfway::job::PlanOptions;
 use kerfway::machine::{JointKind, JointRule, LeadKind, preset};
-use kerfway::{output, plan, solve};
-use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::path::Path;
 
 /// Number of seeded nests.
 const NESTS: u64 = 20;
@@ -40,19 +37,12 @@ fn drawings() -> Vec<(String, Vec<u8>)> {
         .map(|p| (name(p), std::fs::read(p).unwrap()))
         .filter(|(_, bytes)| bytes.len() < MOST_BYTES)
         .collect();
-    for seed in 0..NESTS {
-        let sheet = nested_sheet(12, seed);
-        let machine = machine("co2-100w");
-        let problem = problem_of(&sheet, &machine);
-        let plain = plan::from_solution(&sheet, &problem, &solve::greedy(&problem));
-        all.push((format!("nest-{seed:03}"), output::dxf(&plain, &sheet).into_bytes()));
-    }
+    all.extend(nests(NESTS));
     all
 }
 
 /// The plan of a drawing by the nearest next entry, with and without joints on outlines and holes; every third has leads.
 fn planned(k: usize, name: &str, bytes: Vec<u8>, joints: bool) -> Option<String> {
-    let mut job = Job::load(bytes, name, &LoadOptions::default()).ok()?;
     let mut machine = preset("fibre-3kw-thin")?;
     if joints {
         let kind = [JointKind::Stop, JointKind::Flying][k % 2];
@@ -63,13 +53,7 @@ fn planned(k: usize, name: &str, bytes: Vec<u8>, joints: bool) -> Option<String>
         machine = with_leads(machine, leads(LeadKind::Arc, 0.5, 0.4));
     }
     machine.kerf_width = 0.2;
-    let machine = MachineChoice::Profile(Box::new(machine));
-    let method = Some("greedy".to_owned());
-    let options =
-        PlanOptions { machine, method, moves: Some(1), allow_off_bed: true, ..PlanOptions::default() };
-    job.start(&options).ok()?;
-    job.run_mut().unwrap().step(1);
-    Some(job.output(OutputKind::Json).unwrap_or_else(|e| panic!("{name}: {e}")))
+    nearest_next(name, bytes, machine, PlanOptions { allow_off_bed: true, ..PlanOptions::default() })
 }
 
 #[test]
@@ -81,23 +65,13 @@ fn the_sheet_holds_every_part_with_joints_and_none_without() {
             plans.insert(format!("{name} {suffix}"), plan);
         }
     }
-    if std::env::var_os("KERFWAY_BLESS").is_some() {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/joints");
-        std::fs::create_dir_all(&folder).unwrap();
-        for (name, plan) in &plans {
-            std::fs::write(folder.join(format!("{name}.json")), plan).unwrap();
-        }
+    let found = findings::<Held>(&plans, "joints");
+    if found.is_empty() {
         return;
     }
-    let text = std::fs::read_to_string(fixtures().join("joints.json")).unwrap();
-    let cut: BTreeMap<String, Held> = serde_json::from_str(&text).unwrap();
-    assert_eq!(plans.keys().collect::<Vec<_>>(), cut.keys().collect::<Vec<_>>());
     let (mut parts, mut joints) = (0, 0);
-    for (name, plan) in &plans {
-        let moves = plan.split("\"moves\":[").nth(1).unwrap().split("],\"findings\":[").next().unwrap();
-        let hash: String = Sha256::digest(moves).iter().map(|b| format!("{b:02x}")).collect();
-        let found = &cut[name];
-        assert_eq!(hash, found.moves, "{name} is another plan than the one that was cut");
+    for (name, hash, found) in &found {
+        assert_eq!(*hash, found.moves, "{name} is another plan than the one that was cut");
         assert_eq!(found.faults, Vec::<String>::new(), "{name}");
         if name.ends_with(" with") {
             assert!(found.held + found.told >= found.parts, "{name}: {} of {}", found.held, found.parts);

@@ -1,8 +1,9 @@
 //! The search with joints against the exact optimum of small problems.
 
+use crate::testkit::exact::{MOST_ITEMS, assert_methods_reach};
 use crate::testkit::joints::{rule, with_joints};
 use crate::testkit::leads::{leads, oriented, with_leads};
-use crate::testkit::sheets::{assert_feasible, assert_passes, machine, nested_sheet};
+use crate::testkit::sheets::{assert_passes, machine, nested_sheet};
 use kerfway::job::problem_of;
 use kerfway::machine::{JointKind, JointRule, LeadKind};
 use kerfway::plan::{self, LowerBound, Move};
@@ -24,22 +25,14 @@ fn small_sheets_with_joints_are_solved_exactly() {
         }
         machine.return_home = seed % 3 != 0;
         let problem = problem_of(&sheet, &machine);
-        if problem.items.len() > 8 {
+        if problem.items.len() > MOST_ITEMS {
             continue;
         }
         let best = solve::exact(&problem).unwrap();
         assert_passes(&sheet, &machine, &problem, &Solution::new(&problem, best.stops.clone()));
-        for method in solve::methods() {
-            let mut search = method.start(&problem, seed, None);
-            search.step(400_000);
-            assert_feasible(&problem, search.best());
-            assert_passes(&sheet, &machine, &problem, search.best());
-            let (found, least) = (search.best().cost, best.cost);
-            match method.info().name {
-                "greedy" => assert!(found >= least - 1e-9),
-                name => assert!(found <= least + 1e-9, "{name}, seed {seed}: {found}, least {least}"),
-            }
-        }
+        assert_methods_reach(&problem, seed, best.cost, |found| {
+            assert_passes(&sheet, &machine, &problem, found)
+        });
         let mut bound = LowerBound::new(&problem);
         bound.improve(20_000_000, best.cost);
         assert!(bound.value() <= best.cost + 1e-9 * best.cost.max(1.0), "seed {seed}");

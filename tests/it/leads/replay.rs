@@ -5,14 +5,11 @@
 //! `target/leads`, and `python tests/oracle/leads.py` replays them and writes the fixture.
 
 use crate::testkit::leads::{leads, with_leads};
-use crate::testkit::sheets::{machine, nested_sheet};
+use crate::testkit::replayed::{findings, nearest_next, nests};
 use crate::testkit::{files, fixtures, name};
-use kerfway::job::{Job, LoadOptions, MachineChoice, OutputKind, PlanOptions, problem_of};
+use kerfway::job::PlanOptions;
 use kerfway::machine::{LeadKind, preset};
-use kerfway::{output, plan, solve};
-use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::path::Path;
 
 /// Number of seeded nests.
 const NESTS: u64 = 100;
@@ -35,28 +32,17 @@ struct Replayed {
 fn drawings() -> Vec<(String, Vec<u8>)> {
     let folders = ["dxf-dev", "sheets"].map(|f| files(&fixtures().join(f), "dxf")).concat();
     let mut all: Vec<_> = folders.iter().map(|p| (name(p), std::fs::read(p).unwrap())).collect();
-    for seed in 0..NESTS {
-        let sheet = nested_sheet(12, seed);
-        let machine = machine("co2-100w");
-        let problem = problem_of(&sheet, &machine);
-        let plain = plan::from_solution(&sheet, &problem, &solve::greedy(&problem));
-        all.push((format!("nest-{seed:03}"), output::dxf(&plain, &sheet).into_bytes()));
-    }
+    all.extend(nests(NESTS));
     all
 }
 
 /// The plan of a drawing by the nearest next entry; every third drawing has another kind of lead and another overcut, every
 /// second a kerf. `None` for a drawing without anything to cut.
 fn planned(k: usize, name: &str, bytes: Vec<u8>) -> Option<String> {
-    let mut job = Job::load(bytes, name, &LoadOptions::default()).ok()?;
     let kind = [LeadKind::Arc, LeadKind::LineArc, LeadKind::Line][k % 3];
     let mut machine = with_leads(preset("fibre-3kw-thin")?, leads(kind, 0.5, [0.0, 0.4, -0.2][k / 3 % 3]));
     machine.kerf_width = [0.0, 0.2][k % 2];
-    let machine = MachineChoice::Profile(Box::new(machine));
-    let method = Some("greedy".to_owned());
-    job.start(&PlanOptions { machine, method, moves: Some(1), ..PlanOptions::default() }).ok()?;
-    job.run_mut().unwrap().step(1);
-    Some(job.output(OutputKind::Json).unwrap_or_else(|e| panic!("{name}: {e}")))
+    nearest_next(name, bytes, machine, PlanOptions::default())
 }
 
 #[test]
@@ -66,21 +52,7 @@ fn plans_are_those_that_shapely_replayed() {
         .enumerate()
         .filter_map(|(k, (name, bytes))| Some((name.clone(), planned(k, &name, bytes)?)))
         .collect();
-    if std::env::var_os("KERFWAY_BLESS").is_some() {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/leads");
-        std::fs::create_dir_all(&folder).unwrap();
-        for (name, plan) in &plans {
-            std::fs::write(folder.join(format!("{name}.json")), plan).unwrap();
-        }
-        return;
-    }
-    let text = std::fs::read_to_string(fixtures().join("leads.json")).unwrap();
-    let replayed: BTreeMap<String, Replayed> = serde_json::from_str(&text).unwrap();
-    assert_eq!(plans.keys().collect::<Vec<_>>(), replayed.keys().collect::<Vec<_>>());
-    for (name, plan) in &plans {
-        let moves = plan.split("\"moves\":[").nth(1).unwrap().split("],\"findings\":[").next().unwrap();
-        let hash: String = Sha256::digest(moves).iter().map(|b| format!("{b:02x}")).collect();
-        let found = &replayed[name];
+    for (name, hash, found) in findings::<Replayed>(&plans, "leads") {
         assert_eq!(hash, found.moves, "{name} is another plan than the one that was replayed");
         assert_eq!(found.faults, Vec::<String>::new(), "{name}");
         assert!(found.tangent < 0.1 && found.overcut < 1e-3, "{name}: {} {}", found.tangent, found.overcut);
