@@ -14,63 +14,15 @@ after the beam, as wide as the kerf, has passed all cuts. For each joint that a 
 Needs `pip install shapely`.
 """
 
-import hashlib
-import json
 import math
-from pathlib import Path
 
 import shapely
 
-ROOT = Path(__file__).resolve().parent.parent
-PLANS, FIXTURE = ROOT.parent / "target" / "joints", ROOT / "fixtures" / "joints.json"
+from judge import depth_of, elements, judge, line, polygon, turned
+
 # mm: deviation of chords, margin of the sheet around everything that is cut.
 CHORD, MARGIN = 0.002, 10.0
 CORNER = 10.1
-
-
-class Element:
-    """A line or an arc."""
-
-    def __init__(self, start, data):
-        self.start = tuple(start)
-        self.end = tuple(data["line"] if "line" in data else data["arc"])
-        self.center = tuple(data["center"]) if "arc" in data else None
-        if self.center is None:
-            self.sweep, self.length = 0.0, math.dist(self.start, self.end)
-            return
-        a, b = (math.atan2(p[1] - self.center[1], p[0] - self.center[0]) for p in (self.start, self.end))
-        turn = (b - a) % (2 * math.pi)
-        self.angle, self.radius = a, math.dist(self.start, self.center)
-        self.sweep = (turn or 2 * math.pi) if data["ccw"] else turn - 2 * math.pi
-        self.length = self.radius * abs(self.sweep)
-
-    def direction(self, at_end):
-        if self.center is None:
-            return math.atan2(self.end[1] - self.start[1], self.end[0] - self.start[0])
-        return self.angle + (self.sweep if at_end else 0.0) + math.copysign(math.pi / 2, self.sweep)
-
-    def points(self):
-        if self.center is None:
-            return [self.start, self.end]
-        step = 2 * math.acos(max(0.0, 1 - CHORD / self.radius)) if self.radius > CHORD else math.pi
-        count = max(1, math.ceil(abs(self.sweep) / step))
-        at = [self.angle + self.sweep * k / count for k in range(1, count)]
-        return [self.start, *((self.center[0] + self.radius * math.cos(a), self.center[1] + self.radius * math.sin(a)) for a in at), self.end]
-
-
-def elements(start, path):
-    out = []
-    for data in path:
-        out.append(Element(start, data))
-        start = out[-1].end
-    return out
-
-
-def line(chain):
-    points = [chain[0].start]
-    for e in chain:
-        points += e.points()[1:]
-    return shapely.LineString(points)
 
 
 def beams(plan):
@@ -80,7 +32,7 @@ def beams(plan):
         if move["kind"] in ("air", "pre-cut"):
             at = tuple(move["to"])
         if move["kind"] in ("cut", "joint"):
-            chain = elements(at, move["path"])
+            chain = elements(at, move["path"], CHORD)
             at = chain[-1].end
             ids = move["contour"] if isinstance(move["contour"], list) else [move["contour"]]
             if plan["contours"][ids[0]]["operation"] != "cut":
@@ -99,17 +51,9 @@ def corners(chain):
     at, out = 0.0, []
     for a, b in zip(chain, chain[1:] + chain[:1]):
         at += a.length
-        turn = math.degrees(abs((b.direction(False) - a.direction(True) + math.pi) % (2 * math.pi) - math.pi))
-        if turn > CORNER and math.dist(a.end, b.start) < 1e-3:
+        if turned(a.direction(True), b.direction(False)) > CORNER and math.dist(a.end, b.start) < 1e-3:
             out.append(at)
     return out, at
-
-
-def depth_of(plan, contour):
-    depth, outer = 0, contour["inside"]
-    while outer is not None:
-        depth, outer = depth + 1, plan["contours"][outer]["inside"]
-    return depth
 
 
 def rule_of(plan, contour):
@@ -131,8 +75,7 @@ def cut(plan):
 
     # A part is the largest area between its outline and its holes.
     def area(k):
-        p = shapely.Polygon([q for _, chain in chains[k] for e in chain for q in e.points()[:-1]])
-        return p if p.is_valid else p.buffer(0)
+        return polygon([q for _, chain in chains[k] for e in chain for q in e.points()[:-1]])
 
     parts, held = 0, 0
     closed = lambda k: k in chains and plan["contours"][k]["closed"]  # noqa: E731
@@ -184,19 +127,4 @@ def cut(plan):
     return {"parts": parts, "held": held, "told": told, "joints": joints, "faults": faults}
 
 
-def moves_hash(text):
-    """SHA-256 of the moves as they are written."""
-    return hashlib.sha256(text.split(b'"moves":[')[1].split(b'],"findings":[')[0]).hexdigest()
-
-
-def main():
-    found = {}
-    for file in sorted(PLANS.glob("*.json")):
-        text = file.read_bytes()
-        found[file.stem] = {"moves": moves_hash(text), **cut(json.loads(text))}
-        print(file.stem, {k: v for k, v in found[file.stem].items() if k != "moves"}, flush=True)
-    FIXTURE.write_text(json.dumps(found, indent=1) + "\n")
-    print("faults:", sum(len(f["faults"]) for f in found.values()))
-
-
-main()
+judge("joints", cut)

@@ -14,64 +14,14 @@ Kerfway still makes these plans. For each cut with leads:
 Needs `pip install shapely`.
 """
 
-import hashlib
-import json
 import math
-from pathlib import Path
 
 import shapely
 
-ROOT = Path(__file__).resolve().parent.parent
-PLANS, FIXTURE = ROOT.parent / "target" / "leads", ROOT / "fixtures" / "leads.json"
+from judge import depth_of, elements, judge, line, polygon, turned
+
 # mm: deviation of chords, what a part is smaller than drawn, radius of the place of piercing.
 CHORD, LESS, PIERCE = 0.0005, 0.005, 0.05
-
-
-class Element:
-    """A line or an arc, with its ends and its directions of travel there."""
-
-    def __init__(self, start, data):
-        self.start = start
-        self.end = tuple(data["line"] if "line" in data else data["arc"])
-        self.center = tuple(data["center"]) if "arc" in data else None
-        if self.center is None:
-            self.sweep = 0.0
-            self.length = math.dist(self.start, self.end)
-            return
-        a, b = (math.atan2(p[1] - self.center[1], p[0] - self.center[0]) for p in (self.start, self.end))
-        turn = (b - a) % (2 * math.pi)
-        self.angle, self.radius = a, math.dist(self.start, self.center)
-        self.sweep = (turn or 2 * math.pi) if data["ccw"] else turn - 2 * math.pi
-        self.length = self.radius * abs(self.sweep)
-
-    def direction(self, at_end):
-        if self.center is None:
-            return math.atan2(self.end[1] - self.start[1], self.end[0] - self.start[0])
-        a = self.angle + (self.sweep if at_end else 0.0)
-        return a + math.copysign(math.pi / 2, self.sweep)
-
-    def points(self):
-        if self.center is None:
-            return [self.start, self.end]
-        step = 2 * math.acos(max(0.0, 1 - CHORD / self.radius)) if self.radius > CHORD else math.pi
-        count = max(1, math.ceil(abs(self.sweep) / step))
-        at = [self.angle + self.sweep * k / count for k in range(1, count)]
-        return [self.start, *((self.center[0] + self.radius * math.cos(a), self.center[1] + self.radius * math.sin(a)) for a in at), self.end]
-
-
-def elements(start, path):
-    out = []
-    for data in path:
-        out.append(Element(start, data))
-        start = out[-1].end
-    return out
-
-
-def line(chain):
-    points = [chain[0].start]
-    for e in chain:
-        points += e.points()[1:]
-    return shapely.LineString(points)
 
 
 def cuts(plan):
@@ -81,7 +31,7 @@ def cuts(plan):
         if move["kind"] == "air" or move["kind"] == "pre-cut":
             at = tuple(move["to"])
         if move["kind"] == "cut":
-            chain = elements(at, move["path"])
+            chain = elements(at, move["path"], CHORD)
             at = chain[-1].end
             n, i, o, q = len(chain), move.get("lead_in", 0), move.get("overcut", 0), move.get("lead_out", 0)
             parts = [chain[:i], chain[i : n - o - q], chain[n - o - q : n - q], chain[n - q :]]
@@ -92,15 +42,6 @@ def cuts(plan):
                 all_cuts.append([ids, parts])
         goes_on = move["kind"] == "macro"
     return all_cuts
-
-
-def turned(a, b):
-    return math.degrees(abs((b - a + math.pi) % (2 * math.pi) - math.pi))
-
-
-def polygon(points):
-    p = shapely.Polygon(points)
-    return p if p.is_valid else p.buffer(0)
 
 
 def rule_of(plan, contour, box):
@@ -116,10 +57,7 @@ def replay(plan):
     clearance, kerf = plan["machine"]["leads"]["clearance"], plan["machine"].get("kerf_width", 0.0)
     contours = plan["contours"]
     for c in contours:
-        depth, outer = 0, c["inside"]
-        while outer is not None:
-            depth, outer = depth + 1, contours[outer]["inside"]
-        c["depth"] = depth
+        c["depth"] = depth_of(plan, c)
     done = cuts(plan)
     # What the beam follows, and the outlines of what is made.
     beams, outlines = {}, {}
@@ -127,7 +65,7 @@ def replay(plan):
         beams[ids[0]] = line(on)
     for c in contours:
         if "drawn" in c:
-            outlines[c["id"]] = line(elements(tuple(c["drawn"]["from"]), c["drawn"]["path"]))
+            outlines[c["id"]] = line(elements(c["drawn"]["from"], c["drawn"]["path"], CHORD))
         elif c["closed"] and c["operation"] == "cut" and c["id"] in beams:
             outlines[c["id"]] = beams[c["id"]]
     # Pieces of one shape have the same outline: it counts once, and falls out with the last piece.
@@ -202,19 +140,4 @@ def replay(plan):
     return {"closed": len(closed), "with_lead": with_lead, "told": told, "faults": faults, "tangent": round(tangent, 9), "overcut": round(overcut_error, 9)}
 
 
-def moves_hash(text):
-    """SHA-256 of the moves as they are written."""
-    return hashlib.sha256(text.split(b'"moves":[')[1].split(b'],"findings":[')[0]).hexdigest()
-
-
-def main():
-    found = {}
-    for file in sorted(PLANS.glob("*.json")):
-        text = file.read_bytes()
-        found[file.stem] = {"moves": moves_hash(text), **replay(json.loads(text))}
-        print(file.stem, {k: v for k, v in found[file.stem].items() if k != "moves"}, flush=True)
-    FIXTURE.write_text(json.dumps(found, indent=1) + "\n")
-    print("faults:", sum(len(f["faults"]) for f in found.values()))
-
-
-main()
+judge("leads", replay)
