@@ -3,36 +3,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { circle, dxf, square } from '../package/support.mjs';
-import { download, drop, openPage, phase, planned, shot, SIZES } from './page-support.mjs';
+import { openMachinePart, plan, replanned, shot, SIZES } from './page-support.mjs';
 
 const DRAWING = dxf([...square(20, 20, 40), ...square(75, 20, 40), ...circle(40, 40, 8), ...circle(95, 40, 12)]);
 
-async function opened(t, options = {}) {
-  const { page } = await openPage(t, { hash: 'machine=fibre-3kw-thin&seconds=1&seed=1&units=mm', ...options });
-  await phase(page, 'planning', 'done');
-  await drop(page, 'joints.dxf', Buffer.from(DRAWING));
-  await planned(page, 'joints.dxf', 'done');
-  if (options.size === SIZES.phone) await page.locator('.sheet-toggle').click();
-  const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
-  await machine.evaluate((d) => (d.open = true));
-  const joints = machine.locator('details.more', { hasText: 'Micro-joints' });
-  await joints.evaluate((d) => (d.open = true));
-  return { page, joints };
-}
-
-async function replanned(page) {
-  await page.waitForTimeout(700);
-  await phase(page, 'done');
-}
-
-const plan = async (page) => {
-  const press = () => page.locator('.downloads').getByRole('button', { name: 'Plan (JSON)', exact: true }).click();
-  return JSON.parse((await download(page, press)).bytes.toString());
-};
-
 for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone', 'light'], ['phone', 'dark']]) {
   test(`micro-joints are switched on, drawn and placed by hand (${size}, ${theme})`, async (t) => {
-    const { page, joints } = await opened(t, { size: SIZES[size], theme, touch: size === 'phone' });
+    const { page, opened: joints } = await openMachinePart(t, 'Micro-joints', 'joints.dxf', DRAWING, { size: SIZES[size], theme, touch: size === 'phone' });
     await joints.getByLabel('Hold parts by micro-joints').check();
     await replanned(page);
     await joints.getByLabel('Width that holds').fill('1');

@@ -3,27 +3,15 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { dxf, square } from '../package/support.mjs';
-import { download, drop, openPage, phase, planned, shot, SIZES } from './page-support.mjs';
+import { openPage, openPlanned, output, phase, plan, replanned, shot, SIZES } from './page-support.mjs';
 
 const DRAWING = dxf(square(-20, 10, 50));
 
 async function opened(t, options = {}) {
-  const { page } = await openPage(t, { hash: 'machine=diode-hobby&seconds=1&seed=1&units=mm', ...options });
-  await phase(page, 'planning', 'done');
-  await drop(page, 'square.dxf', Buffer.from(DRAWING));
-  await planned(page, 'square.dxf', 'done');
+  const page = await openPlanned(t, 'diode-hobby', 'square.dxf', DRAWING, options);
   await page.evaluate(() => document.querySelectorAll('details.section').forEach((d) => (d.open = true)));
   return page;
 }
-
-/** The plan that follows a change: typing waits for more keys first. */
-async function replanned(page) {
-  await page.waitForTimeout(700);
-  await phase(page, 'done');
-}
-
-const output = async (page, name) => (await download(page, () => page.locator('.downloads').getByRole('button', { name, exact: true }).click())).bytes.toString();
-const plan = async (page) => JSON.parse(await output(page, 'Plan (JSON)'));
 
 test('a job off the bed gets no G-code, is moved to the corner, turned, and dragged', async (t) => {
   const page = await opened(t);

@@ -147,6 +147,41 @@ export async function download(page, press) {
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
 }
 
+/** The text of one of the downloads, by the name on its button. */
+export async function output(page, name) {
+  const press = () => page.locator('.downloads').getByRole('button', { name, exact: true }).click();
+  return (await download(page, press)).bytes.toString();
+}
+
+/** The plan document. */
+export const plan = async (page) => JSON.parse(await output(page, 'Plan (JSON)'));
+
+/** Waits for the plan that follows a change: typing waits for more keys first. */
+export async function replanned(page) {
+  await page.waitForTimeout(700);
+  await phase(page, 'done');
+}
+
+/** Opens the page with a machine and a drawing in millimetres that is planned, the same with the same seed. */
+export async function openPlanned(t, machine, name, bytes, options = {}) {
+  const { page } = await openPage(t, { hash: `machine=${machine}&seconds=1&seed=1&units=mm`, ...options });
+  await phase(page, 'planning', 'done');
+  await drop(page, name, Buffer.from(bytes));
+  await planned(page, name, 'done');
+  return page;
+}
+
+/** The same with a sheet for a fibre laser, and a part of the machine's section open. */
+export async function openMachinePart(t, part, name, bytes, options = {}) {
+  const page = await openPlanned(t, 'fibre-3kw-thin', name, bytes, options);
+  if (options.size === SIZES.phone) await page.locator('.sheet-toggle').click();
+  const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
+  await machine.evaluate((d) => (d.open = true));
+  const opened = machine.locator('details.more', { hasText: part });
+  await opened.evaluate((d) => (d.open = true));
+  return { page, opened };
+}
+
 /** A file of the page's own samples. */
 export const sample = (name) => readFileSync(join(ROOT, 'www', 'app', 'public', 'samples', name));
 
