@@ -1,22 +1,22 @@
 // An instance of the benchmark as a DXF drawing, and a plan's geometry as contours of an instance.
 
+import { drawing, polyline } from '../benches/common/dxf.mjs';
+
 /** The text of a DXF drawing, one closed or open polyline for each contour. */
 export function asDxf({ contours }) {
-  const head = ['0', 'SECTION', '2', 'HEADER', '9', '$INSUNITS', '70', '4', '0', 'ENDSEC', '0', 'SECTION', '2', 'ENTITIES'];
-  return [...head, ...contours.flatMap(polyline), '0', 'ENDSEC', '0', 'EOF', ''].join('\n');
+  return drawing(contours.flatMap(({ start, closed, path }) => polyline(vertices(start, closed, path), closed)));
 }
 
-function polyline({ start, closed, path }) {
-  const vertices = [];
+function vertices(start, closed, path) {
+  const all = [];
   let at = start;
   for (const piece of path) {
-    if (piece.line) vertices.push([...at, 0]);
-    else for (const [from, bulge] of bulges(at, piece)) vertices.push([...from, bulge]);
+    if (piece.line) all.push([...at, 0]);
+    else for (const [from, bulge] of bulges(at, piece)) all.push([...from, bulge]);
     at = piece.line ?? piece.arc;
   }
-  if (!closed) vertices.push([...at, 0]);
-  const codes = vertices.flatMap(([x, y, bulge]) => ['10', x, '20', y, '42', bulge]);
-  return ['0', 'LWPOLYLINE', '100', 'AcDbEntity', '8', 'CUT', '100', 'AcDbPolyline', '90', vertices.length, '70', closed ? '1' : '0', ...codes];
+  if (!closed) all.push([...at, 0]);
+  return all;
 }
 
 /** An arc in halves, which have a bulge also where the whole is a full turn: the point where each begins, and its bulge. */

@@ -3,13 +3,13 @@
 import { createHash } from 'node:crypto';
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
 import { gunzipSync, gzipSync } from 'node:zlib';
 import { drawn } from '../benches/solve/grids.mjs';
-import { DIST, ROOT } from '../scripts/tools.mjs';
+import { ROOT } from '../scripts/tools.mjs';
 import { contoursOf, polygon } from './drawing.mjs';
 import { generated, LENGTH } from './generate.mjs';
 import { HERE, listed, store } from './instances.mjs';
+import { planned } from './solve.mjs';
 
 const MADE = { licence: 'MIT', source: 'made by Kerfway' };
 /** Seconds: the rapid moves of a belt-driven CO2 machine, rest to rest. */
@@ -51,14 +51,12 @@ function entry(name, track, size, file, text, licence) {
 
 /** The nested sheets of tests/fixtures and perforated plates, as the reader of Kerfway joins their outlines. */
 async function sheets() {
-  const { plan } = await import(pathToFileURL(join(DIST, 'sdk', 'node.js')).href);
   const files = [100, 500, 2000, 10_000].map((n) => [`sheet-${n}`, join(ROOT, 'tests', 'fixtures', 'sheets', `sheet_${n}.dxf`)]);
   for (const pattern of ['staggered', 'slots']) files.push([`${pattern}-2500`, drawn(pattern, 50)]);
   const made = [];
   for (const [name, file] of files) {
-    const options = { machine: 'length', moves: 1, seed: 1, outputs: ['json'], layers: [{ name: 'MARK', operation: 'ignore' }] };
-    const { outputs } = await plan(readFileSync(file), options);
-    made.push([name, contoursOf(JSON.parse(typeof outputs.json === 'string' ? outputs.json : Buffer.from(outputs.json).toString()))]);
+    const options = { machine: 'length', moves: 1, seed: 1, layers: [{ name: 'MARK', operation: 'ignore' }] };
+    made.push([name, contoursOf(await planned(readFileSync(file), options))]);
   }
   return made;
 }

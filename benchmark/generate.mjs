@@ -2,15 +2,14 @@
 
 import { polygon } from './drawing.mjs';
 
-/** Uniform numbers between 0 and 1 by Mulberry32, which is short enough to be written again in any language. */
-export function random(seed) {
+/** Whole numbers of 32 bits by Mulberry32, which is short enough to be written again in any language. */
+export function mulberry32(seed) {
   let state = seed >>> 0;
   return () => {
     state = (state + 0x6d2b79f5) >>> 0;
-    let t = state;
-    t = Math.imul(t ^ (t >>> 15), t | 1);
+    let t = Math.imul(state ^ (state >>> 15), state | 1);
     t ^= t + Math.imul(t ^ (t >>> 7), t | 61);
-    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
+    return (t ^ (t >>> 14)) >>> 0;
   };
 }
 
@@ -19,7 +18,8 @@ export function random(seed) {
  * the track ECP, which knows ends of lines and arcs only, hexagons.
  */
 export function generated({ seed, count = 50, track = 'CCP', cost = LENGTH }) {
-  const draw = random(seed);
+  const next = mulberry32(seed);
+  const draw = () => next() / 2 ** 32;
   const hole = track === 'ECP' ? hexagon : circle;
   const contours = [];
   const columns = Math.max(1, Math.ceil(Math.sqrt(count / 3)));

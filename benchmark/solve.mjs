@@ -25,7 +25,6 @@ function machine({ track, cost, home, closed }) {
  */
 export async function solved(instance, budget, seed = 1) {
   if (instance.gtsplib) return tour(instance, budget, seed);
-  const { plan } = await import(pathToFileURL(join(DIST, 'sdk', 'node.js')).href);
   const options = { keepBorder: true, commonCuts: 'off', joinTolerance: 1e-5, copyTolerance: 1e-5, tolerance: 1e-5 };
   // The default method stops anywhere on a contour; the method of the paper can be told to stop at ends of lines and arcs only.
   const at = instance.track === 'ECP' ? { method: 'partition-tree', parameters: { nodes: 'element-ends' } } : { method: 'tour-tree' };
@@ -33,13 +32,16 @@ export async function solved(instance, budget, seed = 1) {
   const onProgress = ({ seconds, summary: { air_time: air, pierce_time: pierce } }) => {
     if (trace.at(-1)?.[1] !== air + pierce) trace.push([Number(seconds.toFixed(3)), air + pierce]);
   };
-  const run = await plan(Buffer.from(asDxf(instance)), { ...options, machine: machine(instance), ...at, seed, ...budget, onProgress, outputs: ['json'] });
-  const { moves, summary } = JSON.parse(text(run.outputs.json));
+  const { moves, summary } = await planned(Buffer.from(asDxf(instance)), { ...options, machine: machine(instance), ...at, seed, ...budget, onProgress });
   const bound = Math.max(0, (summary.lower_bound ?? 0) - (summary.total_time - summary.air_time - summary.pierce_time));
   return { trace, plan: { by: `kerfway ${at.method}, seed ${seed}`, moves }, bound };
 }
 
-const text = (output) => (typeof output === 'string' ? output : Buffer.from(output).toString());
+/** The plan document of a drawing. */
+export async function planned(bytes, options) {
+  const { plan } = await import(pathToFileURL(join(DIST, 'sdk', 'node.js')).href);
+  return JSON.parse((await plan(bytes, { ...options, outputs: ['json'] })).outputs.json);
+}
 
 /** A tour of an instance of GTSPLIB, by the command line. */
 function tour({ gtsplib }, { seconds, moves }, seed) {

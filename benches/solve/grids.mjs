@@ -4,6 +4,7 @@
 import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { drawing, polyline } from '../common/dxf.mjs';
 
 /** Holes in a row, and rows. */
 export const SIDES = [50, 100, 200];
@@ -24,13 +25,12 @@ function center({ pitch, shift }, column, row) {
 export function drawn(name, side) {
   const pattern = PATTERNS[name];
   const [right, top] = pattern.pitch.map((pitch) => pitch * side + 20);
-  const entities = outline([[0, 0], [right, 0], [right, top], [0, top]].map(([x, y]) => [x, y, 0]));
+  const entities = polyline([[0, 0], [right, 0], [right, top], [0, top]].map(([x, y]) => [x, y, 0]));
   for (let row = 0; row < side; row++) {
     for (let column = 0; column < side; column++) entities.push(...hole(pattern, center(pattern, column, row)));
   }
   const file = join(mkdtempSync(join(tmpdir(), 'kerfway-')), `${name}_${side * side}.dxf`);
-  const before = ['0', 'SECTION', '2', 'HEADER', '9', '$INSUNITS', '70', '4', '0', 'ENDSEC', '0', 'SECTION', '2', 'ENTITIES'];
-  writeFileSync(file, [...before, ...entities, '0', 'ENDSEC', '0', 'EOF', ''].join('\n'));
+  writeFileSync(file, drawing(entities));
   return file;
 }
 
@@ -38,12 +38,7 @@ function hole({ half }, [x, y]) {
   const [length, radius] = [half[0] - half[1], half[1]];
   if (length === 0) return ['0', 'CIRCLE', '8', 'CUT', '10', x, '20', y, '40', radius];
   const ends = [[-1, -1, 0], [1, -1, 1], [1, 1, 0], [-1, 1, 1]];
-  return outline(ends.map(([across, up, bulge]) => [x + across * length, y + up * radius, bulge]));
-}
-
-function outline(points) {
-  const vertices = points.flatMap(([x, y, bulge]) => ['10', x, '20', y, '42', bulge]);
-  return ['0', 'LWPOLYLINE', '100', 'AcDbEntity', '8', 'CUT', '100', 'AcDbPolyline', '90', points.length, '70', '1', ...vertices];
+  return polyline(ends.map(([across, up, bulge]) => [x + across * length, y + up * radius, bulge]));
 }
 
 /** Length of the shortest path that a person would lay, mm: along rows or columns, one or two at a time, forwards and backwards in turn. */

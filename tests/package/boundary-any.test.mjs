@@ -5,21 +5,17 @@ import { describe, it } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
 import { createPool, inspect, isKerfwayError, KerfwayError, plan, quote } from 'kerfway';
 import { SHAPES } from '../../dist/sdk/fields.js';
+import { mulberry32 } from '../../benchmark/generate.mjs';
 import { form, serve } from './serving.mjs';
 import { circle, dxf, square } from './support.mjs';
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
 const SHORT = { units: 'mm', seed: 1, moves: 500 };
 
-/** The generator mulberry32, which is good enough to draw cases and the same everywhere. */
+/** Whole numbers below n. */
 function random(seed) {
-  let a = seed;
-  return (n) => {
-    a = (a + 0x6d2b79f5) | 0;
-    let x = Math.imul(a ^ (a >>> 15), 1 | a);
-    x = (x + Math.imul(x ^ (x >>> 7), 61 | x)) ^ x;
-    return ((x ^ (x >>> 14)) >>> 0) % n;
-  };
+  const next = mulberry32(seed);
+  return (n) => next() % n;
 }
 
 /** Any value, often close to one that a field accepts. */
