@@ -29,18 +29,18 @@ export function three(x: number): string {
   return decimal(x, Math.min(3, Math.max(0, 2 - Math.floor(Math.log10(size)))));
 }
 
-/** A number with so many decimals. */
+/** A number with this many decimals. */
 export function fixed(x: number, decimals: number): string {
   return decimal(x, decimals);
 }
 
-/** A number as it is, with up to so many decimals. */
+/** A number rounded to at most this many decimals. */
 export function upTo(x: number, decimals: number): string {
   return decimal(x, 0, decimals);
 }
 
 /** From here on times are hours, minutes and seconds, s. */
-const LONG = 999.5;
+export const LONG = 999.5;
 
 /** Job time: "0.42 s", "42.3 s", "627 s", and from 1,000 s on "0:16:40". `beside`: the longest of the times it is compared with, as they should look alike. */
 export function seconds(s: number, beside = s): string {

@@ -3,32 +3,28 @@
 import { DEFAULT_JOINTS, JOINT_KINDS, JOINT_SIDES, jointRules, jointSettings, type JointKind, type JointPattern, type JointSide, type LoadOptions, type MachineProfile } from 'kerfway';
 import { button, h } from '../core/dom.js';
 import { count } from '../core/format.js';
-import { typed, written } from '../core/lengths.js';
 import { words } from '../core/words/index.js';
 import type { Session } from '../session/session.js';
-import { check, field, select } from './section.js';
+import { check, field, type Measure, numberInput, select } from './section.js';
 
-interface Quantity {
+interface Quantity extends Measure {
   name: 'count' | 'width' | 'spacing' | 'cornerClearance' | 'least' | 'most';
-  unit: string;
-  least: number;
-  most: number;
-  /** What the empty field says, which stands for 0. */
-  empty?: string;
   get(settings: JointPattern): number;
   set(value: number): Partial<JointPattern>;
 }
 
 const w = words.joints;
 
+const ANY = { empty: 0, placeholder: w.any };
+
 /** The limits are those of machine profiles. */
 const QUANTITIES: readonly Quantity[] = [
-  { name: 'count', unit: '', least: 0, most: 1000, get: (s) => s.count, set: (count) => ({ count: Math.round(count) }) },
+  { name: 'count', unit: '', least: 0, most: 1000, whole: true, get: (s) => s.count, set: (count) => ({ count: Math.round(count) }) },
   { name: 'width', unit: 'mm', least: 0.01, most: 100, get: (s) => s.width, set: (width) => ({ width }) },
-  { name: 'spacing', unit: 'mm', least: 1, most: 1e6, empty: w.any, get: (s) => s.spacing, set: (spacing) => ({ spacing }) },
+  { name: 'spacing', unit: 'mm', least: 1, most: 1e6, ...ANY, get: (s) => s.spacing, set: (spacing) => ({ spacing }) },
   { name: 'cornerClearance', unit: 'mm', least: 0, most: 1000, get: (s) => s.cornerClearance, set: (cornerClearance) => ({ cornerClearance }) },
-  { name: 'least', unit: 'mm', least: 0, most: 1e6, empty: w.any, get: (s) => s.sizeMin[0], set: (v) => ({ sizeMin: [v, v] }) },
-  { name: 'most', unit: 'mm', least: 0, most: 1e6, empty: w.any, get: (s) => s.sizeMax[0], set: (v) => ({ sizeMax: [v, v] }) },
+  { name: 'least', unit: 'mm', least: 0, most: 1e6, ...ANY, get: (s) => s.sizeMin[0], set: (v) => ({ sizeMin: [v, v] }) },
+  { name: 'most', unit: 'mm', least: 0, most: 1e6, ...ANY, get: (s) => s.sizeMax[0], set: (v) => ({ sizeMax: [v, v] }) },
 ];
 
 export interface JointsPanel {
@@ -46,14 +42,8 @@ export function jointsPanel(session: Session, edit: (change: (m: MachineProfile)
   const side = select<JointSide>((value) => set({ side: value }));
   const kind = select<JointKind>((value) => set({ kind: value }));
   const inputs = QUANTITIES.map((q) => {
-    const input = h('input', { type: 'number', step: q.unit === '' ? 1 : 'any', min: written(q.least, q.unit), max: written(q.most, q.unit), inputmode: 'decimal', placeholder: q.empty ?? '' });
-    input.addEventListener('input', () => {
-      const value = input.value === '' && q.empty !== undefined && input.validity.valid ? 0 : typed(input, q.unit);
-      const valid = (value >= q.least && value <= q.most) || (value === 0 && q.empty !== undefined);
-      input.setAttribute('aria-invalid', String(!valid && input.value !== ''));
-      if (valid) set(q.set(value));
-    });
-    return { q, input, row: field(w[q.name], input, q.unit) };
+    const { input, show } = numberInput(q, (value) => set(q.set(value)));
+    return { q, show, row: field(w[q.name], input, q.unit) };
   });
   const simple = h('div', { class: 'stack' }, field(w.side, side.root), ...inputs.map((i) => i.row), field(w.kind, kind.root), h('p', { class: 'soft' }, w.about));
   const custom = h('div', { class: 'stack' }, h('p', { class: 'soft' }, w.custom), button(w.replace, { class: 'small', onclick: () => edit((m) => (m.joints = jointRules())) }));
@@ -75,10 +65,7 @@ export function jointsPanel(session: Session, edit: (change: (m: MachineProfile)
       gist.textContent = !joints ? placed.textContent : settings === null ? w.ownRules : w.sides[now.side];
       side.fill(JOINT_SIDES.map((value) => ({ value, label: w.sides[value] })), now.side);
       kind.fill(JOINT_KINDS.map((value) => ({ value, label: w.kinds[value] })), now.kind);
-      for (const { q, input } of inputs) {
-        const value = q.get(now);
-        if (document.activeElement !== input) input.value = value === 0 && q.empty !== undefined ? '' : written(value, q.unit);
-      }
+      for (const { q, show } of inputs) show(q.get(now));
     },
   };
 }

@@ -2,15 +2,11 @@
 
 import { button, h } from '../core/dom.js';
 import { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS, leadRules, leadSettings, type LeadKind, type LeadPosition, type LeadChoice, type MachineProfile } from 'kerfway';
-import { typed, written } from '../core/lengths.js';
 import { words } from '../core/words/index.js';
-import { field, select } from './section.js';
+import { field, type Measure, numberInput, select } from './section.js';
 
-interface Quantity {
+interface Quantity extends Measure {
   name: 'length' | 'radius' | 'angle' | 'clearance' | 'centerBelow' | 'overcut';
-  unit: string;
-  least: number;
-  most: number;
   /** Whether it matters for a lead-in or lead-out of one of these kinds. */
   of(settings: LeadChoice): boolean;
 }
@@ -52,14 +48,8 @@ export function leadsPanel(edit: (change: (m: MachineProfile) => void) => void):
   const placed = field(w.position, position.root);
   const kinds = LEAD_KINDS.map((value) => ({ value, label: w.kinds[value] }));
   const inputs = QUANTITIES.map((q) => {
-    const input = h('input', { type: 'number', step: 'any', min: written(q.least, q.unit), max: written(q.most, q.unit), inputmode: 'decimal' });
-    input.addEventListener('input', () => {
-      const value = typed(input, q.unit);
-      const valid = value >= q.least && value <= q.most;
-      input.setAttribute('aria-invalid', String(!valid && input.value !== ''));
-      if (valid) set({ [q.name]: value });
-    });
-    return { q, input, row: field(w[q.name], input, q.unit) };
+    const { input, show } = numberInput(q, (value) => set({ [q.name]: value }));
+    return { q, show, row: field(w[q.name], input, q.unit) };
   });
   const simple = h('div', { class: 'stack' }, field(w.kind, kind.root), field(w.out, out.root), placed, ...inputs.map((i) => i.row), h('p', { class: 'soft' }, w.about));
   const custom = h('div', { class: 'stack' }, h('p', { class: 'soft' }, w.custom), button(w.replace, { class: 'small', onclick: () => edit((m) => (m.leads = leadRules())) }));
@@ -77,9 +67,9 @@ export function leadsPanel(edit: (change: (m: MachineProfile) => void) => void):
       out.fill(kinds, now.out);
       position.fill(LEAD_POSITIONS.map((value) => ({ value, label: w.positions[value] })), now.position);
       placed.hidden = !any(now);
-      for (const { q, input, row } of inputs) {
+      for (const { q, show, row } of inputs) {
         row.hidden = !q.of(now);
-        if (document.activeElement !== input) input.value = written(now[q.name], q.unit);
+        show(now[q.name]);
       }
     },
   };

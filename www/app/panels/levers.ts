@@ -2,9 +2,8 @@
 
 import { h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
-import { typed, written } from '../core/lengths.js';
 import { words } from '../core/words/index.js';
-import { check, field } from './section.js';
+import { check, field, numberInput } from './section.js';
 
 /** The limit is that of machine profiles. */
 const MOST = 100;
@@ -23,13 +22,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
     else m.levers = { ...m.levers, moving_pierce: { overcut } };
   });
   const moving = check(w.moving, (on) => set(on ? OVERCUT : null));
-  const input = h('input', { type: 'number', step: 'any', min: 0, max: written(MOST, 'mm'), inputmode: 'decimal' });
-  input.addEventListener('input', () => {
-    const value = typed(input, 'mm');
-    const valid = value >= 0 && value <= MOST;
-    input.setAttribute('aria-invalid', String(!valid && input.value !== ''));
-    if (valid) set(value);
-  });
+  const { input, show } = numberInput({ unit: 'mm', least: 0, most: MOST }, set);
   const more = h('div', { class: 'stack' }, field(w.overcut, input, 'mm'), h('p', { class: 'soft' }, w.about));
   return {
     root: h('div', { class: 'stack' }, moving.root, more),
@@ -39,7 +32,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       // A machine that leaves contours unfinished pierces at rest.
       moving.input.disabled = !lever && typeof pre_cut_time === 'number';
       more.hidden = !lever;
-      if (document.activeElement !== input) input.value = written(lever?.overcut ?? 0, 'mm');
+      show(lever?.overcut ?? 0);
     },
   };
 }

@@ -10,8 +10,7 @@ import { leadsPanel } from './leads.js';
 import { leversPanel } from './levers.js';
 import { materials } from './materials.js';
 import { ownMachines } from './own-machines.js';
-import { typed, written } from '../core/lengths.js';
-import { check, field, section, select } from './section.js';
+import { check, field, numberInput, section, select } from './section.js';
 import { words } from '../core/words/index.js';
 
 interface Quantity {
@@ -107,7 +106,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     if (on) delete m.levers;
   }));
   const pausing = check(words.machine.pausing, (on) => edit((m) => (m.sharp_corner = on ? PAUSE : null)));
-  const inputs = QUANTITIES.map((q) => numberInput(q, edit));
+  const inputs = QUANTITIES.map((q) => quantityInput(q, edit));
   const back = button(words.machine.back, { class: 'small', onclick: () => {
     const original = preset();
     if (original) session.setMachine(structuredClone(original));
@@ -118,7 +117,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
   const levers = leversPanel(edit);
   const own = ownMachines(session, notify);
   const advanced = h('details', { class: 'more' }, h('summary', {}, words.machine.advanced),
-    h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!, q.unit), hintOf(q)]), home.root,
+    h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!.input, q.unit), hintOf(q)]), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
   body.append(h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, levers.root, leads.root, joints.root, dialect.root, advanced, library.root, fitting, own.root));
 
@@ -140,10 +139,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     leads.show(machine);
     joints.show(machine, session.state.load);
     levers.show(machine);
-    QUANTITIES.forEach((q, i) => {
-      const input = inputs[i]!;
-      if (document.activeElement !== input) input.value = shown(q, machine);
-    });
+    QUANTITIES.forEach((q, i) => inputs[i]!.show(q.get(machine)));
   };
   session.store.on('change', show);
   show();
@@ -157,19 +153,8 @@ function hintOf(quantity: Quantity): HTMLElement | null {
   return quantity.hint === undefined ? null : h('p', { class: 'soft', id: hintId(quantity) }, quantity.hint);
 }
 
-function shown(quantity: Quantity, machine: MachineProfile): string {
-  const value = quantity.get(machine);
-  return value === null ? '' : written(value, quantity.unit);
-}
-
-function numberInput(quantity: Quantity, edit: (change: (m: MachineProfile) => void) => void): HTMLInputElement {
-  const input = h('input', { type: 'number', step: 'any', min: written(quantity.least, quantity.unit), inputmode: 'decimal', placeholder: quantity.none ?? words.machine.unlimited });
-  if (quantity.hint !== undefined) input.setAttribute('aria-describedby', hintId(quantity));
-  input.addEventListener('input', () => {
-    const value = typed(input, quantity.unit);
-    const valid = Number.isFinite(value) && value >= quantity.least;
-    input.setAttribute('aria-invalid', String(!valid && input.value !== ''));
-    if (valid) edit((m) => quantity.set(m, value));
-  });
-  return input;
+function quantityInput(quantity: Quantity, edit: (change: (m: MachineProfile) => void) => void): ReturnType<typeof numberInput> {
+  const made = numberInput({ ...quantity, placeholder: quantity.none ?? words.machine.unlimited }, (value) => edit((m) => quantity.set(m, value)));
+  if (quantity.hint !== undefined) made.input.setAttribute('aria-describedby', hintId(quantity));
+  return made;
 }

@@ -1,4 +1,4 @@
-/** The menu for the language of the page and the unit of lengths. The page starts anew with another one, with the job as it was. */
+/** The menu for the language of the page and the unit of lengths. A change reloads the page; the job stays as it was. */
 
 import { button, h } from '../core/dom.js';
 import { keep } from '../core/kept.js';

@@ -18,7 +18,7 @@ export interface TopActions {
   table(): void;
   help(): void;
   panel(): void;
-  /** Starts the page anew with another language or unit of lengths. */
+  /** Reloads the page after another language or unit of lengths was chosen. */
   restart(): void;
 }
 

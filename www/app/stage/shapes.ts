@@ -202,20 +202,31 @@ export function placeAfter(shapes: Shapes, chain: number, along: number, reverse
   return out;
 }
 
+/** The part of an element, 0 to 1, that is nearest to a point. */
+export function partAt(shapes: Shapes, e: number, x: number, y: number): number {
+  const s = shapes.segments;
+  const i = e * STRIDE;
+  const sweep = s[i + 6]!;
+  if (sweep === 0) {
+    const dx = s[i + 2]! - s[i]!, dy = s[i + 3]! - s[i + 1]!;
+    const square = dx * dx + dy * dy;
+    return square > 0 ? Math.min(1, Math.max(0, ((x - s[i]!) * dx + (y - s[i + 1]!) * dy) / square)) : 0;
+  }
+  const round = 2 * Math.PI;
+  const turn = (Math.atan2(y - s[i + 5]!, x - s[i + 4]!) - shapes.arcs[e * 2 + 1]!) * Math.sign(sweep);
+  const ahead = ((turn % round) + round) % round;
+  // Beyond its ends, an arc is nearest at one of them.
+  if (ahead > Math.abs(sweep)) return ahead - Math.abs(sweep) < round - ahead ? 1 : 0;
+  return ahead / Math.abs(sweep);
+}
+
 /** Squared distance from a point to element `e`, mm2. */
 export function distance2(shapes: Shapes, e: number, x: number, y: number): number {
   const s = shapes.segments;
   const i = e * STRIDE;
   const x0 = s[i]!, y0 = s[i + 1]!, x1 = s[i + 2]!, y1 = s[i + 3]!, sweep = s[i + 6]!;
-  if (sweep === 0) {
-    const dx = x1 - x0, dy = y1 - y0;
-    const square = dx * dx + dy * dy;
-    const t = square > 0 ? Math.min(1, Math.max(0, ((x - x0) * dx + (y - y0) * dy) / square)) : 0;
-    return (x0 + t * dx - x) ** 2 + (y0 + t * dy - y) ** 2;
-  }
-  const cx = s[i + 4]!, cy = s[i + 5]!;
-  const turn = (Math.atan2(y - cy, x - cx) - shapes.arcs[e * 2 + 1]!) * Math.sign(sweep);
-  const round = 2 * Math.PI;
-  if (((turn % round) + round) % round <= Math.abs(sweep)) return (Math.hypot(x - cx, y - cy) - shapes.arcs[e * 2]!) ** 2;
+  const t = partAt(shapes, e, x, y);
+  if (sweep === 0) return (x0 + t * (x1 - x0) - x) ** 2 + (y0 + t * (y1 - y0) - y) ** 2;
+  if (t > 0 && t < 1) return (Math.hypot(x - s[i + 4]!, y - s[i + 5]!) - shapes.arcs[e * 2]!) ** 2;
   return Math.min((x - x0) ** 2 + (y - y0) ** 2, (x - x1) ** 2 + (y - y1) ** 2);
 }

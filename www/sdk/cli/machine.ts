@@ -20,43 +20,50 @@ export async function machineOf({ values }: Words, planner: Planner, own?: Machi
 
 /** The machine with the leads that the options ask for. */
 function withLeads(values: Words['values'], machine: MachineProfile): MachineProfile {
-  const given: Partial<LeadChoice> = {};
-  const [kind, out, position] = ['lead', 'lead-out', 'lead-position'].map((option) => text(values, option));
-  if (kind !== undefined) given.kind = oneOf('--lead', kind, LEAD_KINDS);
-  if (out !== undefined) given.out = oneOf('--lead-out', out, LEAD_KINDS);
-  if (position !== undefined) given.position = oneOf('--lead-position', position, LEAD_POSITIONS);
-  const numbers = { length: 'lead-length', radius: 'lead-radius', angle: 'lead-angle', clearance: 'lead-clearance', centerBelow: 'lead-center-below', overcut: 'overcut' } as const;
-  for (const [name, option] of Object.entries(numbers)) {
-    const value = number(values, option);
-    if (value !== undefined) given[name as keyof typeof numbers] = value;
-  }
-  if (Object.keys(given).length === 0) return machine;
+  const given: Partial<LeadChoice> = {
+    ...chosen(values, { kind: ['lead', LEAD_KINDS], out: ['lead-out', LEAD_KINDS], position: ['lead-position', LEAD_POSITIONS] }),
+    ...measured(values, { length: 'lead-length', radius: 'lead-radius', angle: 'lead-angle', clearance: 'lead-clearance', centerBelow: 'lead-center-below', overcut: 'overcut' }),
+  };
   // An overcut alone, or a lead-out alone, is no wish for a lead-in.
-  const leads = leadRules({ kind: 'none', ...given });
-  const changed = { ...machine, leads };
-  checked(() => checkMachine(changed), WrongUse, '');
-  return changed;
+  return Object.keys(given).length === 0 ? machine : valid({ ...machine, leads: leadRules({ kind: 'none', ...given }) });
 }
 
 /** The machine with the joints that the options ask for. */
 function withJoints(values: Words['values'], machine: MachineProfile): MachineProfile {
-  const given: Partial<JointPattern> = {};
-  const [side, kind, test] = ['joint-side', 'joint-kind', 'joint-test'].map((option) => text(values, option));
-  if (side !== undefined) given.side = oneOf('--joint-side', side, JOINT_SIDES);
-  if (kind !== undefined) given.kind = oneOf('--joint-kind', kind, JOINT_KINDS);
-  if (test !== undefined) given.test = oneOf('--joint-test', test, SIZE_TESTS);
-  const numbers = { count: 'joints', width: 'joint-width', spacing: 'joint-spacing', cornerClearance: 'joint-corners' } as const;
-  for (const [name, option] of Object.entries(numbers)) {
-    const value = number(values, option);
-    if (value !== undefined) given[name as keyof typeof numbers] = value;
-  }
+  const given: Partial<JointPattern> = {
+    ...chosen(values, { side: ['joint-side', JOINT_SIDES], kind: ['joint-kind', JOINT_KINDS], test: ['joint-test', SIZE_TESTS] }),
+    ...measured(values, { count: 'joints', width: 'joint-width', spacing: 'joint-spacing', cornerClearance: 'joint-corners' }),
+  };
   const least = sizes(values, 'joint-size-min'), most = sizes(values, 'joint-size-max');
   if (least !== undefined) given.sizeMin = least;
   if (most !== undefined) given.sizeMax = most;
-  if (Object.keys(given).length === 0) return machine;
-  const changed = { ...machine, joints: jointRules(given) };
-  checked(() => checkMachine(changed), WrongUse, '');
-  return changed;
+  return Object.keys(given).length === 0 ? machine : valid({ ...machine, joints: jointRules(given) });
+}
+
+/** The settings that are given as words, by name: each with its option and the words there are. */
+function chosen<T extends Record<string, [option: string, known: readonly string[]]>>(values: Words['values'], settings: T): { [K in keyof T]?: T[K][1][number] } {
+  const given: { [K in keyof T]?: T[K][1][number] } = {};
+  for (const [name, [option, known]] of Object.entries(settings)) {
+    const word = text(values, option);
+    if (word !== undefined) given[name as keyof T] = oneOf(`--${option}`, word, known);
+  }
+  return given;
+}
+
+/** The settings that are given as numbers, by name: each with its option. */
+function measured<T extends Record<string, string>>(values: Words['values'], settings: T): { [K in keyof T]?: number } {
+  const given: { [K in keyof T]?: number } = {};
+  for (const [name, option] of Object.entries(settings)) {
+    const value = number(values, option);
+    if (value !== undefined) given[name as keyof T] = value;
+  }
+  return given;
+}
+
+/** The machine, if its fields are right; otherwise an option is wrong. */
+function valid(machine: MachineProfile): MachineProfile {
+  checked(() => checkMachine(machine), WrongUse, '');
+  return machine;
 }
 
 /** A size in x and y: one number for both, or two. */
@@ -71,10 +78,7 @@ function sizes(values: Words['values'], name: string): [number, number] | undefi
 /** The machine with the levers that the options ask for. */
 function withLevers(values: Words['values'], machine: MachineProfile): MachineProfile {
   const overcut = number(values, 'moving-pierce');
-  if (overcut === undefined) return machine;
-  const changed = { ...machine, levers: { ...machine.levers, moving_pierce: { overcut } } };
-  checked(() => checkMachine(changed), WrongUse, '');
-  return changed;
+  return overcut === undefined ? machine : valid({ ...machine, levers: { ...machine.levers, moving_pierce: { overcut } } });
 }
 
 /** The files with a machine profile or a dialect that the options name. */
