@@ -69,6 +69,7 @@ main(async () => {
   console.log('');
   for (const r of results) console.log(`${r.failed === 0 ? 'ok    ' : 'FAILED'}${String(r.seconds).padStart(6)} s  ${r.name}${counts(r)}`);
   const sum = (key) => results.reduce((n, r) => n + r[key], 0);
+  for (const r of results) for (const name of r.names ?? []) console.log(`       failed: ${name}`);
   console.log(`\nAfter ${sinceStart()}:\n${sum('passed')} passed, ${sum('failed')} failed, ${sum('skipped')} skipped`);
   if (sum('failed') > 0) process.exitCode = 1;
 });
@@ -81,9 +82,14 @@ function command(name, program, args) {
     const rust = [...plain.matchAll(/^test result: \w+\. (\d+) passed; (\d+) failed; (\d+) ignored/gm)].map((m) => m.slice(1, 4).map(Number));
     const node = ['pass', 'fail', 'skipped'].map((k) => Number(new RegExp(`^\\S+ ${k} (\\d+)$`, 'm').exec(plain)?.[1] ?? 0));
     const [passed, failed, skipped] = [...rust, node].reduce((sum, counts) => sum.map((n, k) => n + counts[k]), [0, 0, 0]);
-    return code === 0 ? { passed: passed || 1, failed, skipped } : { passed, failed: failed || 1, skipped };
+    return code === 0 ? { passed: passed || 1, failed, skipped } : { passed, failed: failed || 1, skipped, names: failures(plain) };
   };
   return { name, work };
+}
+
+/** The names of the tests that failed, as the runners of Rust and Node print them: they stand again at the end of a long output. */
+function failures(text) {
+  return [...new Set([...text.matchAll(/^test (\S+) \.\.\. FAILED$|^\s*✖ (.+?) \([\d.]+ms\)$/gm)].map((m) => m[1] ?? m[2]))];
 }
 
 /** Test files, so many of them at the same time: most wait for a browser or a program they have started. */
