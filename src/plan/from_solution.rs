@@ -63,15 +63,18 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
             (false, true) => None,
             (false, false) => Some(Move::Pierce),
         };
+        let mut lowered = false;
         for pass in 0..passes {
-            lower(&mut moves, known.pass + pass, &sheet.process_of(known, &problem.machine));
+            lowered |= lower(&mut moves, known.pass + pass, &sheet.process_of(known, &problem.machine));
             // An open contour is run there and back.
             let back = !known.path.closed && !pass.is_multiple_of(2);
             let path = if back { Path::new(path.clone(), false).reversed().segments } else { path.clone() };
             moves.extend(start.clone());
             run(&mut moves, &problem.machine, contour, path, leads, known.is_mark());
         }
-        raise(&mut moves);
+        if lowered {
+            moves.push(Move::Height { z: 0.0 });
+        }
         head = if !known.path.closed && passes.is_multiple_of(2) { entry } else { exit };
         let start = *begun[contour as usize].get_or_insert(stop.along);
         #[expect(clippy::float_cmp, reason = "the last visit ends where the first began, bit for bit")]
@@ -91,20 +94,13 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
     Plan { moves, summary }
 }
 
-/// Lowers the head for a pass, if the process asks for it.
-fn lower(moves: &mut Vec<Move>, pass: u32, process: &Process) {
+/// Lowers the head for a pass, if the process asks for it; returns whether it did.
+fn lower(moves: &mut Vec<Move>, pass: u32, process: &Process) -> bool {
     let z = 0.0 - f64::from(pass) * process.z_step;
     if z < 0.0 {
         moves.push(Move::Height { z });
     }
-}
-
-/// Raises the head again if it was lowered for the last contour.
-fn raise(moves: &mut Vec<Move>) {
-    let height = moves.iter().rev().find_map(|m| if let Move::Height { z } = m { Some(*z) } else { None });
-    if height.is_some_and(|z| z < 0.0) {
-        moves.push(Move::Height { z: 0.0 });
-    }
+    z < 0.0
 }
 
 /// One pass over a contour, or a stretch of it, after the beam's start.
