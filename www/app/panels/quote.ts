@@ -30,7 +30,7 @@ export function quotePanel(session: Session, notify: (sentence: string) => void)
     rows.replaceChildren(...(report === null ? [] : facts(report)).flatMap(([term, value]) => [h('dt', {}, term), h('dd', { class: 'number' }, value)]));
     note.textContent = report === null ? words.quote.none : [words.quote.confidence[report.confidence.level], ...report.confidence.reasons.map((r) => r.message)].join(' ');
     download.hidden = report === null;
-    setGist(report === null ? '' : words.quote.gist(count(report.part_count)));
+    setGist(report === null ? '' : words.drawing.parts(report.part_count, count(report.part_count)));
   };
   const make = async () => {
     const now = (asked += 1);
@@ -68,7 +68,8 @@ const width = (mm: number) => `${fixed(mm / shownIn('mm').factor, shownIn('mm').
 
 function facts(q: Quote): [string, string][] {
   const against = (ratio: number | null) => (ratio === null ? '' : words.quote.against(fixed(ratio, 2)));
-  const all: [string, string][] = [[words.quote.parts, words.quote.different(count(q.part_count), count(q.parts.length))], [words.quote.area, area(q.net_area)]];
+  const parts = q.part_count === 1 ? count(1) : words.quote.different(count(q.part_count), count(q.parts.length));
+  const all: [string, string][] = [[words.quote.parts, parts], [words.quote.area, area(q.net_area)]];
   if (q.weight !== null) all.push([words.quote.weight, q.weight < 1000 ? `${fixed(q.weight, 0)} g` : `${fixed(q.weight / 1000, 2)} kg`]);
   if (q.smallest_hole !== null) all.push([words.quote.hole, width(q.smallest_hole.width) + against(q.smallest_hole.over_thickness)]);
   if (q.narrowest_web !== null) all.push([words.quote.web, width(q.narrowest_web.width) + against(q.narrowest_web.over_thickness)]);

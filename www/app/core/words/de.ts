@@ -322,7 +322,7 @@ export const de: Words = {
 
   quote: {
     title: 'Angebot', notGiven: 'nicht angegeben', download: 'Den Bericht herunterladen', thickness: 'Dicke', density: 'Dichte', none: 'Das Angebot erscheint hier, wenn der Plan fertig ist.',
-    confidence: { high: 'Hohe Sicherheit.', medium: 'Mittlere Sicherheit.', low: 'Geringe Sicherheit.' }, parts: 'Teile', gist: (n) => `${n} Teile`, different: (n, kinds) => `${n}, ${kinds} verschiedene`, area: 'Fläche der Teile', weight: 'Gewicht',
+    confidence: { high: 'Hohe Sicherheit.', medium: 'Mittlere Sicherheit.', low: 'Geringe Sicherheit.' }, parts: 'Teile', different: (n, kinds) => `${n}, ${kinds} verschiedene`, area: 'Fläche der Teile', weight: 'Gewicht',
     hole: 'Engstes Loch', web: 'Schmalster Steg', against: (ratio) => ` · ${ratio} × Dicke`,
     part: (length, holes, w) => `${length} zu schneiden, ${counted(holes, w, 'Loch', 'Löcher')}`, and: 'Und', others: (n) => `${n} weitere Arten von Teilen`,
   },

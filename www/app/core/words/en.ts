@@ -333,7 +333,7 @@ export const en = {
 
   quote: {
     title: 'Quote', notGiven: 'not given', download: 'Download the report', thickness: 'Thickness', density: 'Density', none: 'The quote appears here when the plan is done.',
-    confidence, parts: 'Parts', gist: (n: string) => `${n} parts`, different: (n: string, kinds: string) => `${n}, ${kinds} different`, area: 'Part area', weight: 'Weight',
+    confidence, parts: 'Parts', different: (n: string, kinds: string) => `${n}, ${kinds} different`, area: 'Part area', weight: 'Weight',
     hole: 'Narrowest hole', web: 'Narrowest web', against: (ratio: string) => ` · ${ratio} × thickness`,
     part: (length: string, holes: number, written: string) => `${length} to cut, ${counted(holes, written, 'hole')}`, and: 'And', others: (n: string) => `${n} other kinds of parts`,
   },

@@ -322,7 +322,7 @@ export const es: Words = {
 
   quote: {
     title: 'Presupuesto', notGiven: 'sin indicar', download: 'Descargar el informe', thickness: 'Espesor', density: 'Densidad', none: 'El presupuesto aparece aquí cuando el plan está listo.',
-    confidence: { high: 'Confianza alta.', medium: 'Confianza media.', low: 'Confianza baja.' }, parts: 'Piezas', gist: (n) => `${n} piezas`, different: (n, kinds) => `${n}, ${kinds} distintas`, area: 'Área de las piezas', weight: 'Peso',
+    confidence: { high: 'Confianza alta.', medium: 'Confianza media.', low: 'Confianza baja.' }, parts: 'Piezas', different: (n, kinds) => `${n}, ${kinds} distintas`, area: 'Área de las piezas', weight: 'Peso',
     hole: 'Agujero más estrecho', web: 'Puente más estrecho', against: (ratio) => ` · ${ratio} × espesor`,
     part: (length, holes, w) => `${length} de corte, ${counted(holes, w, 'agujero')}`, and: 'Y', others: (n) => `${n} tipos de piezas más`,
   },

@@ -319,7 +319,7 @@ export const ja: Words = {
 
   quote: {
     title: '見積もり', notGiven: '未入力', download: '報告書をダウンロード', thickness: '厚さ', density: '密度', none: '計画が完了すると、ここに見積もりが表示されます。',
-    confidence: { high: '信頼度は高いです。', medium: '信頼度は中程度です。', low: '信頼度は低いです。' }, parts: '部品', gist: (n) => `部品 ${n} 個`, different: (n, kinds) => `${n} 個、${kinds} 種類`, area: '部品の面積', weight: '重さ',
+    confidence: { high: '信頼度は高いです。', medium: '信頼度は中程度です。', low: '信頼度は低いです。' }, parts: '部品', different: (n, kinds) => `${n} 個、${kinds} 種類`, area: '部品の面積', weight: '重さ',
     hole: '最も狭い穴', web: '最も狭い桟', against: (ratio) => ` · 厚さの ${ratio} 倍`,
     part: (length, _holes, w) => `切断 ${length}、穴 ${w} 個`, and: 'ほか', others: (n) => `ほかに ${n} 種類の部品`,
   },

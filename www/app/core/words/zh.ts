@@ -319,7 +319,7 @@ export const zh: Words = {
 
   quote: {
     title: '报价', notGiven: '未填写', download: '下载报告', thickness: '厚度', density: '密度', none: '方案完成后，报价显示在这里。',
-    confidence: { high: '可信度高。', medium: '可信度中等。', low: '可信度低。' }, parts: '零件', gist: (n) => `${n} 个零件`, different: (n, kinds) => `${n}，${kinds} 种`, area: '零件面积', weight: '重量',
+    confidence: { high: '可信度高。', medium: '可信度中等。', low: '可信度低。' }, parts: '零件', different: (n, kinds) => `${n}，${kinds} 种`, area: '零件面积', weight: '重量',
     hole: '最窄的孔', web: '最窄的筋', against: (ratio) => ` · 厚度的 ${ratio} 倍`,
     part: (length, _holes, w) => `切割 ${length}，${w} 个孔`, and: '以及', others: (n) => `另外 ${n} 种零件`,
   },
