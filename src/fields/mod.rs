@@ -49,3 +49,9 @@ pub fn from_json<T: Shaped>(text: &str) -> Result<T, FieldError> {
     })?;
     read(value)
 }
+
+/// Whether a number is 0, for fields that JSON leaves out then.
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
+pub fn is_zero(number: &f64) -> bool {
+    number.total_cmp(&0.0).is_eq()
+}

@@ -23,7 +23,7 @@ pub struct Process {
     #[cfg_attr(test, ts(optional, as = "Option<u32>"))]
     pub passes: u32,
     /// By how much the head is lowered for each further pass, mm.
-    #[serde(default, skip_serializing_if = "is_zero")]
+    #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
     #[cfg_attr(test, ts(optional, as = "Option<f64>"))]
     pub z_step: f64,
     /// Whether the air assist is on.
@@ -46,9 +46,4 @@ fn one() -> u32 {
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
 fn is_one(passes: &u32) -> bool {
     *passes == 1
-}
-
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
-fn is_zero(length: &f64) -> bool {
-    length.total_cmp(&0.0).is_eq()
 }

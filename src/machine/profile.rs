@@ -101,7 +101,7 @@ pub struct Profile {
     #[cfg_attr(test, ts(optional = nullable))]
     pub pre_cut_time: Option<f64>,
     /// Length of a pre-cut, mm. It is cut and the head returns within [`Profile::pre_cut_time`].
-    #[serde(default, skip_serializing_if = "is_zero")]
+    #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
     pub pre_cut_length: f64,
     /// The corners that are cut with a pause; `None` for no such corners.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -109,7 +109,7 @@ pub struct Profile {
     pub sharp_corner: Option<SharpCorner>,
     /// Width of the cut, mm. If it is above 0, contours are outlines of parts and holes, and the beam is offset from
     /// them by half the kerf width. If it is 0, the beam follows the drawn lines.
-    #[serde(default, skip_serializing_if = "is_zero")]
+    #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
     pub kerf_width: f64,
     /// Lead-ins, lead-outs and overcuts; `None` for none of them: cuts begin and end on their contours.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -143,11 +143,6 @@ pub struct Profile {
     pub dialect: DialectChoice,
     /// Power value at full power, for dialects that do not state it.
     pub max_s: f64,
-}
-
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for; natively it is small enough")]
-fn is_zero(length: &f64) -> bool {
-    length.total_cmp(&0.0).is_eq()
 }
 
 impl Profile {

@@ -143,13 +143,13 @@ pub struct Summary {
     pub joints: u32,
     /// Time of stopping at micro-joints: moving over them and piercing after them. It is part of the time of air moves and
     /// of piercing.
-    #[serde(default, skip_serializing_if = "is_zero")]
+    #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
     #[cfg_attr(test, ts(as = "Option<f64>", optional))]
     pub joint_time: f64,
     /// Length of cuts and marks, leads included.
     pub cut_length: f64,
     /// Length of lead-ins, lead-outs and overcuts.
-    #[serde(default, skip_serializing_if = "is_zero")]
+    #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
     #[cfg_attr(test, ts(as = "Option<f64>", optional))]
     pub lead_length: f64,
     /// Length of air moves.
@@ -177,11 +177,6 @@ pub struct Summary {
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
 fn is_none(count: &u32) -> bool {
     *count == 0
-}
-
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
-fn is_zero(length: &f64) -> bool {
-    length.total_cmp(&0.0).is_eq()
 }
 
 impl Summary {

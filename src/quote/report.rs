@@ -68,7 +68,7 @@ pub struct Quote {
     /// Length of cuts and marks, leads included.
     pub cut_length: f64,
     /// Length of lead-ins, lead-outs and overcuts.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[serde(skip_serializing_if = "crate::fields::is_zero")]
     #[cfg_attr(test, ts(as = "Option<f64>", optional))]
     pub lead_length: f64,
     /// Length of air moves.
@@ -82,7 +82,7 @@ pub struct Quote {
     #[cfg_attr(test, ts(as = "Option<u32>", optional))]
     pub joints: u32,
     /// Time of stopping at micro-joints, which is part of the times of air moves and of piercing.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[serde(skip_serializing_if = "crate::fields::is_zero")]
     #[cfg_attr(test, ts(as = "Option<f64>", optional))]
     pub joint_time: f64,
     /// Cut and marked contours by layer.
@@ -162,11 +162,6 @@ fn by_name<T: Serialize, S: Serializer>(value: &T, serializer: S) -> Result<S::O
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
 fn is_none(count: &u32) -> bool {
     *count == 0
-}
-
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
-fn is_zero(length: &f64) -> bool {
-    length.total_cmp(&0.0).is_eq()
 }
 
 /// The report, its hash still empty.

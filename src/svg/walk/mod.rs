@@ -3,21 +3,21 @@
 //! The walk keeps a stack of its own, so that nesting takes no stack of the machine. Every element that is visited counts
 //! against a limit, which copies of copies soon reach: such a file is refused.
 
+mod roles;
+mod shapes;
+
 use super::css::StyleSheet;
-use super::layers::{Key, Line};
+use super::layers::Key;
 use super::length::{Axis, Lengths};
 use super::report::{Hidden, Report, Subject};
 use super::scale::Scale;
-use super::style::{self, Own, Paint, Style};
+use super::style::{self, Own, Style};
 use super::viewport;
 use super::xml::{Document, Space};
-use super::{shape, trace, transform};
+use super::{shape, transform};
 use crate::drawing::{EntityKindCount, ReadError, ReadOptions, Shape};
 use crate::geometry::{Affine, DVec2};
 use std::collections::BTreeMap;
-
-/// Width of a stroke in mm above which a finding says that its middle is cut. Lines for people to see are thinner.
-const WIDE: f64 = 1.0;
 
 /// What a walk found.
 pub(super) struct Walked {
@@ -163,7 +163,7 @@ impl<'w, 'a> Walker<'w, 'a> {
 
     fn element(&mut self, element: u32, place: &Place, instance: Option<[Option<f64>; 2]>) {
         let name = self.document.name(element);
-        if is_definition(name) && !(name == "symbol" && instance.is_some()) {
+        if roles::is_definition(name) && !(name == "symbol" && instance.is_some()) {
             return;
         }
         let (mut inside, own) = self.enter(element, place);
@@ -181,7 +181,7 @@ impl<'w, 'a> Walker<'w, 'a> {
         }
         match name {
             "g" | "a" => {
-                if let Some(label) = self.layer_label(element) {
+                if let Some(label) = roles::layer_label(self.document, element) {
                     inside.group = u32::try_from(self.walked.groups.len()).ok();
                     self.walked.groups.push(label);
                 }
@@ -201,7 +201,7 @@ impl<'w, 'a> Walker<'w, 'a> {
                 self.open_children(element, inside);
             }
             "switch" => {
-                let chosen = self.document.children(element).find(|c| self.is_chosen(*c));
+                let chosen = self.document.children(element).find(|c| roles::is_chosen(self.document, *c));
                 if let Some(child) = chosen {
                     let end = self.document.get(child).map_or(0, |e| e.end);
                     self.open.push(Frame { next: child, end, place: inside, instance: None });
@@ -265,137 +265,6 @@ impl<'w, 'a> Walker<'w, 'a> {
         self.open.push(Frame { next: target, end, place, instance: Some(size) });
     }
 
-    fn shape(&mut self, element: u32, kind: &'static str, place: &Place) {
-        let outline = shape::outline(self.document, element, kind, &self.lengths(place));
-        let style = &place.style;
-        let (stroke, fill) = (style.visible_stroke(), style.visible_fill());
-        let line = if stroke == Paint::None { Line::Filled(fill) } else { Line::Stroke(stroke) };
-        let key = (place.group, line);
-        let id = self.id(element);
-        let at = outline.chains.first().map(|c| place.map.point(c.start));
-        if let Some(at) = at {
-            self.walked.report.place(at);
-        }
-        let unpainted = stroke == Paint::None && fill == Paint::None;
-        let hidden = place.hidden.or(match style.visible {
-            false => Some(Hidden::Invisible),
-            true if unpainted => Some(Hidden::Unpainted),
-            true => None,
-        });
-        if let Some(why) = hidden {
-            self.walked.report.count(Subject::Hidden(why), None, id, at);
-            return;
-        }
-        if let Some(fault) = outline.fault {
-            self.walked.report.invalid(format!("{}: {fault}.", named(kind, id)), key, id, at);
-        }
-        let mut drawn = 0_usize;
-        for chain in &outline.chains {
-            drawn += usize::from(self.chain(chain, kind, key, element, place));
-        }
-        if drawn == 0 {
-            return;
-        }
-        let width = style.width * place.map.determinant().abs().sqrt();
-        for (is_so, subject) in [
-            (matches!(line, Line::Filled(_)), Subject::Filled(kind)),
-            (fill == Paint::Pattern, Subject::Patterned),
-            (stroke != Paint::None && width > WIDE, Subject::Wide),
-            (stroke != Paint::None && style.dashed, Subject::Dashed),
-        ] {
-            if is_so {
-                self.walked.report.count(subject, Some(key), id, at);
-            }
-        }
-    }
-
-    /// Adds a chain of a shape; returns whether there is anything of it.
-    fn chain(
-        &mut self,
-        chain: &super::outline::Chain,
-        kind: &'static str,
-        key: Key,
-        element: u32,
-        place: &Place,
-    ) -> bool {
-        let limits = &self.options.limits;
-        let id = self.id(element);
-        let path = trace::path(chain, &place.map, self.options.tolerance);
-        let near = path.filter(|p| {
-            let bounds = p.bounds();
-            p.segments.is_empty() || (limits.is_near(bounds.min) && limits.is_near(bounds.max))
-        });
-        let Some(path) = near else {
-            self.far += 1;
-            let message = format!(
-                "{} cannot be cut: it reaches farther than {} m from the origin.",
-                named(kind, id),
-                limits.coordinate / 1000.0
-            );
-            self.walked.report.invalid(message, key, id, None);
-            return false;
-        };
-        if path.segments.is_empty() {
-            let message = format!("{} cannot be cut: it has no length.", named(kind, id));
-            self.walked.report.invalid(message, key, id, Some(place.map.point(chain.start)));
-            return false;
-        }
-        self.elements += path.segments.len();
-        let handle = id.map(str::to_owned);
-        self.walked.shapes.push((key, Shape { path, layer: 0, color: 0, handle, kind, damaged: false }));
-        true
-    }
-
-    fn unsupported(&mut self, element: u32, name: &str, place: &Place) {
-        let first = |e: u32, name: &str| {
-            let lengths = self.lengths(place);
-            let word = self.document.attribute(e, name)?.split([' ', ',']).next()?;
-            lengths.read(word, if name == "x" { Axis::Width } else { Axis::Height })
-        };
-        let nearest = |name: &str| {
-            first(element, name)
-                .or_else(|| self.document.children(element).find_map(|c| first(c, name)))
-                .unwrap_or(0.0)
-        };
-        let at = place.map.point(DVec2::new(nearest("x"), nearest("y")));
-        let hidden = place.hidden.or((!place.style.visible).then_some(Hidden::Invisible));
-        let subject = match hidden {
-            Some(why) => Subject::Hidden(why),
-            None => Subject::Unsupported(if name.is_empty() {
-                "element of another language".to_owned()
-            } else {
-                name.chars().take(40).collect()
-            }),
-        };
-        // Elements of other languages (metadata, settings of programs) are never drawn.
-        if !name.is_empty() {
-            self.walked.report.count(subject, None, self.id(element), Some(at));
-        }
-    }
-
-    /// The label of a group that is a layer.
-    fn layer_label(&self, element: u32) -> Option<String> {
-        let label = || self.document.attribute_in(element, Space::Inkscape, "label");
-        if self.document.attribute_in(element, Space::Inkscape, "groupmode") == Some("layer") {
-            return label().or(self.id(element)).map(str::to_owned);
-        }
-        // Illustrator writes its layers as groups of the page, with their names as ids.
-        let is_top = self.document.get(element).is_some_and(|e| e.parent == Some(0));
-        let by_illustrator = self.document.preamble.as_bytes().windows(17).any(|w| w == b"Adobe Illustrator");
-        let name = self.document.attribute(element, "data-name").or(self.id(element));
-        name.filter(|_| is_top && by_illustrator).map(|n| n.replace("_x20_", " "))
-    }
-
-    /// Whether a `switch` shows this child: what needs an extension or another language is skipped.
-    fn is_chosen(&self, child: u32) -> bool {
-        let attribute = |name: &str| self.document.attribute(child, name);
-        let language =
-            attribute("systemLanguage").is_none_or(|l| l.split(',').any(|l| l.trim().starts_with("en")));
-        !self.document.name(child).is_empty()
-            && attribute("requiredExtensions").is_none_or(str::is_empty)
-            && language
-    }
-
     fn count_kind(&mut self, name: &'a str, supported: bool, place: &Place) {
         if place.copy.is_none() && !name.is_empty() {
             self.kinds.entry(name).or_insert((0, supported)).0 += 1;
@@ -438,42 +307,4 @@ impl<'w, 'a> Walker<'w, 'a> {
         crate::order::sort_by(&mut self.walked.kinds, |c| [u64::MAX - u64::from(c.count), 0, 0]);
         Ok(self.walked)
     }
-}
-
-/// Elements that draw nothing themselves.
-fn is_definition(name: &str) -> bool {
-    const DEFINITIONS: [&str; 27] = [
-        "defs",
-        "symbol",
-        "clipPath",
-        "mask",
-        "marker",
-        "pattern",
-        "linearGradient",
-        "radialGradient",
-        "meshgradient",
-        "hatch",
-        "filter",
-        "style",
-        "script",
-        "title",
-        "desc",
-        "metadata",
-        "view",
-        "cursor",
-        "font",
-        "font-face",
-        "color-profile",
-        "solidColor",
-        "animate",
-        "animateTransform",
-        "animateMotion",
-        "animateColor",
-        "set",
-    ];
-    DEFINITIONS.contains(&name)
-}
-
-fn named(kind: &str, id: Option<&str>) -> String {
-    id.map_or_else(|| format!("A {kind}"), |id| format!("{kind} \"{id}\""))
 }
