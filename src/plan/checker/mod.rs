@@ -7,6 +7,7 @@
 
 mod coverage;
 mod groups;
+mod joint_room;
 mod joints;
 mod kerf;
 mod lead_room;
