@@ -84,6 +84,7 @@ fn generated() -> String {
         sheet::CommonCuts,
         sheet::Group,
         sheet::HandJoint,
+        sheet::ContourChoice,
         sheet::PassOrder,
         machine::Settings,
         sheet::LayerUse,

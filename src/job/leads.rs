@@ -8,7 +8,9 @@ use crate::sheet::{Contour, Operation, Sheet};
 
 /// What became of the leads of every contour, and which contours have none because they are cut as one.
 pub(super) fn findings(sheet: &Sheet, machine: &Profile, problem: &Problem) -> Vec<Finding> {
-    let Some(leads) = machine.leads.as_ref().filter(|l| !l.rules.is_empty()) else { return Vec::new() };
+    if !sheet.asks_for_leads(machine) {
+        return Vec::new();
+    }
     let outcomes = (0..).zip(&problem.items).filter_map(|(id, i)| Some((id, &i.leads.as_ref()?.outcome)));
     let mut all = lead::findings(outcomes);
     let groups = sheet.cut_as_one(machine.makes_pre_cuts()).iter();
@@ -43,7 +45,7 @@ pub(super) fn findings(sheet: &Sheet, machine: &Profile, problem: &Problem) -> V
         let finding = Finding::new(Code::LeadMissing, Severity::Warning, message);
         all.push(finding.at(contour.path.start().unwrap_or_default()));
     }
-    if machine.pre_cut_time.is_some() && !leads.rules.is_empty() {
+    if machine.pre_cut_time.is_some() {
         let message = "With leads, contours are not left unfinished for others: each is cut in one go.";
         all.push(Finding::new(Code::LeadAdjusted, Severity::Info, message));
     }

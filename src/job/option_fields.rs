@@ -6,7 +6,7 @@ use super::ranges::{
     TOLERANCE, TURN, WORKERS,
 };
 use crate::fields::{Field, Kind, Shape, Shaped};
-use crate::machine::{Anchor, LAYER_SETTINGS, Profile};
+use crate::machine::{Anchor, JOINT_COUNT, LAYER_SETTINGS, LEAD_KINDS, Profile};
 
 const IDS: Kind = Kind::List(&Kind::Whole(ID));
 const LENGTHS: Kind = Kind::List(&Kind::Number(ALONG));
@@ -42,13 +42,21 @@ impl Shaped for LoadOptions {
             Field::optional("mark", IDS),
             Field::optional("sequences", Kind::List(&IDS)),
             Field::optional("exclude", IDS),
+            Field::optional("together", Kind::List(&IDS)),
             Field::optional("joints", Kind::List(&Kind::Object(JOINT))),
+            Field::optional("contours", Kind::List(&Kind::Object(CONTOUR))),
         ],
     };
 }
 
 const JOINT: &[Field] =
     &[Field::required("contour", Kind::Whole(ID)), Field::required("at", Kind::Number(SHARE))];
+
+const CONTOUR: &[Field] = &[
+    Field::required("contour", Kind::Whole(ID)),
+    Field::nullable("joints", Kind::Whole(JOINT_COUNT)),
+    Field::nullable("lead", Kind::Choice(LEAD_KINDS)),
+];
 
 const GROUP: &[Field] = &[
     Field::required("name", Kind::Choice(&["lettering", "leaders"])),

@@ -9,7 +9,7 @@ use super::{JobError, WarmPath};
 use crate::drawing::{ReadOptions, TextDecoder, Unit};
 use crate::fields::{Fault, FieldError, Range};
 use crate::machine::{self, Profile, Settings, Start};
-use crate::sheet::{CommonCuts, Group, HandJoint, Operation, PassOrder, SheetOptions};
+use crate::sheet::{CommonCuts, ContourChoice, Group, HandJoint, Operation, PassOrder, SheetOptions};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -121,8 +121,13 @@ pub struct LoadOptions {
     /// ids. A hole in a skipped contour becomes a part of its own. A side that a skipped contour shares with another
     /// contour is cut with the other one.
     pub exclude: Vec<u32>,
+    /// Groups of contours, by id: all contours of a group are processed, with everything inside them, without any other in
+    /// between, in the order that is fastest. A contour is in one group at most.
+    pub together: Vec<Vec<u32>>,
     /// Micro-joints that are placed by hand. A contour that has such ones has no others.
     pub joints: Vec<HandJoint>,
+    /// What is decided for single contours instead of the rules of the machine: the number of micro-joints, the lead.
+    pub contours: Vec<ContourChoice>,
     /// Decodes text in multi-byte code pages. It is not an option of the caller; the bindings set it.
     #[serde(skip)]
     pub decoder: TextDecoder,
@@ -152,7 +157,9 @@ impl Default for LoadOptions {
             mark: sheet.mark,
             sequences: sheet.sequences,
             exclude: sheet.exclude,
+            together: sheet.together,
             joints: sheet.joints,
+            contours: sheet.contours,
             decoder: read.decoder,
         }
     }
@@ -217,7 +224,9 @@ impl LoadOptions {
             mark: self.mark.clone(),
             sequences: self.sequences.clone(),
             exclude: self.exclude.clone(),
+            together: self.together.clone(),
             joints: self.joints.clone(),
+            contours: self.contours.clone(),
         })
     }
 }

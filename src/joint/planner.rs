@@ -74,7 +74,7 @@ pub struct Planner<'s> {
 impl<'s> Planner<'s> {
     /// The planner for a sheet; `None` if there are no joints.
     pub fn new(sheet: &'s Sheet, machine: &'s Profile) -> Option<Self> {
-        if machine.joints.as_ref().is_none_or(|j| j.rules.is_empty()) && sheet.joints.is_empty() {
+        if !sheet.asks_for_joints(machine) {
             return None;
         }
         let mut grouped = vec![false; sheet.contours.len()];
@@ -97,12 +97,18 @@ impl<'s> Planner<'s> {
         let rule = rules.and_then(|j| j.rule(side, contour.bounds.size().to_array()));
         let own = self.sheet.joints.iter().filter(|j| j.contour == id);
         let by_hand: Vec<f64> = own.filter_map(|j| place_by_hand(contour, j)).collect();
-        if by_hand.is_empty() {
+        let chosen = self.sheet.chosen_joints(id);
+        if by_hand.is_empty() && chosen.is_none() {
             let rule = *rule?;
             return (rule.count > 0 || rule.spacing.is_some()).then_some((rule, by_hand));
         }
         let first = || rules.and_then(|j| j.rules.first()).copied();
-        Some((rule.copied().or_else(first).unwrap_or_default(), by_hand))
+        let own = rule.copied().or_else(first).unwrap_or_default();
+        match chosen.filter(|_| by_hand.is_empty()) {
+            None => Some((own, by_hand)),
+            Some(0) => None,
+            Some(count) => Some((JointRule { count, spacing: None, ..own }, by_hand)),
+        }
     }
 
     /// Why a contour has no joints although they are asked for.
@@ -113,7 +119,8 @@ impl<'s> Planner<'s> {
             Some(Refusal::Group)
         } else if !contour.path.closed {
             // By rule, joints are for what falls out: not for lines and slots that were drawn open.
-            (contour.outline.is_some() || !by_hand.is_empty()).then_some(Refusal::Open)
+            let by_choice = !by_hand.is_empty() || self.sheet.chosen_joints(id).is_some();
+            (contour.outline.is_some() || by_choice).then_some(Refusal::Open)
         } else if self.sheet.process_of(contour, self.machine).passes > 1 {
             Some(Refusal::Passes)
         } else {

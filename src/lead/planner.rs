@@ -42,14 +42,14 @@ impl<'s> Planner<'s> {
     /// The planner for a sheet; `None` if the machine has no leads, and cuts nothing again.
     pub fn new(sheet: &'s Sheet, machine: &'s Profile) -> Option<Self> {
         let leads = machine.leads.clone().unwrap_or_default();
-        if leads.rules.is_empty() && machine.levers.cut_again(f64::INFINITY) <= 0.0 {
+        if !sheet.asks_for_leads(machine) && machine.levers.cut_again(f64::INFINITY) <= 0.0 {
             return None;
         }
         let bed =
             machine.bed.map(|[x0, y0, x1, y1]| Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) });
         // A job that does not lie on the bed is reported elsewhere.
         let bed = bed.filter(|bed| bed.contains_box(&sheet.bounds));
-        let scrap = Scrap::new(&sheet.contours, leads.clearance, machine.kerf_width, bed);
+        let scrap = Scrap::new(&sheet.contours, Sheet::lead_clearance(machine), machine.kerf_width, bed);
         Some(Self { sheet, machine, leads, scrap })
     }
 
@@ -92,7 +92,10 @@ impl<'s> Planner<'s> {
         }
         let hole = !known.depth.is_multiple_of(2);
         let side = if hole { LeadSide::Hole } else { LeadSide::Outer };
-        let rule = rule(self.leads.rule(side, known.bounds.size().max_element(), known.length))?;
+        let asked = self.leads.rule(side, known.bounds.size().max_element(), known.length);
+        let base = || asked.or(self.leads.rules.first()).cloned().unwrap_or_default();
+        let own = self.sheet.chosen_lead(contour).map(|kind| base().with_lead_in(kind));
+        let rule = rule(own.as_ref().or(asked))?;
         let kinds = [rule.lead_in.kind, rule.lead_out.kind];
         if kinds == [LeadKind::None; 2] && rule.overcut.total_cmp(&0.0).is_eq() {
             return None;

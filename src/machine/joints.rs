@@ -9,7 +9,8 @@ use crate::fields::{Field, Kind, Range};
 use serde::{Deserialize, Serialize};
 
 const WIDTH: Range = Range::new(0.01, 100.0, "mm", "a joint is broken by hand");
-const COUNT: Range = Range::new(0.0, 1000.0, "", "nobody breaks more joints");
+/// Number of joints of a contour.
+pub(crate) const JOINT_COUNT: Range = Range::new(0.0, 1000.0, "", "nobody breaks more joints");
 const SPACING: Range = Range::new(1.0, 1e6, "mm", "joints are further apart than they are wide");
 const SIZE: Range = Range::new(0.0, 1e6, "mm", "no contour is larger than 1 km");
 const CLEARANCE: Range = Range::new(0.0, 1000.0, "mm", "sides of contours are shorter");
@@ -118,7 +119,7 @@ impl Joints {
                 ("joints.rules.size_max[0]", x1, SIZE),
                 ("joints.rules.size_max[1]", y1, SIZE),
                 ("joints.rules.width", r.width, WIDTH),
-                ("joints.rules.count", r.count.into(), COUNT),
+                ("joints.rules.count", r.count.into(), JOINT_COUNT),
                 ("joints.rules.spacing", r.spacing.unwrap_or(SPACING.most), SPACING),
                 ("joints.rules.corner_clearance", r.corner_clearance, CLEARANCE),
             ]
@@ -133,7 +134,7 @@ impl JointRule {
         Field::nullable("size_max", Kind::Pair(&Kind::Number(SIZE))),
         Field::optional("test", Kind::Choice(&["and", "or"])),
         Field::optional("width", Kind::Number(WIDTH)),
-        Field::optional("count", Kind::Whole(COUNT)),
+        Field::optional("count", Kind::Whole(JOINT_COUNT)),
         Field::nullable("spacing", Kind::Number(SPACING)),
         Field::optional("corner_clearance", Kind::Number(CLEARANCE)),
         Field::optional("kind", Kind::Choice(&["stop", "flying"])),

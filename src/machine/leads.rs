@@ -108,6 +108,9 @@ pub enum LeadKind {
     Center,
 }
 
+/// The names of the forms of leads.
+pub(crate) const LEAD_KINDS: &[&str] = &["none", "line", "arc", "line-arc", "center"];
+
 /// One lead.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -203,6 +206,15 @@ impl Leads {
 }
 
 impl LeadRule {
+    /// The same rule with a lead-in of another form; with none there is no lead-out either.
+    pub(crate) fn with_lead_in(mut self, kind: LeadKind) -> Self {
+        self.lead_in.kind = kind;
+        if kind == LeadKind::None {
+            self.lead_out.kind = kind;
+        }
+        self
+    }
+
     const FIELDS: &'static [Field] = &[
         Field::nullable("side", Kind::Choice(&["hole", "outer"])),
         Field::nullable("diameter_below", Kind::Number(SIZE)),
@@ -217,7 +229,7 @@ impl LeadRule {
 
 impl LeadShape {
     const FIELDS: &'static [Field] = &[
-        Field::required("kind", Kind::Choice(&["none", "line", "arc", "line-arc", "center"])),
+        Field::required("kind", Kind::Choice(LEAD_KINDS)),
         Field::optional("length", Kind::Number(LEAD)),
         Field::optional("radius", Kind::Number(LEAD)),
         Field::optional("angle", Kind::Number(LEAD_ANGLE)),

@@ -33,7 +33,7 @@ use crate::sheet::{Contour, Operation, Sheet};
 ///   unfinished, and is pierced at rest.
 /// * Sequences: pairs of items. Contours in a sequence are not left unfinished, and have at least the rank of those before them.
 /// * Skipped contours: items without nodes.
-/// * Groups: the parts, if the sheet is cut part by part.
+/// * Groups: what a person keeps together, and the parts, if the sheet is cut part by part.
 ///
 /// `paths`: the paths through each pierce group, as a solver of [`group_problems`](super::group_problems) finds them. The
 /// contours of a group without a path are items of their own.
@@ -42,6 +42,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     let planners = Planners::new(sheet, machine);
     let pairs = pairs(sheet, &joined);
     let ranks = ranks(sheet, &joined, &pairs);
+    let keeps_together = sheet.keeps_together();
     let mut items = Vec::with_capacity(sheet.contours.len());
     let mut nodes: Vec<Node> = Vec::new();
     for ((contour, &rank), item) in sheet.contours.iter().zip(&ranks).zip(0..) {
@@ -88,7 +89,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             fixed,
             run,
             leave: leave_seconds(machine, contour)
-                .filter(|_| !sheet.part_by_part && passes == 1 && contour.pass == 0)
+                .filter(|_| !keeps_together && passes == 1 && contour.pass == 0)
                 .filter(|_| planners.leads.is_none() && !sheet.has_turn(contour)),
             track: contour.path.closed.then(|| contour.path.clone()),
             joints,
@@ -102,7 +103,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         closed: machine.return_home,
         machine: machine.clone(),
         pairs,
-        groups: if sheet.part_by_part { parts(sheet) } else { Groups::default() },
+        groups: groups(sheet),
         table: None,
     }
 }
@@ -175,17 +176,24 @@ fn leave_seconds(machine: &Profile, contour: &Contour) -> Option<f64> {
         .map(|pre_cut| pre_cut + machine.beam_delays())
 }
 
-/// The parts as groups; a part in a hole is within the part around it.
-fn parts(sheet: &Sheet) -> Groups {
-    let mut of = vec![None; sheet.contours.len()];
-    for (part, p) in (0..).zip(&sheet.parts) {
+/// The groups of a person, and the parts if the sheet is cut part by part. A part in a hole is within the part around it, any
+/// other within its group.
+fn groups(sheet: &Sheet) -> Groups {
+    let mut of: Vec<Option<u32>> = sheet.contours.iter().map(|c| c.together).collect();
+    let own = sheet.groups_together();
+    let mut around = vec![None; own as usize];
+    if !sheet.part_by_part {
+        return if own > 0 { Groups::new(of, around) } else { Groups::default() };
+    }
+    for (part, p) in (own..).zip(&sheet.parts) {
+        around.push(p.inside.map(|q| own + q).or_else(|| sheet.contours.get(p.outer as usize)?.together));
         for &contour in p.holes.iter().chain([&p.outer]) {
             if let Some(group) = of.get_mut(contour as usize) {
                 *group = Some(part);
             }
         }
     }
-    Groups::new(of, sheet.parts.iter().map(|p| p.inside).collect())
+    Groups::new(of, around)
 }
 
 /// The order that sequences ask for, between items.

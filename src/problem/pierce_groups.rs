@@ -26,7 +26,7 @@ impl<'s> PierceGroups<'s> {
     /// paths through each group.
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile, paths: &'s [Vec<SubPath>]) -> Self {
         let none = vec![None; sheet.contours.len()];
-        let in_one_go = sheet.part_by_part || machine.leads.as_ref().is_some_and(|l| !l.rules.is_empty());
+        let in_one_go = sheet.keeps_together() || sheet.asks_for_leads(machine);
         let mut all =
             Self { sheet, in_one_go, groups: Vec::new(), of: none.clone(), within: none.clone(), area: none };
         let groups = sheet.cut_as_one(machine.makes_pre_cuts());

@@ -8,7 +8,7 @@ use super::lettering;
 use super::model::{CommonCuts, Contour, Ignored, LayerUse, Operation, Pin, Sheet, SheetOptions};
 use super::outline::{Decision, Evidence};
 use super::source::Source;
-use super::{crossings, exclude, layers, narrow, nest, outline, parts, sequence};
+use super::{choices, crossings, exclude, layers, narrow, nest, outline, parts, sequence, together};
 use crate::drawing::Drawing;
 use crate::finding::{Code, Finding, Findings, Severity};
 use crate::geometry::Aabb;
@@ -72,6 +72,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
     parts::orient(&mut contours);
     pin(&mut contours, options);
     sequence::assign(&mut contours, &options.sequences);
+    together::assign(&mut contours, &options.together);
     let groups = find_groups(&contours, &layers, &crossing, options, join);
     let mut bounds = Aabb::EMPTY;
     for c in &contours {
@@ -93,6 +94,7 @@ pub fn build(drawing: &Drawing, options: &SheetOptions) -> Sheet {
         pass_order: options.pass_order,
         common_cuts: options.common_cuts,
         joints: options.joints.clone(),
+        choices: choices::by_contour(&options.contours),
         bounds,
         contours,
         layers,
@@ -116,8 +118,8 @@ pub(super) fn find_groups(
     let rank = |c: &Contour| (c.pin, layers.get(c.layer as usize).map_or(0, |l| l.rank));
     // A layer with settings of its own is not cut at the speed of the group.
     let plain = |c: &Contour| layers.get(c.layer as usize).is_none_or(|l| l.settings.is_none());
-    // Neither is one that has its turn in a sequence.
-    let free = |c: &Contour| !sequence::has_turn(contours, c);
+    // Neither is one that has its turn in a sequence, or is kept together with others.
+    let free = |c: &Contour| c.together.is_none() && !sequence::has_turn(contours, c);
     let alike = |a: &Contour, b: &Contour| rank(a) == rank(b) && plain(a) && plain(b) && free(a) && free(b);
     groups::find(contours, crossing, [join, options.copy_tolerance], alike)
 }
@@ -194,6 +196,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         next_pass: None,
         pin: Pin::None,
         turn: None,
+        together: None,
         first_shape: a.first_shape,
         rest_of: a.rest_of.filter(|_| !a.path.closed),
         outline: a.outline,

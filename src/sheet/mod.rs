@@ -21,6 +21,7 @@
 
 mod assemble;
 mod build;
+mod choices;
 mod clean;
 mod cluster;
 mod crossings;
@@ -41,11 +42,12 @@ mod passes;
 mod sequence;
 mod sliver;
 mod source;
+mod together;
 
 pub use build::build;
 pub use groups::{GroupElement, PierceGroup};
 pub(crate) use kerf::compensated;
 pub use model::{
-    CommonCuts, Contour, Group, HandJoint, Ignored, LayerUse, Operation, Part, PassOrder, Pin, Sheet,
-    SheetOptions,
+    CommonCuts, Contour, ContourChoice, Group, HandJoint, Ignored, LayerUse, Operation, Part, PassOrder, Pin,
+    Sheet, SheetOptions,
 };

@@ -3,7 +3,7 @@
 use super::groups::PierceGroup;
 use crate::finding::Finding;
 use crate::geometry::{Aabb, Path};
-use crate::machine::Settings;
+use crate::machine::{LeadKind, Settings};
 use crate::order::sort_by;
 use serde::{Deserialize, Serialize};
 
@@ -104,8 +104,28 @@ pub struct SheetOptions {
     /// Ids of contours that are excluded; see [`Sheet::contours`]. A hole in an excluded contour becomes a part of its
     /// own, and a side shared with another contour is cut with that one.
     pub exclude: Vec<u32>,
+    /// Groups of contours: all of a group are processed, with everything inside them, without any other in between. A contour
+    /// is in one group at most.
+    pub together: Vec<Vec<u32>>,
     /// Micro-joints that a person placed.
     pub joints: Vec<HandJoint>,
+    /// What a person decided for single contours, instead of the rules of the machine.
+    pub contours: Vec<ContourChoice>,
+}
+
+/// What a person decided for a contour. What is not given is as the rules of the machine say.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct ContourChoice {
+    /// The contour, by id.
+    pub contour: u32,
+    /// Number of its micro-joints, evenly spread; 0: none. Joints that are placed on it by hand go before this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub joints: Option<u32>,
+    /// The form of its lead-in, with the sizes of the rule that fits it; `none`: neither lead-in nor lead-out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lead: Option<LeadKind>,
 }
 
 /// A micro-joint that a person placed on a contour. The joints of a contour that has such ones are these and no others.
@@ -138,7 +158,9 @@ impl Default for SheetOptions {
             mark: Vec::new(),
             sequences: Vec::new(),
             exclude: Vec::new(),
+            together: Vec::new(),
             joints: Vec::new(),
+            contours: Vec::new(),
         }
     }
 }
@@ -187,6 +209,8 @@ pub struct Contour {
     pub pin: Pin,
     /// The sequence that it belongs to, and its place in it; see [`SheetOptions::sequences`].
     pub turn: Option<(u32, u32)>,
+    /// The group that it belongs to, itself or inside another contour; see [`SheetOptions::together`].
+    pub together: Option<u32>,
     /// Whether it crosses itself, so that its interior is in doubt.
     pub self_crossing: bool,
     /// Smallest index of the shapes it consists of, which gives the drawing order.
@@ -296,6 +320,8 @@ pub struct Sheet {
     pub common_cuts: CommonCuts,
     /// Micro-joints that a person placed.
     pub joints: Vec<HandJoint>,
+    /// What a person decided for single contours, by id.
+    pub choices: Vec<ContourChoice>,
     /// Box around all contours that are cut or marked.
     pub bounds: Aabb,
     /// Findings of this stage.

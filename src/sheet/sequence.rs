@@ -30,6 +30,11 @@ pub(super) fn has_turn(contours: &[Contour], contour: &Contour) -> bool {
 }
 
 impl Sheet {
+    /// The sequences in which a contour has its turn, itself or inside another one.
+    pub(super) fn sequences_of(&self, contour: u32) -> impl Iterator<Item = u32> {
+        outwards(&self.contours, contour).filter_map(|c| Some(self.contours.get(c as usize)?.turn?.0))
+    }
+
     /// Whether a contour, or one around it, is part of a sequence.
     pub(crate) fn has_turn(&self, contour: &Contour) -> bool {
         has_turn(&self.contours, contour)

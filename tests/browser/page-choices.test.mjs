@@ -61,6 +61,8 @@ test('an invalid parameter is explained in a sentence, and the drawing stays', a
 test('a contour is pinned, the start is chosen on the sheet, and the address holds the settings', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning');
+  // There is an order to step through once there is a path.
+  await page.waitForFunction(() => document.querySelector('.large').textContent !== '');
   await page.locator('body').press('ArrowRight');
   await page.getByRole('button', { name: 'Cut last' }).click();
   await page.waitForFunction(() => document.querySelector('.card.contour [aria-pressed=true]')?.textContent === 'Cut last' || document.querySelector('.card.contour').hidden);

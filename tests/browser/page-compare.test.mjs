@@ -66,8 +66,10 @@ test('the program is copied, its download carries file, machine and date, and a 
   const { page } = await openPage(t, { hash: 'seconds=1' });
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
   await phase(page, 'done');
+  const begun = Date.now();
   await drop(page, 'plate.dxf', grid(40));
   await planned(page, 'plate.dxf', 'done');
+  const most = (Date.now() - begun) / 1000;
   const copy = page.getByRole('button', { name: 'Copy', exact: true });
   await page.waitForFunction(() => !document.querySelector('.preflight').hidden);
   await copy.click();
@@ -78,6 +80,6 @@ test('the program is copied, its download carries file, machine and date, and a 
   const label = await page.locator('.chart').getAttribute('aria-label');
   const [, first, seconds, nearest] = /from (.+) to .+ in ([\d.]+) s\..* nearest first (.+)\.$/.exec(label);
   assert.equal(first, nearest, 'the chart begins with the first path of this drawing');
-  // A busy machine may report last well before the second is over.
-  assert.ok(Number(seconds) < 1.9, `the chart counts the seconds of this search only: ${seconds}`);
+  // The search before took a second as well; a busy machine may take longer than asked for.
+  assert.ok(Number(seconds) < Math.min(most, Math.max(1.9, most - 1)) + 0.1, `the chart counts the seconds of this search only: ${seconds} of ${most}`);
 });

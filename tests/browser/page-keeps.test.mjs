@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { download, drop, grid, openPage, phase, planned, shot, SIZES } from './page-support.mjs';
+import { download, drop, grid, openPage, phase, planned, replanned, shot, SIZES, storedWith } from './page-support.mjs';
 
 const CLI = join(dirname(dirname(dirname(fileURLToPath(import.meta.url)))), 'dist', 'sdk', 'cli.js');
 
@@ -30,9 +30,8 @@ async function done(page, name, bytes) {
 async function skip(page) {
   await page.keyboard.press('Escape');
   await page.keyboard.press('Home');
-  await page.keyboard.press('x');
+  await replanned(page, () => page.keyboard.press('x'));
   await page.waitForFunction(() => /Skipped: 1 contour/.test(document.querySelector('#sections').textContent));
-  await phase(page, 'done');
 }
 
 /** Waits until the browser has stored the current job. */
@@ -86,9 +85,7 @@ test('undo and redo bring back the plan found for each state, and its search goe
   await page.waitForFunction((time) => document.querySelector('.compare tbody:last-of-type td.number').textContent === time, second.time);
   await phase(page, 'done');
   assert.equal(await moves(page), second.moves);
-  await page.keyboard.press('k');
-  await phase(page, 'planning');
-  await phase(page, 'done');
+  await replanned(page, () => page.keyboard.press('k'));
   assert.ok((await moves(page)) > second.moves, 'moves of the search before are counted in');
 });
 
@@ -103,8 +100,7 @@ test('a reload and a crash bring back the drawing, its decisions and its plan; o
     assert.deepEqual({ time: await jobTime(page), moves: await moves(page) }, shown);
     assert.match(await page.locator('#sections').textContent(), /Skipped: 1 contour/);
   };
-  // What was decided last is written within a second.
-  await page.waitForTimeout(1500);
+  await storedWith(page, 1);
   await page.reload();
   await isBack(page);
   await shot(page, 'back');
@@ -128,7 +124,7 @@ test('tabs with the same file keep a job each; a new tab begins with the newest'
   await other.goto(url);
   await planned(other, 'own.dxf', 'done');
   await skip(other);
-  await other.waitForTimeout(1500);
+  await storedWith(other, 1);
   await page.reload();
   await planned(page, 'own.dxf', 'done');
   assert.doesNotMatch(await page.locator('#sections').textContent(), /Skipped/);

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { download, drop, openPage, phase, shot, SIZES, still } from './page-support.mjs';
+import { download, drop, openPage, phase, replanned, shot, SIZES, still } from './page-support.mjs';
 
 const SHEET = readFileSync(new URL('../fixtures/plate/one-kerf-apart.dxf', import.meta.url));
 const HASH = 'machine=fibre-6kw-plate&seconds=1&seed=1';
@@ -28,9 +28,7 @@ async function setKerf(page, width) {
     document.body.classList.add('sheet-open');
     document.querySelectorAll('details').forEach((d) => (d.open = true));
   });
-  await page.getByLabel('Kerf width').fill(String(width));
-  await phase(page, 'planning');
-  await phase(page, 'done');
+  await replanned(page, () => page.getByLabel('Kerf width').fill(String(width)));
 }
 
 test('a kerf width set in the machine changes what is cut, is reported, and can be undone', async (t) => {

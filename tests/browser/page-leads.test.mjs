@@ -11,10 +11,8 @@ const DRAWING = dxf([...square(20, 20, 40), ...square(61.2, 20, 40), ...square(1
 for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone', 'light'], ['phone', 'dark']]) {
   test(`leads are switched on and drawn (${size}, ${theme})`, async (t) => {
     const { page, opened: leads } = await openMachinePart(t, 'Leads and overcut', 'leads.dxf', DRAWING, { size: SIZES[size], theme, touch: size === 'phone' });
-    await leads.getByLabel('Lead-in').selectOption('arc');
-    await replanned(page);
-    await leads.getByLabel('Overcut').fill('0.5');
-    await replanned(page);
+    await replanned(page, () => leads.getByLabel('Lead-in').selectOption('arc'));
+    await replanned(page, () => leads.getByLabel('Overcut').fill('0.5'));
     await leads.scrollIntoViewIfNeeded();
     await shot(page, `leads-${size}-${theme}`);
     if (size === 'phone') return;
@@ -24,9 +22,8 @@ for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone'
     assert.equal(cuts.length, 4);
     for (const cut of cuts) assert.deepEqual([cut.lead_in, cut.overcut], [1, 1]);
     assert.ok(Math.abs(summary.lead_length - 4 * (1.5 * Math.PI / 2 + 0.5)) < 1e-6);
-    await leads.getByLabel('Lead-in').selectOption('none');
-    await leads.getByLabel('Overcut').fill('0');
-    await replanned(page);
+    await replanned(page, () => leads.getByLabel('Lead-in').selectOption('none'));
+    await replanned(page, () => leads.getByLabel('Overcut').fill('0'));
     assert.equal((await plan(page)).machine.leads, undefined);
   });
 }

@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { drop, dropAll, grid, openPage, phase, planned, sample, serious, shot, SIZES, still } from './page-support.mjs';
+import { drop, dropAll, grid, openPage, phase, planned, replanned, sample, serious, shot, SIZES, still } from './page-support.mjs';
 
 for (const [name, size] of Object.entries(SIZES)) {
   for (const theme of ['light', 'dark']) {
@@ -32,10 +32,10 @@ for (const [name, size] of Object.entries(SIZES)) {
       const clean = async (what) => assert.deepEqual(await serious(page), [], what);
 
       await keep('result');
-      await page.keyboard.press('k');
-      await phase(page, 'planning');
-      await keep('live');
-      await phase(page, 'done');
+      await replanned(page, async () => {
+        await page.keyboard.press('k');
+        await keep('live');
+      });
       await page.keyboard.press('c');
       await page.locator('#playback input').evaluate((slider) => {
         slider.value = 5000;
@@ -56,9 +56,8 @@ for (const [name, size] of Object.entries(SIZES)) {
       await planned(page, 'rings.dxf', 'done');
       for (const [step, key, pins] of [['Home', '1', 1], ['End', '0', 2], ['ArrowLeft', 'x', 3]]) {
         await page.keyboard.press(step);
-        await page.keyboard.press(key);
+        await replanned(page, () => page.keyboard.press(key));
         await page.waitForFunction((n) => document.querySelectorAll('.pins').length === n, pins);
-        await phase(page, 'done');
       }
       await still(page);
       await keep('contour');

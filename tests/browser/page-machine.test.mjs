@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { dxf, square } from '../package/support.mjs';
-import { openPage, openPlanned, output, phase, plan, replanned, shot, SIZES } from './page-support.mjs';
+import { openPage, openPlanned, output, phase, plan, replanned, shot, SIZES, still } from './page-support.mjs';
 
 const DRAWING = dxf(square(-20, 10, 50));
 
@@ -21,33 +21,29 @@ test('a job off the bed gets no G-code, is moved to the corner, turned, and drag
   await page.locator('#stage').getByText('Nothing was written', { exact: false }).waitFor();
   await shot(page, 'bed-off');
 
-  await bed.getByRole('button', { name: 'Move to the corner' }).click();
+  await replanned(page, () => bed.getByRole('button', { name: 'Move to the corner' }).click());
   await page.waitForFunction(() => location.hash.includes('place=lower-left%400%2C0'));
-  await replanned(page);
   assert.deepEqual((await plan(page)).summary.bounds, [0, 0, 50, 50]);
   assert.match(await output(page, 'G-code'), /^G1.* X50/m);
 
-  await bed.getByRole('radio', { name: 'Centre', exact: true }).check();
+  await replanned(page, () => bed.getByRole('radio', { name: 'Centre', exact: true }).check());
   assert.equal(await bed.locator('.placement-point input[type=number]').first().inputValue(), '25');
-  await bed.locator('.placement-point input[type=number]').first().fill('200');
+  await replanned(page, () => bed.locator('.placement-point input[type=number]').first().fill('200'));
   await page.waitForFunction(() => location.hash.includes('place=center%40200%2C25'));
-  await replanned(page);
   assert.deepEqual((await plan(page)).summary.bounds, [175, 0, 225, 50]);
 
-  await bed.getByRole('button', { name: 'Turn left' }).click();
+  await replanned(page, () => bed.getByRole('button', { name: 'Turn left' }).click());
   await page.waitForFunction(() => location.hash.includes('turn=90'));
-  await replanned(page);
   assert.equal((await plan(page)).options.turn, 90);
 
   await bed.getByRole('button', { name: 'Show the bed' }).click();
   await bed.getByRole('button', { name: 'Drag the job' }).click();
   const box = await page.locator('#canvas').boundingBox();
-  await page.waitForTimeout(400);
+  await still(page);
   await page.mouse.move(box.x + 300, box.y + 300);
   await page.mouse.down();
   await page.mouse.move(box.x + 340, box.y + 280, { steps: 4 });
-  await page.mouse.up();
-  await replanned(page);
+  await replanned(page, () => page.mouse.up());
   const [x0, y0] = (await plan(page)).summary.bounds;
   assert.ok(x0 > 176 && y0 > 1, `dragged to ${x0}, ${y0}`);
   await page.keyboard.press('Escape');
@@ -61,9 +57,8 @@ test('a layer has settings, a material is saved and chosen, and a stopwatch fits
   await page.getByRole('button', { name: 'Settings of layer 0' }).click();
   const passes = page.getByLabel('Passes, layer 0');
   await passes.fill('3');
-  await passes.press('Tab');
+  await replanned(page, () => passes.press('Tab'));
   await page.getByText('3 ×', { exact: false }).first().waitFor();
-  await replanned(page);
   const after = (await plan(page)).summary;
   assert.ok(Math.abs(after.cut_length / before.cut_length - 3) < 1e-9, `${after.cut_length} of ${before.cut_length}`);
   await shot(page, 'layer-table');
@@ -71,8 +66,7 @@ test('a layer has settings, a material is saved and chosen, and a stopwatch fits
   await page.getByText('Material library').click();
   await page.getByLabel('Name of the material').fill('3 mm birch ply');
   await page.getByRole('button', { name: 'Save setting' }).click();
-  await page.locator('label.field', { hasText: 'As the machine is set' }).locator('select').selectOption('3 mm birch ply');
-  await replanned(page);
+  await replanned(page, () => page.locator('label.field', { hasText: 'As the machine is set' }).locator('select').selectOption('3 mm birch ply'));
   assert.equal((await plan(page)).material, '3 mm birch ply');
 
   await page.getByText('Calibrate with a stopwatch').click();
@@ -81,8 +75,7 @@ test('a layer has settings, a material is saved and chosen, and a stopwatch fits
   await page.getByRole('button', { name: 'Fit the machine' }).click();
   await page.locator('.calibrated').getByText('square.dxf').waitFor();
   await shot(page, 'calibration');
-  await page.getByRole('button', { name: 'Use the fitted values' }).click();
-  await replanned(page);
+  await replanned(page, () => page.getByRole('button', { name: 'Use the fitted values' }).click());
   assert.ok(Math.abs((await plan(page)).summary.total_time / 200 - 1) < 0.01);
 });
 

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { download, drop, openPage, phase, shot } from './page-support.mjs';
+import { download, drop, openPage, phase, replanned, shot } from './page-support.mjs';
 
 const SHEET = readFileSync(new URL('../fixtures/plate/shared-sides.dxf', import.meta.url));
 
@@ -27,9 +27,8 @@ test('shared sides are cut once, or with the switch off each contour by itself, 
   await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
   const box = page.getByLabel('Cut shared sides once');
   assert.ok(await box.isChecked());
-  await box.uncheck();
+  await replanned(page, () => box.uncheck());
   await page.waitForFunction(() => location.hash.includes('common-cuts=off'));
-  await phase(page, 'done');
   const apart = await planned(page);
   await shot(page, 'plate-apart');
   assert.equal(apart.summary.pierces, apart.summary.contours);
@@ -38,8 +37,7 @@ test('shared sides are cut once, or with the switch off each contour by itself, 
   // Cleaning leaves a shared side on one of two contours; either way it is cut once.
   assert.ok(Math.abs(shared.summary.cut_length - apart.summary.cut_length) < 1e-6);
 
-  await box.check();
+  await replanned(page, () => box.check());
   await page.waitForFunction(() => !location.hash.includes('common-cuts'));
-  await phase(page, 'done');
   assert.equal((await planned(page)).summary.pierces, shared.summary.pierces);
 });

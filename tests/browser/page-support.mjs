@@ -41,10 +41,24 @@ export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch
     await server.close();
     if (!broken) assert.deepEqual(errors, []);
   });
+  await page.addInitScript(countPlans);
   if (prepare) await page.addInitScript(prepare);
   await page.goto(`${server.url}${hash && `#${hash}`}`);
   return { page, requests, sent, url: server.url };
 }
+
+/** Runs in the page: counts how often planning has begun, because a short plan may begin and end between two looks at the page. */
+const countPlans = () => {
+  window.plansBegun = 0;
+  addEventListener('DOMContentLoaded', () => {
+    let before;
+    new MutationObserver(() => {
+      const { phase } = document.body.dataset;
+      if (phase === 'planning' && before !== 'planning') window.plansBegun += 1;
+      before = phase;
+    }).observe(document.body, { attributeFilter: ['data-phase'] });
+  });
+};
 
 /** Where the browser is: playwright wants a path, not a name. */
 function browserPath() {
@@ -95,10 +109,11 @@ const canvasShot = (page) => page.locator('#canvas').screenshot();
 /** How often the picture must be the same in a row to count as still. */
 const STILL = 3;
 
-/** Waits until the sheet does not change any more; returns its picture. */
+/** Waits until the sheet does not change any more, and nothing more is being drawn; returns its picture. */
 export async function still(page) {
   let last = await canvasShot(page);
   for (let same = 1; same < STILL; ) {
+    await page.waitForFunction(() => document.querySelector('#canvas').ariaBusy !== 'true');
     const next = await canvasShot(page);
     same = next.equals(last) ? same + 1 : 1;
     last = next;
@@ -156,10 +171,23 @@ export async function output(page, name) {
 /** The plan document. */
 export const plan = async (page) => JSON.parse(await output(page, 'Plan (JSON)'));
 
-/** Waits for the plan that follows a change: typing waits for more keys first. */
-export async function replanned(page) {
-  await page.waitForTimeout(700);
-  await phase(page, 'done');
+/** Does something and waits for the plan that follows, which does not begin at once: typing waits for more keys, and a drawing is read again first. */
+export async function replanned(page, act) {
+  const before = await page.evaluate(() => window.plansBegun);
+  await act();
+  await page.waitForFunction((n) => window.plansBegun > n && document.body.dataset.phase === 'done', before);
+}
+
+/** Waits until the browser has stored a job with this many skipped contours and a finished plan. */
+export function storedWith(page, skipped) {
+  return page.waitForFunction(async (skipped) => {
+    const request = indexedDB.open('kerfway');
+    const database = await new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
+    const jobs = database.transaction('jobs').objectStore('jobs').getAll();
+    await new Promise((resolve) => (jobs.onsuccess = resolve));
+    database.close();
+    return jobs.result.some(({ reading, plan }) => (reading.exclude ?? []).length === skipped && plan?.done === true);
+  }, skipped);
 }
 
 /** Opens the page with a machine and a drawing in millimetres that is planned, the same with the same seed. */

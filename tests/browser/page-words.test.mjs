@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { transformSync } from 'esbuild';
-import { download, drop, openPage, phase, planned, sample, shot } from './page-support.mjs';
+import { download, drop, openPage, phase, planned, replanned, sample, shot } from './page-support.mjs';
 
 const WORDS = join(import.meta.dirname, '..', '..', 'www', 'app', 'core', 'words');
 const LANGUAGES = ['de', 'es', 'zh', 'ja'];
@@ -107,9 +107,7 @@ test('lengths in inches: shown, typed and kept, and the drawing and the program 
   await page.locator('summary:has-text("Advanced settings")').click();
   const kerf = page.getByLabel('Kerf width');
   assert.deepEqual(await page.locator('.section .unit').evaluateAll((all) => all.filter((u) => /\bmm\b/.test(u.textContent)).map((u) => u.textContent)), [], 'no field is in millimetres');
-  await kerf.fill('0.01');
-  await page.waitForFunction(() => document.body.dataset.phase === 'planning');
-  await phase(page, 'done');
+  await replanned(page, () => kerf.fill('0.01'));
   // 0.254 mm around the outside: half the kerf on each side.
   const { bytes } = await download(page, () => page.locator('.downloads').getByRole('button', { name: 'G-code' }).click());
   const program = bytes.toString();

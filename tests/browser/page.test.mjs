@@ -38,10 +38,15 @@ test('a dropped drawing is planned, improves, stops at once and gives G-code tha
   await page.waitForFunction(() => window.reports.size >= 3);
   assert.equal(await page.locator('#hint').isVisible(), false);
 
-  const pressed = Date.now();
+  // From the click to the end as the page sees them: a busy machine takes its time to bring the click about.
+  await page.evaluate(() => {
+    document.querySelector('.dock').addEventListener('click', () => (window.pressed = performance.now()), { capture: true, once: true });
+    new MutationObserver(() => document.body.dataset.phase === 'done' && (window.ended ??= performance.now())).observe(document.body, { attributeFilter: ['data-phase'] });
+  });
   await page.getByRole('button', { name: 'Stop' }).click();
   await phase(page, 'done');
-  assert.ok(Date.now() - pressed < 3000, 'stop takes effect at once');
+  const waited = await page.evaluate(() => window.ended - window.pressed);
+  assert.ok(waited < 3000, `stop takes effect at once, not after ${waited} ms`);
   assert.match(await page.locator('.dock-head').textContent(), /^Stopped/);
   await page.waitForFunction(() => / s saved$|min.* saved$/.test(document.querySelector('.large').textContent));
 

@@ -58,6 +58,7 @@ mod plan_check;
 mod plate_drawings;
 mod quote;
 mod recorded;
+mod selection;
 mod sharp_corners;
 mod sheet;
 mod solve_exact;

@@ -2404,6 +2404,24 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
       {
         "kind": {
           "list": {
+            "list": {
+              "whole": {
+                "least": 0.0,
+                "most": 4294967295.0,
+                "or_zero": false,
+                "unit": "",
+                "why": "contours are counted from 0"
+              }
+            }
+          }
+        },
+        "name": "together",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "list": {
             "object": [
               {
                 "kind": {
@@ -2437,6 +2455,59 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
           }
         },
         "name": "joints",
+        "nullable": false,
+        "required": false
+      },
+      {
+        "kind": {
+          "list": {
+            "object": [
+              {
+                "kind": {
+                  "whole": {
+                    "least": 0.0,
+                    "most": 4294967295.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "contours are counted from 0"
+                  }
+                },
+                "name": "contour",
+                "nullable": false,
+                "required": true
+              },
+              {
+                "kind": {
+                  "whole": {
+                    "least": 0.0,
+                    "most": 1000.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "nobody breaks more joints"
+                  }
+                },
+                "name": "joints",
+                "nullable": true,
+                "required": false
+              },
+              {
+                "kind": {
+                  "choice": [
+                    "none",
+                    "line",
+                    "arc",
+                    "line-arc",
+                    "center"
+                  ]
+                },
+                "name": "lead",
+                "nullable": true,
+                "required": false
+              }
+            ]
+          }
+        },
+        "name": "contours",
         "nullable": false,
         "required": false
       }

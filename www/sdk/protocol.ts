@@ -154,6 +154,8 @@ export type ToWorker =
 /** Messages from a worker. */
 export type FromWorker =
   | { type: 'ready'; methods: MethodInfo[]; machines: MachineProfile[]; dialects: Dialect[] }
+  /** Contours and parts that come before those of the answer with this id. */
+  | { type: 'piece'; id: number; contours: ContourInfo[]; parts: Loaded['parts'] }
   | { type: 'loaded'; id: number; loaded: Loaded }
   | { type: 'started'; id: number; seed: number; method: string; baselines: Baselines; findings: Finding[]; beam: Beam | null; common: Geometry | null; shift: [number, number] }
   | { type: 'progress'; id: number; progress: Progress }

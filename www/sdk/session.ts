@@ -6,6 +6,7 @@
 import * as planner from './pkg/kerfway.js';
 import { KerfwayError, reportOf } from './errors.js';
 import { DEFAULT_SECONDS, given } from './options.js';
+import { inPieces } from './pieces.js';
 import type { Job } from './pkg/kerfway.js';
 import type {
   Calibration, CheckedOn, FromWorker, LoadOptions, MachineProfile, MeasuredPlan, Membership, OutputKind, PlanOptions, ProgramCheck, ToWorker,
@@ -153,8 +154,10 @@ export class Session {
   private postLoaded(id: number): void {
     const job = this.loaded();
     const loaded = { ...job.report(), geometry: job.geometry(), ignored: job.ignored() };
+    const { pieces, rest } = inPieces(id, loaded);
+    for (const piece of pieces) this.host.post(piece);
     const arrays = [loaded.geometry, loaded.ignored.geometry].flatMap((g) => [g.segments, g.offsets]);
-    this.host.post({ type: 'loaded', id, loaded }, buffers([...arrays, loaded.ignored.layers]));
+    this.host.post({ type: 'loaded', id, loaded: rest }, buffers([...arrays, loaded.ignored.layers]));
   }
 
   private needsResearch({ method }: PlanOptions): boolean {

@@ -3,6 +3,7 @@
  * dies or stays silent for too long.
  */
 
+import { Pieces } from './pieces.js';
 import type { FromWorker, ToWorker } from './protocol.js';
 import type { WasmModule } from './wasm-module.js';
 
@@ -26,6 +27,7 @@ export type Activity = 'idle' | 'working' | 'searching';
 
 export class WorkerConnection {
   private readonly worker: WorkerLike;
+  private readonly pieces = new Pieces();
   private open = true;
   private activity: Activity = 'idle';
   /** Seconds since the last message. */
@@ -68,8 +70,12 @@ export class WorkerConnection {
   private receive(message: FromWorker): void {
     if (!this.open) return;
     this.silence = 0;
-    if (message.type === 'broken') this.died(message.message);
-    else this.onMessage(message);
+    if (message.type === 'broken') {
+      this.died(message.message);
+      return;
+    }
+    const whole = this.pieces.receive(message);
+    if (whole !== null) this.onMessage(whole);
   }
 
   // Counted in ticks and not by the clock, because a laptop that was asleep has not waited.

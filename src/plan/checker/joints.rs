@@ -26,8 +26,12 @@ pub(super) fn asked(sheet: &Sheet, machine: &Profile, id: u32) -> Option<(JointR
     let rule = machine.joints.as_ref().and_then(|j| j.rule(side, [size.x, size.y]));
     let by_hand = sheet.joints.iter().any(|j| j.contour == id);
     let first = || machine.joints.as_ref().and_then(|j| j.rules.first());
+    let own = || rule.or_else(first).copied().unwrap_or_default();
+    if let (Some(count), false) = (sheet.chosen_joints(id), by_hand) {
+        return (count > 0).then(|| (JointRule { count, spacing: None, ..own() }, false));
+    }
     match (rule, by_hand) {
-        (rule, true) => Some((rule.or_else(first).copied().unwrap_or_default(), true)),
+        (_, true) => Some((own(), true)),
         (Some(rule), false) if rule.count > 0 || rule.spacing.is_some() => Some((*rule, false)),
         _ => None,
     }
@@ -92,7 +96,7 @@ pub(super) fn check(
     found: &mut Vec<Violation>,
 ) {
     let any = plan.moves.iter().any(|m| matches!(m, Move::Joint { .. }));
-    if machine.joints.is_none() && sheet.joints.is_empty() && !any {
+    if machine.joints.is_none() && sheet.joints.is_empty() && sheet.choices.is_empty() && !any {
         return;
     }
     let mut work: Vec<Work> = sheet.contours.iter().map(|_| Work::default()).collect();

@@ -28,7 +28,7 @@ pub(super) struct Room<'s> {
 
 impl<'s> Room<'s> {
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile) -> Self {
-        let clearance = machine.leads.as_ref().map_or(0.0, |l| l.clearance);
+        let clearance = Sheet::lead_clearance(machine);
         let beside = |c: &Contour| if c.drawn.is_some() { 0.0 } else { 0.5 * machine.kerf_width };
         let of = |(id, c): (u32, &'s Contour)| {
             let path = c.boundary().unwrap_or(&c.path);

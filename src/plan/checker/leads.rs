@@ -11,7 +11,7 @@ use super::macros::joined;
 use super::tolerance::SAME;
 use super::violation::Violation;
 use crate::geometry::{DVec2, Path, Segment, math};
-use crate::machine::{LeadRule, LeadSide, Profile};
+use crate::machine::{LeadKind, LeadRule, LeadSide, Profile};
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{Contour, Operation, Sheet};
 use std::f64::consts::PI;
@@ -32,7 +32,7 @@ fn wanted(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> Optio
     let half = 0.5 * contour.path.length();
     let moving = machine.levers.moving_pierce.filter(|_| joints::asked(sheet, machine, id).is_none());
     let again = moving.map_or(0.0, |p| p.overcut);
-    let asked = match rule(sheet, machine, contour)? {
+    let asked = match rule(sheet, machine, id, contour)? {
         Some(rule) if rule.overcut < 0.0 => rule.overcut,
         Some(rule) => rule.overcut.max(again),
         None if again > 0.0 => again,
@@ -41,19 +41,23 @@ fn wanted(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> Optio
     Some(asked.clamp(-half, half))
 }
 
-/// The rule of a contour that may have leads.
-fn rule<'m>(sheet: &Sheet, machine: &'m Profile, contour: &Contour) -> Option<Option<&'m LeadRule>> {
+/// The rule of a contour that may have leads. Where a person chose its lead and no rule fits it, the first rule gives its sizes.
+fn rule(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> Option<Option<LeadRule>> {
     let once = sheet.process_of(contour, machine).passes == 1;
     let may = once && contour.path.closed && contour.operation == Operation::Cut && !contour.self_crossing;
     let side = if contour.depth % 2 == 1 { LeadSide::Hole } else { LeadSide::Outer };
     let size = contour.path.bounds().size();
-    let rule = || machine.leads.as_ref()?.rule(side, size.x.max(size.y), contour.path.length());
+    let fitting = || machine.leads.as_ref()?.rule(side, size.x.max(size.y), contour.path.length()).cloned();
+    let first = || machine.leads.as_ref()?.rules.first().cloned();
+    let chosen = sheet.chosen_lead(id).is_some();
+    let rule =
+        || if chosen { fitting().or_else(first).or_else(|| Some(LeadRule::default())) } else { fitting() };
     may.then(rule)
 }
 
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     let any = plan.moves.iter().any(|m| matches!(m, Move::Cut { leads, .. } if !leads.is_empty()));
-    if machine.leads.is_none() && !any {
+    if machine.leads.is_none() && sheet.choices.is_empty() && !any {
         return;
     }
     let groups = Groups::new(sheet, machine);
@@ -71,6 +75,10 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             }
             continue;
         };
+        let bare = sheet.chosen_lead(*contour) == Some(LeadKind::None);
+        if bare && !(lead_in.is_empty() && lead_out.is_empty()) {
+            fault("is one that a person does not want", start);
+        }
         let length = |path: &[Segment]| path.iter().map(Segment::length).sum::<f64>();
         let joint = joints::length(sheet, machine, *contour);
         // A cut that begins at a joint ends where the joint begins, whatever the overcut.

@@ -50,6 +50,7 @@ pub(super) fn check(sheet: &Sheet, visits: &Visits, groups: &Groups, found: &mut
     if sheet.part_by_part {
         part_by_part(sheet, visits, &rank, found);
     }
+    together(sheet, visits, &rank, found);
 }
 
 /// Checks that all contours of a part that have the same rank, including those inside its holes, are cut with nothing else
@@ -73,6 +74,23 @@ fn part_by_part<R: Copy + PartialEq>(sheet: &Sheet, visits: &Visits, rank: &[R],
             {
                 found.push(Violation::Torn { part, contour });
             }
+        }
+    }
+}
+
+/// Checks that a group that a person keeps together is not left for a contour of the same rank outside it. A contour inside
+/// another one belongs to its group.
+fn together<R: Copy + PartialEq>(sheet: &Sheet, visits: &Visits, rank: &[R], found: &mut Vec<Violation>) {
+    let group_of = |c: &u32| sheet.contours.get(*c as usize).and_then(|c| c.together);
+    let mut left: Vec<(u32, R)> = Vec::new();
+    for pair in visits.order.windows(2) {
+        let [before, now] = [pair[0], pair[1]];
+        let entered = group_of(&now).filter(|g| Some(*g) != group_of(&before));
+        if let Some(group) = group_of(&before).filter(|g| Some(*g) != group_of(&now)) {
+            left.push((group, rank[before as usize]));
+        }
+        if entered.is_some_and(|group| left.iter().any(|l| *l == (group, rank[now as usize]))) {
+            found.push(Violation::Apart { contour: now });
         }
     }
 }

@@ -204,6 +204,12 @@ pub enum Violation {
         /// The contour at which it is continued.
         contour: u32,
     },
+    /// A group that is kept together was left and continued later.
+    #[error("contour {contour} is not cut together with the rest of its group")]
+    Apart {
+        /// The contour at which it is continued.
+        contour: u32,
+    },
     /// The path does not end at home.
     #[error("the head ends {left} mm away from home")]
     NotHome {

@@ -6,7 +6,7 @@ use super::moves::Move;
 use crate::drawing::{ReadOptions, Unit, UnitsSource};
 use crate::finding::Finding;
 use crate::machine::{Process, Profile, Settings, Start};
-use crate::sheet::{CommonCuts, Group, HandJoint, Operation, PassOrder, SheetOptions};
+use crate::sheet::{CommonCuts, ContourChoice, Group, HandJoint, Operation, PassOrder, SheetOptions};
 use serde::{Deserialize, Serialize};
 
 /// The name and version of the format.
@@ -147,9 +147,15 @@ pub struct Options {
     /// Contours left out, by id.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub exclude: Vec<u32>,
+    /// Groups of contours that were worked without any other in between, by id.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub together: Vec<Vec<u32>>,
     /// Micro-joints that a person placed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub joints: Vec<HandJoint>,
+    /// What a person decided for single contours.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub contours: Vec<ContourChoice>,
 }
 
 /// What is done with a group of contours.
@@ -262,7 +268,9 @@ impl Options {
             mark: arrange.mark.clone(),
             sequences: arrange.sequences.clone(),
             exclude: arrange.exclude.clone(),
+            together: arrange.together.clone(),
             joints: arrange.joints.clone(),
+            contours: arrange.contours.clone(),
         }
     }
 }

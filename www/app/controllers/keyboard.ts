@@ -43,7 +43,7 @@ export function bindKeyboard({ session, playback, viewport, files, layout, point
     'Shift+ArrowUp': () => viewport.pan(0, STEP), 'Shift+ArrowDown': () => viewport.pan(0, -STEP),
     c: () => flip('ramp'), v: () => flip('layers'), d: () => flip('measure'), a: () => flip('air'), t: () => layout.toggleTable(),
     1: () => selection.toggleSelected('first'), 0: () => selection.toggleSelected('last'), m: () => selection.toggleSelected('mark'), x: () => selection.toggleSelected('exclude'),
-    b: () => flip('several'), w: () => selection.selectWhole(), l: () => selection.selectLike(),
+    b: () => flip('several'), u: () => selection.toggleGroup(), w: () => selection.selectWhole(), l: () => selection.selectLike(),
     'Ctrl+s': () => void files.saveProject(),
     'Ctrl+z': () => session.undo(), 'Ctrl+Shift+z': redo, 'Ctrl+y': redo,
     '?': () => help.showModal(),

@@ -1,6 +1,6 @@
 /** The selected contours or finding: on the sheet, on the card, in the table; and the rules for what is selected. */
 
-import type { Finding } from 'kerfway';
+import type { ContourChoice, Finding } from 'kerfway';
 import type { Announcer } from '../core/announce.js';
 import { count } from '../core/format.js';
 import { words } from '../core/words/index.js';
@@ -8,6 +8,7 @@ import { ContourCard, describe } from '../panels/contour.js';
 import { OrderTable } from '../panels/table.js';
 import type { Playback } from '../playback/playback.js';
 import { partsOf } from '../session/parts.js';
+import { choosing, groupOf, withChoice, withGroup, withoutGroup } from '../session/groups.js';
 import { namedBy, type Rule, ruleOf, shifted, withSequence } from '../session/rules.js';
 import type { Session } from '../session/session.js';
 import type { Scene } from '../stage/scene.js';
@@ -28,6 +29,7 @@ export class Selection {
   ) {
     this.card = new ContourCard(session, playback, {
       toggleRule: (rule) => this.toggleSelected(rule), whole: () => this.selectWhole(), like: () => this.selectLike(), keepOrder: () => this.keepOrder(),
+      group: () => this.toggleGroup(), choose: (what, value) => this.choose(what, value),
       step: (by) => this.stepBy(by), close: () => this.select(null),
     });
     this.table = new OrderTable(session, playback, { select: (contour) => this.reveal(contour), shift: (contour, to) => this.shift(contour, to), close: closeTable });
@@ -127,6 +129,22 @@ export class Selection {
   /** The same for what is selected. */
   toggleSelected(rule: Rule): void {
     this.toggleRule(this.chosen, rule);
+  }
+
+  /** Keeps what is selected together, or not any more if it is a group. */
+  toggleGroup(): void {
+    const { state: { load, loaded }, drawing } = this.session;
+    if (!loaded || this.chosen.length < 2) return;
+    const group = groupOf(load, loaded, this.chosen);
+    drawing.change(group ? withoutGroup(load, group) : withGroup(load, loaded, this.chosen));
+    const name = words.drawing.contours(this.chosen.length, count(this.chosen.length));
+    this.announcer.say(group ? words.page.unpinned(name) : words.drawing.together(name));
+  }
+
+  /** Gives what is selected a number of micro-joints or a lead; null: by the rules of the machine. */
+  private choose<K extends 'joints' | 'lead'>(what: K, value: NonNullable<ContourChoice[K]> | null): void {
+    const { state: { load, loaded }, drawing } = this.session;
+    if (loaded) drawing.change(withChoice(load, choosing(loaded, this.chosen, what), what, value));
   }
 
   /** Fixes the order in which the selected parts are cut now. */

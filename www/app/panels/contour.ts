@@ -1,11 +1,12 @@
 /** What a contour is: in the tooltip beside the pointer, and on the card of the selected contours. */
 
-import type { Loaded } from 'kerfway';
+import { type ContourChoice, LEAD_KINDS, type LeadKind, type Loaded } from 'kerfway';
 import { button, h } from '../core/dom.js';
 import { clock, count, extent, millimetres } from '../core/format.js';
 import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
 import { partsOf } from '../session/parts.js';
+import { choosing, commonChoice, groupOf } from '../session/groups.js';
 import { pathContours, type Rule, ruleOf, RULES } from '../session/rules.js';
 import { whyHere } from '../session/why.js';
 import { words } from '../core/words/index.js';
@@ -45,6 +46,12 @@ export class Tooltip {
   }
 }
 
+/** Numbers of micro-joints that a contour may be given on the card. */
+const COUNTS: readonly number[] = [0, 1, 2, 3, 4, 6, 8];
+
+/** By what a control of the card is known when the card was made again. */
+const nameOfControl = (control: Element | null) => control?.getAttribute('aria-label') || control?.textContent;
+
 export interface CardActions {
   toggleRule(rule: Rule): void;
   /** Selects the whole parts of what is selected. */
@@ -53,6 +60,10 @@ export interface CardActions {
   like(): void;
   /** Fixes the order in which the selected parts are cut now. */
   keepOrder(): void;
+  /** Keeps what is selected together, or not any more. */
+  group(): void;
+  /** Gives what is selected a number of micro-joints or a lead; null: by the rules of the machine. */
+  choose<K extends 'joints' | 'lead'>(what: K, value: NonNullable<ContourChoice[K]> | null): void;
   step(by: 1 | -1): void;
   close(): void;
 }
@@ -78,19 +89,40 @@ export class ContourCard {
     const topmost = contours.filter((c) => !contours.includes(loaded.contours[c]?.inside ?? -1));
     const choices = [
       ...RULES.map((rule) => button(words.contour.rules[rule], { class: 'quiet small rule', 'aria-pressed': rule === now, onclick: () => actions.toggleRule(rule) })),
+      contours.length > 1 && button(words.contour.group, { class: 'quiet small', title: words.contour.groupKey, 'aria-pressed': groupOf(load, loaded, contours) !== undefined, onclick: () => actions.group() }),
       topmost.length > 1 && button(words.contour.keepOrder, { class: 'quiet small', title: words.contour.keepOrderHint, onclick: () => actions.keepOrder() }),
       whole.length > contours.length && button(words.contour.whole, { class: 'quiet small', title: words.contour.wholeKey, onclick: () => actions.whole() }),
       like.length > contours.length && button(words.contour.like(count(like.length)), { class: 'quiet small', title: words.contour.likeKey, onclick: () => actions.like() }),
     ];
-    const focused = this.root.contains(document.activeElement) ? document.activeElement?.textContent || document.activeElement?.getAttribute('aria-label') : null;
+    const focused = this.root.contains(document.activeElement) ? nameOfControl(document.activeElement) : null;
     this.root.replaceChildren(
       h('div', { class: 'contour-text' }, h('strong', {}, name), h('span', { class: 'soft number' }, facts), why && h('span', { class: 'soft why' }, why)),
       h('div', { class: 'contour-steps' },
         single !== null && button(words.contour.before, { icon: 'back', iconOnly: true, class: 'quiet small', onclick: () => actions.step(-1) }),
         single !== null && button(words.contour.next, { icon: 'next', iconOnly: true, class: 'quiet small', onclick: () => actions.step(1) }),
         button(words.contour.close, { icon: 'close', iconOnly: true, class: 'quiet small', onclick: () => actions.close() })),
-      h('div', { class: 'contour-rules', role: 'group', 'aria-label': words.contour.actions }, ...choices));
-    if (focused) [...this.root.querySelectorAll('button')].find((b) => (b.textContent || b.getAttribute('aria-label')) === focused)?.focus();
+      h('div', { class: 'contour-rules', role: 'group', 'aria-label': words.contour.actions }, ...choices, ...this.choices(loaded, contours)));
+    if (focused) [...this.root.querySelectorAll<HTMLElement>('button, select')].find((b) => nameOfControl(b) === focused)?.focus();
+  }
+
+  /** The number of micro-joints and the lead of what is selected, where it can have some. */
+  private choices(loaded: Loaded, contours: readonly number[]): (HTMLElement | null)[] {
+    const { load } = this.session.state;
+    const kinds: readonly LeadKind[] = [...LEAD_KINDS, 'center'];
+    const one = <K extends 'joints' | 'lead', V extends NonNullable<ContourChoice[K]>>(what: K, label: string, values: readonly V[], name: (value: V) => string) => {
+      const named = choosing(loaded, contours, what);
+      if (named.length === 0) return null;
+      const now = commonChoice(load, named, what);
+      const root = h('select', { class: 'small', 'aria-label': label });
+      root.append(h('option', {}, words.contour.byRule), ...values.map((value) => h('option', {}, name(value))));
+      root.selectedIndex = now === undefined ? -1 : now === null ? 0 : values.indexOf(now as V) + 1;
+      root.addEventListener('change', () => this.actions.choose(what, root.selectedIndex === 0 ? null : values[root.selectedIndex - 1]!));
+      return h('label', { class: 'contour-choice' }, h('span', { class: 'soft' }, label), root);
+    };
+    return [
+      one('joints', words.contour.joints, COUNTS, (n) => (n === 0 ? words.leads.kinds.none : count(n))),
+      one('lead', words.contour.lead, kinds, (kind) => words.leads.kinds[kind]),
+    ];
   }
 
   private one(contour: number): [name: string, facts: string, why: string] {

@@ -35,7 +35,7 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
   // The parts of which there are several copies; a click selects them.
   const showCopies = (loaded: Loaded) => {
     const parts = partsOf(loaded);
-    const repeated = parts.repeated();
+    const repeated = parts.isGrouped ? parts.repeated() : [];
     const one = ({ parts: same }: (typeof repeated)[number]) => {
       const [first = 0] = same;
       const [x0, y0, x1, y1] = parts.boxOf(parts.contours(first));
@@ -44,6 +44,15 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     const more = repeated.length > COPIES && h('span', { class: 'soft' }, words.drawing.others(count(repeated.length - COPIES)));
     copies.replaceChildren(...repeated.slice(0, COPIES).map(one), ...(more ? [more] : []));
     copies.hidden = repeated.length === 0;
+  };
+  const showCounts = (loaded: Loaded) => {
+    const contours = activeContours(loaded);
+    const open = contours.filter((c) => !c.closed).length;
+    const parts = partsOf(loaded);
+    const kinds = parts.isGrouped ? parts.kinds : loaded.parts.length;
+    const different = kinds < loaded.parts.length ? words.drawing.kinds(kinds, count(kinds)) : '';
+    setText(counts, [words.drawing.parts(loaded.parts.length, count(loaded.parts.length)) + different, open ? words.drawing.openContours(open, count(open)) : '', loaded.version ? versionName(loaded.version) : '']
+      .filter(Boolean).join(' · '));
   };
   // The findings about the drawing, then those of the plan.
   const showFindings = () => {
@@ -64,15 +73,19 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     const problems = problemCounts(loaded.findings);
     const contours = activeContours(loaded);
     setGist([words.drawing.contours(contours.length, count(contours.length)), ...problems].join(', '), problems.length > 0);
-    const open = contours.filter((c) => !c.closed).length;
-    const { kinds } = partsOf(loaded);
-    const different = kinds < loaded.parts.length ? words.drawing.kinds(kinds, count(kinds)) : '';
-    setText(counts, [words.drawing.parts(loaded.parts.length, count(loaded.parts.length)) + different, open ? words.drawing.openContours(open, count(open)) : '', loaded.version ? versionName(loaded.version) : '']
-      .filter(Boolean).join(' · '));
     layers.replaceChildren(layerList(session, loaded));
     pins.show();
+    showCounts(loaded);
     showCopies(loaded);
     showFindings();
+    if (!partsOf(loaded).isGrouped) void group(loaded);
+  };
+  // The shapes of very many parts are found little by little.
+  const group = async (loaded: Loaded) => {
+    await partsOf(loaded).group();
+    if (session.state.loaded !== loaded) return;
+    showCounts(loaded);
+    showCopies(loaded);
   };
   session.store.on('loaded', ({ loaded, fresh }) => {
     show();

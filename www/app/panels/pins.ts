@@ -4,6 +4,7 @@ import { button, h } from '../core/dom.js';
 import { count } from '../core/format.js';
 import { handle, moved } from '../core/sortable.js';
 import type { LoadOptions } from 'kerfway';
+import { withChoice, withoutGroup } from '../session/groups.js';
 import { freeSequences, isOrdered, type Pin, type Rule, RULES, withoutPinOrder, withPinOrder, withSequence } from '../session/rules.js';
 import type { Session } from '../session/session.js';
 import { nameOf } from './contour.js';
@@ -21,7 +22,8 @@ export class Pins {
 
   show(): void {
     const { load } = this.session.state;
-    this.root.replaceChildren(...RULES.flatMap((rule) => this.rule(load, rule)), ...freeSequences(load).map((sequence, i) => this.sequence(load, sequence, i)));
+    this.root.replaceChildren(...RULES.flatMap((rule) => this.rule(load, rule)), ...freeSequences(load).map((sequence, i) => this.sequence(load, sequence, i)),
+      ...(load.together ?? []).map((group) => this.listed(words.drawing.together, group, words.drawing.ungroup, () => withoutGroup(load, group))), ...this.own(load));
     if (this.moving !== null) this.root.querySelector<HTMLElement>(`[data-grip="${this.moving}"]`)?.focus();
     this.moving = null;
   }
@@ -49,6 +51,19 @@ export class Pins {
     const clear = button(words.drawing.anyOrder, { class: 'quiet small', 'aria-label': words.drawing.anyOrderAll, onclick: () => drawing.change(withSequence(load, sequence, [])) });
     return h('div', { class: 'pins listed' }, h('span', {}, words.drawing.sequence(words.drawing.contours(sequence.length, count(sequence.length)))), h('span'), clear,
       this.rows(`s${index}`, sequence, (to) => withSequence(load, sequence, to), (c) => drawing.change(withSequence(load, sequence, sequence.filter((other) => other !== c)))));
+  }
+
+  /** The contours with micro-joints or leads of their own. */
+  private own(load: LoadOptions): HTMLElement[] {
+    return (['joints', 'lead'] as const).flatMap((what) => {
+      const own = (load.contours ?? []).filter((c) => c[what] !== undefined).map((c) => c.contour);
+      return own.length === 0 ? [] : [this.listed(words.drawing.own[what], own, words.drawing.byRule, () => withChoice(load, own, what, null))];
+    });
+  }
+
+  private listed(title: (contours: string) => string, contours: readonly number[], clear: string, cleared: () => LoadOptions): HTMLElement {
+    const head = title(words.drawing.contours(contours.length, count(contours.length)));
+    return h('div', { class: 'pins' }, h('span', {}, head), this.chips(contours), button(clear, { class: 'quiet small', 'aria-label': `${clear}: ${head}`, onclick: () => this.session.drawing.change(cleared()) }));
   }
 
   private chips(contours: readonly number[]): HTMLElement {

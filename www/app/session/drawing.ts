@@ -13,6 +13,7 @@ import type { Planning } from './planning.js';
 import { type Rule, RULES, sameContours, withoutRules, withRule } from './rules.js';
 import { type Question, QUESTIONS, type State } from './state.js';
 import type { Store } from './store.js';
+import { prepareSlowly } from '../stage/shapes.js';
 
 /** The finding about a rectangle around everything that may be the sheet; undefined if that is clear or decided. */
 export function borderInDoubt({ findings }: Loaded): Finding | undefined {
@@ -79,7 +80,9 @@ export class Drawing {
 
   private async read(source: Source, load: LoadOptions): Promise<Loaded> {
     this.store.reading(source.name);
-    return (await this.catalog.ready).load(source.bytes, source.name, load);
+    const loaded = await (await this.catalog.ready).load(source.bytes, source.name, load);
+    await prepareSlowly(loaded.geometry);
+    return loaded;
   }
 
   /** Reports that a file cannot be used, and returns the sentence. `before`: the state when it was chosen. */
@@ -98,7 +101,7 @@ export class Drawing {
     if (!loaded || opening !== null) return;
     this.record();
     if (sameContours(options, load)) return this.readAgain(options);
-    if (RULES.some((rule) => options[rule]?.length)) this.store.notify(words.page.pinsGone);
+    if (RULES.some((rule) => options[rule]?.length) || options.together?.length || options.contours?.length) this.store.notify(words.page.pinsGone);
     return this.readAgain(withoutRules(options));
   }
 
@@ -114,6 +117,7 @@ export class Drawing {
     this.store.readAgain(options);
     try {
       const loaded = await planner.reload(options);
+      if (isLatest()) await prepareSlowly(loaded.geometry);
       if (!isLatest()) return;
       this.planning.cancel();
       this.store.drawingRead(loaded, { fresh: false, same });

@@ -4,6 +4,7 @@
  */
 
 import type { Loaded } from 'kerfway';
+import { inSlices } from '../core/slices.js';
 import { chainLength, onElement, prepare, type Place, type Shapes } from '../stage/shapes.js';
 
 /** Lengths that differ by less than this, mm, are the same: readers round coordinates. */
@@ -14,18 +15,38 @@ export interface Copies {
   readonly parts: readonly number[];
 }
 
+/** Parts whose shapes are found at once. */
+const AT_ONCE = 2_000;
+
+/** The shapes of parts: which each part has, and the parts of each. */
+class Grouping {
+  readonly of: number[] = [];
+  readonly all: { parts: number[] }[] = [];
+  private readonly known = new Map<string, number>();
+
+  /** `signature`: what parts of the same shape have in common. */
+  add(part: number, signature: string): void {
+    const group = this.known.get(signature) ?? this.all.push({ parts: [] }) - 1;
+    this.known.set(signature, group);
+    this.all[group]!.parts.push(part);
+    this.of[part] = group;
+  }
+}
+
 /** What is known of the parts of a drawing. */
 export class Parts {
   private readonly shapes: Shapes;
   /** The part of each contour; -1 for contours of none. */
   private readonly partOf: Int32Array;
-  private groups: { of: Int32Array; all: Copies[] } | null = null;
+  private groups: Grouping | null = null;
+  private work: Promise<void> | null = null;
 
   constructor(private readonly loaded: Loaded) {
     this.shapes = prepare(loaded.geometry);
     this.partOf = new Int32Array(loaded.contours.length).fill(-1);
     loaded.parts.forEach((part, i) => {
-      for (const contour of [part.outer, ...part.holes]) this.partOf[contour] = i;
+      this.partOf[part.outer] = i;
+      for (const hole of part.holes) this.partOf[hole] = i;
     });
   }
 
@@ -119,19 +140,27 @@ export class Parts {
     return part !== null && this.loaded.parts[part]?.outer !== contour;
   }
 
-  private grouped(): { of: Int32Array; all: Copies[] } {
+  /** Whether the shapes are known, or found in no time. */
+  get isGrouped(): boolean {
+    return this.groups !== null || this.loaded.parts.length <= AT_ONCE;
+  }
+
+  /** Finds the shapes little by little, so that the page does not wait for a drawing of 100,000 parts. */
+  group(): Promise<void> {
+    return (this.work ??= this.groupSlowly());
+  }
+
+  private async groupSlowly(): Promise<void> {
+    const grouping = new Grouping();
+    await inSlices(this.loaded.parts.length, (part) => grouping.add(part, this.signature(part)));
+    this.groups ??= grouping;
+  }
+
+  private grouped(): Grouping {
     if (this.groups) return this.groups;
-    const of = new Int32Array(this.loaded.parts.length);
-    const all: { parts: number[] }[] = [];
-    const known = new Map<string, number>();
-    this.loaded.parts.forEach((_, part) => {
-      const signature = this.signature(part);
-      const group = known.get(signature) ?? all.push({ parts: [] }) - 1;
-      known.set(signature, group);
-      all[group]!.parts.push(part);
-      of[part] = group;
-    });
-    return (this.groups = { of, all });
+    const grouping = new Grouping();
+    this.loaded.parts.forEach((_, part) => grouping.add(part, this.signature(part)));
+    return (this.groups = grouping);
   }
 
   /**

@@ -28,7 +28,7 @@ export function withRule(load: LoadOptions, contours: readonly number[], rule: R
 }
 
 /** The options without any rule for single contours. */
-export function withoutRules({ first: _first, last: _last, mark: _mark, exclude: _exclude, sequences: _sequences, joints: _joints, ...others }: LoadOptions): LoadOptions {
+export function withoutRules({ first: _first, last: _last, mark: _mark, exclude: _exclude, sequences: _sequences, together: _together, joints: _joints, contours: _contours, ...others }: LoadOptions): LoadOptions {
   return others;
 }
 

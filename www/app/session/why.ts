@@ -26,6 +26,7 @@ function reason(state: State, contour: number, stopOf: (contour: number) => numb
     const at = before === undefined ? null : stopOf(before);
     if (at !== null) return w.arranged(count(at + 1));
   }
+  if (line.some((c) => load.together?.some((group) => group.includes(c)))) return w.together;
   if (line.some((c) => load.first?.includes(c))) return isOrdered(load, 'first') ? w.firstInOrder : w.first;
   if (load.last?.includes(contour)) return isOrdered(load, 'last') ? w.lastInOrder : w.last;
   if (info.operation === 'mark') return w.mark;

@@ -8,5 +8,7 @@ export const LAYER_COLORS = ['', '#e5484d', '#c9a400', '#3aa655', '#1ea7b8', '#4
 /** By contour: the index of the colour of its layer. */
 export function layerColors(contours: readonly ContourInfo[], layers: readonly LayerUse[]): Uint8Array {
   const of = new Map(layers.map(({ name, color }) => [name, LAYER_COLORS[color] ? color : 0]));
-  return Uint8Array.from(contours, (c) => of.get(c.layer) ?? 0);
+  const colors = new Uint8Array(contours.length);
+  contours.forEach((c, k) => (colors[k] = of.get(c.layer) ?? 0));
+  return colors;
 }

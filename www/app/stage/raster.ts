@@ -28,6 +28,8 @@ export class Raster extends Emitter<{ drawn: Layer }> {
   private readonly worker = new Worker(new URL('./raster-worker.ts', import.meta.url), { type: 'module' });
   private readonly slots: Record<Layer, Slot>;
   private serial = 0;
+  /** Messages from a drawing on that is about to be sent. */
+  private held: ToRaster[] | null = null;
 
   constructor() {
     super();
@@ -37,6 +39,9 @@ export class Raster extends Emitter<{ drawn: Layer }> {
 
   /** Another drawing, so all bitmaps are dropped. `drawn`: the drawn outlines, where the contours are the lines of the beam beside them. */
   setGeometry(geometry: Geometry, roles: Uint8Array, ignored: Geometry, drawn: Geometry | null, layers: Uint8Array): void {
+    // In a task of its own: copying a drawing of 100,000 contours takes as long as everything else that is done with it.
+    if (this.held === null) setTimeout(() => this.release());
+    this.held ??= [];
     this.send({ type: 'geometry', geometry, roles, ignored, drawn, layers });
     for (const slot of Object.values(this.slots)) {
       slot.drawn?.bitmap.close();
@@ -68,6 +73,11 @@ export class Raster extends Emitter<{ drawn: Layer }> {
     return this.slots[layer].drawn;
   }
 
+  /** Whether bitmaps that were asked for are still being drawn. */
+  get isDrawing(): boolean {
+    return Object.values(this.slots).some((slot) => slot.asked !== null);
+  }
+
   /** Makes sure that the layer is drawn for this view, now or when the current request is answered. */
   need(layer: Layer, screen: View, upto = 0): void {
     const slot = this.slots[layer];
@@ -96,7 +106,14 @@ export class Raster extends Emitter<{ drawn: Layer }> {
   }
 
   private send(message: ToRaster): void {
-    this.worker.postMessage(message);
+    if (this.held !== null) this.held.push(message);
+    else this.worker.postMessage(message);
+  }
+
+  private release(): void {
+    const held = this.held ?? [];
+    this.held = null;
+    for (const message of held) this.send(message);
   }
 }
 

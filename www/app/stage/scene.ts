@@ -174,7 +174,9 @@ export class Scene {
     if (!loaded) return;
     const { geometry, contours } = beam ?? loaded;
     const shapes = prepare(geometry);
-    this.geometry = { shapes, lengths: Float64Array.from({ length: shapes.count }, (_, c) => chainLength(shapes, c)) };
+    const lengths = new Float64Array(shapes.count);
+    for (let c = 0; c < shapes.count; c += 1) lengths[c] = chainLength(shapes, c);
+    this.geometry = { shapes, lengths };
     this.raster.setGeometry(geometry, rolesOf(contours, loaded.outline), loaded.ignored.geometry, beam && loaded.geometry, layerColors(contours, loaded.layers));
   }
 
@@ -229,7 +231,9 @@ export class Scene {
   }
 
   private invalidate(): void {
-    if (!this.frame) this.frame = requestAnimationFrame(() => this.draw());
+    if (this.frame) return;
+    this.frame = requestAnimationFrame(() => this.draw());
+    if (this.canvas.ariaBusy !== 'true') this.canvas.ariaBusy = 'true';
   }
 
   private restyle(): void {
@@ -246,6 +250,13 @@ export class Scene {
 
   private draw(): void {
     this.frame = 0;
+    this.drawFrame();
+    // Assistive technology, and tests, know when the picture is finished.
+    const busy = String(this.frame !== 0 || this.held !== this.path || this.raster.isDrawing);
+    if (this.canvas.ariaBusy !== busy) this.canvas.ariaBusy = busy;
+  }
+
+  private drawFrame(): void {
     const { pen, palette, canvas } = this;
     const view = this.view();
     if (canvas.width !== view.width || canvas.height !== view.height) {

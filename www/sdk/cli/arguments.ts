@@ -3,7 +3,8 @@
 import { parseArgs } from 'node:util';
 import { ANCHORS, pointOf } from '../anchors.js';
 import { checkOptions } from '../options.js';
-import type { LayerChoice, LoadOptions, MachineProfile, Operation, Place, PlanOptions } from '../protocol.js';
+import { LEAD_KINDS } from '../leads.js';
+import type { ContourChoice, LayerChoice, LoadOptions, MachineProfile, Operation, Place, PlanOptions } from '../protocol.js';
 import { COMMON_CUTS, GROUPS, OPERATIONS, optionsOf, PASS_ORDERS, STARTS, TURNS, UNITS } from './commands.js';
 import { WrongUse } from './io.js';
 
@@ -105,11 +106,29 @@ export function loadOptions(values: Values): LoadOptions {
     const contours = (values[list] as string[] | undefined) ?? [];
     if (contours.length > 0) options[list] = contours.map((word) => wholeNumber(list, word));
   }
-  const sequences = (values['sequence'] as string[] | undefined) ?? [];
-  if (sequences.length > 0) options.sequences = sequences.map((words) => words.split(',').map((word) => wholeNumber('sequence', word)));
+  for (const [name, list] of [['sequence', 'sequences'], ['together', 'together']] as const) {
+    const lists = (values[name] as string[] | undefined) ?? [];
+    if (lists.length > 0) options[list] = lists.map((words) => words.split(',').map((word) => wholeNumber(name, word)));
+  }
   const joints = (values['joint-at'] as string[] | undefined) ?? [];
   if (joints.length > 0) options.joints = joints.map(jointChoice);
+  const choices = contourChoices(values);
+  if (choices.length > 0) options.contours = choices;
   return options;
+}
+
+/** `ID=N` and `ID=KIND`: what is decided for single contours. */
+function contourChoices(values: Values): ContourChoice[] {
+  const choices = new Map<number, ContourChoice>();
+  const take = (option: string, word: string, choice: (value: string) => Partial<ContourChoice>) => {
+    const [id = '', value = '', more] = word.split('=');
+    if (value === '' || more !== undefined) throw new WrongUse(`--${option} ${word}: give the id of a contour and a value, as 3=${option === 'lead-of' ? 'arc' : '2'}.`);
+    const contour = wholeNumber(option, id);
+    choices.set(contour, { ...choices.get(contour), contour, ...choice(value) });
+  };
+  for (const word of (values['joints-of'] as string[] | undefined) ?? []) take('joints-of', word, (value) => ({ joints: wholeNumber('joints-of', value) }));
+  for (const word of (values['lead-of'] as string[] | undefined) ?? []) take('lead-of', word, (value) => ({ lead: oneOf('--lead-of', value, [...LEAD_KINDS, 'center'] as const) }));
+  return [...choices.values()];
 }
 
 /** `ID@SHARE`: a contour, and the place of a joint on it. */

@@ -63,8 +63,11 @@ const READING: Options = {
   first: { value: 'ID', about: 'process a contour before all others', repeat: true },
   last: { value: 'ID', about: 'process a contour after all others', repeat: true },
   sequence: { value: 'ID,ID,...', about: 'process these contours in this order; others may come in between', repeat: true },
+  together: { value: 'ID,ID,...', about: 'process these contours, with everything inside them, without any other in between', repeat: true },
   mark: { value: 'ID', about: 'mark a contour instead of cutting it', repeat: true },
   'joint-at': { value: 'ID@SHARE', about: 'place a micro-joint on a contour, at a share (0 to 1) of its length from its start', repeat: true },
+  'joints-of': { value: 'ID=N', about: 'number of micro-joints of a contour, instead of the rules (0: none)', repeat: true },
+  'lead-of': { value: 'ID=KIND', about: `lead-in of a contour, instead of the rules: ${LEAD_KINDS.join(', ')}, center`, repeat: true },
   exclude: { value: 'ID', about: 'skip a contour; the others keep their ids', repeat: true },
 };
 

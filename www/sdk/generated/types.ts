@@ -87,6 +87,16 @@ export interface JointChoice {
   at: number,
 }
 
+/** What a person decided for a contour. What is not given is as the rules of the machine say. */
+export interface ContourChoice {
+  /** The contour, by id. */
+  contour: number,
+  /** Number of its micro-joints, evenly spread; 0: none. Joints that are placed on it by hand go before this. */
+  joints?: number,
+  /** The form of its lead-in, with the sizes of the rule that fits it; `none`: neither lead-in nor lead-out. */
+  lead?: LeadKind,
+}
+
 /** How contours with several passes are run. */
 export type PassOrder = "contour" | "sheet";
 
@@ -592,8 +602,15 @@ export interface LoadOptions {
    * contour is cut with the other one.
    */
   exclude: Array<number>,
+  /**
+   * Groups of contours, by id: all contours of a group are processed, with everything inside them, without any other in
+   * between, in the order that is fastest. A contour is in one group at most.
+   */
+  together: Array<Array<number>>,
   /** Micro-joints that are placed by hand. A contour that has such ones has no others. */
   joints: Array<JointChoice>,
+  /** What is decided for single contours instead of the rules of the machine: the number of micro-joints, the lead. */
+  contours: Array<ContourChoice>,
 }
 
 /** The name of a preset machine, or a whole profile. */
