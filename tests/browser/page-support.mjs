@@ -28,8 +28,9 @@ export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch
     args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
   });
   const context = await browser.newContext({ viewport: size, colorScheme: theme, hasTouch: touch, acceptDownloads: true });
+  context.setDefaultTimeout(PATIENCE);
+  await context.addInitScript(countPlans);
   const page = await context.newPage();
-  page.setDefaultTimeout(PATIENCE);
   const requests = [];
   const errors = [];
   page.on('request', (request) => requests.push(request.url()));
@@ -41,7 +42,6 @@ export async function openPage(t, { size = SIZES.desktop, theme = 'light', touch
     await server.close();
     if (!broken) assert.deepEqual(errors, []);
   });
-  await page.addInitScript(countPlans);
   if (prepare) await page.addInitScript(prepare);
   await page.goto(`${server.url}${hash && `#${hash}`}`);
   return { page, requests, sent, url: server.url };

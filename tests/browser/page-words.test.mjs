@@ -82,6 +82,11 @@ test('every language: the job stays, nothing is left in English, numbers and err
   await choose(page, 'Deutsch');
   await planned(page, 'careless.dxf', 'done');
   assert.equal(await page.locator('.top .measure').textContent(), size.replaceAll('.', ','), 'numbers as the language writes them');
+  const german = await wordsOf('de');
+  const report = (await download(page, () => page.locator('.downloads').getByRole('button', { name: german.result.report, exact: true }).click())).bytes.toString();
+  assert.match(report, /<html lang="de">[^]*<h2>Schneidreihenfolge<\/h2>/);
+  assert.match(report, /<b>Warnung<\/b>/);
+  assert.doesNotMatch(report, />(Time|Layers|Parts|Findings|None\.|cut|mark|Nearest first)</, 'the report is in the language of the page');
   await page.locator('.top .settings').click();
   assert.match(await page.locator('.popover:popover-open').textContent(), /noch niemand geprüft/, 'it says that it is a draft');
 });
@@ -113,6 +118,9 @@ test('lengths in inches: shown, typed and kept, and the drawing and the program 
   const program = bytes.toString();
   assert.match(program, /^G21\b/m, 'millimetres');
   assert.match(program, /X274\.127\b/);
+  const report = (await download(page, () => page.locator('.downloads').getByRole('button', { name: 'Report', exact: true }).click())).bytes.toString();
+  assert.match(report, /<dt>Size<\/dt><dd>10(\.0\d*)? × 5(\.0\d*)? in, read in mm/);
+  assert.match(report, /<th>Entry, in<\/th>/);
   await shot(page, 'inches');
   await page.reload();
   await planned(page, 'plate.dxf', 'done');

@@ -8,6 +8,7 @@ import { PROVEN } from './gap.js';
 import { partThumbnail } from './thumbnail.js';
 import type { Baselines, BestPath, Finding, Loaded, Summary } from './protocol.js';
 import type { Quote } from './quote.js';
+import { ENGLISH, type ReportText } from './report-text.js';
 
 /** What a report is made of: what `plan` and `quote` return, and the plan's SVG. */
 export interface ReportInput {
@@ -22,6 +23,8 @@ export interface ReportInput {
   findings?: readonly Finding[];
   /** When the report was made. Default: it does not say. */
   date?: Date;
+  /** The language of the report, and how it writes numbers and lengths. Default: English, in millimetres. */
+  text?: ReportText;
 }
 
 /** Most rows of the order: more are hundreds of pages of paper. */
@@ -29,19 +32,20 @@ const MOST_ROWS = 500;
 
 /** The report as HTML. */
 export function jobReport(job: ReportInput): string {
-  const { loaded, quote, summary: s } = job;
+  const { loaded, quote, summary: s, text = ENGLISH } = job;
+  const { words: w } = text;
   const { machine, material } = quote;
-  const title = `${loaded.name}, ${duration(s.total_time)}`;
+  const title = `${loaded.name}, ${text.duration(s.total_time)}`;
   const facts: Fact[] = [
-    ['Machine', machine.title],
-    ['Material', [material.name, material.thickness == null ? null : `${number(material.thickness)} mm`].filter((word) => word != null).join(', ')],
-    ['Size', `${number(quote.bounds[2] - quote.bounds[0])} × ${number(quote.bounds[3] - quote.bounds[1])} mm, read in ${quote.input.units} (${UNITS[quote.input.units_source]})`],
-    ['Parts', `${quote.part_count}, ${quote.parts.length} different`],
-    ['Weight', quote.weight === null ? '' : `${number(quote.weight / 1000)} kg`],
-    ['Printed', job.date === undefined ? '' : job.date.toISOString().slice(0, 16).replace('T', ' ')],
+    [w.machine, machine.title],
+    [w.material, [material.name, material.thickness == null ? null : text.length(material.thickness)].filter((word) => word != null).join(', ')],
+    [w.size, w.readIn(text.size(quote.bounds[2] - quote.bounds[0], quote.bounds[3] - quote.bounds[1]), quote.input.units, quote.input.units_source)],
+    [w.parts, w.different(quote.part_count, quote.parts.length)],
+    [w.weight, quote.weight === null ? '' : `${text.number(quote.weight / 1000)} kg`],
+    [w.printed, job.date === undefined ? '' : job.date.toISOString().slice(0, 16).replace('T', ' ')],
   ];
   return `<!doctype html>
-<html lang="en">
+<html lang="${text.lang}">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width">
@@ -50,15 +54,15 @@ export function jobReport(job: ReportInput): string {
 <style>${STYLE}</style>
 </head>
 <body>
-<header><h1>${escaped(loaded.name)}</h1><p class="time">${duration(s.total_time)}</p></header>
+<header><h1>${escaped(loaded.name)}</h1><p class="time">${text.duration(s.total_time)}</p></header>
 ${list(facts)}
-<figure><img src="data:image/svg+xml;base64,${base64(new TextEncoder().encode(job.svg))}" alt="The path of the beam, with order and direction"></figure>
-${section('Time', list(times(job)))}
-${section('Layers', table(['Layer', 'Operation', 'Contours', 'Length'], quote.layers.map((l) => [l.layer, l.operation, l.contours, metres(l.length)])))}
-${section('Parts', table(['', 'Count', 'Size', 'Area', 'To cut', 'Holes'], parts(job), [0]))}
-${section('Findings', findings(job))}
-${section('Cutting order', order(job))}
-<footer>Kerfway ${escaped(quote.version)}, seed ${quote.seed}, ${quote.moves} moves. Drawing ${quote.input.sha256.slice(0, 16)}, quote ${quote.hash.slice(0, 16)}.</footer>
+<figure><img src="data:image/svg+xml;base64,${base64(new TextEncoder().encode(job.svg))}" alt="${escaped(w.picture)}"></figure>
+${section(w.time, list(times(job, text)))}
+${section(w.layers, table(text, [w.layer, w.operation, w.contours, w.length], quote.layers.map((l) => [l.layer, w.operations[l.operation], l.contours, text.far(l.length)])))}
+${section(w.parts, table(text, ['', w.count, w.size, w.area, w.toCut, w.holes], parts(job, text), [0]))}
+${section(w.findings, findings(job, text))}
+${section(w.order, order(job, text))}
+<footer>${escaped(w.source(quote.version, quote.seed, quote.moves, quote.input.sha256.slice(0, 16), quote.hash.slice(0, 16)))}</footer>
 </body>
 </html>
 `;
@@ -66,69 +70,58 @@ ${section('Cutting order', order(job))}
 
 type Fact = readonly [term: string, value: string];
 
-const UNITS: Record<string, string> = { header: 'stated in the file', guessed: 'guessed', given: 'chosen' };
-
-function times({ summary: s, baselines: { greedy, drawing } }: ReportInput): Fact[] {
+function times({ summary: s, baselines: { greedy, drawing } }: ReportInput, { words: w, duration, far }: ReportText): Fact[] {
   return [
-    ['Job', duration(s.total_time)],
-    ['Cutting', `${duration(s.cut_time)} for ${metres(s.cut_length)}`],
-    ['Air moves', `${duration(s.air_time)} for ${metres(s.air_length)}`],
-    ['Piercing', `${duration(s.pierce_time)} for ${s.pierces} piercings`],
-    ['Pre-cuts', s.pre_cuts === 0 ? '' : `${duration(s.pre_cut_time)} for ${s.pre_cuts}`],
-    ['Nearest first', `${duration(greedy.total_time)}; as drawn ${duration(drawing.total_time)}`],
-    ['Left to gain', s.gap === null ? 'no bound yet' : s.gap <= PROVEN ? 'nothing: this path is optimal' : `at most ${duration(s.total_time - s.lower_bound)}`],
+    [w.job, duration(s.total_time)],
+    [w.cutting, w.along(duration(s.cut_time), far(s.cut_length))],
+    [w.air, w.along(duration(s.air_time), far(s.air_length))],
+    [w.piercing, w.pierced(duration(s.pierce_time), s.pierces)],
+    [w.preCuts, s.pre_cuts === 0 ? '' : w.along(duration(s.pre_cut_time), String(s.pre_cuts))],
+    [w.nearest, w.asDrawn(duration(greedy.total_time), duration(drawing.total_time))],
+    [w.gap, s.gap === null ? w.noBound : s.gap <= PROVEN ? w.nothing : w.atMost(duration(s.total_time - s.lower_bound))],
   ];
 }
 
-function parts({ quote, loaded }: ReportInput): Cell[][] {
+function parts({ quote, loaded }: ReportInput, text: ReportText): Cell[][] {
   return quote.parts.map((part) => {
     const [first] = part.items;
     const [x0, y0, x1, y1] = first?.bounds ?? [0, 0, 0, 0];
     const known = loaded.parts.some((p) => p.outer === first?.id);
-    return [first !== undefined && known ? partThumbnail(loaded, first.id, { size: 56 }) : '', part.count, `${number(x1 - x0)} × ${number(y1 - y0)} mm`, `${number(part.net_area / 100)} cm²`, metres(part.cut_length), part.holes];
+    return [first !== undefined && known ? partThumbnail(loaded, first.id, { size: 56 }) : '', part.count, text.size(x1 - x0, y1 - y0), text.area(part.net_area), text.far(part.cut_length), part.holes];
   });
 }
 
-function findings({ loaded, findings: ofPlan = [] }: ReportInput): string {
+function findings({ loaded, findings: ofPlan = [] }: ReportInput, { words: w, number, finding }: ReportText): string {
   const all = [...loaded.findings, ...ofPlan];
-  if (all.length === 0) return '<p>None.</p>';
-  return `<ul>${all.map((f) => `<li class="${f.severity}"><b>${f.severity}</b> ${escaped(f.message)}${f.count > 1 ? ` (${f.count} times)` : ''}${f.at === null ? '' : ` <small>at ${number(f.at[0])}, ${number(f.at[1])}</small>`}</li>`).join('')}</ul>`;
+  if (all.length === 0) return `<p>${escaped(w.none)}</p>`;
+  const place = (at: readonly [number, number]) => ` <small>${escaped(w.at(number(at[0]), number(at[1])))}</small>`;
+  return `<ul>${all.map((f) => `<li class="${f.severity}"><b>${escaped(w.severities[f.severity])}</b> ${escaped(finding(f))}${f.count > 1 ? ` (${escaped(w.times(f.count))})` : ''}${f.at === null ? '' : place(f.at)}</li>`).join('')}</ul>`;
 }
 
-function order({ path, loaded }: ReportInput): string {
+function order({ path, loaded }: ReportInput, text: ReportText): string {
+  const { words: w, duration, number } = text;
   const rows = Array.from(path.contours.subarray(0, MOST_ROWS), (contour, k): Cell[] => [
     k + 1, contour + 1, loaded.contours[contour]?.layer ?? '', duration(path.times[2 * k] ?? 0), `${number(path.points[4 * k] ?? 0)}, ${number(path.points[4 * k + 1] ?? 0)}`,
   ]);
   const more = path.contours.length - rows.length;
-  return table(['No.', 'Contour', 'Layer', 'Begins', 'Entry, mm'], rows) + (more > 0 ? `<p>And ${more} more.</p>` : '');
+  return table(text, [w.no, w.contour, w.layer, w.begins, w.entry], rows) + (more > 0 ? `<p>${escaped(w.more(more))}</p>` : '');
 }
 
 type Cell = string | number;
 
 /** A table; the columns in `raw` hold HTML. Without rows it says that there are none. */
-function table(head: readonly string[], rows: readonly Cell[][], raw: readonly number[] = []): string {
-  if (rows.length === 0) return '<p>None.</p>';
+function table({ words: w }: ReportText, head: readonly string[], rows: readonly Cell[][], raw: readonly number[] = []): string {
+  if (rows.length === 0) return `<p>${escaped(w.none)}</p>`;
   const cell = (value: Cell, k: number) => (raw.includes(k) ? String(value) : escaped(String(value)));
   return `<table><thead><tr>${head.map((h) => `<th>${escaped(h)}</th>`).join('')}</tr></thead><tbody>${rows.map((row) => `<tr>${row.map((v, k) => `<td>${cell(v, k)}</td>`).join('')}</tr>`).join('')}</tbody></table>`;
 }
 
 const list = (facts: readonly Fact[]) => `<dl>${facts.filter(([, value]) => value !== '').map(([term, value]) => `<div><dt>${escaped(term)}</dt><dd>${escaped(value)}</dd></div>`).join('')}</dl>`;
 
-const section = (title: string, body: string) => `<section><h2>${title}</h2>${body}</section>`;
+const section = (title: string, body: string) => `<section><h2>${escaped(title)}</h2>${body}</section>`;
 
 const ESCAPES: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;', "'": '&#39;' };
 const escaped = (text: string) => text.replace(/[&<>"']/g, (c) => ESCAPES[c]!);
-
-const number = (value: number) => String(Math.round(value * 100) / 100);
-const metres = (mm: number) => `${(mm / 1000).toFixed(2)} m`;
-
-/** "42.3 s", "16:40", "1:02:03". */
-function duration(s: number): string {
-  if (s < 99.95) return `${s.toFixed(1)} s`;
-  const whole = Math.round(s);
-  const two = (n: number) => String(n).padStart(2, '0');
-  return whole < 3600 ? `${Math.floor(whole / 60)}:${two(whole % 60)} min` : `${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)} h`;
-}
 
 const STYLE = `
 :root { color-scheme: light; font: 14px/1.45 system-ui, sans-serif; color: #1b1f24; }

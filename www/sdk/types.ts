@@ -15,6 +15,7 @@ export { basket, priceBreaks, type BasketReport, type BasketItem, type BasketLin
 export type { SheetEstimate, Stock } from './sheets.js';
 export { partThumbnail, type ThumbnailOptions } from './thumbnail.js';
 export { jobReport, type ReportInput } from './job-report.js';
+export { ENGLISH as ENGLISH_REPORT, type ReportText, type ReportWords } from './report-text.js';
 export { isProject, readProject, writeProject, type Project, type SavedPlan } from './project.js';
 export { DEFAULT_JOINTS, JOINT_KINDS, JOINT_SIDES, SIZE_TESTS, jointRules, jointSettings, type JointPattern, type JointSide } from './joints.js';
 export { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS, leadRules, leadSettings, type LeadChoice } from './leads.js';

@@ -14,6 +14,7 @@ import { type Choices, History } from './history.js';
 import type { Placing } from './placing.js';
 import { keptPlan } from './kept-plan.js';
 import { Planning } from './planning.js';
+import { reportText } from './report-text.js';
 import { rememberedMachine, rememberMachine } from './profiles.js';
 import { decidedIn, keptIn, projectOf } from './projects.js';
 import { initialState, type Search, type State } from './state.js';
@@ -149,7 +150,7 @@ export class Session {
     const { loaded, progress, baselines, path, planFindings: findings } = this.state;
     if (loaded === null || progress === null || baselines === null || path === null) return null;
     const [svg, quote] = [(await this.output('svg')) as string, await this.quote({})];
-    return jobReport({ loaded, summary: progress.summary, baselines, path, findings, svg, quote, date: new Date() });
+    return jobReport({ loaded, summary: progress.summary, baselines, path, findings, svg, quote, date: new Date(), text: reportText() });
   }
 
   private choices(): Choices {

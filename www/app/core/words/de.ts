@@ -56,6 +56,18 @@ export const de: Words = {
     more: (n, w) => counted(n, w, 'weiterer Befund, nicht aufgeführt', 'weitere Befunde, nicht aufgeführt'),
   },
 
+  report: {
+    machine: 'Maschine', material: 'Material', size: 'Größe', parts: 'Teile', weight: 'Gewicht', printed: 'Gedruckt', picture: 'Der Weg des Strahls mit Reihenfolge und Richtung',
+    time: 'Zeit', job: 'Auftrag', cutting: 'Schneiden', air: 'Leerwege', piercing: 'Einstechen', preCuts: 'Vorschnitte', nearest: 'Nächste zuerst', gap: 'Noch zu gewinnen', noBound: 'noch keine Schranke', nothing: 'nichts: dieser Weg ist optimal',
+    layers: 'Ebenen', layer: 'Ebene', operation: 'Bearbeitung', contours: 'Konturen', contour: 'Kontur', length: 'Länge', count: 'Anzahl', area: 'Fläche', toCut: 'Zu schneiden', holes: 'Löcher',
+    findings: 'Befunde', order: 'Schneidreihenfolge', no: 'Nr.', begins: 'Beginnt', entry: 'Einstieg, mm', none: 'Keine.',
+    operations: { cut: 'schneiden', mark: 'markieren', ignore: 'ignorieren' }, severities: { error: 'Fehler', warning: 'Warnung', info: 'Hinweis' },
+    readIn: (size, unit, source) => `${size}, gelesen in ${unit} (${{ header: 'steht in der Datei', guessed: 'vermutet', given: 'gewählt' }[source]})`, different: (n, kinds) => `${n}, davon ${kinds} verschiedene`,
+    along: (time, way) => `${time} für ${way}`, pierced: (time, n) => `${time} für ${n} Einstiche`, asDrawn: (nearest, drawn) => `${nearest}; wie gezeichnet ${drawn}`,
+    atMost: (time) => `höchstens ${time}`, more: (rows) => `Und ${rows} weitere.`, times: (n) => `${n}-mal`, at: (x, y) => `bei ${x}; ${y}`,
+    source: (version, seed, moves, drawing, quote) => `Kerfway ${version}, Startwert ${seed}, ${moves} Züge. Zeichnung ${drawing}, Angebot ${quote}.`,
+  },
+
   errors: {
     'unknown-field': (v) => `Es gibt kein Feld ${v('field')}.`,
     'missing-field': (v) => `Das Feld ${v('field')} fehlt.`,

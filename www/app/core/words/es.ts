@@ -56,6 +56,18 @@ export const es: Words = {
     more: (n, w) => counted(n, w, 'aviso más, no listado', 'avisos más, no listados'),
   },
 
+  report: {
+    machine: 'Máquina', material: 'Material', size: 'Tamaño', parts: 'Piezas', weight: 'Peso', printed: 'Impreso', picture: 'La trayectoria del haz con orden y sentido',
+    time: 'Tiempo', job: 'Trabajo', cutting: 'Corte', air: 'Movimientos en vacío', piercing: 'Perforación', preCuts: 'Precortes', nearest: 'El más cercano primero', gap: 'Aún por ganar', noBound: 'todavía sin cota', nothing: 'nada: esta trayectoria es óptima',
+    layers: 'Capas', layer: 'Capa', operation: 'Operación', contours: 'Contornos', contour: 'Contorno', length: 'Longitud', count: 'Cantidad', area: 'Área', toCut: 'Por cortar', holes: 'Agujeros',
+    findings: 'Observaciones', order: 'Orden de corte', no: 'N.º', begins: 'Empieza', entry: 'Entrada, mm', none: 'Ninguno.',
+    operations: { cut: 'cortar', mark: 'marcar', ignore: 'ignorar' }, severities: { error: 'error', warning: 'aviso', info: 'nota' },
+    readIn: (size, unit, source) => `${size}, leído en ${unit} (${{ header: 'lo dice el archivo', guessed: 'supuesto', given: 'elegido' }[source]})`, different: (n, kinds) => `${n}, ${kinds} distintas`,
+    along: (time, way) => `${time} para ${way}`, pierced: (time, n) => `${time} para ${n} perforaciones`, asDrawn: (nearest, drawn) => `${nearest}; como está dibujado ${drawn}`,
+    atMost: (time) => `como mucho ${time}`, more: (rows) => `Y ${rows} más.`, times: (n) => `${n} veces`, at: (x, y) => `en ${x}; ${y}`,
+    source: (version, seed, moves, drawing, quote) => `Kerfway ${version}, semilla ${seed}, ${moves} movimientos. Dibujo ${drawing}, presupuesto ${quote}.`,
+  },
+
   errors: {
     'unknown-field': (v) => `No existe el campo ${v('field')}.`,
     'missing-field': (v) => `Falta el campo ${v('field')}.`,

@@ -4,7 +4,7 @@
  */
 
 import { kept } from '../kept.js';
-import type { ErrorCode } from 'kerfway';
+import type { ErrorCode, ReportWords } from 'kerfway';
 import { en } from './en.js';
 
 /** The codes of errors that reach the page; the others are those of the command line and the service. */
@@ -14,7 +14,7 @@ type PageError = Exclude<ErrorCode, 'wrong-usage' | 'unreadable-file' | 'unwrita
 type Errors = Record<PageError, (value: (name: string) => string) => string>;
 
 /** The words of a language other than English, for which the planner's own sentences about errors serve. */
-export type Words = typeof en & { errors: Errors };
+export type Words = typeof en & { errors: Errors; report: ReportWords };
 
 /** The languages by their codes, each under its own name. */
 export const LANGUAGES = { en: 'English', de: 'Deutsch', es: 'Español', zh: '简体中文', ja: '日本語' } as const;
@@ -35,7 +35,7 @@ const spoken = navigator.languages.map((language) => language.split('-')[0]);
 const wanted = kept(LANGUAGE_KEY, codes) ?? spoken.map((code) => codes.find((c) => c === code)).find((code) => code !== undefined) ?? 'en';
 
 // Without a network, a language that was never used before is not there, and the page is in English.
-export const words: typeof en & { errors?: Errors } = wanted === 'en' ? en : await LOADED[wanted]().catch((): typeof en => en);
+export const words: typeof en & Partial<Pick<Words, 'errors' | 'report'>> = wanted === 'en' ? en : await LOADED[wanted]().catch((): typeof en => en);
 
 /** The language of the page. */
 export const language: Language = words === en ? 'en' : wanted;
