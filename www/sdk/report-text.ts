@@ -63,16 +63,23 @@ export interface ReportWords {
   none: string;
   operations: Record<Operation, string>;
   severities: Record<Severity, string>;
+  /** The size, with the unit it was read in and where that comes from. */
   readIn(size: string, unit: Unit, source: UnitsTaken['source']): string;
+  /** How many parts there are, and of how many kinds. */
   different(parts: number, kinds: number): string;
   /** A time for a way or a number of pre-cuts. */
   along(time: string, way: string): string;
+  /** The seconds of piercing, and how often. */
   pierced(time: string, piercings: number): string;
   /** The time of the order nearest first, with that of the drawing. */
   asDrawn(nearest: string, drawn: string): string;
+  /** What could be saved at most. */
   atMost(time: string): string;
+  /** How many rows are not listed. */
   more(rows: number): string;
+  /** How often a finding occurs. */
   times(n: number): string;
+  /** Where a finding is. */
   at(x: string, y: string): string;
   /** What the report was made of. */
   source(version: string, seed: number, moves: number, drawing: string, quote: string): string;
