@@ -28,6 +28,7 @@ const BENCHES = ['intake', 'solve'].map((bench) =>
 
 const IN_WASM = [
   command('clippy of the core, in wasm', 'cargo', ['clippy', '--locked', ...WASM, '--lib', '--no-default-features', '--features', 'planner', ...DENY]),
+  command('clippy of the writers of outputs, in wasm', 'cargo', ['clippy', '--locked', ...WASM, '--lib', '--no-default-features', '--features', 'outputs', ...DENY]),
   command('clippy of the research build and its tests, in wasm', 'cargo', ['clippy', '--locked', ...WASM, ...WASM_TESTS, ...DENY]),
   // wasm-pack builds the tests before it runs them: with the profile of the run, so that they are compiled once.
   command('wasm tests under Node', 'wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--locked', '--test', 'wasm', '--profile', 'test']),

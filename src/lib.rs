@@ -80,8 +80,9 @@
 //!
 //! # Features
 //!
-//! * `planner` (default): everything that planning a job needs, with its WebAssembly bindings. Only the file of the PNG
-//!   renderer is built without it, so that it stays small.
+//! * `planner` (default): the WebAssembly bindings of everything that planning a job needs.
+//! * `outputs`: those of the writers of programs and drawings and of the preflight. They are a WebAssembly file of their own, because
+//!   nobody needs them before there is a plan.
 //! * `svg` (default, part of `research`): the reader of SVG ([`svg`]).
 //! * `research` (default): the methods of published papers ([`solve::papers`]) and benchmark instances of the TSPLIB
 //!   family. The page downloads a second WebAssembly file with this feature, and with the reader of SVG, only when one of

@@ -18,7 +18,8 @@ pub use rule::out_of_range;
 pub use table::{Field, Kind, Range, Shape};
 pub use value::Value;
 
-use serde::de::DeserializeOwned;
+use serde::de::{DeserializeOwned, Error};
+use serde::{Deserialize, Deserializer};
 
 /// A struct that callers fill.
 pub trait Shaped: DeserializeOwned {
@@ -54,4 +55,20 @@ pub fn from_json<T: Shaped>(text: &str) -> Result<T, FieldError> {
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
 pub fn is_zero(number: &f64) -> bool {
     number.total_cmp(&0.0).is_eq()
+}
+
+/// Reads a JSON text that was checked before, such as one of our own, into a struct.
+///
+/// # Errors
+/// The text is not JSON, or does not hold the struct.
+pub fn from_checked_json<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+    through_value(&mut serde_json::Deserializer::from_str(text)).map_err(|e| e.to_string())
+}
+
+/// Reads a struct by way of a [`Value`], as the options are read. Its code is then in the wasm file once, and not once more for
+/// JSON: `#[serde(deserialize_with = "through_value")]`.
+pub(crate) fn through_value<'de, T: DeserializeOwned, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<T, D::Error> {
+    T::deserialize(Value::deserialize(deserializer)?).map_err(Error::custom)
 }

@@ -31,13 +31,40 @@ pub struct Arc {
     pub sweep: f64,
 }
 
-/// One element of a contour.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// One element of a contour. As data it is a list of numbers: start and end, and for an arc its centre and sweep.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(into = "Vec<f64>", try_from = "Vec<f64>")]
 pub enum Segment {
     /// A straight line.
     Line(Line),
     /// A circular arc.
     Arc(Arc),
+}
+
+impl From<Segment> for Vec<f64> {
+    fn from(segment: Segment) -> Self {
+        let (start, end) = (segment.start(), segment.end());
+        let ends = [start.x, start.y, end.x, end.y];
+        match segment {
+            Segment::Line(_) => ends.to_vec(),
+            Segment::Arc(Arc { center, sweep, .. }) => [&ends[..], &[center.x, center.y, sweep]].concat(),
+        }
+    }
+}
+
+impl TryFrom<Vec<f64>> for Segment {
+    type Error = &'static str;
+
+    fn try_from(numbers: Vec<f64>) -> Result<Self, &'static str> {
+        let at = DVec2::new;
+        match *numbers {
+            [x0, y0, x1, y1] => Ok(Self::Line(Line { start: at(x0, y0), end: at(x1, y1) })),
+            [x0, y0, x1, y1, x, y, sweep] => {
+                Ok(Self::Arc(Arc { start: at(x0, y0), end: at(x1, y1), center: at(x, y), sweep }))
+            }
+            _ => Err("an element has 4 or 7 numbers"),
+        }
+    }
 }
 
 impl Arc {

@@ -114,17 +114,14 @@ impl JobError {
             Self::OffBed(_) => ErrorCode::OffBed,
             Self::NothingToCut(_) => ErrorCode::NothingToCut,
             Self::NoPlan => ErrorCode::NoPlan,
-            Self::Output(OutputError::FarFromOrigin { .. }) => ErrorCode::FarFromOrigin,
-            #[allow(unreachable_patterns, reason = "other formats may refuse a plan for other reasons")]
-            Self::Output(_) => ErrorCode::Unwritable,
+            Self::Output(error) => code_of(error),
             Self::Unsound(_) => ErrorCode::UnsoundPlan,
         }
     }
 
     /// The error as programs get it.
     pub fn report(&self) -> ErrorReport {
-        let code = self.code();
-        ErrorReport { code, message: self.to_string(), params: self.params(), retryable: code.is_retryable() }
+        ErrorReport::new(self.code(), self.to_string(), self.params())
     }
 
     fn params(&self) -> BTreeMap<&'static str, Param> {
@@ -159,14 +156,39 @@ impl JobError {
             Self::Conflict { field, .. } => {
                 params.insert("field", Param::Text((*field).to_owned()));
             }
-            Self::Output(OutputError::FarFromOrigin { x, y, spacing }) => {
-                for (name, value) in [("x", x), ("y", y), ("spacing", spacing)] {
-                    params.insert(name, Param::Number(*value));
-                }
-            }
+            Self::Output(error) => return params_of(error),
             _ => {}
         }
         params
+    }
+}
+
+impl ErrorReport {
+    fn new(code: ErrorCode, message: String, params: BTreeMap<&'static str, Param>) -> Self {
+        Self { code, message, params, retryable: code.is_retryable() }
+    }
+}
+
+// The wasm file with the writers reports these alone, without the texts of all other errors.
+impl From<OutputError> for ErrorReport {
+    fn from(error: OutputError) -> Self {
+        Self::new(code_of(&error), error.to_string(), params_of(&error))
+    }
+}
+
+fn code_of(error: &OutputError) -> ErrorCode {
+    match error {
+        OutputError::FarFromOrigin { .. } => ErrorCode::FarFromOrigin,
+        _ => ErrorCode::Unwritable,
+    }
+}
+
+fn params_of(error: &OutputError) -> BTreeMap<&'static str, Param> {
+    match error {
+        OutputError::FarFromOrigin { x, y, spacing } => {
+            [("x", *x), ("y", *y), ("spacing", *spacing)].map(|(name, n)| (name, Param::Number(n))).into()
+        }
+        _ => BTreeMap::new(),
     }
 }
 

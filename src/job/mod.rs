@@ -24,17 +24,17 @@ mod sample;
 mod solving;
 mod warm_path;
 
+pub use crate::output::OutputKind;
 pub use best_path::BestPath;
 pub use code::ErrorCode;
 pub use error::{ErrorReport, JobError, Param};
 pub use options::{Budget, GroupChoice, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
-pub use outputs::OutputKind;
 pub use placement::{Place, Placed};
 pub use problem_of::problem_of;
 pub use read::is_svg;
 pub use report::{Baselines, ContourInfo, Geometry, Loaded};
 pub use run::{Run, Slice, SliceEnd};
-pub use sample::sample_program;
+pub use sample::sample_order;
 #[cfg(feature = "research")]
 pub use solving::Solving;
 pub use warm_path::WarmPath;

@@ -3,57 +3,12 @@
 use super::{Job, JobError, Placed};
 use crate::drawing::Unit;
 use crate::fields::{Fault, FieldError};
-use crate::finding::Severity;
 use crate::geometry::{Aabb, DVec2};
 use crate::machine::Profile;
-use crate::output::{self, Check, JobFacts, OutputError};
+use crate::output::{Check, OutputKind, SheetFacts, WorkOrder, Written, json_text};
 use crate::plan::document::{self, Budget, Document, Input, Move, Options, Placement};
 use crate::plan::{self, Plan};
 use crate::quote::{self, Quote, Terms};
-use std::str::FromStr;
-
-/// The kinds of output. Pictures are made from the JSON by the PNG renderer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum OutputKind {
-    /// G-code for the machine.
-    Gcode,
-    /// A picture of the path.
-    Svg,
-    /// A drawing of the contours in cutting order, each starting at its entry.
-    Dxf,
-    /// The plan document, `kerfway.plan/1`.
-    Json,
-    /// A LightBurn project.
-    Lbrn2,
-    /// A Ruida file; experimental.
-    Rd,
-}
-
-impl OutputKind {
-    /// Whether a machine runs it, so that it has to stay on the bed.
-    pub fn is_program(self) -> bool {
-        matches!(self, Self::Gcode | Self::Lbrn2 | Self::Rd)
-    }
-}
-
-impl FromStr for OutputKind {
-    type Err = JobError;
-
-    fn from_str(name: &str) -> Result<Self, JobError> {
-        match name {
-            "gcode" => Ok(Self::Gcode),
-            "svg" => Ok(Self::Svg),
-            "dxf" => Ok(Self::Dxf),
-            "json" => Ok(Self::Json),
-            "lbrn2" => Ok(Self::Lbrn2),
-            "rd" => Ok(Self::Rd),
-            _ => {
-                let known = ["gcode", "svg", "dxf", "json", "lbrn2", "rd"];
-                Err(FieldError::no_such("output", name, &known).into())
-            }
-        }
-    }
-}
 
 /// Relative difference within which times agree: sums of the same numbers at another place.
 const SAME_TIME: f64 = 1e-9;
@@ -75,68 +30,54 @@ impl Job {
     /// The best plan so far, checked and written in a format of text. A G-code program is also read back and checked; one
     /// that fails is not returned.
     pub fn output(&self, kind: OutputKind) -> Result<String, JobError> {
-        let plan = self.plan_for(kind)?;
-        let (sheet, profile) = (self.beam_sheet(), &self.run()?.placed.profile);
-        Ok(match kind {
-            OutputKind::Gcode => self.program(&plan)?,
-            OutputKind::Svg => output::svg(&plan, sheet, profile),
-            OutputKind::Dxf => output::dxf(&plan, sheet),
-            OutputKind::Json => output::json_text(&self.document_of(&plan)?),
-            OutputKind::Lbrn2 => output::lbrn2(&plan, sheet, profile)?,
-            OutputKind::Rd => {
-                return Err(JobError::Conflict {
-                    field: "output",
-                    sentence: "A Ruida file is no text: ask for its bytes.",
-                });
-            }
-        })
+        match self.written(kind)? {
+            Written::Text(text) => Ok(text),
+            Written::Bytes(_) => Err(JobError::Conflict {
+                field: "output",
+                sentence: "A Ruida file is no text: ask for its bytes.",
+            }),
+        }
     }
 
     /// The best plan so far, checked and written in any format.
     pub fn output_bytes(&self, kind: OutputKind) -> Result<Vec<u8>, JobError> {
-        match kind {
-            OutputKind::Rd => {
-                Ok(output::rd(&self.plan_for(kind)?, self.beam_sheet(), &self.run()?.placed.profile)?)
-            }
-            _ => Ok(self.output(kind)?.into_bytes()),
-        }
+        self.written(kind).map(|written| match written {
+            Written::Text(text) => text.into_bytes(),
+            Written::Bytes(bytes) => bytes,
+        })
+    }
+
+    fn written(&self, kind: OutputKind) -> Result<Written, JobError> {
+        Ok(match kind {
+            OutputKind::Json => Written::Text(json_text(&self.document()?)),
+            kind => self.work_order(kind)?.write(kind)?,
+        })
     }
 
     /// What the check says of the G-code of the best plan so far: the preflight. A program that fails is refused by
     /// [`Job::output`] with the first of its problems.
     pub fn preflight(&self) -> Result<Check, JobError> {
-        self.written(&self.plan_for(OutputKind::Gcode)?).map(|(_, check)| check)
+        Ok(self.work_order(OutputKind::Gcode)?.preflight()?)
     }
 
-    /// The plan for an output. Programs have to stay on the bed.
-    fn plan_for(&self, kind: OutputKind) -> Result<Plan, JobError> {
+    /// The best plan so far, checked, with everything that writing it in a format takes. A plan for a program has to stay on
+    /// the bed.
+    pub fn work_order(&self, kind: OutputKind) -> Result<WorkOrder, JobError> {
         if kind.is_program() {
             self.check_bed()?;
         }
-        self.placed_plan()
-    }
-
-    /// The program of a plan, which has passed the check.
-    fn program(&self, plan: &Plan) -> Result<String, JobError> {
-        let (text, check) = self.written(plan)?;
-        match check.problems.iter().find(|p| p.severity == Severity::Error) {
-            Some(problem) => Err(OutputError::Preflight(problem.message.clone()).into()),
-            None => Ok(text),
-        }
-    }
-
-    fn written(&self, plan: &Plan) -> Result<(String, Check), JobError> {
         let run = self.run()?;
         let Placed { profile, start, .. } = &run.placed;
-        let facts =
-            JobFacts { name: &self.name, hash: Some(&self.sha256), material: run.material.as_deref() };
-        let text = output::gcode(plan, self.beam_sheet(), profile, facts, *start)?;
-        // Whether the job is allowed on this bed has been decided before, with the options of its placement.
-        let machine = Profile { bed: None, ..profile.clone() };
-        let mut check = output::check_against(&text, &machine, plan)
-            .map_err(|sentence| FieldError::new(Fault::Contradiction, "dialect", sentence))?;
-        check.fits_bed = output::fits_bed(&check, profile).filter(|_| start.is_absolute());
-        Ok((text, check))
+        Ok(WorkOrder {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            name: self.name.clone(),
+            sha256: self.sha256.clone(),
+            material: run.material.clone(),
+            start: *start,
+            machine: Profile { materials: Vec::new(), ..profile.clone() },
+            plan: self.placed_plan()?,
+            sheet: SheetFacts::of(self.beam_sheet()),
+        })
     }
 
     /// The best plan so far, checked, in the coordinates of the machine.

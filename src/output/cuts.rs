@@ -1,8 +1,8 @@
 //! The cuts and marks of a plan in order, as every format needs them.
 
+use super::sheet_facts::SheetFacts;
 use crate::geometry::{DVec2, Segment};
 use crate::plan::{Leads, Move, Plan};
-use crate::sheet::Sheet;
 use std::borrow::Cow;
 
 /// A cut or mark of a plan: a whole contour, or a part of one that is interrupted.
@@ -58,11 +58,8 @@ pub(super) fn cuts(plan: &Plan) -> Vec<Cut<'_>> {
 const WHOLE: f64 = 1e-6;
 
 /// Whether a cut is closed: it is all of a closed contour, and not a path through a pierce group.
-pub(super) fn closes(sheet: &Sheet, cut: &Cut) -> bool {
+pub(super) fn closes(sheet: &SheetFacts, cut: &Cut) -> bool {
     let length = || cut.path.iter().map(Segment::length).sum::<f64>();
     let comes_back = cut.path.last().is_some_and(|last| last.end() == cut.entry);
-    sheet
-        .contours
-        .get(cut.contour as usize)
-        .is_some_and(|c| c.path.closed && comes_back && length() >= c.path.length() - WHOLE)
+    sheet.contour(cut.contour).is_some_and(|c| c.closed && comes_back && length() >= c.length - WHOLE)
 }

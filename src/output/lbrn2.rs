@@ -16,10 +16,10 @@ use super::cuts::{Cut, closes, cuts};
 use super::gcode::OutputError;
 use super::number::{Fixed, fixed};
 use super::process::CutProcess;
+use super::sheet_facts::SheetFacts;
 use crate::geometry::{Arc, DVec2, Segment, arcs, math};
 use crate::machine::Profile;
 use crate::plan::{Move, Plan};
-use crate::sheet::Sheet;
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
@@ -52,7 +52,7 @@ const PREFERENCES: [(&str, &str); 14] = [
 ///
 /// # Errors
 /// The plan cuts in more ways than LightBurn has layers.
-pub fn lbrn2(plan: &Plan, sheet: &Sheet, profile: &Profile) -> Result<String, OutputError> {
+pub fn lbrn2(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> Result<String, OutputError> {
     let cuts = cuts(plan);
     let layer_of = |cut: &Cut| (CutProcess::of_cut(sheet, profile, cut), cut.mark);
     let mut layers: Vec<(CutProcess, bool)> = Vec::new();

@@ -1,8 +1,8 @@
 //! How one cut is made. All programs take speed, power, z and air of a cut from here and from nowhere else.
 
 use super::cuts::Cut;
+use super::sheet_facts::SheetFacts;
 use crate::machine::{Process, Profile};
-use crate::sheet::Sheet;
 
 /// Speed, power, height and air of one cut or mark.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,7 +26,7 @@ impl CutProcess {
     }
 
     /// How a cut of a plan is made: with the settings of its layer, at the height of its pass.
-    pub(super) fn of_cut(sheet: &Sheet, profile: &Profile, cut: &Cut) -> Self {
-        Self::new(&sheet.process_by_id(cut.contour, profile), cut.z)
+    pub(super) fn of_cut(sheet: &SheetFacts, profile: &Profile, cut: &Cut) -> Self {
+        Self::new(&sheet.process(cut.contour, profile), cut.z)
     }
 }

@@ -15,10 +15,10 @@
 use super::cuts::{Cut, cuts};
 use super::gcode::OutputError;
 use super::process::CutProcess;
+use super::sheet_facts::SheetFacts;
 use crate::geometry::{Aabb, DVec2, Segment, arcs};
 use crate::machine::Profile;
 use crate::plan::Plan;
-use crate::sheet::Sheet;
 
 /// Largest distance between an arc and its chords, mm.
 const CHORD_DEVIATION: f64 = 0.005;
@@ -33,7 +33,7 @@ const FARTHEST: f64 = 2_147_483_647.0;
 ///
 /// # Errors
 /// The plan cuts in too many ways, too far from the origin, or at several heights.
-pub fn rd(plan: &Plan, sheet: &Sheet, profile: &Profile) -> Result<Vec<u8>, OutputError> {
+pub fn rd(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> Result<Vec<u8>, OutputError> {
     let cuts = cuts(plan);
     if cuts.iter().any(|c| c.z < 0.0) {
         return Err(OutputError::Format(

@@ -10,10 +10,10 @@
 
 use super::cuts::{Cut, closes, cuts};
 use super::number::{Fixed, fixed};
+use super::sheet_facts::SheetFacts;
 use crate::geometry::{Aabb, DVec2, Segment, arcs};
 use crate::machine::Profile;
 use crate::plan::{Move, Plan};
-use crate::sheet::Sheet;
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
@@ -31,7 +31,7 @@ const TEXT_HEIGHT: f64 = 12.0;
 const MAX_NUMBERED: usize = 1000;
 
 /// The picture of a plan. The head starts at the home of `profile`.
-pub fn svg(plan: &Plan, sheet: &Sheet, profile: &Profile) -> String {
+pub fn svg(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> String {
     let bounds = reach(plan, profile.home());
     let width = (bounds.size().max_element() * LINE).max(1e-3);
     let view = bounds.grown(width * MARGIN);
@@ -77,7 +77,7 @@ fn style(out: &mut String, width: f64) {
     );
 }
 
-fn contours(out: &mut String, plan: &Plan, sheet: &Sheet) {
+fn contours(out: &mut String, plan: &Plan, sheet: &SheetFacts) {
     for (order, cut) in cuts(plan).iter().enumerate() {
         let &Cut { contour, entry, ref path, mark, .. } = cut;
         let class = if mark { "mark" } else { "cut" };

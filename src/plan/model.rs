@@ -1,9 +1,10 @@
 //! The plan as data: the moves of the head in order, and their sums.
 
 use crate::geometry::{Affine, DVec2, Segment};
+use serde::{Deserialize, Serialize};
 
 /// One move of the head. It starts where the previous one ended; the first starts at home.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Move {
     /// Moves with the beam off, straight or per axis as the machine does.
     Air {
@@ -72,7 +73,7 @@ impl Move {
 
 /// How many elements of a cut belong to leads and overcut. The lead-in comes first; then the contour, the overcut, and the
 /// lead-out. All are cut without switching the beam.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Leads {
     /// Elements of the lead-in.
     pub lead_in: usize,
@@ -120,7 +121,7 @@ impl Leads {
 }
 
 /// The sums of a plan. Lengths are in mm, times in s.
-#[derive(Clone, Debug, PartialEq, Default, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Summary {
     /// Number of contours cut or marked.
@@ -190,8 +191,8 @@ impl Summary {
     }
 }
 
-/// Moves and their sums.
-#[derive(Clone, Debug, PartialEq)]
+/// Moves and their sums. As data it keeps every bit, unlike the plan document, whose arcs have no sweep.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Plan {
     /// The moves in order.
     pub moves: Vec<Move>,

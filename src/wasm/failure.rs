@@ -2,7 +2,7 @@
 
 use super::plain::plain;
 use crate::fields::FieldError;
-use crate::job::JobError;
+use crate::job::{ErrorReport, JobError};
 use js_sys::{Error, Reflect};
 use wasm_bindgen::prelude::*;
 
@@ -17,8 +17,14 @@ impl From<Failure> for JsValue {
 
 impl From<JobError> for Failure {
     fn from(error: JobError) -> Self {
-        let made = Error::new(&error.to_string());
-        if let Ok(report) = plain(&error.report()) {
+        error.report().into()
+    }
+}
+
+impl From<ErrorReport> for Failure {
+    fn from(report: ErrorReport) -> Self {
+        let made = Error::new(&report.message);
+        if let Ok(report) = plain(&report) {
             // A new object takes every property.
             let _ = Reflect::set(&made, &JsValue::from_str("report"), &report);
         }

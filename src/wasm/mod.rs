@@ -4,9 +4,13 @@
 //! that runs it then reads the reason from [`last_panic`] and is replaced.
 
 #[cfg(feature = "planner")]
+mod arrays;
+#[cfg(any(feature = "planner", feature = "outputs"))]
 mod failure;
+#[cfg(feature = "outputs")]
+mod outputs;
 mod panic;
-#[cfg(feature = "planner")]
+#[cfg(any(feature = "planner", feature = "outputs"))]
 mod plain;
 #[cfg(feature = "planner")]
 mod planner;
@@ -19,6 +23,8 @@ mod text;
 #[cfg(feature = "planner")]
 mod values;
 
+#[cfg(feature = "outputs")]
+pub use outputs::*;
 pub use panic::*;
 #[cfg(feature = "planner")]
 pub use planner::*;

@@ -1,19 +1,20 @@
 //! The planner for JavaScript: one drawing through the whole flow, see [`crate::job`].
 
+use super::arrays::{bytes, geometry, handed, object, path};
 use super::failure::Failure;
-use super::plain::{object, plain};
+use super::plain::plain;
 use super::text::decode;
-use super::values::{bytes, geometry, handed, options, path, text};
+use super::values::{options, text};
 use crate::drawing::TextDecoder;
 use crate::job::{self, BestPath, Budget, LoadOptions, PlanOptions};
-use crate::{machine, output, solve};
+use crate::output::json_text;
+use crate::{machine, solve};
 use js_sys::Uint32Array;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = "import type {
-  Baselines, Beam, BestPath, Budget, Dialect, Finding, Geometry, Insight, Loaded, LoadOptions, MachineProfile, MethodInfo, ProgramCheck, Slice, StartOptions, Summary,
-  WarmPath,
+  Baselines, Beam, BestPath, Budget, Dialect, Finding, Geometry, Insight, Loaded, LoadOptions, MachineProfile, MethodInfo, Slice, StartOptions, Summary, WarmPath,
 } from '../protocol.js';
 import type { Quote, QuoteTerms } from '../quote.js';";
 
@@ -35,22 +36,20 @@ pub fn dialects() -> Result<JsValue, JsError> {
     plain(&machine::dialect::dialects())
 }
 
-/// Checks a program by the rules of a machine's dialect.
-#[wasm_bindgen(js_name = checkProgram, unchecked_return_type = "ProgramCheck")]
-pub fn check_program(
-    #[wasm_bindgen(unchecked_param_type = "string")] program: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
-) -> Result<JsValue, Failure> {
-    let machine = options::<PlanOptions>(&plan_options)?.machine.profile()?;
-    Ok(plain(&output::check(&text("program", &program)?, &machine).map_err(|e| JsError::new(&e))?)?)
-}
-
-/// A small program for a machine, which shows what its dialect looks like.
-#[wasm_bindgen(js_name = sampleProgram)]
-pub fn sample_program(
+/// The profile of the machine of these options, checked, as JSON: for the file that checks programs.
+#[wasm_bindgen(js_name = checkedMachine)]
+pub fn checked_machine(
     #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
 ) -> Result<String, Failure> {
-    Ok(job::sample_program(options::<PlanOptions>(&plan_options)?.machine)?)
+    Ok(json_text(&options::<PlanOptions>(&plan_options)?.machine.profile()?))
+}
+
+/// The work order of a small program for a machine, which shows what its dialect looks like.
+#[wasm_bindgen(js_name = sampleOrder)]
+pub fn sample_order(
+    #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
+) -> Result<String, Failure> {
+    Ok(json_text(&job::sample_order(options::<PlanOptions>(&plan_options)?.machine)?))
 }
 
 /// A seed for callers who give none, from the platform's random numbers. It is part of the result, so that the plan can be
@@ -196,27 +195,18 @@ impl Job {
         Ok(object(&[("path", path(&best)?), ("summary", plain(&plan.summary)?)])?)
     }
 
-    /// The best plan so far, checked and written in a format.
-    pub fn output(
+    /// The plan document of the best plan so far, checked.
+    pub fn document(&self) -> Result<String, Failure> {
+        Ok(json_text(&self.0.document()?))
+    }
+
+    /// The best plan so far, checked, as a work order for the file that writes outputs.
+    #[wasm_bindgen(js_name = workOrder)]
+    pub fn work_order(
         &self,
         #[wasm_bindgen(unchecked_param_type = "string")] kind: JsValue,
     ) -> Result<String, Failure> {
-        Ok(self.0.output(text("kind of output", &kind)?.parse()?)?)
-    }
-
-    /// The best plan so far, checked and written as bytes.
-    #[wasm_bindgen(js_name = outputBytes)]
-    pub fn output_bytes(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "string")] kind: JsValue,
-    ) -> Result<Vec<u8>, Failure> {
-        Ok(self.0.output_bytes(text("kind of output", &kind)?.parse()?)?)
-    }
-
-    /// What the check says of the G-code of the best plan so far.
-    #[wasm_bindgen(unchecked_return_type = "ProgramCheck")]
-    pub fn preflight(&self) -> Result<JsValue, Failure> {
-        Ok(plain(&self.0.preflight()?)?)
+        Ok(json_text(&self.0.work_order(text("kind of output", &kind)?.parse()?)?))
     }
 
     /// What a price needs of the best plan so far, which is checked first.

@@ -41,10 +41,11 @@ async function plans(t, out) {
   await page.goto(server.url);
   await page.waitForFunction(() => window.planned && document.querySelector('kerfway-planner').state === 'empty');
   const made = await page.evaluate(async ({ file, options }) => {
-    const { json, png } = await window.planned(Uint8Array.from(atob(file), (c) => c.charCodeAt(0)), { ...options, outputs: ['json', 'png'] });
-    return { json, png: [...png.subarray(0, 4)] };
+    const { json, svg, png } = await window.planned(Uint8Array.from(atob(file), (c) => c.charCodeAt(0)), { ...options, outputs: ['json', 'svg', 'png'] });
+    return { json, svg, png: [...png.subarray(0, 4)] };
   }, { file: base64(bytes(KEYBOARD)), options: { ...OPTIONS, name: 'drawing.dxf' } });
   assert.ok(made.json === json, 'another plan than under Node');
+  assert.match(made.svg, /^<svg/);
   assert.deepEqual(made.png, [0x89, 0x50, 0x4e, 0x47]);
   assert.deepEqual(wrong, []);
 }

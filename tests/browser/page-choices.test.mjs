@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { download, openPage, phase, SIZES } from './page-support.mjs';
+import { download, openPage, phase, SIZES, stored } from './page-support.mjs';
 
 /** Opens a part of the panel. */
 const open = (page, title) =>
@@ -127,6 +127,28 @@ test('after a first visit the page works without a network, with the methods of 
   await useAll();
   await page.context().setOffline(true);
   await useAll();
+});
+
+test('once the page is used, programs are written without a network, also in the next visit', async (t) => {
+  const { page } = await openPage(t);
+  const done = async () => {
+    await phase(page, 'planning', 'done');
+    const stop = page.getByRole('button', { name: 'Stop' });
+    if (await stop.isVisible()) await stop.click();
+    await phase(page, 'done');
+  };
+  await done();
+  // The stop was a press of the pointer, so the writers are fetched and stored.
+  await stored(page, 'kerfway_outputs');
+  await page.context().setOffline(true);
+  for (const visit of ['first', 'next']) {
+    if (visit === 'next') {
+      await page.reload();
+      await done();
+    }
+    const { bytes } = await download(page, () => page.locator('.dock').getByRole('button', { name: 'G-code' }).click());
+    assert.match(bytes.toString().slice(0, 20), /^; Kerfway/, visit);
+  }
 });
 
 test('a finished plan gives a quote that can be downloaded', async (t) => {

@@ -9,7 +9,7 @@ test('a program is checked below the downloads, and a dialect of one\'s own is t
   const { page } = await openPage(t, { hash: 'seconds=1' });
   await phase(page, 'done');
   const preflight = page.locator('.preflight');
-  await preflight.waitFor({ state: 'visible' });
+  await preflight.getByText('The program passes its check').waitFor();
   assert.match(await preflight.innerText(), /The program passes its check[^]*500 contours, each cut once[^]*beam off on every rapid[^]*read back as grbl-m4/);
 
   const machine = page.locator('details.section', { has: page.locator('h2', { hasText: 'Machine' }) });

@@ -162,6 +162,19 @@ export async function download(page, press) {
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
 }
 
+/** Waits until the service worker controls the page and has stored the JavaScript and the wasm of one of the wasm files. */
+export async function stored(page, name) {
+  const end = Date.now() + PATIENCE;
+  // `waitForFunction` takes the promise of an asynchronous function for its result.
+  while (!(await page.evaluate(isStored, name))) assert.ok(Date.now() < end, `${name} is stored`);
+}
+
+const isStored = async (name) => {
+  const lists = await Promise.all((await caches.keys()).map(async (cache) => (await caches.open(cache)).keys()));
+  const all = lists.flat().map(({ url }) => url).filter((url) => url.includes(name));
+  return navigator.serviceWorker.controller !== null && ['.js', '.wasm'].every((end) => all.some((url) => url.endsWith(end)));
+};
+
 /** The text of one of the downloads, by the name on its button. */
 export async function output(page, name) {
   const press = () => page.locator('.downloads').getByRole('button', { name, exact: true }).click();

@@ -1,6 +1,7 @@
 // The package in Chromium as an embedder without a bundler uses it: an import map and the files of dist/sdk.
 
 import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { chromium } from 'playwright-core';
@@ -36,16 +37,18 @@ const planned = (drawing, file, load, plan, inline = false) =>
   page.evaluate(
     async ({ base64, file, load, plan, inline, material }) => {
       const { createPlanner } = await import('kerfway');
-      const options = inline ? { wasm: (await import('kerfway/inline')).wasm() } : {};
+      const { outputsWasm, wasm } = await import('kerfway/inline');
+      const options = inline ? { wasm: wasm(), outputsWasm: outputsWasm() } : {};
       const planner = await createPlanner(options);
       const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
       await planner.load(bytes, file, load);
       const { reason, seed } = await planner.plan(plan).done;
       const json = await planner.output('json');
+      const svg = await planner.output('svg');
       const png = [...(await planner.output('png', 200)).subarray(0, 4)];
       const { hash } = await planner.quote({ material });
       planner.close();
-      return { reason, seed, json, png, hash };
+      return { reason, seed, json, svg, png, hash };
     },
     { base64: Buffer.from(drawing).toString('base64'), file, load, plan, inline, material: MATERIAL },
   );
@@ -64,19 +67,20 @@ describe('golden plans in Chromium', () => {
 describe('the package without a bundler', () => {
   const [first] = cases();
 
-  it('loads the PNG renderer only when a picture is asked for', async () => {
+  it('loads the writers and the PNG renderer only when they are asked for', async () => {
     const { png } = await planned(first.bytes, first.file, first.load, first.plan);
     assert.deepEqual(png, [0x89, 0x50, 0x4e, 0x47]);
     const of = (name) => requests.findIndex((path) => path.endsWith(name));
-    assert.ok(of('kerfway_png_bg.wasm') > of('kerfway_bg.wasm') && of('kerfway_bg.wasm') > 0);
+    assert.ok(of('kerfway_png_bg.wasm') > of('kerfway_outputs_bg.wasm') && of('kerfway_outputs_bg.wasm') > of('kerfway_bg.wasm') && of('kerfway_bg.wasm') > 0);
   });
 
   it('works from wasm inside JavaScript, without fetching it', async () => {
     requests.length = 0;
     await page.reload();
-    const { json } = await planned(first.bytes, first.file, first.load, first.plan, true);
+    const { json, svg } = await planned(first.bytes, first.file, first.load, first.plan, true);
     assert.ok(json === first.golden);
-    assert.ok(!requests.some((path) => path.endsWith('kerfway_bg.wasm')), requests.join(' '));
+    assert.equal(createHash('sha256').update(svg).digest('hex'), first.outputs.svg);
+    assert.ok(!requests.some((path) => /kerfway(_outputs)?_bg\.wasm$/.test(path)), requests.join(' '));
   });
 
   it('stops at once and keeps the best while a long plan runs', async () => {

@@ -162,8 +162,14 @@ fn assert_all(file: &Path, machine: &Profile, dialects: &[(DialectChoice, Dialec
     for (choice, dialect, controller) in dialects {
         let what = format!("{} in {}", name(file), dialect.name);
         let profile = with(machine, choice.clone());
-        let text = output::gcode(&plan, sheet, &profile, name(file).as_str(), Start::Absolute)
-            .unwrap_or_else(|e| panic!("{what}: {e}"));
+        let text = output::gcode(
+            &plan,
+            &output::SheetFacts::of(sheet),
+            &profile,
+            name(file).as_str(),
+            Start::Absolute,
+        )
+        .unwrap_or_else(|e| panic!("{what}: {e}"));
         assert_right(&text, &plan, &profile, dialect, *controller, &what, &mut known);
         let check = output::check_against(&text, &profile, &plan).unwrap();
         assert!(check.passed, "{what}: {:?}", check.problems);
@@ -216,7 +222,13 @@ fn every_dialect_leaves_joints_dark() {
             let mut able = shipped();
             able.retain(|(choice, dialect, _)| {
                 let profile = with(&with_joints, choice.clone());
-                let written = output::gcode(&plan, job.beam_sheet(), &profile, "a.dxf", Start::Absolute);
+                let written = output::gcode(
+                    &plan,
+                    &output::SheetFacts::of(job.beam_sheet()),
+                    &profile,
+                    "a.dxf",
+                    Start::Absolute,
+                );
                 let refuses = written.is_err_and(|e| e.to_string().contains("cannot leave flying joints"));
                 refused.extend(refuses.then(|| dialect.name.clone()));
                 !refuses
@@ -277,7 +289,8 @@ fn program(dialect: &str) -> (Profile, Plan, String) {
     let machine = Profile { beam_off_delay: 0.0, ..machine() };
     let profile = with(&machine, DialectChoice::named(dialect));
     let (sheet, plan) = plans::small();
-    let text = output::gcode(&plan, &sheet, &profile, "test.dxf", Start::Absolute).unwrap();
+    let text =
+        output::gcode(&plan, &output::SheetFacts::of(&sheet), &profile, "test.dxf", Start::Absolute).unwrap();
     (profile, plan, text)
 }
 
@@ -409,7 +422,9 @@ fn what_a_dialect_cannot_do_is_refused_in_a_sentence_that_names_it() {
     let mut smoothie = dialects().into_iter().find(|d| d.name == "smoothie").unwrap();
     smoothie.pierce = None;
     let profile = with(&machine(), DialectChoice::Document(Box::new(smoothie)));
-    let error = output::gcode(&plan, &sheet, &profile, "x", Start::Absolute).unwrap_err().to_string();
+    let error = output::gcode(&plan, &output::SheetFacts::of(&sheet), &profile, "x", Start::Absolute)
+        .unwrap_err()
+        .to_string();
     assert_eq!(
         error,
         "Smoothieware (dialect \"smoothie\") cannot pierce at rest: set the machine's piercing time and beam-on delay to 0, \
@@ -422,7 +437,9 @@ fn what_a_dialect_cannot_do_is_refused_in_a_sentence_that_names_it() {
         path: kerfway::geometry::Path::new(vec![Segment::line(glam::DVec2::X, glam::DVec2::Y)], false),
     };
     let (sheet, plan) = plans::plan_of(vec![stop], &[("0", 7)], &stays);
-    let error = output::gcode(&plan, &sheet, &stays, "x", Start::Absolute).unwrap_err().to_string();
+    let error = output::gcode(&plan, &output::SheetFacts::of(&sheet), &stays, "x", Start::Absolute)
+        .unwrap_err()
+        .to_string();
     assert!(
         error.starts_with("Mach4 (dialect \"mach4-m67\") switches the beam off with the next motion only"),
         "{error}"
@@ -459,7 +476,8 @@ fn the_header_tells_time_size_bounds_machine_material_and_hash_on_lines_of_their
         let profile = with(&machine(), DialectChoice::named(&dialect.name));
         let facts =
             output::JobFacts { name: "plate.dxf", hash: Some(&hash), material: Some("3 mm birch ply") };
-        let text = output::gcode(&plan, &sheet, &profile, facts, Start::Absolute).unwrap();
+        let text =
+            output::gcode(&plan, &output::SheetFacts::of(&sheet), &profile, facts, Start::Absolute).unwrap();
         let comments = run(&text, Controller::of(&dialect.name)).unwrap().comments;
         let has = |line: &str| {
             assert!(comments.iter().any(|c| c == line), "{}: no {line:?} in {comments:#?}", dialect.name)

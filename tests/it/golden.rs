@@ -3,12 +3,13 @@
 //! `tests/golden/cases.json` lists the cases, and `tests/golden/NAME.json` is the expected plan. The package and
 //! browser tests read the same files. `KERFWAY_BLESS=1 cargo test --test it golden` writes them again, after a change that
 //! is meant to change plans. `tests/golden/quotes.json` has the hash of each plan's quote, which must be the same, too; `dev-quotes.json` those of
-//! every real drawing of `tests/fixtures/dxf-dev`.
+//! every real drawing of `tests/fixtures/dxf-dev`. `outputs.json` has the hash of each program and drawing that is written of the plans.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use kerfway::job::{Job, LoadOptions, OutputKind, PlanOptions};
 use kerfway::plan::document::Document;
 use kerfway::quote::{Material, quote};
+use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
@@ -31,8 +32,12 @@ fn cases() -> Vec<Case> {
 
 /// Plans a case in slices of `work` moves.
 fn planned(case: &Case, work: u64) -> String {
+    searched(case, work).output(OutputKind::Json).unwrap()
+}
+
+fn searched(case: &Case, work: u64) -> Job {
     let jobs: Vec<Job> = (0..case.plan.workers.unwrap_or(1)).map(|member| started(case, member)).collect();
-    crate::testkit::multi_search::planned(jobs, work).output(OutputKind::Json).unwrap()
+    crate::testkit::multi_search::planned(jobs, work)
 }
 
 fn started(case: &Case, member: u32) -> Job {
@@ -71,6 +76,37 @@ fn quotes_have_the_hashes_expected() {
     let expected: BTreeMap<String, String> =
         serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
     assert_eq!(hashes, expected);
+}
+
+/// The names of the formats that `outputs.json` has.
+const FORMATS: [&str; 5] = ["gcode", "svg", "dxf", "lbrn2", "rd"];
+
+#[test]
+fn outputs_are_the_bytes_expected() {
+    // Without the version in the comments of programs. A Ruida file is no text.
+    let written = |job: &Job, format: &str| {
+        let bytes = job.output_bytes(format.parse().unwrap()).unwrap();
+        let text = String::from_utf8(bytes).map(|text| text.replace(env!("CARGO_PKG_VERSION"), ""));
+        hex(&Sha256::digest(text.map_or_else(|bytes| bytes.into_bytes(), String::into_bytes)))
+    };
+    let of_case = |mut case: Case| {
+        // Where the job lies does not matter here.
+        case.plan.allow_off_bed = true;
+        let job = searched(&case, u64::MAX);
+        (case.name.clone(), FORMATS.map(|format| (format.to_owned(), written(&job, format))).into())
+    };
+    let outputs: BTreeMap<String, BTreeMap<String, String>> = cases().into_iter().map(of_case).collect();
+    let file = at("golden/outputs.json");
+    if std::env::var_os("KERFWAY_BLESS").is_some() {
+        fs::write(&file, serde_json::to_string_pretty(&outputs).unwrap() + "\n").unwrap();
+    }
+    let expected: BTreeMap<String, BTreeMap<String, String>> =
+        serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
+    assert_eq!(outputs, expected);
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|b| format!("{b:02x}")).collect()
 }
 
 /// How every real drawing is quoted, and the hashes expected.

@@ -67,3 +67,4 @@ mod solve_search;
 mod svg_files;
 mod svg_oracle;
 mod units_evidence;
+mod work_order;

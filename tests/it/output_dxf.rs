@@ -15,7 +15,7 @@ use kerfway::plan::{Move, Plan};
 use kerfway::sheet::Sheet;
 
 fn read_back(sheet: &Sheet, plan: &Plan) -> Drawing {
-    read(output::dxf(plan, sheet).as_bytes(), &ReadOptions::default()).unwrap()
+    read(output::dxf(plan, &output::SheetFacts::of(sheet)).as_bytes(), &ReadOptions::default()).unwrap()
 }
 
 fn element(s: &Segment) -> Element {
@@ -78,7 +78,7 @@ fn layers_that_differ_in_case_or_forbidden_characters_stay_apart() {
 #[test]
 fn handles_are_unique_and_below_the_seed() {
     let (sheet, plan) = crate::testkit::plans::small();
-    let text = output::dxf(&plan, &sheet);
+    let text = output::dxf(&plan, &output::SheetFacts::of(&sheet));
     let lines: Vec<&str> = text.lines().collect();
     let pairs: Vec<(&str, &str)> = lines.chunks(2).map(|c| (c[0], c[1])).collect();
     let hex = |s: &str| u32::from_str_radix(s, 16).unwrap();

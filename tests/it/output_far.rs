@@ -33,8 +33,14 @@ fn program(arcs: &[Arc]) -> Result<String, String> {
     };
     let stops = arcs.iter().map(stop).collect();
     let (sheet, plan) = plans::plan_of(stops, &[("0", 7)], &plans::machine());
-    output::gcode(&plan, &sheet, &plans::machine(), "far.dxf", kerfway::machine::Start::Absolute)
-        .map_err(|e| e.to_string())
+    output::gcode(
+        &plan,
+        &output::SheetFacts::of(&sheet),
+        &plans::machine(),
+        "far.dxf",
+        kerfway::machine::Start::Absolute,
+    )
+    .map_err(|e| e.to_string())
 }
 
 fn read(text: &str) -> Program {

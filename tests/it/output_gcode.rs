@@ -24,7 +24,14 @@ use std::f64::consts::{PI, TAU};
 const DEVIATION: f64 = 0.002;
 
 fn program(sheet: &Sheet, plan: &Plan, profile: &Profile) -> Program {
-    let text = output::gcode(plan, sheet, profile, "test.dxf", kerfway::machine::Start::Absolute).unwrap();
+    let text = output::gcode(
+        plan,
+        &output::SheetFacts::of(sheet),
+        profile,
+        "test.dxf",
+        kerfway::machine::Start::Absolute,
+    )
+    .unwrap();
     crate::testkit::gcode::run(&text).unwrap_or_else(|e| panic!("{e}"))
 }
 
@@ -97,7 +104,7 @@ fn a_small_plan_reads_as_expected() {
     let (sheet, plan) = crate::testkit::plans::small();
     let text = output::gcode(
         &plan,
-        &sheet,
+        &output::SheetFacts::of(&sheet),
         &crate::testkit::plans::machine(),
         "plate (v2)! \u{df}?.dxf",
         kerfway::machine::Start::Absolute,
@@ -159,7 +166,14 @@ fn no_fact_of_the_header_is_cut_off() {
         ..crate::testkit::plans::machine()
     };
     let name = format!("{} order 4711 of December.dxf", "very long name ".repeat(30));
-    let text = output::gcode(&plan, &sheet, &profile, &name, kerfway::machine::Start::Absolute).unwrap();
+    let text = output::gcode(
+        &plan,
+        &output::SheetFacts::of(&sheet),
+        &profile,
+        &name,
+        kerfway::machine::Start::Absolute,
+    )
+    .unwrap();
     let version = env!("CARGO_PKG_VERSION");
     for line in [
         "; 4294967295 contours, 4294967295 pierces",
@@ -284,7 +298,14 @@ fn without_return_the_head_stays_at_the_end_with_the_beam_off() {
     let program = program(&sheet, &plan, &profile);
     let last = program.motions().last().unwrap();
     assert_eq!((last.rapid, last.path.to), (false, DVec2::new(5.0, 2.0)));
-    let text = output::gcode(&plan, &sheet, &profile, "x", kerfway::machine::Start::Absolute).unwrap();
+    let text = output::gcode(
+        &plan,
+        &output::SheetFacts::of(&sheet),
+        &profile,
+        "x",
+        kerfway::machine::Start::Absolute,
+    )
+    .unwrap();
     assert!(text.ends_with("M5 S0\nM2\n"), "{text}");
 }
 
@@ -319,9 +340,22 @@ fn file_names_do_not_reach_comments_unescaped() {
     let (sheet, plan) = crate::testkit::plans::small();
     let profile = crate::testkit::plans::machine();
     for name in ["a\nG0 X0\n.dxf", "a)G1 X9(.svg", "~!?\u{18}.dxf", "\u{202e}fxd.a", "ä;M3\r\n"] {
-        let text = output::gcode(&plan, &sheet, &profile, name, kerfway::machine::Start::Absolute).unwrap();
-        let plain =
-            output::gcode(&plan, &sheet, &profile, "a.dxf", kerfway::machine::Start::Absolute).unwrap();
+        let text = output::gcode(
+            &plan,
+            &output::SheetFacts::of(&sheet),
+            &profile,
+            name,
+            kerfway::machine::Start::Absolute,
+        )
+        .unwrap();
+        let plain = output::gcode(
+            &plan,
+            &output::SheetFacts::of(&sheet),
+            &profile,
+            "a.dxf",
+            kerfway::machine::Start::Absolute,
+        )
+        .unwrap();
         // Only the first line differs, and it is a comment of printable ASCII.
         let (head, rest) = text.split_once('\n').unwrap();
         assert_eq!(rest, plain.split_once('\n').unwrap().1, "{name:?}");

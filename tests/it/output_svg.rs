@@ -84,7 +84,7 @@ fn contours_come_back_in_order_as_planned() {
 }
 
 fn assert_same(sheet: &Sheet, plan: &Plan, profile: &Profile) {
-    let svg = output::svg(plan, sheet, profile);
+    let svg = output::svg(plan, &output::SheetFacts::of(sheet), profile);
     let drawn = attributes(&svg, &["path class=\""], "d");
     // Two more: air moves and entries.
     assert_eq!(drawn.len(), cuts(plan).len() + 2);
@@ -102,7 +102,7 @@ fn assert_same(sheet: &Sheet, plan: &Plan, profile: &Profile) {
 #[test]
 fn air_moves_are_drawn_from_home_and_back() {
     let (sheet, plan) = crate::testkit::plans::small();
-    let svg = output::svg(&plan, &sheet, &crate::testkit::plans::machine());
+    let svg = output::svg(&plan, &output::SheetFacts::of(&sheet), &crate::testkit::plans::machine());
     assert_eq!(
         attributes(&svg, &["class=\"air\""], "d"),
         ["M0 0L12 -11M38 -11L25 -25M25 -25L10 -10M10 -10L0 0"]
@@ -113,7 +113,7 @@ fn air_moves_are_drawn_from_home_and_back() {
 #[test]
 fn size_and_view_box_are_millimetres_and_hold_everything() {
     let (sheet, plan) = crate::testkit::plans::small();
-    let svg = output::svg(&plan, &sheet, &crate::testkit::plans::machine());
+    let svg = output::svg(&plan, &output::SheetFacts::of(&sheet), &crate::testkit::plans::machine());
     assert_eq!(attributes(&svg, &["svg xmlns"], "width"), ["52mm"]);
     assert_eq!(attributes(&svg, &["svg xmlns"], "height"), ["42mm"]);
     assert_eq!(attributes(&svg, &["svg xmlns"], "viewBox"), ["-1 -41 52 42"]);
@@ -122,7 +122,7 @@ fn size_and_view_box_are_millimetres_and_hold_everything() {
 #[test]
 fn order_and_names_are_readable_and_escaped() {
     let (sheet, plan) = crate::testkit::plans::small();
-    let svg = output::svg(&plan, &sheet, &crate::testkit::plans::machine());
+    let svg = output::svg(&plan, &output::SheetFacts::of(&sheet), &crate::testkit::plans::machine());
     let titles: Vec<&str> = svg.split("<title>").skip(1).map(|t| t.split_once('<').unwrap().0).collect();
     assert_eq!(
         titles,
@@ -144,7 +144,7 @@ fn order_and_names_are_readable_and_escaped() {
 fn layer_names_cannot_break_out() {
     let (mut sheet, plan) = crate::testkit::plans::small();
     sheet.layers[0].name = "a</title><script>alert(1)</script>&\"\u{0}\u{1b}".into();
-    let svg = output::svg(&plan, &sheet, &crate::testkit::plans::machine());
+    let svg = output::svg(&plan, &output::SheetFacts::of(&sheet), &crate::testkit::plans::machine());
     assert!(!svg.contains("<script"));
     assert!(svg.contains("a&lt;/title&gt;&lt;script&gt;alert(1)&lt;/script&gt;&amp;\"\u{fffd}\u{fffd}"));
     assert!(svg.chars().all(|c| c == '\n' || !c.is_control()));
@@ -153,7 +153,7 @@ fn layer_names_cannot_break_out() {
 #[test]
 fn an_empty_plan_is_a_picture_of_home() {
     let (sheet, plan) = crate::testkit::plans::plan_of(vec![], &[], &crate::testkit::plans::machine());
-    let svg = output::svg(&plan, &sheet, &crate::testkit::plans::machine());
+    let svg = output::svg(&plan, &output::SheetFacts::of(&sheet), &crate::testkit::plans::machine());
     assert!(
         svg.starts_with("<svg ") && svg.ends_with("</svg>\n") && !svg.contains("inf") && !svg.contains("NaN")
     );

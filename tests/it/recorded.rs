@@ -71,7 +71,14 @@ fn linuxcnc_has_run_these_programs_and_waited_as_long_as_planned() {
         for dialect in ["linuxcnc-m67", "linuxcnc-spindle"] {
             let profile = Profile { dialect: DialectChoice::named(dialect), ..machine.clone() };
             let plan = job.plan().unwrap();
-            let text = output::gcode(&plan, job.beam_sheet(), &profile, name, Start::Absolute).unwrap();
+            let text = output::gcode(
+                &plan,
+                &output::SheetFacts::of(job.beam_sheet()),
+                &profile,
+                name,
+                Start::Absolute,
+            )
+            .unwrap();
             // The comments hold the version.
             let code: String =
                 text.lines().filter(|l| !l.starts_with(';')).map(|l| format!("{l}\n")).collect();

@@ -1,7 +1,7 @@
 // Wasm files that cannot be loaded: the call that needs one is refused with a sentence, and no other plan takes its place.
 
 import assert from 'node:assert/strict';
-import { cpSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { pathToFileURL } from 'node:url';
@@ -10,7 +10,7 @@ import { circle, dxf, folder, ROOT, square } from './support.mjs';
 
 const PLATE = dxf(square(0, 0, 100), circle(50, 50, 10));
 const SHORT = { units: 'mm', seed: 1, moves: 500 };
-const FILES = ['kerfway', 'kerfway_png', 'kerfway_research'];
+const FILES = ['kerfway', 'kerfway_outputs', 'kerfway_png', 'kerfway_research'];
 
 /** A copy of the package in which `change` is done to some wasm files. */
 async function copy(t, names, change) {
@@ -41,8 +41,32 @@ for (const [what, change] of Object.entries(damaged)) {
       assert.equal(planner.replaced, null);
     });
 
+    it('is named where a program is asked for, and the plan stays', async (t) => {
+      const { createPlanner } = await copy(t, ['kerfway_outputs'], change);
+      const planner = await createPlanner();
+      t.after(() => planner.close());
+      await planner.load(PLATE, 'plate.dxf', { units: 'mm' });
+      await planner.plan({ seed: 1, moves: 500 }).done;
+      const refused = { code: 'not-started', message: /^The file kerfway_outputs_bg\.wasm cannot be loaded: .*\. Check that all files of the package are there and can be reached, then try again\.$/ };
+      for (const ask of [() => planner.output('gcode'), () => planner.output('rd'), () => planner.check(), () => planner.check('G0 X0'), () => planner.sampleProgram()]) await assert.rejects(ask(), refused);
+      assert.equal(JSON.parse(await planner.output('json')).summary.contours, 2);
+      assert.equal((await planner.output('png'))[0], 0x89);
+      assert.equal(planner.replaced, null);
+    });
   });
 }
+
+it('writers that are back are loaded by the next call', async (t) => {
+  let there;
+  const { createPlanner } = await copy(t, ['kerfway_outputs'], (file) => renameSync((there = file), `${file}.away`));
+  const planner = await createPlanner();
+  t.after(() => planner.close());
+  await planner.load(PLATE, 'plate.dxf', { units: 'mm' });
+  await planner.plan({ seed: 1, moves: 500 }).done;
+  await assert.rejects(planner.output('gcode'), { code: 'not-started' });
+  renameSync(`${there}.away`, there);
+  assert.match(await planner.output('gcode'), /M5/);
+});
 
 it('a core that is damaged is refused at once', async (t) => {
   const { plan, quote, inspect } = await copy(t, ['kerfway'], damaged.damaged);

@@ -128,6 +128,14 @@ describe('kerfway/portable', () => {
     assert.ok(longest < 500, `${longest} ms`);
   });
 
+  it('writes the programs of the other entries', async () => {
+    const options = { name: 'keyboard.dxf', moves: 1000, seed: 1, allowOffBed: true, outputs: ['gcode', 'lbrn2', 'rd'] };
+    const [{ plan }, { plan: planInWorker }] = await Promise.all([import('kerfway/portable'), import('kerfway')]);
+    const [here, there] = await Promise.all([plan(bytes(KEYBOARD), options), planInWorker(bytes(KEYBOARD), options)]);
+    assert.deepEqual(here.outputs, there.outputs);
+    assert.match(here.outputs.gcode, /^; Kerfway/);
+  });
+
   it('says which entry has PNG and the methods from papers', async () => {
     const { createPlanner } = await import('kerfway/portable');
     const planner = await createPlanner();

@@ -17,7 +17,7 @@ pub fn nests(count: u64) -> impl Iterator<Item = (String, Vec<u8>)> {
         let machine = machine("co2-100w");
         let problem = problem_of(&sheet, &machine);
         let plain = plan::from_solution(&sheet, &problem, &solve::greedy(&problem));
-        (format!("nest-{seed:03}"), output::dxf(&plain, &sheet).into_bytes())
+        (format!("nest-{seed:03}"), output::dxf(&plain, &output::SheetFacts::of(&sheet)).into_bytes())
     })
 }
 

@@ -30,7 +30,7 @@ fn a_published_method_plans_and_shows_what_is_special_about_it() {
     let insight = job.insight().ok().unwrap();
     assert!(number(&insight, "round") >= 0.0);
     assert!(Array::from(&get(&insight, "curves")).length() > 0);
-    assert!(job.output("json".into()).ok().unwrap().contains("\"method\":\"lpspso\""));
+    assert!(job.document().ok().unwrap().contains("\"method\":\"lpspso\""));
     let wrong = r#"{"method":"lpspso","parameters":"{\"particels\":10}"}"#;
     assert!(sentence(job.start(js(wrong))).contains("particles"));
 }

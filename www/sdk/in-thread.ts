@@ -5,14 +5,20 @@
  */
 
 import { KerfwayError } from './errors.js';
+import { optionalFile } from './optional-file.js';
+import * as outputs from './pkg/kerfway_outputs.js';
 import type { FromWorker } from './protocol.js';
 import { type Host, Session } from './session.js';
+import type { WasmBytes, WasmModule } from './wasm-module.js';
 import type { StartWorker } from './worker-connection.js';
 
-const NO_FILE = 'The planner in the caller\'s thread consists of the core only';
+const NO_FILE = 'The planner in the caller\'s thread has no wasm files but the planner and the writers';
 
-/** Starts a session in this thread. Its messages arrive in a later turn of the event loop, as those of a worker do. */
-export const inThread: StartWorker = (onMessage) => {
+/**
+ * Makes the function that starts a session in this thread. Its messages arrive in a later turn of the event loop, as those of a
+ * worker do. `read` reads the wasm file that writes outputs.
+ */
+export const inThread = (read: () => Promise<WasmModule | WasmBytes>): StartWorker => (onMessage) => {
   let open = true;
   const deliver = (handle: () => void) => setTimeout(() => open && handle(), 0);
   const host: Host = {
@@ -20,6 +26,10 @@ export const inThread: StartWorker = (onMessage) => {
     research: async () => {
       throw new KerfwayError('not-in-this-build', `${NO_FILE}: it reads no SVG and has no methods from papers. Use the entry kerfway, with its workers, for them.`);
     },
+    outputs: (given) => optionalFile('kerfway_outputs', async () => {
+      await outputs.default({ module_or_path: given ?? (await read()) });
+      return outputs;
+    }),
     png: async () => {
       throw new KerfwayError('not-in-this-build', `${NO_FILE}: it writes no PNG. Render SVG instead, or use the entry kerfway, with its workers.`);
     },

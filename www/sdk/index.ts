@@ -32,6 +32,7 @@ async function fetchModule(url: string | URL): Promise<WebAssembly.Module> {
 }
 
 const read = (places: Places) => fetchModule(wasmAt(places) ?? new URL('./pkg/kerfway_bg.wasm', import.meta.url));
+const readOutputs = ({ locate }: Places) => fetchModule(locate?.('kerfway_outputs_bg.wasm') ?? new URL('./pkg/kerfway_outputs_bg.wasm', import.meta.url));
 
 // Bundlers recognise the worker by exactly this expression, so it must not be rewritten.
 const beside = () => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
@@ -41,7 +42,7 @@ const workers = (places: Places) => {
   return webWorkers(url === undefined ? beside : () => new Worker(url, { type: 'module' }), REMEDY);
 };
 
-const own = entry({ read, workers, processors: () => navigator.hardwareConcurrency });
+const own = entry({ read, readOutputs, workers, processors: () => navigator.hardwareConcurrency });
 
 /** Opens a planner and resolves when its worker is ready. Close it when done: an open planner keeps its memory. */
 export const createPlanner: Entry['createPlanner'] = own.createPlanner;

@@ -134,7 +134,7 @@ export class MultiSearch {
 
   private open(member: number): WorkerConnection {
     const { start, module, silenceLimits } = this.owner;
-    return new WorkerConnection(start, module, (m) => this.receive(member, m), () => this.workerDied(member), silenceLimits);
+    return new WorkerConnection(start, { module }, (m) => this.receive(member, m), () => this.workerDied(member), silenceLimits);
   }
 
   private searchEnded(plan: SharedPlan, member: number, message: Done): void {

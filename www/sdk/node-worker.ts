@@ -5,12 +5,15 @@ import { parentPort } from 'node:worker_threads';
 import { optionalFile } from './optional-file.js';
 import type { ToWorker } from './protocol.js';
 import { type Host, Session } from './session.js';
+import type { WasmBytes, WasmModule } from './wasm-module.js';
 
-/** Reads and compiles the wasm file of a module that wasm-bindgen wrote. */
-function ready<M extends { initSync(wasm: { module: BufferSource }): unknown }>(name: string, load: () => Promise<M>): Promise<M> {
+type Wasm = WasmModule | WasmBytes;
+
+/** Reads and compiles the wasm file of a module that wasm-bindgen wrote; `given` replaces the file. */
+function ready<M extends { initSync(wasm: { module: Wasm }): unknown }>(name: string, load: () => Promise<M>, given?: Wasm): Promise<M> {
   return optionalFile(name, async () => {
     const module = await load();
-    module.initSync({ module: await readFile(new URL(`./pkg/${name}_bg.wasm`, import.meta.url)) });
+    module.initSync({ module: given ?? (await readFile(new URL(`./pkg/${name}_bg.wasm`, import.meta.url))) });
     return module;
   });
 }
@@ -18,6 +21,7 @@ function ready<M extends { initSync(wasm: { module: BufferSource }): unknown }>(
 const host: Host = {
   post: (message, transfer = []) => parentPort?.postMessage(message, transfer),
   research: () => ready('kerfway_research', () => import('./pkg/kerfway_research.js')),
+  outputs: (given) => ready('kerfway_outputs', () => import('./pkg/kerfway_outputs.js'), given),
   png: () => ready('kerfway_png', () => import('./pkg/kerfway_png.js')),
 };
 

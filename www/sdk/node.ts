@@ -12,6 +12,7 @@ import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import { entry, type Entry } from './entry.js';
 import { wasmAt, type Places } from './places.js';
+import type { WasmBytes } from './wasm-module.js';
 import type { StartWorker } from './worker-connection.js';
 
 export * from './types.js';
@@ -44,16 +45,22 @@ const workerFile = fileBeside('./node-worker.js');
 
 async function workers(places: Places): Promise<StartWorker> {
   const url = places.workerUrl ?? places.locate?.('node-worker.js') ?? workerFile;
-  return url === null ? (await import('./in-thread.js')).inThread : threads(url);
+  return url === null ? (await import('./in-thread.js')).inThread(() => readOutputs(places)) : threads(url);
 }
+
+const bytesOf = (url: string | URL) => readFile(url instanceof URL || !url.startsWith('file:') ? url : new URL(url));
 
 async function read(places: Places): Promise<WebAssembly.Module> {
   const url = wasmAt(places) ?? fileBeside('./pkg/kerfway_bg.wasm');
-  if (url !== null) return WebAssembly.compile(await readFile(url instanceof URL || !url.startsWith('file:') ? url : new URL(url)));
-  return WebAssembly.compile((await import('./inline.js')).wasm());
+  return WebAssembly.compile(url === null ? (await import('./inline.js')).wasm() : await bytesOf(url));
 }
 
-const own = entry({ read, workers, processors: () => (workerFile === null ? 1 : availableParallelism()) });
+async function readOutputs({ locate }: Places): Promise<WasmBytes> {
+  const url = locate?.('kerfway_outputs_bg.wasm') ?? fileBeside('./pkg/kerfway_outputs_bg.wasm');
+  return url === null ? (await import('./inline.js')).outputsWasm() : bytesOf(url);
+}
+
+const own = entry({ read, readOutputs, workers, processors: () => (workerFile === null ? 1 : availableParallelism()) });
 
 /** Opens a planner and resolves when its worker thread is ready. Close it when done: an open planner keeps the process alive. */
 export const createPlanner: Entry['createPlanner'] = own.createPlanner;

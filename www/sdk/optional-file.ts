@@ -1,4 +1,4 @@
-/** Loading of the wasm files that are used on demand: the methods from papers and the PNG renderer. */
+/** Loading of the wasm files that are used on demand: the writers of outputs, the PNG renderer, and the methods from papers. */
 
 import { KerfwayError } from './errors.js';
 

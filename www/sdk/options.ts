@@ -122,7 +122,7 @@ export function checkProgram(program: unknown): void {
 
 /** Where a planner runs and where its files are, as `createPlanner`, `createPool` and `configure` get it. */
 const PLACES = shapeOf('The planner', optional('worker', 'flag'), optional('locate', 'callback'), optional('wasmUrl', 'address'), optional('workerUrl', 'address'),
-  optional('wasm', 'any'), optional('onReplaced', 'callback'));
+  optional('wasm', 'any'), optional('outputsWasm', 'any'), optional('onReplaced', 'callback'));
 
 /** Throws a `KerfwayError` unless these say where a planner runs. */
 export function checkPlaces(options: object): void {

@@ -21,6 +21,8 @@ export interface Places {
 export interface Configuration extends Places {
   /** The compiled planner or its bytes. Default: the wasm file beside the package. */
   wasm?: WasmModule | WasmBytes;
+  /** The compiled writers of programs and drawings, or their bytes. Default: the wasm file beside the package, which is loaded when the first output is asked for. */
+  outputsWasm?: WasmModule | WasmBytes;
 }
 
 /** The address of the wasm file that these options give; `undefined`: beside the package. */

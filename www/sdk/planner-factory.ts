@@ -4,12 +4,16 @@ import { checkPlaces } from './options.js';
 import type { Places } from './places.js';
 import { Planner, type PlannerOptions } from './planner.js';
 import type { StartWorker } from './worker-connection.js';
-import type { WasmModule } from './wasm-module.js';
+import type { WasmBytes, WasmModule } from './wasm-module.js';
 
 /** What an entry point knows of its platform. */
 export interface Platform {
   /** Reads and compiles the wasm file. */
   read(places: Places): Promise<WasmModule>;
+  /** The wasm that writes outputs, where it is in the script; otherwise workers load its file when it is needed. */
+  outputs?: WasmBytes;
+  /** Reads that file, for a planner in the caller's thread. */
+  readOutputs(places: Places): Promise<WasmModule | WasmBytes>;
   /** The function that starts workers. */
   workers(places: Places): StartWorker | Promise<StartWorker>;
   /** The default size of a pool. */
@@ -34,7 +38,9 @@ export function plannerFactory(platform: Platform): (options?: PlannerOptions) =
   };
   return async (options = {}) => {
     checkPlaces(options);
-    const start = options.worker === false ? (await import('./in-thread.js')).inThread : await platform.workers(options);
-    return Planner.open({ module: (await compiled(options)) as WebAssembly.Module, start, onReplaced: options.onReplaced });
+    const here = async () => (await import('./in-thread.js')).inThread(() => platform.readOutputs(options));
+    const start = await (options.worker === false ? here() : platform.workers(options));
+    const outputs = options.outputsWasm ?? platform.outputs;
+    return Planner.open({ module: (await compiled(options)) as WebAssembly.Module, outputs, start, onReplaced: options.onReplaced });
   };
 }

@@ -14,7 +14,7 @@ import type { Responses } from './responses.js';
 import { checkSize } from './size.js';
 import type { Configuration } from './places.js';
 import { withWarmPath } from './plain-data.js';
-import { type SILENCE_LIMITS, type StartWorker, WorkerConnection } from './worker-connection.js';
+import { type SILENCE_LIMITS, type StartWorker, type WasmFiles, WorkerConnection } from './worker-connection.js';
 import { WorkerStart } from './worker-start.js';
 import type {
   Budget,
@@ -35,7 +35,6 @@ import type {
   Progress,
   ToWorker,
 } from './protocol.js';
-import type { WasmModule } from './wasm-module.js';
 
 /** Options of `createPlanner`. */
 export interface PlannerOptions extends Configuration {
@@ -44,8 +43,7 @@ export interface PlannerOptions extends Configuration {
 }
 
 /** What a planner needs. */
-export interface Parts {
-  module: WasmModule;
+export interface Parts extends WasmFiles {
   start: StartWorker;
   onReplaced?: ((message: string) => void) | undefined;
   /** Seconds after which a silent worker counts as hung. */
@@ -264,8 +262,8 @@ export class Planner {
 
   private connect(): Promise<void> {
     const open = () => {
-      const { start, module, silenceLimits } = this.parts;
-      this.connection = new WorkerConnection(start, module, (m) => this.receive(m), (why) => this.lost(why), silenceLimits);
+      const { start, silenceLimits } = this.parts;
+      this.connection = new WorkerConnection(start, this.parts, (m) => this.receive(m), (why) => this.lost(why), silenceLimits);
       this.connection.expect('working');
     };
     return this.starting.run(open, () => (this.closed ? new ClosedError(CLOSED) : null));

@@ -13,12 +13,13 @@
 
 import { entry, type Entry } from './entry.js';
 import { inThread } from './in-thread.js';
-import { wasm } from './inline.js';
+import { outputsWasm, wasm } from './inline.js';
 
 export * from './types.js';
 
 // One thread does all the work, so a second planner of a pool would gain nothing.
-const own = entry({ read: () => WebAssembly.compile(wasm()), workers: () => inThread, processors: () => 1 });
+const readOutputs = async () => outputsWasm();
+const own = entry({ read: () => WebAssembly.compile(wasm()), readOutputs, workers: () => inThread(readOutputs), processors: () => 1 });
 
 /** Opens a planner in this thread. Close it when done. */
 export const createPlanner: Entry['createPlanner'] = own.createPlanner;

@@ -11,7 +11,7 @@ import type {
   Baselines, Budget, Calibration, ContourInfo, Dialect, ErrorReport, Finding, Insight, MachineProfile, MethodInfo, PaperMethod, ProgramCheck, Quote, Summary,
 } from './generated/types.js';
 import type { QuoteTerms } from './quote.js';
-import type { WasmModule } from './wasm-module.js';
+import type { WasmBytes, WasmModule } from './wasm-module.js';
 
 export type * from './generated/types.js';
 
@@ -129,8 +129,8 @@ export type DoneReason = 'budget' | 'stopped' | 'exhausted' | 'replaced';
 
 /** Messages to a worker. Callers of the functions do not need them. */
 export type ToWorker =
-  /** The first message: the compiled planner, which all workers share. */
-  | { type: 'init'; planner: WasmModule }
+  /** The first message: the compiled planner, which all workers share, and the writers of outputs where the worker cannot load them itself. */
+  | { type: 'init'; planner: WasmModule; outputs?: WasmModule | WasmBytes | undefined }
   | { type: 'load'; id: number; bytes: ArrayBuffer; name: string; options: LoadOptions }
   /** Reads the bytes of the last `load` again with other options. */
   | { type: 'reload'; id: number; options: LoadOptions }

@@ -9,13 +9,15 @@ import { DEFAULT_SECONDS, given } from './options.js';
 import { inPieces } from './pieces.js';
 import type { Job } from './pkg/kerfway.js';
 import type {
-  Calibration, CheckedOn, FromWorker, LoadOptions, MachineProfile, MeasuredPlan, Membership, OutputKind, PlanOptions, ProgramCheck, ToWorker,
+  Calibration, CheckedOn, FromWorker, LoadOptions, MachineProfile, MeasuredPlan, Membership, OutputKind, PlanOptions, ToWorker,
 } from './protocol.js';
 import type { Quote, QuoteTerms } from './quote.js';
 import { Search } from './search.js';
+import type { WasmBytes, WasmModule } from './wasm-module.js';
 
 /** The planner with the reader of SVG, the methods of papers and benchmark instances. It can do everything that `kerfway.wasm` can. */
 type Research = typeof import('./pkg/kerfway_research.js');
+type Outputs = typeof import('./pkg/kerfway_outputs.js');
 type Png = typeof import('./pkg/kerfway_png.js');
 
 /** What a session needs from the platform it runs on. */
@@ -23,6 +25,8 @@ export interface Host {
   post(message: FromWorker, transfer?: ArrayBuffer[]): void;
   /** Loads the research build, when an SVG file or a method from a paper is first used. */
   research(): Promise<Research>;
+  /** Loads the writers of programs and drawings, when one is first used; from `given`, if there is one. */
+  outputs(given: WasmModule | WasmBytes | undefined): Promise<Outputs>;
   /** Loads the PNG renderer, when it is first used. */
   png(): Promise<Png>;
 }
@@ -38,6 +42,10 @@ export class Session {
   private search: Search | null = null;
   /** The build that runs the job. */
   private build: typeof planner | Research = planner;
+  /** The writers, once they are being loaded. */
+  private loadingOutputs: Promise<Outputs> | null = null;
+  private outputs: Outputs | null = null;
+  private givenOutputs: WasmModule | WasmBytes | undefined;
   private png: Png | null = null;
   /** How the drawing was loaded, for loading it again in the research build. */
   private source: { name: string; options: LoadOptions } = { name: '', options: {} };
@@ -70,6 +78,7 @@ export class Session {
     switch (message.type) {
       case 'init':
         planner.initSync({ module: message.planner });
+        this.givenOutputs = message.outputs;
         this.host.post({ type: 'ready', methods: planner.methods(), machines: planner.machines(), dialects: planner.dialects() });
         return;
       case 'load':
@@ -124,10 +133,10 @@ export class Session {
         this.host.post({ type: 'quote', id: message.id, quote: this.quote(message.terms) });
         return;
       case 'check':
-        this.host.post({ type: 'check', id: message.id, check: this.check(message.program, message.options) });
+        void this.reply(message.id, () => this.check(message.id, message.program, message.options));
         return;
       case 'sample':
-        this.host.post({ type: 'sample', id: message.id, program: this.build.sampleProgram(message.options) });
+        void this.reply(message.id, () => this.sample(message.id, message.options));
         return;
       case 'output':
         void this.reply(message.id, () => this.output(message.id, message.kind, message.width));
@@ -212,8 +221,30 @@ export class Session {
     return [{ type: 'papers', id, methods: (await this.host.research()).paperMethods() }];
   }
 
-  private check(program: string | null, options: CheckedOn): ProgramCheck {
-    return program === null ? this.loaded().preflight() : this.build.checkProgram(program, given(options));
+  /** The writers. They are loaded once; if that fails, the next call tries again. */
+  private async writers(): Promise<Outputs> {
+    this.loadingOutputs ??= this.host.outputs(this.givenOutputs);
+    try {
+      return (this.outputs = await this.loadingOutputs);
+    } catch (error) {
+      this.loadingOutputs = null;
+      throw error;
+    }
+  }
+
+  private async check(id: number, program: string | null, options: CheckedOn): Promise<[FromWorker]> {
+    // The plan is that of this moment, although the file may have to be loaded first.
+    if (program === null) {
+      const order = this.loaded().workOrder('gcode');
+      return [{ type: 'check', id, check: (await this.writers()).preflight(order) }];
+    }
+    const machine = this.build.checkedMachine(given(options));
+    return [{ type: 'check', id, check: (await this.writers()).checkProgram(program, machine) }];
+  }
+
+  private async sample(id: number, options: CheckedOn): Promise<[FromWorker]> {
+    const order = this.build.sampleOrder(options);
+    return [{ type: 'sample', id, program: (await this.writers()).writeOutput(order, 'gcode') as string }];
   }
 
   private quote(terms: QuoteTerms): Quote {
@@ -232,15 +263,16 @@ export class Session {
   }
 
   private async output(id: number, kind: OutputKind, width = PNG_WIDTH): Promise<[FromWorker, ArrayBuffer[]?]> {
-    if (kind === 'rd') {
-      const data = this.loaded().outputBytes(kind);
+    if (kind === 'json') return [{ type: 'output', id, kind, data: this.loaded().document() }];
+    if (kind === 'png') {
+      const json = this.loaded().document();
+      this.png ??= await this.host.png();
+      const data = this.png.renderPng(json, width);
       return [{ type: 'output', id, kind, data }, buffers([data])];
     }
-    if (kind !== 'png') return [{ type: 'output', id, kind, data: this.loaded().output(kind) }];
-    const json = this.loaded().output('json');
-    this.png ??= await this.host.png();
-    const data = this.png.renderPng(json, width);
-    return [{ type: 'output', id, kind, data }, buffers([data])];
+    const order = this.loaded().workOrder(kind);
+    const data = (await this.writers()).writeOutput(order, kind);
+    return [{ type: 'output', id, kind, data }, typeof data === 'string' ? [] : buffers([data])];
   }
 
   // Our own errors have one sentence for people. An error of the wasm engine itself (a trap, or no memory left) leaves
@@ -250,7 +282,7 @@ export class Session {
       // Nothing of a broken instance can be used or freed.
       this.search = null;
       this.job = null;
-      const why = panicOf(this.build) ?? (this.png === null ? undefined : panicOf(this.png));
+      const why = [this.build, this.outputs, this.png].map((build) => build && panicOf(build)).find((panic) => panic != null);
       this.host.post({ type: 'broken', message: `The planner broke down (${why ?? error.message}).` });
       return;
     }

@@ -5,7 +5,15 @@
 
 import { Pieces } from './pieces.js';
 import type { FromWorker, ToWorker } from './protocol.js';
-import type { WasmModule } from './wasm-module.js';
+import type { WasmBytes, WasmModule } from './wasm-module.js';
+
+/** The wasm that a worker is given when it starts. */
+export interface WasmFiles {
+  /** The compiled planner. */
+  module: WasmModule;
+  /** The writers of outputs, for workers that cannot load them themselves. */
+  outputs?: WasmModule | WasmBytes | undefined;
+}
 
 /** A worker of any platform. */
 export interface WorkerLike {
@@ -36,7 +44,7 @@ export class WorkerConnection {
 
   constructor(
     start: StartWorker,
-    module: WasmModule,
+    { module, outputs }: WasmFiles,
     private readonly onMessage: (message: FromWorker) => void,
     private readonly onDeath: (why: string) => void,
     private readonly limits = SILENCE_LIMITS,
@@ -45,7 +53,7 @@ export class WorkerConnection {
       (message) => this.receive(message),
       (why) => this.died(why),
     );
-    this.worker.post({ type: 'init', planner: module });
+    this.worker.post({ type: 'init', planner: module, outputs });
   }
 
   post(message: ToWorker): void {

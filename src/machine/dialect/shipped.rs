@@ -1,7 +1,7 @@
 //! The dialects that come with Kerfway.
 
 use super::model::Dialect;
-use crate::fields::from_json;
+use crate::fields::from_checked_json;
 
 /// The documents, the default first.
 const DOCUMENTS: [(&str, &str); 11] = [
@@ -20,19 +20,20 @@ const DOCUMENTS: [(&str, &str); 11] = [
 
 /// All shipped dialects, the default first.
 pub fn dialects() -> Vec<Dialect> {
-    // The documents are part of the program, and a test reads each of them.
-    DOCUMENTS.iter().filter_map(|(_, text)| from_json(text).ok()).collect()
+    // The documents are part of the program, and a test checks each of them.
+    DOCUMENTS.iter().filter_map(|(_, text)| from_checked_json(text).ok()).collect()
 }
 
 /// The shipped dialect of this name.
 pub fn dialect(name: &str) -> Option<Dialect> {
     let (_, text) = DOCUMENTS.iter().find(|(known, _)| *known == name)?;
-    from_json(text).ok()
+    from_checked_json(text).ok()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fields::from_json;
 
     #[test]
     fn every_shipped_document_is_valid_and_has_the_name_of_its_file() {

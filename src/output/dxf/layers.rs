@@ -1,6 +1,6 @@
 //! Layers of the sheet, with names that every DXF reader accepts.
 
-use crate::sheet::Sheet;
+use super::super::sheet_facts::SheetFacts;
 use rustc_hash::FxHashMap;
 use std::fmt::Write as _;
 
@@ -18,7 +18,7 @@ pub(super) struct Layers {
 
 impl Layers {
     /// The layers of a sheet. Names that would coincide get a number, because DXF ignores case.
-    pub(super) fn of(sheet: &Sheet) -> Self {
+    pub(super) fn of(sheet: &SheetFacts) -> Self {
         let mut taken: FxHashMap<Vec<u8>, u32> = FxHashMap::default();
         let list = sheet
             .layers
@@ -39,8 +39,8 @@ impl Layers {
     }
 
     /// The name of a contour's layer in the file.
-    pub(super) fn of_contour(&self, sheet: &Sheet, contour: u32) -> &str {
-        let known = sheet.contours.get(contour as usize).and_then(|c| self.list.get(c.layer as usize));
+    pub(super) fn of_contour(&self, sheet: &SheetFacts, contour: u32) -> &str {
+        let known = sheet.contour(contour).and_then(|c| self.list.get(c.layer as usize));
         known.map_or("0", |(name, _)| name)
     }
 

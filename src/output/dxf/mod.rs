@@ -19,9 +19,9 @@ mod tags;
 
 use super::cuts::{closes, cuts};
 use super::number::fixed;
+use super::sheet_facts::SheetFacts;
 use crate::geometry::{Arc, DVec2, Segment, arcs, math};
 use crate::plan::Plan;
-use crate::sheet::Sheet;
 use layers::Layers;
 use std::f64::consts::PI;
 use tags::{DECIMALS, Tags};
@@ -30,7 +30,7 @@ use tags::{DECIMALS, Tags};
 const BULGE_DECIMALS: usize = 12;
 
 /// The contours of a plan as a DXF drawing.
-pub fn dxf(plan: &Plan, sheet: &Sheet) -> String {
+pub fn dxf(plan: &Plan, sheet: &SheetFacts) -> String {
     let layers = Layers::of(sheet);
     let mut tags = Tags::default();
     frame::before_entities(&mut tags, plan.summary.bounds, &layers, cuts(plan).len());

@@ -37,11 +37,11 @@ mod text;
 
 use super::cuts::cuts;
 use super::process::CutProcess;
+use super::sheet_facts::SheetFacts;
 use crate::geometry::{Aabb, DVec2, Path, Segment};
 use crate::machine::dialect::{Dialect, Pierce, PierceBy};
 use crate::machine::{Profile, Start, far_out};
 use crate::plan::{Move, Plan};
-use crate::sheet::Sheet;
 use beam::Beam;
 pub use check::{Check, CheckCode, CheckProblem, check, check_against, fits_bed};
 use facts::Facts;
@@ -86,7 +86,7 @@ pub enum OutputError {
 /// The controller's 32-bit numbers are too coarse for the job, or the dialect cannot do what the plan asks for.
 pub fn gcode<'a>(
     plan: &Plan,
-    sheet: &Sheet,
+    sheet: &SheetFacts,
     profile: &Profile,
     job: impl Into<JobFacts<'a>>,
     start: Start,
@@ -122,7 +122,7 @@ impl<'d> Writer<'d> {
     }
 
     /// Refuses what the dialect cannot do.
-    fn refuse(&self, plan: &Plan, sheet: &Sheet) -> Result<(), OutputError> {
+    fn refuse(&self, plan: &Plan, sheet: &SheetFacts) -> Result<(), OutputError> {
         let Dialect { name, controller, .. } = self.dialect;
         let refuse =
             |why: &str| Err(OutputError::Dialect(format!("{controller} (dialect \"{name}\") {why}")));
@@ -174,7 +174,7 @@ impl<'d> Writer<'d> {
         self.profile.pierce_time + self.profile.beam_on_delay
     }
 
-    fn program(mut self, plan: &Plan, sheet: &Sheet, facts: &Facts) -> Result<String, String> {
+    fn program(mut self, plan: &Plan, sheet: &SheetFacts, facts: &Facts) -> Result<String, String> {
         self.pen.header(facts);
         self.pen.find_start();
 
@@ -195,7 +195,7 @@ impl<'d> Writer<'d> {
                 // A pre-cut without length is only a charge of time, so nothing is cut.
                 Move::PreCut { contour, to, ahead } if !ahead.is_empty() => {
                     self.pen.lines.comment_naming(&format!("pre-cut into contour {contour}"), "");
-                    let process = CutProcess::new(&sheet.process_by_id(*contour, self.profile), height);
+                    let process = CutProcess::new(&sheet.process(*contour, self.profile), height);
                     self.contour(&process, ahead, mem::take(&mut pierce) + self.profile.beam_on_delay, true);
                     self.pen.rapid(*to);
                 }
@@ -220,7 +220,7 @@ impl<'d> Writer<'d> {
                         let words = format!("{order} of {all}: {verb} contour {contour}, layer ");
                         self.pen.lines.comment_naming(&words, layer);
                     }
-                    let process = CutProcess::new(&sheet.process_by_id(*contour, self.profile), height);
+                    let process = CutProcess::new(&sheet.process(*contour, self.profile), height);
                     // Over a flying joint the motion goes on: the beam needs no time to settle.
                     let on = if mem::take(&mut moving) || flying { 0.0 } else { self.profile.beam_on_delay };
                     self.contour(&process, path, mem::take(&mut pierce) + on, ends);

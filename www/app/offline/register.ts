@@ -1,5 +1,7 @@
 /** Stores the page for use without a network, when its first work is done. */
 
+import { mayFetchWriters } from './first-visit.js';
+
 /** Milliseconds after loading, so that the first plan comes first. */
 const LATER = 4000;
 
@@ -14,4 +16,5 @@ export function keepForOffline(): void {
     // Where there is no service worker (private windows, pages opened from disk), the page works, but not offline.
     navigator.serviceWorker.register('./offline.js').catch(() => {});
   }, LATER);
+  void Promise.all([navigator.serviceWorker.ready, mayFetchWriters]).then(([{ active }]) => active?.postMessage('writers'));
 }

@@ -1,45 +1,58 @@
 /**
- * The check of the program beside the download buttons: it is read back by the rules of the machine's dialect when the plan is done. A
- * program that fails is not handed out.
+ * The check of the program beside the download buttons: when the plan is done, it is read back by the rules of the machine's dialect. On a first
+ * visit the check is fetched only then (see first-visit.ts), and until it has run the program counts as unchecked. A program that fails is not
+ * handed out.
  */
 
 import { h, icon } from '../core/dom.js';
 import { count, metres, seconds } from '../core/format.js';
+import { Latest } from '../core/latest.js';
 import { inChosenUnit } from '../core/lengths.js';
 import { messageOf } from '../core/strings.js';
-import type { ProgramCheck } from 'kerfway';
+import { isKerfwayError, type ProgramCheck } from 'kerfway';
 import type { Session } from '../session/session.js';
 import { words } from '../core/words/index.js';
+import { mayFetchWriters } from '../offline/first-visit.js';
 
 /** How many problems are listed. */
 const LISTED = 4;
+
+/** What is known of the program: nothing while there is no finished plan, `unchecked` until the check has been fetched and has run. */
+type Known = 'nothing' | { unchecked: string } | { refused: string } | { report: ProgramCheck };
 
 export function preflight(session: Session, usable: (passed: boolean) => void): HTMLElement {
   const verdict = h('p', { class: 'verdict' });
   const facts = h('p', { class: 'soft' });
   const problems = h('ul', { class: 'problems' });
   const root = h('section', { class: 'preflight', 'aria-label': words.preflight.title }, verdict, facts, problems);
-  let asked = 0;
+  const latest = new Latest();
 
-  const show = (report: ProgramCheck | null, refusal: string | null) => {
-    root.hidden = report === null && refusal === null;
-    const passed = report?.passed ?? false;
-    root.classList.toggle('fails', !passed);
-    verdict.replaceChildren(icon(passed ? 'check' : 'warning'), passed ? words.preflight.passes : words.preflight.fails);
-    facts.textContent = report === null ? refusal : factsOf(report).join(' · ');
+  const show = (known: Known) => {
+    root.hidden = known === 'nothing';
+    const [fails, unchecked, report] = [failed(known), known !== 'nothing' && 'unchecked' in known, known !== 'nothing' && 'report' in known ? known.report : null];
+    root.classList.toggle('fails', fails);
+    root.classList.toggle('unchecked', unchecked);
+    if (unchecked) verdict.replaceChildren(words.preflight.unchecked);
+    else verdict.replaceChildren(icon(fails ? 'warning' : 'check'), fails ? words.preflight.fails : words.preflight.passes);
+    facts.textContent = known === 'nothing' ? '' : 'report' in known ? factsOf(known.report).join(' · ') : 'refused' in known ? known.refused : known.unchecked;
     const list = report?.problems ?? [];
     problems.replaceChildren(...list.slice(0, LISTED).map((p) => h('li', { class: p.severity }, p.count > 1 ? words.preflight.more(inChosenUnit(p.message), count(p.count - 1)) : inChosenUnit(p.message))));
-    usable(root.hidden || passed);
+    // What is not checked yet is checked while it is written, and is not handed out if it fails.
+    usable(!fails);
   };
   const make = async () => {
-    const now = (asked += 1);
-    show(null, null);
-    if (session.state.phase !== 'done') return;
+    const isLatest = latest.begin();
+    if (session.state.phase !== 'done') return show('nothing');
+    show({ unchecked: words.preflight.soon });
+    await mayFetchWriters;
+    if (!isLatest()) return;
     try {
       const report = await session.preflight();
-      if (now === asked) show(report, null);
+      if (isLatest()) show({ report });
     } catch (error) {
-      if (now === asked) show(null, messageOf(error));
+      if (!isLatest()) return;
+      const isLost = isKerfwayError(error) && error.code === 'not-started';
+      show(isLost ? { unchecked: messageOf(error) } : { refused: messageOf(error) });
     }
   };
   let phase = '';
@@ -49,8 +62,12 @@ export function preflight(session: Session, usable: (passed: boolean) => void): 
       void make();
     }
   });
-  show(null, null);
+  show('nothing');
   return root;
+}
+
+function failed(known: Known): boolean {
+  return known !== 'nothing' && ('refused' in known || ('report' in known && !known.report.passed));
 }
 
 function factsOf(r: ProgramCheck): string[] {

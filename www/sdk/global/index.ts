@@ -10,6 +10,7 @@
 import { defineElements } from '../element/define.js';
 import { entry } from '../entry.js';
 import wasm from '../pkg/kerfway_bg.wasm';
+import outputs from '../pkg/kerfway_outputs_bg.wasm';
 import { webWorkers } from '../web-worker.js';
 import text from './planner.worker';
 
@@ -23,6 +24,8 @@ const workers = () =>
 
 export const { configure, createPlanner, createPool, inspect, plan, quote, render, check, verifyQuote } = entry({
   read: () => WebAssembly.compile(wasm),
+  outputs,
+  readOutputs: async () => outputs,
   workers,
   processors: () => navigator.hardwareConcurrency,
 });
