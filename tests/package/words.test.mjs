@@ -47,12 +47,14 @@ it('every entry of the word files is used', () => {
 });
 
 const WORDS = join(APP, 'core', 'words');
-const OTHERS = readdirSync(WORDS).map((file) => file.replace('.ts', '')).filter((name) => name !== 'en' && name !== 'index');
+const OTHERS = readdirSync(WORDS).map((file) => file.replace('.ts', '')).filter((name) => !['en', 'index', 'sentences'].includes(name));
 
-async function wordsOf(language) {
-  const { code } = transformSync(readFileSync(join(WORDS, `${language}.ts`), 'utf8'), { loader: 'ts', format: 'esm' });
-  return (await import(`data:text/javascript;base64,${Buffer.from(code).toString('base64')}`))[language];
+async function moduleOf(name) {
+  const { code } = transformSync(readFileSync(join(WORDS, `${name}.ts`), 'utf8'), { loader: 'ts', format: 'esm' });
+  return import(`data:text/javascript;base64,${Buffer.from(code).toString('base64')}`);
 }
+
+const wordsOf = async (language) => (await moduleOf(language))[language];
 
 /** Every text and function of a language with its place. */
 function entries(value, at = '') {
@@ -81,7 +83,7 @@ it('every language says everything that English says, with the same values in it
   const index = readFileSync(join(WORDS, 'index.ts'), 'utf8');
   for (const language of OTHERS) {
     assert.match(index, new RegExp(`\\b${language}: '`), `${language} can be chosen`);
-    const { errors, ...words } = await wordsOf(language);
+    const { errors, sentences: _sentences, ...words } = await wordsOf(language);
     const other = new Map(entries(words));
     // The words of a report in English are those of the package.
     const own = entries({ ...en, report: ENGLISH_REPORT.words });
@@ -106,5 +108,38 @@ it('every language says everything that English says, with the same values in it
     }
     // Names, and a few words that are the same: the rest is translated.
     assert.ok(same.length < 0.08 * own.length, `${language} leaves in English: ${same.join(', ')}`);
+  }
+});
+
+/** The text literals of the planner's sources, with broken lines joined and values as `{}`. */
+function planner() {
+  const folder = join(ROOT, 'src');
+  const files = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith('.rs'));
+  const joined = files.map((file) => readFileSync(join(folder, file), 'utf8')).join('\n').replace(/\\\n\s*/g, '');
+  return joined.replace(/\{[^{}\n]*\}/g, '{}');
+}
+
+it('the patterns of sentences are what the planner says, and every language has each of them with its values', async () => {
+  const { SENTENCES, translated } = await moduleOf('sentences');
+  const source = planner();
+  for (const [key, pattern] of Object.entries(SENTENCES)) {
+    // What is counted, "1 place" and "3 places", is put in as one value.
+    const uncounted = pattern.replace(/\b1 (shape is|shape|contour|place)\b|\{\} (shapes are|shapes|contours(?= left)|places|gaps)\b/g, '{}');
+    for (const piece of uncounted.split('{}').map((text) => text.trim()).filter((text) => text.length > 8)) assert.ok(source.includes(piece.replace(/\.$/, '')), `${key}: ${piece}`);
+  }
+  for (const language of OTHERS) {
+    const { sentences } = await wordsOf(language);
+    assert.deepEqual(Object.keys(sentences), Object.keys(SENTENCES), language);
+    for (const [key, pattern] of Object.entries(SENTENCES)) {
+      let n = 0;
+      const values = pattern.replace(/\{\}/g, () => `<${(n += 1)}>`);
+      const own = translated(sentences, values);
+      assert.ok(own !== null && own !== values, `${language} ${key}`);
+      assert.deepEqual(marks(own), marks(values), `${language} ${key}: ${own}`);
+    }
+    // A value that is a phrase itself is translated, too.
+    const nested = translated(sentences, 'The border around everything is taken for the sheet and ignored: it is alone on layer SHEET. Keep it if it is a cut.');
+    assert.ok(nested.includes(sentences.aloneOnLayer.replace('{0}', 'SHEET')), nested);
+    assert.equal(translated(sentences, 'Something else.'), null);
   }
 });

@@ -61,7 +61,7 @@ export function clock(s: number): string {
 }
 
 /** What stands between whole numbers and decimals. */
-const POINT = decimal(0.5, 1).slice(1, -1);
+export const POINT = decimal(0.5, 1).slice(1, -1);
 
 /** A long way: "2.76 m"; from 10 km on as kilometres. */
 export function metres(mm: number): string {

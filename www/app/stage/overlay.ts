@@ -58,7 +58,8 @@ export function drawBed(pen: Pen, view: View, palette: Palette, bed: readonly nu
   pen.textBaseline = 'bottom';
   pen.textAlign = 'right';
   const label = words.stage.bed(extent(bed[2]! - bed[0]!, bed[3]! - bed[1]!));
-  if (x1 - x0 > pen.measureText(label).width + 16 * r) pen.fillText(label, x1 - 6 * r, y1 - 4 * r);
+  // Outside, where no contours are.
+  if (x1 - x0 > pen.measureText(label).width) pen.fillText(label, x1, y0 - 4 * r);
   pen.textAlign = 'start';
   pen.textBaseline = 'alphabetic';
 }

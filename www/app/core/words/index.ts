@@ -6,6 +6,7 @@
 import { kept } from '../kept.js';
 import type { ErrorCode, ReportWords } from 'kerfway';
 import { en } from './en.js';
+import type { Sentences } from './sentences.js';
 
 /** The codes of errors that reach the page; the others are those of the command line and the service. */
 type PageError = Exclude<ErrorCode, 'wrong-usage' | 'unreadable-file' | 'unwritable-output' | 'busy' | 'stopping' | 'unauthorized' | 'not-found' | 'method-not-allowed' | 'unsupported-media-type' | 'malformed-form' | 'slow-upload' | 'queue-unavailable'>;
@@ -14,7 +15,7 @@ type PageError = Exclude<ErrorCode, 'wrong-usage' | 'unreadable-file' | 'unwrita
 type Errors = Record<PageError, (value: (name: string) => string) => string>;
 
 /** The words of a language other than English, for which the planner's own sentences about errors serve. */
-export type Words = typeof en & { errors: Errors; report: ReportWords };
+export type Words = typeof en & { errors: Errors; report: ReportWords; sentences: Sentences };
 
 /** The languages by their codes, each under its own name. */
 export const LANGUAGES = { en: 'English', de: 'Deutsch', es: 'Español', zh: '简体中文', ja: '日本語' } as const;
@@ -35,7 +36,13 @@ const spoken = navigator.languages.map((language) => language.split('-')[0]);
 const wanted = kept(LANGUAGE_KEY, codes) ?? spoken.map((code) => codes.find((c) => c === code)).find((code) => code !== undefined) ?? 'en';
 
 // Without a network, a language that was never used before is not there, and the page is in English.
-export const words: typeof en & Partial<Pick<Words, 'errors' | 'report'>> = wanted === 'en' ? en : await LOADED[wanted]().catch((): typeof en => en);
+export const words: typeof en & Partial<Pick<Words, 'errors' | 'report' | 'sentences'>> = wanted === 'en' ? en : await LOADED[wanted]().catch((): typeof en => en);
+
+const { sentences } = words;
+const patterns = sentences === undefined ? null : await import('./sentences.js').catch(() => null);
+
+/** A sentence of the planner in the language of the page; null where there is none, and in English. */
+export const translated = (sentence: string): string | null => (sentences === undefined || patterns === null ? null : patterns.translated(sentences, sentence));
 
 /** The language of the page. */
 export const language: Language = words === en ? 'en' : wanted;
