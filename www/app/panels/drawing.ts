@@ -45,9 +45,8 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     copies.replaceChildren(...repeated.slice(0, COPIES).map(one), ...(more ? [more] : []));
     copies.hidden = repeated.length === 0;
   };
-  const showCounts = (loaded: Loaded) => {
-    const contours = activeContours(loaded);
-    const open = contours.filter((c) => !c.closed).length;
+  const showCounts = (loaded: Loaded, contours = activeContours(loaded)) => {
+    const open = contours.reduce((n, c) => n + Number(!c.closed), 0);
     const parts = partsOf(loaded);
     const kinds = parts.isGrouped ? parts.kinds : loaded.parts.length;
     const different = kinds < loaded.parts.length ? words.drawing.kinds(kinds, count(kinds)) : '';
@@ -75,7 +74,7 @@ export function drawingPanel(session: Session, preview: Preview, { keeper, forge
     setGist([words.drawing.contours(contours.length, count(contours.length)), ...problems].join(', '), problems.length > 0);
     layers.replaceChildren(layerList(session, loaded));
     pins.show();
-    showCounts(loaded);
+    showCounts(loaded, contours);
     showCopies(loaded);
     showFindings();
     if (!partsOf(loaded).isGrouped) void group(loaded);

@@ -4,7 +4,7 @@
  */
 
 import type { Loaded } from 'kerfway';
-import { inSlices } from '../core/slices.js';
+import { inSlices, pause } from '../core/slices.js';
 import { chainLength, onElement, prepare, type Place, type Shapes } from '../stage/shapes.js';
 
 /** Lengths that differ by less than this, mm, are the same: readers round coordinates. */
@@ -151,6 +151,7 @@ export class Parts {
   }
 
   private async groupSlowly(): Promise<void> {
+    await pause();
     const grouping = new Grouping();
     await inSlices(this.loaded.parts.length, (part) => grouping.add(part, this.signature(part)));
     this.groups ??= grouping;
