@@ -69,7 +69,7 @@ test('every language: the job stays, nothing is left in English, numbers and err
   await page.evaluate(async () => {
     const isStored = async () => {
       const stored = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
-      return stored.flat().some(({ url }) => url.includes('language-ja'));
+      return ['language-ja', 'language-sentences'].every((name) => stored.flat().some(({ url }) => url.includes(name)));
     };
     while (!(await isStored())) await new Promise(requestAnimationFrame);
   });
