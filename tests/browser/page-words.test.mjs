@@ -41,6 +41,8 @@ test('every language: the job stays, nothing is left in English, numbers and err
   assert.equal(sent.filter(({ file }) => file.includes('language-')).length, 0, 'a first visit in English loads no other language');
   await drop(page, 'careless.dxf', sample('gaps-and-copies.dxf'));
   await planned(page, 'careless.dxf', 'done');
+  // From then on the service worker stores each language that is loaded.
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
   const size = await page.locator('.top .measure').textContent();
   assert.match(size, /^\d+(\.\d)? × \d+(\.\d)? mm$/);
   const english = await wordsOf('en');

@@ -8,9 +8,9 @@ const LATER = 4000;
 export function keepForOffline(): void {
   if (!('serviceWorker' in navigator)) return;
   // The first time, the language was loaded before there was a service worker that stores it.
-  const language = performance.getEntriesByType('resource').map((r) => r.name).find((name) => /\/language-[^/]*\.js$/.test(name));
-  if (language !== undefined && !navigator.serviceWorker.controller) {
-    navigator.serviceWorker.addEventListener('controllerchange', () => void fetch(language).catch(() => {}), { once: true });
+  const language = performance.getEntriesByType('resource').map((r) => r.name).filter((name) => /\/language-[^/]*\.js$/.test(name));
+  if (!navigator.serviceWorker.controller) {
+    navigator.serviceWorker.addEventListener('controllerchange', () => language.forEach((file) => void fetch(file).catch(() => {})), { once: true });
   }
   setTimeout(() => {
     // Where there is no service worker (private windows, pages opened from disk), the page works, but not offline.
