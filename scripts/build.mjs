@@ -110,7 +110,7 @@ function sdk() {
   console.log('build: the npm package');
   run('tsc', ['-p', join(ROOT, 'www', 'sdk')]);
   cpSync(join(ROOT, 'src', 'machine', 'dialect', 'shipped'), join(SDK, 'dialects'), { recursive: true });
-  for (const schema of ['plan.schema.json', 'quote.schema.json', 'dialect.schema.json']) cpSync(join(ROOT, 'www', 'sdk', schema), join(SDK, schema));
+  for (const schema of ['plan.schema.json', 'quote.schema.json', 'dialect.schema.json', 'certificate.schema.json']) cpSync(join(ROOT, 'www', 'sdk', schema), join(SDK, schema));
   for (const types of ['node-types.d.cts', 'portable-types.d.cts']) cpSync(join(ROOT, 'www', 'sdk', types), join(SDK, types));
   for (const framework of ['react', 'vue']) cpSync(join(ROOT, 'www', 'sdk', 'frameworks', `${framework}.d.ts`), join(SDK, 'element', `${framework}.d.ts`));
   framePage();

@@ -141,6 +141,7 @@ fn generated() -> String {
         job::Baselines,
         job::SliceEnd,
         job::Slice,
+        job::Verified,
         solve::SolverInfo,
         solve::papers::Card,
         solve::Curve,

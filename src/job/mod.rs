@@ -15,6 +15,8 @@ mod options;
 mod outputs;
 mod placement;
 mod problem_of;
+#[cfg(feature = "research")]
+mod proof;
 mod ranges;
 mod read;
 mod report;
@@ -31,6 +33,8 @@ pub use error::{ErrorReport, JobError, Param};
 pub use options::{Budget, GroupChoice, LayerChoice, LoadOptions, MachineChoice, PlanOptions};
 pub use placement::{Place, Placed};
 pub use problem_of::problem_of;
+#[cfg(feature = "research")]
+pub use proof::{CERTIFICATE_SCHEMA, Proof, Verified, verify};
 pub use read::is_svg;
 pub use report::{Baselines, ContourInfo, Geometry, Loaded};
 pub use run::{Run, Slice, SliceEnd};

@@ -77,6 +77,8 @@ pub struct Run {
     proves: bool,
     /// Number of moves at which work on the bound continues.
     bound_at: u64,
+    /// A bound of the whole job that was proven elsewhere, s.
+    proven: f64,
 }
 
 impl Run {
@@ -116,6 +118,7 @@ impl Run {
             prover: None,
             proves: options.member == 0,
             bound_at: BOUND_FROM,
+            proven: 0.0,
         })
     }
 
@@ -197,6 +200,12 @@ impl Run {
     pub fn bound(&self) -> f64 {
         let least =
             |prover: &LowerBound| self.problem().items.iter().map(Item::least).sum::<f64>() + prover.value();
-        self.prover.as_ref().map_or(0.0, least)
+        self.prover.as_ref().map_or(0.0, least).max(self.proven)
+    }
+
+    /// Takes over a lower bound of the total time of every plan in seconds, which was proven elsewhere. The search does not
+    /// depend on it.
+    pub fn raise_bound(&mut self, seconds: f64) {
+        self.proven = self.proven.max(seconds);
     }
 }

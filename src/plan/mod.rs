@@ -12,5 +12,5 @@ pub use evaluate::evaluate;
 pub use from_solution::from_solution;
 pub use lower_bound::LowerBound;
 #[cfg(feature = "research")]
-pub use lower_bound::{Certificate, CertificateFault, PricedCut, ShareBound, SharedLegs};
+pub use lower_bound::{Certificate, CertificateFault, Part, PricedCut, ShareBound, SharedLegs};
 pub use model::{Leads, Move, Plan, Summary};

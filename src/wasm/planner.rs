@@ -75,7 +75,7 @@ pub fn is_svg(head: &[u8]) -> bool {
 }
 
 /// The options for reading, with the platform's text decoder.
-fn load_options_of(value: &JsValue) -> Result<LoadOptions, Failure> {
+pub(super) fn load_options_of(value: &JsValue) -> Result<LoadOptions, Failure> {
     let given: LoadOptions = options(value)?;
     Ok(LoadOptions { decoder: TextDecoder(decode), ..given })
 }
@@ -175,6 +175,13 @@ impl Job {
         #[wasm_bindgen(unchecked_param_type = "WarmPath")] path: JsValue,
     ) -> Result<bool, Failure> {
         Ok(self.0.run_mut()?.offer(&handed(&path)?)?)
+    }
+
+    /// Takes over a lower bound of every plan in seconds, which was proven elsewhere.
+    #[wasm_bindgen(js_name = raiseBound)]
+    pub fn raise_bound(&mut self, seconds: f64) -> Result<(), Failure> {
+        self.0.run_mut()?.raise_bound(seconds);
+        Ok(())
     }
 
     /// Insight into a published method; `null` for other methods.

@@ -1,12 +1,18 @@
-//! Published methods and benchmark instances for JavaScript, which only the research build contains.
+//! Published methods, benchmark instances and proofs of the lower bound for JavaScript, which only the research build contains.
 
+use super::arrays::bytes;
+use super::failure::Failure;
 use super::plain::plain;
-use crate::job;
+use super::planner::load_options_of;
+use super::text::decode;
+use super::values::{options, text};
+use crate::drawing::TextDecoder;
+use crate::job::{self, MachineChoice, PlanOptions};
 use crate::solve::papers;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = "import type { PaperMethod } from '../protocol.js';";
+const TYPES: &str = "import type { LoadOptions, PaperMethod, StartOptions, Verified } from '../protocol.js';";
 
 /// The methods of published papers, with their parameters.
 #[wasm_bindgen(js_name = paperMethods, unchecked_return_type = "PaperMethod[]")]
@@ -61,4 +67,61 @@ impl Solving {
     pub fn length(&self) -> Result<f64, JsError> {
         Ok(self.0.length()?)
     }
+}
+
+/// Work on the lower bound of a job, and its certificate.
+#[wasm_bindgen]
+pub struct Proof(job::Proof);
+
+#[wasm_bindgen]
+impl Proof {
+    /// Reads a drawing and starts with a weak bound.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "Uint8Array")] file: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "string")] name: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "LoadOptions")] load_options: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
+    ) -> Result<Proof, Failure> {
+        let (file, name) = (bytes(&file)?, text("file's name", &name)?);
+        let planning: PlanOptions = options(&plan_options)?;
+        Ok(Proof(job::Proof::start(file, &name, load_options_of(&load_options)?, &planning)?))
+    }
+
+    /// Why nothing can be proven in this way, in a sentence, if so.
+    pub fn hindrance(&self) -> Option<String> {
+        self.0.hindrance().map(str::to_owned)
+    }
+
+    /// Looks at about `work` more numbers. Returns whether more work may help.
+    pub fn improve(&mut self, work: u32) -> bool {
+        self.0.improve(work)
+    }
+
+    /// No plan takes less, s.
+    pub fn seconds(&self) -> f64 {
+        self.0.seconds()
+    }
+
+    /// The certificate file of the bound, if anything is proven.
+    pub fn certificate(&self) -> Option<String> {
+        self.0.certificate()
+    }
+}
+
+/// Verifies a certificate file for a drawing, and for a machine if one is given.
+#[wasm_bindgen(js_name = verifyCertificate, unchecked_return_type = "Verified")]
+pub fn verify_certificate(
+    #[wasm_bindgen(unchecked_param_type = "string")] certificate: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Uint8Array")] drawing: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "StartOptions")] plan_options: JsValue,
+) -> Result<JsValue, Failure> {
+    let machine = match options::<PlanOptions>(&plan_options)?.machine {
+        MachineChoice::Profile(profile) => Some(profile),
+        MachineChoice::Preset(_) => None,
+    };
+    let certificate = text("certificate", &certificate)?;
+    let verified = job::verify(&certificate, &bytes(&drawing)?, machine.as_deref(), TextDecoder(decode))
+        .map_err(|e| JsError::new(&e))?;
+    Ok(plain(&verified)?)
 }

@@ -9,6 +9,7 @@ mod bed;
 mod boundary;
 mod boundary_any;
 mod calibration;
+mod certificate;
 mod common_cuts;
 mod common_cuts_exact;
 mod common_cuts_grids;

@@ -33,7 +33,7 @@ describe('kerfway completion', () => {
       const array = words.map((w) => `'${w}'`).join(' ');
       return output('bash', `source ${path}; COMP_WORDS=(${array}); COMP_CWORD=${words.length - 1}; _kerfway; printf '%s\\n' "\${COMPREPLY[@]}"`);
     };
-    assert.deepEqual(offered('kerfway '), ['plan', 'inspect', 'quote', 'check', 'calibrate', 'serve', 'work', 'methods', 'solve', 'completion', 'help']);
+    assert.deepEqual(offered('kerfway '), ['plan', 'inspect', 'quote', 'check', 'calibrate', 'serve', 'work', 'methods', 'solve', 'verify', 'completion', 'help']);
     assert.deepEqual(offered('kerfway pl'), ['plan']);
     assert.deepEqual(offered('kerfway plan --wa'), ['--watch']);
     assert.deepEqual(offered('kerfway inspect --sec'), []);

@@ -10,7 +10,7 @@ import { contours, disk, faulty, fill, inputs, NOBODY, OLD, POSIX, QUICK, refuse
 import { CLI, folder } from './support.mjs';
 
 /** What a command reads, if not a drawing. */
-const INPUTS = { solve: 'a.tsp', check: 'a.ngc', calibrate: 'plan.json=1500' };
+const INPUTS = { solve: 'a.tsp', check: 'a.ngc', calibrate: 'plan.json=1500', verify: 'a.certificate.json' };
 const ENDINGS = { gcode: 'a.nc', dxf: 'b.dxf' };
 const fileOf = (kind) => ENDINGS[kind] ?? `a.${kind}`;
 

@@ -41,13 +41,14 @@ export function inputs(t) {
   writeFileSync(join(at, 'a.dxf'), DRAWING);
   writeFileSync(join(at, 'a.tsp'), INSTANCE);
   writeFileSync(join(at, 'a.ngc'), PROGRAM);
-  plan ??= execFileSync(process.execPath, [CLI, 'plan', join(at, 'a.dxf'), ...QUICK, '--json', '-'], { stdio: ['ignore', 'pipe', 'ignore'], maxBuffer: 2 ** 26 });
-  writeFileSync(join(at, 'plan.json'), plan);
+  const planned = (output) => execFileSync(process.execPath, [CLI, 'plan', join(at, 'a.dxf'), ...QUICK, output, '-'], { stdio: ['ignore', 'pipe', 'ignore'], maxBuffer: 2 ** 26 });
+  writeFileSync(join(at, 'plan.json'), (plan ??= planned('--json')));
+  writeFileSync(join(at, 'a.certificate.json'), (certificate ??= planned('--certificate')));
   return at;
 }
 
-/** The plan of the drawing, made once. */
-let plan;
+/** The plan of the drawing and its certificate, made once. */
+let plan, certificate;
 
 export const refused = ({ code, stderr }, why) => {
   assert.equal(code, 3, stderr);

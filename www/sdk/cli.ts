@@ -15,8 +15,9 @@ import { complain } from './cli/safe-text.js';
 import { KerfwayError } from './errors.js';
 import { serve, work } from './cli/serve.js';
 import { solve } from './cli/solve.js';
+import { verify } from './cli/verify.js';
 
-const RUNS = new Map(Object.entries({ plan, inspect, quote, check, calibrate, serve, work, methods, solve, completion }));
+const RUNS = new Map(Object.entries({ plan, inspect, quote, check, calibrate, serve, work, methods, solve, verify, completion }));
 
 async function main([command, ...rest]: string[]): Promise<void> {
   if (command === undefined) throw new WrongUse(`Name a command: kerfway ${commandsInWords()}.`);

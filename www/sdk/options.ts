@@ -66,10 +66,14 @@ export const OUTPUTS: readonly OutputKind[] = ['gcode', 'svg', 'dxf', 'json', 'p
 /** The width of a picture. */
 const WIDTH: Range = { least: 64, most: 8192, or_zero: false, unit: 'pixels', why: 'smaller ones show nothing, larger ones take a gigabyte' };
 
+/** The work of a proof. */
+const WORK: Range = { least: 1, most: 1e9, or_zero: false, unit: 'million numbers', why: 'more takes years' };
+
 /** The options of each function. */
 const KNOWN = {
   load: READING,
   reload: READING,
+  prove: shapeOf('A proof', ...PLANNING.fields.filter(({ name }) => name === 'seconds'), optional('work', { whole: WORK })),
   continue: shapeOf('A budget', ...PLANNING.fields.filter(({ name }) => name === 'seconds' || name === 'moves')),
   inspect: shapeOf('inspect', ...READING.fields, ...JOB),
   plan: shapeOf('plan', ...READING.fields, ...PLANNING_OPTIONS, ...JOB,

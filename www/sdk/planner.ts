@@ -7,6 +7,7 @@ import { ClosedError, quietAtClose } from './closed.js';
 import { KerfwayError } from './errors.js';
 import { MultiSearch, type Drawing } from './multi-search.js';
 import { checkFile, checkMachine, checkOptions, checkOutput, checkProgram } from './options.js';
+import { Prover, type ProofHandle } from './prover.js';
 import { RunningPlan, type PlanHandle, type PlanMessage } from './plan-handle.js';
 import type { Quote, QuoteTerms } from './quote.js';
 import { Requests } from './requests.js';
@@ -32,6 +33,7 @@ import type {
   PaperMethod,
   PlanOptions,
   ProgramCheck,
+  ProofBudget,
   Progress,
   ToWorker,
 } from './protocol.js';
@@ -80,6 +82,8 @@ export class Planner {
 
   /** The other searches of a plan with several workers. */
   private readonly others: MultiSearch;
+  /** The proof of the current plan's job. */
+  private prover: Prover | null = null;
 
   private constructor(private readonly parts: Parts) {
     this.others = new MultiSearch({
@@ -107,7 +111,7 @@ export class Planner {
       await this.ready;
       const { loaded } = await this.ask<'load'>((id) => ({ type: 'load', id, ...drawing }));
       this.drawing = drawing;
-      this.current = null;
+      this.forget();
       return loaded;
     });
   }
@@ -119,7 +123,7 @@ export class Planner {
       await this.ready;
       const { loaded } = await this.ask<'load'>((id) => ({ type: 'reload', id, options }));
       if (this.drawing !== null) this.drawing = { ...this.drawing, options };
-      this.current = null;
+      this.forget();
       return loaded;
     });
   }
@@ -139,7 +143,26 @@ export class Planner {
   plan(given: PlanOptions = {}, onProgress: (progress: Progress) => unknown = () => {}): PlanHandle {
     const options = withWarmPath(given);
     const plan = this.newPlan(options, onProgress);
-    return this.begin(plan, { type: 'plan', id: plan.id, options }, () => checkOptions(options, 'planning'));
+    return this.begin(plan, { type: 'plan', id: plan.id, options }, () => {
+      checkOptions(options, 'planning');
+      this.endProof();
+    });
+  }
+
+  /**
+   * Works on a lower bound of the current plan's job in a worker of its own, beside its search or after it, until the budget is used up.
+   * A higher bound is reported as the progress of the plan and is in its outputs. It is stronger than the search's own from about
+   * 100 contours on, and has a certificate, which `kerfway verify` checks. Another plan or another drawing ends the proof.
+   */
+  prove(budget: ProofBudget = {}, onBound: (seconds: number) => unknown = () => {}): ProofHandle {
+    checkOptions(budget, 'prove');
+    if (this.drawing === null || this.current === null) throw new KerfwayError('no-plan', 'There is no plan to prove a bound for. Start one first.');
+    this.endProof();
+    this.prover = new Prover(this.parts, this.drawing, this.current.options, budget, (lowerBound) => {
+      this.whenReady({ type: 'raise', lowerBound });
+      onBound(lowerBound);
+    });
+    return this.prover;
   }
 
   /** Continues the last plan for another budget. */
@@ -212,12 +235,24 @@ export class Planner {
   close(): void {
     this.closed = true;
     this.others.close();
+    this.endProof();
     this.connection.close();
     const reason = new ClosedError(CLOSED);
     // Calls that wait for a worker that is still starting are rejected too.
     this.ready.catch(() => {});
     this.starting.fail(reason);
     this.abandon(reason);
+  }
+
+  /** Another drawing has taken the place of the one that was planned. */
+  private forget(): void {
+    this.current = null;
+    this.endProof();
+  }
+
+  private endProof(): void {
+    this.prover?.close();
+    this.prover = null;
   }
 
   private newPlan(options: PlanOptions, onProgress: (progress: Progress) => unknown): RunningPlan {

@@ -110,6 +110,24 @@ export interface Progress {
   insight?: Insight;
 }
 
+/** How long a proof works. If both are given, the first to be reached ends it; without a budget it works until it is stopped or proves no more. */
+export interface ProofBudget {
+  /** Seconds by the clock. */
+  seconds?: number;
+  /** Million numbers that it looks at, which proves the same everywhere. */
+  work?: number;
+}
+
+/** What a proof has come to. */
+export interface Proof {
+  /** No plan takes less: seconds of the whole job. 0 if nothing is proven. */
+  seconds: number;
+  /** A certificate of it (`kerfway.certificate/1`), which `kerfway verify` checks; null if there is none. */
+  certificate: string | null;
+  /** Why nothing can be proven for this job, in a sentence; null if it can. */
+  hindrance: string | null;
+}
+
 /** A plan that was run, and the seconds that the job took. */
 export interface MeasuredPlan {
   /** The plan document, as the output `json`. */
@@ -142,6 +160,10 @@ export type ToWorker =
   | { type: 'pause' }
   | { type: 'resume' }
   | { type: 'stop' }
+  /** Works on the lower bound of a job of its own. Sent to a worker that does nothing else. */
+  | { type: 'prove'; id: number; bytes: ArrayBuffer; name: string; options: LoadOptions; planning: PlanOptions; budget: ProofBudget }
+  /** A lower bound of the current plan's job in seconds, which another worker has proven. */
+  | { type: 'raise'; lowerBound: number }
   | { type: 'papers'; id: number }
   | { type: 'quote'; id: number; terms: QuoteTerms }
   /** Checks a program for a machine; without a program, that of the best plan so far. */
@@ -163,6 +185,7 @@ export type FromWorker =
   | { type: 'meeting'; id: number; progress: Progress }
   | { type: 'bound'; id: number; lowerBound: number }
   | { type: 'done'; id: number; reason: DoneReason; progress: Progress }
+  | { type: 'proof'; id: number; proof: Proof }
   | { type: 'papers'; id: number; methods: PaperMethod[] }
   | { type: 'quote'; id: number; quote: Quote }
   | { type: 'check'; id: number; check: ProgramCheck }

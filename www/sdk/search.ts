@@ -128,7 +128,8 @@ export class Search {
     });
   };
 
-  private raise(bound: number): void {
+  /** Reports a lower bound of the job in seconds, if it is the highest so far. */
+  raise(bound: number): void {
     if (bound <= this.bound) return;
     this.bound = bound;
     this.listener.bound({ id: this.id, lowerBound: bound });
@@ -205,7 +206,7 @@ export class Search {
  * Runs `next` after pending messages have been handled. Browsers delay nested calls of `setTimeout` to 4 ms, so it is not
  * used; in Node a message channel is not used either, because one port can starve another there.
  */
-const later: (next: () => void) => void =
+export const later: (next: () => void) => void =
   typeof setImmediate === 'function'
     ? (next) => void setImmediate(next)
     : (() => {

@@ -12,6 +12,7 @@ import type {
   Calibration, CheckedOn, FromWorker, LoadOptions, MachineProfile, MeasuredPlan, Membership, OutputKind, PlanOptions, ToWorker,
 } from './protocol.js';
 import type { Quote, QuoteTerms } from './quote.js';
+import { Proving } from './proving.js';
 import { Search } from './search.js';
 import type { WasmBytes, WasmModule } from './wasm-module.js';
 
@@ -40,6 +41,7 @@ const PNG_WIDTH = 1600;
 export class Session {
   private job: Job | null = null;
   private search: Search | null = null;
+  private proving: Proving | null = null;
   /** The build that runs the job. */
   private build: typeof planner | Research = planner;
   /** The writers, once they are being loaded. */
@@ -122,6 +124,15 @@ export class Session {
         return;
       case 'stop':
         this.search?.stop();
+        this.proving?.stop();
+        return;
+      case 'prove':
+        void this.inResearch(message.id, (research) => void this.reply(message.id, () => this.prove(message, research)));
+        return;
+      case 'raise':
+        if (this.search === null) return;
+        this.loaded().raiseBound(message.lowerBound);
+        this.search.raise(message.lowerBound);
         return;
       case 'papers':
         void this.reply(message.id, () => this.papers(message.id));
@@ -215,6 +226,12 @@ export class Session {
     } catch (error) {
       this.fail(id, error);
     }
+  }
+
+  private async prove({ id, bytes, name, options, planning, budget }: Extract<ToWorker, { type: 'prove' }>, research: Research): Promise<[FromWorker]> {
+    const { method: _, parameters: __, warm: ___, ...others } = given(planning);
+    this.proving = new Proving(new research.Proof(new Uint8Array(bytes), name, given(options), others));
+    return [{ type: 'proof', id, proof: await this.proving.run(budget, (lowerBound) => this.host.post({ type: 'bound', id, lowerBound })) }];
   }
 
   private async papers(id: number): Promise<[FromWorker]> {

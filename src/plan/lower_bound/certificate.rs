@@ -13,7 +13,7 @@ use super::pairs::{Pairs, box_seconds};
 use super::prices::Prices;
 use crate::problem::{self, Problem};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Lowers least seconds between pieces, as a share of the seconds across everything: 2^-36. They come from about twenty
 /// operations, each of which is off by at most 2^-53 of that.
@@ -31,18 +31,33 @@ pub struct SharedLegs {
     pub shares: [Vec<i64>; 2],
 }
 
-/// Items that every tour enters and leaves.
+/// Places that a tour enters and leaves if it stops at one of them: whole items, and some knots of others.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PricedCut {
-    /// Some items but not home, in ascending order.
+    /// The items it holds whole, without home, in ascending order.
     pub members: Vec<usize>,
-    /// What each leg between them and the others pays, in units; not negative.
+    /// The items of which it holds some knots, in ascending order.
+    pub parts: Vec<Part>,
+    /// The item of `parts` that pays twice the price where a tour stops at one of its knots here. Without one, every tour pays
+    /// it, because it stops at a member.
+    pub visited: Option<usize>,
+    /// What each leg into it or out of it pays, in units; not negative.
     pub price: i64,
 }
 
+/// Some knots of an item.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Part {
+    /// The item.
+    pub item: usize,
+    /// Its knots in the cut, in ascending order; of the two ends of an open contour both or none.
+    pub knots: Vec<usize>,
+}
+
 /// Numbers that prove a bound of travel.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Certificate {
     /// The unit is 2 to this power, in seconds (or in the unit of the table of costs).
@@ -113,10 +128,9 @@ pub(super) fn units(seconds: f64, power: i32) -> i64 {
 }
 
 impl Certificate {
-    /// The bound, s.
+    /// The bound of travel, s.
     pub fn seconds(&self) -> f64 {
-        // A bound in f64 is rounded to the nearest; one unit less is below it.
-        libm::ldexp((self.bound - 1) as f64, self.unit)
+        self.below(self.bound.into())
     }
 
     /// Adds the numbers up again, in whole numbers, and returns the bound of travel of every tour of the problem, s.
@@ -124,15 +138,31 @@ impl Certificate {
     /// # Errors
     /// What does not fit, or which bound the numbers prove instead.
     pub fn check(&self, problem: &Problem) -> Result<f64, CertificateFault> {
-        let proven = self.proven(problem)?;
+        let proven = self.adds_up_to(problem)?;
         if proven != i128::from(self.bound) {
             return Err(CertificateFault::Bound { stated: self.bound, proven });
         }
         Ok(self.seconds())
     }
 
+    /// A proven travel in units, and the seconds that every plan pays besides: their sum, s, rounded down.
+    pub fn with_paid(&self, proven: i128, paid: impl Iterator<Item = f64>) -> f64 {
+        #[expect(clippy::cast_possible_truncation, reason = "whole")]
+        let whole = |seconds: f64| libm::ldexp(seconds, -self.unit).floor() as i128;
+        self.below(proven + paid.map(whole).sum::<i128>())
+    }
+
+    /// Seconds below this many units.
+    fn below(&self, whole: i128) -> f64 {
+        // Rounded to the nearest; one unit less is below it.
+        libm::ldexp((whole - 1) as f64, self.unit)
+    }
+
     /// The bound that the numbers prove, in units.
-    pub(super) fn proven(&self, problem: &Problem) -> Result<i128, CertificateFault> {
+    ///
+    /// # Errors
+    /// What does not fit the problem.
+    pub fn adds_up_to(&self, problem: &Problem) -> Result<i128, CertificateFault> {
         if !applies(problem) {
             return Err(CertificateFault::Problem);
         }
@@ -149,15 +179,8 @@ impl Certificate {
         if power != self.unit {
             return Err(CertificateFault::Shape("units"));
         }
-        let crossed = self.crossed(items.len(), first)?;
-        let price = |a: usize, b: usize| -> i128 {
-            // Cuts that hold one of the two; those that hold both are in both lists.
-            let only = |x: &BTreeSet<usize>, y: &BTreeSet<usize>| -> i128 {
-                x.difference(y).map(|&c| i128::from(self.cuts[c].price)).sum()
-            };
-            only(&crossed[a], &crossed[b]) + only(&crossed[b], &crossed[a])
-        };
-        let mut sum: i128 = 2 * self.cuts.iter().map(|c| i128::from(c.price)).sum::<i128>();
+        let cuts = Cuts::read(&self.cuts, &items, first).ok_or(CertificateFault::Shape("cuts"))?;
+        let mut sum: i128 = cuts.back;
         // A leg is paid by both its items and by the cuts. Where that is more than it costs, it is used once at most.
         let mut listed = BTreeSet::new();
         let mut of: Vec<Vec<&[i64]>> = vec![Vec::new(); items.len()];
@@ -170,10 +193,10 @@ impl Certificate {
             let mut pairs = Pairs::new(items.len());
             pairs.add(&items, &prices, [a, b], true);
             let table = pairs.table(&pairs.list[0], items[a].knots * items[b].knots);
-            let crossing = price(a, b);
+            let crossing = cuts.between([a, b], [items[a].knots, items[b].knots]);
             let left = |(k, &seconds): (usize, &f64)| {
                 let (i, j) = (k / items[b].knots, k % items[b].knots);
-                let paid = i128::from(legs.shares[0][i]) + i128::from(legs.shares[1][j]) + crossing;
+                let paid = i128::from(legs.shares[0][i]) + i128::from(legs.shares[1][j]) + crossing[k];
                 i128::from(units(seconds - guard, power)) - paid
             };
             sum += table.iter().enumerate().map(left).fold(0, i128::min);
@@ -190,47 +213,135 @@ impl Certificate {
                 }
                 let (p, q) = (items[a].around, items[b].around);
                 let seconds = units(box_seconds(&prices, p.min, p.max, q.min, q.max) - guard, power);
-                let paid = i128::from(self.far[a]) + i128::from(self.far[b]);
-                if i128::from(seconds) < paid + crossing_most(&crossed, &self.cuts, [a, b]) {
-                    sum += (i128::from(seconds) - paid - price(a, b)).min(0);
+                let left = i128::from(seconds) - i128::from(self.far[a]) - i128::from(self.far[b]);
+                if left < cuts.touching[a] + cuts.touching[b] {
+                    sum += (left - cuts.most_between([a, b])).min(0);
                 }
             }
         }
         for (k, item) in items.iter().enumerate() {
-            let ends = usize::from(first == 2);
             let partners = if k < first { items.len() - first } else { items.len() - 1 };
             let far = (of[k].len() < partners).then_some(self.far[k]);
-            let one_leg = k < first && ends == 1;
-            sum += cheapest(&of[k], far, item, one_leg).ok_or(CertificateFault::Shape("shares"))?;
+            let one_leg = k < first && first == 2;
+            sum += cheapest(&of[k], far, &cuts.pay[k], item, one_leg)
+                .ok_or(CertificateFault::Shape("shares"))?;
         }
         Ok(sum)
     }
+}
 
-    /// For each item the cuts that hold it.
-    fn crossed(&self, count: usize, first: usize) -> Result<Vec<BTreeSet<usize>>, CertificateFault> {
-        let mut crossed = vec![BTreeSet::new(); count];
-        for (c, cut) in self.cuts.iter().enumerate() {
-            let ascending = cut.members.windows(2).all(|w| w[0] < w[1]);
-            let inside = cut.members.first().is_some_and(|&m| m >= first)
-                && cut.members.last().is_some_and(|&m| m < count);
-            if !ascending || !inside || cut.price < 0 {
-                return Err(CertificateFault::Shape("cuts"));
+/// The cuts as the check reads them.
+struct Cuts<'c> {
+    list: &'c [PricedCut],
+    /// For each item the cuts that hold some of it: which of its knots, or all.
+    of: Vec<BTreeMap<usize, Option<Vec<bool>>>>,
+    /// For each item the prices of the cuts that hold some of it.
+    touching: Vec<i128>,
+    /// For each knot of each item what a stop there pays.
+    pay: Vec<Vec<i128>>,
+    /// What is added because every tour pays it.
+    back: i128,
+}
+
+impl<'c> Cuts<'c> {
+    /// `None` if the cuts do not fit the items.
+    fn read(list: &'c [PricedCut], items: &[Item], first: usize) -> Option<Self> {
+        let mut cuts = Self {
+            list,
+            of: vec![BTreeMap::new(); items.len()],
+            touching: vec![0; items.len()],
+            pay: items.iter().map(|i| vec![0; i.knots]).collect(),
+            back: 0,
+        };
+        for (c, cut) in list.iter().enumerate() {
+            let price = i128::from(cut.price);
+            let inside = |item: usize| item >= first && item < items.len();
+            let ascending =
+                cut.members.is_sorted_by(|a, b| a < b) && cut.parts.is_sorted_by(|a, b| a.item < b.item);
+            if price < 0 || !ascending {
+                return None;
             }
-            for &m in &cut.members {
-                crossed[m].insert(c);
+            for &m in cut.members.iter().filter(|m| inside(**m)) {
+                cuts.of[m].insert(c, None);
+            }
+            for part in cut.parts.iter().filter(|p| inside(p.item)) {
+                let held = held(part, &items[part.item])?;
+                if cut.visited == Some(part.item) {
+                    cuts.pay[part.item]
+                        .iter_mut()
+                        .zip(&held)
+                        .filter(|p| *p.1)
+                        .for_each(|p| *p.0 += 2 * price);
+                }
+                cuts.of[part.item].insert(c, Some(held));
+            }
+            let touched = cuts.of.iter_mut().zip(&mut cuts.touching).filter(|(of, _)| of.contains_key(&c));
+            let known = touched.map(|(_, touching)| *touching += price).count();
+            // An item that is not there, or in both lists, is missing.
+            let named = cut.visited.is_none_or(|v| cut.parts.iter().any(|p| p.item == v));
+            if known != cut.members.len() + cut.parts.len() || !named {
+                return None;
+            }
+            if cut.visited.is_none() {
+                if cut.members.is_empty() {
+                    return None;
+                }
+                cuts.back += 2 * price;
             }
         }
-        Ok(crossed)
+        Some(cuts)
+    }
+
+    /// For each leg between two items, row by row, the prices of the cuts it crosses.
+    fn between(&self, [a, b]: [usize; 2], [n, m]: [usize; 2]) -> Vec<i128> {
+        let mut crossing = vec![0; n * m];
+        let mut add = |c: usize| {
+            let [x, y] = [a, b].map(|k| self.of[k].get(&c));
+            if matches!((x, y), (Some(None), Some(None))) {
+                return;
+            }
+            let holds = |held: Option<&Option<Vec<bool>>>, knot: usize| {
+                held.is_some_and(|knots| knots.as_ref().is_none_or(|knots| knots[knot]))
+            };
+            for (k, paid) in crossing.iter_mut().enumerate() {
+                if holds(x, k / m) != holds(y, k % m) {
+                    *paid += i128::from(self.list[c].price);
+                }
+            }
+        };
+        self.of[a].keys().for_each(|&c| add(c));
+        self.of[b].keys().filter(|c| !self.of[a].contains_key(c)).for_each(|&c| add(c));
+        crossing
+    }
+
+    /// At least what any leg between two items pays to the cuts.
+    fn most_between(&self, [a, b]: [usize; 2]) -> i128 {
+        let price = |c: &usize| i128::from(self.list[*c].price);
+        let crossed = |(c, held): (&usize, &Option<Vec<bool>>)| match self.of[b].get(c) {
+            Some(None) if held.is_none() => 0,
+            _ => price(c),
+        };
+        let of_a: i128 = self.of[a].iter().map(crossed).sum();
+        of_a + self.of[b].keys().filter(|c| !self.of[a].contains_key(c)).map(price).sum::<i128>()
     }
 }
 
-/// At least the price of the cuts between two items: that of all cuts that hold one of them or both.
-fn crossing_most(crossed: &[BTreeSet<usize>], cuts: &[PricedCut], ends: [usize; 2]) -> i128 {
-    ends.iter().flat_map(|&k| &crossed[k]).map(|&c| i128::from(cuts[c].price)).sum()
+/// Which knots of its item a part holds; `None` if they do not fit it.
+fn held(part: &Part, item: &Item) -> Option<Vec<bool>> {
+    let mut held = vec![false; item.knots];
+    for &knot in &part.knots {
+        let before = std::mem::replace(held.get_mut(knot)?, true);
+        if before {
+            return None;
+        }
+    }
+    let whole_pairs = !item.paired || held.chunks_exact(2).all(|ends| ends[0] == ends[1]);
+    whole_pairs.then_some(held)
 }
 
 /// The least that an item pays for its legs: two to different items, from one knot or from the two ends of a pair of knots.
-fn cheapest(shares: &[&[i64]], far: Option<i64>, item: &Item, one_leg: bool) -> Option<i128> {
+/// `pay`: what a stop at each knot pays besides.
+fn cheapest(shares: &[&[i64]], far: Option<i64>, pay: &[i128], item: &Item, one_leg: bool) -> Option<i128> {
     // The two cheapest legs of a knot, and to whom the first goes. Far legs may go to two different items.
     let two = |knot: usize| {
         let mut best: [(i64, usize); 2] = [(i64::MAX, usize::MAX); 2];
@@ -255,15 +366,13 @@ fn cheapest(shares: &[&[i64]], far: Option<i64>, item: &Item, one_leg: bool) -> 
     if !item.paired {
         return least(knots.map(|k| {
             let [a, b] = two(k);
-            sum(a, b)
+            Some(sum(a, b)? + pay[k])
         }));
     }
     least(knots.step_by(2).map(|k| {
         let (a, b) = (two(k), two(k + 1));
-        if a[0].1 != b[0].1 {
-            return sum(a[0], b[0]);
-        }
-        Some(sum(a[0], b[1])?.min(sum(a[1], b[0])?))
+        let legs = if a[0].1 == b[0].1 { sum(a[0], b[1])?.min(sum(a[1], b[0])?) } else { sum(a[0], b[0])? };
+        Some(legs + pay[k])
     }))
 }
 

@@ -69,7 +69,7 @@ mod walks;
 
 use crate::problem::{Item, Problem};
 #[cfg(feature = "research")]
-pub use certificate::{Certificate, CertificateFault, PricedCut, SharedLegs};
+pub use certificate::{Certificate, CertificateFault, Part, PricedCut, SharedLegs};
 use cheap::Cheap;
 use rounds::Strong;
 #[cfg(feature = "research")]

@@ -17,9 +17,17 @@ const SETTLE = 350;
  */
 const WORKERS = Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4);
 
+/**
+ * With more contours the bound beside the search is weak. From the tenth second on a worker of its own works on a stronger one; the file for
+ * it is not part of a first visit.
+ */
+const PROVE = { contours: 220, after: 10 };
+
 export class Planning {
   private readonly latest = new Latest();
   private run: PlanHandle | null = null;
+  /** The work on a stronger bound beside the search. */
+  private prover: { stop(): void } | null = null;
   private timer = 0;
   /** The plan that the current search goes on from. */
   private before: KeptPlan | null = null;
@@ -73,6 +81,7 @@ export class Planning {
     clearTimeout(this.timer);
     this.run?.stop();
     this.run = null;
+    this.stopProof();
     return this.latest.begin();
   }
 
@@ -84,6 +93,7 @@ export class Planning {
   pause(): void {
     if (this.store.state.phase !== 'planning') return;
     this.run?.pause();
+    this.stopProof();
     this.store.planningPaused();
   }
 
@@ -107,8 +117,25 @@ export class Planning {
   /** Takes over what a search reports, together with the search before it. */
   private reporter(isLatest: () => boolean): (progress: Progress) => void {
     return (progress) => {
-      if (isLatest()) this.store.planProgressed(addedTo(this.before, progress));
+      if (!isLatest()) return;
+      this.store.planProgressed(addedTo(this.before, progress));
+      if (progress.summary.contours > PROVE.contours && progress.seconds > PROVE.after) this.prove();
     };
+  }
+
+  /** Higher bounds come with the progress of the plan. */
+  private prove(): void {
+    const { planner } = this.catalog;
+    if (this.prover !== null || this.run === null || planner === null) return;
+    const prover = planner.prove();
+    this.prover = prover;
+    // Without it, the plan keeps the bound of its search.
+    prover.done.catch(() => {});
+  }
+
+  private stopProof(): void {
+    this.prover?.stop();
+    this.prover = null;
   }
 
   /** `ended`: why the search of the plan had ended before it was kept. */
@@ -122,6 +149,7 @@ export class Planning {
       ({ reason, progress }) => {
         if (!isLatest()) return;
         this.run = null;
+        this.stopProof();
         this.store.planProgressed(addedTo(this.before, progress));
         this.store.planFinished(ended ?? reason);
       },

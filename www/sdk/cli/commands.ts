@@ -83,6 +83,11 @@ const PLANNING: Options = {
   'no-return': { about: 'stay at the end of the last cut instead of returning home' },
 };
 
+const PROVING: Options = {
+  bound: { value: 'S', about: 'seconds of work on the lower bound in a thread of its own, beside the search: stronger than its own from about 100 contours on' },
+  'bound-work': { value: 'N', about: 'million numbers of the same work, which prove the same everywhere' },
+};
+
 const LEADS: Options = {
   lead: { value: 'KIND', about: "the lead-in of every closed cut, instead of the machine's leads", choices: LEAD_KINDS },
   'lead-out': { value: 'KIND', about: 'the lead-out (default none)', choices: LEAD_KINDS },
@@ -144,10 +149,12 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
         png: { value: 'OUT', about: 'a picture in pixels' },
         lbrn2: { value: 'OUT', about: 'a LightBurn project' },
         rd: { value: 'OUT', about: 'a file for Ruida controllers (experimental)' },
+        certificate: { value: 'OUT', about: 'the certificate of the lower bound, for kerfway verify' },
       },
       'The sheet': { material: { value: 'NAME', about: "a setting of the machine's library of materials" } },
       'Where on the bed': PLACING,
       'How to plan': PLANNING,
+      'How to prove': PROVING,
       'Leads': LEADS,
       'Micro-joints': JOINTS,
       'Levers': LEVERS,
@@ -301,6 +308,23 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       },
     },
     examples: [['kerfway solve 107ali535.gtsp --seconds 10', 'the best tour found in ten seconds']],
+  },
+  verify: {
+    about: 'check the certificate of a lower bound',
+    words: 'CERTIFICATE [DRAWING]',
+    text:
+      'Verifies what kerfway plan --certificate has written: makes the problem again from the drawing and the machine, adds the numbers of the ' +
+      'certificate up in whole numbers, without a search, and says how many seconds no plan can be under. Without a drawing, it is the file of ' +
+      "the certificate's own name beside it. The exit code is 0 only if the certificate proves what it states.",
+    options: {
+      'The machine': { machine: { value: 'NAME|FILE', about: 'refuse a certificate for any other machine', choices: 'machines' } },
+      Output: { json: { value: 'OUT', about: 'seconds, paid, drawing, machine' } },
+      Messages: MESSAGES,
+    },
+    examples: [
+      ['kerfway plan plate.dxf --certificate plate.certificate.json', 'a plan, and the certificate of its lower bound'],
+      ['kerfway verify plate.certificate.json plate.dxf', 'the proof, checked on another computer'],
+    ],
   },
   completion: {
     about: 'write a script for shell completion',

@@ -4,7 +4,7 @@ import { KerfwayError } from '../errors.js';
 import { PROVEN } from '../gap.js';
 import { jobReport } from '../job-report.js';
 import type { Planner, PlanResult } from '../node.js';
-import type { Loaded, MachineProfile, OutputKind, PlanOptions } from '../protocol.js';
+import type { Loaded, MachineProfile, OutputKind, PlanOptions, Proof } from '../protocol.js';
 import { parsed } from './arguments.js';
 import { outputsOf, type Written } from './destinations.js';
 import { nameOf, usable } from './io.js';
@@ -13,14 +13,18 @@ import { planFiles } from './planning.js';
 import type { Column } from './report.js';
 import { duration, percent, meters, plural, unitOf } from './words.js';
 
-const OUTPUTS: readonly (OutputKind | 'report')[] = ['json', 'gcode', 'svg', 'dxf', 'png', 'lbrn2', 'rd', 'report'];
+const OUTPUTS: readonly (OutputKind | 'report' | 'certificate')[] = ['json', 'gcode', 'svg', 'dxf', 'png', 'lbrn2', 'rd', 'report', 'certificate'];
 
 export async function plan(args: string[]): Promise<void> {
   const given = parsed('plan', args);
   const outputs = outputsOf(given, OUTPUTS);
-  await planFiles(given, { outputs, columns: COLUMNS }, async ({ file, place, planner, loaded, result, options }, to) => {
+  await planFiles(given, { outputs, columns: COLUMNS }, async ({ file, place, planner, loaded, result, proof, options }, to) => {
     const written: Written[] = [];
-    for (const output of outputs) written.push({ output, data: await usable(file, output.kind === 'report' ? reported(planner, loaded, result) : planner.output(output.kind)) });
+    for (const output of outputs) {
+      const { kind } = output;
+      const data = kind === 'report' ? reported(planner, loaded, result) : kind === 'certificate' ? certified(proof) : planner.output(kind);
+      written.push({ output, data: await usable(file, data) });
+    }
     // The controller of some machines takes another file than G-code.
     const takes = (options.machine as MachineProfile | undefined)?.takes ?? 'gcode';
     if (takes !== 'gcode' && outputs.some((o) => o.kind === 'gcode')) complain(`The controller of ${(options.machine as MachineProfile).name} takes ${takes.toUpperCase()} (--${takes}), not G-code.`);
@@ -32,6 +36,12 @@ export async function plan(args: string[]): Promise<void> {
 async function reported(planner: Planner, loaded: Loaded, { progress: { summary, path }, baselines, findings }: PlanResult): Promise<string> {
   if (path === null) throw new KerfwayError('planner-died', 'The plan ended before it had a path.');
   return jobReport({ loaded, summary, baselines, path, findings, quote: await planner.quote(), svg: await planner.output('svg') });
+}
+
+/** The certificate of the bound. */
+async function certified(proof: Proof | null): Promise<string> {
+  if (proof?.certificate) return `${proof.certificate}\n`;
+  throw new KerfwayError('unwritable', `There is no certificate: ${proof?.hindrance ?? 'nothing was proven in this time. Give it longer by --bound.'}`);
 }
 
 const COLUMNS: readonly Column[] = [

@@ -2,17 +2,22 @@
 
 import { doubtAbout, hasProgram } from '../doubt.js';
 import { budgeted, type DefaultBudget } from '../functions.js';
-import { checkOptions, given } from '../options.js';
+import { checkOptions, DEFAULT_SECONDS, given } from '../options.js';
+import { bounded } from '../bound.js';
 import type { SavedPlan } from '../project.js';
 import { createPlanner, type Planner, type PlanResult } from '../node.js';
-import type { Loaded, MachineProfile, PlanOptions } from '../protocol.js';
-import { loadOptions, oneOf, parameters, placingOptions, seconds, text, whole, type Words } from './arguments.js';
+import type { Loaded, MachineProfile, PlanOptions, Proof, ProofBudget } from '../protocol.js';
+import type { ProofHandle } from '../prover.js';
+import { loadOptions, number, oneOf, parameters, placingOptions, seconds, text, whole, type Words } from './arguments.js';
 import { checked, machineFiles, machineOf } from './machine.js';
 import { eachFile, type Requested, type Outlet, type Place } from './batch.js';
 import { nameOf, Unusable, usable, WrongUse } from './io.js';
 import { opened } from './opened.js';
 import { progressLine } from './progress.js';
 import { complain } from './safe-text.js';
+
+/** Moves of a search that take about as long as a million numbers of a proof. */
+const MOVES_PER_WORK = 10_000;
 
 /** A planned drawing. */
 export interface PlannedFile {
@@ -21,6 +26,8 @@ export interface PlannedFile {
   planner: Planner;
   loaded: Loaded;
   result: PlanResult;
+  /** What was proven of the lower bound, if that was asked for. */
+  proof: Proof | null;
   options: PlanOptions;
 }
 
@@ -31,6 +38,7 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
   const [moves, workers, seed] = ['moves', 'workers', 'seed'].map((name) => whole(values, name));
   const budget = given({ seconds: seconds(values), moves, workers, seed });
   checked(() => checkOptions(budget, 'planning'), WrongUse, '');
+  const proving = proofBudget(words, requested.outputs, budget);
   const planner = await createPlanner();
   try {
     // A quote has a budget of its own. It may name a material that the machine has no setting for, which a program may not.
@@ -51,8 +59,8 @@ export async function planFiles(words: Words, requested: Requested & { defaultBu
       // A quote starts without the plan of the project, because others must be able to make it from the drawing alone.
       const plan = isAsSaved && !isQuote ? project.plan : null;
       const search = budgeted({ ...chosen, ...continuing(plan, budget) }, loaded, requested.defaultBudget);
-      const result = await usable(file, searched(planner, search, file, place, values['quiet'] === true));
-      await write({ file, place, planner, loaded, result, options: search }, to);
+      const { result, proof } = await usable(file, searched(planner, search, proving, file, place, values['quiet'] === true));
+      await write({ file, place, planner, loaded, result, proof, options: search }, to);
     });
   } finally {
     planner.close();
@@ -95,16 +103,39 @@ async function choices({ values }: Words, planner: Planner, requires: boolean, p
   return { ...options, ...placingOptions(values, machine) };
 }
 
-async function searched(planner: Planner, options: PlanOptions, file: string, place: Place, quiet: boolean): Promise<PlanResult> {
+/** How long the lower bound is worked on; `null`: only as the search itself does. */
+function proofBudget({ values }: Words, outputs: Requested['outputs'], search: PlanOptions): ProofBudget | null {
+  const seconds = number(values, 'bound');
+  const work = whole(values, 'bound-work');
+  if (seconds === undefined && work === undefined) {
+    if (!outputs.some(({ kind }) => kind === 'certificate')) return null;
+    // A search whose result is the same everywhere has a proof that is.
+    return search.moves !== undefined && search.seconds === undefined ? { work: Math.max(1, Math.round(search.moves / MOVES_PER_WORK)) } : { seconds: search.seconds ?? DEFAULT_SECONDS };
+  }
+  const budget = given({ seconds, work });
+  checked(() => checkOptions(budget, 'prove'), WrongUse, '');
+  return budget;
+}
+
+async function searched(planner: Planner, options: PlanOptions, proving: ProofBudget | null, file: string, place: Place, quiet: boolean): Promise<{ result: PlanResult; proof: Proof | null }> {
   const show = process.stderr.isTTY && !quiet;
   const plan = planner.plan(options, (progress) => {
     if (show) process.stderr.write(`\r\x1b[K${progressLine(progress, options, nameOf(file), place)}`);
   });
   // The first Ctrl+C ends the search and keeps its result; the second ends the program.
-  const stop = () => plan.stop();
+  let prover: ProofHandle | null = null;
+  const stop = () => {
+    plan.stop();
+    prover?.stop();
+  };
   process.once('SIGINT', stop);
   try {
-    return await plan.done;
+    // Errors of the plan come first: what cannot be planned cannot be proven either.
+    await plan.started;
+    prover = proving === null ? null : planner.prove(proving);
+    const [result, proof] = await Promise.all([plan.done, prover?.done ?? null]);
+    const summary = bounded(result.progress.summary, proof?.seconds ?? 0);
+    return { result: { ...result, progress: { ...result.progress, summary } }, proof };
   } finally {
     process.removeListener('SIGINT', stop);
     if (show) process.stderr.write('\r\x1b[K');

@@ -839,6 +839,18 @@ export interface Slice {
   bound: number,
 }
 
+/** What a certificate file proves. */
+export interface Verified {
+  /** No plan takes less, s. */
+  seconds: number,
+  /** Of these, what every plan pays for piercing, cutting and marking, s. */
+  paid: number,
+  /** Name of the drawing's file when the certificate was written. */
+  drawing: string,
+  /** Name of the machine. */
+  machine: string,
+}
+
 /** A method, for lists and citations. */
 export interface MethodInfo {
   /** Name on the command line. */

@@ -1,9 +1,9 @@
 //! The value of the shares as they are, with the real minima; and the certificate of it.
 
-use super::super::certificate::{Certificate, PricedCut, SharedLegs, unit, units};
+use super::super::certificate::{Certificate, Part, PricedCut, SharedLegs, unit, units};
 use super::super::pairs::box_seconds;
 use super::cut::Cut;
-use super::soft::cheapest_two;
+use super::soft::{Two, cheapest_two};
 use super::{Kind, ShareBound};
 
 impl ShareBound {
@@ -21,23 +21,60 @@ impl ShareBound {
         self.offered.resize(self.shares.len(), 0.0);
     }
 
+    /// What each leg costs less the prices of the cuts that it crosses, table by table.
+    pub(super) fn adjust(&mut self) {
+        let mut of: Vec<Vec<usize>> = vec![Vec::new(); self.items.len()];
+        for (c, cut) in self.cuts.iter().enumerate().filter(|c| c.1.price > 0.0) {
+            cut.held.iter().for_each(|h| of[h.0].push(c));
+        }
+        self.cost.clear();
+        self.cost_at.clear();
+        let mut price = Vec::new();
+        for pair in &self.pairs.list {
+            let [n, m] = pair.items.map(|k| self.items[k].knots);
+            let start = self.cost.len();
+            self.cost_at.push(start);
+            self.cost.extend_from_slice(self.pairs.table(pair, n * m));
+            let [a, b] = pair.items;
+            let later = of[b].iter().filter(|c| of[a].binary_search(c).is_err());
+            for &c in of[a].iter().chain(later) {
+                let cut = &self.cuts[c];
+                if !cut.may_cross(pair.items) {
+                    continue;
+                }
+                let [x, y] = pair.items.map(|k| cut.of(k));
+                // The price of a leg from outside, and from inside.
+                price.clear();
+                price.extend((0..m).map(|j| if y.holds(j) { cut.price } else { 0.0 }));
+                for (i, row) in self.cost[start..].chunks_exact_mut(m).enumerate() {
+                    if x.holds(i) {
+                        row.iter_mut().zip(&price).for_each(|(s, p)| *s -= cut.price - p);
+                    } else {
+                        row.iter_mut().zip(&price).for_each(|(s, p)| *s -= p);
+                    }
+                }
+            }
+        }
+    }
+
     /// The value of the current shares, up to rounding. Legs between items without shares that would be used get shares.
     pub(super) fn look(&mut self) -> f64 {
-        self.price_crossings();
+        self.price_stops();
+        self.adjust();
         let shares = self.fitted();
-        let far = self.far(&shares);
-        let stars: f64 = (0..self.items.len()).map(|k| self.least(&shares, k).0).sum();
-        let cuts: f64 = self.cuts.iter().map(|c| c.price).sum();
+        let least: Vec<(f64, f64)> = (0..self.items.len()).map(|k| self.least(&shares, k)).collect();
+        let far = far(&least);
+        let stars: f64 = least.iter().map(|l| l.0).sum();
+        let cuts: f64 = self.cuts.iter().filter(|c| c.visited.is_none()).map(|c| c.price).sum();
         let missing = self.missing(&far);
         let lost: f64 = missing.iter().map(|m| m.1).sum();
         for (ends, _) in &missing {
             self.pairs.add(&self.items, &self.prices, *ends, true);
-            let e = self.pairs.list.len() - 1;
-            self.share_evenly(e);
+            self.share_evenly(self.pairs.list.len() - 1);
             self.usage.push(0.0);
-            self.crossing.push(0.0);
-            self.active.push(Vec::new());
-            self.cuts.iter_mut().filter(|c| c.crosses(*ends)).for_each(|c| c.pairs.push(e));
+        }
+        if !missing.is_empty() {
+            self.adjust();
         }
         stars + 2.0 * cuts - lost
     }
@@ -47,48 +84,48 @@ impl ShareBound {
         let mut shares = self.shares.clone();
         for (e, pair) in self.pairs.list.iter().enumerate() {
             let [n, m] = pair.items.map(|k| self.items[k].knots);
-            let table = self.pairs.table(pair, n * m);
+            let cost = &self.cost[self.cost_at[e]..self.cost_at[e] + n * m];
             let [a, b] = self.at[e];
-            for (i, row) in table.chunks_exact(m).enumerate() {
-                let least = row.iter().zip(&shares[b..]).map(|(t, s)| t - s).fold(f64::INFINITY, f64::min);
-                shares[a + i] += 0.5 * (least - self.crossing[e] - shares[a + i]);
+            let (of_a, of_b) = shares[a..a + n + m].split_at_mut(b - a);
+            let mut left = vec![f64::INFINITY; m];
+            for (row, share) in cost.chunks_exact(m).zip(of_a) {
+                let least = row.iter().zip(&*of_b).map(|(t, s)| t - s).fold(f64::INFINITY, f64::min);
+                *share += 0.5 * (least - *share);
+                for (left, t) in left.iter_mut().zip(row) {
+                    *left = left.min(t - *share);
+                }
             }
-            for j in 0..m {
-                let left = |i: usize| table[i * m + j] - shares[a + i];
-                shares[b + j] = (0..n).map(left).fold(f64::INFINITY, f64::min) - self.crossing[e];
-            }
+            of_b.copy_from_slice(&left);
         }
         shares
     }
 
-    /// The least that an item pays, and its cheapest share.
+    /// The least that an item pays, and its cheapest single leg with what the stop pays.
     fn least(&self, shares: &[f64], k: usize) -> (f64, f64) {
-        let legs: Vec<usize> = self.pairs.of[k].iter().map(|&(e, side)| self.at[e][side]).collect();
-        let two: Vec<[(f64, usize); 2]> =
-            (0..self.items[k].knots).map(|v| cheapest_two(shares, &legs, v)).collect();
-        let cheapest = two.iter().map(|t| t[0].0).fold(f64::INFINITY, f64::min);
-        let of_ends = |ends: &[[(f64, usize); 2]]| {
+        let legs = self.legs_of(k);
+        let (n, base) = (self.items[k].knots, self.base[k]);
+        let two = cheapest_two(shares, &legs, n);
+        let pay = &self.pay[base..base + n];
+        let cheapest = two.iter().zip(pay).map(|(t, p)| t[0].0 + p).fold(f64::INFINITY, f64::min);
+        let of_ends = |(ends, pay): (&[Two], &[f64])| {
             let [a, b] = [ends[0], ends[1]];
-            if a[0].1 == b[0].1 { (a[0].0 + b[1].0).min(a[1].0 + b[0].0) } else { a[0].0 + b[0].0 }
+            let legs =
+                if a[0].1 == b[0].1 { (a[0].0 + b[1].0).min(a[1].0 + b[0].0) } else { a[0].0 + b[0].0 };
+            legs + pay[0]
         };
         let sum = match self.kinds[k] {
             Kind::End => cheapest,
-            Kind::Closed => two.iter().map(|t| t[0].0 + t[1].0).fold(f64::INFINITY, f64::min),
-            Kind::Paired => two.chunks_exact(2).map(of_ends).fold(f64::INFINITY, f64::min),
+            Kind::Closed => {
+                two.iter().zip(pay).map(|(t, p)| t[0].0 + t[1].0 + p).fold(f64::INFINITY, f64::min)
+            }
+            Kind::Paired => {
+                two.chunks_exact(2).zip(pay.chunks_exact(2)).map(of_ends).fold(f64::INFINITY, f64::min)
+            }
         };
         (sum, cheapest)
     }
 
-    /// What each item can pay for legs without shares at least, so that none of them is among its cheapest two.
-    fn far(&self, shares: &[f64]) -> Vec<f64> {
-        let enough = |k: usize| {
-            let (sum, cheapest) = self.least(shares, k);
-            (sum - cheapest).max(0.5 * sum)
-        };
-        (0..self.items.len()).map(enough).collect()
-    }
-
-    /// Pairs without shares whose legs take less than is paid for them, and by how much.
+    /// Pairs without shares whose legs take less than is paid for them, and by how much at most.
     fn missing(&self, far: &[f64]) -> Vec<([usize; 2], f64)> {
         let count = self.items.len();
         let mut missing = Vec::new();
@@ -97,7 +134,7 @@ impl ShareBound {
         }
         let mut most = far.to_vec();
         for cut in &self.cuts {
-            cut.members.iter().for_each(|&k| most[k] += cut.price);
+            cut.held.iter().for_each(|h| most[h.0] += cut.price);
         }
         let mut known = vec![usize::MAX; count];
         for a in self.first..count {
@@ -109,7 +146,12 @@ impl ShareBound {
                 let q = self.items[b].around;
                 let seconds = box_seconds(&self.prices, p.min, p.max, q.min, q.max);
                 if seconds < most[a] + most[b] {
-                    let crossing: f64 = self.cuts.iter().filter(|c| c.crosses([a, b])).map(|c| c.price).sum();
+                    let crossing: f64 = self
+                        .cuts
+                        .iter()
+                        .filter(|c| c.price > 0.0 && c.may_cross([a, b]))
+                        .map(|c| c.price)
+                        .sum();
                     let lost = far[a] + far[b] + crossing - seconds;
                     if lost > 0.0 {
                         missing.push(([a, b], lost));
@@ -121,10 +163,10 @@ impl ShareBound {
     }
 
     /// The certificate of the current shares; `None` if its numbers do not fit each other, which a fault of this program
-    /// would be.
+    /// would be. The tables must have been adjusted.
     pub(super) fn written(&self) -> Option<Certificate> {
         let shares = self.fitted();
-        let far = self.far(&shares);
+        let least: Vec<(f64, f64)> = (0..self.items.len()).map(|k| self.least(&shares, k)).collect();
         let (power, _) = unit(&self.items, &self.prices, &self.problem);
         let whole = |values: &[f64]| values.iter().map(|&s| units(s, power)).collect::<Vec<i64>>();
         let legs = self.pairs.list.iter().zip(&self.at).map(|(pair, at)| SharedLegs {
@@ -133,16 +175,33 @@ impl ShareBound {
                 .map(|side| whole(&shares[at[side]..at[side] + self.items[pair.items[side]].knots])),
         });
         let cuts = self.cuts.iter().filter(|c| c.price > 0.0);
-        let priced = |c: &Cut| PricedCut { members: c.members.clone(), price: units(c.price, power) };
         let mut certificate = Certificate {
             unit: power,
             knots: self.items.iter().map(|i| i.along.clone()).collect(),
             legs: legs.collect(),
-            far: whole(&far),
-            cuts: cuts.map(priced).collect(),
+            far: whole(&far(&least)),
+            cuts: cuts.map(|c| priced(c, units(c.price, power))).collect(),
             bound: 0,
         };
-        certificate.bound = i64::try_from(certificate.proven(&self.problem).ok()?).ok()?;
+        certificate.bound = i64::try_from(certificate.adds_up_to(&self.problem).ok()?).ok()?;
         Some(certificate)
+    }
+}
+
+/// What each item can pay for legs without shares at least, so that none of them is among its cheapest two.
+fn far(least: &[(f64, f64)]) -> Vec<f64> {
+    least.iter().map(|&(sum, cheapest)| (sum - cheapest).max(0.5 * sum)).collect()
+}
+
+fn priced(cut: &Cut, price: i64) -> PricedCut {
+    let part = |(item, held): &(usize, Option<Vec<bool>>)| {
+        let held = held.as_ref()?;
+        Some(Part { item: *item, knots: held.iter().enumerate().filter(|v| *v.1).map(|v| v.0).collect() })
+    };
+    PricedCut {
+        members: cut.held.iter().filter(|h| h.1.is_none()).map(|h| h.0).collect(),
+        parts: cut.held.iter().filter_map(part).collect(),
+        visited: cut.visited,
+        price,
     }
 }

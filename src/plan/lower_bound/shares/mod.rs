@@ -31,6 +31,7 @@
 mod cut;
 mod cuts;
 mod exact;
+mod powers;
 mod refine;
 mod soft;
 
@@ -39,7 +40,7 @@ use super::net::{Item, homes, items};
 use super::pairs::{Pairs, Scan};
 use super::prices::Prices;
 use crate::problem::Problem;
-use cut::Cut;
+use cut::{Cut, Leg};
 
 /// The temperatures of a round, as shares of an average leg: the first, the first of a later round, and the last. Hotter
 /// ones move far shares quickly; below the last one the smooth minimum is nearly the real one.
@@ -82,15 +83,25 @@ pub struct ShareBound {
     at: Vec<[usize; 2]>,
     shares: Vec<f64>,
     cuts: Vec<Cut>,
-    /// For each pair the sum of the prices of the cuts it crosses.
-    crossing: Vec<f64>,
+    /// Where the knots of each item start in the lists by knot.
+    base: Vec<usize>,
+    /// For each knot what a stop there pays for cuts, and how often the smooth solution stops there.
+    pay: Vec<f64>,
+    stay: Vec<f64>,
     /// For each pair how much the smooth solution uses it.
     usage: Vec<f64>,
+    /// The tables of all pairs less the prices of cuts, and where that of each pair starts.
+    cost: Vec<f64>,
+    cost_at: Vec<usize>,
     /// For each share how often its item wants the leg, and how often the leg wants to be used.
     wanted: Vec<f64>,
     offered: Vec<f64>,
-    /// For each pair the knots between which a leg is not much too expensive, with its seconds.
-    active: Vec<Vec<(usize, usize, f64)>>,
+    /// Legs that are not much too expensive, pair by pair, and where those of each pair start.
+    active: Vec<Leg>,
+    starts: Vec<usize>,
+    /// For each of them the prices of the cuts it crosses, and how much the smooth solution uses it.
+    credit: Vec<f64>,
+    uses: Vec<f64>,
     /// The average leg, s.
     mean: f64,
     temperature: f64,
@@ -129,7 +140,11 @@ impl ShareBound {
             items,
             first,
             prices,
-            crossing: vec![0.0; pairs.list.len()],
+            base: Vec::new(),
+            pay: Vec::new(),
+            stay: Vec::new(),
+            cost: Vec::new(),
+            cost_at: Vec::new(),
             usage: vec![0.0; pairs.list.len()],
             pairs,
             at: Vec::new(),
@@ -138,6 +153,9 @@ impl ShareBound {
             wanted: Vec::new(),
             offered: Vec::new(),
             active: Vec::new(),
+            starts: Vec::new(),
+            credit: Vec::new(),
+            uses: Vec::new(),
             mean: 1.0,
             temperature: 1.0,
             steps: 0,
@@ -148,6 +166,7 @@ impl ShareBound {
             proof: None,
             best: 0.0,
         };
+        bound.lay_out();
         for e in 0..bound.pairs.list.len() {
             bound.share_evenly(e);
         }
@@ -187,9 +206,8 @@ impl ShareBound {
             if self.steps == STEPS / 2 {
                 self.select();
             }
-            let active: usize = self.active.iter().map(Vec::len).sum();
-            // An exponential takes about as long as eight numbers.
-            return (8 * (active + self.shares.len())) as u64;
+            // An exponential takes about as long as four numbers.
+            return (4 * (self.active.len() + self.shares.len())) as u64;
         }
         self.steps = 0;
         self.looks += 1;
@@ -225,6 +243,18 @@ impl ShareBound {
         } else {
             self.done = true;
         }
+    }
+
+    /// Makes room for the numbers of all knots.
+    fn lay_out(&mut self) {
+        let mut knots = 0;
+        let start = |item: &Item| {
+            knots += item.knots;
+            knots - item.knots
+        };
+        self.base = self.items.iter().map(start).collect();
+        self.pay = vec![0.0; knots];
+        self.stay = vec![0.0; knots];
     }
 
     fn numbers(&self) -> usize {

@@ -4,7 +4,6 @@ use super::super::net::Item;
 use super::super::pairs::Pairs;
 use super::ShareBound;
 use crate::geometry::DVec2;
-use crate::geometry::math::exp;
 use crate::order::{real, sort_by};
 
 /// Share of all lost seconds at the knots beside which pieces are halved: the rest costs more time than it gains.
@@ -49,21 +48,15 @@ impl ShareBound {
             return lost;
         }
         for (e, pair) in self.pairs.list.iter().enumerate().filter(|(e, _)| self.usage[*e] >= USED) {
-            let ([a, b], [at_a, at_b]) = (pair.items, self.at[e]);
+            let [a, b] = pair.items;
             if a < self.first && a > 0 {
                 // The end of an open path, whose legs cost nothing.
                 continue;
             }
-            let left = |l: &(usize, usize, f64)| {
-                l.2 - self.crossing[e] - self.shares[at_a + l.0] - self.shares[at_b + l.1]
-            };
-            let low = self.active[e].iter().map(left).fold(f64::INFINITY, f64::min);
-            let weights: Vec<f64> =
-                self.active[e].iter().map(|l| exp((low - left(l)) / self.temperature)).collect();
-            let all: f64 = weights.iter().sum();
-            for (&(i, j, seconds), weight) in self.active[e].iter().zip(weights) {
+            for l in self.starts[e]..self.starts[e + 1] {
+                let [i, j] = [self.active[l].i, self.active[l].j].map(|v| v as usize);
                 let real = self.prices.minorant.air().seconds(places[a][i], places[b][j]);
-                let by = self.usage[e] * weight / all * (real - seconds).max(0.0);
+                let by = self.uses[l] * (real - self.active[l].seconds).max(0.0);
                 lost[a][i] += by;
                 lost[b][j] += by;
             }
@@ -90,6 +83,15 @@ impl ShareBound {
             around.push(finer.along.iter().map(beside).collect());
             *item = finer;
         }
+        for cut in &mut self.cuts {
+            for (k, held) in &mut cut.held {
+                // A new knot between one inside and one outside is outside.
+                if let Some(knots) = held {
+                    *knots = around[*k].iter().map(|[v, w]| knots[*v] && knots[*w]).collect();
+                }
+            }
+        }
+        self.lay_out();
         let mut pairs = Pairs::new(self.items.len());
         let mut shares = Vec::new();
         for (pair, at) in self.pairs.list.iter().zip(&mut self.at) {

@@ -1,0 +1,227 @@
+//! Proofs of the lower bound: certificate files (`kerfway.certificate/1`) and their verification.
+//!
+//! A certificate file names the drawing by its hash and holds everything that decides what a plan takes: how the drawing is
+//! read, the machine, the setting and the place on the bed. From these the problem is made again, and the numbers of the
+//! [`Certificate`] are added up again in whole numbers. How they were found does not matter, and no search is needed.
+
+use super::{Job, JobError, LoadOptions, MachineChoice, Place, PlanOptions};
+use crate::drawing::TextDecoder;
+use crate::machine::{Profile, Start};
+use crate::output::json_text;
+use crate::plan::{Certificate, ShareBound};
+use crate::problem::{Item, Problem};
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+/// The name and version of the format.
+pub const CERTIFICATE_SCHEMA: &str = "kerfway.certificate/1";
+
+/// A certificate file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    /// Name and version of the format: [`CERTIFICATE_SCHEMA`].
+    schema: String,
+    /// No plan takes less, s.
+    seconds: f64,
+    drawing: Drawing,
+    /// How the drawing is read.
+    reading: LoadOptions,
+    machine: Profile,
+    /// SHA-256 of the machine's JSON.
+    machine_sha256: String,
+    material: Option<String>,
+    place: Option<Place>,
+    start: Start,
+    /// The numbers that prove the least travel.
+    travel: Certificate,
+    /// SHA-256 of the file with this field empty, so that damage is noticed.
+    sha256: String,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Drawing {
+    name: String,
+    sha256: String,
+}
+
+/// Works on the bound of a job and writes its certificate.
+pub struct Proof {
+    file: File,
+    problem: Problem,
+    paid: f64,
+    bound: Option<ShareBound>,
+}
+
+impl Proof {
+    /// Reads a drawing and starts with a weak bound. The options of the search are ignored.
+    ///
+    /// # Errors
+    /// As for a plan of the drawing.
+    pub fn start(
+        bytes: Vec<u8>,
+        name: &str,
+        reading: LoadOptions,
+        options: &PlanOptions,
+    ) -> Result<Self, JobError> {
+        let PlanOptions { material, place, start, .. } = options.clone();
+        let machine = options.machine.profile()?;
+        let problem = problem(&bytes, name, &reading, &machine, (material.clone(), place, start))?;
+        let bound = ShareBound::new(&problem);
+        let file = File {
+            schema: CERTIFICATE_SCHEMA.to_owned(),
+            seconds: 0.0,
+            drawing: Drawing { name: name.to_owned(), sha256: hash(&bytes) },
+            reading,
+            machine_sha256: hash(json_text(&machine).as_bytes()),
+            machine,
+            material,
+            place,
+            start,
+            travel: Certificate::default(),
+            sha256: String::new(),
+        };
+        let paid = problem.items.iter().map(Item::least).sum();
+        Ok(Self { file, problem, paid, bound })
+    }
+
+    /// Why nothing can be proven in this way; `None` if it can.
+    pub fn hindrance(&self) -> Option<&'static str> {
+        self.bound.is_none().then_some(
+            "Certificates are not written for contours that may be left unfinished, for contours that are cut \
+             as one, and for fewer than two contours.",
+        )
+    }
+
+    /// Looks at about `work` more numbers. Returns whether more work may help.
+    pub fn improve(&mut self, work: u32) -> bool {
+        self.bound.as_mut().is_some_and(|bound| bound.improve(work))
+    }
+
+    /// No plan takes less, s. 0 if nothing can be proven in this way.
+    pub fn seconds(&self) -> f64 {
+        self.bound.as_ref().map_or(0.0, |bound| self.paid + bound.value())
+    }
+
+    /// The certificate file of the bound; `None` if nothing is proven yet.
+    pub fn certificate(&self) -> Option<String> {
+        let travel = self.bound.as_ref()?.certificate()?;
+        let seconds = whole_job(travel, travel.bound.into(), &self.problem);
+        let file = File { seconds, travel: travel.clone(), ..self.file.clone() };
+        Some(json_text(&File { sha256: file.seal(), ..file }))
+    }
+}
+
+impl File {
+    /// The seal that the file should have.
+    fn seal(&self) -> String {
+        hash(json_text(&Self { sha256: String::new(), ..self.clone() }).as_bytes())
+    }
+}
+
+/// What a certificate file proves.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Verified {
+    /// No plan takes less, s.
+    pub seconds: f64,
+    /// Of these, what every plan pays for piercing, cutting and marking, s.
+    pub paid: f64,
+    /// Name of the drawing's file when the certificate was written.
+    pub drawing: String,
+    /// Name of the machine.
+    pub machine: String,
+}
+
+/// Verifies a certificate file for a drawing. `machine`: the machine that it should be for; `None`: that of the file. `decoder`:
+/// as in [`LoadOptions`].
+///
+/// # Errors
+/// One sentence: why it proves nothing about this drawing and machine.
+pub fn verify(
+    text: &str,
+    drawing: &[u8],
+    machine: Option<&Profile>,
+    decoder: TextDecoder,
+) -> Result<Verified, String> {
+    let mut file = read(text)?;
+    file.reading.decoder = decoder;
+    if file.sha256 != file.seal() {
+        return Err("The certificate was changed after it was written: its own hash does not fit it.".into());
+    }
+    if hash(json_text(&file.machine).as_bytes()) != file.machine_sha256 {
+        return Err("The machine in the certificate is not the one that its hash names.".into());
+    }
+    if machine.is_some_and(|m| hash(json_text(m).as_bytes()) != file.machine_sha256) {
+        let (this, other) = (&file.machine.name, machine.map_or("", |m| m.name.as_str()));
+        return Err(if this == other {
+            format!("The certificate is for a machine {this} with other settings.")
+        } else {
+            format!("The certificate is for the machine {this}, not for {other}.")
+        });
+    }
+    if hash(drawing) != file.drawing.sha256 {
+        return Err(format!(
+            "The certificate is for another drawing: {} with the SHA-256 {}.",
+            file.drawing.name, file.drawing.sha256
+        ));
+    }
+    let settings = (file.material.clone(), file.place, file.start);
+    let problem = problem(drawing, &file.drawing.name, &file.reading, &file.machine, settings)
+        .map_err(|e| format!("The certificate's drawing cannot be planned as it says: {e}"))?;
+    let proven = file.travel.adds_up_to(&problem).map_err(|e| e.to_string())?;
+    let seconds = whole_job(&file.travel, proven, &problem);
+    // Nothing that is stated may be above what is proven: neither the travel nor the whole.
+    if i128::from(file.travel.bound) > proven || file.seconds > seconds {
+        return Err(format!(
+            "The certificate states that no plan takes less than {} s, but its numbers prove only {seconds} s.",
+            file.seconds.max(whole_job(&file.travel, file.travel.bound.into(), &problem))
+        ));
+    }
+    let paid = problem.items.iter().map(Item::least).sum();
+    Ok(Verified { seconds: file.seconds, paid, drawing: file.drawing.name, machine: file.machine.name })
+}
+
+/// Reads a certificate file. Its kind comes first: a document of another kind has other fields, which would hide what is wrong.
+fn read(text: &str) -> Result<File, String> {
+    #[derive(Deserialize)]
+    struct Kind {
+        schema: String,
+    }
+    let not_one = |why: String| format!("This is not a certificate ({CERTIFICATE_SCHEMA}): {why}.");
+    match serde_json::from_str(text) {
+        Ok(Kind { schema }) if schema == CERTIFICATE_SCHEMA => {}
+        Ok(Kind { schema }) => {
+            return Err(format!("This is a document of the kind {schema}, not {CERTIFICATE_SCHEMA}."));
+        }
+        Err(e) if e.is_data() => return Err(not_one("it has no text \"schema\"".into())),
+        Err(e) => return Err(not_one(format!("line {}, column {} is no JSON", e.line(), e.column()))),
+    }
+    serde_json::from_str(text)
+        .map_err(|e| not_one(format!("line {}, column {} does not fit the format", e.line(), e.column())))
+}
+
+/// The problem that a plan of this drawing solves.
+fn problem(
+    bytes: &[u8],
+    name: &str,
+    reading: &LoadOptions,
+    machine: &Profile,
+    (material, place, start): (Option<String>, Option<Place>, Start),
+) -> Result<Problem, JobError> {
+    let mut job = Job::load(bytes.to_vec(), name, reading)?;
+    let machine = MachineChoice::Profile(Box::new(machine.clone()));
+    let options =
+        PlanOptions { machine, material, place, start, allow_off_bed: true, ..PlanOptions::default() };
+    Ok(job.start(&options)?.problem().clone())
+}
+
+/// The least seconds of the whole job, rounded down: a proven travel in units of the certificate, and what every plan pays.
+fn whole_job(travel: &Certificate, proven: i128, problem: &Problem) -> f64 {
+    travel.with_paid(proven, problem.items.iter().map(Item::least))
+}
+
+fn hash(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
+}

@@ -1,0 +1,90 @@
+// The certificate of the lower bound: `kerfway plan --certificate`, and `kerfway verify`.
+
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { it } from 'node:test';
+import { Ajv2020 } from 'ajv/dist/2020.js';
+import { circle, dxf, folder, kerfway, ROOT } from './support.mjs';
+
+/** A folder with a drawing of twelve holes, and the path of a file in it. */
+function workshop(t) {
+  const at = folder(t);
+  const holes = Array.from({ length: 12 }, (_, k) => circle(20 + 31 * (k % 4), 20 + 29 * Math.floor(k / 4), 4 + ((5 * k) % 7)));
+  writeFileSync(join(at, 'plate.dxf'), dxf(...holes));
+  return (name) => join(at, name);
+}
+
+/** Plans the drawing with a certificate, the same everywhere. */
+async function certified(at, name = 'plate.certificate.json', ...more) {
+  const planned = await kerfway('plan', at('plate.dxf'), '--moves', '20000', '--seed', '1', '--bound-work', '20', '--certificate', at(name), '--json', at('plate.json'), ...more);
+  assert.equal(planned.code, 0, planned.stderr);
+  return planned.stdout;
+}
+
+it('a certificate is verified in one sentence, and its bound is that of the plan', async (t) => {
+  const at = workshop(t);
+  const shown = await certified(at);
+  const { code, stdout, stderr } = await kerfway('verify', at('plate.certificate.json'), '--json', at('verified.json'));
+  assert.equal(code, 0, stderr);
+  assert.match(stdout, /^Proven: no plan of plate\.dxf on co2-100w takes less than \d+\.\d{3} s, because each pays \d+\.\d{3} s for piercing and cutting, and travels for at least \d+\.\d{3} s\.\n$/);
+  const { seconds } = JSON.parse(readFileSync(at('verified.json'), 'utf8'));
+  const { summary } = JSON.parse(readFileSync(at('plate.json'), 'utf8'));
+  assert.ok(seconds <= summary.total_time && seconds > 0.95 * summary.total_time, `${seconds} of ${summary.total_time}`);
+  assert.ok(summary.lower_bound >= seconds - 1e-9, 'the plan is shown with this bound or a better one');
+  assert.match(shown, /^Optimum {4}at least /m);
+});
+
+it('the same seed and work give the same certificate, which fits its schema', async (t) => {
+  const at = workshop(t);
+  await certified(at);
+  await certified(at, 'again.json');
+  const text = readFileSync(at('plate.certificate.json'), 'utf8');
+  assert.equal(readFileSync(at('again.json'), 'utf8'), text);
+  const schema = JSON.parse(readFileSync(join(ROOT, 'www', 'sdk', 'certificate.schema.json'), 'utf8'));
+  const valid = new Ajv2020({ strict: false }).compile(schema);
+  assert.ok(valid(JSON.parse(text)), JSON.stringify(valid.errors));
+});
+
+it('work on the bound does not change the plan', async (t) => {
+  const at = workshop(t);
+  const plan = async (...more) => {
+    const { code, stdout } = await kerfway('plan', at('plate.dxf'), '--moves', '20000', '--seed', '1', '--json', '-', ...more);
+    assert.equal(code, 0);
+    const { lower_bound, gap, ...summary } = JSON.parse(stdout).summary;
+    return { bound: lower_bound, rest: { ...JSON.parse(stdout), summary } };
+  };
+  const [alone, beside] = [await plan(), await plan('--bound-work', '20')];
+  assert.deepEqual(beside.rest, alone.rest);
+  assert.ok(beside.bound >= alone.bound && beside.bound > 0);
+});
+
+it('another drawing, another machine, a changed number and what is no certificate are refused', async (t) => {
+  const at = workshop(t);
+  await certified(at);
+  writeFileSync(at('other.dxf'), dxf(circle(10, 10, 5), circle(40, 10, 5)));
+  const refused = async (why, ...args) => {
+    const { code, stdout, stderr } = await kerfway('verify', ...args);
+    assert.deepEqual([code, stdout], [1, ''], stderr);
+    assert.match(stderr, why);
+  };
+  const file = at('plate.certificate.json');
+  await refused(/plate\.certificate\.json proves nothing: The certificate is for another drawing: plate\.dxf with the SHA-256 [0-9a-f]{64}\.\n$/, file, at('other.dxf'));
+  await refused(/The certificate is for the machine co2-100w, not for length\.\n$/, file, '--machine', 'length');
+  const changed = readFileSync(file, 'utf8').replace(/"bound":(\d+)/, (_, bound) => `"bound":${Number(bound) + 1}`);
+  writeFileSync(at('changed.json'), changed);
+  await refused(/The certificate was changed after it was written: its own hash does not fit it\.\n$/, at('changed.json'), at('plate.dxf'));
+  await refused(/This is a document of the kind kerfway\.plan\/1, not kerfway\.certificate\/1\.\n$/, at('plate.json'), at('plate.dxf'));
+  await refused(/missing\.json cannot be read: there is no such file/, at('missing.json'));
+  assert.equal((await kerfway('verify', file, '--machine', 'co2-100w')).code, 0);
+  assert.equal((await kerfway('verify', file, at('plate.dxf'), at('other.dxf'))).code, 2);
+});
+
+it('a job without certificates says why', async (t) => {
+  const at = workshop(t);
+  writeFileSync(at('one.dxf'), dxf(circle(10, 10, 5)));
+  const { code, stderr } = await kerfway('plan', at('one.dxf'), '--moves', '0', '--certificate', at('one.json'));
+  assert.equal(code, 1);
+  assert.match(stderr, /There is no certificate: Certificates are not written for contours that may be left unfinished, for contours that are cut as one, and for fewer than two contours\./);
+  assert.equal((await kerfway('plan', at('plate.dxf'), '--bound', '-1')).code, 2);
+});

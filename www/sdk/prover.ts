@@ -1,0 +1,57 @@
+/** A proof in a worker of its own, beside the search: the planner's side. */
+
+import { KerfwayError } from './errors.js';
+import type { Drawing } from './multi-search.js';
+import type { FromWorker, PlanOptions, Proof, ProofBudget } from './protocol.js';
+import { type SILENCE_LIMITS, type StartWorker, WorkerConnection } from './worker-connection.js';
+import type { WasmModule } from './wasm-module.js';
+
+/** A running proof. */
+export interface ProofHandle {
+  /** Resolves when the proof ends for any reason; rejects with one sentence when the drawing cannot be planned. */
+  readonly done: Promise<Proof>;
+  /** Ends the proof; what is proven is kept. */
+  stop(): void;
+}
+
+export class Prover implements ProofHandle {
+  readonly done: Promise<Proof>;
+  private readonly connection: WorkerConnection;
+  private settle!: { resolve: (proof: Proof) => void; reject: (error: Error) => void };
+  private proven = 0;
+
+  constructor(
+    { start, module, silenceLimits }: { start: StartWorker; module: WasmModule; silenceLimits?: typeof SILENCE_LIMITS },
+    { bytes, name, options }: Drawing,
+    planning: PlanOptions,
+    budget: ProofBudget,
+    private readonly onBound: (seconds: number) => void,
+  ) {
+    this.done = new Promise((resolve, reject) => (this.settle = { resolve, reject }));
+    const died = (why: string) => this.settle.reject(new KerfwayError('planner-died', why));
+    this.connection = new WorkerConnection(start, { module }, (m) => this.receive(m), died, silenceLimits);
+    this.connection.post({ type: 'prove', id: 0, bytes, name, options, planning, budget });
+    this.connection.expect('working');
+  }
+
+  stop(): void {
+    this.connection.post({ type: 'stop' });
+  }
+
+  /** Ends the proof at once, because its job is gone. */
+  close(): void {
+    this.connection.close();
+    this.settle.resolve({ seconds: this.proven, certificate: null, hindrance: null });
+  }
+
+  private receive(message: FromWorker): void {
+    if (message.type === 'bound') {
+      this.proven = message.lowerBound;
+      this.onBound(this.proven);
+    } else if (message.type === 'proof' || message.type === 'failed') {
+      this.connection.close();
+      if (message.type === 'failed') this.settle.reject(KerfwayError.of(message.error));
+      else this.settle.resolve(message.proof);
+    }
+  }
+}
