@@ -72,6 +72,8 @@ export interface CardActions {
 export class ContourCard {
   readonly root = h('section', { class: 'card contour', 'aria-label': words.contour.card, hidden: true });
 
+  private shown: readonly number[] = [];
+
   constructor(private readonly session: Session, private readonly playback: Playback, private readonly actions: CardActions) {}
 
   /** Shows what is selected; the last contour is the one that was selected last. */
@@ -85,7 +87,10 @@ export class ContourCard {
     const rules = new Set(contours.map((c) => ruleOf(load, c)));
     const now = rules.size === 1 ? [...rules][0] : undefined;
     const parts = partsOf(loaded);
-    const whole = parts.whole(contours), like = parts.like(contours);
+    // Of very many parts, the shapes are found little by little; what is like these is offered then.
+    if (!parts.isGrouped) void parts.group().then(() => this.shown === contours && this.show(contours));
+    this.shown = contours;
+    const whole = parts.whole(contours), like = parts.isGrouped ? parts.like(contours) : [];
     const topmost = contours.filter((c) => !contours.includes(loaded.contours[c]?.inside ?? -1));
     const choices = [
       ...RULES.map((rule) => button(words.contour.rules[rule], { class: 'quiet small rule', 'aria-pressed': rule === now, onclick: () => actions.toggleRule(rule) })),
