@@ -104,6 +104,7 @@ fn generated() -> String {
         machine::LeadRule,
         machine::Leads,
         machine::Levers,
+        machine::Lift,
         machine::MovingPierce,
         machine::SizeTest,
         machine::JointKind,

@@ -106,7 +106,7 @@ impl Job {
     fn new(measured: &Measured) -> Self {
         let Measured { plan, seconds } = measured;
         let machine = &plan.machine;
-        let air = AirTime::new(machine);
+        let (air, over_joint) = (AirTime::new(machine), AirTime::head_down(machine));
         let (mut head, mut height) = (machine.home(), 0.0);
         let (mut moving, mut flying) = (false, false);
         let (mut fixed, mut pierces, mut cuts) = (0.0, 0.0, Vec::<(bool, Process, Vec<Segment>)>::new());
@@ -130,7 +130,7 @@ impl Job {
                     flying = *runs;
                     match cuts.last_mut().filter(|_| flying) {
                         Some(cut) => cut.2.extend(path),
-                        None => fixed += air.seconds(from, head),
+                        None => fixed += over_joint.seconds(from, head),
                     }
                 }
                 Move::Height { z } => {

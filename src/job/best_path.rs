@@ -130,7 +130,7 @@ fn joints(run: &Run, sheet: &Sheet) -> Vec<Path> {
 /// Start and end of cutting for each stop, in seconds from the start of the job. In a run through a pierce group, the
 /// seconds are divided among the stretches by their length. These are the partial sums of [`crate::plan::evaluate`].
 fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64>]) -> Vec<f64> {
-    let air = AirTime::new(machine);
+    let (air, over_joint) = (AirTime::new(machine), AirTime::head_down(machine));
     // Start and end of each run, including pauses in sharp corners.
     let mut runs: Vec<[f64; 2]> = Vec::with_capacity(parts.len());
     let mut goes_on = false;
@@ -148,7 +148,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64
                 if *flying {
                     motion.extend_from_slice(path);
                 } else {
-                    now += air.seconds(head, to);
+                    now += over_joint.seconds(head, to);
                 }
                 (head, after_joint) = (to, !flying);
             }

@@ -6,6 +6,12 @@ use crate::fields::{Field, Kind, Range};
 use serde::{Deserialize, Serialize};
 
 const OVERCUT: Range = Range::new(0.0, 100.0, "mm", "thin sheet is cut through after a few millimetres");
+const HEIGHT: Range = Range::new(0.1, 500.0, "mm", "a head is lifted over parts that may tip");
+const STAY_DOWN: Range = Range::new(0.0, 1e5, "mm", "short moves are made with the head down");
+
+/// Moves that are longer than [`Lift::stay_down`] by less than this stay down too, mm: between equal holes of a grid, sums of
+/// coordinates differ in their last digits.
+const SAME_LENGTH: f64 = 1e-6;
 
 /// The levers that are switched on.
 #[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
@@ -15,6 +21,35 @@ pub struct Levers {
     /// The beam goes on as the head starts to move; `None`: the head pierces at rest.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moving_pierce: Option<MovingPierce>,
+    /// The head is lifted for moves with the beam off; `None`: it stays down.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lift: Option<Lift>,
+}
+
+/// Lifting the head for moves with the beam off. It is lifted and lowered with the speed of the z axis
+/// ([`Profile::z_speed`](super::Profile::z_speed)).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct Lift {
+    /// How far the head is lifted, mm.
+    pub height: f64,
+    /// Moves up to this length are made with the head down, mm. Default 0.
+    #[serde(default)]
+    #[cfg_attr(test, ts(as = "Option<f64>"))]
+    pub stay_down: f64,
+    /// The head is lifted before it travels and lowered after that. Otherwise it is lifted during the first half of the way and
+    /// lowered during the second. Default false.
+    #[serde(default)]
+    #[cfg_attr(test, ts(as = "Option<bool>"))]
+    pub at_rest: bool,
+}
+
+impl Lift {
+    /// Whether the head is lifted for a move of `distance` mm.
+    pub fn is_for(&self, distance: f64) -> bool {
+        distance > self.stay_down + SAME_LENGTH
+    }
 }
 
 /// Piercing while the head moves: for marks, and for closed cuts in material that is thin enough. Neither the piercing time
@@ -31,8 +66,10 @@ pub struct MovingPierce {
 
 impl Levers {
     /// The fields of the data.
-    pub(super) const FIELDS: &'static [Field] =
-        &[Field::nullable("moving_pierce", Kind::Object(MOVING_PIERCE))];
+    pub(super) const FIELDS: &'static [Field] = &[
+        Field::nullable("moving_pierce", Kind::Object(MOVING_PIERCE)),
+        Field::nullable("lift", Kind::Object(LIFT)),
+    ];
 
     /// Length that a contour of `length` mm is cut again because it was pierced at speed, mm: at most half of it.
     pub fn cut_again(&self, length: f64) -> f64 {
@@ -46,8 +83,18 @@ impl Levers {
 
     /// The numbers with their names and ranges.
     pub(super) fn numbers(&self) -> impl Iterator<Item = (&'static str, f64, Range)> {
-        self.moving_pierce.map(|p| ("levers.moving_pierce.overcut", p.overcut, OVERCUT)).into_iter()
+        let overcut = self.moving_pierce.map(|p| ("levers.moving_pierce.overcut", p.overcut, OVERCUT));
+        let lift = self.lift.map(|l| {
+            [("levers.lift.height", l.height, HEIGHT), ("levers.lift.stay_down", l.stay_down, STAY_DOWN)]
+        });
+        overcut.into_iter().chain(lift.into_iter().flatten())
     }
 }
 
 const MOVING_PIERCE: &[Field] = &[Field::optional("overcut", Kind::Number(OVERCUT))];
+
+const LIFT: &[Field] = &[
+    Field::required("height", Kind::Number(HEIGHT)),
+    Field::optional("stay_down", Kind::Number(STAY_DOWN)),
+    Field::optional("at_rest", Kind::Flag),
+];

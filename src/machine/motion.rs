@@ -5,7 +5,12 @@
 //! time. The ramps of the trapezoid add v / a = `ramp2` / `run`; the triangle takes 2 sqrt(`ramp2`). In this form, the
 //! limits in a direction need no division by its components: the limiting axis is the one with the larger |dx| / v, and
 //! likewise for the acceleration.
+//!
+//! Where the machine lifts the head on the way ([`Lift`]), the head goes straight up to the middle of the move and straight down
+//! from there, without a stop. So it travels no faster than the z axis can follow: `run` is at least the time of lifting and
+//! lowering.
 
+use super::levers::Lift;
 use super::profile::{Profile, Travel};
 use glam::DVec2;
 
@@ -19,11 +24,19 @@ pub struct AirTime {
     per_accel: DVec2,
     /// Whether the machine reaches its speed instantly.
     at_once: bool,
+    /// Lifting the head, with the seconds of lifting and lowering it.
+    lift: Option<(Lift, f64)>,
 }
 
 impl AirTime {
     /// Prepares the air moves of a machine.
     pub fn new(profile: &Profile) -> Self {
+        let lift = profile.levers.lift.map(|lift| (lift, 2.0 * profile.height_seconds(lift.height)));
+        Self { lift, ..Self::head_down(profile) }
+    }
+
+    /// The same for moves with the head down, such as those over a joint. They are never slower.
+    pub fn head_down(profile: &Profile) -> Self {
         let per_speed = 1.0 / DVec2::from_array(profile.rapid.speed);
         let per_accel = profile.rapid.accel.map_or(DVec2::ZERO, |a| 1.0 / DVec2::from_array(a));
         let (travel, at_once) = (profile.travel, profile.rapid.accel.is_none());
@@ -33,13 +46,14 @@ impl AirTime {
                 per_speed: DVec2::splat(per_speed.max_element()),
                 per_accel: DVec2::splat(per_accel.max_element()),
                 at_once,
+                lift: None,
             },
-            _ => Self { travel, per_speed, per_accel, at_once },
+            _ => Self { travel, per_speed, per_accel, at_once, lift: None },
         }
     }
 
     /// Seconds from `from` to `to`, mm. The time is symmetric, 0 for no distance, and never decreases with the distance
-    /// along either axis.
+    /// along either axis; where the head is lifted, it jumps at the length above which it is.
     pub fn seconds(&self, from: DVec2, to: DVec2) -> f64 {
         self.seconds_here(from, to)
     }
@@ -47,6 +61,9 @@ impl AirTime {
     /// The same, inlined for loops in which a call is noticeable.
     #[inline(always)]
     pub(crate) fn seconds_here(&self, from: DVec2, to: DVec2) -> f64 {
+        if let Some((lift, seconds)) = &self.lift {
+            return self.lifted(lift, *seconds, from, to);
+        }
         let d = (to - from).abs();
         if self.travel == Travel::Vector {
             let d = d.length();
@@ -58,6 +75,34 @@ impl AirTime {
         } else {
             larger(self.ramped(run.x, ramp2.x), self.ramped(run.y, ramp2.y))
         }
+    }
+
+    /// Seconds on a machine that lifts the head. Apart, so that machines which do not lift it are as fast as without this.
+    #[inline(never)]
+    fn lifted(&self, lift: &Lift, seconds: f64, from: DVec2, to: DVec2) -> f64 {
+        let down = Self { lift: None, ..*self };
+        if !lift.is_for(from.distance(to)) {
+            return down.seconds_here(from, to);
+        }
+        if lift.at_rest {
+            return down.seconds_here(from, to) + seconds;
+        }
+        let d = (to - from).abs();
+        let d = if self.travel == Travel::Vector { DVec2::splat(d.length()) } else { d };
+        let (run, ramp2) = (d * self.per_speed, d * self.per_accel);
+        if self.travel == Travel::PerAxis {
+            let axis = |run, ramp2| self.ramped(larger(run, seconds), ramp2);
+            larger(axis(run.x, ramp2.x), axis(run.y, ramp2.y))
+        } else {
+            self.ramped(larger(larger(run.x, run.y), seconds), larger(ramp2.x, ramp2.y))
+        }
+    }
+
+    /// Seconds that lifting the head adds to every move longer than `distance` mm, at least.
+    pub(crate) fn lift_adds(&self, distance: f64) -> f64 {
+        self.lift
+            .filter(|(lift, _)| lift.at_rest && lift.is_for(distance))
+            .map_or(0.0, |(_, seconds)| seconds)
     }
 
     /// Seconds of a motion from rest to rest; see the module's documentation.

@@ -42,6 +42,11 @@ pub enum ProfileError {
         "The machine has levers.moving_pierce and pre_cut_time. A cut that is left unfinished is not begun moving: give one of them."
     )]
     MovingPreCuts,
+    /// The head is to be lifted, and there is no speed for it.
+    #[error(
+        "The machine has levers.lift, but no z_speed. Give the speed of the z axis, or leave out the lift."
+    )]
+    LiftWithoutZ,
     /// There is no such dialect, or its document contradicts itself.
     #[error("{0}")]
     Dialect(String),
@@ -55,6 +60,7 @@ impl From<ProfileError> for FieldError {
             }
             ProfileError::Materials(_) => Self::new(Fault::Contradiction, "materials", error.to_string()),
             ProfileError::Bed(..) => Self::new(Fault::Contradiction, "bed", error.to_string()),
+            ProfileError::LiftWithoutZ => Self::new(Fault::Contradiction, "levers.lift", error.to_string()),
             ProfileError::MovingPreCuts => {
                 Self::new(Fault::Contradiction, "levers.moving_pierce", error.to_string())
             }
@@ -223,6 +229,9 @@ impl Profile {
                 _ => {
                     if self.levers.moving_pierce.is_some() && self.pre_cut_time.is_some() {
                         return Err(ProfileError::MovingPreCuts);
+                    }
+                    if self.levers.lift.is_some() && self.z_speed.is_none() {
+                        return Err(ProfileError::LiftWithoutZ);
                     }
                     self.dialect.document().map_err(ProfileError::Dialect)?;
                     self.check_materials()

@@ -15,7 +15,7 @@ use std::borrow::Cow;
 /// Every cut and mark is charged the beam delays, but only the one after it if it begins moving, and every piercing the pierce
 /// time; both are in `pierce_time`. A contour that is cut in several stretches or passes counts once.
 pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
-    let air = AirTime::new(machine);
+    let (air, over_joint) = (AirTime::new(machine), AirTime::head_down(machine));
     let mut sum = Summary::default();
     let mut bounds = Aabb::EMPTY;
     let (mut head, mut height) = (machine.home(), 0.0);
@@ -28,6 +28,7 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
             Move::Air { to } => {
                 sum.air_length += head.distance(*to);
                 sum.air_time += air.seconds(head, *to);
+                sum.lifts += u32::from(machine.levers.lift.is_some_and(|l| l.is_for(head.distance(*to))));
                 head = *to;
             }
             Move::Pierce => {
@@ -54,7 +55,7 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
             }
             Move::Joint { path, .. } => {
                 let to = path.last().map_or(head, Segment::end);
-                let seconds = air.seconds(head, to);
+                let seconds = over_joint.seconds(head, to);
                 sum.air_length += head.distance(to);
                 sum.air_time += seconds;
                 sum.joint_time += seconds + machine.pierce_time + machine.beam_delays();

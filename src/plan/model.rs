@@ -69,6 +69,15 @@ impl Move {
     pub fn is_flying_joint(&self) -> bool {
         matches!(self, Self::Joint { flying: true, .. })
     }
+
+    /// Where the head is afterwards; `None` if it has not moved.
+    pub fn end(&self) -> Option<DVec2> {
+        match self {
+            Self::Air { to } | Self::PreCut { to, .. } => Some(*to),
+            Self::Cut { path, .. } | Self::Joint { path, .. } => path.last().map(Segment::end),
+            Self::Pierce | Self::MovingStart | Self::Macro { .. } | Self::Height { .. } => None,
+        }
+    }
 }
 
 /// How many elements of a cut belong to leads and overcut. The lead-in comes first; then the contour, the overcut, and the
@@ -136,6 +145,10 @@ pub struct Summary {
     #[serde(default, skip_serializing_if = "is_none")]
     #[cfg_attr(test, ts(as = "Option<u32>", optional))]
     pub moving_starts: u32,
+    /// Number of air moves for which the head is lifted.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub lifts: u32,
     /// Number of pre-cuts.
     pub pre_cuts: u32,
     /// Number of micro-joints.

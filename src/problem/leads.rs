@@ -5,7 +5,7 @@ use super::entries::entries;
 use crate::geometry::{DVec2, Segment};
 use crate::joint::{self, ContourJoints, Divided, Joint, divided};
 use crate::lead::{ContourLeads, Entry, Fit, Lead, Outcome, Planner, starts_moving};
-use crate::machine::{JointKind, Process, Profile, air_time, process_time};
+use crate::machine::{AirTime, JointKind, Process, Profile, process_time};
 use crate::sheet::{Contour, Sheet};
 
 /// Least distance of a joint from leads and overcuts, in lengths of a joint.
@@ -106,10 +106,11 @@ fn seconds(machine: &Profile, process: &Process, cut: &Divided, kind: JointKind)
             cut.stretches.iter().zip(joints).flat_map(|(s, j)| s.path.iter().chain(j)).copied().collect();
         return process_time(machine, process, false, &whole);
     }
+    let air = AirTime::head_down(machine);
     let over = |joint: &Vec<Segment>| {
         let ends = joint.first().zip(joint.last());
-        let air = ends.map_or(0.0, |(a, b)| air_time(machine, a.start(), b.end()));
-        air + machine.pierce_time + machine.beam_delays()
+        let seconds = ends.map_or(0.0, |(a, b)| air.seconds(a.start(), b.end()));
+        seconds + machine.pierce_time + machine.beam_delays()
     };
     let stretches = cut.stretches.iter().map(|s| process_time(machine, process, false, &s.path));
     stretches.sum::<f64>() + cut.joints.iter().map(over).sum::<f64>()

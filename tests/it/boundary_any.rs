@@ -128,7 +128,8 @@ fn any_value_is_accepted_or_refused_in_a_sentence() {
                 | Err(ProfileError::Bed(..)
                     | ProfileError::Dialect(_)
                     | ProfileError::Materials(_)
-                    | ProfileError::MovingPreCuts)
+                    | ProfileError::MovingPreCuts
+                    | ProfileError::LiftWithoutZ)
         );
         assert!(sound, "{profile:?}");
     });

@@ -11,7 +11,7 @@ use kerfway::problem::{Groups, Item, Node, NodeId, Problem, Table};
 use kerfway::solve;
 
 /// Bound after so much work in slices of `slice`.
-fn bound(problem: &Problem, upper: f64, work: u64, slice: u32) -> f64 {
+pub(crate) fn bound(problem: &Problem, upper: f64, work: u64, slice: u32) -> f64 {
     let mut bound = LowerBound::new(problem);
     let mut last = 0.0;
     for _ in 0..work / u64::from(slice) {

@@ -36,6 +36,7 @@ mod kerf_drawings;
 mod layering;
 mod layers_written;
 mod leads;
+mod lift;
 mod lower_bound;
 mod machine_time;
 mod metamorphic_intake;

@@ -48,3 +48,49 @@ describe('moving pierce', () => {
     assert.match(wrong.stderr, /levers\.moving_pierce\.overcut/);
   });
 });
+
+describe('lifting the head', () => {
+  let planner, thin;
+  before(async () => {
+    planner = await createPlanner();
+    thin = { ...planner.machines.find((m) => m.name === 'fibre-3kw-thin'), z_speed: 200 };
+  });
+  after(() => planner.close());
+
+  const planned = async (machine) => {
+    await planner.load(DRAWING, 'plate.dxf');
+    const run = planner.plan({ machine, seed: 1, moves: 20_000 });
+    await run.done;
+    const { summary } = JSON.parse(await planner.output('json'));
+    return { ...summary, gcode: await planner.output('gcode'), check: await planner.check() };
+  };
+
+  it('costs less on the way than at rest, and nothing where the head stays down', async () => {
+    const [none, way, rest, low] = [
+      await planned(thin), await planned({ ...thin, levers: { lift: { height: 10 } } }),
+      await planned({ ...thin, levers: { lift: { height: 10, at_rest: true } } }), await planned({ ...thin, levers: { lift: { height: 10, stay_down: 1000 } } }),
+    ];
+    assert.deepEqual([none.lifts, way.lifts, rest.lifts, low.lifts], [undefined, 4, 4, undefined]);
+    assert.ok(none.total_time < way.total_time && way.total_time < rest.total_time);
+    assert.ok(Math.abs(rest.total_time - none.total_time - 4 * 2 * 10 / 200) < 0.01);
+    assert.equal(low.total_time, none.total_time);
+    for (const { check } of [none, way, rest, low]) assert.deepEqual([check.passed, check.problems], [true, []]);
+    assert.equal(way.gcode.match(/^G0 X\S+ Y\S+ Z10/gm)?.length, 4);
+    assert.equal(rest.gcode.match(/^G0 Z10/gm)?.length, 4);
+    assert.doesNotMatch(low.gcode, / Z/);
+  });
+
+  it('is an option of the command line', async (t) => {
+    const at = folder(t);
+    const [file, program] = [join(at, 'plate.dxf'), join(at, 'plate.nc')];
+    writeFileSync(file, DRAWING);
+    const plan = (...options) => kerfway('plan', file, '--machine', 'fibre-3kw-thin', '--moves', '5000', '--seed', '1', '--gcode', program, ...options);
+    const ran = await plan('--lift', '12', '--z-speed', '150', '--stay-down', '25');
+    assert.equal(ran.code, 0, ran.stderr);
+    assert.match(readFileSync(program, 'utf8'), /^G0 X\S+ Y\S+ Z12/m);
+    const slow = await plan('--lift', '12');
+    assert.deepEqual([slow.code, /--z-speed/.test(slow.stderr)], [2, true], slow.stderr);
+    const without = await plan('--stay-down', '25');
+    assert.deepEqual([without.code, /Give the height with --lift/.test(without.stderr)], [2, true], without.stderr);
+  });
+});

@@ -1056,6 +1056,49 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                       "name": "moving_pierce",
                       "nullable": true,
                       "required": false
+                    },
+                    {
+                      "kind": {
+                        "object": [
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.1,
+                                "most": 500.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "a head is lifted over parts that may tip"
+                              }
+                            },
+                            "name": "height",
+                            "nullable": false,
+                            "required": true
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 100000.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "short moves are made with the head down"
+                              }
+                            },
+                            "name": "stay_down",
+                            "nullable": false,
+                            "required": false
+                          },
+                          {
+                            "kind": "flag",
+                            "name": "at_rest",
+                            "nullable": false,
+                            "required": false
+                          }
+                        ]
+                      },
+                      "name": "lift",
+                      "nullable": true,
+                      "required": false
                     }
                   ]
                 },

@@ -164,6 +164,9 @@ impl<'d> Writer<'d> {
                 "has no command for air: switch the air off in the layers, or give \"air\" in the dialect.",
             );
         }
+        if !self.dialect.z && plan.summary.lifts > 0 {
+            return refuse("has no Z axis: switch off lifting the head in the machine.");
+        }
         if !self.dialect.z && processes.iter().any(|p| p.z != 0.0) {
             return refuse("has no Z axis: set the z step of the passes to 0.");
         }
@@ -186,10 +189,11 @@ impl<'d> Writer<'d> {
         let all = cuts(plan).len();
         let (mut order, mut pierce, mut goes_on, mut moving) = (0, 0.0, false, false);
         let (mut height, mut flying) = (0.0, false);
+        let mut head = self.profile.home();
         for (index, step) in work.iter().enumerate() {
             let ends = !work.get(index + 1).is_some_and(Move::is_flying_joint);
             match step {
-                Move::Air { to } => self.pen.rapid(*to),
+                Move::Air { to } => self.air(head, *to),
                 Move::Pierce => pierce += self.profile.pierce_time,
                 Move::MovingStart => moving = true,
                 // A pre-cut without length is only a charge of time, so nothing is cut.
@@ -228,14 +232,23 @@ impl<'d> Writer<'d> {
             }
             goes_on = matches!(step, Move::Macro { .. });
             flying = step.is_flying_joint();
+            head = step.end().unwrap_or(head);
         }
 
         self.pen.off();
         if let Some(home) = way_home {
-            self.pen.rapid(home);
+            self.air(head, home);
         }
         self.pen.footer(facts);
         self.pen.lines.into_program()
+    }
+
+    /// Writes a move with the beam off, with the head lifted where the machine lifts it.
+    fn air(&mut self, from: DVec2, to: DVec2) {
+        match self.profile.levers.lift.filter(|lift| lift.is_for(from.distance(to))) {
+            Some(lift) => self.pen.lifted(to, &lift),
+            None => self.pen.rapid(to),
+        }
     }
 
     /// Writes one contour: `seconds` of waiting with the beam on, the path, and the dwell after it if the head rests there.

@@ -18,8 +18,8 @@ use super::facts::Facts;
 use super::grbl_arc;
 use super::text::Lines;
 use crate::geometry::{Arc, DVec2, Segment, arcs};
-use crate::machine::Start;
 use crate::machine::dialect::{Dialect, Pierce, PierceBy, PowerBy};
+use crate::machine::{Lift, Start};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
@@ -86,7 +86,7 @@ impl<'d> Pen<'d> {
     /// Moves the head from wherever it is to the pen's position, unless the job starts where the head stands.
     pub(super) fn find_start(&mut self) {
         if self.start.is_absolute() {
-            let line = self.rapid_line(self.at);
+            let line = self.rapid_line(self.at, "");
             self.lines.push(&line);
         }
     }
@@ -134,13 +134,41 @@ impl<'d> Pen<'d> {
 
     /// Moves to a place with the beam off.
     pub(super) fn rapid(&mut self, to: DVec2) {
-        let to = self.rounded(to);
-        let moves = !self.same(self.at, to);
+        self.leg(self.rounded(to), None);
+        self.wait_owed();
+    }
+
+    /// Moves to a place with the beam off and the head lifted: on the way, or before and after it.
+    pub(super) fn lifted(&mut self, to: DVec2, lift: &Lift) {
+        let end = self.rounded(to);
+        if self.same(self.at, end) {
+            return self.rapid(to);
+        }
+        if lift.at_rest {
+            self.leg(self.at, Some(lift.height));
+            self.leg(end, None);
+            self.leg(end, Some(0.0));
+        } else {
+            let middle = ((self.at + end) * 0.5 * self.grid).round() / self.grid;
+            self.leg(middle, Some(lift.height));
+            self.leg(end, Some(0.0));
+        }
+        self.wait_owed();
+    }
+
+    /// Moves to a rounded place with the beam off, and to a height.
+    fn leg(&mut self, to: DVec2, z: Option<f64>) {
+        let moves = !self.same(self.at, to) || z.is_some();
         if self.power_in_force != "0" && !self.beam.is_on_motions() {
             self.push_all(self.beam.off_for_motion());
             "0".clone_into(&mut self.power_in_force);
         }
-        let mut line = if moves { self.rapid_line(to) } else { String::new() };
+        let height = z.map(|z| self.z_word(z)).unwrap_or_default();
+        let mut line = match moves {
+            true if self.same(self.at, to) => format!("G0{height}"),
+            true => self.rapid_line(to, &height),
+            false => String::new(),
+        };
         if self.power_in_force != "0" && (moves || self.beam.takes_bare_power()) {
             let _ = write!(line, "{}{}0", if line.is_empty() { "" } else { " " }, self.dialect.power.word);
             "0".clone_into(&mut self.power_in_force);
@@ -149,6 +177,9 @@ impl<'d> Pen<'d> {
             self.lines.push(&line);
         }
         self.at = to;
+    }
+
+    fn wait_owed(&mut self) {
         let owed = std::mem::take(&mut self.owed);
         self.dwell(owed);
     }
@@ -293,8 +324,8 @@ impl<'d> Pen<'d> {
         self.at = to;
     }
 
-    fn rapid_line(&mut self, to: DVec2) -> String {
-        let mut line = format!("G0{}", self.xy_words(to));
+    fn rapid_line(&mut self, to: DVec2, height: &str) -> String {
+        let mut line = format!("G0{}{height}", self.xy_words(to));
         if let Some(feed) = &self.rapid_feed
             && *feed != self.feed_in_force
         {
@@ -332,10 +363,16 @@ impl<'d> Pen<'d> {
         if (self.z - z).abs() < self.half_grid() {
             return;
         }
+        let height = self.z_word(z);
+        self.lines.push(&format!("G0{height}"));
+    }
+
+    /// The Z word of the next height, which is then the head's.
+    fn z_word(&mut self, z: f64) -> String {
         let place = if self.start.is_absolute() { z } else { z - self.z };
         let height: Fixed = fixed(place / self.dialect.units.mm(), self.dialect.decimals.xy as usize);
-        self.lines.push(&format!("G0 Z{height}"));
         self.z = z;
+        format!(" Z{height}")
     }
 
     fn push_all(&mut self, lines: Vec<String>) {

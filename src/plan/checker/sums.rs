@@ -18,7 +18,7 @@ const RELATIVE: f64 = 1e-9;
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     let (mut head, mut height) = (machine.home(), 0.0_f64);
     let (mut cuts, mut pierces, mut pre_cuts, mut macros) = (0u32, 0u32, 0u32, 0u32);
-    let mut moving_starts = 0u32;
+    let (mut moving_starts, mut lifts) = (0u32, 0u32);
     let mut worked: Vec<u32> = Vec::new();
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
     let mut lead_length = 0.0;
@@ -30,7 +30,9 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         match m {
             Move::Air { to } => {
                 air_length += (*to - head).length();
-                air_seconds += air_time(machine, *to - head);
+                let lifted = is_lifted(machine, *to - head);
+                lifts += u32::from(lifted);
+                air_seconds += air_time(machine, *to - head, lifted);
                 head = *to;
             }
             Move::Pierce => pierces += 1,
@@ -47,8 +49,8 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                     motion.extend(path);
                 } else {
                     air_length += (to - head).length();
-                    air_seconds += air_time(machine, to - head);
-                    joint_seconds += air_time(machine, to - head);
+                    air_seconds += air_time(machine, to - head, false);
+                    joint_seconds += air_time(machine, to - head, false);
                     stops += 1;
                 }
                 head = to;
@@ -104,6 +106,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         ("the number of parts", f64::from(s.parts), f64::from(parts)),
         ("the number of piercings", f64::from(s.pierces), f64::from(pierces)),
         ("the number of moving starts", f64::from(s.moving_starts), f64::from(moving_starts)),
+        ("the number of lifts", f64::from(s.lifts), f64::from(lifts)),
         ("the number of pre-cuts", f64::from(s.pre_cuts), f64::from(pre_cuts)),
         ("the length of air moves", s.air_length, air_length),
         ("the length of cuts", s.cut_length, cut_length),
@@ -151,8 +154,13 @@ fn path_of<'s>(sheet: &'s Sheet, machine: &Profile, contour: u32) -> Option<&'s 
     joined.or_else(|| sheet.contours.get(contour as usize).map(|c| &c.path))
 }
 
-/// Seconds of an air move along the vector `way`, mm.
-fn air_time(machine: &Profile, way: DVec2) -> f64 {
+/// Whether the head is lifted on its way, mm. Sums of coordinates may be off in their last digits.
+fn is_lifted(machine: &Profile, way: DVec2) -> bool {
+    machine.levers.lift.is_some_and(|lift| way.length() - lift.stay_down > 1e-6)
+}
+
+/// Seconds of an air move along the vector `way`, mm, with the head lifted or down.
+fn air_time(machine: &Profile, way: DVec2, lifted: bool) -> f64 {
     let [vx, vy] = machine.rapid.speed;
     let [ax, ay] = machine.rapid.accel.unwrap_or([f64::INFINITY; 2]);
     let distance = way.length();
@@ -160,11 +168,26 @@ fn air_time(machine: &Profile, way: DVec2) -> f64 {
         return 0.0;
     }
     let (ux, uy) = (way.x.abs() / distance, way.y.abs() / distance);
-    match machine.travel {
-        Travel::Vector => trapezoid(distance, vx.min(vy), ax.min(ay)),
-        Travel::Straight => trapezoid(distance, (vx / ux).min(vy / uy), (ax / ux).min(ay / uy)),
-        Travel::PerAxis => trapezoid(way.x.abs(), vx, ax).max(trapezoid(way.y.abs(), vy, ay)),
-    }
+    // Height to climb and to sink, and the speed of that.
+    let (rise, vz) = match (machine.levers.lift, machine.z_speed) {
+        (Some(lift), Some(vz)) if lifted => (2.0 * lift.height, vz),
+        _ => (0.0, f64::INFINITY),
+    };
+    let at_rest = rise > 0.0 && machine.levers.lift.is_some_and(|lift| lift.at_rest);
+    // The speed on the way with which the z axis keeps up.
+    let slope = |length: f64| if rise > 0.0 && !at_rest { length / rise * vz } else { f64::INFINITY };
+    let seconds = match machine.travel {
+        Travel::Vector => trapezoid(distance, vx.min(vy).min(slope(distance)), ax.min(ay)),
+        Travel::Straight => {
+            trapezoid(distance, (vx / ux).min(vy / uy).min(slope(distance)), (ax / ux).min(ay / uy))
+        }
+        Travel::PerAxis => [(way.x.abs(), vx, ax), (way.y.abs(), vy, ay)]
+            .into_iter()
+            .filter(|axis| axis.0 > 0.0)
+            .map(|(length, v, a)| trapezoid(length, v.min(slope(length)), a))
+            .fold(0.0, f64::max),
+    };
+    if at_rest { seconds + rise / vz } else { seconds }
 }
 
 /// Seconds for `distance` from rest to rest with top speed `v` and acceleration `a`.

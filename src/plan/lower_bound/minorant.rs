@@ -2,6 +2,7 @@
 //!
 //! Air time f is a function of the displacement x between two points. On the displacements that occur between two pieces it
 //! is at least a0 + e . x for suitable a0 and e:
+//! * a lifted head only adds to it, and the chords below are those with the head down;
 //! * by distance (`vector`): seconds over a distance are concave, so on an interval of distances they lie above their
 //!   chord, and a distance |x| is at least u . x for any unit vector u;
 //! * by axis: the slower axis alone is no more than all of it, and |x| >= +-x. A straight move takes at least as long
@@ -19,12 +20,17 @@ use crate::machine::{AirTime, Profile, Travel};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Minorant {
     air: AirTime,
+    head_down: AirTime,
     by_distance: bool,
 }
 
 impl Minorant {
     pub(super) fn new(machine: &Profile) -> Self {
-        Self { air: AirTime::new(machine), by_distance: machine.travel == Travel::Vector }
+        Self {
+            air: AirTime::new(machine),
+            head_down: AirTime::head_down(machine),
+            by_distance: machine.travel == Travel::Vector,
+        }
     }
 
     pub(super) fn air(&self) -> &AirTime {
@@ -44,11 +50,12 @@ impl Minorant {
         let reach = 0.5 * ((p.ends[1] - p.ends[0]).abs() + (q.ends[1] - q.ends[0]).abs()) + off;
         let away = middle.abs();
         let (near, far) = ((away - reach).max(DVec2::ZERO), away + reach);
+        let added = self.air.lift_adds(near.length());
         let floor = self.air.seconds(DVec2::ZERO, near);
         let mut best = [[floor; 2]; 2];
         let mut least = loss(&exact, &best);
         let mut offer = |a0: f64, e: DVec2| {
-            let a0 = a0 - e.length() * off;
+            let a0 = a0 + added - e.length() * off;
             let values = [0, 1].map(|i| [0, 1].map(|j| a0 + e.dot(q.ends[j] - p.ends[i])));
             let lost = loss(&exact, &values);
             if lost < least {
@@ -70,10 +77,12 @@ impl Minorant {
         best
     }
 
-    /// The chord of the seconds over the distance along an axis, between two distances: its value at 0 and its slope.
+    /// The chord of the seconds with the head down over the distance along an axis, between two distances: its value at 0 and its slope.
     fn chord(&self, axis: DVec2, near: f64, far: f64) -> (f64, f64) {
-        let (low, high) =
-            (self.air.seconds(DVec2::ZERO, axis * near), self.air.seconds(DVec2::ZERO, axis * far));
+        let (low, high) = (
+            self.head_down.seconds(DVec2::ZERO, axis * near),
+            self.head_down.seconds(DVec2::ZERO, axis * far),
+        );
         let slope = if far > near { (high - low) / (far - near) } else { 0.0 };
         (low - slope * near, slope)
     }

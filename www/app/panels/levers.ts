@@ -1,14 +1,20 @@
-/** The levers of the machine: abilities that make jobs shorter. */
+/** The levers of the machine: abilities that make jobs shorter, and lifting the head. */
 
 import { h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
 import { words } from '../core/words/index.js';
 import { check, field, numberInput } from './section.js';
 
-/** The limit is that of machine profiles. */
-const MOST = 100;
+/** The limits are those of machine profiles. */
+const MOST = { overcut: 100, height: 500, down: 1e5 };
 /** mm: what 1 mm sheet needs at 3 kW until the beam is through, with a margin. */
 const OVERCUT = 0.5;
+/** mm: over a part that stands up a little, and holes that lie close together. */
+const LIFT = { height: 10, stay_down: 10 };
+/** mm/s, for a machine whose profile has none: the heads of fibre lasers are faster, tables are slower. */
+const Z_SPEED = 100;
+
+type Levers = NonNullable<MachineProfile['levers']>;
 
 export interface LeversPanel {
   root: HTMLElement;
@@ -17,22 +23,46 @@ export interface LeversPanel {
 
 export function leversPanel(edit: (change: (m: MachineProfile) => void) => void): LeversPanel {
   const w = words.levers;
-  const set = (overcut: number | null) => edit((m) => {
-    if (overcut === null) delete m.levers;
-    else m.levers = { ...m.levers, moving_pierce: { overcut } };
+  const set = (change: (levers: Levers) => void) => edit((m) => {
+    m.levers = { ...m.levers };
+    change(m.levers);
+    if (Object.keys(m.levers).length === 0) delete m.levers;
   });
-  const moving = check(w.moving, (on) => set(on ? OVERCUT : null));
-  const { input, show } = numberInput({ unit: 'mm', least: 0, most: MOST }, set);
-  const more = h('div', { class: 'stack' }, field(w.overcut, input, 'mm'), h('p', { class: 'soft' }, w.about));
+  const moving = check(w.moving, (on) => set((l) => {
+    if (on) l.moving_pierce = { overcut: OVERCUT };
+    else delete l.moving_pierce;
+  }));
+  const overcut = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => set((l) => (l.moving_pierce = { overcut: value })));
+  const more = h('div', { class: 'stack' }, field(w.overcut, overcut.input, 'mm'), h('p', { class: 'soft' }, w.about));
+
+  const lift = check(w.lift, (on) => edit((m) => {
+    m.levers = { ...m.levers };
+    if (on) [m.levers.lift, m.z_speed] = [LIFT, m.z_speed ?? Z_SPEED];
+    else delete m.levers.lift;
+    if (Object.keys(m.levers).length === 0) delete m.levers;
+  }));
+  const lifted = (change: Partial<NonNullable<Levers['lift']>>) => set((l) => (l.lift = { ...LIFT, ...l.lift, ...change }));
+  const height = numberInput({ unit: 'mm', least: 0.1, most: MOST.height }, (value) => lifted({ height: value }));
+  const speed = numberInput({ unit: 'mm/s', least: 0.01 }, (value) => edit((m) => (m.z_speed = value)));
+  const down = numberInput({ unit: 'mm', least: 0, most: MOST.down }, (value) => lifted({ stay_down: value }));
+  const atRest = check(w.atRest, (on) => lifted({ at_rest: on }));
+  const about = h('div', { class: 'stack' },
+    field(w.height, height.input, 'mm'), field(words.machine.zSpeed, speed.input, 'mm/s'), field(w.stayDown, down.input, 'mm'), atRest.root, h('p', { class: 'soft' }, w.aboutLift));
   return {
-    root: h('div', { class: 'stack' }, moving.root, more),
-    show({ levers, pre_cut_time }) {
-      const lever = levers?.moving_pierce;
-      moving.input.checked = Boolean(lever);
+    root: h('div', { class: 'stack' }, moving.root, more, lift.root, about),
+    show({ levers, pre_cut_time, z_speed }) {
+      const pierce = levers?.moving_pierce, lifting = levers?.lift;
+      moving.input.checked = Boolean(pierce);
       // A machine that leaves contours unfinished pierces at rest.
-      moving.input.disabled = !lever && typeof pre_cut_time === 'number';
-      more.hidden = !lever;
-      show(lever?.overcut ?? 0);
+      moving.input.disabled = !pierce && typeof pre_cut_time === 'number';
+      more.hidden = !pierce;
+      overcut.show(pierce?.overcut ?? 0);
+      lift.input.checked = Boolean(lifting);
+      about.hidden = !lifting;
+      height.show(lifting?.height ?? LIFT.height);
+      speed.show(z_speed ?? null);
+      down.show(lifting?.stay_down ?? 0);
+      atRest.input.checked = lifting?.at_rest === true;
     },
   };
 }

@@ -16,7 +16,7 @@ export interface Alternative {
 }
 
 /** Kinds of decisions that can be left out of a plan. */
-export type Decision = 'order' | 'entry' | 'common' | 'partial' | 'leads';
+export type Decision = 'order' | 'entry' | 'common' | 'partial' | 'leads' | 'lift';
 
 /** What leaving a decision out costs, s; negative where the decision itself costs time, as leads do. */
 export interface Saving {
@@ -56,6 +56,8 @@ export class Alternatives {
     const search: PlanOptions = { seconds: searched };
     if ((state.common?.offsets.length ?? 0) > 1 && state.load.commonCuts !== 'off') yield save('common', (await this.planned({ commonCuts: 'off' }, search)).progress.summary);
     if (typeof machine.pre_cut_time === 'number' && (path.preCuts.length > 0 || !whole)) yield save('partial', (await this.planned({}, { ...search, machine: { ...machine, pre_cut_time: null } })).progress.summary);
+    const lift = machine.levers?.lift;
+    if (lift && lift.at_rest !== true) yield save('lift', (await this.planned({}, { ...search, machine: { ...machine, levers: { ...machine.levers, lift: { ...lift, at_rest: true } } } })).progress.summary);
     const { leads, ...without } = machine;
     if (path.leads.length > 0 && leads) yield save('leads', (await this.planned({}, { ...search, machine: without })).progress.summary);
   }

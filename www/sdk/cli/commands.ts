@@ -114,6 +114,10 @@ const JOINTS: Options = {
 
 const LEVERS: Options = {
   'moving-pierce': { value: 'MM', about: 'begin marks and closed cuts moving, without a wait, and cut this length of a cut again at its end' },
+  lift: { value: 'MM', about: 'lift the head by this much for moves with the beam off, on the way' },
+  'stay-down': { value: 'MM', about: 'with --lift: moves up to this length are made with the head down (default 0)' },
+  'lift-at-rest': { about: 'with --lift: lift the head before it travels, and lower it after that' },
+  'z-speed': { value: 'MM/S', about: "speed of lifting and lowering, instead of the machine's" },
 };
 
 const PLACING: Options = {

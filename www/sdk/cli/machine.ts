@@ -77,8 +77,18 @@ function sizes(values: Words['values'], name: string): [number, number] | undefi
 
 /** The machine with the levers that the options ask for. */
 function withLevers(values: Words['values'], machine: MachineProfile): MachineProfile {
-  const overcut = number(values, 'moving-pierce');
-  return overcut === undefined ? machine : valid({ ...machine, levers: { ...machine.levers, moving_pierce: { overcut } } });
+  const [overcut, height, down, speed] = ['moving-pierce', 'lift', 'stay-down', 'z-speed'].map((option) => number(values, option));
+  const atRest = values['lift-at-rest'] === true;
+  if ([overcut, height, down, speed].every((value) => value === undefined) && !atRest) return machine;
+  const levers = { ...machine.levers };
+  if (overcut !== undefined) levers.moving_pierce = { overcut };
+  // Without a height, the other options change the machine's own lift.
+  const lifted = height === undefined ? levers.lift : { height };
+  if (lifted == null && (down !== undefined || atRest)) throw new WrongUse(`--${atRest ? 'lift-at-rest' : 'stay-down'}: the machine does not lift its head. Give the height with --lift.`);
+  if (lifted != null) levers.lift = { ...lifted, ...(down !== undefined && { stay_down: down }), ...(atRest && { at_rest: true }) };
+  const z_speed = speed ?? machine.z_speed;
+  if (levers.lift != null && z_speed == null) throw new WrongUse('--lift: the machine has no speed for lifting the head. Give it with --z-speed.');
+  return valid({ ...machine, levers, ...(z_speed != null && { z_speed }) });
 }
 
 /** The files with a machine profile or a dialect that the options name. */

@@ -263,6 +263,24 @@ export interface Leads {
 export interface Levers {
   /** The beam goes on as the head starts to move; `null`: the head pierces at rest. */
   moving_pierce?: MovingPierce,
+  /** The head is lifted for moves with the beam off; `null`: it stays down. */
+  lift?: Lift,
+}
+
+/**
+ * Lifting the head for moves with the beam off. It is lifted and lowered with the speed of the z axis
+ * (`z_speed`(super::Profile::z_speed)).
+ */
+export interface Lift {
+  /** How far the head is lifted, mm. */
+  height: number,
+  /** Moves up to this length are made with the head down, mm. Default 0. */
+  stay_down?: number,
+  /**
+   * The head is lifted before it travels and lowered after that. Otherwise it is lifted during the first half of the way and
+   * lowered during the second. Default false.
+   */
+  at_rest?: boolean,
 }
 
 /**
@@ -719,7 +737,7 @@ export interface LoadedReport {
 }
 
 /** What kind of thing is wrong. */
-export type CheckCode = "unreadable" | "bad-line" | "units-unknown" | "beam-on-rapid" | "power-on-rapid" | "dark-cut" | "dark-pierce" | "power-out-of-range" | "feed-out-of-range" | "wait-out-of-range" | "bad-arc" | "off-bed" | "cut-twice" | "beam-on-at-end" | "incomplete" | "differs" | "empty";
+export type CheckCode = "unreadable" | "bad-line" | "units-unknown" | "beam-on-rapid" | "power-on-rapid" | "dark-cut" | "lifted-cut" | "dark-pierce" | "power-out-of-range" | "feed-out-of-range" | "wait-out-of-range" | "bad-arc" | "off-bed" | "cut-twice" | "beam-on-at-end" | "incomplete" | "differs" | "empty";
 
 /** Something wrong with a program. */
 export interface CheckProblem {
@@ -781,6 +799,8 @@ export interface Summary {
   pierces: number,
   /** Number of cuts and marks that begin with the beam on as the head starts to move. */
   moving_starts?: number,
+  /** Number of air moves for which the head is lifted. */
+  lifts?: number,
   /** Number of pre-cuts. */
   pre_cuts: number,
   /** Number of micro-joints. */

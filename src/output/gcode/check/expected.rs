@@ -17,6 +17,8 @@ pub(super) struct Expected {
     pub(super) stretches: Option<u32>,
     /// Number of piercings.
     pub(super) pierces: Option<u32>,
+    /// Number of moves with the head lifted.
+    pub(super) lifts: Option<u32>,
     /// Length of cuts, mm.
     pub(super) cut_length: Option<f64>,
     /// Length that flying joints leave dark, mm.
@@ -52,6 +54,7 @@ impl Expected {
             contours: Some(sums.contours),
             stretches: Some(count_of(plan)),
             pierces: Some(sums.pierces),
+            lifts: Some(sums.lifts),
             cut_length: Some(sums.cut_length + ahead),
             dark_length: plan.moves.iter().map(flying).sum(),
             bounds: (sums.contours > 0).then_some(sums.bounds),

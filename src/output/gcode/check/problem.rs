@@ -20,6 +20,8 @@ pub enum Code {
     PowerOnRapid,
     /// A cut without power.
     DarkCut,
+    /// A cut with the head lifted.
+    LiftedCut,
     /// A wait in which the beam is off although it should pierce.
     DarkPierce,
     /// A power outside its range.

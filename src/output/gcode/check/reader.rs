@@ -19,6 +19,8 @@ pub(super) enum Event {
         power: Power,
         /// mm/s.
         feed: f64,
+        /// Whether the head is lifted at the end.
+        lifted: bool,
     },
     /// Stands still.
     Dwell { line: u32, seconds: f64, power: Power },
@@ -39,10 +41,16 @@ pub(super) struct Program {
     pub(super) tail: Vec<String>,
     /// Whether the beam is off at the end.
     pub(super) dark_at_end: bool,
+    /// Whether the first motion is relative, so that it begins where the job does.
+    pub(super) begins_relative: bool,
+    /// How often the head is lifted above the height at which it cuts first.
+    pub(super) lifts: u32,
 }
 
 /// Differences of the two radii of an arc that every controller accepts, mm and as a fraction (LinuxCNC, GRBL).
 const RADIUS: (f64, f64) = (0.005, 0.001);
+/// Above this height the head is lifted, mm.
+const LIFTED: f64 = 0.01;
 /// Commands that are left over at the end, for comparing them with the footer.
 const TAIL: usize = 24;
 
@@ -59,6 +67,8 @@ struct Reader<'d, 'p> {
     /// mm/s.
     feed: f64,
     at: DVec2,
+    /// Height of the head, mm; 0 is where it cuts first.
+    z: f64,
     number: u32,
 }
 
@@ -75,6 +85,7 @@ pub(super) fn follow(text: &str, dialect: &Dialect, problems: &mut Problems) -> 
         motion: 0,
         feed: 0.0,
         at: DVec2::ZERO,
+        z: 0.0,
         number: 0,
     };
     for line in text.lines() {
@@ -191,12 +202,22 @@ impl Reader<'_, '_> {
         if is('G', 40) {
             return self.dwell(line);
         }
+        if let Some(z) = line.value('Z') {
+            let (was, base) = (self.is_lifted(), if self.relative { self.z } else { 0.0 });
+            self.z = base + z * unit;
+            self.program.lifts = self.program.lifts.saturating_add(u32::from(!was && self.is_lifted()));
+        }
         if line.has('X') || line.has('Y') {
             self.moves(line, unit);
         } else if line.has('I') && line.has('J') && self.motion >= 2 {
             // A full circle without an end.
             self.moves(line, unit);
         }
+    }
+
+    /// Relative programs add heights up, and their last digits are rounded.
+    fn is_lifted(&self) -> bool {
+        self.z > LIFTED
     }
 
     fn dwell(&mut self, line: &Line) {
@@ -236,6 +257,9 @@ impl Reader<'_, '_> {
             });
             self.unit = Some(unit);
         }
+        if !self.program.events.iter().any(|e| matches!(e, Event::Move { .. })) {
+            self.program.begins_relative = self.relative;
+        }
         let base = if self.relative { self.at } else { DVec2::ZERO };
         let coordinate =
             |letter: char, base: f64, now: f64| line.value(letter).map_or(now, |v| base + v * unit);
@@ -248,7 +272,8 @@ impl Reader<'_, '_> {
                 format!("Line {number} cuts without a feed (F).")
             });
         }
-        self.program.events.push(Event::Move { line: number, rapid, path, power, feed: self.feed });
+        let (feed, lifted) = (self.feed, self.is_lifted());
+        self.program.events.push(Event::Move { line: number, rapid, path, power, feed, lifted });
         self.at = to;
     }
 

@@ -63,6 +63,7 @@ pub(super) struct Figures {
     pub(super) fits_bed: Option<bool>,
     dark_rapids: bool,
     pub(super) dark_at_end: bool,
+    pub(super) lifts: u32,
     pub(super) tail: Vec<String>,
 }
 
@@ -101,6 +102,7 @@ pub(super) fn figures(program: &Program, cuts: &[Cut], profile: &Profile) -> Fig
         fits_bed: fits(&reach, profile),
         dark_rapids,
         dark_at_end: program.dark_at_end,
+        lifts: program.lifts,
         tail: program.tail.clone(),
     }
 }
@@ -123,7 +125,11 @@ fn seconds(program: &Program, profile: &Profile) -> f64 {
     let mut total = 0.0;
     let mut run: Vec<Segment> = Vec::new();
     let mut speed = 0.0;
-    let mut first = true;
+    // Where the first motion comes from is known in relative coordinates only.
+    let mut first = !program.begins_relative;
+    // Where a move with the head lifted began.
+    let mut lifted_from: Option<DVec2> = None;
+    let lifts = profile.levers.lift.is_some_and(|lift| !lift.at_rest);
     let finish = |run: &mut Vec<Segment>, speed: f64| {
         let process = Process { speed, ..profile.cut };
         let seconds = if run.is_empty() || speed <= 0.0 { 0.0 } else { cut_time(profile, &process, run) };
@@ -140,9 +146,12 @@ fn seconds(program: &Program, profile: &Profile) -> f64 {
                 run.push(*path);
                 first = false;
             }
-            Event::Move { path, .. } => {
+            Event::Move { path, lifted, .. } => {
                 total += finish(&mut run, speed);
-                total += if first { 0.0 } else { air.seconds(path.start(), path.end()) };
+                let from = lifted_from.unwrap_or(path.start());
+                // On the way up the move has only begun.
+                lifted_from = (*lifted && lifts).then_some(from);
+                total += if first || lifted_from.is_some() { 0.0 } else { air.seconds(from, path.end()) };
                 first = false;
             }
             Event::Dwell { seconds, .. } => total += finish(&mut run, speed) + seconds,

@@ -66,11 +66,15 @@ pub(super) fn beam(
                     });
                 }
             }
-            Event::Move { line, path, power, feed, .. } => {
+            Event::Move { line, path, power, feed, lifted, .. } => {
                 let n = *line;
                 if power.lit <= 0.0 && path.length() > 0.0 && strict && expected.dark_length <= 0.0 {
                     problems
                         .error(Code::DarkCut, Some(n), || format!("Line {n} is a cut with the beam off."));
+                }
+                if *lifted && power.lit > 0.0 && strict {
+                    problems
+                        .error(Code::LiftedCut, Some(n), || format!("Line {n} cuts with the head lifted."));
                 }
                 if *feed > fastest * 1.001 {
                     problems.add(Code::FeedOutOfRange, doubtful, Some(n), || {
@@ -148,6 +152,9 @@ pub(super) fn compare(
     // Marks are not pierced, but wait for the beam.
     if let Some(pierces) = e.pierces.filter(|&n| rests && n > figures.pierces) {
         differs("pierces", format!("{} times with the beam on", figures.pierces), pierces.to_string());
+    }
+    if let Some(lifts) = e.lifts.filter(|&n| n != figures.lifts) {
+        differs("lifts the head", format!("{} times", figures.lifts), lifts.to_string());
     }
     if let Some(length) = e.cut_length {
         let slack = e.precision + LENGTH.0 * f64::from(figures.stretches) + LENGTH.1 * length;

@@ -275,6 +275,8 @@ export const en = {
 
   levers: {
     moving: 'Begin cuts moving', overcut: 'Cut again at the end',
+    lift: 'Lift the head between cuts', height: 'Lift by', stayDown: 'Stay down on moves up to', atRest: 'Lift before moving, lower after it',
+    aboutLift: 'For parts that may tip up. The head rises and sinks on its way, unless you switch that off. G-code has the heights; other controllers lift by themselves.',
     about: 'For marks, and for sheet so thin that the beam is through at once: it goes on as the head starts, without a wait. Open cuts and cuts in several passes still begin at rest.',
   },
 
@@ -315,7 +317,7 @@ export const en = {
 
   savings: {
     title: 'What saves what', about: 'Each decision is left out once, and the rest is planned again.', ask: 'Work it out', working: 'Working…',
-    decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads' } satisfies Record<Decision, string>,
+    decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads', lift: 'Lifting the head on the way' } satisfies Record<Decision, string>,
     saves: (time: string) => `saves ${time}`, costs: (time: string) => `costs ${time}`, done: (s: number) => `Plans without a decision were searched for up to ${s} s each.`,
   },
 

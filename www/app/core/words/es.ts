@@ -326,6 +326,8 @@ export const es: Words = {
 
   levers: {
     moving: 'Empezar los cortes en movimiento', overcut: 'Volver a cortar al final',
+    lift: 'Levantar el cabezal entre cortes', height: 'Levantar', stayDown: 'Quedarse abajo en trayectos de hasta', atRest: 'Levantar antes de moverse y bajar después',
+    aboutLift: 'Para piezas que pueden levantarse. El cabezal sube y baja por el camino, si no lo desactiva. Las alturas están en el G-code; otros controladores levantan por sí mismos.',
     about: 'Para marcas y para chapa tan fina que el haz la atraviesa al instante: se enciende cuando el cabezal arranca, sin espera. Los cortes abiertos y los de varias pasadas siguen empezando en reposo.',
   },
 
@@ -366,7 +368,7 @@ export const es: Words = {
 
   savings: {
     title: 'Qué ahorra qué', about: 'Cada decisión se quita una vez y el resto se planifica de nuevo.', ask: 'Calcularlo', working: 'Calculando…',
-    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas' },
+    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', lift: 'Levantar el cabezal por el camino' },
     saves: (time) => `ahorra ${time}`, costs: (time) => `cuesta ${time}`, done: (s) => `Los planes sin una decisión se buscaron hasta ${s} s cada uno.`,
   },
 
