@@ -43,7 +43,10 @@ export function drawSheet(pen: Pen, view: View, palette: Palette, bounds: readon
   pen.textAlign = 'start';
 }
 
-/** The bed of the machine, with its size in the corner. Its edge is red where the job does not lie on it. */
+/** Widths of its label that the bed has to have: in the middle is the width of the sheet. */
+const ROOM = 3;
+
+/** The bed of the machine, with its size below the corner. Its edge is red where the job does not lie on it. */
 export function drawBed(pen: Pen, view: View, palette: Palette, bed: readonly number[], fits: boolean): void {
   const r = view.ratio;
   const x0 = view.x + bed[0]! * view.scale, x1 = view.x + bed[2]! * view.scale;
@@ -55,11 +58,11 @@ export function drawBed(pen: Pen, view: View, palette: Palette, bed: readonly nu
   pen.setLineDash([]);
   pen.fillStyle = pen.strokeStyle;
   pen.font = `${12 * view.text}px system-ui, sans-serif`;
-  pen.textBaseline = 'bottom';
+  pen.textBaseline = 'top';
   pen.textAlign = 'right';
   const label = words.stage.bed(extent(bed[2]! - bed[0]!, bed[3]! - bed[1]!));
-  // Outside, where no contours are.
-  if (x1 - x0 > pen.measureText(label).width) pen.fillText(label, x1, y0 - 4 * r);
+  // Below, where no contours are, unless it would meet the width of the sheet there.
+  if (x1 - x0 > ROOM * pen.measureText(label).width) pen.fillText(label, x1, y1 + 4 * r);
   pen.textAlign = 'start';
   pen.textBaseline = 'alphabetic';
 }
