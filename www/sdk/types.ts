@@ -2,6 +2,7 @@
 
 export { Planner, type PlannerOptions } from './planner.js';
 export type { PlanHandle, PlanResult, Started } from './plan-handle.js';
+export type { ProofHandle } from './prover.js';
 export type { Functions, Outputs, Planned, PlanRun } from './functions.js';
 export type { ByteHolder, Bytes, Source } from './bytes.js';
 export type { CheckOptions, InspectOptions, JobOptions, PlanJobOptions, PlanningOptions, QuoteOptions, RenderOptions } from './options.js';
