@@ -19,7 +19,8 @@ pub(super) struct Cut {
     /// The legs of the smooth solution that cross it, and how many there should be at least.
     pub(super) legs: f64,
     pub(super) target: f64,
-    /// The active legs that cross it.
+    /// The pairs of items all of whose legs cross it, and the active legs of other pairs that do.
+    pub(super) pairs: Vec<u32>,
     pub(super) crossing: Vec<u32>,
 }
 
@@ -32,6 +33,7 @@ pub(super) enum Held<'c> {
 }
 
 impl Held<'_> {
+    #[inline]
     pub(super) fn holds(self, knot: usize) -> bool {
         match self {
             Held::None => false,
@@ -43,9 +45,10 @@ impl Held<'_> {
 
 impl Cut {
     pub(super) fn new(held: Vec<(usize, Option<Vec<bool>>)>, visited: Option<usize>) -> Self {
-        Self { held, visited, price: 0.0, legs: 0.0, target: 2.0, crossing: Vec::new() }
+        Self { held, visited, price: 0.0, legs: 0.0, target: 2.0, pairs: Vec::new(), crossing: Vec::new() }
     }
 
+    #[inline]
     pub(super) fn of(&self, item: usize) -> Held<'_> {
         match self.held.binary_search_by(|h| h.0.cmp(&item)).map(|at| &self.held[at].1) {
             Ok(Some(knots)) => Held::Some(knots),

@@ -1,7 +1,7 @@
 //! Sets of places with too few legs to the others. A tour that stops at one of them enters and leaves the set.
 
 use super::cut::Cut;
-use super::{ShareBound, WARM};
+use super::{ROUGH, ShareBound, WARM};
 use crate::order::{real, sort_by};
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ const LITTLE: f64 = 0.01;
 /// Legs and places that are used less do not hold a set together.
 const USED: f64 = 1e-3;
 /// Most cuts, as a multiple of the number of items: each takes time in every step.
-const MOST_CUTS: usize = 12;
+const MOST_CUTS: usize = 40;
 
 /// No place.
 const NOWHERE: u32 = u32::MAX;
@@ -54,8 +54,8 @@ impl ShareBound {
             }
         }
         let room = MOST_CUTS * self.items.len();
-        // While it is hot, every item stops everywhere a little, and no set of knots means anything.
-        let cold = self.temperature <= 1.001 * WARM * self.mean;
+        // While it is hot every item stops everywhere a little, and pieces are still long: no set of knots means anything yet.
+        let cold = self.rounds >= ROUGH && self.temperature <= 1.001 * WARM * self.mean;
         let of_knots = [(by_knot.as_slice(), true), (&by_knot, false)].into_iter().filter(|_| cold);
         for (places, relative) in of_knots.chain([(by_item.as_slice(), false)]) {
             for found in self.grown(places, &degree, relative) {
@@ -139,7 +139,7 @@ impl ShareBound {
             }
         }
         sort_by(&mut found, |f| [u64::MAX - real(f.0), f.1.len() as u64, 0]);
-        found.truncate(self.items.len());
+        found.truncate(self.items.len() / 2);
         found.into_iter().map(|f| f.1).collect()
     }
 

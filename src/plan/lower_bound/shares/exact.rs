@@ -23,10 +23,7 @@ impl ShareBound {
 
     /// What each leg costs less the prices of the cuts that it crosses, table by table.
     pub(super) fn adjust(&mut self) {
-        let mut of: Vec<Vec<usize>> = vec![Vec::new(); self.items.len()];
-        for (c, cut) in self.cuts.iter().enumerate().filter(|c| c.1.price > 0.0) {
-            cut.held.iter().for_each(|h| of[h.0].push(c));
-        }
+        let of = self.priced_cuts();
         self.cost.clear();
         self.cost_at.clear();
         let mut price = Vec::new();
@@ -55,6 +52,15 @@ impl ShareBound {
                 }
             }
         }
+    }
+
+    /// For each item the cuts with a price that hold some of it.
+    fn priced_cuts(&self) -> Vec<Vec<usize>> {
+        let mut of: Vec<Vec<usize>> = vec![Vec::new(); self.items.len()];
+        for (c, cut) in self.cuts.iter().enumerate().filter(|c| c.1.price > 0.0) {
+            cut.held.iter().for_each(|h| of[h.0].push(c));
+        }
+        of
     }
 
     /// The value of the current shares, up to rounding. Legs between items without shares that would be used get shares.
@@ -136,6 +142,7 @@ impl ShareBound {
         for cut in &self.cuts {
             cut.held.iter().for_each(|h| most[h.0] += cut.price);
         }
+        let of = self.priced_cuts();
         let mut known = vec![usize::MAX; count];
         for a in self.first..count {
             for &(e, side) in &self.pairs.of[a] {
@@ -146,12 +153,9 @@ impl ShareBound {
                 let q = self.items[b].around;
                 let seconds = box_seconds(&self.prices, p.min, p.max, q.min, q.max);
                 if seconds < most[a] + most[b] {
-                    let crossing: f64 = self
-                        .cuts
-                        .iter()
-                        .filter(|c| c.price > 0.0 && c.may_cross([a, b]))
-                        .map(|c| c.price)
-                        .sum();
+                    let later = of[b].iter().filter(|c| of[a].binary_search(c).is_err());
+                    let cuts = of[a].iter().chain(later).map(|&c| &self.cuts[c]);
+                    let crossing: f64 = cuts.filter(|c| c.may_cross([a, b])).map(|c| c.price).sum();
                     let lost = far[a] + far[b] + crossing - seconds;
                     if lost > 0.0 {
                         missing.push(([a, b], lost));

@@ -54,6 +54,10 @@ const STEPS: usize = 50;
 /// Evaluations after which the gain is looked at, and the share of the value that is worth more steps at this temperature.
 const LOOKS: usize = 5;
 const WORTH: f64 = 0.002;
+/// The same while pieces are still long.
+const WORTH_ROUGH: f64 = 0.02;
+/// Rounds that end at the warm temperature, with pieces that are still long: their exact solution would be worth little.
+const ROUGH: usize = 5;
 /// Gain for which a certificate is written and checked, which takes about as long as twenty steps.
 const WORTH_PROVING: f64 = 0.002;
 /// Most numbers in the tables of legs: 64 MB.
@@ -102,11 +106,17 @@ pub struct ShareBound {
     /// For each of them the prices of the cuts it crosses, and how much the smooth solution uses it.
     credit: Vec<f64>,
     uses: Vec<f64>,
+    /// How many cuts each of them crosses.
+    crossed: Vec<f64>,
+    /// The same for pairs of items, of cuts that all legs of a pair cross: their prices and their number.
+    of_pairs: Vec<(f64, f64)>,
     /// The average leg, s.
     mean: f64,
     temperature: f64,
     steps: usize,
     looks: usize,
+    /// Rounds of halving pieces so far.
+    rounds: usize,
     /// The value some evaluations ago.
     before: f64,
     done: bool,
@@ -134,6 +144,7 @@ impl ShareBound {
             (_, true) => Kind::Paired,
             _ => Kind::Closed,
         };
+        let rounds = if items.iter().any(Item::can_halve) { 0 } else { ROUGH };
         let mut bound = Self {
             problem: problem.clone(),
             kinds: items.iter().enumerate().map(kind).collect(),
@@ -156,10 +167,14 @@ impl ShareBound {
             starts: Vec::new(),
             credit: Vec::new(),
             uses: Vec::new(),
+            crossed: Vec::new(),
+            of_pairs: Vec::new(),
             mean: 1.0,
             temperature: 1.0,
             steps: 0,
             looks: 0,
+            // Points have no pieces.
+            rounds,
             before: f64::NEG_INFINITY,
             done: false,
             left: 0,
@@ -221,7 +236,8 @@ impl ShareBound {
         if self.looks.is_multiple_of(LOOKS) {
             let gained = value - self.before;
             self.before = value;
-            if gained < WORTH * value.abs() {
+            let worth = if self.rounds < ROUGH { WORTH_ROUGH } else { WORTH };
+            if gained < worth * value.abs() {
                 self.cool(value);
             }
         }
@@ -232,7 +248,7 @@ impl ShareBound {
     /// Lowers the temperature; at the last one, halves pieces and starts a round again.
     fn cool(&mut self, value: f64) {
         self.before = f64::NEG_INFINITY;
-        let last = COLD * self.mean;
+        let last = if self.rounds < ROUGH { WARM } else { COLD } * self.mean;
         if self.temperature > last * 1.001 {
             self.temperature = (self.temperature * COOLER).max(last);
             return;
@@ -240,6 +256,7 @@ impl ShareBound {
         self.prove(value);
         if self.numbers() < MOST_NUMBERS && self.refine() {
             self.temperature = WARM * self.mean;
+            self.rounds += 1;
         } else {
             self.done = true;
         }
