@@ -109,7 +109,7 @@ describe('the wasm file alone', () => {
     const job = new core.Job(PLATE, 'x.dxf', {});
     for (const seconds of [NaN, Infinity, -1, null]) assert.throws(() => job.start({ seconds }), /^Error: The option "seconds" is /);
     for (const seed of [0.5, -1, 1e300, NaN]) assert.throws(() => job.start({ seed }), /^Error: The option "seed" is .*Give a whole number/);
-    assert.throws(() => job.output(5), /Give a text/);
+    assert.throws(() => job.workOrder(5), /Give a text/);
     job.free();
   });
 });
