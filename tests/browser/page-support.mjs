@@ -191,16 +191,23 @@ export async function replanned(page, act) {
   await page.waitForFunction((n) => window.plansBegun > n && document.body.dataset.phase === 'done', before);
 }
 
-/** Waits until the browser has stored a job with this many skipped contours and a finished plan. */
-export function storedWith(page, skipped) {
-  return page.waitForFunction(async (skipped) => {
+/** Waits until the browser has stored a job with this many skipped contours and a finished plan of it. */
+export async function storedWith(page, skipped) {
+  const isStored = () => page.evaluate(async (skipped) => {
     const request = indexedDB.open('kerfway');
     const database = await new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
     const jobs = database.transaction('jobs').objectStore('jobs').getAll();
     await new Promise((resolve) => (jobs.onsuccess = resolve));
     database.close();
-    return jobs.result.some(({ reading, plan }) => (reading.exclude ?? []).length === skipped && plan?.done === true);
+    // A contour is skipped before the plan without it is there.
+    return jobs.result.some(({ reading: { exclude = [] }, plan }) => exclude.length === skipped && plan?.done === true && !exclude.some((c) => plan.path.contours.includes(c)));
   }, skipped);
+  // A wait for a function takes the promise of an answer for the answer, so it is asked again from here.
+  const end = Date.now() + PATIENCE;
+  while (!(await isStored())) {
+    assert.ok(Date.now() < end, 'the job is stored');
+    await nextFrames(page, 6);
+  }
 }
 
 /** Opens the page with a machine and a drawing in millimetres that is planned, the same with the same seed. */
