@@ -209,6 +209,25 @@ impl<'a> Grid<'a> {
         })
     }
 
+    /// A place with room near `at`, about `most` mm away at most. On a very long contour the places of the grid are far apart,
+    /// so that it is looked for in steps of half a joint as well.
+    fn near(&mut self, at: f64, most: f64) -> Option<f64> {
+        let (whole, step) = (self.room.whole, self.room.gap / FINE);
+        let away = |place: f64| (place - at).rem_euclid(whole).min((at - place).rem_euclid(whole));
+        let on_grid = self.nearest(at, most).map(|place| self.at(place));
+        on_grid.filter(|&place| away(place) <= most + self.room.gap).or_else(|| {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "clearance is limited"
+            )]
+            let steps = (most / step).ceil() as u32;
+            let both = |k| [f64::from(k) * step, -f64::from(k) * step];
+            let aside = (1..=steps).flat_map(both).map(|by| (at + by).rem_euclid(whole));
+            aside.into_iter().find(|&place| self.room.is_off_corners(place) && self.room.is_off_others(place))
+        })
+    }
+
     /// Whether a joint keeps its distance from others.
     fn is_apart(&self, at: f64, others: &[f64]) -> bool {
         let least = (1.0 + LEAST_STRETCH) * self.room.gap - SLACK;
@@ -316,7 +335,7 @@ impl<'a> Grid<'a> {
         for &at in wished {
             let point = self.room.path.at(at.rem_euclid(self.room.whole)).unwrap_or_default();
             let exact = self.room.is_off_corners(at) && self.room.is_off_others(at);
-            let place = if exact { Some(at) } else { self.nearest(at, most).map(|place| self.at(place)) };
+            let place = if exact { Some(at) } else { self.near(at, most) };
             match place.filter(|&at| self.is_apart(at, &places)) {
                 Some(found) => {
                     places.push(found);

@@ -104,7 +104,8 @@ describe('any options at all', () => {
       // A value that is no object at all has no field, and a drawing of which nothing is left has none either.
       const whole = /^(inspect|plan|quote|Reading|Planning|The field "options") is /.test(says);
       const ofDrawing = ['nothing-to-cut', 'unknown-contour', 'unfit-path', 'far-from-origin', 'off-bed'].includes(result.code);
-      assert.ok(typeof result.params.field === 'string' || whole || ofDrawing, JSON.stringify(result));
+      const said = () => `${JSON.stringify(result)} for ${JSON.stringify(options, (_, v) => (typeof v === 'bigint' ? String(v) : v))}`;
+      assert.ok(typeof result.params.field === 'string' || whole || ofDrawing, said());
       assert.match(says, /[.?]$/, says);
       assert.ok(!/[\n\u001b]|undefined is|of undefined|memory access|unreachable|broke down|Cannot/.test(says), says);
     };

@@ -79,7 +79,7 @@ describe('an output replaces a file and keeps its properties', () => {
     const caught = openSync(join(from, 'caught'), 'w');
     assert.equal((await run(['plan', join(from, 'a.dxf'), ...QUICK, '--gcode', '/dev/stdout'], { stdio: ['ignore', caught, 'pipe'] })).code, 0);
     closeSync(caught);
-    assert.deepEqual(readdirSync(dirname(pipe)).sort(), ['a.dxf', 'a.ngc', 'a.tsp', 'caught', 'pipe', 'plan.json']);
+    assert.deepEqual(readdirSync(dirname(pipe)).sort(), ['a.certificate.json', 'a.dxf', 'a.ngc', 'a.tsp', 'caught', 'pipe', 'plan.json']);
   });
 });
 

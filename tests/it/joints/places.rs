@@ -173,6 +173,21 @@ fn joints_by_hand_replace_those_of_rules() {
 }
 
 #[test]
+fn a_joint_by_hand_in_a_corner_of_a_contour_of_60_m_is_moved_by_a_few_millimetres_only() {
+    let mut b = Builder::new();
+    b.cut(rectangle(p(0.0, 0.0), p(20_000.0, 10_000.0)), None);
+    let mut sheet = oriented(b.sheet);
+    sheet.joints = vec![HandJoint { contour: 0, at: 0.0 }];
+    let machine = with_joints(machine("co2-100w"), vec![rule(1, JointKind::Stop)]);
+    let found = joints(&sheet, &machine, 0);
+    let [joint] = found.joints.as_slice() else { panic!("{found:?}") };
+    let clearance = machine.joints.as_ref().unwrap().rules[0].corner_clearance;
+    let from_corner = joint.from.min(60_000.0 - joint.to);
+    assert!((clearance..clearance + 0.5).contains(&from_corner), "{joint:?}");
+    assert_eq!(found.outcome.moved.len(), 1);
+}
+
+#[test]
 fn contours_that_cannot_have_joints_are_refused() {
     let mut sheet = plate();
     sheet.contours[1].self_crossing = true;
