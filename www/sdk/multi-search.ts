@@ -9,6 +9,7 @@
 import { bounded } from './bound.js';
 import type { PlanMessage } from './plan-handle.js';
 import type { Budget, FromWorker, LoadOptions, PlanOptions, Progress, ToWorker } from './protocol.js';
+import type { WasmModule } from './wasm-module.js';
 import { type SILENCE_LIMITS, type StartWorker, WorkerConnection } from './worker-connection.js';
 
 type Done = Extract<FromWorker, { type: 'done' }>;
@@ -22,7 +23,7 @@ export interface Drawing {
 
 /** What the planner provides. */
 export interface SearchOwner {
-  module: WebAssembly.Module;
+  module: WasmModule;
   start: StartWorker;
   silenceLimits?: typeof SILENCE_LIMITS;
   /** Sends a message to the first worker. */
