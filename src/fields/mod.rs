@@ -16,7 +16,7 @@ pub use error::{Fault, FieldError};
 pub use nearest::{nearest, no_such};
 pub use rule::out_of_range;
 pub use table::{Field, Kind, Range, Shape};
-pub use value::Value;
+pub use value::{Value, shown};
 
 use serde::de::{DeserializeOwned, Error};
 use serde::{Deserialize, Deserializer};

@@ -31,7 +31,7 @@ pub(super) const COUNTS: f64 = 9_007_199_254_740_991.0;
 const SHOWN: usize = 40;
 
 /// A caller's text for a message, shortened and without control characters, which a terminal might act on.
-pub(super) fn shown(text: &str) -> String {
+pub fn shown(text: &str) -> String {
     let clean = |c: char| if c.is_control() { '\u{fffd}' } else { c };
     let mut short: String = text.chars().take(SHOWN).map(clean).collect();
     if text.chars().nth(SHOWN).is_some() {

@@ -2,7 +2,7 @@
 
 use super::profile::Profile;
 use super::settings::MaterialSetting;
-use crate::fields::{Fault, FieldError};
+use crate::fields::{Fault, FieldError, shown};
 
 impl Profile {
     /// The setting for a material. Names are compared without case and without spaces at their ends.
@@ -32,10 +32,10 @@ impl Profile {
         let known = if names.is_empty() {
             "Its library is empty: add a setting to the machine.".to_owned()
         } else {
-            format!("It has: {}.", names.join(", "))
+            format!("It has: {}.", names.iter().map(|n| shown(n)).collect::<Vec<_>>().join(", "))
         };
-        let message =
-            format!("The machine {} has no setting for the material \"{}\". {known}", self.name, name.trim());
+        let (machine, wanted) = (shown(&self.name), shown(name.trim()));
+        let message = format!("The machine {machine} has no setting for the material \"{wanted}\". {known}");
         let choices = names.into_iter().map(str::to_owned).collect();
         FieldError::new(Fault::NotAChoice(choices), "material", message)
     }
@@ -71,6 +71,7 @@ mod tests {
         let with = machine.clone().with_material(" 3 mm birch PLY ").unwrap();
         assert_eq!((with.cut.speed, with.pierce_time, with.kerf_width), (7.0, 0.25, 0.15));
         assert_eq!(with.mark, machine.mark);
+        assert!(!machine.lacks("\u{1b}[2J").message.contains(char::is_control), "a terminal would act on it");
         assert_eq!(
             machine.with_material("12 mm steel").unwrap_err().message,
             "The machine diode-hobby has no setting for the material \"12 mm steel\". It has: 3 mm Birch ply."
