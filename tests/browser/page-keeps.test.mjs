@@ -74,6 +74,8 @@ test('a search goes on while a wrong file is dropped', async (t) => {
 test('undo and redo bring back the plan found for each state, and its search goes on where it was', async (t) => {
   const { page } = await openPage(t, { hash: 'seconds=1' });
   await done(page, 'own.dxf', grid(90));
+  // What is stored is the plan in which the search ended.
+  await stored(page);
   const first = { time: await jobTime(page), moves: await moves(page) };
   await skip(page);
   const second = { time: await jobTime(page), moves: await moves(page) };
