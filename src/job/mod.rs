@@ -27,6 +27,7 @@ mod solving;
 mod warm_path;
 
 pub use crate::output::OutputKind;
+use crate::output::sha256;
 pub use best_path::BestPath;
 pub use code::ErrorCode;
 pub use error::{ErrorReport, JobError, Param};
@@ -48,7 +49,6 @@ use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Severity};
 use crate::order::sort_by;
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
-use sha2::{Digest, Sha256};
 
 /// One drawing through the whole flow.
 pub struct Job {
@@ -71,11 +71,10 @@ impl Job {
         let sheet_options = options.sheet_options()?;
         let drawing = read::read(&bytes, &read_options)?.turned(read_options.quarter_turns);
         let sheet = build_sheet(&drawing, &sheet_options)?;
-        let sha256 = Sha256::digest(&bytes).iter().map(|b| format!("{b:02x}")).collect();
         Ok(Self {
             name: name.to_owned(),
+            sha256: sha256(&bytes),
             bytes,
-            sha256,
             read_options,
             sheet_options,
             drawing,

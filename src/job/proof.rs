@@ -7,11 +7,10 @@
 use super::{Job, JobError, LoadOptions, MachineChoice, Place, PlanOptions};
 use crate::drawing::TextDecoder;
 use crate::machine::{Profile, Start};
-use crate::output::json_text;
+use crate::output::{json_text, sha256};
 use crate::plan::{Certificate, ShareBound};
 use crate::problem::{Item, Problem};
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
 /// The name and version of the format.
 pub const CERTIFICATE_SCHEMA: &str = "kerfway.certificate/1";
@@ -72,9 +71,9 @@ impl Proof {
         let file = File {
             schema: CERTIFICATE_SCHEMA.to_owned(),
             seconds: 0.0,
-            drawing: Drawing { name: name.to_owned(), sha256: hash(&bytes) },
+            drawing: Drawing { name: name.to_owned(), sha256: sha256(&bytes) },
             reading,
-            machine_sha256: hash(json_text(&machine).as_bytes()),
+            machine_sha256: sha256(json_text(&machine)),
             machine,
             material,
             place,
@@ -82,7 +81,7 @@ impl Proof {
             travel: Certificate::default(),
             sha256: String::new(),
         };
-        let paid = problem.items.iter().map(Item::least).sum();
+        let paid = problem.paid();
         Ok(Self { file, problem, paid, bound })
     }
 
@@ -116,7 +115,7 @@ impl Proof {
 impl File {
     /// The seal that the file should have.
     fn seal(&self) -> String {
-        hash(json_text(&Self { sha256: String::new(), ..self.clone() }).as_bytes())
+        sha256(json_text(&Self { sha256: String::new(), ..self.clone() }))
     }
 }
 
@@ -150,10 +149,10 @@ pub fn verify(
     if file.sha256 != file.seal() {
         return Err("The certificate was changed after it was written: its own hash does not fit it.".into());
     }
-    if hash(json_text(&file.machine).as_bytes()) != file.machine_sha256 {
+    if sha256(json_text(&file.machine)) != file.machine_sha256 {
         return Err("The machine in the certificate is not the one that its hash names.".into());
     }
-    if machine.is_some_and(|m| hash(json_text(m).as_bytes()) != file.machine_sha256) {
+    if machine.is_some_and(|m| sha256(json_text(m)) != file.machine_sha256) {
         let (this, other) = (&file.machine.name, machine.map_or("", |m| m.name.as_str()));
         return Err(if this == other {
             format!("The certificate is for a machine {this} with other settings.")
@@ -161,7 +160,7 @@ pub fn verify(
             format!("The certificate is for the machine {this}, not for {other}.")
         });
     }
-    if hash(drawing) != file.drawing.sha256 {
+    if sha256(drawing) != file.drawing.sha256 {
         return Err(format!(
             "The certificate is for another drawing: {} with the SHA-256 {}.",
             file.drawing.name, file.drawing.sha256
@@ -179,7 +178,7 @@ pub fn verify(
             file.seconds.max(whole_job(&file.travel, file.travel.bound.into(), &problem))
         ));
     }
-    let paid = problem.items.iter().map(Item::least).sum();
+    let paid = problem.paid();
     Ok(Verified { seconds: file.seconds, paid, drawing: file.drawing.name, machine: file.machine.name })
 }
 
@@ -220,8 +219,4 @@ fn problem(
 /// The least seconds of the whole job, rounded down: a proven travel in units of the certificate, and what every plan pays.
 fn whole_job(travel: &Certificate, proven: i128, problem: &Problem) -> f64 {
     travel.with_paid(proven, problem.items.iter().map(Item::least))
-}
-
-fn hash(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
 }

@@ -5,7 +5,7 @@ use super::{Baselines, JobError, Placed, WarmPath, common_cuts, joints, leads, p
 use crate::finding::Finding;
 use crate::machine::Profile;
 use crate::plan::{self, LowerBound, Plan};
-use crate::problem::{Item, Problem};
+use crate::problem::Problem;
 use crate::sheet::Sheet;
 use crate::solve::{self, Insight, Running, Solution, Status, Telemetry};
 
@@ -198,8 +198,7 @@ impl Run {
     /// Lower bound of the total time of every plan in seconds: the bound of the search plus the fixed times; 0 until there
     /// is one. The bound ignores sharp corners; what leaving contours and pierce groups may save is subtracted.
     pub fn bound(&self) -> f64 {
-        let least =
-            |prover: &LowerBound| self.problem().items.iter().map(Item::least).sum::<f64>() + prover.value();
+        let least = |prover: &LowerBound| self.problem().paid() + prover.value();
         self.prover.as_ref().map_or(0.0, least).max(self.proven)
     }
 

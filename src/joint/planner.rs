@@ -213,9 +213,8 @@ impl<'a> Grid<'a> {
     /// so that it is looked for in steps of half a joint as well.
     fn near(&mut self, at: f64, most: f64) -> Option<f64> {
         let (whole, step) = (self.room.whole, self.room.gap / FINE);
-        let away = |place: f64| (place - at).rem_euclid(whole).min((at - place).rem_euclid(whole));
         let on_grid = self.nearest(at, most).map(|place| self.at(place));
-        on_grid.filter(|&place| away(place) <= most + self.room.gap).or_else(|| {
+        on_grid.filter(|&place| self.room.apart(place, at) <= most + self.room.gap).or_else(|| {
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
@@ -231,11 +230,8 @@ impl<'a> Grid<'a> {
     /// Whether a joint keeps its distance from others.
     fn is_apart(&self, at: f64, others: &[f64]) -> bool {
         let least = (1.0 + LEAST_STRETCH) * self.room.gap - SLACK;
-        others.iter().all(|&o| {
-            let ahead = (at - o).rem_euclid(self.room.whole);
-            // A joint alone has the whole contour as its stretch.
-            ahead.min(self.room.whole - ahead) >= least
-        })
+        // A joint alone has the whole contour as its stretch.
+        others.iter().all(|&o| self.room.apart(at, o) >= least)
     }
 
     /// Lengths between neighbouring joints, each with the place of the joint before it; `places` are in order.
@@ -339,8 +335,7 @@ impl<'a> Grid<'a> {
             match place.filter(|&at| self.is_apart(at, &places)) {
                 Some(found) => {
                     places.push(found);
-                    let ahead = (found - at).rem_euclid(self.room.whole);
-                    let by = ahead.min(self.room.whole - ahead);
+                    let by = self.room.apart(found, at);
                     if by > SLACK {
                         outcome.moved.push((point, by));
                     }

@@ -66,13 +66,15 @@ impl Room<'_> {
         Joint { from, to: (at + 0.5 * self.gap).rem_euclid(self.whole), length: self.gap }
     }
 
+    /// Distance of two places along the contour, mm, the shorter way round.
+    pub(super) fn apart(&self, a: f64, b: f64) -> f64 {
+        let ahead = (a - b).rem_euclid(self.whole);
+        ahead.min(self.whole - ahead)
+    }
+
     /// Whether a joint with its middle at `at` mm is far enough from corners.
     pub(super) fn is_off_corners(&self, at: f64) -> bool {
         let least = self.clearance + 0.5 * self.gap;
-        let apart = |corner: f64| {
-            let ahead = (corner - at).rem_euclid(self.whole);
-            ahead.min(self.whole - ahead)
-        };
         // Corners are in order, so only those on both sides can be nearest.
         let next = self.corners.partition_point(|&c| c < at);
         let count = self.corners.len();
@@ -80,7 +82,7 @@ impl Room<'_> {
             || [self.corners.get(next % count), self.corners.get((next + count - 1) % count)]
                 .into_iter()
                 .flatten()
-                .all(|&c| apart(c) >= least)
+                .all(|&c| self.apart(c, at) >= least)
     }
 
     /// Whether a joint with its middle at `at` mm is in no cut that contours share. It holds to a web that is at least half
@@ -103,9 +105,8 @@ impl Room<'_> {
             near = stretch.iter().any(|s| {
                 (0..=POINTS).any(|i| {
                     let (f, d2) = side.nearest(s.at(f64::from(i) / f64::from(POINTS)));
-                    let ahead = (begin + f * side.length() - at).rem_euclid(self.whole);
                     // What is next to the joint along the contour is no other side.
-                    d2 < least * least && ahead.min(self.whole - ahead) > 1.5 * self.gap
+                    d2 < least * least && self.apart(begin + f * side.length(), at) > 1.5 * self.gap
                 })
             });
             !near

@@ -25,7 +25,7 @@ pub use dxf::dxf;
 pub use gcode::{
     Check, CheckCode, CheckProblem, JobFacts, OutputError, check, check_against, fits_bed, gcode,
 };
-pub use json::json_text;
+pub use json::{json_text, sha256};
 pub use kind::OutputKind;
 pub use lbrn2::lbrn2;
 pub use rd::rd;

@@ -173,6 +173,11 @@ pub struct Problem {
 }
 
 impl Problem {
+    /// What every plan pays at its items, whatever its travel, s ([`Item::least`]).
+    pub fn paid(&self) -> f64 {
+        self.items.iter().map(Item::least).sum()
+    }
+
     /// The table of costs, if travel is given by one, as in benchmark instances.
     pub fn table(&self) -> Option<&Table> {
         self.table.as_ref()

@@ -29,9 +29,8 @@ pub use times::Times;
 
 use crate::fields::FieldError;
 use crate::geometry::Segment;
-use crate::output::json_text;
+use crate::output::{json_text, sha256};
 use crate::plan::document::{Document, Stroke, strokes};
-use sha2::{Digest, Sha256};
 use shape::Shape;
 
 /// The report of a plan document.
@@ -51,7 +50,7 @@ pub fn quote(document: &Document, terms: &Terms) -> Result<Quote, FieldError> {
 /// are not the same twice. The name of the file and the version of the planner are empty in it: the same file under another
 /// name is the same job, and a version that changes no figure changes no hash.
 fn hash(quote: &Quote) -> String {
-    Sha256::digest(json_text(quote)).iter().map(|b| format!("{b:02x}")).collect()
+    sha256(json_text(quote))
 }
 
 /// Every contour's line, as it is drawn.

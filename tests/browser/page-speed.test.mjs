@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { download, drop, grid, nextFrames, openPage, phase, planned, roam, tasksOf, watchFrames } from './page-support.mjs';
+import { download, drop, grid, nextFrames, openPage, phase, planned, roam, tasksOf, watchFrames, until } from './page-support.mjs';
 
 /** Milliseconds: a frame longer than this is seen as a jerk. */
 const FRAME = 50;
@@ -41,7 +41,7 @@ test('nothing is fetched after the page has loaded', async (t) => {
   await page.evaluate(() => navigator.serviceWorker.ready);
   // The writers of programs are loaded last: when somebody uses the page for the first time, or after twelve seconds.
   await page.keyboard.press('Shift');
-  while (!requests.some((r) => r.includes('kerfway_outputs_bg'))) await page.waitForTimeout(50);
+  await until(page, 'the writers are requested', () => requests.some((r) => r.includes('kerfway_outputs_bg')));
   await page.waitForLoadState('networkidle');
   assert.ok(requests.every((r) => r.startsWith(url)), 'everything comes from the page’s own folder');
   requests.length = 0;

@@ -162,11 +162,18 @@ export async function download(page, press) {
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
 }
 
-/** Waits until the service worker controls the page and has stored the JavaScript and the wasm of one of the wasm files. */
-export async function stored(page, name) {
+/** Asks again until the answer is yes. `waitForFunction` takes the promise of an asynchronous function for its result. */
+export async function until(page, what, ask) {
   const end = Date.now() + PATIENCE;
-  // `waitForFunction` takes the promise of an asynchronous function for its result.
-  while (!(await page.evaluate(isStored, name))) assert.ok(Date.now() < end, `${name} is stored`);
+  while (!(await ask())) {
+    assert.ok(Date.now() < end, what);
+    await nextFrames(page, 6);
+  }
+}
+
+/** Waits until the service worker controls the page and has stored the JavaScript and the wasm of one of the wasm files. */
+export function stored(page, name) {
+  return until(page, `${name} is stored`, () => page.evaluate(isStored, name));
 }
 
 const isStored = async (name) => {
@@ -202,12 +209,7 @@ export async function storedWith(page, skipped) {
     // A contour is skipped before the plan without it is there.
     return jobs.result.some(({ reading: { exclude = [] }, plan }) => exclude.length === skipped && plan?.done === true && !exclude.some((c) => plan.path.contours.includes(c)));
   }, skipped);
-  // A wait for a function takes the promise of an answer for the answer, so it is asked again from here.
-  const end = Date.now() + PATIENCE;
-  while (!(await isStored())) {
-    assert.ok(Date.now() < end, 'the job is stored');
-    await nextFrames(page, 6);
-  }
+  await until(page, 'the job is stored', isStored);
 }
 
 /** Opens the page with a machine and a drawing in millimetres that is planned, the same with the same seed. */

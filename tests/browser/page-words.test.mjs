@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { transformSync } from 'esbuild';
-import { download, drop, openPage, phase, planned, replanned, sample, shot } from './page-support.mjs';
+import { download, drop, openPage, phase, planned, replanned, sample, shot, until } from './page-support.mjs';
 
 const WORDS = join(import.meta.dirname, '..', '..', 'www', 'app', 'core', 'words');
 const LANGUAGES = ['de', 'es', 'zh', 'ja'];
@@ -68,13 +68,10 @@ test('every language: the job stays, nothing is left in English, numbers and err
     await shot(page, `language-${language}`);
   }
   // Japanese is chosen now. Its words come from the store of the service worker.
-  await page.evaluate(async () => {
-    const isStored = async () => {
-      const stored = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
-      return ['language-ja', 'language-sentences'].every((name) => stored.flat().some(({ url }) => url.includes(name)));
-    };
-    while (!(await isStored())) await new Promise(requestAnimationFrame);
-  });
+  await until(page, 'the language is stored', () => page.evaluate(async () => {
+    const stored = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
+    return ['language-ja', 'language-sentences'].every((name) => stored.flat().some(({ url }) => url.includes(name)));
+  }));
   await page.context().setOffline(true);
   await page.reload();
   await planned(page, 'careless.dxf', 'done');

@@ -2,9 +2,9 @@
 //! of wrong plans, and where the head is in programs.
 #![allow(clippy::unwrap_used, reason = "tests stop where they cannot go on")]
 
+use crate::testkit::exact::{planned, search_of_exact_cost};
 use crate::testkit::sheets::{Builder, circle, machine, nested_sheet, p, rectangle};
 use kerfway::geometry::DVec2;
-use kerfway::job::problem_of;
 use kerfway::machine::dialect::{DialectChoice, dialects};
 use kerfway::machine::{
     Axes, JointRule, Joints, Levers, Lift, Process, Profile, Start, Travel, air_time, presets,
@@ -12,7 +12,6 @@ use kerfway::machine::{
 use kerfway::output::{self, SheetFacts};
 use kerfway::plan::{self, Move, Plan, Violation};
 use kerfway::sheet::Sheet;
-use kerfway::solve;
 
 const UP: Lift = Lift { height: 10.0, stay_down: 0.0, at_rest: false };
 
@@ -25,11 +24,6 @@ fn lifting(machine: &Profile, lift: Lift) -> Profile {
 fn simple(travel: Travel, lift: Lift) -> Profile {
     let rapid = Axes { speed: [1000.0; 2], accel: Some([10_000.0; 2]) };
     lifting(&Profile { travel, rapid, ..machine("fibre-3kw-thin") }, lift)
-}
-
-fn planned(sheet: &Sheet, machine: &Profile) -> Plan {
-    let problem = problem_of(sheet, machine);
-    plan::from_solution(sheet, &problem, &solve::greedy(&problem))
 }
 
 /// The length of each air move.
@@ -147,16 +141,9 @@ fn the_search_is_as_good_as_every_order_and_entry_of_six_contours_and_the_bound_
         let sheet = nested_sheet(6, seed);
         let lift = Lift { height: 20.0, stay_down, at_rest: seed % 2 == 0 };
         let machine = lifting(&machine("fibre-3kw-thin"), lift);
-        let problem = problem_of(&sheet, &machine);
-        let best = solve::exact(&problem).unwrap();
-        let mut search = solve::methods()[0].start(&problem, seed, None);
-        search.step(50_000);
-        let found = search.best();
-        assert!(found.cost <= best.cost + 1e-9, "seed {seed}: {} s, not {} s", found.cost, best.cost);
-        let plan = plan::from_solution(&sheet, &problem, found);
-        assert_eq!(plan::check(&sheet, &machine, &plan), Ok(()));
+        let (problem, least, _) = search_of_exact_cost(&sheet, &machine, seed);
         let bound = crate::lower_bound::bound(&problem, f64::INFINITY, 200_000, 1_000);
-        assert!(bound <= best.cost + 1e-9, "seed {seed}: {bound} s, {} s", best.cost);
+        assert!(bound <= least + 1e-9, "seed {seed}: {bound} s, {least} s");
     }
 }
 

@@ -2,15 +2,14 @@
 //! says of plans that do it wrongly.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests stop where they cannot go on")]
 
+use crate::testkit::exact::{planned, search_of_exact_cost};
 use crate::testkit::sheets::{Builder, circle, line, machine, nested_sheet, p, rectangle};
 use kerfway::geometry::Segment;
-use kerfway::job::problem_of;
 use kerfway::machine::{
     LeadKind, LeadRule, LeadShape, Leads, Levers, MovingPierce, Process, Profile, presets,
 };
-use kerfway::plan::{self, Move, Plan, Violation};
+use kerfway::plan::{self, Move, Violation};
 use kerfway::sheet::Sheet;
-use kerfway::solve;
 
 /// A plate with two holes, a mark, and an open cut beside it: 0 plate, 1 and 2 holes, 3 mark, 4 open cut.
 fn sheet() -> Sheet {
@@ -26,11 +25,6 @@ fn sheet() -> Sheet {
 fn moving(machine: &Profile, overcut: f64) -> Profile {
     let levers = Levers { moving_pierce: Some(MovingPierce { overcut }), lift: None };
     Profile { levers, pre_cut_time: None, ..machine.clone() }
-}
-
-fn planned(sheet: &Sheet, machine: &Profile) -> Plan {
-    let problem = problem_of(sheet, machine);
-    plan::from_solution(sheet, &problem, &solve::greedy(&problem))
 }
 
 /// What the checker says after a change to the moves.
@@ -149,14 +143,7 @@ fn the_search_is_as_good_as_every_order_and_entry_of_six_contours() {
     for seed in 0..10 {
         let sheet = nested_sheet(6, seed);
         let machine = moving(&machine("fibre-3kw-thin"), 0.5);
-        let problem = problem_of(&sheet, &machine);
-        let best = solve::exact(&problem).unwrap();
-        let mut search = solve::methods()[0].start(&problem, seed, None);
-        search.step(50_000);
-        let found = search.best();
-        assert!(found.cost <= best.cost + 1e-9, "seed {seed}: {} s, not {} s", found.cost, best.cost);
-        let plan = plan::from_solution(&sheet, &problem, found);
-        assert_eq!(plan::check(&sheet, &machine, &plan), Ok(()));
+        let (_, _, plan) = search_of_exact_cost(&sheet, &machine, seed);
         let lengths = |m: &Move| {
             if let Move::Cut { path, .. } = m { path.iter().map(Segment::length).sum() } else { 0.0 }
         };

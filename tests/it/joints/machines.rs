@@ -1,25 +1,19 @@
 //! Joints together with what else a machine can do: levers, pre-cuts, and the seconds of a quote.
 
+use crate::testkit::exact::planned;
 use crate::testkit::joints::{rule, with_joints};
 use crate::testkit::leads::oriented;
 use crate::testkit::sheets::{Builder, circle, machine, p, rectangle};
-use kerfway::job::problem_of;
 use kerfway::joint::{Planner, Refusal};
 use kerfway::machine::{JointKind, JointRule, LeadSide, Levers, MovingPierce, Profile};
-use kerfway::plan::{self, Move, Plan, Violation};
+use kerfway::plan::{self, Move, Violation};
 use kerfway::sheet::Sheet;
-use kerfway::solve;
 
 fn plate() -> Sheet {
     let mut b = Builder::new();
     let plate = b.cut(rectangle(p(10.0, 10.0), p(60.0, 40.0)), None);
     b.cut(circle(p(25.0, 25.0), 4.0), Some(plate));
     oriented(b.sheet)
-}
-
-fn planned(sheet: &Sheet, machine: &Profile) -> Plan {
-    let problem = problem_of(sheet, machine);
-    plan::from_solution(sheet, &problem, &solve::greedy(&problem))
 }
 
 /// What is pierced moving is cut again at its end, which would cut a joint through.

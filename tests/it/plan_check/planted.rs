@@ -3,11 +3,8 @@
 
 use crate::testkit::sheets::{Builder, circle, line, machine, p, rectangle, slot};
 use kerfway::geometry::Segment;
-use kerfway::job::problem_of;
-use kerfway::machine::Profile;
-use kerfway::plan::{self, Move, Plan, Violation};
+use kerfway::plan::{self, Move, Violation};
 use kerfway::sheet::Sheet;
-use kerfway::solve;
 
 /// A plate with two holes (one a slot) and a mark, an open cut, and a disc with a part in its hole.
 /// 0 plate, 1 hole, 2 slot, 3 mark, 4 open cut, 5 ring, 6 its hole, 7 part in the hole.
@@ -24,10 +21,7 @@ pub(super) fn sheet() -> Sheet {
     b.sheet
 }
 
-pub(super) fn planned(sheet: &Sheet, machine: &Profile) -> Plan {
-    let problem = problem_of(sheet, machine);
-    plan::from_solution(sheet, &problem, &solve::greedy(&problem))
-}
+pub(super) use crate::testkit::exact::planned;
 
 /// The violations after a change to the moves, the sums brought in line with the changed moves.
 pub(super) fn after(change: impl FnOnce(&mut Vec<Move>)) -> Vec<Violation> {

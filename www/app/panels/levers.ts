@@ -23,9 +23,9 @@ export interface LeversPanel {
 
 export function leversPanel(edit: (change: (m: MachineProfile) => void) => void): LeversPanel {
   const w = words.levers;
-  const set = (change: (levers: Levers) => void) => edit((m) => {
+  const set = (change: (levers: Levers, machine: MachineProfile) => void) => edit((m) => {
     m.levers = { ...m.levers };
-    change(m.levers);
+    change(m.levers, m);
     if (Object.keys(m.levers).length === 0) delete m.levers;
   });
   const moving = check(w.moving, (on) => set((l) => {
@@ -35,11 +35,9 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
   const overcut = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => set((l) => (l.moving_pierce = { overcut: value })));
   const more = h('div', { class: 'stack' }, field(w.overcut, overcut.input, 'mm'), h('p', { class: 'soft' }, w.about));
 
-  const lift = check(w.lift, (on) => edit((m) => {
-    m.levers = { ...m.levers };
-    if (on) [m.levers.lift, m.z_speed] = [LIFT, m.z_speed ?? Z_SPEED];
-    else delete m.levers.lift;
-    if (Object.keys(m.levers).length === 0) delete m.levers;
+  const lift = check(w.lift, (on) => set((l, m) => {
+    if (on) [l.lift, m.z_speed] = [LIFT, m.z_speed ?? Z_SPEED];
+    else delete l.lift;
   }));
   const lifted = (change: Partial<NonNullable<Levers['lift']>>) => set((l) => (l.lift = { ...LIFT, ...l.lift, ...change }));
   const height = numberInput({ unit: 'mm', least: 0.1, most: MOST.height }, (value) => lifted({ height: value }));
