@@ -14,7 +14,6 @@ import { parseArgs } from 'node:util';
 import { setup } from '../scripts/setup.mjs';
 import { Stop } from '../scripts/tools.mjs';
 import { Instances } from './common/data.mjs';
-import { figures } from './papers/figures.mjs';
 import { tables as hull } from './papers/hull.mjs';
 import { kit } from './papers/kit.mjs';
 import { build } from './papers/runs.mjs';
@@ -45,7 +44,12 @@ export async function bench(args) {
       figures: { type: 'string' },
     },
   });
-  if (values.figures !== undefined) return figures(values.figures);
+  if (values.figures !== undefined) {
+    await setup();
+    // Imported only now: a fresh clone has the drawing library after set-up.
+    const { figures } = await import('./papers/figures.mjs');
+    return figures(values.figures);
+  }
   const names = values.table ?? Object.keys(TABLES);
   const unknown = names.find((name) => !(name in TABLES));
   if (unknown !== undefined) throw new Stop(`There is no table ${unknown}: ${Object.keys(TABLES).join(', ')}.`);

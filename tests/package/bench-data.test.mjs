@@ -1,9 +1,10 @@
 // The instances of the benches: those that may be copied are in the repository, and the others are listed.
 
 import assert from 'node:assert/strict';
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import { cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { join, sep } from 'node:path';
 import { describe, it } from 'node:test';
 import { Instances } from '../../benches/common/data.mjs';
 import { ROOT } from './support.mjs';
@@ -65,3 +66,19 @@ describe('benches/data', () => {
     for (const file of scripts) assert.doesNotMatch(readFileSync(join(ROOT, 'benches', file), 'utf8'), /'shared'|\.\.\/shared/, file);
   });
 });
+
+// Set-up brings in the npm packages only after a bench has been imported.
+for (const bench of ['papers', 'dewil']) {
+  it(`the bench ${bench} begins on a clone without npm packages`, () => {
+    const clone = mkdtempSync(join(tmpdir(), 'kerfway-clone-'));
+    try {
+      const code = (from) => !from.startsWith(join(ROOT, 'benches', 'data')) && !from.includes(`${sep}target`);
+      for (const folder of ['benches', 'scripts']) cpSync(join(ROOT, folder), join(clone, folder), { recursive: true, filter: code });
+      cpSync(join(ROOT, 'package.json'), join(clone, 'package.json'));
+      const { stderr } = spawnSync(process.execPath, ['benches/run.mjs', bench, '--table', 'none'], { cwd: clone, encoding: 'utf8' });
+      assert.match(stderr, /There is no table none/);
+    } finally {
+      rmSync(clone, { recursive: true });
+    }
+  });
+}
