@@ -72,9 +72,8 @@ for (const bench of ['papers', 'dewil']) {
   it(`the bench ${bench} begins on a clone without npm packages`, () => {
     const clone = mkdtempSync(join(tmpdir(), 'kerfway-clone-'));
     try {
-      const code = (from) => !from.startsWith(join(ROOT, 'benches', 'data')) && !from.includes(`${sep}target`);
-      for (const folder of ['benches', 'scripts']) cpSync(join(ROOT, folder), join(clone, folder), { recursive: true, filter: code });
-      cpSync(join(ROOT, 'package.json'), join(clone, 'package.json'));
+      const code = (from) => !from.includes(join('benches', 'data')) && !from.includes(`${sep}target`);
+      for (const part of ['benches', 'scripts', 'package.json', 'www/policy.json']) cpSync(join(ROOT, part), join(clone, part), { recursive: true, filter: code });
       const { stderr } = spawnSync(process.execPath, ['benches/run.mjs', bench, '--table', 'none'], { cwd: clone, encoding: 'utf8' });
       assert.match(stderr, /There is no table none/);
     } finally {
