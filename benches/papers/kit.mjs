@@ -12,11 +12,11 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { ask, ROOT, run, Stop } from '../../scripts/tools.mjs';
-import { MACHINE } from '../dewil/machine.mjs';
 import { SHEETS } from '../dewil/sheets.mjs';
 import { rows } from '../common/table.mjs';
 import { parse, write } from './csv.mjs';
 import { curves } from './curves.mjs';
+import { runs as dewil } from './dewil.mjs';
 import { READINGS } from './readings.mjs';
 import { report } from './report.mjs';
 import { native } from './runs.mjs';
@@ -53,9 +53,9 @@ export async function kit(options) {
   const chosen = (readings ? [...usual, ...more] : usual).filter(([method, name]) => part === undefined || `${method}: ${name}`.includes(part));
   const [all, points] = [[], []];
   for (const instance of listed(instances).filter((name) => only === undefined || name.includes(only))) {
-    for (const [method, reading, parameters] of chosen) {
+    for (const [method, reading, parameters, more = {}] of chosen) {
       const shown = traced !== undefined && usual.some((r) => r[0] === method && r[1] === reading);
-      const found = runs({ instance, method, parameters, seeds, first, threads, instances, every: shown ? every : 0 });
+      const found = runs({ instance, method, parameters, more, seeds, first, threads, instances, every: shown ? every : 0 });
       for (const row of found) {
         const { seed, value, optimum = '', seconds, moves = '', found: best_at = '' } = row;
         all.push({ paper, method, reading, instance, seed, value, optimum, seconds, moves, best_at, commit, ...row.more });
@@ -112,28 +112,4 @@ function yang({ method, parameters, seeds }) {
   return rows(native('yang'), [String(seeds), JSON.stringify(parameters)])
     .filter((r) => r.name === method)
     .map((r) => ({ ...r.run, seed: r.seed, value: r.time, more: { straight: r.length } }));
-}
-
-/** What `partition-tree` reports about itself, by column: seconds without what every path costs besides, numbers, shares. */
-const TREE = {
-  seconds: { free: 'best with precedence left out, s', repaired: 'repaired, s', improved: 'repaired and improved, s' },
-  numbers: {
-    partitions: 'partitions', depth: 'depth', construction: 'construction', gtsp: 'GTSP', repartitioning: 'repartitioning', arborescence: 'arborescence',
-    repair: 'repair and entries',
-  },
-};
-
-function dewil({ instance, method, parameters, seeds }) {
-  const args = [join(ROOT, 'benches', 'dewil', 'sheets', `${instance}.dxf`), JSON.stringify(MACHINE), JSON.stringify([{ name: method, method, parameters, seeds }])];
-  return rows(native('dewil'), args).filter((r) => r.name === method).map((r, k) => {
-    const seconds = (name) => (inside(r, name) === '' ? '' : r.fixed + inside(r, name));
-    return {
-      ...r, seed: k + 1,
-      more: {
-        pre_cuts: r.pre_cuts,
-        ...Object.fromEntries(Object.entries(TREE.seconds).map(([key, name]) => [key, seconds(name)])),
-        ...Object.fromEntries(Object.entries(TREE.numbers).map(([key, name]) => [key, inside(r, name)])),
-      },
-    };
-  });
 }

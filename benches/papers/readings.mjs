@@ -33,7 +33,11 @@ const SIZES = [0.4, 2, 5, 10, 20];
 const HULL = ['rlsga', 'sga', 'hull-pso', 'ofa', 'woa'];
 const KEYED = HULL.slice(2);
 
-/** For each paper: the readings that every run has, and those that `--readings` adds. A reading is `[method, name, parameters]`. */
+/** Of Dewil et al.: pierce groups that must not be left, and their paths by the paper's element insertion. */
+const GROUPS = [['whole', { whole: true }], ['insertion', { common_cuts: 'insertion' }], ['insertion, whole', { common_cuts: 'insertion', whole: true }]];
+
+/** For each paper: the readings that every run has, and those that `--readings` adds. A reading is `[method, name, parameters]`, and
+ * for Dewil et al. what else `benches/solve/src/bin/dewil.rs` takes. */
 export const READINGS = {
   'qu-du': {
     usual: [
@@ -83,10 +87,12 @@ export const READINGS = {
       ['gtsp-lk', 'as-published', {}],
       ['partition-tree', 'PFr-I', { stall: 0 }],
       ['partition-tree', 'as-published', {}],
+      ['tour-tree', 'as long as F-R', {}, { as_long_as: 'F-R' }],
     ],
     more: [
       ['partition-tree', 'start=each', { start: 'each' }],
       ['partition-tree', 'start=single', { start: 'single' }],
+      ...GROUPS.flatMap(([name, more]) => ['pfr', 'gtsp-lk', 'partition-tree'].map((method) => [method, name, {}, more])),
     ],
   },
 };

@@ -3,6 +3,7 @@
 
 import { Stop } from '../../scripts/tools.mjs';
 import { table } from '../common/table.mjs';
+import { report as dewil } from './dewil.mjs';
 import { HULL, QU_DU } from './published.mjs';
 import { deviation, friedman, holm, mean, median, wilcoxon } from './statistics.mjs';
 
@@ -18,7 +19,10 @@ export function report(paper, all, against) {
     statistics(instance, lists);
     FORMS[paper]?.(instance, lists);
   }
-  if (paper === 'dewil') trees(all, names, instances);
+  if (paper === 'dewil') {
+    dewil(all);
+    trees(all, names, instances);
+  }
   ranks(all, names, instances);
 }
 

@@ -4,6 +4,7 @@
 //! sheet takes both steps: [`group_problems`] makes these, the solver finds the paths through each group, and
 //! [`from_sheet`](super::from_sheet) takes the paths.
 
+use super::beside::{Beside, beside};
 use crate::geometry::{DVec2, Path};
 use crate::machine::Profile;
 use crate::sheet::{CommonCuts, PierceGroup, Sheet};
@@ -39,6 +40,8 @@ pub struct GroupProblem {
     pub elements: Vec<Element>,
     /// Number of areas; area 0 is the one around the group.
     pub faces: u32,
+    /// Contours near the group for which it may be left.
+    pub beside: Vec<Beside>,
 }
 
 /// A stretch of a contour between two nodes.
@@ -63,6 +66,7 @@ pub struct Element {
 pub fn group_problems<'m>(sheet: &Sheet, machine: &'m Profile) -> GroupProblems<'m> {
     let groups = sheet.cut_as_one(machine.makes_pre_cuts());
     let worked = sheet.contours.iter().filter(|c| c.is_processed()).count();
+    let beside = beside(sheet, machine, groups);
     GroupProblems {
         machine,
         method: match sheet.common_cuts {
@@ -70,11 +74,11 @@ pub fn group_problems<'m>(sheet: &Sheet, machine: &'m Profile) -> GroupProblems<
             CommonCuts::Best | CommonCuts::Off => GroupMethod::Best,
         },
         is_all: matches!(groups, [only] if only.contours.len() == worked),
-        groups: groups.iter().map(group_problem).collect(),
+        groups: groups.iter().zip(beside).map(|(g, beside)| group_problem(g, beside)).collect(),
     }
 }
 
-fn group_problem(group: &PierceGroup) -> GroupProblem {
+fn group_problem(group: &PierceGroup, beside: Vec<Beside>) -> GroupProblem {
     let elements = group.elements.iter().map(|e| Element {
         contour: e.contour,
         from: e.from,
@@ -83,5 +87,5 @@ fn group_problem(group: &PierceGroup) -> GroupProblem {
         faces: e.faces,
         path: group.path(e),
     });
-    GroupProblem { nodes: group.nodes.clone(), elements: elements.collect(), faces: group.faces }
+    GroupProblem { nodes: group.nodes.clone(), elements: elements.collect(), faces: group.faces, beside }
 }

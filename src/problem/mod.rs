@@ -1,6 +1,7 @@
 //! The problem that a solver sees: items, the nodes where each may be entered, the cost of travel, and precedence. Solvers
 //! know neither drawings nor machine programs.
 
+mod beside;
 mod entries;
 mod from_sheet;
 mod group_problem;
@@ -13,6 +14,7 @@ mod pierce_groups;
 mod sub_path;
 mod table;
 
+pub use beside::Beside;
 pub use from_sheet::from_sheet;
 pub use group_problem::{Element, GroupMethod, GroupProblem, GroupProblems, group_problems};
 pub use groups::Groups;

@@ -1,5 +1,6 @@
 //! Pierce groups as items: which contours are one item, and which item it must come before.
 
+use super::beside::in_one_go;
 use super::ids::{ItemId, NodeId};
 use super::model::{Item, Node};
 use super::sub_path::SubPath;
@@ -26,7 +27,7 @@ impl<'s> PierceGroups<'s> {
     /// paths through each group.
     pub(super) fn new(sheet: &'s Sheet, machine: &Profile, paths: &'s [Vec<SubPath>]) -> Self {
         let none = vec![None; sheet.contours.len()];
-        let in_one_go = sheet.keeps_together() || sheet.asks_for_leads(machine);
+        let in_one_go = in_one_go(sheet, machine);
         let mut all =
             Self { sheet, in_one_go, groups: Vec::new(), of: none.clone(), within: none.clone(), area: none };
         let groups = sheet.cut_as_one(machine.makes_pre_cuts());

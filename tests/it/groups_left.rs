@@ -218,6 +218,15 @@ fn all_methods_gain_by_leaving_and_none_is_below_the_least() {
     }
 }
 
+#[test]
+fn a_path_with_longer_air_moves_that_others_bridge_is_the_least_of_all() {
+    for method in ["tour-tree", "partition-tree"] {
+        let [left, whole, least] = compare(&TALL, &OUTSIDE, method);
+        assert!((left - least).abs() < 1e-9, "{method}: {left} is not the least {least}");
+        assert!(whole - left > 1.5, "{method}: {whole} without leaving the group, {left} with");
+    }
+}
+
 /// Parts on a lattice with slits in them and beside them.
 fn random(seed: u64) -> (Vec<Part>, Vec<Slit>) {
     let mut rng = seeded(seed);

@@ -84,7 +84,12 @@ mod tests {
         let right = element(&[[20.0, 0.0], [40.0, 0.0], [40.0, 10.0], [20.0, 10.0]], [2, 0]);
         let mut elements = vec![left, right];
         elements.insert(shared, side);
-        GroupProblem { nodes: vec![place([20.0, 0.0]), place([20.0, 10.0])], elements, faces: 3 }
+        GroupProblem {
+            nodes: vec![place([20.0, 0.0]), place([20.0, 10.0])],
+            elements,
+            faces: 3,
+            beside: Vec::new(),
+        }
     }
 
     #[test]

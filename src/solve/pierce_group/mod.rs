@@ -8,10 +8,12 @@
 //! * [`net`]: the elements and their possible orders. [`follow`]: the cost of an order.
 //! * [`insertion`]: the element insertion heuristic of the paper. [`exact`]: every order, for small groups.
 //!   [`beam`] and [`anneal`]: ours for larger ones.
+//! * [`bridged`]: orders with air moves that contours beside the group bridge.
 //! * [`strokes`]: an order as what the head does, the exact seconds of it, and where it may be left for other items.
 
 mod anneal;
 mod beam;
+mod bridged;
 mod exact;
 mod follow;
 mod insertion;
@@ -22,6 +24,7 @@ mod strokes;
 use crate::geometry::DVec2;
 use crate::order::{real, sort_by};
 use crate::problem::{GroupMethod, GroupProblems, Stroke, SubPath};
+use bridged::Bridged;
 use net::{Net, Order};
 
 /// Most pairs of ends of a larger group: with the paths back, as many nodes as neighbour lists look at.
@@ -37,6 +40,7 @@ const CHEAPEST: usize = 3;
 pub fn paths(problems: &GroupProblems) -> Vec<Vec<SubPath>> {
     // The nets solved so far with their orders: the same group often occurs many times on a sheet.
     let mut known: Vec<(Net, Vec<Order>)> = Vec::new();
+    let mut bridged = Bridged::default();
     let through = |group| {
         let net = Net::new(group, problems.machine, problems.is_all);
         if problems.method == GroupMethod::Insertion {
@@ -45,13 +49,14 @@ pub fn paths(problems: &GroupProblems) -> Vec<Vec<SubPath>> {
                 return by_insertion;
             }
         }
-        if let Some((_, orders)) = known.iter().find(|known| known.0.is_like(&net)) {
-            return best(&net, orders);
+        let old = known.iter().position(|known| known.0.is_like(&net));
+        let at = old.unwrap_or(known.len());
+        if old.is_none() {
+            let orders = orders(&net);
+            known.push((net.clone(), orders));
         }
-        let orders = orders(&net);
-        let paths = best(&net, &orders);
-        known.push((net, orders));
-        paths
+        let paths = known.get(at).map(|known| best(&net, &known.1)).unwrap_or_default();
+        bridged.added(&net, paths)
     };
     problems.groups.iter().map(through).collect()
 }
@@ -91,11 +96,8 @@ fn orders(net: &Net) -> Vec<Order> {
 /// longer. In pairs of forth and back, the cheapest first; for a small group all of them.
 fn best(net: &Net, orders: &[Order]) -> Vec<SubPath> {
     let all: Vec<SubPath> = orders.iter().map(|order| strokes::sub_path(net, order)).collect();
-    let as_long = |way: &SubPath, [entry, exit]: [DVec2; 2]| {
-        way.seconds + net.air.seconds(entry, way.ends[0]) + net.air.seconds(way.ends[1], exit)
-    };
     let is_of_use =
-        |way: &SubPath| !all.iter().any(|w| w.ends != way.ends && as_long(w, way.ends) <= way.seconds);
+        |way: &SubPath| !all.iter().any(|w| w.ends != way.ends && as_long(net, w, way.ends) <= way.seconds);
     let mut found: Vec<[SubPath; 2]> = Vec::new();
     for way in all.iter().filter(|way| is_of_use(way)) {
         let ends = [way.ends[1], way.ends[0]];
@@ -103,14 +105,24 @@ fn best(net: &Net, orders: &[Order]) -> Vec<SubPath> {
             continue;
         }
         // A path may begin at an area in the middle but not end there, so the path back may be another one.
-        let back = all.iter().reduce(|a, b| if as_long(b, ends) < as_long(a, ends) { b } else { a });
-        found.extend(back.map(|back| [way.clone(), between(net, back.clone(), ends)]));
+        found.extend(back(net, &all, ends).map(|back| [way.clone(), back]));
     }
     sort_by(&mut found, |f| [real(f[0].seconds + f[1].seconds), 0, 0]);
     if net.len() > exact::MOST {
         found.truncate(PAIRS);
     }
     found.into_iter().flatten().map(|path| strokes::priced(net, path)).collect()
+}
+
+/// Seconds of a path with air moves from and to other ends.
+fn as_long(net: &Net, way: &SubPath, [entry, exit]: [DVec2; 2]) -> f64 {
+    way.seconds + net.air.seconds(entry, way.ends[0]) + net.air.seconds(way.ends[1], exit)
+}
+
+/// The fastest of some paths between two ends, extended to them.
+fn back(net: &Net, all: &[SubPath], ends: [DVec2; 2]) -> Option<SubPath> {
+    let fastest = all.iter().reduce(|a, b| if as_long(net, b, ends) < as_long(net, a, ends) { b } else { a });
+    fastest.map(|way| between(net, way.clone(), ends))
 }
 
 /// The paths of the insertion heuristic, in pairs of forth and back, the cheapest first; empty if it finds none.

@@ -1,5 +1,6 @@
 //! The net of a group: its elements, which orders of them are possible, and the parts of an order's cost.
 
+use super::bridged;
 use crate::geometry::{DVec2, Segment};
 use crate::machine::{AirTime, Profile, process_time};
 use crate::problem::GroupProblem;
@@ -16,6 +17,7 @@ const IN_ROWS: usize = 256;
 pub(super) const ROUNDING: f64 = 1e-6;
 
 /// A group with the machine that cuts it.
+#[derive(Clone)]
 pub(super) struct Net<'s> {
     pub(super) group: &'s GroupProblem,
     pub(super) machine: &'s Profile,
@@ -28,6 +30,8 @@ pub(super) struct Net<'s> {
     beside: Vec<[u32; 2]>,
     /// Seconds from node to node, row by row; empty if there are too many nodes.
     ways: Vec<f64>,
+    /// The same where contours beside the group bridge the air moves ([`bridged::ways`]); empty if there are none.
+    bridged: Vec<f64>,
     /// By step: what may follow without a stop of the beam, and [`Net::gain`] of that.
     pub(super) gains: Vec<Vec<(Step, f64)>>,
     /// By element: the largest gain of a step after it.
@@ -56,10 +60,25 @@ impl<'s> Net<'s> {
         let ends = group.elements.iter().flat_map(|e| [e.ends, [e.ends[1], e.ends[0]]]).collect();
         let beside = group.elements.iter().map(|e| e.faces).collect();
         let places = if group.nodes.len() <= IN_ROWS { group.nodes.as_slice() } else { &[] };
-        let ways = places.iter().flat_map(|&a| places.iter().map(move |&b| air.seconds(a, b))).collect();
+        let ways: Vec<f64> =
+            places.iter().flat_map(|&a| places.iter().map(move |&b| air.seconds(a, b))).collect();
+        let bridged = bridged::ways(group, &air, &ways);
         let (gains, most) = (Vec::new(), Vec::new());
-        let mut net =
-            Self { group, machine, air, is_all, ends, beside, ways, gains, most, degree, around, sides };
+        let mut net = Self {
+            group,
+            machine,
+            air,
+            is_all,
+            ends,
+            beside,
+            ways,
+            bridged,
+            gains,
+            most,
+            degree,
+            around,
+            sides,
+        };
         net.gains = net.steps().map(|step| net.gains_after(step)).collect();
         let most = |e: usize| {
             [2 * e, 2 * e + 1].iter().flat_map(|&s| &net.gains[s]).fold(0.0_f64, |m, g| m.max(g.1))
@@ -78,6 +97,18 @@ impl<'s> Net<'s> {
             && self.group.nodes.len() == other.group.nodes.len()
             && (0..self.group.nodes.len()).all(|k| from(self, k).abs_diff_eq(from(other, k), ROUNDING))
             && self.gains.iter().flatten().zip(other.gains.iter().flatten()).all(|(a, b)| near(a.1, b.1))
+    }
+
+    /// The same net with bridged air moves, for orders that are good where the group is left for what lies beside it; `None`
+    /// if nothing bridges an air move.
+    pub(super) fn bridged(&self) -> Option<Self> {
+        (!self.bridged.is_empty()).then(|| Self { ways: self.bridged.clone(), ..self.clone() })
+    }
+
+    /// Whether [`Net::bridged`] is the same for another net, up to rounding.
+    pub(super) fn is_bridged_like(&self, other: &Net) -> bool {
+        let near = |(a, b): (&f64, &f64)| (a - b).abs() < ROUNDING;
+        self.bridged.len() == other.bridged.len() && self.bridged.iter().zip(&other.bridged).all(near)
     }
 
     fn gains_after(&self, step: Step) -> Vec<(Step, f64)> {
