@@ -53,8 +53,8 @@ export const SHEETS = [
   ['23', 3, 841, common(2800, 2)],
 ];
 
-/** Blocks of touching parts among single ones, large and small; `scale` makes all of it larger. */
-function touching(sheet, { width, scale }) {
+/** Blocks of touching parts among single ones, large and small; `scale` makes all of it larger, `gap` are the distances between blocks. */
+function touching(sheet, { width, scale, gap: distances = [10, 30] }) {
   const { dice } = sheet;
   const blocks = [
     [(x, y) => grid(sheet, x, y, { columns: 3, lines: 2, w: 60 * scale, h: 40 * scale }), 24],
@@ -78,19 +78,19 @@ function touching(sheet, { width, scale }) {
       size = [side, side];
       sheet.draw(outline(x, y, side, side, sheet.elements(4), dice));
     }
-    const gap = dice.between(10, 30);
+    const gap = dice.between(...distances);
     x += size[0] + gap;
     high = Math.max(high, size[1]);
     if (x > width) [x, y, high] = [10, y + high + gap, 0];
   }
 }
 
-/** The contours of a sheet. */
-export function contours(name) {
+/** The contours of a sheet. Of set 3 also of a variant, which is `scale` times as large, with other gaps between the blocks. */
+export function contours(name, { scale = 1, gap } = {}) {
   const index = SHEETS.findIndex((s) => s[0] === name);
   const [, , elements, spec] = SHEETS[index];
   const sheet = new Sheet(elements, new Dice(1000 + index));
-  spec.fill(sheet, spec);
+  spec.fill(sheet, spec.fill === touching ? { ...spec, width: spec.width * scale, scale: spec.scale * scale, gap } : spec);
   return sheet.contours;
 }
 
@@ -98,10 +98,10 @@ export function contours(name) {
 const number = (value, digits) => String(Number(value.toFixed(digits)));
 
 /** A DXF file: one closed LWPOLYLINE a contour, mm. */
-export function dxf(name) {
+export function dxf(name, variant) {
   const lines = ['0', 'SECTION', '2', 'HEADER', '9', '$ACADVER', '1', 'AC1015', '9', '$INSUNITS', '70', '4', '0', 'ENDSEC'];
   lines.push('0', 'SECTION', '2', 'ENTITIES');
-  for (const contour of contours(name)) {
+  for (const contour of contours(name, variant)) {
     lines.push('0', 'LWPOLYLINE', '100', 'AcDbEntity', '8', 'CUT', '100', 'AcDbPolyline', '90', String(contour.length), '70', '1');
     for (const [x, y, bulge] of contour) {
       lines.push('10', number(x, 3), '20', number(y, 3));
