@@ -92,7 +92,7 @@ export function report(all) {
   if (groups.length > 3) {
     table(
       'Set 3 by sheet: improvement over the PFr of the same paths through pierce groups; PFr over the PFr of the first line',
-      ['', ...third, 'mean', 'printed'],
+      ['', ...third.map(String), 'mean', 'printed'],
       groups.map(({ title, name, key, printed, form }) => {
         const base = at(`pfr: ${form || 'as-published'}`, 'value');
         const values = gains(at(name, key), third, base);
