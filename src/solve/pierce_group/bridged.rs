@@ -1,4 +1,4 @@
-//! Paths with longer air moves that contours beside a group bridge.
+//! Air moves of a group that contours beside it bridge.
 //!
 //! A group is left where its path makes an air move anyway. A contour that lies between two nodes may be cut on the way from one
 //! to the other, so that an air move which is long by itself costs next to nothing (Dewil et al., 2014, figure 8). The authors
@@ -7,43 +7,9 @@
 //! The orders are searched as all others are, with air moves that cost what they take beyond cutting the contour from its
 //! nearest node. What is cut where is then up to the search over all items, which sees the real seconds of each path.
 
-use super::net::{Net, Order};
-use super::{back, orders, strokes};
 use crate::geometry::DVec2;
 use crate::machine::AirTime;
-use crate::order::{real, sort_by};
-use crate::problem::{GroupProblem, SubPath};
-
-/// Most pairs of such paths of a group: the search over all items tries each when it looks for another path.
-const PAIRS: usize = 4;
-
-/// The nets solved so far with their orders.
-#[derive(Default)]
-pub(super) struct Bridged<'s> {
-    known: Vec<(Net<'s>, Vec<Order>)>,
-}
-
-impl<'s> Bridged<'s> {
-    /// The paths of a group and, in pairs of forth and back, those with bridged air moves.
-    pub(super) fn added(&mut self, net: &Net<'s>, mut paths: Vec<SubPath>) -> Vec<SubPath> {
-        let Some(bridged) = net.bridged() else { return paths };
-        if !self.known.iter().any(|k| k.0.is_like(net) && k.0.is_bridged_like(net)) {
-            self.known.push((net.clone(), orders(&bridged)));
-        }
-        let known = self.known.iter().find(|k| k.0.is_like(net) && k.0.is_bridged_like(net));
-        let mut found: Vec<(f64, [SubPath; 2])> = Vec::new();
-        for order in known.iter().flat_map(|k| &k.1) {
-            let way = strokes::sub_path(net, order);
-            let Some(back) = back(net, &paths, [way.ends[1], way.ends[0]]) else { continue };
-            if !paths.iter().any(|p| p.strokes == way.strokes) {
-                found.push((bridged.cost(order), [strokes::priced(net, way), back]));
-            }
-        }
-        sort_by(&mut found, |f| [real(f.0), 0, 0]);
-        paths.extend(found.into_iter().take(PAIRS).flat_map(|f| f.1));
-        paths
-    }
-}
+use crate::problem::GroupProblem;
 
 /// Seconds from node to node, row by row, where a contour beside the group is cut on the way, minus what it takes to leave the
 /// group for it at its nearest node; at least 0 s. Only the contour that gains most counts. Empty if none gains anything.

@@ -24,7 +24,6 @@ mod strokes;
 use crate::geometry::DVec2;
 use crate::order::{real, sort_by};
 use crate::problem::{GroupMethod, GroupProblems, Stroke, SubPath};
-use bridged::Bridged;
 use net::{Net, Order};
 
 /// Most pairs of ends of a larger group: with the paths back, as many nodes as neighbour lists look at.
@@ -35,6 +34,9 @@ const ENDS: usize = 6;
 const WAYS: usize = 2;
 /// Orders of a group that is the only item: the head comes from home, so that few ends are useful.
 const CHEAPEST: usize = 3;
+
+/// Most pairs of paths with bridged air moves: the search over all items tries each when it looks for another path.
+const BRIDGED: usize = 4;
 
 /// The paths through each group, in pairs of forth and back; none for a group through which no path was found.
 pub fn paths(problems: &GroupProblems) -> Vec<Vec<SubPath>> {
@@ -59,6 +61,34 @@ pub fn paths(problems: &GroupProblems) -> Vec<Vec<SubPath>> {
         bridged.added(&net, paths)
     };
     problems.groups.iter().map(through).collect()
+}
+
+/// The nets solved so far with their orders whose air moves contours beside them bridge.
+#[derive(Default)]
+struct Bridged<'s> {
+    known: Vec<(Net<'s>, Vec<Order>)>,
+}
+
+impl<'s> Bridged<'s> {
+    /// The paths of a group and, in pairs of forth and back, those with bridged air moves.
+    fn added(&mut self, net: &Net<'s>, mut paths: Vec<SubPath>) -> Vec<SubPath> {
+        let Some(bridged) = net.bridged() else { return paths };
+        if !self.known.iter().any(|k| k.0.is_like(net) && k.0.is_bridged_like(net)) {
+            self.known.push((net.clone(), orders(&bridged)));
+        }
+        let known = self.known.iter().find(|k| k.0.is_like(net) && k.0.is_bridged_like(net));
+        let mut found: Vec<(f64, [SubPath; 2])> = Vec::new();
+        for order in known.iter().flat_map(|k| &k.1) {
+            let way = strokes::sub_path(net, order);
+            let Some(back) = back(net, &paths, [way.ends[1], way.ends[0]]) else { continue };
+            if !paths.iter().any(|p| p.strokes == way.strokes) {
+                found.push((bridged.cost(order), [strokes::priced(net, way), back]));
+            }
+        }
+        sort_by(&mut found, |f| [real(f.0), 0, 0]);
+        paths.extend(found.into_iter().take(BRIDGED).flat_map(|f| f.1));
+        paths
+    }
 }
 
 /// Extends a path to other ends, by an air move from the new entry and one to the new exit.
