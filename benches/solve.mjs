@@ -1,7 +1,7 @@
 // The search against the best values known and against other solvers, on every kind of instance, natively and in wasm
 // under Node:
 //
-//     npm run bench -- solve [sheets|grids|pool|qu-du|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME] [--cpu]
+//     npm run bench -- solve [sheets|grids|holes|pool|qu-du|gtsplib|pcgtsp|scaling]... [--seconds S] [--seeds K] [--only NAME] [--cpu]
 //                            [--data FOLDER]
 //
 // `--cpu` counts processor time instead of the time of the clock, for a machine that others use too (Linux only).
@@ -21,6 +21,7 @@ import { build as buildAll, LEAN } from '../scripts/build.mjs';
 import { Instances, NOT_RUN } from './common/data.mjs';
 import { mb, mean, median, ms, rows, table } from './common/table.mjs';
 import { byHand, drawn, PATTERNS, SIDES } from './solve/grids.mjs';
+import { MARKS as HOLE_MARKS } from './solve/holes.mjs';
 
 const HERE = join(ROOT, 'benches', 'solve');
 const NATIVE = join(HERE, 'target', 'release', 'kerfway-bench-solve');
@@ -36,6 +37,7 @@ const SOLVERS = ['elkai', 'pyvrp', 'ortools'];
 const SETS = {
   sheets,
   grids,
+  holes,
   pool,
   'qu-du': quDu,
   gtsplib: (options) => library('gtsplib', '.gtsp', options, true),
@@ -146,6 +148,19 @@ async function grids({ seconds, seeds, only = '', cpu }) {
   });
   const columns = ['', 'by hand', 'nearest next', ...marks.map((m) => `${m} s`), 'to nearest next', 'to by hand'];
   table(`Perforated sheets natively: air length in mm, median of ${seeds} seeds`, columns, lines);
+}
+
+/** Large perforated sheets in the planner as it is shipped, one worker, in seconds of processor time. */
+async function holes({ seconds }) {
+  await buildAll();
+  const marks = HOLE_MARKS.filter((m) => m <= seconds);
+  const lines = [10_000, 100_000].map((count) => {
+    const { read, first, air, memory } = rows(process.execPath, [join(HERE, 'holes.mjs'), String(count), String(seconds)])[0];
+    const line = [String(count), `${read.toFixed(2)} s`, `${first.toFixed(2)} s`, `${(air[0] / 1000).toFixed(1)} m`, ...air.slice(1).map((mm) => percent(mm, air[0])), `${mb(memory)} MB`];
+    console.log(line.join('  '));
+    return line;
+  });
+  table('Holes in the planner as shipped, in wasm: air of the nearest-next path, and how it changes', ['holes', 'read', 'first path', 'nearest next', ...marks.slice(1).map((m) => `after ${m} s`), 'memory'], lines);
 }
 
 /** The sheets with parallel searches of the package, as many as there are cores. */

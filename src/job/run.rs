@@ -71,6 +71,8 @@ pub struct Run {
     /// several candidates.
     pub moves: u64,
     running: Running,
+    /// What every plan pays, s: added up once, because every slice asks for the bound.
+    paid: f64,
     /// Computes a lower bound of what the search minimises; `None` until it starts.
     prover: Option<LowerBound>,
     /// Whether this search works on the bound. Of parallel searches only one does.
@@ -114,6 +116,7 @@ impl Run {
             baselines,
             findings,
             moves: 0,
+            paid: running.borrow_owner().paid(),
             running,
             prover: None,
             proves: options.member == 0,
@@ -198,7 +201,7 @@ impl Run {
     /// Lower bound of the total time of every plan in seconds: the bound of the search plus the fixed times; 0 until there
     /// is one. The bound ignores sharp corners; what leaving contours and pierce groups may save is subtracted.
     pub fn bound(&self) -> f64 {
-        let least = |prover: &LowerBound| self.problem().paid() + prover.value();
+        let least = |prover: &LowerBound| self.paid + prover.value();
         self.prover.as_ref().map_or(0.0, least).max(self.proven)
     }
 

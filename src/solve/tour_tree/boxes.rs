@@ -18,6 +18,16 @@ impl BoundingBox {
         Self { center: b.center(), half: b.size() * 0.5 }
     }
 
+    /// Its middle, mm.
+    pub(super) fn center(&self) -> DVec2 {
+        self.center
+    }
+
+    /// The longer of its sides, mm.
+    pub(super) fn largest_side(&self) -> f64 {
+        2.0 * self.half.max_element()
+    }
+
     /// How far a point is outside the box along each axis, mm.
     #[inline(always)]
     pub(super) fn outside(&self, p: DVec2) -> DVec2 {

@@ -120,6 +120,8 @@ pub(super) struct NeighbourConfig {
     pub(super) per_item: usize,
     /// Mean number of gates in a cell of the index: more make each look longer, fewer make more cells to look at.
     pub(super) gates_per_cell: f64,
+    /// Number of items above which small ones have one list for all gates: with fewer, lists by gate cost no time that is felt.
+    pub(super) shared_from: u32,
 }
 
 /// Places where contours are entered, see `ring.rs` and `polish.rs`.
@@ -192,7 +194,7 @@ impl SearchConfig {
         },
         points: PointConfig { most_items: 100, reheat: 4.0, first_cycle: 4, cycles_per_doubling: 16 },
         short: ShortTourConfig { most_items: 150, ruin_percent: 30, items_per_kick: 16, most_first_kicks: 4 },
-        neighbours: NeighbourConfig { per_gate: 8, per_item: 10, gates_per_cell: 4.0 },
+        neighbours: NeighbourConfig { per_gate: 8, per_item: 10, gates_per_cell: 4.0, shared_from: 20_000 },
         entry: EntryConfig {
             spacing: 0.8,
             most_places: 2048,

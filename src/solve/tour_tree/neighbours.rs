@@ -4,6 +4,9 @@
 //! left edge of a frame is of no use when the frame is entered on the right. Nearness is the cost of travel out of a
 //! place and, where a leg costs more than the leg back, into it as well. The lists are built item by item, so that a
 //! worker can stop in between. Source: Bentley, ORSA Journal on Computing 4 (1992).
+//!
+//! On very large sheets a small item, such as a hole of a perforated plate, has one list for all of its gates, seen from its
+//! middle: 16 lists for each hole would take longer than the local search that uses them.
 
 use super::config::CONFIG;
 use super::gates::{Gate, Gates};
@@ -11,11 +14,16 @@ use super::index::index;
 use super::space::Space;
 use super::tour::Tour;
 use super::travel::Place;
-use crate::geometry::DVec2;
+use crate::geometry::{Aabb, DVec2};
 use crate::order::{real, sort_by};
 
 /// Items in the list of a gate.
 const PER_GATE: usize = CONFIG.neighbours.per_gate;
+
+/// Moves that take as long as the lists of an item with [`super::ring::GATES`] gates, about.
+pub(super) const MOVES_PER_ITEM: u64 = 100;
+/// The same for an item with one list.
+const MOVES_PER_LIST: u64 = 8;
 
 /// Neighbour lists, as far as they are built. All lists are in one array: separate lists were farther apart in memory, and
 /// each look waited for it twice.
@@ -23,6 +31,10 @@ pub(super) struct Neighbours {
     gates: Gates,
     /// Items to go to and items to come from, gate by gate; the second is empty where it would be the same.
     by_gate: [Vec<u32>; 2],
+    /// The list of each gate, where small items have one for all of their gates; empty where every gate has its own.
+    list_of: Vec<u32>,
+    /// Largest side of the box of a small item, mm; negative where no item counts as small.
+    small: f64,
     /// Items in the list of a gate: [`PER_GATE`], or all others where there are fewer.
     stride: usize,
     /// The list of item i: `first[i]..first[i + 1]`.
@@ -41,24 +53,34 @@ impl Neighbours {
         };
         let gates: Vec<Gate> =
             (0..listed).flat_map(|item| points(item).map(move |point| (item, point))).collect();
+        let small = if listed > CONFIG.neighbours.shared_from { gap_on(space) } else { -1.0 };
         let room = space.gate_first.last().map_or(0, |&all| all as usize * PER_GATE);
         Self {
             gates: Gates::new(&gates),
-            by_gate: [Vec::with_capacity(room), Vec::new()],
+            by_gate: [
+                if listed > 0 && small < 0.0 { Vec::with_capacity(room) } else { Vec::new() },
+                Vec::new(),
+            ],
+            list_of: Vec::new(),
+            small,
             stride: 0,
             by_item: Vec::new(),
             first: vec![0],
         }
     }
 
-    /// Lists the neighbours of the next item; false when all are listed.
-    pub(super) fn extend(&mut self, space: &Space) -> bool {
+    /// Lists the neighbours of the next item, and returns how many moves take as long; `None` when all are listed.
+    pub(super) fn extend(&mut self, space: &Space) -> Option<u64> {
         let item = index(self.first.len() - 1);
         if item > space.home {
-            return false;
+            return None;
         }
         let mut all: Vec<(f64, u32)> = Vec::new();
-        for place in space.gates(item) {
+        let whole = &space.whole[item as usize];
+        let shared = whole.largest_side() <= self.small;
+        let places = space.gates(item).take(if shared { 1 } else { usize::MAX });
+        for place in places {
+            let place = if shared { Place::from(whole.center()) } else { place };
             for back in [false, true].into_iter().take(1 + usize::from(!space.travel.symmetric)) {
                 let nearest = if space.travel.by_table() {
                     nearest_by_table(space, item, place, back)
@@ -72,6 +94,7 @@ impl Neighbours {
                 }
             }
         }
+        self.number_lists(space, item, shared);
         for &point in space.leave_places.points(item) {
             self.nearest(space, item, point).into_iter().for_each(|n| merge(&mut all, n));
         }
@@ -79,7 +102,18 @@ impl Neighbours {
         all.truncate(CONFIG.neighbours.per_item);
         self.by_item.extend(all.into_iter().map(|n| n.1));
         self.first.push(index(self.by_item.len()));
-        true
+        Some(if shared { MOVES_PER_LIST } else { MOVES_PER_ITEM })
+    }
+
+    /// Notes which lists the gates of an item have, where some items have one for all.
+    fn number_lists(&mut self, space: &Space, item: u32, shared: bool) {
+        if self.small < 0.0 {
+            return;
+        }
+        let gates = space.gate_first[item as usize + 1] - space.gate_first[item as usize];
+        let lists = if shared { 1 } else { gates };
+        let first = index(self.by_gate[0].len() / self.stride.max(1)) - lists.min(gates);
+        self.list_of.extend((0..gates).map(|gate| first + if shared { 0 } else { gate }));
     }
 
     /// The nearest other items with the seconds to them, in this order.
@@ -106,7 +140,8 @@ impl Neighbours {
 
     /// Items to go to from a gate, or (`back`) to come from.
     fn of_gate(&self, back: bool, gate: usize) -> &[u32] {
-        &self.by_gate[usize::from(back)][gate * self.stride..(gate + 1) * self.stride]
+        let list = self.list_of.get(gate).map_or(gate, |&list| list as usize);
+        &self.by_gate[usize::from(back)][list * self.stride..(list + 1) * self.stride]
     }
 
     /// Items to go to from a place of an item.
@@ -125,6 +160,12 @@ impl Neighbours {
         let at = if tour.space.two_ends(item) { at ^ 1 } else { at };
         self.of_gate(false, tour.space.gate(item, at))
     }
+}
+
+/// Side of the square that each item would have to itself if all shared the sheet evenly, mm.
+fn gap_on(space: &Space) -> f64 {
+    let sheet = space.point.iter().fold(Aabb::EMPTY, |sheet, p| sheet.with(*p)).size();
+    (sheet.x * sheet.y / space.whole.len() as f64).sqrt()
 }
 
 /// The nearest other items by the table, with the cost to them (`back`: from them).

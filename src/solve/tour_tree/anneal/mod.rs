@@ -12,7 +12,7 @@ mod kick;
 
 use super::entries::Layers;
 use super::improve::improve;
-use super::neighbours::Neighbours;
+use super::neighbours::{MOVES_PER_ITEM, Neighbours};
 use super::queue::Queue;
 use super::recombine::Elites;
 use super::rows::Rows;
@@ -155,9 +155,9 @@ impl<'p> Annealing<'p> {
     pub(super) fn advance(&mut self) -> bool {
         match self.stage {
             Stage::Listing => {
-                // The lists of an item take as long as about a hundred moves.
-                self.tour.priced += 100;
-                if !self.near.extend(&self.tour.space) {
+                let listed = self.near.extend(&self.tour.space);
+                self.tour.priced += listed.unwrap_or(MOVES_PER_ITEM);
+                if listed.is_none() {
                     self.settle();
                 }
                 false
