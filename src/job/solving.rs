@@ -24,7 +24,8 @@ const BOUND_WORK: u32 = 1_000_000;
 /// The default method on an instance, with its lower bound.
 pub struct Solving {
     running: Running,
-    bound: LowerBound,
+    /// `None` for a large instance, see [`Instance::is_large`].
+    bound: Option<LowerBound>,
     bound_at: u64,
     moves: u64,
 }
@@ -38,7 +39,8 @@ impl Solving {
         let instance = problem::instance(bytes)?;
         // The default method is the first in the list.
         let running = Running::new(instance, |i| solve::methods()[0].start(&i.problem, seed, None));
-        let bound = LowerBound::new(&running.borrow_owner().problem);
+        let read = running.borrow_owner();
+        let bound = (!read.is_large()).then(|| LowerBound::new(&read.problem));
         Ok(Self { running, bound, bound_at: BOUND_EVERY, moves: 0 })
     }
 
@@ -56,16 +58,18 @@ impl Solving {
         let cost = self.running.borrow_dependent().telemetry().best;
         if self.moves >= self.bound_at {
             self.bound_at += BOUND_EVERY;
-            self.bound.improve(BOUND_WORK, cost);
+            if let Some(bound) = &mut self.bound {
+                bound.improve(BOUND_WORK, cost);
+            }
         }
         step.status == Status::Running && self.lower_bound().is_none_or(|bound| bound < cost)
     }
 
-    /// Lower bound of the length of every tour, rounded up where all costs are whole numbers. `None` if edges are fixed:
-    /// the table rewards them, so the bound of its problem is no bound of a length.
+    /// Lower bound of the length of every tour, rounded up where all costs are whole numbers. `None` for large
+    /// instances, and if edges are fixed: the table rewards them, so the bound of its problem is no bound of a length.
     pub fn lower_bound(&self) -> Option<f64> {
         let instance = self.running.borrow_owner();
-        let bound = self.bound.value();
+        let bound = self.bound.as_ref()?.value();
         // Slightly less, so that rounding does not lift the bound over a whole number.
         let whole = |bound: f64| if instance.is_whole() { (bound - 1e-6).ceil().max(0.0) } else { bound };
         (!instance.has_fixed_edges()).then(|| whole(bound))

@@ -28,6 +28,7 @@ mod golden;
 mod groups_left;
 mod inspect_dev;
 mod inspect_promises;
+mod instance_large;
 mod instance_read;
 mod instance_solve;
 mod joints;

@@ -2,6 +2,7 @@
 //! solvers.
 
 use super::Instance;
+use rustc_hash::FxHashMap;
 
 /// A fault of a tour, in the node numbers of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -32,17 +33,20 @@ pub enum Fault {
 /// The first fault found.
 pub fn check(instance: &Instance, tour: &[u32]) -> Result<f64, Fault> {
     let (problem, numbers) = (&instance.problem, &instance.numbers);
-    let mut place: Vec<Option<usize>> = vec![None; problem.items.len()];
+    let mut place: Vec<Option<usize>> = vec![None; instance.sets()];
     let mut nodes = Vec::with_capacity(tour.len());
+    let by_number: FxHashMap<u32, usize> = numbers.iter().copied().zip(0..).collect();
     for (at, &number) in tour.iter().enumerate() {
-        let node = numbers.iter().position(|&n| n == number).ok_or(Fault::Unknown(number))?;
-        let item = problem.nodes[node].item as usize;
+        let node = *by_number.get(&number).ok_or(Fault::Unknown(number))?;
+        let item = instance.set_of(node);
         if place[item].replace(at).is_some() {
             return Err(Fault::Twice(number));
         }
         nodes.push(node);
     }
-    let number_of = |item: usize| numbers[problem.items[item].nodes.start as usize];
+    let first_of =
+        |item: usize| problem.items.get(item).map_or(problem.nodes.len(), |i| i.nodes.start as usize);
+    let number_of = |item: usize| numbers[first_of(item)];
     if let Some(missing) = place.iter().position(Option::is_none) {
         return Err(Fault::Missing(number_of(missing)));
     }
@@ -57,10 +61,9 @@ pub fn check(instance: &Instance, tour: &[u32]) -> Result<f64, Fault> {
             return Err(Fault::Early(tour[b], tour[a]));
         }
     }
-    let costs = problem.table.as_ref().map_or(&[][..], |t| t.costs());
     let mut length = 0.0;
     for (k, &from) in nodes.iter().enumerate() {
-        length += costs[from * numbers.len() + nodes[(k + 1) % nodes.len()]];
+        length += instance.cost(from, nodes[(k + 1) % nodes.len()]);
     }
     for &[a, b] in &instance.fixed {
         let next_to = |k: usize, at: usize| tour[(at + k) % tour.len()];

@@ -47,8 +47,30 @@ enum Source<'f> {
     Full { weights: &'f [f64], nodes: usize },
     /// Half of the pairs, row by row, with or without the diagonal.
     Half { weights: &'f [f64], nodes: usize, upper: bool, diagonal: usize },
-    /// Coordinates, and the distance of two of them.
-    Plane { at: Vec<[f64; 2]>, distance: fn([f64; 2], [f64; 2]) -> f64 },
+    /// Distances of coordinates.
+    Plane(Plane),
+}
+
+/// Coordinates, and the distance of two of them, rounded as the file's kind of weights says.
+#[derive(Clone, Debug)]
+pub(super) struct Plane {
+    pub(super) at: Vec<[f64; 2]>,
+    distance: fn([f64; 2], [f64; 2]) -> f64,
+}
+
+impl Plane {
+    /// From a node to another, both from 0.
+    pub(super) fn cost(&self, a: usize, b: usize) -> f64 {
+        (self.distance)(self.at[a], self.at[b])
+    }
+}
+
+/// The coordinates of a file's nodes.
+pub(super) fn plane(file: &File, nodes: usize) -> Result<Plane, InstanceError> {
+    match Source::of(file, nodes)? {
+        Source::Plane(plane) => Ok(plane),
+        _ => Err(InstanceError::whole("The nodes have no coordinates.".into())),
+    }
 }
 
 impl<'f> Source<'f> {
@@ -75,7 +97,7 @@ impl<'f> Source<'f> {
                 return Err(InstanceError::at(part.line_of(3 * k), what));
             }
         }
-        Ok(Self::Plane { at: at.into_iter().flatten().collect(), distance })
+        Ok(Self::Plane(Plane { at: at.into_iter().flatten().collect(), distance }))
     }
 
     fn explicit(file: &'f File, nodes: usize) -> Result<Self, InstanceError> {
@@ -116,7 +138,7 @@ impl<'f> Source<'f> {
                     high * (high - 1) / 2 + diagonal * high + low
                 }]
             }
-            Self::Plane { at, distance } => distance(at[a], at[b]),
+            Self::Plane(plane) => plane.cost(a, b),
         }
     }
 }

@@ -5,6 +5,8 @@
 //! 3. `sets.rs` reads the sets of a GTSP, their order and the start, and makes sure that an order exists.
 //! 4. Here they become a [`Problem`]: an item a set (a node, where there are no sets), the start last.
 //!
+//! Instances in the plane with more nodes than a table of costs may have become problems of points (`large.rs`).
+//!
 //! All tours are closed. A file that names no start group is a cycle without one: its smallest set is taken.
 //! In a PCGLNS file the line `3 2 5 -1` under `GTSP_SET_ORDERING` says that set 3 comes before sets 2 and 5, and
 //! the cycle starts at the start group and comes back to it (so do the published lengths: the tour that PCGLNS
@@ -18,6 +20,7 @@ mod check;
 mod costs;
 mod error;
 mod file;
+mod large;
 mod sets;
 
 pub use check::{Fault, check};
@@ -28,6 +31,7 @@ use super::ids::NodeId;
 use super::model::{Item, Node, Problem};
 use super::table::Table;
 use crate::machine;
+use costs::Plane;
 use file::File;
 use glam::DVec2;
 
@@ -46,9 +50,12 @@ pub struct Instance {
     fixed: Vec<[u32; 2]>,
     lowered: f64,
     whole: bool,
+    /// The coordinates by node, where the problem has no table of costs.
+    plane: Option<Plane>,
 }
 
-/// Reads an instance of at most [`Table::MOST`] nodes.
+/// Reads an instance of at most [`Table::MOST`] nodes, or of 100,000 where the costs are distances in the plane (EUC_2D,
+/// CEIL_2D).
 ///
 /// Memory: 8 bytes for each pair of nodes, twice that while explicit weights are read, and half as much again in a
 /// search over sets; 128 MB for a table of 4,000 nodes.
@@ -60,6 +67,9 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
     let file = File::parse(&text)?;
     let nodes = file.dimension()?;
     let mut sets = sets::sets(&file, nodes)?;
+    if nodes > Table::MOST {
+        return large::instance(&file, nodes, sets);
+    }
     let (fixed, lowered) = (sets::fixed_edges(&file, nodes)?, costs::span(&file, nodes)?);
     // The start goes last: see `Problem::table`.
     let start = sets.members.remove(sets.start);
@@ -96,7 +106,7 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
         groups: Groups::default(),
         table: Some(table),
     };
-    Ok(Instance { name: file.name(), problem, numbers, fixed, lowered, whole })
+    Ok(Instance { name: file.name(), problem, numbers, fixed, lowered, whole, plane: None })
 }
 
 impl Instance {
@@ -110,8 +120,25 @@ impl Instance {
         self.whole
     }
 
-    /// The numbers that the file gives these nodes of the problem.
+    /// Whether the problem's costs are real distances while lengths are sums of rounded ones. A bound of one is none of the
+    /// other.
+    pub fn is_large(&self) -> bool {
+        self.plane.is_some()
+    }
+
+    /// The tour that visits these nodes of the problem, in the numbers of the file.
     pub fn tour(&self, nodes: impl IntoIterator<Item = NodeId>) -> Vec<u32> {
-        nodes.into_iter().filter_map(|node| self.numbers.get(node as usize).copied()).collect()
+        let nodes: Vec<usize> = nodes.into_iter().map(|node| node as usize).collect();
+        let start = self.start_between(&nodes);
+        start.into_iter().chain(nodes).filter_map(|node| self.numbers.get(node).copied()).collect()
+    }
+
+    /// The cost from one node to another, by their places in `numbers`.
+    fn cost(&self, from: usize, to: usize) -> f64 {
+        match (&self.plane, self.problem.table()) {
+            (Some(plane), _) => plane.cost(from, to),
+            (None, Some(table)) => table.costs().get(from * table.nodes() + to).copied().unwrap_or(0.0),
+            (None, None) => 0.0,
+        }
     }
 }
