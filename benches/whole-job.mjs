@@ -21,9 +21,9 @@ const NATIVE = join(HERE, 'target', 'release', 'whole_job');
 /** What each lever sets, by machine. */
 const LEVERS = {
   // 1 mm sheet is through after some milliseconds: at this acceleration within half a millimetre.
-  'fibre-3kw-thin': { 'moving pierce': { levers: { moving_pierce: { overcut: 0.5 } } } },
+  'fibre-3kw-thin': { 'moving pierce': { levers: { moving_pierce: { overcut: 0.5 } } }, fly: { levers: { fly: { reach: 20, overcut: 0.5 } } } },
   // Acrylic is cut at a speed at which the beam is through at once.
-  'co2-100w': { 'moving pierce': { levers: { moving_pierce: { overcut: 1 } } } },
+  'co2-100w': { 'moving pierce': { levers: { moving_pierce: { overcut: 1 } } }, fly: { levers: { fly: { reach: 20, overcut: 1 } } } },
   // No piercing and no delays: nothing to save. Plate is pierced at rest.
   'diode-hobby': {},
   'fibre-6kw-thick': {},
@@ -59,7 +59,7 @@ export async function bench(args) {
 function whole(set, preset, files, moves) {
   const levers = LEVERS[preset];
   const names = Object.keys(levers);
-  const variants = [['search', {}], ...names.map((name) => [name, levers[name]]), ...(names.length > 1 ? [['all', Object.assign({}, ...Object.values(levers))]] : [])];
+  const variants = [['search', {}], ...names.map((name) => [name, levers[name]]), ...(names.length > 1 ? [['all', { levers: Object.assign({}, ...Object.values(levers).map((set) => set.levers)) }]] : [])];
   const machines = JSON.stringify(variants.map(([, changes]) => ({ preset, set: changes })));
   const saved = variants.map(() => []);
   const lines = [];

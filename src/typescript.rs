@@ -104,6 +104,7 @@ fn generated() -> String {
         machine::LeadRule,
         machine::Leads,
         machine::Levers,
+        machine::Fly,
         machine::Lift,
         machine::MovingPierce,
         machine::SizeTest,

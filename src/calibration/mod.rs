@@ -133,6 +133,11 @@ impl Job {
                         None => fixed += over_joint.seconds(from, head),
                     }
                 }
+                Move::Fly { path } => {
+                    let path = Element::segments(path, &mut head);
+                    flying = true;
+                    cuts.last_mut().iter_mut().for_each(|cut| cut.2.extend(&path));
+                }
                 Move::Height { z } => {
                     fixed += machine.height_seconds(z - height);
                     height = *z;

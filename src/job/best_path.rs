@@ -39,8 +39,8 @@ impl BestPath {
         let plan = run.plan(sheet);
         let problem = run.problem();
         let mut path = Self::default();
-        // For each cut, the lengths of its stretches.
-        let mut parts: Vec<Vec<f64>> = Vec::new();
+        // For each motion, the lengths of its stretches, each after that of the way to it with the beam off.
+        let mut parts: Vec<Vec<[f64; 2]>> = Vec::new();
         for stop in &run.best().stops {
             let node = &problem.nodes[stop.node as usize];
             if let Some(sub_path) = problem.items.get(node.item as usize).and_then(|i| i.path(stop.node)) {
@@ -53,7 +53,7 @@ impl BestPath {
             path.along.push(stop.along);
             path.until.push(stop.until);
             path.reversed.push(node.reversed.into());
-            parts.push(vec![1.0]);
+            parts.push(vec![[0.0, 1.0]]);
         }
         for step in &plan.moves {
             match step {
@@ -68,13 +68,27 @@ impl BestPath {
         (path, plan)
     }
 
-    /// Adds a visit of a pierce group: one stop for each stretch of a contour.
-    fn add_group(&mut self, strokes: &[Stroke], sheet: &Sheet, parts: &mut Vec<Vec<f64>>) {
-        let cuts =
-            strokes.iter().filter_map(|s| if let Stroke::Cut { spans, .. } = s { Some(spans) } else { None });
-        for spans in cuts {
-            parts.push(spans.iter().map(|s| s.length).collect());
-            self.add_spans(spans, sheet);
+    /// Adds a visit of a pierce group or of contours that are cut on the run: one stop for each stretch of a contour.
+    fn add_group(&mut self, strokes: &[Stroke], sheet: &Sheet, parts: &mut Vec<Vec<[f64; 2]>>) {
+        let mut dark = None;
+        for stroke in strokes {
+            match stroke {
+                Stroke::Fly(path) => dark = Some(path.iter().map(Segment::length).sum::<f64>()),
+                Stroke::Cut { spans, .. } => {
+                    let on_the_run = dark.take();
+                    let lengths = spans.iter().map(|s| [0.0, s.length]);
+                    match (on_the_run, parts.last_mut()) {
+                        (Some(way), Some(motion)) => {
+                            let begins = motion.len();
+                            motion.extend(lengths);
+                            motion.get_mut(begins).iter_mut().for_each(|first| first[0] = way);
+                        }
+                        _ => parts.push(lengths.collect()),
+                    }
+                    self.add_spans(spans, sheet);
+                }
+                _ => {}
+            }
         }
     }
 
@@ -127,9 +141,9 @@ fn joints(run: &Run, sheet: &Sheet) -> Vec<Path> {
     paths
 }
 
-/// Start and end of cutting for each stop, in seconds from the start of the job. In a run through a pierce group, the
-/// seconds are divided among the stretches by their length. These are the partial sums of [`crate::plan::evaluate`].
-fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64>]) -> Vec<f64> {
+/// Start and end of cutting for each stop, in seconds from the start of the job. In a run through a pierce group, and on the run,
+/// the seconds are divided among the stretches and the ways between them by their length. These are the partial sums of [`crate::plan::evaluate`].
+fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f64; 2]>]) -> Vec<f64> {
     let (air, over_joint) = (AirTime::new(machine), AirTime::head_down(machine));
     // Start and end of each run, including pauses in sharp corners.
     let mut runs: Vec<[f64; 2]> = Vec::with_capacity(parts.len());
@@ -141,7 +155,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64
     // Since a joint was left: the elements of a motion that goes on, and whether the contour does.
     let (mut motion, mut after_joint) = (Vec::new(), false);
     for (index, step) in plan.moves.iter().enumerate() {
-        let flies_on = plan.moves.get(index + 1).is_some_and(Move::is_flying_joint);
+        let flies_on = plan.moves.get(index + 1).is_some_and(Move::runs_on);
         match step {
             Move::Joint { path, flying, .. } => {
                 let to = path.last().map_or(head, Segment::end);
@@ -151,6 +165,10 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64
                     now += over_joint.seconds(head, to);
                 }
                 (head, after_joint) = (to, !flying);
+            }
+            Move::Fly { path } => {
+                motion.extend_from_slice(path);
+                head = path.last().map_or(head, Segment::end);
             }
             Move::Cut { path, .. } if flies_on => {
                 motion.extend_from_slice(path);
@@ -190,13 +208,14 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<f64
                 head = path.last().map_or(head, Segment::end);
             }
         }
-        let in_motion = flies_on || step.is_flying_joint();
+        let in_motion = flies_on || step.runs_on();
         goes_on = matches!(step, Move::Macro { .. }) || (goes_on && in_motion);
     }
     let mut times = Vec::with_capacity(2 * runs.len());
     for ([begin, end], lengths) in runs.into_iter().zip(parts) {
-        let (all, mut gone) = (lengths.iter().sum::<f64>(), 0.0);
-        for length in lengths {
+        let (all, mut gone) = (lengths.iter().flatten().sum::<f64>(), 0.0);
+        for [way, length] in lengths {
+            gone += way;
             let from = begin + (end - begin) * (gone / all);
             gone += length;
             times.extend([from, begin + (end - begin) * (gone / all)]);

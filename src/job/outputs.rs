@@ -159,7 +159,7 @@ impl Job {
             placement: (!run.placed.is_as_drawn())
                 .then(|| Placement { shift: shift.to_array(), start: *start }),
             summary: plan.summary.clone(),
-            contours: document::contours(self.beam_sheet(), profile, *shift),
+            contours: document::contours(self.beam_sheet(), profile, &plan.moves, *shift),
             moves: plan.moves.iter().map(Move::from).collect(),
             findings: findings.map(|f| f.clone().moved(*shift)).collect(),
         })

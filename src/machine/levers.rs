@@ -6,10 +6,12 @@ use crate::fields::{Field, Kind, Range};
 use serde::{Deserialize, Serialize};
 
 const OVERCUT: Range = Range::new(0.0, 100.0, "mm", "thin sheet is cut through after a few millimetres");
+const REACH: Range =
+    Range::new(0.1, 1000.0, "mm", "a head that runs on over more than that would rather stop");
 const HEIGHT: Range = Range::new(0.1, 500.0, "mm", "a head is lifted over parts that may tip");
 const STAY_DOWN: Range = Range::new(0.0, 1e5, "mm", "short moves are made with the head down");
 
-/// Moves that are longer than [`Lift::stay_down`] by less than this stay down too, mm: between equal holes of a grid, sums of
+/// Moves that are longer than [`Lift::stay_down`] or [`Fly::reach`] by less than this count as that long, mm: between equal holes of a grid, sums of
 /// coordinates differ in their last digits.
 const SAME_LENGTH: f64 = 1e-6;
 
@@ -24,6 +26,36 @@ pub struct Levers {
     /// The head is lifted for moves with the beam off; `None`: it stays down.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lift: Option<Lift>,
+    /// Rows and grids of contours are cut on the run; `None`: the head stops before each contour.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fly: Option<Fly>,
+}
+
+/// Fly cuts: the head runs along a row of contours, or along the sides of a grid of them, without stopping, and the beam is
+/// switched while it runs.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct Fly {
+    /// Longest run with the beam off between two cuts, mm.
+    pub reach: f64,
+    /// Length of a contour cut in one go that is cut again at its end, because the beam was not through at its beginning, mm.
+    /// Sides that are cut one by one are never cut again. Default 0.
+    #[serde(default)]
+    #[cfg_attr(test, ts(as = "Option<f64>"))]
+    pub overcut: f64,
+}
+
+impl Fly {
+    /// Whether the head runs on over `distance` mm with the beam off.
+    pub fn reaches(&self, distance: f64) -> bool {
+        distance <= self.reach + SAME_LENGTH
+    }
+
+    /// Length that a contour of `length` mm is cut again, mm: at most half of it.
+    pub fn cut_again(&self, length: f64) -> f64 {
+        self.overcut.min(0.5 * length)
+    }
 }
 
 /// Lifting the head for moves with the beam off. It is lifted and lowered with the speed of the z axis
@@ -69,6 +101,7 @@ impl Levers {
     pub(super) const FIELDS: &'static [Field] = &[
         Field::nullable("moving_pierce", Kind::Object(MOVING_PIERCE)),
         Field::nullable("lift", Kind::Object(LIFT)),
+        Field::nullable("fly", Kind::Object(FLY)),
     ];
 
     /// Length that a contour of `length` mm is cut again because it was pierced at speed, mm: at most half of it.
@@ -87,7 +120,10 @@ impl Levers {
         let lift = self.lift.map(|l| {
             [("levers.lift.height", l.height, HEIGHT), ("levers.lift.stay_down", l.stay_down, STAY_DOWN)]
         });
-        overcut.into_iter().chain(lift.into_iter().flatten())
+        let fly = self
+            .fly
+            .map(|f| [("levers.fly.reach", f.reach, REACH), ("levers.fly.overcut", f.overcut, OVERCUT)]);
+        overcut.into_iter().chain(lift.into_iter().flatten()).chain(fly.into_iter().flatten())
     }
 }
 
@@ -98,3 +134,6 @@ const LIFT: &[Field] = &[
     Field::optional("stay_down", Kind::Number(STAY_DOWN)),
     Field::optional("at_rest", Kind::Flag),
 ];
+
+const FLY: &[Field] =
+    &[Field::required("reach", Kind::Number(REACH)), Field::optional("overcut", Kind::Number(OVERCUT))];

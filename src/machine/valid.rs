@@ -42,6 +42,11 @@ pub enum ProfileError {
         "The machine has levers.moving_pierce and pre_cut_time. A cut that is left unfinished is not begun moving: give one of them."
     )]
     MovingPreCuts,
+    /// Contours are to be cut on the run on a machine that leaves cuts unfinished.
+    #[error(
+        "The machine has levers.fly and pre_cut_time. Plate that is cut with pre-cuts is not cut on the run: give one of them."
+    )]
+    FlyPreCuts,
     /// The head is to be lifted, and there is no speed for it.
     #[error(
         "The machine has levers.lift, but no z_speed. Give the speed of the z axis, or leave out the lift."
@@ -64,6 +69,7 @@ impl From<ProfileError> for FieldError {
             ProfileError::MovingPreCuts => {
                 Self::new(Fault::Contradiction, "levers.moving_pierce", error.to_string())
             }
+            ProfileError::FlyPreCuts => Self::new(Fault::Contradiction, "levers.fly", error.to_string()),
             ProfileError::Dialect(sentence) => Self::new(Fault::Contradiction, "dialect", sentence),
         }
     }
@@ -229,6 +235,9 @@ impl Profile {
                 _ => {
                     if self.levers.moving_pierce.is_some() && self.pre_cut_time.is_some() {
                         return Err(ProfileError::MovingPreCuts);
+                    }
+                    if self.levers.fly.is_some() && self.pre_cut_time.is_some() {
+                        return Err(ProfileError::FlyPreCuts);
                     }
                     if self.levers.lift.is_some() && self.z_speed.is_none() {
                         return Err(ProfileError::LiftWithoutZ);

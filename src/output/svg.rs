@@ -60,7 +60,9 @@ fn reach(plan: &Plan, home: DVec2) -> Aabb {
     plan.moves.iter().fold(Aabb::of(home), |b, step| match step {
         Move::Air { to } | Move::PreCut { to, .. } => b.with(*to),
         Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } => b,
-        Move::Cut { path, .. } | Move::Joint { path, .. } => path.iter().fold(b, |b, s| b.union(s.bounds())),
+        Move::Cut { path, .. } | Move::Joint { path, .. } | Move::Fly { path } => {
+            path.iter().fold(b, |b, s| b.union(s.bounds()))
+        }
     })
 }
 
@@ -160,6 +162,11 @@ fn air(out: &mut String, plan: &Plan, home: DVec2) {
             }
             Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } => {}
             Move::PreCut { to, .. } => at = *to,
+            Move::Fly { path } => {
+                let _ = write!(out, "M{}", Point(at));
+                path.iter().for_each(|s| element(out, s));
+                at = path.last().map_or(at, Segment::end);
+            }
             Move::Cut { path, .. } | Move::Joint { path, .. } => at = path.last().map_or(at, Segment::end),
         }
     }

@@ -1,6 +1,6 @@
 //! Adds up a list of moves on a machine, from the moves alone.
 //!
-//! Cuts that are joined by joints without a stop are one motion: its time is that of all its elements, and the beam settles
+//! Cuts that are joined by joints without a stop, or cut on the run, are one motion: its time is that of all its elements, and the beam settles
 //! once.
 
 use super::model::{Move, Summary};
@@ -21,7 +21,7 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
     let (mut head, mut height) = (machine.home(), 0.0);
     let mut moving = false;
     let mut worked = vec![false; sheet.contours.len()];
-    // The elements of a motion that goes on over a joint.
+    // The elements of a motion that goes on over a joint or to the next cut.
     let mut motion: Vec<Segment> = Vec::new();
     for (index, step) in moves.iter().enumerate() {
         match step {
@@ -53,6 +53,11 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
                 motion.extend(path);
                 head = path.last().map_or(head, Segment::end);
             }
+            Move::Fly { path } => {
+                sum.fly_cuts += 1;
+                motion.extend(path);
+                head = path.last().map_or(head, Segment::end);
+            }
             Move::Joint { path, .. } => {
                 let to = path.last().map_or(head, Segment::end);
                 let seconds = over_joint.seconds(head, to);
@@ -73,7 +78,7 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
                 sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
                 sum.lead_length +=
                     [lead_in, overcut, lead_out].into_iter().flatten().map(Segment::length).sum::<f64>();
-                if moves.get(index + 1).is_some_and(Move::is_flying_joint) {
+                if moves.get(index + 1).is_some_and(Move::runs_on) {
                     motion.extend(path);
                 } else {
                     let whole = if motion.is_empty() {

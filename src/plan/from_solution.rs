@@ -143,20 +143,26 @@ fn end_of_cut(step: &Move) -> Option<DVec2> {
     if let Move::Cut { path, .. } = step { path.last().map(Segment::end) } else { None }
 }
 
-/// The moves of a visit of a pierce group, which begins at `head`.
+/// The moves of a visit of a pierce group or of contours that are cut on the run, which begins at `head`.
 fn through(moves: &mut Vec<Move>, machine: &Profile, mut head: DVec2, strokes: &[Stroke]) {
     for stroke in strokes {
         match stroke {
             Stroke::Air(to) => go(moves, &mut head, *to),
             Stroke::Pierce => moves.push(Move::Pierce),
+            Stroke::MovingStart => moves.push(Move::MovingStart),
+            Stroke::Fly(path) => {
+                moves.push(Move::Fly { path: path.clone() });
+                head = path.last().map_or(head, Segment::end);
+            }
             Stroke::PreCut { contour, ahead } => {
                 moves.push(Move::PreCut { contour: *contour, to: head, ahead: ahead.clone() });
             }
-            Stroke::Cut { spans, path } => {
+            Stroke::Cut { spans, path, overcut } => {
                 let whose = spans.iter().flat_map(|s| std::iter::repeat_n(s.contour, s.elements));
                 let whose: Vec<u32> = whose.collect();
-                cut(moves, machine, path, Leads::default(), |element| {
-                    whose.get(element).copied().unwrap_or_default()
+                let leads = Leads { overcut: *overcut, ..Leads::default() };
+                cut(moves, machine, path, leads, |element| {
+                    whose.get(element).or(whose.last()).copied().unwrap_or_default()
                 });
                 head = path.last().map_or(head, Segment::end);
             }

@@ -43,6 +43,11 @@ pub enum Move {
         /// the joint, and pierces there.
         flying: bool,
     },
+    /// Runs on from one cut to the next with the beam off, without stopping, as if it cut: both cuts are one motion.
+    Fly {
+        /// The elements of the way.
+        path: Vec<Segment>,
+    },
     /// Lowers or raises the head with the beam off, for the passes of a deep cut.
     Height {
         /// Height, mm: 0 as focused, negative when lowered.
@@ -65,16 +70,19 @@ pub enum Move {
 }
 
 impl Move {
-    /// Whether this is a joint over which the head runs on, so that the cuts before and after it are one motion.
-    pub fn is_flying_joint(&self) -> bool {
-        matches!(self, Self::Joint { flying: true, .. })
+    /// Whether the head runs on over this with the beam off, so that the cuts before and after it are one motion: a flying
+    /// joint, or the way between two cuts on the run.
+    pub fn runs_on(&self) -> bool {
+        matches!(self, Self::Joint { flying: true, .. } | Self::Fly { .. })
     }
 
     /// Where the head is afterwards; `None` if it has not moved.
     pub fn end(&self) -> Option<DVec2> {
         match self {
             Self::Air { to } | Self::PreCut { to, .. } => Some(*to),
-            Self::Cut { path, .. } | Self::Joint { path, .. } => path.last().map(Segment::end),
+            Self::Cut { path, .. } | Self::Joint { path, .. } | Self::Fly { path } => {
+                path.last().map(Segment::end)
+            }
             Self::Pierce | Self::MovingStart | Self::Macro { .. } | Self::Height { .. } => None,
         }
     }
@@ -145,6 +153,10 @@ pub struct Summary {
     #[serde(default, skip_serializing_if = "is_none")]
     #[cfg_attr(test, ts(as = "Option<u32>", optional))]
     pub moving_starts: u32,
+    /// Number of cuts that begin on the run: the head does not stop before them.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub fly_cuts: u32,
     /// Number of air moves for which the head is lifted.
     #[serde(default, skip_serializing_if = "is_none")]
     #[cfg_attr(test, ts(as = "Option<u32>", optional))]
@@ -168,7 +180,7 @@ pub struct Summary {
     pub lead_length: f64,
     /// Length of air moves.
     pub air_length: f64,
-    /// Time along contours, by look-ahead over corners and acceleration.
+    /// Time along contours, by look-ahead over corners and acceleration. It includes the ways between cuts on the run.
     pub cut_time: f64,
     /// Time of air moves, and of lowering and raising the head.
     pub air_time: f64,
@@ -232,7 +244,7 @@ impl Plan {
                     run(ahead);
                 }
                 Move::Macro { at, .. } => *at += shift,
-                Move::Cut { path, .. } | Move::Joint { path, .. } => run(path),
+                Move::Cut { path, .. } | Move::Joint { path, .. } | Move::Fly { path } => run(path),
             }
         }
         let [x0, y0, x1, y1] = self.summary.bounds;

@@ -1,6 +1,7 @@
 //! Conversion of a sheet to a problem: one item for each contour, with entries, precedence from the nesting, and a rank.
 
 use super::entries::entries;
+use super::fly::FlyGroups;
 use super::groups::Groups;
 use super::ids::{ItemId, NodeId};
 use super::leads::{ItemLeads, LeadNode, Planners};
@@ -29,6 +30,8 @@ use crate::sheet::{Contour, Operation, Sheet};
 ///   comes before the next.
 /// * Leads: if the machine has rules for them, the entries of a closed cut are those where its lead fits, and the seconds of
 ///   the lead are part of the entry. Nothing is left unfinished then, and pierce groups have no leads.
+/// * Fly cuts: if the machine cuts rows and grids on the run, the item of the first contour stands for all of them, and its nodes
+///   are ways through them.
 /// * Joints: a contour with micro-joints is entered where its leads are away from them, or at the end of one. It is not left
 ///   unfinished, and is pierced at rest.
 /// * Sequences: pairs of items. Contours in a sequence are not left unfinished, and have at least the rank of those before them.
@@ -42,12 +45,17 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     let planners = Planners::new(sheet, machine);
     let pairs = pairs(sheet, &joined);
     let ranks = ranks(sheet, &joined, &pairs);
+    let flown = FlyGroups::new(sheet, machine, &planners, &ranks);
     let keeps_together = sheet.keeps_together();
     let mut items = Vec::with_capacity(sheet.contours.len());
     let mut nodes: Vec<Node> = Vec::new();
     for ((contour, &rank), item) in sheet.contours.iter().zip(&ranks).zip(0..) {
         let first = count(&nodes);
         if let Some(item) = joined.item(item, rank, &mut nodes) {
+            items.push(item);
+            continue;
+        }
+        if let Some(item) = flown.item(item, rank, joined.before(item), &mut nodes) {
             items.push(item);
             continue;
         }
@@ -131,7 +139,7 @@ fn push_nodes(nodes: &mut Vec<Node>, item: ItemId, contour: &Contour, passes: u3
     }
 }
 
-fn count(nodes: &[Node]) -> NodeId {
+pub(super) fn count(nodes: &[Node]) -> NodeId {
     // The reader's limit of 2,000,000 elements leaves at most 32,000,000 nodes.
     NodeId::try_from(nodes.len()).unwrap_or(NodeId::MAX)
 }
@@ -159,6 +167,11 @@ fn seconds(
     // The head is lowered to the deepest pass and raised again before it goes on.
     let deepest = f64::from(contour.pass + passes - 1) * process.z_step;
     (rounds * start + least + 2.0 * machine.height_seconds(deepest), run)
+}
+
+/// Seconds of a contour that is worked by itself, from its cheapest entry.
+pub(super) fn seconds_alone(sheet: &Sheet, machine: &Profile, contour: &Contour) -> f64 {
+    seconds(sheet, machine, contour, 1, true).0
 }
 
 /// Seconds of piercing and of the beam's delays of a cut or mark.

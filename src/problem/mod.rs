@@ -3,6 +3,7 @@
 
 mod beside;
 mod entries;
+mod fly;
 mod from_sheet;
 mod group_problem;
 mod groups;

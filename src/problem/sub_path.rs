@@ -108,6 +108,10 @@ pub enum Stroke {
     Air(DVec2),
     /// Pierces.
     Pierce,
+    /// The beam goes on as the next cut begins to move.
+    MovingStart,
+    /// Runs on to the next cut without stopping, with the beam off.
+    Fly(Vec<Segment>),
     /// Cuts the beginning of a later stretch in advance, from where the head is.
     PreCut {
         /// The contour it is on.
@@ -121,18 +125,22 @@ pub enum Stroke {
         spans: Vec<Span>,
         /// The geometry of all of them, in the direction of travel.
         path: Vec<Segment>,
+        /// Number of segments after those of the stretches that repeat the beginning of the cut.
+        overcut: usize,
     },
 }
 
 impl Stroke {
     /// A cut along its stretches from number `first` to before number `end`; other strokes as they are.
     fn part(&self, first: usize, end: usize) -> Self {
-        let Self::Cut { spans, path } = self else { return self.clone() };
+        let Self::Cut { spans, path, overcut } = self else { return self.clone() };
         let end = end.min(spans.len());
+        let again = if end == spans.len() { *overcut } else { 0 };
         let elements = |count: usize| spans.iter().take(count).map(|s| s.elements).sum::<usize>();
         Self::Cut {
             spans: spans.get(first..end).unwrap_or_default().to_vec(),
-            path: path.get(elements(first)..elements(end)).unwrap_or_default().to_vec(),
+            path: path.get(elements(first)..elements(end) + again).unwrap_or_default().to_vec(),
+            overcut: again,
         }
     }
 }

@@ -6,7 +6,7 @@
 //! Marks and cuts that belong to no part are kept apart, so that all together add up to the job.
 
 use super::times::Times;
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, Segment};
 use crate::machine::cut_time;
 use crate::plan::document::{Contours, Document, Move, segments};
 
@@ -34,8 +34,8 @@ pub(super) fn seconds(
     let machine = &document.machine;
     let mut at = machine.home();
     let (mut pierces, mut dark, mut moving) = (0, true, false);
-    // The elements of a motion that goes on over a joint.
-    let mut motion = Vec::new();
+    // The elements of a motion that goes on over a joint or to the next cut, and the contours of its cuts with their lengths.
+    let (mut motion, mut cut_on) = (Vec::new(), Vec::new());
     for (index, step) in document.moves.iter().enumerate() {
         match step {
             Move::Air { to } => (at, dark) = (DVec2::from(*to), true),
@@ -53,6 +53,7 @@ pub(super) fn seconds(
                     motion.extend(path);
                 }
             }
+            Move::Fly { path } => motion.extend(segments(path, &mut at)),
             // Their time is part of the air time, which is shared.
             Move::Height { .. } => {}
             Move::Cut { contour, path, .. } => {
@@ -60,18 +61,28 @@ pub(super) fn seconds(
                     Contours::One(id) => &[*id],
                     Contours::Several(ids) => ids,
                 };
-                motion.extend(segments(path, &mut at));
-                if matches!(document.moves.get(index + 1), Some(Move::Joint { flying: true, .. })) {
+                let path = segments(path, &mut at);
+                let length = path.iter().map(Segment::length).sum::<f64>() / ids.len().max(1) as f64;
+                cut_on.extend(ids.iter().map(|&id| (id, length)));
+                motion.extend(path);
+                if matches!(
+                    document.moves.get(index + 1),
+                    Some(Move::Joint { flying: true, .. } | Move::Fly { .. })
+                ) {
                     continue;
                 }
                 let path = std::mem::take(&mut motion);
                 let process = document.process_by_id(ids.first().copied());
-                let share = 1.0 / ids.len().max(1) as f64;
-                let cut = cut_time(machine, &process, &path) * share;
-                for &id in ids {
-                    all[owner(id)].times.cut += cut;
+                let cut = cut_time(machine, &process, &path);
+                // A motion is shared by what it cuts of each contour; a cut along several contours equally.
+                let whole: f64 = cut_on.iter().map(|c| c.1).sum();
+                let equal = 1.0 / ids.len().max(1) as f64;
+                let share = |length: f64| if cut_on.len() == ids.len() { equal } else { length / whole };
+                for &(id, length) in &cut_on {
+                    all[owner(id)].times.cut += cut * share(length);
                 }
-                let entered = &mut all[ids.first().map_or(parts, |&id| owner(id))];
+                let first = cut_on.drain(..).next().map_or(parts, |(id, _)| owner(id));
+                let entered = &mut all[first];
                 entered.pierces += pierces;
                 entered.times.pierce += machine.delays_of_cut(std::mem::take(&mut moving))
                     + f64::from(pierces) * machine.pierce_time;

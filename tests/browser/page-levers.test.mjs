@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { dxf, square } from '../package/support.mjs';
+import { circle, dxf, square } from '../package/support.mjs';
 import { openPlanned, output, plan, replanned, shot, SIZES } from './page-support.mjs';
 
 const DRAWING = dxf([...square(20, 20, 40), ...square(80, 20, 40), ...square(30, 30, 15)]);
@@ -29,3 +29,27 @@ for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone'
     assert.deepEqual([after.levers, summary.lifts], [undefined, undefined]);
   });
 }
+
+test('a row of holes is cut on the run, and its settings are in the plan', async (t) => {
+  const row = dxf(...[20, 30, 40, 50].map((x) => circle(x, 30, 3)), square(10, 10, 60));
+  const page = await openPlanned(t, 'fibre-3kw-thin', 'row.dxf', row, { size: SIZES.desktop, theme: 'light' });
+  const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
+  await machine.evaluate((d) => (d.open = true));
+  const fly = machine.getByLabel('Cut rows and grids on the run');
+  await replanned(page, () => fly.check());
+  await replanned(page, () => machine.getByLabel('Longest way between two cuts').fill('12'));
+  await fly.scrollIntoViewIfNeeded();
+  await shot(page, 'fly-desktop-light');
+  const flown = await plan(page);
+  assert.deepEqual(flown.machine.levers, { fly: { reach: 12, overcut: 0 } });
+  assert.equal(flown.summary.fly_cuts, 3);
+  await page.evaluate(() => [...document.querySelectorAll('details.more')].find((d) => d.textContent.startsWith('What saves what')).setAttribute('open', ''));
+  await page.getByRole('button', { name: 'Work it out' }).click();
+  await page.getByText('Plans without a decision were searched').waitFor();
+  const lines = await page.locator('.savings').evaluate((list) => [...list.children].map((e) => e.textContent));
+  assert.equal(lines[2], 'Cuts on the run');
+  assert.match(lines[3], /^saves [\d.:]+/);
+  await shot(page, 'savings-levers');
+  await replanned(page, () => fly.uncheck());
+  assert.equal((await plan(page)).summary.fly_cuts, undefined);
+});

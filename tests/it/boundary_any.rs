@@ -129,6 +129,7 @@ fn any_value_is_accepted_or_refused_in_a_sentence() {
                     | ProfileError::Dialect(_)
                     | ProfileError::Materials(_)
                     | ProfileError::MovingPreCuts
+                    | ProfileError::FlyPreCuts
                     | ProfileError::LiftWithoutZ)
         );
         assert!(sound, "{profile:?}");

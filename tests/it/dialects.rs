@@ -119,7 +119,7 @@ fn assert_right(
         }
     }
     let flying = |m: &Move| match m {
-        Move::Joint { path, flying: true, .. } => path.iter().map(Segment::length).sum(),
+        Move::Joint { path, flying: true, .. } | Move::Fly { path } => path.iter().map(Segment::length).sum(),
         _ => 0.0,
     };
     let joints: f64 = plan.moves.iter().map(flying).sum();
@@ -198,7 +198,7 @@ fn every_dialect_cuts_every_drawing_with_the_beam_on_where_it_should_be() {
 
 #[test]
 fn every_dialect_begins_cuts_and_marks_moving_without_a_wait() {
-    let levers = Levers { moving_pierce: Some(MovingPierce { overcut: 0.4 }), lift: None };
+    let levers = Levers { moving_pierce: Some(MovingPierce { overcut: 0.4 }), lift: None, fly: None };
     let moving = Profile { levers, ..machine() };
     let mut starts = 0;
     for file in files(&fixtures().join("dxf-dev"), "dxf").iter().take(6) {

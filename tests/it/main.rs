@@ -21,6 +21,7 @@ mod dxf_files;
 mod dxf_units;
 mod exclude;
 mod features_too_small;
+mod fly;
 mod geometry_curves;
 mod geometry_meet;
 mod geometry_shapes;

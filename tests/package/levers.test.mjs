@@ -2,11 +2,15 @@
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
-import { createPlanner } from 'kerfway';
+import { Ajv2020 } from 'ajv/dist/2020.js';
+import { createPlanner, LEVERS, leverSavings, withoutLever } from 'kerfway';
 import { circle, dxf, folder, kerfway, line, square } from './support.mjs';
 
+const schema = createRequire(import.meta.url).resolve('kerfway/plan.schema.json');
+const validate = new Ajv2020({ allErrors: true }).compile(JSON.parse(readFileSync(schema, 'utf8')));
 const DRAWING = dxf(square(0, 0, 60), circle(20, 20, 3), circle(40, 40, 3), line(80, 0, 80, 30));
 
 describe('moving pierce', () => {
@@ -46,6 +50,53 @@ describe('moving pierce', () => {
     const wrong = await kerfway('plan', file, '--moving-pierce', '1000', '--gcode', program);
     assert.equal(wrong.code, 2);
     assert.match(wrong.stderr, /levers\.moving_pierce\.overcut/);
+  });
+});
+
+describe('cuts on the run', () => {
+  let planner, thin;
+  const row = dxf(square(0, 0, 60), circle(10, 20, 3), circle(20, 20, 3), circle(30, 20, 3), circle(40, 20, 3));
+  before(async () => {
+    planner = await createPlanner();
+    thin = planner.machines.find((m) => m.name === 'fibre-3kw-thin');
+  });
+  after(() => planner.close());
+
+  const planned = async (machine) => {
+    await planner.load(row, 'row.dxf');
+    const { progress } = await planner.plan({ machine, seed: 1, moves: 20_000 }).done;
+    return { ...JSON.parse(await planner.output('json')), path: progress.path, gcode: await planner.output('gcode'), check: await planner.check(), quote: await planner.quote() };
+  };
+
+  it('are one motion, with one stop of the path for each contour', async () => {
+    const [rest, flown] = [await planned(thin), await planned({ ...thin, levers: { fly: { reach: 20, overcut: 0 } } })];
+    assert.deepEqual([rest.summary.fly_cuts, flown.summary.fly_cuts, flown.summary.moving_starts, flown.summary.pierces], [undefined, 3, 1, 1]);
+    assert.ok(rest.summary.total_time - flown.summary.total_time > 3 * (thin.pierce_time + thin.beam_on_delay + thin.beam_off_delay));
+    assert.deepEqual([flown.check.passed, flown.check.problems], [true, []]);
+    const kinds = flown.moves.map((m) => m.kind);
+    const first = kinds.indexOf('moving-start');
+    assert.deepEqual(kinds.slice(first, first + 8), ['moving-start', 'cut', 'fly', 'cut', 'fly', 'cut', 'fly', 'cut']);
+    assert.equal(flown.gcode.match(/on the run: beam off for 10\.000 mm/g)?.length, 3);
+    const { contours, times } = flown.path;
+    assert.deepEqual([...contours].sort(), [0, 1, 2, 3, 4]);
+    for (let k = 1; k < times.length; k += 1) assert.ok(times[k] >= times[k - 1] - 1e-9, `${k}: ${times[k - 1]} ${times[k]}`);
+    // The seconds of the motion are shared by its contours, and add up to the job's.
+    const parts = flown.quote.parts.reduce((sum, part) => sum + part.seconds.total * (part.count ?? 1), 0);
+    assert.ok(Number.isFinite(parts) && parts > 0);
+  });
+
+  it('are an option of the command line', async (t) => {
+    const at = folder(t);
+    const [file, program] = [join(at, 'row.dxf'), join(at, 'row.nc')];
+    writeFileSync(file, row);
+    const plan = (...options) => kerfway('plan', file, '--machine', 'fibre-3kw-thin', '--moves', '5000', '--seed', '1', '--gcode', program, ...options);
+    const ran = await plan('--fly', '15', '--fly-overcut', '0.4');
+    assert.equal(ran.code, 0, ran.stderr);
+    assert.equal(readFileSync(program, 'utf8').match(/on the run: /g)?.length, 3);
+    const far = await plan('--fly', '5000');
+    assert.deepEqual([far.code, /levers\.fly\.reach/.test(far.stderr)], [2, true], far.stderr);
+    const without = await plan('--fly-overcut', '0.4');
+    assert.deepEqual([without.code, /--fly/.test(without.stderr)], [2, true], without.stderr);
   });
 });
 
@@ -92,5 +143,52 @@ describe('lifting the head', () => {
     assert.deepEqual([slow.code, /--z-speed/.test(slow.stderr)], [2, true], slow.stderr);
     const without = await plan('--stay-down', '25');
     assert.deepEqual([without.code, /Give the height with --lift/.test(without.stderr)], [2, true], without.stderr);
+  });
+});
+
+describe('what each lever saves', () => {
+  const row = dxf(square(0, 0, 60), circle(10, 20, 3), circle(20, 20, 3), circle(30, 20, 3), line(80, 0, 80, 30));
+  const levers = { moving_pierce: { overcut: 0 }, fly: { reach: 20 }, lift: { height: 10, stay_down: 20 } };
+
+  it('is found by planning again without it', async () => {
+    const planner = await createPlanner();
+    const thin = planner.machines.find((m) => m.name === 'fibre-3kw-thin');
+    const joints = { rules: [{ side: 'outer', count: 2, width: 0.5, kind: 'flying' }] };
+    const machine = { ...thin, z_speed: 100, levers, joints };
+    const total = async (profile) => (await planner.plan({ machine: profile, seed: 1, moves: 20_000 }).done).progress.summary.total_time;
+    await planner.load(row, 'row.dxf');
+    const all = await total(machine);
+    const saved = [];
+    for await (const one of leverSavings(planner, { machine, seed: 1, moves: 20_000 }, all)) saved.push(one);
+    assert.deepEqual(saved.map((s) => s.lever), [...LEVERS]);
+    for (const { lever, seconds } of saved) assert.equal(seconds, (await total(withoutLever(machine, lever))) - all, lever);
+    const by = Object.fromEntries(saved.map((s) => [s.lever, s.seconds]));
+    // Two holes more begin at rest, and so does nothing else: the outline has joints, and the line is open.
+    assert.ok(by.fly > 2 * thin.beam_off_delay, JSON.stringify(by));
+    assert.ok(by['lift-on-the-way'] > 0 && by['stay-down'] >= 0 && by['flying-joints'] > 2 * thin.pierce_time, JSON.stringify(by));
+    planner.close();
+  });
+
+  it('is left out of machines without levers', async () => {
+    const planner = await createPlanner();
+    for (const machine of planner.machines) for (const lever of LEVERS) assert.equal(withoutLever(machine, lever), null, `${machine.name} ${lever}`);
+    planner.close();
+  });
+
+  it('is printed by the command line and written into the plan', async (t) => {
+    const at = folder(t);
+    const [file, json] = [join(at, 'row.dxf'), join(at, 'row.json')];
+    writeFileSync(file, row);
+    const plan = (...options) => kerfway('plan', file, '--machine', 'fibre-3kw-thin', '--moves', '5000', '--seed', '1', '--savings', ...options);
+    const ran = await plan('--moving-pierce', '0', '--fly', '20', '--json', json);
+    assert.equal(ran.code, 0, ran.stderr);
+    assert.match(ran.stdout, /^Levers {5}moving-pierce saves .+\n {11}fly saves /m);
+    const document = JSON.parse(readFileSync(json, 'utf8'));
+    assert.deepEqual(document.savings.map((s) => s.lever), ['moving-pierce', 'fly']);
+    assert.ok(document.savings.every((s) => s.seconds > 0));
+    assert.ok(validate(document), JSON.stringify(validate.errors, null, 1));
+    assert.match((await plan()).stdout, /^Levers {5}the machine has none$/m);
+    const quoted = await kerfway('quote', file, '--machine', 'fibre-3kw-thin', '--moves', '5000', '--fly', '20', '--savings');
+    assert.match(quoted.stdout, /^Levers {5}fly saves /m);
   });
 });

@@ -225,7 +225,7 @@ pub(crate) fn document(sheet: &Sheet, plan: &Plan) -> String {
         summary: plan.summary.clone(),
         material: None,
         placement: None,
-        contours: contours(sheet, &machine, DVec2::ZERO),
+        contours: contours(sheet, &machine, &plan.moves, DVec2::ZERO),
         machine,
         moves: plan.moves.iter().map(Step::from).collect(),
         findings: drawing.findings.iter().chain(&sheet.findings).cloned().collect(),

@@ -97,7 +97,9 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
                 summary.air_length += head.distance(*to);
                 head = *to;
             }
-            Move::Cut { path, .. } | Move::Joint { path, .. } => head = path[path.len() - 1].end(),
+            Move::Cut { path, .. } | Move::Joint { path, .. } | Move::Fly { path } => {
+                head = path[path.len() - 1].end();
+            }
             Move::Pierce
             | Move::MovingStart
             | Move::PreCut { .. }

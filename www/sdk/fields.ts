@@ -1099,6 +1099,43 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                       "name": "lift",
                       "nullable": true,
                       "required": false
+                    },
+                    {
+                      "kind": {
+                        "object": [
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.1,
+                                "most": 1000.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "a head that runs on over more than that would rather stop"
+                              }
+                            },
+                            "name": "reach",
+                            "nullable": false,
+                            "required": true
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 100.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "thin sheet is cut through after a few millimetres"
+                              }
+                            },
+                            "name": "overcut",
+                            "nullable": false,
+                            "required": false
+                          }
+                        ]
+                      },
+                      "name": "fly",
+                      "nullable": true,
+                      "required": false
                     }
                   ]
                 },

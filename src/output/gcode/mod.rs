@@ -149,9 +149,9 @@ impl<'d> Writer<'d> {
                 "switches the beam off with the next motion only, so the program must end with one: let the machine return home.",
             );
         }
-        if has(Move::is_flying_joint) && !Beam::new(self.dialect).changes_in_motion() {
+        if has(Move::runs_on) && !Beam::new(self.dialect).changes_in_motion() {
             return refuse(
-                "switches the beam only at rest, so it cannot leave flying joints: set the kind of the joints to stop.",
+                "switches the beam only at rest, so it cannot leave flying joints or cut on the run: set the kind of the joints to stop, and switch off fly cuts.",
             );
         }
         if waits(self.profile.beam_off_delay) {
@@ -191,7 +191,7 @@ impl<'d> Writer<'d> {
         let (mut height, mut flying) = (0.0, false);
         let mut head = self.profile.home();
         for (index, step) in work.iter().enumerate() {
-            let ends = !work.get(index + 1).is_some_and(Move::is_flying_joint);
+            let ends = !work.get(index + 1).is_some_and(Move::runs_on);
             match step {
                 Move::Air { to } => self.air(head, *to),
                 Move::Pierce => pierce += self.profile.pierce_time,
@@ -211,6 +211,11 @@ impl<'d> Writer<'d> {
                     self.pen.lines.comment_naming(&words, "");
                     self.pen.run_dark(path);
                 }
+                Move::Fly { path } => {
+                    let length = path.iter().map(Segment::length).sum::<f64>();
+                    self.pen.lines.comment_naming(&format!("on the run: beam off for {length:.3} mm"), "");
+                    self.pen.run_dark(path);
+                }
                 Move::Joint { path, .. } => path.last().iter().for_each(|s| self.pen.rapid(s.end())),
                 Move::Height { z } => {
                     height = *z;
@@ -225,13 +230,13 @@ impl<'d> Writer<'d> {
                         self.pen.lines.comment_naming(&words, layer);
                     }
                     let process = CutProcess::new(&sheet.process(*contour, self.profile), height);
-                    // Over a flying joint the motion goes on: the beam needs no time to settle.
+                    // Over a flying joint and on the run the motion goes on: the beam needs no time to settle.
                     let on = if mem::take(&mut moving) || flying { 0.0 } else { self.profile.beam_on_delay };
                     self.contour(&process, path, mem::take(&mut pierce) + on, ends);
                 }
             }
             goes_on = matches!(step, Move::Macro { .. });
-            flying = step.is_flying_joint();
+            flying = step.runs_on();
             head = step.end().unwrap_or(head);
         }
 

@@ -60,7 +60,7 @@ pub fn render(plan_json: &str, width: u32) -> Result<Vec<u8>, String> {
 fn bounds(document: &Document, strokes: &[Drawn]) -> Aabb {
     strokes.iter().fold(Aabb::of(document.machine.home()), |b, stroke| match stroke {
         Drawn::Air { to, .. } => b.with(*to),
-        Drawn::Beam { path, .. } | Drawn::Joint { path, .. } => {
+        Drawn::Beam { path, .. } | Drawn::Joint { path, .. } | Drawn::Fly { path } => {
             path.iter().fold(b, |b, s| b.union(s.bounds()))
         }
     })
@@ -79,6 +79,7 @@ fn draw(pixels: &mut Pixmap, document: &Document, strokes: &[Drawn], frame: &Fra
                 move_to(&mut air, frame.place(*from));
                 line_to(&mut air, frame.place(*to));
             }
+            Drawn::Fly { path } => trace(&mut air, frame, path),
             Drawn::Joint { path, .. } => trace(&mut joints, frame, path),
             Drawn::Beam { contour, path, leads: parts } => {
                 let to = if contour.is_some_and(is_mark) { &mut marks } else { &mut cuts };

@@ -4,6 +4,7 @@
 //! follows the contour from its beginning for the length of the rule, and a gap is left where the rule says so. That leads
 //! lie in scrap is checked at points along them (`lead_room.rs`).
 
+use super::fly::Flown;
 use super::groups::Groups;
 use super::joints;
 use super::lead_room::Room;
@@ -55,7 +56,18 @@ fn rule(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> Option<
     may.then(rule)
 }
 
-pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+/// Whether a rule or a person asks for the lead of a contour.
+pub(super) fn asked(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> bool {
+    sheet.chosen_lead(id).is_some() || rule(sheet, machine, id, contour).flatten().is_some()
+}
+
+pub(super) fn check(
+    sheet: &Sheet,
+    machine: &Profile,
+    plan: &Plan,
+    flown: &Flown,
+    found: &mut Vec<Violation>,
+) {
     let any = plan.moves.iter().any(|m| matches!(m, Move::Cut { leads, .. } if !leads.is_empty()));
     if machine.leads.is_none() && sheet.choices.is_empty() && !any {
         return;
@@ -65,7 +77,9 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     // Faults of pauses are reported elsewhere.
     for (step, m) in joints::whole(joined(&plan.moves, machine, &groups, &mut Vec::new())) {
         let Move::Cut { contour, path, leads, .. } = m.as_ref() else { continue };
-        let Some(known) = sheet.contours.get(*contour as usize) else { continue };
+        let Some(known) = sheet.contours.get(*contour as usize).filter(|_| !flown.holds(*contour)) else {
+            continue;
+        };
         let mut fault = |what, at| found.push(Violation::Lead { step, contour: *contour, what, at });
         let start = path.first().map_or(DVec2::ZERO, Segment::start);
         let [lead_in, on, again, lead_out] = leads.divide(path);
@@ -103,7 +117,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
 }
 
 /// Where an overcut is not on the beginning of the contour.
-fn strays(on: &[Segment], again: &[Segment]) -> Option<DVec2> {
+pub(super) fn strays(on: &[Segment], again: &[Segment]) -> Option<DVec2> {
     let (first, second) = (Path::new(on.to_vec(), false), Path::new(again.to_vec(), false));
     let length = second.length();
     (0..=8).filter(|_| length > 0.0).find_map(|k| {

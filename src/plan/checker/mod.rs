@@ -6,6 +6,7 @@
 //! share the geometry (points and lengths of elements) and the look-ahead along a contour, which has its own oracle.
 
 mod coverage;
+mod fly;
 mod groups;
 mod joint_room;
 mod joints;
@@ -28,6 +29,7 @@ use super::model::{Move, Plan};
 use crate::geometry::Segment;
 use crate::machine::Profile;
 use crate::sheet::{Operation, Sheet};
+use fly::Flown;
 use groups::Groups;
 use tolerance::{JOIN, SAME};
 use visits::Visits;
@@ -42,16 +44,18 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     let mut found = Vec::new();
     let mut visits = Visits::new(sheet, machine);
     let mut groups = Groups::new(sheet, machine);
-    follow(&mut visits, &mut groups, sheet, machine, plan, &mut found);
+    let mut flown = Flown::new(sheet, plan);
+    follow(&mut visits, &mut groups, &mut flown, sheet, machine, plan, &mut found);
     pre_cuts(machine, plan, &mut found);
-    visits.finish(&groups, &mut found);
+    visits.finish(|contour| groups.holds(contour) || flown.holds(contour), &mut found);
+    flown.finish(sheet, machine, plan, &mut found);
     groups.finish(|c| visits.ends(c), &mut found);
     order::check(sheet, &visits, &groups, &mut found);
     passes::check(sheet, machine, plan, &visits, &mut found);
     sums::check(sheet, machine, plan, &mut found);
     kerf::check(sheet, machine, plan, &mut found);
-    leads::check(sheet, machine, plan, &mut found);
-    moving::check(sheet, machine, plan, &mut found);
+    leads::check(sheet, machine, plan, &flown, &mut found);
+    moving::check(sheet, machine, plan, &flown, &mut found);
     joints::check(sheet, machine, plan, &groups, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
 }
@@ -75,6 +79,7 @@ fn pre_cuts(machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
 fn follow(
     visits: &mut Visits,
     groups: &mut Groups,
+    flown: &mut Flown,
     sheet: &Sheet,
     machine: &Profile,
     plan: &Plan,
@@ -86,8 +91,14 @@ fn follow(
     let mut just_cut = None;
     // The contour of a joint that was left, and whether without a stop, until the contour is cut on.
     let mut left = None;
+    // Whether the head runs on to the next cut.
+    let mut flies = false;
     for (step, m) in macros::joined(&plan.moves, machine, groups, found) {
         let before = just_cut.take();
+        let runs_on = std::mem::take(&mut flies);
+        if runs_on && !matches!(m.as_ref(), Move::Cut { .. }) {
+            found.push(Violation::Beam { step, what: "runs on without a cut after it" });
+        }
         if !matches!(m.as_ref(), Move::Cut { .. } | Move::Pierce) && left.take().is_some() {
             found.push(Violation::Beam { step, what: "does not cut on after a joint" });
         }
@@ -107,6 +118,19 @@ fn follow(
                 left = Some((*contour, *flying));
             }
             Move::Macro { .. } => {}
+            Move::Fly { path } => {
+                if before.is_none() {
+                    found.push(Violation::Beam { step, what: "runs on without a cut before it" });
+                }
+                for s in path {
+                    let gap = s.start().distance(head);
+                    if !gap.is_finite() || gap > JOIN {
+                        found.push(Violation::NotJoined { step, gap });
+                    }
+                    head = s.end();
+                }
+                flies = true;
+            }
             Move::Air { to } => {
                 if !to.is_finite() {
                     found.push(Violation::NotFinite { step });
@@ -172,15 +196,19 @@ fn follow(
                 {
                     found.push(Violation::Beam { step, what: "does not cut on as a joint asks for" });
                 }
-                let resumed = !grouped && after_joint.is_none() && visits.is_unfinished(*contour);
+                let resumed = !grouped
+                    && !flown.holds(*contour)
+                    && after_joint.is_none()
+                    && visits.is_unfinished(*contour);
                 if *mark && pierced {
                     found.push(Violation::Beam { step, what: "pierces for a mark" });
                 }
                 if resumed && pierced {
                     found.push(Violation::Beam { step, what: "pierces where it goes on with a cut" });
                 }
-                let flies = after_joint.is_some_and(|(_, flying)| flying);
-                let ready = *mark || pierced || flies || (resumed && visits.is_ready(*contour));
+                let over_joint = after_joint.is_some_and(|(_, flying)| flying);
+                let ready =
+                    *mark || pierced || over_joint || runs_on || (resumed && visits.is_ready(*contour));
                 let goes_on = before.is_some_and(|b| groups.same(b, *contour));
                 let begun = pierced || goes_on;
                 if !grouped && !ready {
@@ -200,7 +228,10 @@ fn follow(
                     }
                     head = s.end();
                 }
-                if grouped {
+                if flown.holds(*contour) {
+                    flown.cut(step, *contour, path, leads);
+                    visits.note(step, *contour);
+                } else if grouped {
                     let contours: Vec<u32> = std::iter::once(*contour).chain(with.iter().copied()).collect();
                     groups.cut(step, &contours, path, begun, found);
                     contours.iter().for_each(|&c| visits.note(step, c));
@@ -214,7 +245,7 @@ fn follow(
             }
         }
     }
-    if pierced || moving {
+    if pierced || moving || flies {
         found.push(Violation::Beam { step: plan.moves.len(), what: "pierces and ends" });
     }
     let left = head.distance(machine.home());

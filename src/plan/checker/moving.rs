@@ -1,6 +1,7 @@
 //! Checks moving starts: only where the machine has them, and only of marks and of closed cuts in one pass, without joints, that
 //! are cut again over the length at which the beam was not through.
 
+use super::fly::Flown;
 use super::groups::Groups;
 use super::joints;
 use super::violation::Violation;
@@ -12,13 +13,23 @@ use crate::sheet::{Operation, Sheet};
 /// Largest error of the length that is cut again, mm.
 const LENGTH: f64 = 1e-3;
 
-pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+pub(super) fn check(
+    sheet: &Sheet,
+    machine: &Profile,
+    plan: &Plan,
+    flown: &Flown,
+    found: &mut Vec<Violation>,
+) {
     if !plan.moves.contains(&Move::MovingStart) {
         return;
     }
     let groups = Groups::new(sheet, machine);
     for (step, pair) in plan.moves.windows(2).enumerate().filter(|(_, pair)| pair[0] == Move::MovingStart) {
         let mut fault = |what| found.push(Violation::Beam { step, what });
+        // Those of cuts on the run are checked with them.
+        if matches!(&pair[1], Move::Cut { contour, .. } if flown.holds(*contour)) {
+            continue;
+        }
         let Some(lever) = machine.levers.moving_pierce else {
             fault("begins moving, which the machine does not");
             continue;

@@ -18,7 +18,7 @@ const RELATIVE: f64 = 1e-9;
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     let (mut head, mut height) = (machine.home(), 0.0_f64);
     let (mut cuts, mut pierces, mut pre_cuts, mut macros) = (0u32, 0u32, 0u32, 0u32);
-    let (mut moving_starts, mut lifts) = (0u32, 0u32);
+    let (mut moving_starts, mut lifts, mut fly_cuts) = (0u32, 0u32, 0u32);
     let mut worked: Vec<u32> = Vec::new();
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
     let mut lead_length = 0.0;
@@ -26,7 +26,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let mut motion: Vec<Segment> = Vec::new();
     let (mut joint_seconds, mut stops) = (0.0, 0_u32);
     for (step, m) in plan.moves.iter().enumerate() {
-        let flies_on = plan.moves.get(step + 1).is_some_and(Move::is_flying_joint);
+        let flies_on = plan.moves.get(step + 1).is_some_and(Move::runs_on);
         match m {
             Move::Air { to } => {
                 air_length += (*to - head).length();
@@ -42,6 +42,11 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             Move::Height { z } => {
                 air_seconds += machine.z_speed.map_or(0.0, |speed| (z - height).abs() / speed);
                 height = *z;
+            }
+            Move::Fly { path } => {
+                fly_cuts += 1;
+                motion.extend(path);
+                head = path.last().map_or(head, |s| s.end());
             }
             Move::Joint { path, flying, .. } => {
                 let to = path.last().map_or(head, |s| s.end());
@@ -106,6 +111,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         ("the number of parts", f64::from(s.parts), f64::from(parts)),
         ("the number of piercings", f64::from(s.pierces), f64::from(pierces)),
         ("the number of moving starts", f64::from(s.moving_starts), f64::from(moving_starts)),
+        ("the number of cuts on the run", f64::from(s.fly_cuts), f64::from(fly_cuts)),
         ("the number of lifts", f64::from(s.lifts), f64::from(lifts)),
         ("the number of pre-cuts", f64::from(s.pre_cuts), f64::from(pre_cuts)),
         ("the length of air moves", s.air_length, air_length),

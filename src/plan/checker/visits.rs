@@ -4,7 +4,6 @@
 //! must be the contour, once. What is begun between two cuts of a contour is also finished between them.
 
 use super::coverage::{Fault, follows, leads};
-use super::groups::Groups;
 use super::joints;
 use super::leads::overcut;
 use super::tolerance::{SAME, rounding};
@@ -158,7 +157,9 @@ impl<'s> Visits<'s> {
     }
 
     /// After the last move: every contour is cut completely in each of its passes.
-    pub(super) fn finish(&self, groups: &Groups, found: &mut Vec<Violation>) {
+    ///
+    /// `elsewhere`: the contours that are followed elsewhere.
+    pub(super) fn finish(&self, elsewhere: impl Fn(u32) -> bool, found: &mut Vec<Violation>) {
         for ((contour, work), known) in (0..).zip(&self.work).zip(&self.sheet.contours) {
             let Some((_, step)) = work.steps else {
                 if known.is_processed() && known.path.segments.iter().any(|s| s.length() > SAME) {
@@ -166,7 +167,7 @@ impl<'s> Visits<'s> {
                 }
                 continue;
             };
-            if groups.holds(contour) {
+            if elsewhere(contour) {
                 continue;
             }
             if work.done.len() + 1 != self.passes.get(contour as usize).map_or(1, |&n| n as usize) {

@@ -1,5 +1,6 @@
 //! The contours of a plan document.
 
+use super::super::model::Move;
 use super::moves::{Element, place, segments};
 use crate::geometry::{Affine, DVec2, Path, Segment};
 use crate::machine::Profile;
@@ -89,10 +90,26 @@ fn is_one(passes: &u32) -> bool {
     *passes == 1
 }
 
+/// The contours that are cut in several stretches, if the plan has cuts on the run.
+fn side_by_side(sheet: &Sheet, moves: &[Move]) -> Vec<bool> {
+    let mut cuts = vec![0_u32; sheet.contours.len()];
+    let flies = moves.iter().any(|m| matches!(m, Move::Fly { .. }));
+    for m in moves.iter().filter(|_| flies) {
+        if let Move::Cut { contour, .. } = m
+            && let Some(count) = cuts.get_mut(*contour as usize)
+        {
+            *count += 1;
+        }
+    }
+    cuts.into_iter().map(|count| count > 1).collect()
+}
+
 /// The contours of a sheet as a machine works them; `shift` moves what is drawn to where it lies on the machine, mm.
-pub fn contours(sheet: &Sheet, machine: &Profile, shift: DVec2) -> Vec<Contour> {
-    // Contours of a pierce group are cut stretch by stretch, in any order.
-    let mut in_group = vec![false; sheet.contours.len()];
+///
+/// `moves` are those of the plan.
+pub fn contours(sheet: &Sheet, machine: &Profile, moves: &[Move], shift: DVec2) -> Vec<Contour> {
+    // Contours of a pierce group are cut stretch by stretch, in any order, and so are those that are cut side by side on the run.
+    let mut in_group = side_by_side(sheet, moves);
     for id in sheet.cut_as_one(machine.makes_pre_cuts()).iter().flat_map(|group| &group.contours) {
         if let Some(known) = in_group.get_mut(*id as usize) {
             *known = true;

@@ -56,6 +56,11 @@ pub enum Move {
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         flying: bool,
     },
+    /// The head runs on from one cut to the next without stopping, beam off: both cuts are one motion.
+    Fly {
+        /// The elements of the way.
+        path: Vec<Element>,
+    },
     /// The head is lowered or raised, beam off.
     Height {
         /// mm; 0 as focused, negative when lowered.
@@ -122,6 +127,7 @@ impl From<&model::Move> for Move {
             model::Move::Joint { contour, path, flying } => {
                 Self::Joint { contour: *contour, path: Element::all(path), flying: *flying }
             }
+            model::Move::Fly { path } => Self::Fly { path: Element::all(path) },
             model::Move::Height { z } => Self::Height { z: *z },
             model::Move::Cut { contour, with, path, leads, .. } => {
                 // An arc may become two elements, so each part is counted as it is written.

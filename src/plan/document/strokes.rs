@@ -15,6 +15,11 @@ pub enum Stroke {
         /// mm.
         to: DVec2,
     },
+    /// Beam off between two cuts on the run.
+    Fly {
+        /// Elements, mm.
+        path: Vec<Segment>,
+    },
     /// A micro-joint, which stays uncut.
     Joint {
         /// The contour's id.
@@ -47,6 +52,7 @@ pub fn strokes(document: &Document) -> Vec<Stroke> {
             Move::Joint { contour, path, .. } => {
                 Some(Stroke::Joint { contour: *contour, path: segments(path, &mut at) })
             }
+            Move::Fly { path } => Some(Stroke::Fly { path: segments(path, &mut at) }),
             Move::PreCut { to, .. } => {
                 at = DVec2::from(*to);
                 Some(Stroke::Beam {

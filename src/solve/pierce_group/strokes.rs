@@ -98,7 +98,7 @@ fn falls(net: &Net, order: &[Step], along: &[f64]) -> Vec<f64> {
 pub(super) fn priced(net: &Net, mut path: SubPath) -> SubPath {
     let seconds = |path: &[Segment]| process_time(net.machine, &net.machine.cut, false, path);
     for point in path.leave_points.iter_mut().filter(|p| p.spans > 0) {
-        let Some(Stroke::Cut { spans, path: run }) = path.strokes.get(point.strokes) else { continue };
+        let Some(Stroke::Cut { spans, path: run, .. }) = path.strokes.get(point.strokes) else { continue };
         let elements = spans.iter().take(point.spans).map(|s| s.elements).sum::<usize>();
         let (before, after) = run.split_at(elements.min(run.len()));
         point.seconds += net.start() + seconds(before) + seconds(after) - seconds(run);
@@ -121,7 +121,7 @@ fn pre_cut(net: &Net, step: Step, begins: bool) -> Stroke {
 fn close(open: &mut (Vec<Span>, Vec<Segment>), strokes: &mut Vec<Stroke>) {
     let (spans, path) = std::mem::take(open);
     if !path.is_empty() {
-        strokes.push(Stroke::Cut { spans, path });
+        strokes.push(Stroke::Cut { spans, path, overcut: 0 });
     }
 }
 
@@ -144,6 +144,8 @@ fn seconds(net: &Net, start: DVec2, strokes: &[Stroke]) -> f64 {
             }
             Stroke::Pierce => sum += net.machine.pierce_time,
             Stroke::PreCut { .. } => sum += net.pre_cut(),
+            // Groups are not cut on the run.
+            Stroke::MovingStart | Stroke::Fly(_) => {}
             Stroke::Cut { path, .. } => {
                 sum += process_time(net.machine, &net.machine.cut, false, path) + net.start();
                 head = path.last().map_or(head, Segment::end);

@@ -6,11 +6,13 @@ import { words } from '../core/words/index.js';
 import { check, field, numberInput } from './section.js';
 
 /** The limits are those of machine profiles. */
-const MOST = { overcut: 100, height: 500, down: 1e5 };
+const MOST = { overcut: 100, height: 500, down: 1e5, reach: 1000 };
 /** mm: what 1 mm sheet needs at 3 kW until the beam is through, with a margin. */
 const OVERCUT = 0.5;
 /** mm: over a part that stands up a little, and holes that lie close together. */
 const LIFT = { height: 10, stay_down: 10 };
+/** mm: the ways between the holes of most perforated sheets, and no ways across a plate. */
+const FLY = { reach: 20, overcut: 0 };
 /** mm/s, for a machine whose profile has none: the heads of fibre lasers are faster, tables are slower. */
 const Z_SPEED = 100;
 
@@ -46,8 +48,17 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
   const atRest = check(w.atRest, (on) => lifted({ at_rest: on }));
   const about = h('div', { class: 'stack' },
     field(w.height, height.input, 'mm'), field(words.machine.zSpeed, speed.input, 'mm/s'), field(w.stayDown, down.input, 'mm'), atRest.root, h('p', { class: 'soft' }, w.aboutLift));
+
+  const fly = check(w.fly, (on) => set((l) => {
+    if (on) l.fly = FLY;
+    else delete l.fly;
+  }));
+  const flown = (change: Partial<NonNullable<Levers['fly']>>) => set((l) => (l.fly = { ...FLY, ...l.fly, ...change }));
+  const reach = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => flown({ reach: value }));
+  const again = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => flown({ overcut: value }));
+  const run = h('div', { class: 'stack' }, field(w.reach, reach.input, 'mm'), field(w.flyOvercut, again.input, 'mm'), h('p', { class: 'soft' }, w.aboutFly));
   return {
-    root: h('div', { class: 'stack' }, moving.root, more, lift.root, about),
+    root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, lift.root, about),
     show({ levers, pre_cut_time, z_speed }) {
       const pierce = levers?.moving_pierce, lifting = levers?.lift;
       moving.input.checked = Boolean(pierce);
@@ -55,6 +66,11 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       moving.input.disabled = !pierce && typeof pre_cut_time === 'number';
       more.hidden = !pierce;
       overcut.show(pierce?.overcut ?? 0);
+      fly.input.checked = Boolean(levers?.fly);
+      fly.input.disabled = !levers?.fly && typeof pre_cut_time === 'number';
+      run.hidden = !levers?.fly;
+      reach.show(levers?.fly?.reach ?? FLY.reach);
+      again.show(levers?.fly?.overcut ?? 0);
       lift.input.checked = Boolean(lifting);
       about.hidden = !lifting;
       height.show(lifting?.height ?? LIFT.height);

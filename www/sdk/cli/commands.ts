@@ -117,6 +117,9 @@ const LEVERS: Options = {
   lift: { value: 'MM', about: 'lift the head by this much for moves with the beam off, on the way' },
   'stay-down': { value: 'MM', about: 'with --lift: moves up to this length are made with the head down (default 0)' },
   'lift-at-rest': { about: 'with --lift: lift the head before it travels, and lower it after that' },
+  fly: { value: 'MM', about: 'cut rows and grids of contours on the run, with at most this way between two cuts' },
+  'fly-overcut': { value: 'MM', about: 'with --fly: cut this length of a contour again at its end (default 0)' },
+  savings: { about: 'say what each lever of the machine saves: plan again without it, as long as before' },
   'z-speed': { value: 'MM/S', about: "speed of lifting and lowering, instead of the machine's" },
 };
 

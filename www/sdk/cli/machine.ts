@@ -77,11 +77,15 @@ function sizes(values: Words['values'], name: string): [number, number] | undefi
 
 /** The machine with the levers that the options ask for. */
 function withLevers(values: Words['values'], machine: MachineProfile): MachineProfile {
-  const [overcut, height, down, speed] = ['moving-pierce', 'lift', 'stay-down', 'z-speed'].map((option) => number(values, option));
+  const [overcut, height, down, speed, reach, again] = ['moving-pierce', 'lift', 'stay-down', 'z-speed', 'fly', 'fly-overcut'].map((option) => number(values, option));
   const atRest = values['lift-at-rest'] === true;
-  if ([overcut, height, down, speed].every((value) => value === undefined) && !atRest) return machine;
+  if ([overcut, height, down, speed, reach, again].every((value) => value === undefined) && !atRest) return machine;
   const levers = { ...machine.levers };
   if (overcut !== undefined) levers.moving_pierce = { overcut };
+  // Without a reach, the overcut changes that of the machine's own fly cuts.
+  const flown = reach === undefined ? levers.fly : { reach };
+  if (flown == null && again !== undefined) throw new WrongUse('--fly-overcut: the machine does not cut on the run. Give the longest way between two cuts with --fly.');
+  if (flown != null) levers.fly = { ...flown, ...(again !== undefined && { overcut: again }) };
   // Without a height, the other options change the machine's own lift.
   const lifted = height === undefined ? levers.lift : { height };
   if (lifted == null && (down !== undefined || atRest)) throw new WrongUse(`--${atRest ? 'lift-at-rest' : 'stay-down'}: the machine does not lift its head. Give the height with --lift.`);

@@ -265,6 +265,22 @@ export interface Levers {
   moving_pierce?: MovingPierce,
   /** The head is lifted for moves with the beam off; `null`: it stays down. */
   lift?: Lift,
+  /** Rows and grids of contours are cut on the run; `null`: the head stops before each contour. */
+  fly?: Fly,
+}
+
+/**
+ * Fly cuts: the head runs along a row of contours, or along the sides of a grid of them, without stopping, and the beam is
+ * switched while it runs.
+ */
+export interface Fly {
+  /** Longest run with the beam off between two cuts, mm. */
+  reach: number,
+  /**
+   * Length of a contour cut in one go that is cut again at its end, because the beam was not through at its beginning, mm.
+   * Sides that are cut one by one are never cut again. Default 0.
+   */
+  overcut?: number,
 }
 
 /**
@@ -799,6 +815,8 @@ export interface Summary {
   pierces: number,
   /** Number of cuts and marks that begin with the beam on as the head starts to move. */
   moving_starts?: number,
+  /** Number of cuts that begin on the run: the head does not stop before them. */
+  fly_cuts?: number,
   /** Number of air moves for which the head is lifted. */
   lifts?: number,
   /** Number of pre-cuts. */
@@ -816,7 +834,7 @@ export interface Summary {
   lead_length?: number,
   /** Length of air moves. */
   air_length: number,
-  /** Time along contours, by look-ahead over corners and acceleration. */
+  /** Time along contours, by look-ahead over corners and acceleration. It includes the ways between cuts on the run. */
   cut_time: number,
   /** Time of air moves, and of lowering and raising the head. */
   air_time: number,

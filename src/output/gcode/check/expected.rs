@@ -21,7 +21,7 @@ pub(super) struct Expected {
     pub(super) lifts: Option<u32>,
     /// Length of cuts, mm.
     pub(super) cut_length: Option<f64>,
-    /// Length that flying joints leave dark, mm.
+    /// Length that flying joints leave dark, and that between cuts on the run, mm.
     pub(super) dark_length: f64,
     /// Box of everything cut: xmin, ymin, xmax, ymax, mm.
     pub(super) bounds: Option<[f64; 4]>,
@@ -45,7 +45,9 @@ impl Expected {
             })
             .sum();
         let flying = |m: &Move| match m {
-            Move::Joint { path, flying: true, .. } => path.iter().map(Segment::length).sum(),
+            Move::Joint { path, flying: true, .. } | Move::Fly { path } => {
+                path.iter().map(Segment::length).sum()
+            }
             _ => 0.0,
         };
         let sums = &plan.summary;
@@ -74,7 +76,7 @@ impl Expected {
         }
         for comment in comments {
             let numbers = numbers(comment);
-            if comment.starts_with(FLYING) {
+            if DARK.iter().any(|dark| comment.starts_with(dark)) {
                 e.dark_length += numbers.last().unwrap_or(&0.0);
                 continue;
             }
@@ -101,8 +103,8 @@ impl Expected {
     }
 }
 
-/// How the comment at a flying joint begins.
-const FLYING: &str = "flying joint ";
+/// How the comments at a flying joint and between two cuts on the run begin.
+const DARK: [&str; 2] = ["flying joint ", "on the run: "];
 
 /// Number of cuts of a plan, those ahead of a pre-cut included.
 fn count_of(plan: &Plan) -> u32 {

@@ -327,6 +327,8 @@ export const es: Words = {
   levers: {
     moving: 'Empezar los cortes en movimiento', overcut: 'Volver a cortar al final',
     lift: 'Levantar el cabezal entre cortes', height: 'Levantar', stayDown: 'Quedarse abajo en trayectos de hasta', atRest: 'Levantar antes de moverse y bajar después',
+    fly: 'Cortar filas y cuadrículas al vuelo', reach: 'Trayecto más largo entre dos cortes', flyOvercut: 'Volver a cortar de cada contorno',
+    aboutFly: 'El cabezal no se detiene entre los agujeros de una fila ni a lo largo de los lados de una cuadrícula: el haz se enciende y se apaga en marcha. Para chapa que se atraviesa al instante y controladores que conmutan el haz en movimiento. Lo que tiene entradas o microuniones se corta de uno en uno.',
     aboutLift: 'Para piezas que pueden levantarse. El cabezal sube y baja por el camino, si no lo desactiva. Las alturas están en el G-code; otros controladores levantan por sí mismos.',
     about: 'Para marcas y para chapa tan fina que el haz la atraviesa al instante: se enciende cuando el cabezal arranca, sin espera. Los cortes abiertos y los de varias pasadas siguen empezando en reposo.',
   },
@@ -368,7 +370,7 @@ export const es: Words = {
 
   savings: {
     title: 'Qué ahorra qué', about: 'Cada decisión se quita una vez y el resto se planifica de nuevo.', ask: 'Calcularlo', working: 'Calculando…',
-    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', lift: 'Levantar el cabezal por el camino' },
+    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', 'moving-pierce': 'Empezar los cortes en movimiento', fly: 'Cortes al vuelo', 'lift-on-the-way': 'Levantar el cabezal por el camino', 'stay-down': 'Quedarse abajo en trayectos cortos', 'flying-joints': 'Microuniones sin parada' },
     saves: (time) => `ahorra ${time}`, costs: (time) => `cuesta ${time}`, done: (s) => `Los planes sin una decisión se buscaron hasta ${s} s cada uno.`,
   },
 
