@@ -3,7 +3,7 @@
  * of its own works on them, so that the plan on the page goes on.
  */
 
-import { createPlanner, type BestPath, type LoadOptions, type PlanOptions, type Planner, type Progress, type Summary } from 'kerfway';
+import { createPlanner, LEVERS, withoutLever, type BestPath, type Lever, type LoadOptions, type PlanOptions, type Planner, type Progress, type Summary } from 'kerfway';
 import { jobOptions } from './placing.js';
 import { pathContours } from './rules.js';
 import type { Session } from './session.js';
@@ -16,7 +16,7 @@ export interface Alternative {
 }
 
 /** Kinds of decisions that can be left out of a plan. */
-export type Decision = 'order' | 'entry' | 'common' | 'partial' | 'leads' | 'lift';
+export type Decision = 'order' | 'entry' | 'common' | 'partial' | 'leads' | Lever;
 
 /** What leaving a decision out costs, s; negative where the decision itself costs time, as leads do. */
 export interface Saving {
@@ -46,9 +46,9 @@ export class Alternatives {
     const now = progress.summary.total_time;
     const save = (decision: Decision, without: Summary): Saving => ({ decision, seconds: without.total_time - now });
     yield save('order', baselines.greedy);
-    // The same order, with every closed contour entered where its line begins. Leads and stretches have places of their own.
+    // The same order, with every closed contour entered where its line begins. Leads, stretches and cuts on the run have places of their own.
     const whole = path.along.every((along, k) => along === path.until[k]);
-    if (whole && path.leads.length === 0) {
+    if (whole && path.leads.length === 0 && !progress.summary.fly_cuts) {
       const { contours, reversed } = path;
       const zero = new Float64Array(contours.length);
       yield save('entry', (await this.planned({}, { moves: 0, warm: { contours, reversed, along: zero, until: zero } })).progress.summary);
@@ -56,8 +56,10 @@ export class Alternatives {
     const search: PlanOptions = { seconds: searched };
     if ((state.common?.offsets.length ?? 0) > 1 && state.load.commonCuts !== 'off') yield save('common', (await this.planned({ commonCuts: 'off' }, search)).progress.summary);
     if (typeof machine.pre_cut_time === 'number' && (path.preCuts.length > 0 || !whole)) yield save('partial', (await this.planned({}, { ...search, machine: { ...machine, pre_cut_time: null } })).progress.summary);
-    const lift = machine.levers?.lift;
-    if (lift && lift.at_rest !== true) yield save('lift', (await this.planned({}, { ...search, machine: { ...machine, levers: { ...machine.levers, lift: { ...lift, at_rest: true } } } })).progress.summary);
+    for (const lever of LEVERS) {
+      const without = withoutLever(machine, lever);
+      if (without !== null) yield save(lever, (await this.planned({}, { ...search, machine: without })).progress.summary);
+    }
     const { leads, ...without } = machine;
     if (path.leads.length > 0 && leads) yield save('leads', (await this.planned({}, { ...search, machine: without })).progress.summary);
   }

@@ -5,12 +5,14 @@ import { PROVEN } from '../gap.js';
 import { jobReport } from '../job-report.js';
 import type { Planner, PlanResult } from '../node.js';
 import type { Loaded, MachineProfile, OutputKind, PlanOptions, Proof } from '../protocol.js';
+import { withSavings } from '../savings.js';
 import { parsed } from './arguments.js';
 import { outputsOf, type Written } from './destinations.js';
 import { nameOf, usable } from './io.js';
 import { complain } from './safe-text.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
+import { savingLines, savingsOf } from './savings.js';
 import { duration, percent, meters, plural, unitOf } from './words.js';
 
 const OUTPUTS: readonly (OutputKind | 'report' | 'certificate')[] = ['json', 'gcode', 'svg', 'dxf', 'png', 'lbrn2', 'rd', 'report', 'certificate'];
@@ -25,11 +27,15 @@ export async function plan(args: string[]): Promise<void> {
       const data = kind === 'report' ? reported(planner, loaded, result) : kind === 'certificate' ? certified(proof) : planner.output(kind);
       written.push({ output, data: await usable(file, data) });
     }
+    const saved = given.values['savings'] === true ? await usable(file, savingsOf(planner, options, result)) : null;
+    if (saved !== null) {
+      for (const one of written) if (one.output.kind === 'json' && typeof one.data === 'string') one.data = withSavings(one.data, saved);
+    }
     // The controller of some machines takes another file than G-code.
     const takes = (options.machine as MachineProfile | undefined)?.takes ?? 'gcode';
     if (takes !== 'gcode' && outputs.some((o) => o.kind === 'gcode')) complain(`The controller of ${(options.machine as MachineProfile).name} takes ${takes.toUpperCase()} (--${takes}), not G-code.`);
     await to.write(file, written);
-    await to.report(place, () => lines(file, loaded, result, options), () => row(file, loaded, result));
+    await to.report(place, () => [...lines(file, loaded, result, options), ...savingLines(saved)], () => row(file, loaded, result));
   });
 }
 

@@ -11,6 +11,7 @@ import { outputsOf } from './destinations.js';
 import { bytesOf, Unusable, usable, WrongUse } from './io.js';
 import { planFiles } from './planning.js';
 import type { Column } from './report.js';
+import { savingLines, savingsOf } from './savings.js';
 import { STANDARD_OUTPUT } from './target.js';
 import { area, duration, grams, meters, millimetres, plural, unitOf } from './words.js';
 
@@ -20,14 +21,15 @@ export async function quote(args: string[]): Promise<void> {
   const limits = await limitsOf(given);
   const order = orderOf(given);
   const outputs = outputsOf(given, ['json']);
-  await planFiles(given, { outputs, columns: COLUMNS, defaultBudget: quoteBudget }, async ({ file, place, planner }, to) => {
+  await planFiles(given, { outputs, columns: COLUMNS, defaultBudget: quoteBudget }, async ({ file, place, planner, options, result }, to) => {
     const quoted = await usable(file, planner.quote({ material, ...limits }));
+    const saved = given.values['savings'] === true ? await usable(file, savingsOf(planner, options, result)) : null;
     await to.write(file, outputs.map((output) => {
       // Several documents on standard output have one line each.
       const indent = place.of > 1 && output.out === STANDARD_OUTPUT ? 0 : 2;
       return { output, data: `${JSON.stringify(quoted, null, indent)}\n` };
     }));
-    await to.report(place, () => [...lines(quoted), ...orderLines(quoted, order)], () => row(file, quoted));
+    await to.report(place, () => [...lines(quoted), ...orderLines(quoted, order), ...savingLines(saved)], () => row(file, quoted));
   });
 }
 

@@ -1,0 +1,62 @@
+/**
+ * What each lever of a machine saves on a job: the job is planned again without it, with the same options and budget, and the seconds are compared.
+ */
+
+import type { MachineProfile, PlanOptions } from './protocol.js';
+
+/** What can be left out of a machine: piercing in motion, cuts on the run, lifting on the way, staying down on short moves, joints without a stop. */
+export const LEVERS = ['moving-pierce', 'fly', 'lift-on-the-way', 'stay-down', 'flying-joints'] as const;
+export type Lever = (typeof LEVERS)[number];
+
+/** What a lever saves in a plan. */
+export interface LeverSaving {
+  readonly lever: Lever;
+  /** Seconds of the job without the lever minus those of the plan; negative if the plan without it is shorter. */
+  readonly seconds: number;
+}
+
+/** A planner, or anything that plans with other options. */
+export interface Replanner {
+  plan(options: PlanOptions): { readonly done: Promise<{ readonly progress: { readonly summary: { readonly total_time: number } } }> };
+}
+
+/** A machine without one of its levers; `null` if it does not have it. */
+export function withoutLever(machine: MachineProfile, lever: Lever): MachineProfile | null {
+  const { moving_pierce, lift, fly } = machine.levers ?? {};
+  switch (lever) {
+    case 'moving-pierce': return moving_pierce == null ? null : levered(machine, { moving_pierce: undefined });
+    case 'fly': return fly == null ? null : levered(machine, { fly: undefined });
+    case 'lift-on-the-way': return lift == null || lift.at_rest === true ? null : levered(machine, { lift: { ...lift, at_rest: true } });
+    case 'stay-down': return lift == null || !lift.stay_down ? null : levered(machine, { lift: { ...lift, stay_down: 0 } });
+    case 'flying-joints': {
+      const rules = machine.joints?.rules ?? [];
+      return rules.some((rule) => rule.kind === 'flying') ? { ...machine, joints: { rules: rules.map((rule) => ({ ...rule, kind: 'stop' })) } } : null;
+    }
+  }
+}
+
+/** The machine with some levers changed; those that are undefined are gone. */
+function levered(machine: MachineProfile, change: { [K in keyof NonNullable<MachineProfile['levers']>]?: NonNullable<MachineProfile['levers']>[K] | undefined }): MachineProfile {
+  const levers = Object.fromEntries(Object.entries({ ...machine.levers, ...change }).filter(([, value]) => value !== undefined));
+  return { ...machine, levers };
+}
+
+/**
+ * What each lever of the machine in `options` saves: `seconds` are those of the job planned with these options, which have the machine as a profile. The
+ * planner has the plan without the last lever afterwards.
+ */
+export async function* leverSavings(planner: Replanner, options: PlanOptions, seconds: number): AsyncGenerator<LeverSaving> {
+  const { machine } = options;
+  if (typeof machine !== 'object') return;
+  for (const lever of LEVERS) {
+    const without = withoutLever(machine, lever);
+    if (without === null) continue;
+    const { progress } = await planner.plan({ ...options, machine: without }).done;
+    yield { lever, seconds: progress.summary.total_time - seconds };
+  }
+}
+
+/** The text of a plan document with what the levers save in it. */
+export function withSavings(document: string, savings: readonly LeverSaving[]): string {
+  return document.replace(/\}\s*$/, `,"savings":${JSON.stringify(savings)}}\n`);
+}
