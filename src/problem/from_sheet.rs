@@ -3,13 +3,13 @@
 use super::entries::entries;
 use super::fly::FlyGroups;
 use super::groups::Groups;
-use super::ids::{ItemId, NodeId};
+use super::ids::ItemId;
 use super::leads::{ItemLeads, LeadNode, Planners};
-use super::model::{Item, Node, Problem};
+use super::model::{Item, Node, Problem, count};
 use super::pierce_groups::PierceGroups;
+use super::seconds::{leave_seconds, seconds, start_seconds};
 use super::sub_path::SubPath;
-use crate::lead::starts_moving;
-use crate::machine::{ClosedRun, Profile, process_time};
+use crate::machine::Profile;
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
 
@@ -137,56 +137,6 @@ fn push_nodes(nodes: &mut Vec<Node>, item: ItemId, contour: &Contour, passes: u3
         let twin = count(nodes);
         nodes.push(Node { item, entry, exit: entry, along, reversed: false, twin });
     }
-}
-
-pub(super) fn count(nodes: &[Node]) -> NodeId {
-    // The reader's limit of 2,000,000 elements leaves at most 32,000,000 nodes.
-    NodeId::try_from(nodes.len()).unwrap_or(NodeId::MAX)
-}
-
-/// The fixed seconds of all passes of a contour, and the run whose seconds depend on the entry.
-///
-/// `may_move`: whether it may begin moving.
-fn seconds(
-    sheet: &Sheet,
-    machine: &Profile,
-    contour: &Contour,
-    passes: u32,
-    may_move: bool,
-) -> (f64, Option<ClosedRun>) {
-    let mark = contour.operation != Operation::Cut;
-    let process = &sheet.process_of(contour, machine);
-    let start = start_seconds(machine, mark, may_move && starts_moving(sheet, machine, contour, None));
-    let path = &contour.path;
-    let run = if path.closed { ClosedRun::new(machine, process, mark, &path.segments) } else { None };
-    let run = run.map(|run| run.repeated(passes));
-    let rounds = f64::from(passes);
-    let least = run
-        .as_ref()
-        .map_or_else(|| rounds * process_time(machine, process, mark, &path.segments), ClosedRun::least);
-    // The head is lowered to the deepest pass and raised again before it goes on.
-    let deepest = f64::from(contour.pass + passes - 1) * process.z_step;
-    (rounds * start + least + 2.0 * machine.height_seconds(deepest), run)
-}
-
-/// Seconds of a contour that is worked by itself, from its cheapest entry.
-pub(super) fn seconds_alone(sheet: &Sheet, machine: &Profile, contour: &Contour) -> f64 {
-    seconds(sheet, machine, contour, 1, true).0
-}
-
-/// Seconds of piercing and of the beam's delays of a cut or mark.
-fn start_seconds(machine: &Profile, mark: bool, moving: bool) -> f64 {
-    let pierce = if mark || moving { 0.0 } else { machine.pierce_time };
-    pierce + machine.delays_of_cut(moving)
-}
-
-/// Seconds of leaving a contour and resuming it: the pre-cut, and the beam off and on once more. `None` for marks and open
-/// contours, which are run without interruption.
-fn leave_seconds(machine: &Profile, contour: &Contour) -> Option<f64> {
-    machine
-        .pre_cut_time
-        .filter(|_| contour.path.closed && contour.operation == Operation::Cut)
-        .map(|pre_cut| pre_cut + machine.beam_delays())
 }
 
 /// The groups of a person, and the parts if the sheet is cut part by part. A part in a hole is within the part around it, any

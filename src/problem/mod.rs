@@ -12,6 +12,7 @@ mod instance;
 mod leads;
 mod model;
 mod pierce_groups;
+mod seconds;
 mod sub_path;
 mod table;
 

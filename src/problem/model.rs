@@ -189,3 +189,9 @@ impl Problem {
         ItemId::try_from(self.items.len()).ok()?.checked_sub(1)
     }
 }
+
+/// The number of the next node of a list.
+pub(super) fn count(nodes: &[Node]) -> NodeId {
+    // The reader's limit of 2,000,000 elements leaves at most 32,000,000 nodes.
+    NodeId::try_from(nodes.len()).unwrap_or(NodeId::MAX)
+}

@@ -4,7 +4,6 @@
 //! follows the contour from its beginning for the length of the rule, and a gap is left where the rule says so. That leads
 //! lie in scrap is checked at points along them (`lead_room.rs`).
 
-use super::fly::Flown;
 use super::groups::Groups;
 use super::joints;
 use super::lead_room::Room;
@@ -65,7 +64,7 @@ pub(super) fn check(
     sheet: &Sheet,
     machine: &Profile,
     plan: &Plan,
-    flown: &Flown,
+    is_flown: impl Fn(u32) -> bool,
     found: &mut Vec<Violation>,
 ) {
     let any = plan.moves.iter().any(|m| matches!(m, Move::Cut { leads, .. } if !leads.is_empty()));
@@ -77,7 +76,7 @@ pub(super) fn check(
     // Faults of pauses are reported elsewhere.
     for (step, m) in joints::whole(joined(&plan.moves, machine, &groups, &mut Vec::new())) {
         let Move::Cut { contour, path, leads, .. } = m.as_ref() else { continue };
-        let Some(known) = sheet.contours.get(*contour as usize).filter(|_| !flown.holds(*contour)) else {
+        let Some(known) = sheet.contours.get(*contour as usize).filter(|_| !is_flown(*contour)) else {
             continue;
         };
         let mut fault = |what, at| found.push(Violation::Lead { step, contour: *contour, what, at });

@@ -54,7 +54,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     passes::check(sheet, machine, plan, &visits, &mut found);
     sums::check(sheet, machine, plan, &mut found);
     kerf::check(sheet, machine, plan, &mut found);
-    leads::check(sheet, machine, plan, &flown, &mut found);
+    leads::check(sheet, machine, plan, |c| flown.holds(c), &mut found);
     moving::check(sheet, machine, plan, &flown, &mut found);
     joints::check(sheet, machine, plan, &groups, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }

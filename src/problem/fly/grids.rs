@@ -4,7 +4,7 @@
 //! Lines of one direction are cut one after the other, there and back; then those of the next direction. The ways differ in the
 //! direction that comes first and in the corner at which they begin.
 
-use super::{Flown, Work, apart, sort_by_two};
+use super::work::{Flown, Work, apart, sort_by_two};
 use crate::geometry::{DVec2, Segment, math};
 use crate::problem::sub_path::{Span, Stroke};
 use std::f64::consts::PI;

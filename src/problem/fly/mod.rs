@@ -10,23 +10,14 @@
 
 mod grids;
 mod rows;
+mod work;
 
-use super::from_sheet::{count, seconds_alone};
 use super::leads::Planners;
-use super::model::{Item, Node};
-use super::sub_path::{Stroke, SubPath};
-use crate::geometry::{DVec2, Segment};
-use crate::machine::{AirTime, Fly, LeadSide, Process, Profile, cut_time};
-use crate::order::{real, sort_by};
+use super::model::{Item, Node, count};
+use crate::machine::{AirTime, LeadSide, Profile};
+use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
-
-/// Contours that are cut on the run, and the ways through them: each is followed by the same way back.
-struct Flown {
-    contours: Vec<u32>,
-    ways: Vec<SubPath>,
-    /// Seconds less than one by one.
-    saved: f64,
-}
+use work::{Flown, Work};
 
 /// The contours of a sheet that are cut on the run.
 #[derive(Default)]
@@ -144,78 +135,4 @@ fn has_lead(sheet: &Sheet, machine: &Profile, id: u32, contour: &Contour) -> boo
     let size = contour.path.bounds().size().max_element();
     let rule = || machine.leads.as_ref()?.rule(side, size, contour.path.length());
     sheet.chosen_lead(id).is_some() || rule().is_some()
-}
-
-/// What both patterns need: the contours and their seconds.
-struct Work<'s> {
-    sheet: &'s Sheet,
-    machine: &'s Profile,
-    lever: Fly,
-    process: Process,
-    air: AirTime,
-}
-
-impl Work<'_> {
-    fn contour(&self, id: u32) -> Option<&Contour> {
-        self.sheet.contours.get(id as usize)
-    }
-
-    /// A way of these strokes from a place to another, with its seconds.
-    fn way(&self, strokes: Vec<Stroke>) -> Option<SubPath> {
-        let start =
-            strokes.iter().find_map(|s| if let Stroke::Cut { path, .. } = s { path.first() } else { None });
-        let start = start?.start();
-        let (mut head, mut seconds) = (start, 0.0);
-        let mut motion: Vec<Segment> = Vec::new();
-        for (k, stroke) in strokes.iter().enumerate() {
-            match stroke {
-                Stroke::Air(to) => {
-                    seconds += self.air.seconds(head, *to);
-                    head = *to;
-                }
-                Stroke::Cut { path, .. } | Stroke::Fly(path) => {
-                    motion.extend(path);
-                    head = path.last().map_or(head, Segment::end);
-                    if !matches!(strokes.get(k + 1), Some(Stroke::Cut { .. } | Stroke::Fly(_))) {
-                        seconds +=
-                            cut_time(self.machine, &self.process, &motion) + self.machine.delays_of_cut(true);
-                        motion.clear();
-                    }
-                }
-                Stroke::Pierce | Stroke::MovingStart | Stroke::PreCut { .. } => {}
-            }
-        }
-        let ends = [start, head];
-        Some(SubPath { ends, strokes, seconds, leave_points: Vec::new(), falls: Vec::new() })
-    }
-
-    /// Contours as one group, if that saves seconds. `hop`: the least distance between two of them that follow each other, mm.
-    fn flown(&self, mut contours: Vec<u32>, ways: Vec<SubPath>, hop: f64) -> Option<Flown> {
-        let alone = |id: &u32| self.contour(*id).map_or(0.0, |c| seconds_alone(self.sheet, self.machine, c));
-        let hops = contours.len().saturating_sub(1) as f64;
-        // Along either axis a move is not faster than along both.
-        let hop = self
-            .air
-            .seconds(DVec2::ZERO, DVec2::new(hop, 0.0))
-            .min(self.air.seconds(DVec2::ZERO, DVec2::new(0.0, hop)));
-        let alone = contours.iter().map(alone).sum::<f64>() + hops * hop;
-        let least = ways.iter().map(|w| w.seconds).fold(f64::INFINITY, f64::min);
-        sort_by(&mut contours, |&c| [c.into(), 0, 0]);
-        let saved = alone - least;
-        (saved > 0.0).then_some(Flown { contours, ways, saved })
-    }
-}
-
-/// The distance between two boxes along the farther axis, mm.
-fn apart(a: &Contour, b: &Contour) -> f64 {
-    let gap = (a.bounds.min - b.bounds.max).max(b.bounds.min - a.bounds.max);
-    gap.max_element().max(0.0)
-}
-
-/// Sorts by two numbers.
-fn sort_by_two<T>(items: &mut Vec<T>, numbers: impl Fn(&T) -> [f64; 2]) {
-    sort_by(items, |item| {
-        let [a, b] = numbers(item);
-        [real(a), real(b), 0]
-    });
 }

@@ -4,7 +4,7 @@
 //!
 //! Each row has four ways: on either side of its contours, in either direction.
 
-use super::{Flown, Work, apart, sort_by_two};
+use super::work::{Flown, Work, apart, sort_by_two};
 use crate::geometry::{BoxIndex, DVec2, Path, Segment, math};
 use crate::order::{real, sort_by};
 use crate::problem::sub_path::{Span, Stroke, SubPath};

@@ -1,7 +1,7 @@
 //! Checks a tour against its instance and computes its length, from the numbers of the file and without any code of the
 //! solvers.
 
-use super::Instance;
+use super::model::Instance;
 use rustc_hash::FxHashMap;
 
 /// A fault of a tour, in the node numbers of the file.

@@ -8,10 +8,10 @@
 //! - A path of points begins at a point. So the first node of the set at which the cycle starts is home. When a tour is asked for,
 //!   the best node of that set takes its place ([`super::Instance::tour`]).
 
-use super::Instance;
 use super::costs::{self, Plane};
 use super::error::InstanceError;
 use super::file::File;
+use super::model::Instance;
 use super::sets::Sets;
 use crate::machine;
 use crate::problem::{Groups, Item, Node, NodeId, Problem};
@@ -60,27 +60,6 @@ pub(super) fn instance(file: &File, nodes: usize, mut sets: Sets) -> Result<Inst
         whole: true,
         plane: Some(plane.sorted(&order)),
     })
-}
-
-impl Instance {
-    /// The best node of the start for a cycle through these nodes, where the start is no item of the problem.
-    pub(super) fn start_between(&self, nodes: &[usize]) -> Option<usize> {
-        self.plane.as_ref()?;
-        let (first, last) = (*nodes.first()?, *nodes.last()?);
-        let through = |s: usize| self.cost(last, s) + self.cost(s, first);
-        (self.problem.nodes.len()..self.numbers.len())
-            .reduce(|best, s| if through(s) < through(best) { s } else { best })
-    }
-
-    /// How many sets there are.
-    pub(super) fn sets(&self) -> usize {
-        self.problem.items.len() + usize::from(self.is_large())
-    }
-
-    /// The set of the node at a place in `numbers`, in the order of the problem's items; the start of a large instance is the last.
-    pub(super) fn set_of(&self, node: usize) -> usize {
-        self.problem.nodes.get(node).map_or(self.problem.items.len(), |n| n.item as usize)
-    }
 }
 
 impl Plane {

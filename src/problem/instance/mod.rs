@@ -21,38 +21,20 @@ mod costs;
 mod error;
 mod file;
 mod large;
+mod model;
 mod sets;
 
 pub use check::{Fault, check};
 pub use error::InstanceError;
+pub use model::Instance;
 
 use super::groups::Groups;
 use super::ids::NodeId;
 use super::model::{Item, Node, Problem};
 use super::table::Table;
 use crate::machine;
-use costs::Plane;
 use file::File;
 use glam::DVec2;
-
-/// An instance and the numbers its file gives its nodes.
-#[derive(Clone, Debug)]
-pub struct Instance {
-    /// What the file calls itself.
-    pub name: String,
-    /// To be solved.
-    pub problem: Problem,
-    /// Number in the file, by node.
-    numbers: Vec<u32>,
-    /// Edges that every tour must take, in the numbers of the file. Their own length does not count (so is the
-    /// published optimum of linhp318: a path between the ends of its fixed edge); in the table each earns
-    /// [`Instance::lowered`], which is more than any other change of two edges can save.
-    fixed: Vec<[u32; 2]>,
-    lowered: f64,
-    whole: bool,
-    /// The coordinates by node, where the problem has no table of costs.
-    plane: Option<Plane>,
-}
 
 /// Reads an instance of at most [`Table::MOST`] nodes, or of 100,000 where the costs are distances in the plane (EUC_2D,
 /// CEIL_2D).
@@ -107,38 +89,4 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
         table: Some(table),
     };
     Ok(Instance { name: file.name(), problem, numbers, fixed, lowered, whole, plane: None })
-}
-
-impl Instance {
-    /// Whether every tour must take certain edges.
-    pub fn has_fixed_edges(&self) -> bool {
-        !self.fixed.is_empty()
-    }
-
-    /// Whether all costs are whole numbers, so all lengths are.
-    pub fn is_whole(&self) -> bool {
-        self.whole
-    }
-
-    /// Whether the problem's costs are real distances while lengths are sums of rounded ones. A bound of one is none of the
-    /// other.
-    pub fn is_large(&self) -> bool {
-        self.plane.is_some()
-    }
-
-    /// The tour that visits these nodes of the problem, in the numbers of the file.
-    pub fn tour(&self, nodes: impl IntoIterator<Item = NodeId>) -> Vec<u32> {
-        let nodes: Vec<usize> = nodes.into_iter().map(|node| node as usize).collect();
-        let start = self.start_between(&nodes);
-        start.into_iter().chain(nodes).filter_map(|node| self.numbers.get(node).copied()).collect()
-    }
-
-    /// The cost from one node to another, by their places in `numbers`.
-    fn cost(&self, from: usize, to: usize) -> f64 {
-        match (&self.plane, self.problem.table()) {
-            (Some(plane), _) => plane.cost(from, to),
-            (None, Some(table)) => table.costs().get(from * table.nodes() + to).copied().unwrap_or(0.0),
-            (None, None) => 0.0,
-        }
-    }
 }
