@@ -3,6 +3,7 @@
 #![allow(clippy::float_cmp, reason = "lengths are sums of whole numbers")]
 
 use crate::testkit::rng::seeded;
+use glam::DVec2;
 use kerfway::job::Solving;
 use kerfway::problem::{Fault, check, instance};
 use rand::RngExt;
@@ -55,7 +56,8 @@ impl Towns {
             .zip(next)
             .map(|(&a, &b)| {
                 let (a, b) = (at(a), at(b));
-                round(((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt())
+                let d = DVec2::from(a) - DVec2::from(b);
+                round(d.dot(d).sqrt())
             })
             .sum()
     }
