@@ -55,7 +55,8 @@ impl Source {
             Some("dxf") => {
                 let sheet = sheet(path, bytes)?;
                 let ruled = sheet.by_feature_points().into_iter();
-                Ok(ruled.chain([sheet]).collect())
+                // The sheet is the first: benches name it by its index.
+                Ok(std::iter::once(sheet).chain(ruled).collect())
             }
             _ => {
                 let instance = problem::instance(&bytes).map_err(|e| format!("{file}: {e}"))?;
