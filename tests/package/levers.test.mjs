@@ -81,8 +81,9 @@ describe('cuts on the run', () => {
     assert.deepEqual([...contours].sort(), [0, 1, 2, 3, 4]);
     for (let k = 1; k < times.length; k += 1) assert.ok(times[k] >= times[k - 1] - 1e-9, `${k}: ${times[k - 1]} ${times[k]}`);
     // The seconds of the motion are shared by its contours, and add up to the job's.
-    const parts = flown.quote.parts.reduce((sum, part) => sum + part.seconds.total * (part.count ?? 1), 0);
-    assert.ok(Number.isFinite(parts) && parts > 0);
+    const { parts, loose_times: loose, time } = flown.quote;
+    const seconds = parts.flatMap((group) => group.items).reduce((sum, part) => sum + part.times.total, loose?.total ?? 0);
+    assert.ok(Math.abs(seconds - flown.summary.total_time) < 1e-6, `${seconds} ${flown.summary.total_time} ${JSON.stringify(time)}`);
   });
 
   it('are an option of the command line', async (t) => {

@@ -6,6 +6,7 @@ import type { MachineProfile, PlanOptions } from './protocol.js';
 
 /** What can be left out of a machine: piercing in motion, cuts on the run, lifting on the way, staying down on short moves, joints without a stop. */
 export const LEVERS = ['moving-pierce', 'fly', 'lift-on-the-way', 'stay-down', 'flying-joints'] as const;
+/** The name of a lever that can be left out. */
 export type Lever = (typeof LEVERS)[number];
 
 /** What a lever saves in a plan. */
@@ -17,6 +18,7 @@ export interface LeverSaving {
 
 /** A planner, or anything that plans with other options. */
 export interface Replanner {
+  /** Plans the loaded drawing; `done` settles with the plan. */
   plan(options: PlanOptions): { readonly done: Promise<{ readonly progress: { readonly summary: { readonly total_time: number } } }> };
 }
 
