@@ -111,6 +111,7 @@ fn generated() -> String {
         machine::JointKind,
         machine::JointRule,
         machine::Joints,
+        machine::Skeleton,
         machine::dialect::FileUnit,
         machine::dialect::Decimals,
         machine::dialect::DwellUnit,

@@ -169,6 +169,11 @@ impl Job {
         }
         self.drop_run();
         let mut findings = self.compensate(placed.profile.kerf_width);
+        let skeleton = self.beam_sheet().with_skeleton(&placed.seen_from_drawing()).map_err(|fault| {
+            let message = format!("Skeleton cuts are not possible: {fault}.");
+            FieldError::new(Fault::Contradiction, "machine.skeleton", message)
+        })?;
+        self.beam_sheet = skeleton.or(self.beam_sheet.take());
         self.beam_sheet = self.beam_sheet().sheet_by_sheet(&placed.profile).or(self.beam_sheet.take());
         findings.extend(placed.finding(&self.beam_sheet().bounds));
         let least = self.sheet.layer_with(&placed.profile, |process| process.min_power.is_some());

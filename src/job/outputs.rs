@@ -3,7 +3,7 @@
 use super::{Job, JobError, Placed};
 use crate::drawing::Unit;
 use crate::fields::{Fault, FieldError};
-use crate::geometry::{Aabb, DVec2};
+use crate::geometry::{Aabb, Affine, DVec2, Segment};
 use crate::machine::Profile;
 use crate::output::{Check, OutputKind, SheetFacts, WorkOrder, Written, json_text};
 use crate::plan::document::{self, Budget, Document, Input, Move, Options, Placement};
@@ -68,6 +68,7 @@ impl Job {
         }
         let run = self.run()?;
         let Placed { profile, start, .. } = &run.placed;
+        let remainder = if kind == OutputKind::Remainder { self.remainder()? } else { Vec::new() };
         Ok(WorkOrder {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             name: self.name.clone(),
@@ -77,7 +78,19 @@ impl Job {
             machine: Profile { materials: Vec::new(), ..profile.clone() },
             plan: self.placed_plan()?,
             sheet: SheetFacts::of(self.beam_sheet()),
+            remainder,
         })
+    }
+
+    /// The outlines of what is left of the sheet, in the coordinates of the machine.
+    fn remainder(&self) -> Result<Vec<Vec<Segment>>, JobError> {
+        let Placed { shift, .. } = self.run()?.placed;
+        let left = self.beam_sheet().remainder(&self.run()?.machine).map_err(|fault| {
+            let message = format!("The remainder of the sheet cannot be written: {fault}.");
+            FieldError::new(Fault::Contradiction, "output", message)
+        })?;
+        let moved = Affine::translation(shift);
+        Ok(left.iter().map(|path| moved.path(path, 0.0).segments).collect())
     }
 
     /// The best plan so far, checked, in the coordinates of the machine.

@@ -28,6 +28,10 @@ pub struct ContourInfo<'a> {
     pub length: f64,
     /// Area, mm².
     pub area: f64,
+    /// Whether it is a skeleton cut, which nobody drew.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(test, ts(as = "Option<bool>", optional))]
+    pub skeleton: bool,
 }
 
 /// The content of a drawing, without its geometry.
@@ -95,6 +99,7 @@ pub(super) fn contours(sheet: &Sheet) -> Vec<ContourInfo<'_>> {
         inside: c.inside,
         length: c.length,
         area: c.area,
+        skeleton: c.skeleton,
     };
     (0..).zip(&sheet.contours).map(info).collect()
 }

@@ -16,7 +16,8 @@ pub(super) struct Cuts {
 
 impl Cuts {
     pub(super) fn new(contours: &[Contour]) -> Self {
-        let cut = (0..).zip(contours).filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0);
+        let cut =
+            (0..).zip(contours).filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0 && !c.skeleton);
         // The outline of an open rest runs along the sides that another contour cuts for it.
         let of = |(id, c): (u32, &Contour)| {
             let begin = |at: &mut f64, s: &Segment| Some((id, *s, std::mem::replace(at, *at + s.length())));

@@ -63,7 +63,8 @@ impl<'s> Scrap<'s> {
             beside_drawn: 0.5 * kerf,
             bed,
         };
-        for (contour, c) in (0..).zip(contours).filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0)
+        for (contour, c) in
+            (0..).zip(contours).filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0 && !c.skeleton)
         {
             let beside = if c.drawn.is_some() { 0.0 } else { scrap.beside_drawn };
             let mut start = 0.0;

@@ -18,6 +18,7 @@ mod profile;
 mod ramp;
 mod settings;
 mod sharp_corner;
+mod skeleton;
 mod valid;
 
 pub use bed::{Anchor, Start};
@@ -36,4 +37,5 @@ pub use process::Process;
 pub use profile::{Axes, Profile, Takes, Travel};
 pub use settings::{MaterialSetting, Settings};
 pub use sharp_corner::SharpCorner;
+pub use skeleton::Skeleton;
 pub use valid::{LAYER_SETTINGS, ProfileError, check_settings};

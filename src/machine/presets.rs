@@ -74,6 +74,7 @@ fn co2_100w() -> Profile {
         leads: None,
         levers: Levers::default(),
         joints: None,
+        skeleton: None,
         // A high-voltage CO2 supply rises and falls within a few ms.
         beam_on_delay: 0.005,
         beam_off_delay: 0.005,
@@ -116,6 +117,7 @@ fn diode_hobby() -> Profile {
         leads: None,
         levers: Levers::default(),
         joints: None,
+        skeleton: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         takes: Takes::Gcode,
@@ -159,6 +161,7 @@ fn fibre_3kw_thin() -> Profile {
         leads: None,
         levers: Levers::default(),
         joints: None,
+        skeleton: None,
         // The gas and the height control need time to settle.
         beam_on_delay: 0.05,
         beam_off_delay: 0.02,
@@ -188,6 +191,7 @@ fn fibre_6kw_thick() -> Profile {
         leads: None,
         levers: Levers::default(),
         joints: None,
+        skeleton: None,
         // The oxygen pressure is built up and released.
         beam_on_delay: 0.2,
         beam_off_delay: 0.1,
@@ -318,6 +322,7 @@ fn length(name: &str, title: &str, travel: Travel) -> Profile {
         leads: None,
         levers: Levers::default(),
         joints: None,
+        skeleton: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
         takes: Takes::Gcode,

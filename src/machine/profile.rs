@@ -7,6 +7,7 @@ use super::levers::Levers;
 use super::process::Process;
 use super::settings::MaterialSetting;
 use super::sharp_corner::SharpCorner;
+use super::skeleton::Skeleton;
 use crate::geometry::{Path, Segment};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -123,6 +124,10 @@ pub struct Profile {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub joints: Option<Joints>,
+    /// Cuts through the waste after everything else; `None` for none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub skeleton: Option<Skeleton>,
     /// Speed at which the head is lowered and raised, mm/s; `None` if it cannot be.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]

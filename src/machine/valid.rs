@@ -9,6 +9,7 @@ use super::leads::Leads;
 use super::levers::Levers;
 use super::profile::Profile;
 use super::settings::Settings;
+use super::skeleton::Skeleton;
 use crate::fields::{Fault, Field, FieldError, Kind, Range, Shape, Shaped, out_of_range};
 use std::f64::consts::PI;
 
@@ -125,6 +126,7 @@ const SHAPE: Shape = Shape {
         Field::nullable("leads", Kind::Object(Leads::FIELDS)),
         Field::optional("levers", Kind::Object(Levers::FIELDS)),
         Field::nullable("joints", Kind::Object(Joints::FIELDS)),
+        Field::nullable("skeleton", Kind::Object(Skeleton::FIELDS)),
         Field::required("beam_on_delay", Kind::Number(DELAY)),
         Field::required("beam_off_delay", Kind::Number(DELAY)),
         Field::optional("takes", Kind::Choice(&["gcode", "dxf", "svg"])),
@@ -228,6 +230,7 @@ impl Profile {
             .chain(self.leads.iter().flat_map(Leads::numbers))
             .chain(self.levers.numbers())
             .chain(self.joints.iter().flat_map(Joints::numbers))
+            .chain(self.skeleton.iter().flat_map(Skeleton::numbers))
             .find(|(_, value, range)| !range.holds(*value))
         {
             None => match self.bed {

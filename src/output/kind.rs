@@ -18,6 +18,8 @@ pub enum OutputKind {
     Lbrn2,
     /// A Ruida file; experimental.
     Rd,
+    /// A drawing of what is left of the sheet, for the next job.
+    Remainder,
 }
 
 impl OutputKind {
@@ -38,7 +40,12 @@ impl FromStr for OutputKind {
             "json" => Ok(Self::Json),
             "lbrn2" => Ok(Self::Lbrn2),
             "rd" => Ok(Self::Rd),
-            _ => Err(FieldError::no_such("output", name, &["gcode", "svg", "dxf", "json", "lbrn2", "rd"])),
+            "remainder" => Ok(Self::Remainder),
+            _ => Err(FieldError::no_such(
+                "output",
+                name,
+                &["gcode", "svg", "dxf", "json", "lbrn2", "rd", "remainder"],
+            )),
         }
     }
 }

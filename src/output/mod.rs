@@ -21,7 +21,7 @@ mod sheet_facts;
 mod svg;
 mod work_order;
 
-pub use dxf::dxf;
+pub use dxf::{dxf, remainder};
 pub use gcode::{
     Check, CheckCode, CheckProblem, JobFacts, OutputError, check, check_against, fits_bed, gcode,
 };

@@ -5,9 +5,10 @@
 //! bytes as natively, where the order does not leave memory.
 
 use super::gcode::{self, Check, JobFacts, OutputError};
-use super::{OutputKind, SheetFacts, dxf, fits_bed, lbrn2, rd, svg};
+use super::{OutputKind, SheetFacts, dxf, fits_bed, lbrn2, rd, remainder, svg};
 use crate::fields::through_value;
 use crate::finding::Severity;
+use crate::geometry::Segment;
 use crate::machine::{Profile, Start};
 use crate::plan::Plan;
 use serde::{Deserialize, Serialize};
@@ -32,6 +33,9 @@ pub struct WorkOrder {
     pub plan: Plan,
     /// What is cut.
     pub sheet: SheetFacts,
+    /// Outlines of what is left of the sheet, if they are asked for: the outer one, and holes in it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub remainder: Vec<Vec<Segment>>,
 }
 
 /// An output.
@@ -79,6 +83,7 @@ impl WorkOrder {
             OutputKind::Dxf => Written::Text(dxf(plan, sheet)),
             OutputKind::Lbrn2 => Written::Text(lbrn2(plan, sheet, machine)?),
             OutputKind::Rd => Written::Bytes(rd(plan, sheet, machine)?),
+            OutputKind::Remainder => Written::Text(remainder(&self.remainder)),
             OutputKind::Json => {
                 let sentence = "The plan document is written by the planner, not from a work order.";
                 return Err(OutputError::Format(sentence.to_owned()));

@@ -21,6 +21,8 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
     let (mut head, mut height) = (machine.home(), 0.0);
     let mut moving = false;
     let mut worked = vec![false; sheet.contours.len()];
+    // Seconds at the end of the last cut that is no skeleton cut.
+    let mut parts_end = 0.0;
     // The elements of a motion that goes on over a joint or to the next cut.
     let mut motion: Vec<Segment> = Vec::new();
     for (index, step) in moves.iter().enumerate() {
@@ -92,6 +94,12 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
                 }
                 bounds = path.iter().fold(bounds, |b, s| b.union(s.bounds()));
                 head = last.end();
+                if sheet.contours.get(*contour as usize).is_some_and(|c| c.skeleton) {
+                    sum.skeleton_length += path.iter().map(Segment::length).sum::<f64>();
+                    sum.skeleton_time = sum.seconds() - parts_end;
+                } else {
+                    parts_end = sum.seconds();
+                }
             }
         }
     }
@@ -99,10 +107,14 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
     for (contour, _) in
         sheet.contours.iter().zip(worked).filter(|(c, worked)| *worked && c.next_pass.is_none())
     {
+        if contour.skeleton {
+            sum.skeleton_cuts += 1;
+            continue;
+        }
         sum.contours += 1;
         sum.open_contours += u32::from(!contour.path.closed);
     }
-    sum.total_time = sum.air_time + sum.cut_time + sum.pierce_time + sum.pre_cut_time + sum.macro_time;
+    sum.total_time = sum.seconds();
     if !bounds.is_empty() {
         sum.bounds = [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y];
     }

@@ -178,6 +178,18 @@ pub struct Summary {
     #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
     #[cfg_attr(test, ts(as = "Option<f64>", optional))]
     pub lead_length: f64,
+    /// Number of skeleton cuts, which are not among the contours.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub skeleton_cuts: u32,
+    /// Length of skeleton cuts. It is part of the length of cuts.
+    #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
+    #[cfg_attr(test, ts(as = "Option<f64>", optional))]
+    pub skeleton_length: f64,
+    /// Time from the end of the last other cut to the end of the last skeleton cut: air, piercing and cutting.
+    #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
+    #[cfg_attr(test, ts(as = "Option<f64>", optional))]
+    pub skeleton_time: f64,
     /// Length of air moves.
     pub air_length: f64,
     /// Time along contours, by look-ahead over corners and acceleration. It includes the ways between cuts on the run.
@@ -206,6 +218,11 @@ fn is_none(count: &u32) -> bool {
 }
 
 impl Summary {
+    /// The times of everything that the head does, s.
+    pub(super) fn seconds(&self) -> f64 {
+        self.air_time + self.cut_time + self.pierce_time + self.pre_cut_time + self.macro_time
+    }
+
     /// Sets the lower bound of the total time in seconds; 0 means none. A bound above the total is due to rounding, so the
     /// plan is optimal.
     pub fn set_bound(&mut self, bound: f64) {

@@ -85,6 +85,18 @@ pub struct Quote {
     #[serde(skip_serializing_if = "crate::fields::is_zero")]
     #[cfg_attr(test, ts(as = "Option<f64>", optional))]
     pub joint_time: f64,
+    /// Number of skeleton cuts, which are not among the contours.
+    #[serde(skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub skeleton_cuts: u32,
+    /// Length of skeleton cuts, which is part of the length of cuts.
+    #[serde(skip_serializing_if = "crate::fields::is_zero")]
+    #[cfg_attr(test, ts(as = "Option<f64>", optional))]
+    pub skeleton_length: f64,
+    /// Time from the end of the last other cut to the end of the last skeleton cut.
+    #[serde(skip_serializing_if = "crate::fields::is_zero")]
+    #[cfg_attr(test, ts(as = "Option<f64>", optional))]
+    pub skeleton_time: f64,
     /// Cut and marked contours by layer.
     pub layers: Vec<LayerUse>,
     /// Number of parts.
@@ -211,6 +223,9 @@ pub(super) fn made(document: &Document, shapes: &[Shape], terms: &Terms) -> Quot
         pre_cuts: summary.pre_cuts,
         joints: summary.joints,
         joint_time: summary.joint_time,
+        skeleton_cuts: summary.skeleton_cuts,
+        skeleton_length: summary.skeleton_length,
+        skeleton_time: summary.skeleton_time,
         layers: layers(contours),
         part_count: parts.len(),
         parts: parts::groups(&parts, contours, shapes, items),
@@ -240,7 +255,9 @@ fn items(parts: &[Part], boxes: &[Aabb], seconds: &[Seconds], confidence: Vec<Co
 
 fn layers(contours: &[Contour]) -> Vec<LayerUse> {
     let mut all: Vec<LayerUse> = Vec::new();
-    for c in contours.iter().filter(|c| c.operation != Operation::Ignore && c.next_pass.is_none()) {
+    for c in
+        contours.iter().filter(|c| c.operation != Operation::Ignore && c.next_pass.is_none() && !c.skeleton)
+    {
         let known = all.iter().position(|l| l.layer == c.layer && l.operation == c.operation);
         let at = known.unwrap_or_else(|| {
             let (layer, operation) = (c.layer.clone(), c.operation);

@@ -201,6 +201,7 @@ fn contour(drawing: &Drawing, a: Assembled, operation: Operation, findings: &mut
         rest_of: a.rest_of.filter(|_| !a.path.closed),
         outline: a.outline,
         drawn: None,
+        skeleton: false,
         path: a.path,
     }
 }

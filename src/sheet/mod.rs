@@ -13,6 +13,8 @@
 //!        -> parts: outer contours counter-clockwise, holes clockwise, parts in holes
 //! contours, machine with a kerf width
 //!        -> kerf: the lines of the beam, offset from the outlines by half the kerf; groups found again
+//! contours, machine with skeleton cuts
+//!        -> skeleton: straight cuts through the waste, last of all; what remains of the sheet
 //! ```
 //!
 //! Everything that is skipped, changed or doubtful is reported as a finding with its place. Results depend on the
@@ -40,6 +42,7 @@ mod outline;
 mod parts;
 mod passes;
 mod sequence;
+mod skeleton;
 mod sliver;
 mod source;
 mod together;

@@ -217,6 +217,8 @@ pub struct Contour {
     pub first_shape: u32,
     /// If it is the open rest of a closed shape: a number that all rests of that shape share.
     pub rest_of: Option<u32>,
+    /// Whether it is a skeleton cut: a straight cut through the waste, after everything else, that nobody drew.
+    pub skeleton: bool,
 }
 
 impl Contour {

@@ -65,6 +65,7 @@ mod recorded;
 mod selection;
 mod sharp_corners;
 mod sheet;
+mod skeleton;
 mod solve_exact;
 mod solve_partial;
 mod solve_search;

@@ -43,6 +43,7 @@ pub(crate) fn machine() -> Profile {
         leads: None,
         levers: kerfway::machine::Levers::default(),
         joints: None,
+        skeleton: None,
         pre_cut_time: None,
         beam_on_delay: 0.0,
         beam_off_delay: 0.0,
@@ -111,6 +112,7 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
             pin: Pin::None,
             first_shape: id as u32,
             rest_of: None,
+            skeleton: false,
             path: stop.path,
         });
     }

@@ -121,6 +121,7 @@ impl Builder {
             pin: Pin::None,
             first_shape: id,
             rest_of: None,
+            skeleton: false,
             path,
         });
         id

@@ -19,8 +19,9 @@ mod tags;
 
 use super::cuts::{closes, cuts};
 use super::number::fixed;
-use super::sheet_facts::SheetFacts;
-use crate::geometry::{Arc, DVec2, Segment, arcs, math};
+use super::sheet_facts::{LayerFacts, SheetFacts};
+use crate::geometry::{Aabb, Arc, DVec2, Segment, arcs, math};
+use crate::machine::Settings;
 use crate::plan::Plan;
 use layers::Layers;
 use std::f64::consts::PI;
@@ -36,6 +37,21 @@ pub fn dxf(plan: &Plan, sheet: &SheetFacts) -> String {
     frame::before_entities(&mut tags, plan.summary.bounds, &layers, cuts(plan).len());
     for cut in cuts(plan) {
         polyline(&mut tags, layers.of_contour(sheet, cut.contour), &cut.path, closes(sheet, &cut));
+    }
+    frame::after_entities(&mut tags);
+    tags.into_text()
+}
+
+/// What is left of a sheet as a DXF drawing: its outline on the layer `SHEET`, and what was cut out of it on `CUT OUT`.
+pub fn remainder(outlines: &[Vec<Segment>]) -> String {
+    let layer = |name: &str, color| LayerFacts { name: name.to_owned(), color, settings: Settings::NONE };
+    let sheet = SheetFacts { layers: vec![layer("SHEET", 8), layer("CUT OUT", 1)], contours: Vec::new() };
+    let bounds = outlines.iter().flatten().fold(Aabb::EMPTY, |b, s| b.union(s.bounds()));
+    let mut tags = Tags::default();
+    let [low, high] = [bounds.min, bounds.max];
+    frame::before_entities(&mut tags, [low.x, low.y, high.x, high.y], &Layers::of(&sheet), outlines.len());
+    for (k, outline) in outlines.iter().enumerate() {
+        polyline(&mut tags, if k == 0 { "SHEET" } else { "CUT OUT" }, outline, true);
     }
     frame::after_entities(&mut tags);
     tags.into_text()

@@ -162,8 +162,9 @@ pub(super) struct Others {
 impl Others {
     pub(super) fn new(sheet: &Sheet) -> Self {
         let mut elements = Vec::new();
-        for (id, c) in
-            (0..).zip(&sheet.contours).filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0)
+        for (id, c) in (0..)
+            .zip(&sheet.contours)
+            .filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0 && !c.skeleton)
         {
             elements.extend(c.boundary().unwrap_or(&c.path).segments.iter().map(|s| (id, *s)));
         }

@@ -34,7 +34,9 @@ impl<'s> Room<'s> {
             let path = c.boundary().unwrap_or(&c.path);
             path.segments.iter().map(move |s| (id, *s, clearance + beside(c)))
         };
-        let cuts = (0..).zip(&sheet.contours).filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0);
+        let cuts = (0..)
+            .zip(&sheet.contours)
+            .filter(|(_, c)| c.operation == Operation::Cut && c.pass == 0 && !c.skeleton);
         let elements: Vec<_> = cuts.flat_map(of).collect();
         let index = BoxIndex::new(elements.iter().map(|e| e.1.bounds()));
         let all = (0..).zip(&sheet.contours).filter(|(_, c)| c.bounds_area() && c.pass == 0);

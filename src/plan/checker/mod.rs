@@ -18,6 +18,7 @@ mod moving;
 mod nesting;
 mod order;
 mod passes;
+mod skeleton;
 mod sums;
 mod tolerance;
 mod violation;
@@ -57,6 +58,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     leads::check(sheet, machine, plan, |c| flown.holds(c), &mut found);
     moving::check(sheet, machine, plan, &flown, &mut found);
     joints::check(sheet, machine, plan, &groups, &mut found);
+    skeleton::check(sheet, machine, plan, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
 }
 

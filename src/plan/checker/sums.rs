@@ -98,8 +98,8 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     // A contour that is cut in several stretches counts once.
     sort_by(&mut worked, |&c| [c.into(), 0, 0]);
     worked.dedup();
-    // The earlier passes over a line are no contours of their own.
-    worked.retain(|&c| sheet.contours.get(c as usize).is_some_and(|c| c.next_pass.is_none()));
+    // The earlier passes over a line are no contours of their own, nor are skeleton cuts.
+    worked.retain(|&c| sheet.contours.get(c as usize).is_some_and(|c| c.next_pass.is_none() && !c.skeleton));
     let is_open = |c: &&u32| sheet.contours.get(**c as usize).is_some_and(|c| !c.path.closed);
     let (contours, open) = (worked.len() as f64, worked.iter().filter(is_open).count() as f64);
     let s = &plan.summary;
@@ -166,7 +166,7 @@ fn is_lifted(machine: &Profile, way: DVec2) -> bool {
 }
 
 /// Seconds of an air move along the vector `way`, mm, with the head lifted or down.
-fn air_time(machine: &Profile, way: DVec2, lifted: bool) -> f64 {
+pub(super) fn air_time(machine: &Profile, way: DVec2, lifted: bool) -> f64 {
     let [vx, vy] = machine.rapid.speed;
     let [ax, ay] = machine.rapid.accel.unwrap_or([f64::INFINITY; 2]);
     let distance = way.length();

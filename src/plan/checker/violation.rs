@@ -134,6 +134,14 @@ pub enum Violation {
         /// Position, mm.
         at: DVec2,
     },
+    /// A skeleton cut is nearer to a part than its clearance.
+    #[error("move {step}: a skeleton cut is too near to a part at {at}")]
+    Skeleton {
+        /// Which move.
+        step: usize,
+        /// Position, mm.
+        at: DVec2,
+    },
     /// Less or more than the whole contour is cut.
     #[error("move {step} cuts {worked} mm of contour {contour}, which is {length} mm long")]
     Partly {

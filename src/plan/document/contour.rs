@@ -31,6 +31,9 @@ pub struct Contour {
     /// The contour that is the next pass over the same line; `None`: this is the last one, or all passes follow each other.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub next_pass: Option<u32>,
+    /// Whether it is a skeleton cut, which nobody drew.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub skeleton: bool,
     /// The outline of what is made, where the line that is cut is not that outline: it runs half a kerf beside it, leaves
     /// out a side that is cut with another contour, or is cut stretch by stretch with others.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -62,7 +65,7 @@ impl Contour {
 
     /// Whether it frees no part.
     pub fn is_open(&self) -> bool {
-        self.next_pass.is_none() && !self.closed && self.drawn.is_none()
+        self.next_pass.is_none() && !self.closed && self.drawn.is_none() && !self.skeleton
     }
 }
 
@@ -137,6 +140,7 @@ pub fn contours(sheet: &Sheet, machine: &Profile, moves: &[Move], shift: DVec2) 
         area: c.area,
         passes: if c.next_pass.is_some() { 1 } else { sheet.process_of(c, machine).passes },
         next_pass: c.next_pass,
+        skeleton: c.skeleton,
         drawn: c
             .part_outline()
             .or_else(|| c.boundary().filter(|_| in_group))

@@ -1,0 +1,33 @@
+//! The outline of the sheet.
+
+use super::super::model::Sheet;
+use super::SkeletonFault;
+use super::blocked::worked;
+use crate::geometry::{Aabb, DVec2, Path, Segment};
+use crate::machine::Profile;
+
+/// The smallest closed outline around everything that is drawn and not cut; otherwise the bed of the machine.
+pub(super) fn of(sheet: &Sheet, machine: &Profile) -> Result<Path, SkeletonFault> {
+    let job = parts(sheet);
+    let around = sheet.ignored.iter().map(|i| &i.path).filter(|p| p.closed && p.bounds().contains_box(&job));
+    let smallest = around.min_by(|a, b| a.area().abs().total_cmp(&b.area().abs()));
+    match (smallest, machine.bed) {
+        (Some(path), _) => Ok(path.clone()),
+        (None, Some([x0, y0, x1, y1])) => {
+            let bed = Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) };
+            if bed.contains_box(&job) { Ok(rectangle(&bed)) } else { Err(SkeletonFault::Beyond) }
+        }
+        (None, None) => Err(SkeletonFault::NoSheet),
+    }
+}
+
+/// The box around everything that is worked, without skeleton cuts.
+pub(super) fn parts(sheet: &Sheet) -> Aabb {
+    worked(sheet).fold(Aabb::EMPTY, |all, path| all.union(path.bounds()))
+}
+
+fn rectangle(of: &Aabb) -> Path {
+    let corners = [of.min, DVec2::new(of.max.x, of.min.y), of.max, DVec2::new(of.min.x, of.max.y)];
+    let sides = (0..4).zip(corners).map(|(k, from)| Segment::line(from, corners[(k + 1) % 4]));
+    Path::new(sides.collect(), true)
+}
