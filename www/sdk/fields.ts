@@ -1286,6 +1286,99 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
               },
               {
                 "kind": {
+                  "object": [
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 10.0,
+                          "most": 100000.0,
+                          "or_zero": false,
+                          "unit": "mm",
+                          "why": "smaller pieces fall through the slats"
+                        }
+                      },
+                      "name": "spacing_x",
+                      "nullable": true,
+                      "required": false
+                    },
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 10.0,
+                          "most": 100000.0,
+                          "or_zero": false,
+                          "unit": "mm",
+                          "why": "smaller pieces fall through the slats"
+                        }
+                      },
+                      "name": "spacing_y",
+                      "nullable": true,
+                      "required": false
+                    },
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 0.1,
+                          "most": 1000.0,
+                          "or_zero": false,
+                          "unit": "mm",
+                          "why": "a cut that meets a part marks its edge"
+                        }
+                      },
+                      "name": "clearance",
+                      "nullable": false,
+                      "required": false
+                    },
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 10.0,
+                          "most": 100000.0,
+                          "or_zero": false,
+                          "unit": "mm",
+                          "why": "smaller pieces fall through the slats"
+                        }
+                      },
+                      "name": "joint_spacing",
+                      "nullable": true,
+                      "required": false
+                    },
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 0.01,
+                          "most": 100.0,
+                          "or_zero": false,
+                          "unit": "mm",
+                          "why": "a joint is broken by hand"
+                        }
+                      },
+                      "name": "joint_width",
+                      "nullable": false,
+                      "required": false
+                    },
+                    {
+                      "kind": {
+                        "number": {
+                          "least": 10.0,
+                          "most": 100000.0,
+                          "or_zero": false,
+                          "unit": "mm",
+                          "why": "nobody keeps a narrower strip"
+                        }
+                      },
+                      "name": "remainder",
+                      "nullable": true,
+                      "required": false
+                    }
+                  ]
+                },
+                "name": "skeleton",
+                "nullable": true,
+                "required": false
+              },
+              {
+                "kind": {
                   "number": {
                     "least": 0.0,
                     "most": 60.0,

@@ -62,7 +62,7 @@ const shapeOf = (owner: string, ...fields: Field[]): Shape => ({ owner, item: 'o
 const PLANNING_OPTIONS = PLANNING.fields.filter(({ name }) => name !== 'member');
 const JOB = [optional('name', 'text'), optional('signal', 'signal')];
 /** The formats in which a plan can be written. */
-export const OUTPUTS: readonly OutputKind[] = ['gcode', 'svg', 'dxf', 'json', 'png', 'lbrn2', 'rd'];
+export const OUTPUTS: readonly OutputKind[] = ['gcode', 'svg', 'dxf', 'json', 'png', 'lbrn2', 'rd', 'remainder'];
 /** The width of a picture. */
 const WIDTH: Range = { least: 64, most: 8192, or_zero: false, unit: 'pixels', why: 'smaller ones show nothing, larger ones take a gigabyte' };
 

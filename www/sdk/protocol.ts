@@ -137,7 +137,7 @@ export interface MeasuredPlan {
 }
 
 /** The format of an output. */
-export type OutputKind = 'gcode' | 'svg' | 'dxf' | 'json' | 'png' | 'lbrn2' | 'rd';
+export type OutputKind = 'gcode' | 'svg' | 'dxf' | 'json' | 'png' | 'lbrn2' | 'rd' | 'remainder';
 
 /** The formats that are bytes instead of text. */
 export type BinaryKind = 'png' | 'rd';

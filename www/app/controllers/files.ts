@@ -21,6 +21,7 @@ const DOWNLOADS: Record<OutputKind, { suffix: string; type: string }> = {
   json: { suffix: '.plan.json', type: 'application/json' },
   lbrn2: { suffix: '.lbrn2', type: 'application/xml' },
   rd: { suffix: '.rd', type: 'application/octet-stream' },
+  remainder: { suffix: '-remainder.dxf', type: 'image/vnd.dxf' },
 };
 
 export class Files {

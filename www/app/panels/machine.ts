@@ -8,6 +8,7 @@ import { dialectEditor } from './dialect.js';
 import { jointsPanel } from './joints.js';
 import { leadsPanel } from './leads.js';
 import { leversPanel } from './levers.js';
+import { skeletonPanel } from './skeleton.js';
 import { materials } from './materials.js';
 import { ownMachines } from './own-machines.js';
 import { check, field, numberInput, section, select } from './section.js';
@@ -115,11 +116,12 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
   const leads = leadsPanel(edit);
   const joints = jointsPanel(session, edit, placeJoints);
   const levers = leversPanel(edit);
+  const skeleton = skeletonPanel(edit);
   const own = ownMachines(session, notify);
   const advanced = h('details', { class: 'more' }, h('summary', {}, words.machine.advanced),
     h('div', { class: 'stack' }, field(words.machine.air, travel.root), ...QUANTITIES.flatMap((q, i) => [field(q.label, inputs[i]!.input, q.unit), hintOf(q)]), home.root,
       button(words.machine.start, { class: 'small', onclick: chooseHome }), back));
-  body.append(h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, levers.root, leads.root, joints.root, dialect.root, advanced, library.root, fitting, own.root));
+  body.append(h('div', { class: 'stack' }, choice.root, library.choice, partialCuts.root, pausing.root, levers.root, leads.root, joints.root, skeleton.root, dialect.root, advanced, library.root, fitting, own.root));
 
   const show = () => {
     const { machine } = session.state;
@@ -139,6 +141,7 @@ export function machinePanel(session: Session, notify: (sentence: string) => voi
     leads.show(machine);
     joints.show(machine, session.state.load);
     levers.show(machine);
+    skeleton.show(machine);
     QUANTITIES.forEach((q, i) => inputs[i]!.show(q.get(machine)));
   };
   session.store.on('change', show);

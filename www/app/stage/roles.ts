@@ -13,6 +13,7 @@ export function rolesOf(contours: readonly ContourInfo[], border: number | null)
 
 function roleOf(contours: readonly ContourInfo[], border: number | null, contour: ContourInfo): number {
   if (contour.operation !== 'cut') return contour.operation === 'mark' ? Role.mark : Role.none;
+  if (contour.skeleton === true) return Role.inner;
   if (contour.inside === null) return Role.outer;
   let inner = false;
   for (const outer of around(contours, contour.id)) {

@@ -123,6 +123,13 @@ const LEVERS: Options = {
   'z-speed': { value: 'MM/S', about: "speed of lifting and lowering, instead of the machine's" },
 };
 
+const SKELETON: Options = {
+  skeleton: { value: 'MM|X,Y', about: 'cut up what is left of the sheet, last of all, into pieces of at most this size' },
+  'skeleton-clearance': { value: 'MM', about: 'least distance of these cuts from the cuts of parts (default 2)' },
+  'skeleton-joints': { value: 'MM', about: 'greatest length of these cuts without a joint of 1 mm (default any)' },
+  'keep-strip': { value: 'MM', about: 'cut off the largest strip without parts in one piece, if it is at least this wide' },
+};
+
 const PLACING: Options = {
   place: {
     value: 'POINT@PLACE', about: `put a point of the job (${ANCHORS[0]}, center, ... or X,Y in the drawing) at a place of the bed (X,Y or one of its points)`,
@@ -156,6 +163,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
         png: { value: 'OUT', about: 'a picture in pixels' },
         lbrn2: { value: 'OUT', about: 'a LightBurn project' },
         rd: { value: 'OUT', about: 'a file for Ruida controllers (experimental)' },
+        remainder: { value: 'OUT', about: 'DXF of what is left of the sheet, for the next job' },
         certificate: { value: 'OUT', about: 'the certificate of the lower bound, for kerfway verify' },
       },
       'The sheet': { material: { value: 'NAME', about: "a setting of the machine's library of materials" } },
@@ -165,6 +173,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       'Leads': LEADS,
       'Micro-joints': JOINTS,
       'Levers': LEVERS,
+      'Skeleton cuts': SKELETON,
       'How to read': { ...READING, 'accept-guess': { about: 'write G-code although the unit is in doubt' } },
       'When': WATCHING, 'Messages': MESSAGES,
     },
@@ -210,6 +219,7 @@ export const COMMANDS: Readonly<Record<string, Command>> = {
       'Leads': LEADS,
       'Micro-joints': JOINTS,
       'Levers': LEVERS,
+      'Skeleton cuts': SKELETON,
       'How to read': READING,
       'When': WATCHING, 'Messages': MESSAGES,
     },

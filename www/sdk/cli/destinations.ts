@@ -30,7 +30,7 @@ export function outputsOf<Kind extends string>({ values }: Words, kinds: readonl
   });
 }
 
-const ENDINGS: Record<string, string> = { gcode: '.nc', json: '.json', svg: '.svg', dxf: '.dxf', png: '.png', lbrn2: '.lbrn2', rd: '.rd', report: '.html', certificate: '.certificate.json' };
+const ENDINGS: Record<string, string> = { gcode: '.nc', json: '.json', svg: '.svg', dxf: '.dxf', png: '.png', lbrn2: '.lbrn2', rd: '.rd', remainder: '.remainder.dxf', report: '.html', certificate: '.certificate.json' };
 
 export class Destinations {
   /** `inputs`: files that are read in addition to the drawings. */

@@ -10,10 +10,10 @@ import { bytesOf, Unusable, WrongUse } from './io.js';
 
 const DEFAULT_MACHINE = 'co2-100w';
 
-/** The machine of the options `--machine`, `--dialect` and those of leads, joints and levers. `own`: the one to take where `--machine` names none. */
+/** The machine of the options `--machine`, `--dialect` and those of leads, joints, levers and skeleton cuts. `own`: the one to take where `--machine` names none. */
 export async function machineOf({ values }: Words, planner: Planner, own?: MachineProfile): Promise<MachineProfile> {
   const word = text(values, 'machine');
-  const machine = withLevers(values, withJoints(values, withLeads(values, word === undefined && own !== undefined ? own : await named(word ?? DEFAULT_MACHINE, planner))));
+  const machine = withSkeleton(values, withLevers(values, withJoints(values, withLeads(values, word === undefined && own !== undefined ? own : await named(word ?? DEFAULT_MACHINE, planner)))));
   const dialect = text(values, 'dialect');
   return dialect === undefined ? machine : { ...machine, dialect: await dialectOf(dialect, machine, planner) };
 }
@@ -93,6 +93,16 @@ function withLevers(values: Words['values'], machine: MachineProfile): MachinePr
   const z_speed = speed ?? machine.z_speed;
   if (levers.lift != null && z_speed == null) throw new WrongUse('--lift: the machine has no speed for lifting the head. Give it with --z-speed.');
   return valid({ ...machine, levers, ...(z_speed != null && { z_speed }) });
+}
+
+/** The machine with the skeleton cuts that the options ask for. */
+function withSkeleton(values: Words['values'], machine: MachineProfile): MachineProfile {
+  const given = measured(values, { clearance: 'skeleton-clearance', joint_spacing: 'skeleton-joints', remainder: 'keep-strip' });
+  const spacing = sizes(values, 'skeleton');
+  if (spacing === undefined && Object.keys(given).length === 0) return machine;
+  const pieces = spacing && { spacing_x: spacing[0], spacing_y: spacing[1] };
+  if (pieces === undefined && given.remainder === undefined && machine.skeleton == null) throw new WrongUse('--skeleton-clearance and --skeleton-joints are for skeleton cuts. Ask for them with --skeleton or --keep-strip.');
+  return valid({ ...machine, skeleton: { ...machine.skeleton, ...pieces, ...given } });
 }
 
 /** The files with a machine profile or a dialect that the options name. */

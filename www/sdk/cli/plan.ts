@@ -15,7 +15,7 @@ import type { Column } from './report.js';
 import { savingLines, savingsOf } from './savings.js';
 import { duration, percent, meters, plural, unitOf } from './words.js';
 
-const OUTPUTS: readonly (OutputKind | 'report' | 'certificate')[] = ['json', 'gcode', 'svg', 'dxf', 'png', 'lbrn2', 'rd', 'report', 'certificate'];
+const OUTPUTS: readonly (OutputKind | 'report' | 'certificate')[] = ['json', 'gcode', 'svg', 'dxf', 'png', 'lbrn2', 'rd', 'remainder', 'report', 'certificate'];
 
 export async function plan(args: string[]): Promise<void> {
   const given = parsed('plan', args);

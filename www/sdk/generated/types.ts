@@ -345,6 +345,25 @@ export interface Joints {
   rules: Array<JointRule>,
 }
 
+/** Cuts through the waste, in the directions of x and y. */
+export interface Skeleton {
+  /** Greatest width of a piece in x, mm: cuts in the direction of y divide the sheet evenly. Not given: there are none. */
+  spacing_x?: number,
+  /** Greatest height of a piece in y, mm: cuts in the direction of x divide the sheet evenly. Not given: there are none. */
+  spacing_y?: number,
+  /** Least distance of these cuts from the cuts of parts, mm. Default 2. */
+  clearance?: number,
+  /** Greatest length that is cut without leaving a joint, mm; not given: any. */
+  joint_spacing?: number,
+  /** Width of the material that a joint leaves, mm. The width of the cut is added to it. Default 1. */
+  joint_width?: number,
+  /**
+   * Least width of a strip at an edge of the sheet, without parts, that is cut off in one piece and kept, mm; not given: no
+   * strip is kept.
+   */
+  remainder?: number,
+}
+
 /** Unit of coordinates in the program. */
 export type FileUnit = "mm" | "inch";
 
@@ -521,6 +540,8 @@ export interface MachineProfile {
   levers?: Levers,
   /** Micro-joints; `null` for none, unless they are placed by hand. */
   joints?: Joints | null,
+  /** Cuts through the waste after everything else; `null` for none. */
+  skeleton?: Skeleton | null,
   /** Speed at which the head is lowered and raised, mm/s; `null` if it cannot be. */
   z_speed?: number | null,
   /** Settings for materials, by name. */
@@ -724,6 +745,8 @@ export interface ContourInfo {
   length: number,
   /** Area, mm². */
   area: number,
+  /** Whether it is a skeleton cut, which nobody drew. */
+  skeleton?: boolean,
 }
 
 /** The content of a drawing, without its geometry. */
@@ -832,6 +855,12 @@ export interface Summary {
   cut_length: number,
   /** Length of lead-ins, lead-outs and overcuts. */
   lead_length?: number,
+  /** Number of skeleton cuts, which are not among the contours. */
+  skeleton_cuts?: number,
+  /** Length of skeleton cuts. It is part of the length of cuts. */
+  skeleton_length?: number,
+  /** Time from the end of the last other cut to the end of the last skeleton cut: air, piercing and cutting. */
+  skeleton_time?: number,
   /** Length of air moves. */
   air_length: number,
   /** Time along contours, by look-ahead over corners and acceleration. It includes the ways between cuts on the run. */
@@ -1240,6 +1269,12 @@ export interface Quote {
   joints?: number,
   /** Time of stopping at micro-joints, which is part of the times of air moves and of piercing. */
   joint_time?: number,
+  /** Number of skeleton cuts, which are not among the contours. */
+  skeleton_cuts?: number,
+  /** Length of skeleton cuts, which is part of the length of cuts. */
+  skeleton_length?: number,
+  /** Time from the end of the last other cut to the end of the last skeleton cut. */
+  skeleton_time?: number,
   /** Cut and marked contours by layer. */
   layers: Array<QuoteLayer>,
   /** Number of parts. */

@@ -333,6 +333,12 @@ export const de: Words = {
     about: 'Für Markierungen und für Blech, das so dünn ist, dass der Strahl sofort durch ist: er geht an, während der Kopf losfährt, ohne Wartezeit. Offene Schnitte und Schnitte in mehreren Durchgängen beginnen weiter im Stillstand.',
   },
 
+  skeleton: {
+    on: 'Restgitter zerschneiden', x: 'Größte Breite der Stücke', y: 'Größte Höhe der Stücke', clearance: 'Abstand zu Teilen', joints: 'Längster Schnitt ohne Steg', width: 'Breite der Stege',
+    strip: 'Einen Streifen der Tafel am Stück behalten', least: 'Mindestens so breit',
+    about: 'Gerade Schnitte durch den Abfall, ganz zuletzt, damit sich der Rest in Stücken abheben lässt. Die Tafel ist der gezeichnete Umriss, der nicht geschnitten wird, sonst das Bett. Leere Felder: keine Schnitte in dieser Richtung, keine Stege.',
+  },
+
   placement: {
     title: 'Auf dem Arbeitsbereich', position: 'Position', asDrawn: 'Wie gezeichnet', atPoint: 'Ein Punkt des Auftrags auf', point: 'Punkt des Auftrags', x: 'x', y: 'y',
     points: {
@@ -357,12 +363,12 @@ export const de: Words = {
   result: {
     title: 'Ergebnis', none: 'Ergebnisse erscheinen hier, sobald der erste Weg fertig ist.', compare: 'Vorher und nachher', order: 'Reihenfolge', job: 'Auftrag', air: 'Leerfahrt', travel: 'Weg',
     drawing: 'Wie gezeichnet', greedy: 'Nächste zuerst', now: 'Jetzt', download: 'Herunterladen', downloadKind: (kind) => `${kind} herunterladen`,
-    kinds: { gcode: 'G-Code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimentell)' },
+    kinds: { gcode: 'G-Code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimentell)', remainder: 'Rest der Tafel (DXF)' },
     short: { now: 'Jetzt', greedy: 'Nächste', drawing: 'Gezeichnet' }, beside: 'Neben dem Plan zeigen', copy: 'Kopieren', copyHint: 'Den G-Code in die Zwischenablage kopieren',
     report: 'Bericht', reportHint: 'Eine Seite für den Bediener: Bild, Zeiten, Teile, Reihenfolge, Befunde', project: 'Projekt', projectHint: 'Das Projekt speichern: Zeichnung, Entscheidungen, Maschine und Plan (Strg S)',
     saved: (time) => `${time} gespart`, longer: (time) => `${time} länger`, of: (share, order) => `${share} von dem, was die meisten Programme schneiden (nächste zuerst); ${order}`,
     less: (time) => `${time} weniger als gezeichnet`, more: (time) => `${time} mehr als gezeichnet`,
-    cut: 'Schneiden', pierce: 'Einstechen', piercings: (n, w) => counted(n, w, 'Einstich', 'Einstiche'), preCuts: 'Vorschnitte', leads: 'Anfahrten', joints: 'Mikrostege', corners: 'Ecken', gap: 'Noch zu gewinnen', atMost: (time, share) => `höchstens ${time} (${share})`, noBound: 'noch keine Schranke', nothingLeft: 'nichts: dieser Weg ist optimal',
+    cut: 'Schneiden', pierce: 'Einstechen', piercings: (n, w) => counted(n, w, 'Einstich', 'Einstiche'), preCuts: 'Vorschnitte', leads: 'Anfahrten', joints: 'Mikrostege', skeleton: 'Restgitter', skeletonCuts: (n, w) => counted(n, w, 'Schnitt', 'Schnitte'), corners: 'Ecken', gap: 'Noch zu gewinnen', atMost: (time, share) => `höchstens ${time} (${share})`, noBound: 'noch keine Schranke', nothingLeft: 'nichts: dieser Weg ist optimal',
     chart: 'Auftragszeit während der Suche', chartAxis: 'Auftragszeit während der Suche', chartAbove: (time) => `wie gezeichnet ${time} ↑`, chartNone: 'Auftragszeit während der Suche: noch keine Werte.',
     chartWords: (first, last, time) => `Auftragszeit während der Suche: von ${first} auf ${last} in ${time}.`,
     chartOrders: (drawing, greedy) => ` Die Reihenfolge der Zeichnung dauert ${drawing}, nächste zuerst ${greedy}.`,

@@ -282,6 +282,12 @@ export const en = {
     about: 'For marks, and for sheet so thin that the beam is through at once: it goes on as the head starts, without a wait. Open cuts and cuts in several passes still begin at rest.',
   },
 
+  skeleton: {
+    on: 'Cut up the skeleton', x: 'Greatest width of pieces', y: 'Greatest height of pieces', clearance: 'Distance from parts', joints: 'Longest cut without a joint', width: 'Width of joints',
+    strip: 'Keep a strip of the sheet in one piece', least: 'At least this wide',
+    about: 'Straight cuts through the waste, last of all, so that what is left can be lifted off in pieces. The sheet is the outline that is drawn and not cut, otherwise the bed. Empty fields: no cuts in that direction, no joints.',
+  },
+
   placement: {
     title: 'On the bed', position: 'Position', asDrawn: 'As drawn', atPoint: 'A point of the job at', point: 'Point of the job', x: 'x', y: 'y',
     points: {
@@ -306,12 +312,12 @@ export const en = {
   result: {
     title: 'Result', none: 'Results appear here when the first path is ready.', compare: 'Before and after', order: 'Order', job: 'Job', air: 'Air', travel: 'Travel',
     drawing: 'Drawing order', greedy: 'Nearest first', now: 'Now', download: 'Download', downloadKind: (kind: string) => `Download ${kind}`,
-    kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)' },
+    kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)', remainder: 'Remainder (DXF)' },
     short: { now: 'Now', greedy: 'Nearest', drawing: 'As drawn' }, beside: 'Show side by side with the plan', copy: 'Copy', copyHint: 'Copy the G-code to the clipboard',
     report: 'Report', reportHint: 'One page for the operator: picture, times, parts, order, findings', project: 'Project', projectHint: 'Save the project: drawing, decisions, machine and plan (Ctrl S)',
     saved: (time: string) => `${time} saved`, longer: (time: string) => `${time} longer`, of: (share: string, order: string) => `${share} of what most programs cut, nearest first; ${order}`,
     less: (time: string) => `${time} less than as drawn`, more: (time: string) => `${time} more than as drawn`,
-    cut: 'Cut', pierce: 'Pierce', piercings: (n: number, written: string) => counted(n, written, 'piercing'), preCuts: 'Pre-cuts', leads: 'Leads', joints: 'Micro-joints', corners: 'Corners', gap: 'Left to gain', atMost: (time: string, share: string) => `at most ${time} (${share})`, noBound: 'no bound yet', nothingLeft: 'nothing: this path is optimal',
+    cut: 'Cut', pierce: 'Pierce', piercings: (n: number, written: string) => counted(n, written, 'piercing'), preCuts: 'Pre-cuts', leads: 'Leads', joints: 'Micro-joints', skeleton: 'Skeleton', skeletonCuts: (n: number, written: string) => counted(n, written, 'cut'), corners: 'Corners', gap: 'Left to gain', atMost: (time: string, share: string) => `at most ${time} (${share})`, noBound: 'no bound yet', nothingLeft: 'nothing: this path is optimal',
     chart: 'Job time while searching', chartAxis: 'Job time while searching', chartAbove: (time: string) => `as drawn ${time} ↑`, chartNone: 'Job time while searching: no values yet.',
     chartWords: (first: string, last: string, time: string) => `Job time while searching: from ${first} to ${last} in ${time}.`,
     chartOrders: (drawing: string, greedy: string) => ` Drawing order takes ${drawing}, nearest first ${greedy}.`,

@@ -333,6 +333,12 @@ export const es: Words = {
     about: 'Para marcas y para chapa tan fina que el haz la atraviesa al instante: se enciende cuando el cabezal arranca, sin espera. Los cortes abiertos y los de varias pasadas siguen empezando en reposo.',
   },
 
+  skeleton: {
+    on: 'Cortar el esqueleto en trozos', x: 'Ancho máximo de los trozos', y: 'Alto máximo de los trozos', clearance: 'Distancia a las piezas', joints: 'Corte más largo sin unión', width: 'Ancho de las uniones',
+    strip: 'Conservar una franja de la chapa entera', least: 'Al menos de este ancho',
+    about: 'Cortes rectos por el sobrante, al final de todo, para poder retirarlo en trozos. La chapa es el contorno dibujado que no se corta; si no lo hay, la mesa. Campos vacíos: sin cortes en esa dirección, sin uniones.',
+  },
+
   placement: {
     title: 'Sobre la mesa', position: 'Posición', asDrawn: 'Como está dibujado', atPoint: 'Un punto del trabajo en', point: 'Punto del trabajo', x: 'x', y: 'y',
     points: {
@@ -357,12 +363,12 @@ export const es: Words = {
   result: {
     title: 'Resultado', none: 'Los resultados aparecen aquí cuando el primer recorrido está listo.', compare: 'Antes y después', order: 'Orden', job: 'Trabajo', air: 'Vacío', travel: 'Recorrido',
     drawing: 'Orden dibujado', greedy: 'Más cercano', now: 'Ahora', download: 'Descargar', downloadKind: (kind) => `Descargar ${kind}`,
-    kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)' },
+    kinds: { gcode: 'G-code', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: 'Plan (JSON)', lbrn2: 'LightBurn', rd: 'Ruida (experimental)', remainder: 'Resto de la chapa (DXF)' },
     short: { now: 'Ahora', greedy: 'Cercano', drawing: 'Dibujado' }, beside: 'Mostrar junto al plan', copy: 'Copiar', copyHint: 'Copiar el G-code al portapapeles',
     report: 'Informe', reportHint: 'Una página para el operador: imagen, tiempos, piezas, orden, avisos', project: 'Proyecto', projectHint: 'Guardar el proyecto: dibujo, decisiones, máquina y plan (Ctrl S)',
     saved: (time) => `${time} ahorrados`, longer: (time) => `${time} más`, of: (share, order) => `${share} de lo que corta la mayoría de programas (el más cercano primero); ${order}`,
     less: (time) => `${time} menos que como está dibujado`, more: (time) => `${time} más que como está dibujado`,
-    cut: 'Corte', pierce: 'Perforación', piercings: (n, w) => counted(n, w, 'perforación', 'perforaciones'), preCuts: 'Precortes', leads: 'Entradas', joints: 'Microuniones', corners: 'Esquinas', gap: 'Por ganar', atMost: (time, share) => `como mucho ${time} (${share})`, noBound: 'aún sin cota', nothingLeft: 'nada: este recorrido es óptimo',
+    cut: 'Corte', pierce: 'Perforación', piercings: (n, w) => counted(n, w, 'perforación', 'perforaciones'), preCuts: 'Precortes', leads: 'Entradas', joints: 'Microuniones', skeleton: 'Esqueleto', skeletonCuts: (n, w) => counted(n, w, 'corte', 'cortes'), corners: 'Esquinas', gap: 'Por ganar', atMost: (time, share) => `como mucho ${time} (${share})`, noBound: 'aún sin cota', nothingLeft: 'nada: este recorrido es óptimo',
     chart: 'Tiempo del trabajo durante la búsqueda', chartAxis: 'Tiempo del trabajo durante la búsqueda', chartAbove: (time) => `como está dibujado ${time} ↑`, chartNone: 'Tiempo del trabajo durante la búsqueda: aún sin valores.',
     chartWords: (first, last, time) => `Tiempo del trabajo durante la búsqueda: de ${first} a ${last} en ${time}.`,
     chartOrders: (drawing, greedy) => ` El orden del dibujo tarda ${drawing}, el más cercano primero ${greedy}.`,

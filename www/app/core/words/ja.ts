@@ -330,6 +330,12 @@ export const ja: Words = {
     about: 'マークと、ビームがすぐ貫通する薄い板に使います。ヘッドが動き出すと同時に点灯し、待ちません。開いた切断と複数回の切断は静止から始まります。',
   },
 
+  skeleton: {
+    on: '残材を切り分ける', x: '片の最大の幅', y: '片の最大の高さ', clearance: '部品との距離', joints: 'ジョイントなしの最大の長さ', width: 'ジョイントの幅',
+    strip: '板の帯を 1 枚で残す', least: 'この幅以上',
+    about: 'すべての後に端材をまっすぐ切り、残りを分けて取り除けるようにします。板は、切断しない外形として描かれた線です。なければテーブルです。空欄はその向きの切断なし、ジョイントなしを意味します。',
+  },
+
   placement: {
     title: 'ベッドの上', position: '位置', asDrawn: '図面どおり', atPoint: 'ジョブの点の位置', point: 'ジョブの点', x: 'x', y: 'y',
     points: {
@@ -354,12 +360,12 @@ export const ja: Words = {
   result: {
     title: '結果', none: '最初の経路ができると、ここに結果が表示されます。', compare: '前と後', order: '順番', job: 'ジョブ', air: '空走', travel: '距離',
     drawing: '図面の順', greedy: '近い順', now: '現在', download: 'ダウンロード', downloadKind: (kind) => `${kind} をダウンロード`,
-    kinds: { gcode: 'G コード', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: '計画（JSON）', lbrn2: 'LightBurn', rd: 'Ruida（試験的）' },
+    kinds: { gcode: 'G コード', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: '計画（JSON）', lbrn2: 'LightBurn', rd: 'Ruida（試験的）', remainder: '残りの板（DXF）' },
     short: { now: '現在', greedy: '近い順', drawing: '図面順' }, beside: '計画と並べて表示', copy: 'コピー', copyHint: 'G コードをクリップボードにコピー',
     report: '報告書', reportHint: '作業者のための 1 ページ：図、時間、部品、順番、指摘', project: 'プロジェクト', projectHint: 'プロジェクトを保存：図面、決定、機械、計画（Ctrl S）',
     saved: (time) => `${time} 短縮`, longer: (time) => `${time} 増加`, of: (share, order) => `多くのプログラムの切り方（近い順）の ${share}、${order}`,
     less: (time) => `図面の順より ${time} 短い`, more: (time) => `図面の順より ${time} 長い`,
-    cut: '切断', pierce: 'ピアス', piercings: (_n, w) => `ピアス ${w} 回`, preCuts: '予備切断', leads: 'リード', joints: 'ミクロジョイント', corners: '角', gap: '残りの余地', atMost: (time, share) => `最大 ${time}（${share}）`, noBound: '下界はまだありません', nothingLeft: 'なし：この経路は最適です',
+    cut: '切断', pierce: 'ピアス', piercings: (_n, w) => `ピアス ${w} 回`, preCuts: '予備切断', leads: 'リード', joints: 'ミクロジョイント', skeleton: '残材の切断', skeletonCuts: (_n, w) => `${w} 本`, corners: '角', gap: '残りの余地', atMost: (time, share) => `最大 ${time}（${share}）`, noBound: '下界はまだありません', nothingLeft: 'なし：この経路は最適です',
     chart: '探索中のジョブ時間', chartAxis: '探索中のジョブ時間', chartAbove: (time) => `図面の順 ${time} ↑`, chartNone: '探索中のジョブ時間：まだ値がありません。',
     chartWords: (first, last, time) => `探索中のジョブ時間：${time} で ${first} から ${last} になりました。`,
     chartOrders: (drawing, greedy) => `図面の順は ${drawing}、近い順は ${greedy} です。`,

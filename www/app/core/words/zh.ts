@@ -330,6 +330,12 @@ export const zh: Words = {
     about: '适用于打标，以及薄到光束立即穿透的板：切割头启动时出光，无需等待。开放切割和多遍切割仍从静止开始。',
   },
 
+  skeleton: {
+    on: '切开废料骨架', x: '每块的最大宽度', y: '每块的最大高度', clearance: '与零件的距离', joints: '无连接的最大长度', width: '连接宽度',
+    strip: '整块保留一条板料', least: '至少这么宽',
+    about: '在所有切割之后，沿废料切直线，使余料可以分块取走。板料是画出而不切割的外框，没有时为工作台。空白表示该方向不切或不留连接。',
+  },
+
   placement: {
     title: '在工作台上', position: '位置', asDrawn: '按图', atPoint: '任务的一点位于', point: '任务的点', x: 'x', y: 'y',
     points: {
@@ -354,12 +360,12 @@ export const zh: Words = {
   result: {
     title: '结果', none: '第一条路径完成后，结果显示在这里。', compare: '前后对比', order: '顺序', job: '任务', air: '空移', travel: '路程',
     drawing: '图的顺序', greedy: '最近优先', now: '现在', download: '下载', downloadKind: (kind) => `下载 ${kind}`,
-    kinds: { gcode: 'G 代码', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: '方案（JSON）', lbrn2: 'LightBurn', rd: 'Ruida（试验）' },
+    kinds: { gcode: 'G 代码', dxf: 'DXF', svg: 'SVG', png: 'PNG', json: '方案（JSON）', lbrn2: 'LightBurn', rd: 'Ruida（试验）', remainder: '剩余板料（DXF）' },
     short: { now: '现在', greedy: '最近', drawing: '按图' }, beside: '与方案并排显示', copy: '复制', copyHint: '将 G 代码复制到剪贴板',
     report: '报告', reportHint: '给操作员的一页：图片、时间、零件、顺序、检查结果', project: '项目', projectHint: '保存项目：图、决定、机器和方案（Ctrl S）',
     saved: (time) => `节省 ${time}`, longer: (time) => `多用 ${time}`, of: (share, order) => `占多数程序切法（最近优先）的 ${share}；${order}`,
     less: (time) => `比按图少 ${time}`, more: (time) => `比按图多 ${time}`,
-    cut: '切割', pierce: '穿孔', piercings: (_n, w) => `${w} 次穿孔`, preCuts: '预切', leads: '引线', joints: '微连接', corners: '拐角', gap: '还可节省', atMost: (time, share) => `最多 ${time}（${share}）`, noBound: '尚无下界', nothingLeft: '没有了：此路径是最优的',
+    cut: '切割', pierce: '穿孔', piercings: (_n, w) => `${w} 次穿孔`, preCuts: '预切', leads: '引线', joints: '微连接', skeleton: '骨架切割', skeletonCuts: (_n, w) => `${w} 条`, corners: '拐角', gap: '还可节省', atMost: (time, share) => `最多 ${time}（${share}）`, noBound: '尚无下界', nothingLeft: '没有了：此路径是最优的',
     chart: '搜索过程中的任务时间', chartAxis: '搜索过程中的任务时间', chartAbove: (time) => `按图 ${time} ↑`, chartNone: '搜索过程中的任务时间：尚无数值。',
     chartWords: (first, last, time) => `搜索过程中的任务时间：在 ${time} 内从 ${first} 降到 ${last}。`,
     chartOrders: (drawing, greedy) => `图的顺序需要 ${drawing}，最近优先需要 ${greedy}。`,
