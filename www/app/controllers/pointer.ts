@@ -6,6 +6,7 @@ import { describe, Tooltip } from '../panels/contour.js';
 import type { Playback } from '../playback/playback.js';
 import { jointAt, withJoint } from '../session/hand-joints.js';
 import { bedAround, dragged, fitsBed, hundredths, shiftOf } from '../session/placing.js';
+import { isDrawn } from '../session/rules.js';
 import type { Session } from '../session/session.js';
 import { partsOf } from '../session/parts.js';
 import { attachGestures, type Click, type Drag } from '../stage/gestures.js';
@@ -71,7 +72,8 @@ export class Pointer {
   private joint(x: number, y: number, reach: number): void {
     const { shapes, viewport: v } = this.scene;
     const contour = this.scene.pick(x, y, reach);
-    if (!shapes || contour === null) return;
+    const { loaded } = this.session.state;
+    if (!shapes || !loaded || contour === null || !isDrawn(loaded, contour)) return;
     const joint = jointAt(shapes, contour, v.worldX(x), v.worldY(y));
     this.session.drawing.change(withJoint(this.session.state.load, joint, chainLength(shapes, contour), reach / v.scale));
   }

@@ -9,7 +9,7 @@ import { OrderTable } from '../panels/table.js';
 import type { Playback } from '../playback/playback.js';
 import { partsOf } from '../session/parts.js';
 import { choosing, groupOf, withChoice, withGroup, withoutGroup } from '../session/groups.js';
-import { namedBy, type Rule, ruleOf, shifted, withSequence } from '../session/rules.js';
+import { isDrawn, namedBy, type Rule, ruleOf, shifted, withSequence } from '../session/rules.js';
 import type { Session } from '../session/session.js';
 import type { Scene } from '../stage/scene.js';
 
@@ -52,8 +52,10 @@ export class Selection {
     this.selectAll(contour === null ? [] : [contour]);
   }
 
-  /** Selects contours; the last one is shown in the table. */
-  selectAll(contours: readonly number[]): void {
+  /** Selects contours; the last one is shown in the table. What was not drawn is selected only by itself. */
+  selectAll(chosen: readonly number[]): void {
+    const { loaded } = this.session.state;
+    const contours = chosen.length < 2 || !loaded ? chosen : chosen.filter((c) => isDrawn(loaded, c));
     this.chosen = contours;
     const last = contours.at(-1) ?? null;
     this.scene.highlight({ selected: last, others: contours.slice(0, -1) });
@@ -118,7 +120,7 @@ export class Selection {
   /** Gives contours a rule, or removes it if all of them have it. */
   toggleRule(contours: readonly number[], rule: Rule): void {
     const { state: { load, loaded }, drawing } = this.session;
-    if (contours.length === 0 || !loaded) return;
+    if (contours.length === 0 || !loaded || !contours.every((c) => isDrawn(loaded, c))) return;
     const named = namedBy(loaded, contours, rule);
     const has = named.every((c) => ruleOf(load, c) === rule);
     const name = contours.length === 1 ? (describe(this.session, this.playback, contours[0]!)[0] ?? '') : words.drawing.contours(contours.length, count(contours.length));
@@ -161,9 +163,10 @@ export class Selection {
     const { state: { load, loaded }, drawing, store } = this.session;
     const { path } = this.playback;
     if (!loaded || !path) return;
-    const order = [...new Set(path.contours)];
+    if (!isDrawn(loaded, contour)) return store.notify(words.contour.why.skeleton);
+    const order = [...new Set(path.contours)].filter((c) => isDrawn(loaded, c));
     const before = path.contours[to];
-    const next = shifted(load, loaded, { order, contour, to: before === undefined ? order.length : order.indexOf(before) });
+    const next = shifted(load, loaded, { order, contour, to: before === undefined || !isDrawn(loaded, before) ? order.length : order.indexOf(before) });
     if (next === null) store.notify(words.table.inside);
     else drawing.change(next);
   }

@@ -7,7 +7,7 @@ import type { Session } from '../session/session.js';
 import type { Playback } from '../playback/playback.js';
 import { partsOf } from '../session/parts.js';
 import { choosing, commonChoice, groupOf } from '../session/groups.js';
-import { pathContours, type Rule, ruleOf, RULES } from '../session/rules.js';
+import { isDrawn, pathContours, type Rule, ruleOf, RULES } from '../session/rules.js';
 import { whyHere } from '../session/why.js';
 import { words } from '../core/words/index.js';
 
@@ -19,7 +19,7 @@ export function describe(session: Session, playback: Playback, contour: number):
   const stop = playback.stopOf(contour);
   const part = partsOf(loaded).of(contour);
   const name = stop === null ? words.contour.numbered(contour + 1) : words.contour.place(count(stop + 1), count(playback.stops));
-  const kind = info.operation === 'ignore' ? words.contour.excluded : info.operation === 'mark' ? words.contour.mark : !info.closed ? words.contour.open : info.inside === null ? words.contour.outer : words.contour.inner;
+  const kind = info.skeleton === true ? words.result.skeleton : info.operation === 'ignore' ? words.contour.excluded : info.operation === 'mark' ? words.contour.mark : !info.closed ? words.contour.open : info.inside === null ? words.contour.outer : words.contour.inner;
   return [name, info.layer, millimetres(info.length), part === null ? '' : words.contour.part(count(part + 1)), kind].filter((t) => t !== '');
 }
 
@@ -92,7 +92,7 @@ export class ContourCard {
     this.shown = contours;
     const whole = parts.whole(contours), like = parts.isGrouped ? parts.like(contours) : [];
     const topmost = contours.filter((c) => !contours.includes(loaded.contours[c]?.inside ?? -1));
-    const choices = [
+    const choices = !contours.every((c) => isDrawn(loaded, c)) ? [] : [
       ...RULES.map((rule) => button(words.contour.rules[rule], { class: 'quiet small rule', 'aria-pressed': rule === now, onclick: () => actions.toggleRule(rule) })),
       contours.length > 1 && button(words.contour.group, { class: 'quiet small', title: words.contour.groupKey, 'aria-pressed': groupOf(load, loaded, contours) !== undefined, onclick: () => actions.group() }),
       topmost.length > 1 && button(words.contour.keepOrder, { class: 'quiet small', title: words.contour.keepOrderHint, onclick: () => actions.keepOrder() }),

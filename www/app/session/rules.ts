@@ -128,6 +128,9 @@ export function sameContours(a: LoadOptions, b: LoadOptions): boolean {
   return key(a) === key(b);
 }
 
+/** Whether a contour of the path was drawn, so that a person can decide about it: skeleton cuts were not. */
+export const isDrawn = (loaded: Loaded, contour: number) => contour < loaded.contours.length;
+
 /** The contours whose numbers the path refers to: those of the beam where it does not follow the drawn lines, otherwise those of the drawing. */
 export function pathContours({ loaded, beam }: Pick<State, 'loaded' | 'beam'>): readonly ContourInfo[] {
   return beam?.contours ?? (loaded as Loaded | null)?.contours ?? [];

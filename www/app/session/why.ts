@@ -18,6 +18,7 @@ function reason(state: State, contour: number, stopOf: (contour: number) => numb
   const info = contours[contour];
   if (!info || !loaded) return '';
   const w = words.contour.why;
+  if (info.skeleton === true) return w.skeleton;
   // What holds for the contours around it holds for it.
   const line = [contour, ...around(contours, contour)];
   for (const c of line) {

@@ -1,5 +1,7 @@
 /** Formats numbers for people. */
 
+import type { Summary } from '../protocol.js';
+
 /** A length given in mm, in metres. */
 export function meters(mm: number): string {
   return `${(mm / 1000).toFixed(3)} m`;
@@ -24,6 +26,11 @@ export function size([x0, y0, x1, y1]: [number, number, number, number]): string
 
 export function plural(n: number, word: string): string {
   return `${n} ${word}${n === 1 ? '' : 's'}`;
+}
+
+/** What skeleton cuts add to a job, of a plan or a quote. */
+export function skeletonLines({ skeleton_cuts, skeleton_length = 0, skeleton_time = 0 }: Partial<Pick<Summary, 'skeleton_cuts' | 'skeleton_length' | 'skeleton_time'>>): string[] {
+  return skeleton_cuts ? [`Skeleton   ${plural(skeleton_cuts, 'cut')} at the end: ${duration(skeleton_time)}, ${meters(skeleton_length)}`] : [];
 }
 
 /** A small length, in mm. */

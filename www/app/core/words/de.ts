@@ -414,7 +414,7 @@ export const de: Words = {
       together: 'Zusammen mit seiner Gruppe.',
       arranged: (after) => `Nach Nr. ${after}, wie Sie es angeordnet haben.`, mark: 'Markierungen kommen vor Schnitten.',
       outer: (n, w) => `Nach ${counted(n, w, 'Kontur', 'Konturen')} in ihr.`, inner: 'Bevor das Teil um sie frei geschnitten wird.',
-      layer: (layer) => `Layer ${layer} ist an der Reihe.`, byPart: 'Ihr Teil ist an der Reihe.', begin: 'Hier beginnt der Auftrag.',
+      layer: (layer) => `Layer ${layer} ist an der Reihe.`, byPart: 'Ihr Teil ist an der Reihe.', skeleton: 'Das Restgitter wird nach allem anderen zerschnitten.', begin: 'Hier beginnt der Auftrag.',
       way: (from, way, nearest) => (nearest ? `Nächste nach Nr. ${from}, ${way} entfernt.` : `${way} von Nr. ${from}.`),
     }, excluded: 'übersprungen, nicht geschnitten',
     before: 'Vorige Kontur (←)', next: 'Nächste Kontur (→)', close: 'Schließen (Esc)',

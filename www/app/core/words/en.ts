@@ -363,7 +363,7 @@ export const en = {
       together: 'Together with its group.',
       arranged: (after: string) => `After no. ${after}, as you arranged it.`, mark: 'Marks come before cuts.',
       outer: (n: number, written: string) => `After the ${counted(n, written, 'contour')} inside it.`, inner: 'Before the part around it is cut free.',
-      layer: (layer: string) => `Layer ${layer} has its turn.`, byPart: 'Its part has its turn.', begin: 'The job begins here.',
+      layer: (layer: string) => `Layer ${layer} has its turn.`, byPart: 'Its part has its turn.', skeleton: 'Skeleton cuts come after everything else.', begin: 'The job begins here.',
       way: (from: string, way: string, nearest: boolean) => (nearest ? `Nearest to no. ${from}, ${way} away.` : `${way} from no. ${from}.`),
     }, excluded: 'skipped, not cut',
     before: 'Previous contour (←)', next: 'Next contour (→)', close: 'Close (Esc)',

@@ -414,7 +414,7 @@ export const es: Words = {
       together: 'Junto con su grupo.',
       arranged: (after) => `Después del n.º ${after}, como usted lo dispuso.`, mark: 'Las marcas van antes que los cortes.',
       outer: (n, w) => `Después de ${counted(n, w, 'contorno', 'contornos')} en su interior.`, inner: 'Antes de que se libere la pieza que lo rodea.',
-      layer: (layer) => `Es el turno de la capa ${layer}.`, byPart: 'Es el turno de su pieza.', begin: 'Aquí empieza el trabajo.',
+      layer: (layer) => `Es el turno de la capa ${layer}.`, byPart: 'Es el turno de su pieza.', skeleton: 'El esqueleto se corta después de todo lo demás.', begin: 'Aquí empieza el trabajo.',
       way: (from, way, nearest) => (nearest ? `El más cercano al n.º ${from}, a ${way}.` : `A ${way} del n.º ${from}.`),
     }, excluded: 'omitido, sin cortar',
     before: 'Contorno anterior (←)', next: 'Contorno siguiente (→)', close: 'Cerrar (Esc)',

@@ -411,7 +411,7 @@ export const ja: Words = {
       together: 'グループとまとめて切断します。',
       arranged: (after) => `指定どおり ${after} 番の後です。`, mark: 'マークは切断より先です。',
       outer: (_n, w) => `内側の輪郭 ${w} 個の後です。`, inner: '周りの部品が切り離される前です。',
-      layer: (layer) => `レイヤー ${layer} の番です。`, byPart: '部品の番です。', begin: 'ここからジョブが始まります。',
+      layer: (layer) => `レイヤー ${layer} の番です。`, byPart: '部品の番です。', skeleton: '残材は、ほかのすべての後に切ります。', begin: 'ここからジョブが始まります。',
       way: (from, way, nearest) => (nearest ? `${from} 番に最も近く、距離 ${way} です。` : `${from} 番から ${way} です。`),
     }, excluded: '除外、切断しません',
     before: '前の輪郭（←）', next: '次の輪郭（→）', close: '閉じる（Esc）',

@@ -411,7 +411,7 @@ export const zh: Words = {
       together: '与它的组一起。',
       arranged: (after) => `按您的安排，在第 ${after} 个之后。`, mark: '打标先于切割。',
       outer: (_n, w) => `在其内部的 ${w} 个轮廓之后。`, inner: '在包围它的零件切下之前。',
-      layer: (layer) => `轮到图层 ${layer}。`, byPart: '轮到它的零件。', begin: '任务从这里开始。',
+      layer: (layer) => `轮到图层 ${layer}。`, byPart: '轮到它的零件。', skeleton: '废料骨架在其他一切之后切开。', begin: '任务从这里开始。',
       way: (from, way, nearest) => (nearest ? `离第 ${from} 个最近，距离 ${way}。` : `距第 ${from} 个 ${way}。`),
     }, excluded: '跳过，不切割',
     before: '上一个轮廓（←）', next: '下一个轮廓（→）', close: '关闭（Esc）',

@@ -1,0 +1,61 @@
+// Skeleton cuts on the page: switched on in the machine's panel, drawn, in the plan, and the remainder as a download.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { circle, dxf, square } from '../package/support.mjs';
+import { download, openPlanned, plan, replanned, shot, SIZES, still } from './page-support.mjs';
+
+// The border of the sheet is clear, and ignored.
+const DRAWING = dxf(square(0, 0, 300, 'SHEET'), square(20, 20, 60), circle(50, 50, 20), circle(150, 100, 30), square(20, 120, 60), circle(50, 150, 20));
+
+for (const [size, theme] of [['desktop', 'light'], ['desktop', 'dark'], ['phone', 'light'], ['phone', 'dark']]) {
+  test(`the skeleton is cut up, drawn, and a strip is kept (${size}, ${theme})`, async (t) => {
+    const page = await openPlanned(t, 'fibre-3kw-thin', 'skeleton.dxf', DRAWING, { size: SIZES[size], theme, touch: size === 'phone' });
+    const before = await still(page);
+    if (size === 'phone') await page.locator('.sheet-toggle').click();
+    const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
+    await machine.evaluate((d) => (d.open = true));
+    const on = machine.getByLabel('Cut up the skeleton');
+    await replanned(page, () => on.check());
+    await replanned(page, () => machine.getByLabel('Greatest width of pieces').fill('100'));
+    await replanned(page, () => machine.getByLabel('Greatest height of pieces').fill(''));
+    await on.scrollIntoViewIfNeeded();
+    await shot(page, `skeleton-panel-${size}-${theme}`);
+    if (size === 'phone') await page.locator('.sheet-toggle').click();
+    assert.notDeepEqual(await still(page), before);
+    await shot(page, `skeleton-${size}-${theme}`);
+    if (size === 'phone' || theme === 'dark') return;
+
+    const { machine: profile, summary } = await plan(page);
+    assert.deepEqual(profile.skeleton, { spacing_x: 100, clearance: 2, joint_spacing: 500, joint_width: 1 });
+    // Two lines of 300 mm, both beside the disk or through waste.
+    assert.deepEqual([summary.skeleton_cuts, Math.round(summary.skeleton_length)], [2, 600]);
+    const shown = await page.locator('dd.number').evaluateAll((all) => all.map((e) => [e.previousElementSibling.textContent, e.textContent]));
+    assert.match(shown.find(([term]) => term === 'Skeleton')[1], /s · 0\.6\d* m · 2 cuts$/);
+
+    // Steps through the order end at a skeleton cut: it says what it is, and has no rules.
+    await page.locator('canvas').first().focus();
+    await page.keyboard.press('End');
+    const card = page.getByLabel('Selected contour');
+    await card.getByText('Skeleton cuts come after everything else.').waitFor();
+    assert.equal(await card.locator('.contour-rules button, .contour-rules select').count(), 0);
+    await page.keyboard.press('1');
+    assert.deepEqual((await plan(page)).options.first, []);
+    await shot(page, 'skeleton-card');
+    await page.keyboard.press('Escape');
+
+    // A strip without parts is kept whole: the disk ends at x 180, and the squares at y 180.
+    await replanned(page, () => machine.getByLabel('Keep a strip of the sheet').check());
+    await replanned(page, () => machine.getByLabel('At least this wide').fill('100'));
+    assert.equal((await plan(page)).machine.skeleton.remainder, 100);
+    const { name, bytes } = await download(page, () => page.getByRole('button', { name: 'Download Remainder (DXF)' }).click());
+    assert.match(name, /^skeleton.*-remainder\.dxf$/);
+    assert.match(bytes.toString('utf8'), /\nSHEET\n/);
+    assert.doesNotMatch(bytes.toString('utf8'), /LWPOLYLINE[\s\S]*\nCUT OUT\n/);
+    await shot(page, 'skeleton-strip');
+
+    await replanned(page, () => on.uncheck());
+    const after = await plan(page);
+    assert.deepEqual([after.machine.skeleton, after.summary.skeleton_cuts], [undefined, undefined]);
+  });
+}
