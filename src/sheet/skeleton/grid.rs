@@ -1,13 +1,11 @@
 //! The lines that divide the sheet, and the stretches of them that are cut.
 
 use super::super::model::Sheet;
-use super::SkeletonFault;
 use super::blocked::{Across, Interval, merge, worked};
+use super::fault::{MOST, SkeletonFault};
 use crate::geometry::{Aabb, DVec2, Path};
 use crate::machine::Skeleton;
 
-/// Most pieces in one direction: a limit against slips, since each line is compared with every contour.
-pub(super) const MOST: u32 = 1000;
 /// Shorter stretches are not cut, mm: they are hardly longer than the hole that piercing makes.
 const SHORTEST: f64 = 2.0;
 /// A line that runs along an edge at the clearance is not interrupted by rounding, mm.

@@ -9,6 +9,7 @@
 //! Every stretch becomes an open contour after all others, on a layer of its own that is cut last.
 
 mod blocked;
+mod fault;
 mod grid;
 mod outline;
 mod remainder;
@@ -16,33 +17,13 @@ mod remainder;
 use super::model::{Contour, LayerUse, Operation, Pin, Sheet};
 use crate::geometry::{Aabb, Path, Segment};
 use crate::machine::{Profile, Settings, Skeleton};
+use fault::SkeletonFault;
 use grid::Grid;
 
 /// The colour of the layer of skeleton cuts: AutoCAD's grey.
 const GREY: i16 = 8;
 /// Name of their layer. If the drawing has such a layer, a number is added.
 const LAYER: &str = "SKELETON";
-
-/// Why there are no skeleton cuts, as the end of a sentence.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub(crate) enum SkeletonFault {
-    /// Nothing says how large the sheet is.
-    #[error(
-        "the size of the sheet is not known. Draw its outline as a closed line on a layer that is ignored, or give the machine's bed"
-    )]
-    NoSheet,
-    /// Parts lie on the edge of the sheet or beyond it.
-    #[error(
-        "the job reaches beyond the sheet, for which the machine's bed is taken. Draw the outline of the sheet, or place the job on the bed"
-    )]
-    Beyond,
-    /// The spacing is that of a sieve.
-    #[error(
-        "the sheet would be divided more than {} times in one direction. Give a larger spacing",
-        grid::MOST
-    )]
-    TooMany,
-}
 
 impl Sheet {
     /// The sheet with the skeleton cuts that a machine asks for; `None` if it asks for none. `machine` is in the coordinates of

@@ -1,8 +1,8 @@
 //! The outline of the sheet.
 
 use super::super::model::Sheet;
-use super::SkeletonFault;
 use super::blocked::worked;
+use super::fault::SkeletonFault;
 use crate::geometry::{Aabb, DVec2, Path, Segment};
 use crate::machine::Profile;
 

@@ -3,6 +3,7 @@
 use super::*;
 use kerfway::job::OutputKind;
 use kerfway::machine::dialect::{DialectChoice, dialects};
+use kerfway::machine::{Fly, Leads, Levers, Lift, MovingPierce};
 use kerfway::plan::document::Document;
 use kerfway::sheet::Sheet;
 use kerfway::solve;
@@ -166,6 +167,26 @@ fn the_search_chooses_order_and_directions() {
     assert_eq!(best.summary.skeleton_cuts, 3);
     let plan = job.plan().unwrap();
     assert!(plan.summary.total_time <= best.summary.total_time + 1e-9);
+}
+
+/// What parts are cut with is not for these cuts: they begin at rest, and are no motion with others.
+#[test]
+fn levers_and_leads_leave_the_cuts_as_they_are() {
+    let levers = Levers {
+        moving_pierce: Some(MovingPierce { overcut: 0.5 }),
+        lift: Some(Lift { height: 10.0, stay_down: 20.0, at_rest: false }),
+        fly: Some(Fly { reach: 50.0, overcut: 0.5 }),
+    };
+    let machine = Profile { levers, z_speed: Some(100.0), ..with(grid(100.0, 120.0)) };
+    let s = started(square_and_disk(), machine).unwrap().placed_plan().unwrap().summary;
+    assert_eq!((s.skeleton_cuts, s.pierces, s.moving_starts + s.fly_cuts), (4, 4, 3));
+    assert!((s.skeleton_length - 636.0).abs() < 1e-4);
+    let leads: Leads =
+        serde_json::from_str(r#"{"clearance":0.5,"rules":[{"lead_in":{"kind":"line"}}]}"#).unwrap();
+    let machine = Profile { leads: Some(leads), ..with(grid(100.0, 120.0)) };
+    let led = started(square_and_disk(), machine).unwrap().placed_plan().unwrap().summary;
+    assert_eq!((led.skeleton_cuts, led.pierces), (4, 7));
+    assert!(led.lead_length > 0.0 && (led.skeleton_length - 636.0).abs() < 1e-4);
 }
 
 #[test]
