@@ -7,10 +7,10 @@ import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { Ajv2020 } from 'ajv/dist/2020.js';
 import { createPlanner, quote } from 'kerfway';
-import { circle, dxf, folder, kerfway, line, square } from './support.mjs';
+import { circle, dxf, folder, kerfway, square } from './support.mjs';
 
 const schemaOf = (name) => new Ajv2020({ allErrors: true }).compile(JSON.parse(readFileSync(createRequire(import.meta.url).resolve(`kerfway/${name}.schema.json`), 'utf8')));
-const plate = (width, height) => [...line(0, 0, width, 0, 'PLATE'), ...line(width, 0, width, height, 'PLATE'), ...line(width, height, 0, height, 'PLATE'), ...line(0, height, 0, 0, 'PLATE')];
+const plate = (width, height) => [[0, 'LWPOLYLINE'], [8, 'PLATE'], [90, 4], [70, 1], ...[[0, 0], [width, 0], [width, height], [0, height]].flatMap(([x, y]) => [[10, x], [20, y]])];
 // The square ends at 80, the disk reaches from x 120 to 180 and from y 70 to 130.
 const DRAWING = dxf(square(20, 20, 60), circle(50, 50, 20), circle(150, 100, 30), plate(300, 200));
 const LOAD = { layers: [{ name: 'PLATE', operation: 'ignore' }] };
@@ -27,8 +27,8 @@ describe('skeleton cuts', () => {
   const planned = async (machine, drawing = DRAWING, load = LOAD) => {
     await planner.load(drawing, 'sheet.dxf', load);
     const run = planner.plan({ machine, seed: 1, moves: 20_000 });
-    const started = await run.started;
     const { path } = (await run.done).progress;
+    const started = await run.started;
     return { started, path, plan: JSON.parse(await planner.output('json')) };
   };
 

@@ -21,19 +21,20 @@ fn changed(change: impl Fn(&mut Sheet, &mut Plan)) -> Vec<Violation> {
 /// Moves the skeleton cut that lies at x = `from` to x = `to`.
 fn shifted(sheet: &mut Sheet, plan: &mut Plan, from: f64, to: f64) {
     let by = DVec2::new(to - from, 0.0);
+    let is_there = |p: DVec2| (p.x - from).abs() < 1e-9;
     for m in &mut plan.moves {
         match m {
             Move::Cut { contour, path, .. } if sheet.contours[*contour as usize].skeleton => {
                 if let [Segment::Line(l)] = path.as_mut_slice()
-                    && l.start.x == from
-                    && l.end.x == from
+                    && is_there(l.start)
+                    && is_there(l.end)
                 {
                     (l.start, l.end) = (l.start + by, l.end + by);
                     sheet.contours[*contour as usize].path = Path::new(path.clone(), false);
                     sheet.contours[*contour as usize].bounds = path[0].bounds();
                 }
             }
-            Move::Air { to: place } if place.x == from => *place += by,
+            Move::Air { to: place } if is_there(*place) => *place += by,
             _ => {}
         }
     }
