@@ -26,11 +26,11 @@ const TARGET = 'wasm32-unknown-unknown';
 export const BUDGETS = { core: 670, page: 685 };
 
 /**
- * Functions are inlined up to this size instead of 2.5 times it, and loops are not unrolled. At 35 the planner is 3 kB gzip
- * smaller, and makes 4, 8, 0 and -1 % fewer moves a second on sheets of 100, 500, 2,000 and 10,000 contours; at 225 it makes -1, 1, 2
- * and 11 % more and is too large.
+ * Functions are inlined up to this size instead of five times it, and loops are not unrolled. At 90 the planner is 18 kB gzip larger and
+ * makes no more moves a second (64, 65, 75 and 164 ns a move at 45 on sheets of 100, 500, 2,000 and 10,000 contours, 63, 67, 73 and 166 ns at 90,
+ * medians of seven runs in turn); at 35 it made 4 and 8 % fewer on the first two.
  */
-export const LEAN = '-Cllvm-args=-inline-threshold=90 -Cllvm-args=-unroll-threshold=0 -Cllvm-args=-unroll-partial-threshold=0';
+export const LEAN = '-Cllvm-args=-inline-threshold=45 -Cllvm-args=-unroll-threshold=0 -Cllvm-args=-unroll-partial-threshold=0';
 
 /** The wasm files, with the feature of the crate each is built with. */
 const FILES = { kerfway: 'planner', kerfway_outputs: 'outputs', kerfway_research: 'research', kerfway_png: 'png' };
