@@ -1,8 +1,9 @@
 // Seconds of whole jobs: what the search and each lever of docs/levers.md save against the nearest-next path with holes first on
 // the same preset without levers:
 //
-//     npm run bench -- whole-job [drawings|sheets|plates]... [--moves N] [--preset NAME] [--only NAME] [--data FOLDER]
+//     npm run bench -- whole-job [drawings|sheets|plates|tips]... [--moves N] [--preset NAME] [--only NAME] [--data FOLDER]
 //
+// `tips` is the table of docs/tips.md: what avoiding tipped pieces costs on the four sheets, against lifting the head for every move.
 // Drawings are those of tests/fixtures/dxf-dev, and of `FOLDER/dxf-dev` with `--data FOLDER`; sheets are those of benches/data;
 // plates are perforated ones that benches/solve/grids.mjs draws. Budgets are in moves, so the figures do not depend on the
 // machine's load. Every plan is checked.
@@ -41,14 +42,18 @@ export async function bench(args) {
     allowPositionals: true,
     options: { moves: { type: 'string' }, preset: { type: 'string' }, only: { type: 'string' }, data: { type: 'string' } },
   });
-  const unknown = positionals.find((name) => !(name in SETS));
-  if (unknown !== undefined) throw new Stop(`There is no set ${unknown}: ${Object.keys(SETS).join(', ')}.`);
+  const unknown = positionals.find((name) => !(name in SETS) && name !== 'tips');
+  if (unknown !== undefined) throw new Stop(`There is no set ${unknown}: ${[...Object.keys(SETS), 'tips'].join(', ')}.`);
   console.log('bench: the planner, natively');
   run('cargo', ['build', '--release', '--manifest-path', join(HERE, 'Cargo.toml'), '--bin', 'whole_job']);
   const { moves = '1000000', preset: only } = values;
   const options = { ...values, instances: new Instances(values.data) };
   const presets = Object.keys(LEVERS).filter((name) => only === undefined || name === only);
   for (const name of positionals.length > 0 ? positionals : Object.keys(SETS)) {
+    if (name === 'tips') {
+      tips(options, only ?? 'fibre-3kw-thin', moves);
+      continue;
+    }
     const files = SETS[name](options);
     for (const preset of presets) whole(name, preset, files, moves);
     if (name === 'plates') for (const file of files) rmSync(dirname(file), { recursive: true });
@@ -82,4 +87,32 @@ function whole(set, preset, files, moves) {
   lines.push(['median', '', '', '', '', ...medians]);
   const columns = ['', 'contours', 'nearest next, s', 'air', 'piercing', ...variants.map(([name]) => name)];
   table(`${preset}, ${set}: whole-job seconds less than nearest-next with holes first, ${moves} moves`, columns, lines);
+}
+
+/** Ways to get past pieces that may have tipped: what is set, and what the path is then run on. */
+function pastTips(at_rest) {
+  const lift = { height: 10, at_rest };
+  const down = { levers: { tips: { risky_moves: 'ignore' } } };
+  const avoid = { z_speed: 100, levers: { lift, tips: {} } };
+  return [
+    ['head down, ignored', { set: down }],
+    ['avoided afterwards', { set: down, then: avoid }],
+    ['avoided', { set: avoid }],
+    ['always lifted', { set: { z_speed: 100, levers: { lift } } }],
+  ];
+}
+
+/** Seconds of the four sheets with pieces below 150 mm tipping and those below 50 mm dropping, by what is done about moves over them. */
+function tips({ instances, only = '' }, preset, moves) {
+  for (const atRest of [false, true]) {
+    const ways = pastTips(atRest);
+    const machines = JSON.stringify(ways.map(([, changes]) => ({ preset, ...changes })));
+    const files = [100, 500, 2000, 10000].map((n) => `sheets/sheet_${n}.dxf`).filter((f) => f.includes(only)).map((f) => instances.file(f));
+    const lines = files.map((file) => {
+      const found = rows(NATIVE, [file, '--machines', machines, '--moves', moves]);
+      const cell = ({ total, lifts, detours, crossings }) => `${total.toFixed(1)} s, ${lifts} lifts, ${detours} around, ${crossings} risky`;
+      return [basename(file), ...found.map(cell)];
+    });
+    table(`${preset}, lifted ${atRest ? 'at rest' : 'on the way'} by 10 mm at 100 mm/s, ${moves} moves`, ['', ...ways.map(([name]) => name)], lines);
+  }
 }

@@ -116,6 +116,8 @@ pub enum Code {
     OffBed,
     /// A layer has a least power, which G-code cannot say.
     LeastPowerLeftOut,
+    /// Moves with the head down over pieces that may have tipped.
+    RiskyMoves,
     /// A check was stopped early because of the size of the drawing; the message says what remains unchecked.
     NotAllChecked,
     /// More findings of one code than are listed individually.

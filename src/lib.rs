@@ -109,6 +109,7 @@ pub mod quote;
 pub mod sheet;
 pub mod solve;
 pub mod svg;
+pub mod tipping;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod typescript;
 

@@ -9,6 +9,7 @@
 
 use crate::geometry::{Segment, math};
 use crate::machine::{AirTime, Process, Profile, cut_time};
+use crate::plan::AirMoves;
 use crate::plan::document::{Document, Element, Move};
 use crate::sheet::Operation;
 use glam::DVec2;
@@ -106,15 +107,15 @@ impl Job {
     fn new(measured: &Measured) -> Self {
         let Measured { plan, seconds } = measured;
         let machine = &plan.machine;
-        let (air, over_joint) = (AirTime::new(machine), AirTime::head_down(machine));
+        let (air, over_joint) = (AirMoves::new(machine), AirTime::head_down(machine));
         let (mut head, mut height) = (machine.home(), 0.0);
         let (mut moving, mut flying) = (false, false);
         let (mut fixed, mut pierces, mut cuts) = (0.0, 0.0, Vec::<(bool, Process, Vec<Segment>)>::new());
         for step in &plan.moves {
             match step {
-                Move::Air { to } => {
+                Move::Air { to, way } => {
                     let to = DVec2::from(*to);
-                    fixed += air.seconds(head, to);
+                    fixed += air.seconds(head, to, *way);
                     head = to;
                 }
                 Move::Pierce => pierces += 1.0,

@@ -3,7 +3,7 @@
 use super::{Geometry, Run};
 use crate::geometry::{Path, Segment};
 use crate::machine::{AirTime, Profile, cut_time};
-use crate::plan::{Move, Plan};
+use crate::plan::{AirMoves, Move, Plan, Way};
 use crate::problem::{Span, Stroke};
 use crate::sheet::Sheet;
 
@@ -31,6 +31,16 @@ pub struct BestPath {
     pub pre_cuts: Vec<f64>,
     /// Sharp corners where a cut pauses: x, y each, mm.
     pub pauses: Vec<f64>,
+    /// On a machine with `levers.tips`: what the air move to each stop does about pieces that may have tipped, and last that of
+    /// the way home: 0 nothing, 1 it goes around them, 2 it is lifted over them, 3 it crosses them with the head down. Empty on
+    /// other machines.
+    pub ways: Vec<u8>,
+    /// The places on the way around tipped pieces: x, y each, mm.
+    pub via: Vec<f64>,
+    /// The stop to which each of these moves leads; for the way home, the number of stops.
+    pub via_of: Vec<u32>,
+    /// Contours that bound pieces which may tip once they are cut.
+    pub tips: Vec<u32>,
 }
 
 impl BestPath {
@@ -64,6 +74,10 @@ impl BestPath {
         }
         path.leads = leads(run);
         path.joints = Geometry::of(joints(run, sheet).iter());
+        if let Some(zones) = &problem.zones {
+            path.tips = zones.pieces().iter().filter_map(|p| p.cut_by.first().copied()).collect();
+            path.add_ways(&plan);
+        }
         path.times = cutting_times(&plan, &run.machine, sheet, &parts);
         (path, plan)
     }
@@ -88,6 +102,35 @@ impl BestPath {
                     self.add_spans(spans, sheet);
                 }
                 _ => {}
+            }
+        }
+    }
+
+    /// Notes what the air moves do about tipped pieces. An air move leads to the stop of the next cut.
+    fn add_ways(&mut self, plan: &Plan) {
+        self.ways = vec![0; self.contours.len() + 1];
+        let mut stop = 0;
+        for (index, step) in plan.moves.iter().enumerate() {
+            let Move::Air { to, way } = step else { continue };
+            let next = plan.moves.iter().skip(index).find_map(|m| match m {
+                Move::Cut { contour, .. } => Some(*contour),
+                _ => None,
+            });
+            let rest = self.contours.iter().enumerate().skip(stop);
+            let home = self.contours.len();
+            stop = next.map_or(home, |c| rest.into_iter().find(|s| *s.1 == c).map_or(stop, |s| s.0));
+            let kind = match way {
+                Way::Plain => continue,
+                Way::Around => 1,
+                Way::Lifted => 2,
+                Way::Crosses => 3,
+            };
+            if let Some(noted) = self.ways.get_mut(stop) {
+                *noted = kind.max(*noted);
+            }
+            if *way == Way::Around {
+                self.via.extend([to.x, to.y]);
+                self.via_of.push(u32::try_from(stop).unwrap_or(u32::MAX));
             }
         }
     }
@@ -144,7 +187,7 @@ fn joints(run: &Run, sheet: &Sheet) -> Vec<Path> {
 /// Start and end of cutting for each stop, in seconds from the start of the job. In a run through a pierce group, and on the run,
 /// the seconds are divided among the stretches and the ways between them by their length. These are the partial sums of [`crate::plan::evaluate`].
 fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f64; 2]>]) -> Vec<f64> {
-    let (air, over_joint) = (AirTime::new(machine), AirTime::head_down(machine));
+    let (air, over_joint) = (AirMoves::new(machine), AirTime::head_down(machine));
     // Start and end of each run, including pauses in sharp corners.
     let mut runs: Vec<[f64; 2]> = Vec::with_capacity(parts.len());
     let mut goes_on = false;
@@ -174,9 +217,9 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
                 motion.extend_from_slice(path);
                 head = path.last().map_or(head, Segment::end);
             }
-            Move::Air { to } => {
+            Move::Air { to, way } => {
                 repeated = None;
-                now += air.seconds(head, *to);
+                now += air.seconds(head, *to, *way);
                 head = *to;
             }
             Move::Pierce => now += machine.pierce_time,

@@ -24,6 +24,7 @@ mod run;
 mod sample;
 #[cfg(feature = "research")]
 mod solving;
+mod tips;
 mod warm_path;
 
 pub use crate::output::OutputKind;

@@ -106,6 +106,10 @@ const WARM: &[Field] = &[
     Field::optional("jointOffsets", IDS),
     Field::optional("preCuts", LENGTHS),
     Field::optional("pauses", LENGTHS),
+    Field::optional("ways", IDS),
+    Field::optional("via", LENGTHS),
+    Field::optional("viaOf", IDS),
+    Field::optional("tips", IDS),
 ];
 
 impl Shaped for Budget {

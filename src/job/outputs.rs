@@ -1,6 +1,6 @@
 //! Writes the best plan of a job. A plan that does not pass the independent checker is never written.
 
-use super::{Job, JobError, Placed};
+use super::{Job, JobError, Placed, tips};
 use crate::drawing::Unit;
 use crate::fields::{Fault, FieldError};
 use crate::geometry::{Aabb, Affine, DVec2, Segment};
@@ -174,7 +174,10 @@ impl Job {
             summary: plan.summary.clone(),
             contours: document::contours(self.beam_sheet(), profile, &plan.moves, *shift),
             moves: plan.moves.iter().map(Move::from).collect(),
-            findings: findings.map(|f| f.clone().moved(*shift)).collect(),
+            findings: findings
+                .map(|f| f.clone().moved(*shift))
+                .chain(tips::finding(plan, profile.home()))
+                .collect(),
         })
     }
 }

@@ -103,7 +103,7 @@ impl Run {
         let warm = options.warm.as_ref().map(|w| warm_path::solution(w, &problem)).transpose()?;
         // A published method builds its first path itself.
         let first = if method.is_published() { warm } else { Some(warm.unwrap_or(greedy)) };
-        let running = Running::new(problem, |p| method.start(p, stream, first.as_ref()));
+        let running = Running::new(problem, |p| solve::start(&*method, p, stream, first.as_ref()));
         Ok(Self {
             placed,
             machine,
@@ -160,7 +160,7 @@ impl Run {
 
     /// Takes over a path found by another search if it is better. Returns whether it did.
     pub fn offer(&mut self, path: &WarmPath) -> Result<bool, JobError> {
-        let found = warm_path::solution(path, self.problem())?;
+        let found = solve::priced(self.problem(), warm_path::solution(path, self.problem())?);
         self.running.with_dependent_mut(|_, search| search.offer(&found));
         Ok(self.best().cost.total_cmp(&found.cost).is_eq())
     }

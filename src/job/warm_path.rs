@@ -225,6 +225,7 @@ mod tests {
             pairs: Vec::new(),
             groups: Groups::default(),
             table: None,
+            zones: None,
         }
     }
 

@@ -2,6 +2,7 @@
 //!
 //! With all of them off, plans are what they were without them.
 
+use super::tips::Tips;
 use crate::fields::{Field, Kind, Range};
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +30,9 @@ pub struct Levers {
     /// Rows and grids of contours are cut on the run; `None`: the head stops before each contour.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fly: Option<Fly>,
+    /// Pieces that may tip up under the head, and what is done about moves over them; `None`: nothing is known of them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tips: Option<Tips>,
 }
 
 /// Fly cuts: the head runs along a row of contours, or along the sides of a grid of them, without stopping, and the beam is
@@ -102,7 +106,19 @@ impl Levers {
         Field::nullable("moving_pierce", Kind::Object(MOVING_PIERCE)),
         Field::nullable("lift", Kind::Object(LIFT)),
         Field::nullable("fly", Kind::Object(FLY)),
+        Field::nullable("tips", Kind::Object(Tips::FIELDS)),
     ];
+
+    /// Whether moves go around pieces that may have tipped, or over them with the head lifted. Then the head is lifted for
+    /// no other moves.
+    pub fn avoid_tips(&self) -> bool {
+        self.tips.is_some_and(|tips| tips.avoids())
+    }
+
+    /// The lift, where the length of a move alone decides whether the head is lifted for it.
+    pub fn lift_by_length(&self) -> Option<Lift> {
+        self.lift.filter(|_| !self.avoid_tips())
+    }
 
     /// Length that a contour of `length` mm is cut again because it was pierced at speed, mm: at most half of it.
     pub fn cut_again(&self, length: f64) -> f64 {
@@ -123,7 +139,8 @@ impl Levers {
         let fly = self
             .fly
             .map(|f| [("levers.fly.reach", f.reach, REACH), ("levers.fly.overcut", f.overcut, OVERCUT)]);
-        overcut.into_iter().chain(lift.into_iter().flatten()).chain(fly.into_iter().flatten())
+        let tips = self.tips.iter().flat_map(Tips::numbers);
+        overcut.into_iter().chain(lift.into_iter().flatten()).chain(fly.into_iter().flatten()).chain(tips)
     }
 }
 

@@ -19,6 +19,7 @@ mod ramp;
 mod settings;
 mod sharp_corner;
 mod skeleton;
+mod tips;
 mod valid;
 
 pub use bed::{Anchor, Start};
@@ -38,4 +39,6 @@ pub use profile::{Axes, Profile, Takes, Travel};
 pub use settings::{MaterialSetting, Settings};
 pub use sharp_corner::SharpCorner;
 pub use skeleton::Skeleton;
+pub(crate) use tips::SAME_SIZE;
+pub use tips::{Falls, RiskyMoves, Slats, Tips};
 pub use valid::{LAYER_SETTINGS, ProfileError, check_settings};

@@ -31,7 +31,17 @@ pub struct AirTime {
 impl AirTime {
     /// Prepares the air moves of a machine.
     pub fn new(profile: &Profile) -> Self {
-        let lift = profile.levers.lift.map(|lift| (lift, 2.0 * profile.height_seconds(lift.height)));
+        Self::with_lift(profile, profile.levers.lift_by_length())
+    }
+
+    /// The same for moves with the head lifted, however short; `None` if the machine does not lift its head.
+    pub fn lifted_always(profile: &Profile) -> Option<Self> {
+        let lift = Lift { stay_down: 0.0, ..profile.levers.lift? };
+        Some(Self::with_lift(profile, Some(lift)))
+    }
+
+    fn with_lift(profile: &Profile, lift: Option<Lift>) -> Self {
+        let lift = lift.map(|lift| (lift, 2.0 * profile.height_seconds(lift.height)));
         Self { lift, ..Self::head_down(profile) }
     }
 

@@ -53,6 +53,16 @@ pub enum ProfileError {
         "The machine has levers.lift, but no z_speed. Give the speed of the z axis, or leave out the lift."
     )]
     LiftWithoutZ,
+    /// Moves are to avoid tipped pieces, and the head cannot be lifted over them.
+    #[error(
+        "The machine's levers.tips avoids risky moves, but there is no levers.lift. Give the lift, or set risky_moves to \"ignore\"."
+    )]
+    TipsWithoutLift,
+    /// Contours are left unfinished, and the search is to avoid tipped pieces.
+    #[error(
+        "The machine's levers.tips avoids risky moves, and the machine has pre_cut_time. Cuts that are left unfinished are not planned around tipped pieces: leave out pre_cut_time, or set risky_moves to \"ignore\"."
+    )]
+    TipsWithPreCuts,
     /// There is no such dialect, or its document contradicts itself.
     #[error("{0}")]
     Dialect(String),
@@ -67,6 +77,9 @@ impl From<ProfileError> for FieldError {
             ProfileError::Materials(_) => Self::new(Fault::Contradiction, "materials", error.to_string()),
             ProfileError::Bed(..) => Self::new(Fault::Contradiction, "bed", error.to_string()),
             ProfileError::LiftWithoutZ => Self::new(Fault::Contradiction, "levers.lift", error.to_string()),
+            ProfileError::TipsWithoutLift | ProfileError::TipsWithPreCuts => {
+                Self::new(Fault::Contradiction, "levers.tips", error.to_string())
+            }
             ProfileError::MovingPreCuts => {
                 Self::new(Fault::Contradiction, "levers.moving_pierce", error.to_string())
             }
@@ -244,6 +257,12 @@ impl Profile {
                     }
                     if self.levers.lift.is_some() && self.z_speed.is_none() {
                         return Err(ProfileError::LiftWithoutZ);
+                    }
+                    if self.levers.avoid_tips() && self.levers.lift.is_none() {
+                        return Err(ProfileError::TipsWithoutLift);
+                    }
+                    if self.levers.avoid_tips() && self.pre_cut_time.is_some() {
+                        return Err(ProfileError::TipsWithPreCuts);
                     }
                     self.dialect.document().map_err(ProfileError::Dialect)?;
                     self.check_materials()

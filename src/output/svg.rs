@@ -58,7 +58,7 @@ pub fn svg(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> String {
 /// The box of all places the head visits.
 fn reach(plan: &Plan, home: DVec2) -> Aabb {
     plan.moves.iter().fold(Aabb::of(home), |b, step| match step {
-        Move::Air { to } | Move::PreCut { to, .. } => b.with(*to),
+        Move::Air { to, .. } | Move::PreCut { to, .. } => b.with(*to),
         Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } => b,
         Move::Cut { path, .. } | Move::Joint { path, .. } | Move::Fly { path } => {
             path.iter().fold(b, |b, s| b.union(s.bounds()))
@@ -156,7 +156,7 @@ fn air(out: &mut String, plan: &Plan, home: DVec2) {
     out.push_str("<path class=\"air\" d=\"");
     for step in &plan.moves {
         match step {
-            Move::Air { to } => {
+            Move::Air { to, .. } => {
                 let _ = write!(out, "M{}L{}", Point(at), Point(*to));
                 at = *to;
             }

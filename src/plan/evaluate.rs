@@ -3,7 +3,8 @@
 //! Cuts that are joined by joints without a stop, or cut on the run, are one motion: its time is that of all its elements, and the beam settles
 //! once.
 
-use super::model::{Move, Summary};
+use super::air::AirMoves;
+use super::model::{Move, Summary, Way};
 use crate::geometry::{Aabb, Segment};
 use crate::machine::{AirTime, Profile, cut_time};
 use crate::sheet::Sheet;
@@ -15,11 +16,11 @@ use std::borrow::Cow;
 /// Every cut and mark is charged the beam delays, but only the one after it if it begins moving, and every piercing the pierce
 /// time; both are in `pierce_time`. A contour that is cut in several stretches or passes counts once.
 pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
-    let (air, over_joint) = (AirTime::new(machine), AirTime::head_down(machine));
+    let (air, over_joint) = (AirMoves::new(machine), AirTime::head_down(machine));
     let mut sum = Summary::default();
     let mut bounds = Aabb::EMPTY;
     let (mut head, mut height) = (machine.home(), 0.0);
-    let mut moving = false;
+    let (mut moving, mut around) = (false, false);
     let mut worked = vec![false; sheet.contours.len()];
     // Seconds at the end of the last cut that is no skeleton cut.
     let mut parts_end = 0.0;
@@ -27,10 +28,14 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
     let mut motion: Vec<Segment> = Vec::new();
     for (index, step) in moves.iter().enumerate() {
         match step {
-            Move::Air { to } => {
+            Move::Air { to, way } => {
                 sum.air_length += head.distance(*to);
-                sum.air_time += air.seconds(head, *to);
-                sum.lifts += u32::from(machine.levers.lift.is_some_and(|l| l.is_for(head.distance(*to))));
+                sum.air_time += air.seconds(head, *to, *way);
+                sum.lifts += u32::from(air.is_lifted(head, *to, *way));
+                sum.crossings += u32::from(*way == Way::Crosses);
+                // A way around ends with the first move that is not to a way point.
+                sum.detours += u32::from(*way == Way::Around && !around);
+                around = *way == Way::Around;
                 head = *to;
             }
             Move::Pierce => {

@@ -2,6 +2,7 @@
 
 use super::evaluate::evaluate;
 use super::model::{Leads, Move, Plan};
+use super::past_tipped::past_tipped;
 use crate::geometry::{DVec2, Path, Segment};
 use crate::joint::{ContourJoints, Divided, Stretch, divided};
 use crate::lead::{Lead, Run, starts_moving};
@@ -88,6 +89,10 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
     if problem.closed {
         go(&mut moves, &mut head, problem.home);
     }
+    let moves = match &problem.zones {
+        Some(zones) => past_tipped(zones, &problem.machine, moves),
+        None => moves,
+    };
     let mut summary = evaluate(&moves, sheet, &problem.machine);
     summary.joints = joints_of(problem);
     summary.parts = u32::try_from(sheet.parts.len()).unwrap_or(u32::MAX);
@@ -198,7 +203,7 @@ fn cut(
 
 fn go(moves: &mut Vec<Move>, head: &mut DVec2, to: DVec2) {
     if *head != to {
-        moves.push(Move::Air { to });
+        moves.push(Move::air(to));
         *head = to;
     }
 }

@@ -10,6 +10,9 @@ pub enum Move {
     Air {
         /// End point, mm.
         to: DVec2,
+        /// What it does about pieces that may have tipped, on a machine with `levers.tips`.
+        #[serde(default, skip_serializing_if = "Way::is_plain")]
+        way: Way,
     },
     /// Pierces at the current point.
     Pierce,
@@ -69,7 +72,36 @@ pub enum Move {
     },
 }
 
+/// What an air move does about pieces that may have tipped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Way {
+    /// It is straight, and meets none of them. Where they are avoided, the head is down; otherwise the length of the move
+    /// decides whether it is lifted.
+    #[default]
+    Plain,
+    /// It ends at a place on the way around them, with the head down; the next move goes on from there.
+    Around,
+    /// It is straight, with the head lifted over them.
+    Lifted,
+    /// It crosses one of them with the head down.
+    Crosses,
+}
+
+impl Way {
+    /// Whether there is nothing to say of it.
+    #[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
+    pub fn is_plain(&self) -> bool {
+        *self == Self::Plain
+    }
+}
+
 impl Move {
+    /// An air move that meets no piece that may have tipped.
+    pub fn air(to: DVec2) -> Self {
+        Self::Air { to, way: Way::Plain }
+    }
+
     /// Whether the head runs on over this with the beam off, so that the cuts before and after it are one motion: a flying
     /// joint, or the way between two cuts on the run.
     pub fn runs_on(&self) -> bool {
@@ -79,7 +111,7 @@ impl Move {
     /// Where the head is afterwards; `None` if it has not moved.
     pub fn end(&self) -> Option<DVec2> {
         match self {
-            Self::Air { to } | Self::PreCut { to, .. } => Some(*to),
+            Self::Air { to, .. } | Self::PreCut { to, .. } => Some(*to),
             Self::Cut { path, .. } | Self::Joint { path, .. } | Self::Fly { path } => {
                 path.last().map(Segment::end)
             }
@@ -161,6 +193,14 @@ pub struct Summary {
     #[serde(default, skip_serializing_if = "is_none")]
     #[cfg_attr(test, ts(as = "Option<u32>", optional))]
     pub lifts: u32,
+    /// Number of air moves that go around pieces that may have tipped.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub detours: u32,
+    /// Number of air moves that cross pieces that may have tipped, with the head down.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub crossings: u32,
     /// Number of pre-cuts.
     pub pre_cuts: u32,
     /// Number of micro-joints.
@@ -254,7 +294,7 @@ impl Plan {
         };
         for step in &mut self.moves {
             match step {
-                Move::Air { to } => *to += shift,
+                Move::Air { to, .. } => *to += shift,
                 Move::Pierce | Move::MovingStart | Move::Height { .. } => {}
                 Move::PreCut { to, ahead, .. } => {
                     *to += shift;

@@ -9,6 +9,7 @@ use super::model::{Item, Node, Problem, count};
 use super::pierce_groups::PierceGroups;
 use super::seconds::{leave_seconds, seconds, start_seconds};
 use super::sub_path::SubPath;
+use super::tipping;
 use crate::machine::Profile;
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
@@ -45,7 +46,11 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     let planners = Planners::new(sheet, machine);
     let pairs = pairs(sheet, &joined);
     let ranks = ranks(sheet, &joined, &pairs);
-    let flown = FlyGroups::new(sheet, machine, &planners, &ranks);
+    // In a pierce group, no contour has joints.
+    let is_held = |c| !joined.holds(c) && planners.joints(c).is_some_and(|j| !j.joints.is_empty());
+    let zones = tipping::zones(sheet, machine, is_held);
+    let avoided = zones.as_deref().filter(|z| z.avoids());
+    let flown = FlyGroups::new(sheet, machine, &planners, &ranks, avoided);
     let keeps_together = sheet.keeps_together();
     let mut items = Vec::with_capacity(sheet.contours.len());
     let mut nodes: Vec<Node> = Vec::new();
@@ -113,6 +118,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         pairs,
         groups: groups(sheet),
         table: None,
+        zones,
     }
 }
 

@@ -15,6 +15,7 @@ mod pierce_groups;
 mod seconds;
 mod sub_path;
 mod table;
+mod tipping;
 
 pub use beside::Beside;
 pub use from_sheet::from_sheet;

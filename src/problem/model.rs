@@ -16,7 +16,9 @@ use crate::geometry::Path;
 use crate::joint::ContourJoints;
 use crate::lead::Lead;
 use crate::machine::{ClosedRun, Profile};
+use crate::tipping::Zones;
 use glam::DVec2;
+use std::sync::Arc;
 
 /// A place where an item may be entered.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -170,12 +172,21 @@ pub struct Problem {
     /// Costs of travel from node to node, if they are given. Points, home and machine then mean nothing, no item has a
     /// track, and the last item is the start of a closed tour.
     pub table: Option<Table>,
+    /// The pieces that may tip, by the items that free them, on a machine with `levers.tips`. Where they are avoided, what a
+    /// move costs depends on what has been cut before; the costs of travel here are those of straight moves with the head
+    /// down, which are never more.
+    pub zones: Option<Arc<Zones>>,
 }
 
 impl Problem {
     /// What every plan pays at its items, whatever its travel, s ([`Item::least`]).
     pub fn paid(&self) -> f64 {
         self.items.iter().map(Item::least).sum()
+    }
+
+    /// The pieces that may tip, if moves avoid them.
+    pub fn avoided(&self) -> Option<&Zones> {
+        self.zones.as_deref().filter(|zones| zones.avoids())
     }
 
     /// The table of costs, if travel is given by one, as in benchmark instances.

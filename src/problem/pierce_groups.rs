@@ -77,6 +77,11 @@ impl<'s> PierceGroups<'s> {
         }
     }
 
+    /// Whether a contour is in a group.
+    pub(super) fn holds(&self, contour: u32) -> bool {
+        self.of.get(contour as usize).is_some_and(Option::is_some)
+    }
+
     /// The area of a group in which a contour lies that comes directly before the group.
     pub(super) fn area(&self, contour: u32) -> Option<u32> {
         self.area[contour as usize]

@@ -38,7 +38,7 @@ pub(super) fn seconds(
     let (mut motion, mut cut_on) = (Vec::new(), Vec::new());
     for (index, step) in document.moves.iter().enumerate() {
         match step {
-            Move::Air { to } => (at, dark) = (DVec2::from(*to), true),
+            Move::Air { to, .. } => (at, dark) = (DVec2::from(*to), true),
             Move::Pierce => pierces += 1,
             Move::MovingStart => moving = true,
             Move::PreCut { contour, to, .. } => {

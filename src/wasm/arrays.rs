@@ -48,6 +48,10 @@ pub(super) fn path(p: &BestPath) -> Result<JsValue, JsError> {
         ("jointOffsets", Uint32Array::from(p.joints.offsets.as_slice()).into()),
         ("preCuts", Float64Array::from(p.pre_cuts.as_slice()).into()),
         ("pauses", Float64Array::from(p.pauses.as_slice()).into()),
+        ("ways", Uint8Array::from(p.ways.as_slice()).into()),
+        ("via", Float64Array::from(p.via.as_slice()).into()),
+        ("viaOf", Uint32Array::from(p.via_of.as_slice()).into()),
+        ("tips", Uint32Array::from(p.tips.as_slice()).into()),
     ])
 }
 

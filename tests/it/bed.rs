@@ -143,7 +143,7 @@ fn a_point_given_twice_or_too_far_away_is_refused() {
 /// The moves with every place moved by `shift`.
 fn shifted(moves: &[Move], shift: DVec2) -> Vec<Vec<DVec2>> {
     let places = |step: &Move| match step {
-        Move::Air { to } | Move::PreCut { to, .. } => vec![DVec2::from(*to) + shift],
+        Move::Air { to, .. } | Move::PreCut { to, .. } => vec![DVec2::from(*to) + shift],
         Move::Macro { at, .. } => vec![DVec2::from(*at) + shift],
         Move::Cut { path, .. } => {
             use kerfway::plan::document::Element;
@@ -274,7 +274,7 @@ fn a_job_that_starts_where_the_head_stands_has_the_same_motions_from_there() {
     let air: Vec<DVec2> = plan
         .moves
         .iter()
-        .filter_map(|m| if let kerfway::plan::Move::Air { to } = m { Some(*to) } else { None })
+        .filter_map(|m| if let kerfway::plan::Move::Air { to, .. } = m { Some(*to) } else { None })
         .collect();
     assert_eq!(ends.len(), air.len());
     for (a, b) in ends.iter().zip(&air) {

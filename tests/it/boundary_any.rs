@@ -130,7 +130,9 @@ fn any_value_is_accepted_or_refused_in_a_sentence() {
                     | ProfileError::Materials(_)
                     | ProfileError::MovingPreCuts
                     | ProfileError::FlyPreCuts
-                    | ProfileError::LiftWithoutZ)
+                    | ProfileError::LiftWithoutZ
+                    | ProfileError::TipsWithoutLift
+                    | ProfileError::TipsWithPreCuts)
         );
         assert!(sound, "{profile:?}");
     });

@@ -198,7 +198,7 @@ fn every_dialect_cuts_every_drawing_with_the_beam_on_where_it_should_be() {
 
 #[test]
 fn every_dialect_begins_cuts_and_marks_moving_without_a_wait() {
-    let levers = Levers { moving_pierce: Some(MovingPierce { overcut: 0.4 }), lift: None, fly: None };
+    let levers = Levers { moving_pierce: Some(MovingPierce { overcut: 0.4 }), ..Levers::default() };
     let moving = Profile { levers, ..machine() };
     let mut starts = 0;
     for file in files(&fixtures().join("dxf-dev"), "dxf").iter().take(6) {

@@ -24,13 +24,14 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("sheet", &["drawing", "machine"]),
     ("lead", &["machine", "sheet"]),
     ("joint", &["machine", "sheet", "lead"]),
-    ("problem", &["machine", "sheet", "lead", "joint"]),
+    ("tipping", &["machine"]),
+    ("problem", &["machine", "sheet", "lead", "joint", "tipping"]),
     // Solvers know no drawing: neither `drawing` nor `sheet`.
-    ("solve", &["machine", "problem"]),
+    ("solve", &["machine", "problem", "tipping"]),
     // The plan model knows neither how a plan was found nor who checks it.
     ("plan/model", &["drawing", "machine", "sheet"]),
     ("plan/document", &["drawing", "machine", "sheet", "plan/model"]),
-    ("plan", &["drawing", "machine", "sheet", "lead", "joint", "problem", "solve"]),
+    ("plan", &["drawing", "machine", "sheet", "lead", "joint", "problem", "solve", "tipping"]),
     // Output and quote know no solver.
     ("output", &["drawing", "machine", "sheet", "plan"]),
     ("calibration", &["machine", "sheet", "plan"]),

@@ -158,7 +158,7 @@ fn equal_holes_of_a_grid_stay_down_wherever_they_lie() {
         }
         let machine = lifting(&machine("fibre-3kw-thin"), Lift { stay_down: 20.0, ..UP });
         let order = [0, 0, 1, 2, 3, 7, 6, 5, 4, 8, 9, 10, 11, 15, 14, 13, 12];
-        let centers: Vec<Move> = order.iter().map(|&k| Move::Air { to: place(k, by) }).collect();
+        let centers: Vec<Move> = order.iter().map(|&k| Move::air(place(k, by))).collect();
         let lifts = plan::evaluate(&centers, &b.sheet, &machine).lifts;
         assert_eq!(lifts, u32::from(machine.home().distance(place(0, by)) > 20.0), "{by}");
     }

@@ -78,6 +78,7 @@ fn scattered(dice: &mut Dice, k: u64) -> Problem {
         pairs,
         groups: Groups::default(),
         table: None,
+        zones: None,
     }
 }
 
@@ -244,6 +245,7 @@ fn qu_and_du(name: &str, closed: bool, boundary: bool) -> Problem {
         pairs: Vec::new(),
         groups: Groups::default(),
         table: None,
+        zones: None,
     }
 }
 

@@ -71,5 +71,6 @@ mod solve_partial;
 mod solve_search;
 mod svg_files;
 mod svg_oracle;
+mod tips;
 mod units_evidence;
 mod work_order;

@@ -23,7 +23,7 @@ fn sheet() -> Sheet {
 }
 
 fn moving(machine: &Profile, overcut: f64) -> Profile {
-    let levers = Levers { moving_pierce: Some(MovingPierce { overcut }), lift: None, fly: None };
+    let levers = Levers { moving_pierce: Some(MovingPierce { overcut }), ..Levers::default() };
     Profile { levers, pre_cut_time: None, ..machine.clone() }
 }
 

@@ -137,7 +137,7 @@ fn moves(document: &Value) -> Vec<Move> {
     let read = |m: &Value| match m["kind"].as_str().unwrap() {
         "air" => {
             at = point(&m["to"]);
-            Move::Air { to: at }
+            Move::air(at)
         }
         "pierce" => Move::Pierce,
         "moving-start" => Move::MovingStart,
@@ -235,7 +235,7 @@ fn the_same_plan_gives_the_same_bytes_and_no_minus_zero() {
     let (sheet, mut plan) = crate::testkit::plans::small();
     let text = crate::testkit::plans::document(&sheet, &plan);
     assert_eq!(text, crate::testkit::plans::document(&sheet, &plan));
-    let Some(Move::Air { to }) = plan.moves.last_mut() else { panic!() };
+    let Some(Move::Air { to, .. }) = plan.moves.last_mut() else { panic!() };
     *to = DVec2::new(-0.0, -0.0);
     assert_eq!(text, crate::testkit::plans::document(&sheet, &plan));
 }

@@ -115,7 +115,17 @@ fn points(closed: bool) -> Problem {
         items.push(Item { nodes, ..Item::default() });
     }
     let (machine, home) = (machine("length"), DVec2::ZERO);
-    Problem { items, nodes, home, closed, machine, pairs: vec![], groups: Groups::default(), table: None }
+    Problem {
+        items,
+        nodes,
+        home,
+        closed,
+        machine,
+        pairs: vec![],
+        groups: Groups::default(),
+        table: None,
+        zones: None,
+    }
 }
 
 /// Least length over all orders and nodes.

@@ -82,7 +82,7 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
         summary.cut_length += stop.path.length();
         summary.pierces += u32::from(!mark);
         summary.open_contours += u32::from(!stop.path.closed);
-        moves.push(Move::Air { to: from });
+        moves.push(Move::air(from));
         if !mark {
             moves.push(Move::Pierce);
         }
@@ -118,7 +118,7 @@ pub(crate) fn plan_of(stops: Vec<Stop>, layers: &[(&str, i16)], profile: &Profil
     }
     if profile.return_home {
         summary.air_length += at.distance(profile.home());
-        moves.push(Move::Air { to: profile.home() });
+        moves.push(Move::air(profile.home()));
     }
     let layers = layers
         .iter()

@@ -56,7 +56,7 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
         };
         if let Some(rest) = unfinished.take() {
             let Move::Cut { path: stretch, .. } = &rest else { continue };
-            let back = Move::Air { to: stretch[0].start() };
+            let back = Move::air(stretch[0].start());
             moves.extend([step.clone(), back, rest]);
             continue;
         }
@@ -83,7 +83,7 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
     // No cut came after it, so it is finished before the head returns.
     if let Some(rest) = unfinished {
         let Move::Cut { path, .. } = &rest else { unreachable!() };
-        let back = Move::Air { to: path[0].start() };
+        let back = Move::air(path[0].start());
         let home = moves.len() - 1;
         moves.splice(home..home, [back, rest]);
     }
@@ -93,7 +93,7 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
     summary.air_length = 0.0;
     for step in &moves {
         match step {
-            Move::Air { to } => {
+            Move::Air { to, .. } => {
                 summary.air_length += head.distance(*to);
                 head = *to;
             }

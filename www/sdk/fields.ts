@@ -1136,6 +1136,133 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                       "name": "fly",
                       "nullable": true,
                       "required": false
+                    },
+                    {
+                      "kind": {
+                        "object": [
+                          {
+                            "kind": {
+                              "choice": [
+                                "ignore",
+                                "avoid"
+                              ]
+                            },
+                            "name": "risky_moves",
+                            "nullable": false,
+                            "required": false
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 200.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "a nozzle is no wider than a hand"
+                              }
+                            },
+                            "name": "nozzle_radius",
+                            "nullable": false,
+                            "required": false
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 200.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "it keeps the nozzle clear of a piece that moves"
+                              }
+                            },
+                            "name": "margin",
+                            "nullable": false,
+                            "required": false
+                          },
+                          {
+                            "kind": {
+                              "object": [
+                                {
+                                  "kind": {
+                                    "number": {
+                                      "least": 1.0,
+                                      "most": 1000.0,
+                                      "or_zero": false,
+                                      "unit": "mm",
+                                      "why": "slats that are farther apart carry no sheet"
+                                    }
+                                  },
+                                  "name": "pitch",
+                                  "nullable": false,
+                                  "required": true
+                                },
+                                {
+                                  "kind": {
+                                    "number": {
+                                      "least": -3.141592653589793,
+                                      "most": 3.141592653589793,
+                                      "or_zero": false,
+                                      "unit": "rad",
+                                      "why": "half a turn is every direction of slats"
+                                    }
+                                  },
+                                  "name": "angle",
+                                  "nullable": false,
+                                  "required": false
+                                }
+                              ]
+                            },
+                            "name": "slats",
+                            "nullable": true,
+                            "required": false
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 100000.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "a table is no larger than 100 m"
+                              }
+                            },
+                            "name": "tips_below",
+                            "nullable": false,
+                            "required": false
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 100000.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "a table is no larger than 100 m"
+                              }
+                            },
+                            "name": "drops_below",
+                            "nullable": true,
+                            "required": false
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 100000.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "a table is no larger than 100 m"
+                              }
+                            },
+                            "name": "cross_over",
+                            "nullable": false,
+                            "required": false
+                          }
+                        ]
+                      },
+                      "name": "tips",
+                      "nullable": true,
+                      "required": false
                     }
                   ]
                 },
@@ -2138,6 +2265,70 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                 }
               },
               "name": "pauses",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "whole": {
+                    "least": 0.0,
+                    "most": 4294967295.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "contours are counted from 0"
+                  }
+                }
+              },
+              "name": "ways",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "number": {
+                    "least": -1000000000.0,
+                    "most": 1000000000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "no contour is longer than 1,000 km"
+                  }
+                }
+              },
+              "name": "via",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "whole": {
+                    "least": 0.0,
+                    "most": 4294967295.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "contours are counted from 0"
+                  }
+                }
+              },
+              "name": "viaOf",
+              "nullable": false,
+              "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "whole": {
+                    "least": 0.0,
+                    "most": 4294967295.0,
+                    "or_zero": false,
+                    "unit": "",
+                    "why": "contours are counted from 0"
+                  }
+                }
+              },
+              "name": "tips",
               "nullable": false,
               "required": false
             }

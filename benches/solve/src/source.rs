@@ -217,6 +217,7 @@ fn points(data: &Value, machine: Profile, boundary: bool) -> Option<Problem> {
         pairs: Vec::new(),
         groups: Groups::default(),
         table: None,
+        zones: None,
     })
 }
 

@@ -41,7 +41,7 @@ use super::sheet_facts::SheetFacts;
 use crate::geometry::{Aabb, DVec2, Path, Segment};
 use crate::machine::dialect::{Dialect, Pierce, PierceBy};
 use crate::machine::{Profile, Start, far_out};
-use crate::plan::{Move, Plan};
+use crate::plan::{Move, Plan, Way};
 use beam::Beam;
 pub use check::{Check, CheckCode, CheckProblem, check, check_against, fits_bed};
 use facts::Facts;
@@ -183,7 +183,7 @@ impl<'d> Writer<'d> {
 
         // The move home is run with the laser switched off.
         let (work, way_home) = match plan.moves.split_last() {
-            Some((Move::Air { to }, work)) => (work, Some(*to)),
+            Some((Move::Air { to, way }, work)) => (work, Some((*to, *way))),
             _ => (plan.moves.as_slice(), None),
         };
         let all = cuts(plan).len();
@@ -193,7 +193,7 @@ impl<'d> Writer<'d> {
         for (index, step) in work.iter().enumerate() {
             let ends = !work.get(index + 1).is_some_and(Move::runs_on);
             match step {
-                Move::Air { to } => self.air(head, *to),
+                Move::Air { to, way } => self.air(head, *to, *way),
                 Move::Pierce => pierce += self.profile.pierce_time,
                 Move::MovingStart => moving = true,
                 // A pre-cut without length is only a charge of time, so nothing is cut.
@@ -241,16 +241,18 @@ impl<'d> Writer<'d> {
         }
 
         self.pen.off();
-        if let Some(home) = way_home {
-            self.air(head, home);
+        if let Some((home, way)) = way_home {
+            self.air(head, home, way);
         }
         self.pen.footer(facts);
         self.pen.lines.into_program()
     }
 
     /// Writes a move with the beam off, with the head lifted where the machine lifts it.
-    fn air(&mut self, from: DVec2, to: DVec2) {
-        match self.profile.levers.lift.filter(|lift| lift.is_for(from.distance(to))) {
+    fn air(&mut self, from: DVec2, to: DVec2, way: Way) {
+        let levers = &self.profile.levers;
+        let by_length = levers.lift_by_length().filter(|lift| lift.is_for(from.distance(to)));
+        match levers.lift.filter(|_| way == Way::Lifted).or(by_length) {
             Some(lift) => self.pen.lifted(to, &lift),
             None => self.pen.rapid(to),
         }

@@ -20,6 +20,7 @@ mod order;
 mod passes;
 mod skeleton;
 mod sums;
+mod tips;
 mod tolerance;
 mod violation;
 mod visits;
@@ -59,6 +60,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     moving::check(sheet, machine, plan, &flown, &mut found);
     joints::check(sheet, machine, plan, &groups, &mut found);
     skeleton::check(sheet, machine, plan, &mut found);
+    tips::check(sheet, machine, plan, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
 }
 
@@ -133,7 +135,7 @@ fn follow(
                 }
                 flies = true;
             }
-            Move::Air { to } => {
+            Move::Air { to, .. } => {
                 if !to.is_finite() {
                     found.push(Violation::NotFinite { step });
                 }

@@ -78,7 +78,7 @@ fn on(path: &Path, point: DVec2) -> bool {
 }
 
 /// The winding number of a closed path around a point that is not on it.
-fn winding(path: &Path, point: DVec2) -> f64 {
+pub(super) fn winding(path: &Path, point: DVec2) -> f64 {
     (path.segments.iter().map(|s| angle_seen(s, point)).sum::<f64>() / TAU).round()
 }
 

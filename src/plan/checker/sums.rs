@@ -7,9 +7,9 @@ use super::joints;
 use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
 use crate::geometry::{Aabb, DVec2, Path, Segment};
-use crate::machine::{Profile, Travel, cut_time};
+use crate::machine::{Profile, RiskyMoves, Travel, cut_time};
 use crate::order::sort_by;
-use crate::plan::model::{Move, Plan};
+use crate::plan::model::{Move, Plan, Way};
 use crate::sheet::Sheet;
 
 /// Relative difference within which sums agree: thousands of additions in another order.
@@ -19,6 +19,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let (mut head, mut height) = (machine.home(), 0.0_f64);
     let (mut cuts, mut pierces, mut pre_cuts, mut macros) = (0u32, 0u32, 0u32, 0u32);
     let (mut moving_starts, mut lifts, mut fly_cuts) = (0u32, 0u32, 0u32);
+    let (mut detours, mut crossings) = (0u32, 0u32);
     let mut worked: Vec<u32> = Vec::new();
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
     let mut lead_length = 0.0;
@@ -28,9 +29,12 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     for (step, m) in plan.moves.iter().enumerate() {
         let flies_on = plan.moves.get(step + 1).is_some_and(Move::runs_on);
         match m {
-            Move::Air { to } => {
+            Move::Air { to, way } => {
                 air_length += (*to - head).length();
-                let lifted = is_lifted(machine, *to - head);
+                let lifted = is_lifted(machine, *to - head, *way);
+                crossings += u32::from(*way == Way::Crosses);
+                let goes_on = |m: &Move| matches!(m, Move::Air { way: Way::Around, .. });
+                detours += u32::from(goes_on(m) && !(step > 0 && goes_on(&plan.moves[step - 1])));
                 lifts += u32::from(lifted);
                 air_seconds += air_time(machine, *to - head, lifted);
                 head = *to;
@@ -113,6 +117,8 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         ("the number of moving starts", f64::from(s.moving_starts), f64::from(moving_starts)),
         ("the number of cuts on the run", f64::from(s.fly_cuts), f64::from(fly_cuts)),
         ("the number of lifts", f64::from(s.lifts), f64::from(lifts)),
+        ("the number of detours", f64::from(s.detours), f64::from(detours)),
+        ("the number of crossings", f64::from(s.crossings), f64::from(crossings)),
         ("the number of pre-cuts", f64::from(s.pre_cuts), f64::from(pre_cuts)),
         ("the length of air moves", s.air_length, air_length),
         ("the length of cuts", s.cut_length, cut_length),
@@ -161,7 +167,11 @@ fn path_of<'s>(sheet: &'s Sheet, machine: &Profile, contour: u32) -> Option<&'s 
 }
 
 /// Whether the head is lifted on its way, mm. Sums of coordinates may be off in their last digits.
-fn is_lifted(machine: &Profile, way: DVec2) -> bool {
+fn is_lifted(machine: &Profile, way: DVec2, past: Way) -> bool {
+    let chosen = machine.levers.tips.is_some_and(|tips| tips.risky_moves == RiskyMoves::Avoid);
+    if chosen || past == Way::Lifted {
+        return past == Way::Lifted;
+    }
     machine.levers.lift.is_some_and(|lift| way.length() - lift.stay_down > 1e-6)
 }
 

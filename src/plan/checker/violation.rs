@@ -142,6 +142,26 @@ pub enum Violation {
         /// Position, mm.
         at: DVec2,
     },
+    /// An air move does not do what it should about pieces that may have tipped.
+    #[error("move {step}: the head {what}, contour {contour} at {at}")]
+    Tipped {
+        /// Which move.
+        step: usize,
+        /// The contour that bounds the piece.
+        contour: u32,
+        /// What is wrong.
+        what: &'static str,
+        /// Position on the move, mm.
+        at: DVec2,
+    },
+    /// An air move is lifted or goes around where the machine does not ask for it.
+    #[error(
+        "move {step}: the head goes around tipped pieces or over them, which the machine does not ask for"
+    )]
+    Unasked {
+        /// Which move.
+        step: usize,
+    },
     /// Less or more than the whole contour is cut.
     #[error("move {step} cuts {worked} mm of contour {contour}, which is {length} mm long")]
     Partly {

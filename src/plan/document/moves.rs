@@ -5,7 +5,7 @@
 //! replaced by what is safe: one flatter than [`FLAT`] by its chord, one nearer to a full turn than [`NEAR_TURN`] by two
 //! halves.
 
-use super::super::model;
+use super::super::model::{self, Way};
 use crate::geometry::{Arc, DVec2, Segment, arcs};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
@@ -24,6 +24,10 @@ pub enum Move {
     Air {
         /// Where to.
         to: [f64; 2],
+        /// What it does about pieces that may have tipped: `around`, to a place on the way around them; `lifted`, over them
+        /// with the head lifted; `crosses`, over them with the head down. Left out: it meets none.
+        #[serde(default, skip_serializing_if = "Way::is_plain")]
+        way: Way,
     },
     /// Piercing on the spot.
     Pierce,
@@ -117,7 +121,7 @@ pub enum Element {
 impl From<&model::Move> for Move {
     fn from(step: &model::Move) -> Self {
         match step {
-            model::Move::Air { to } => Self::Air { to: place(*to) },
+            model::Move::Air { to, way } => Self::Air { to: place(*to), way: *way },
             model::Move::Pierce => Self::Pierce,
             model::Move::MovingStart => Self::MovingStart,
             model::Move::PreCut { contour, to, ahead } => {

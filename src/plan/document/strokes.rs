@@ -44,7 +44,7 @@ pub fn strokes(document: &Document) -> Vec<Stroke> {
     let stroke = |step: &Move| {
         let from = at;
         match step {
-            Move::Air { to } => {
+            Move::Air { to, .. } => {
                 at = DVec2::from(*to);
                 Some(Stroke::Air { from, to: at })
             }

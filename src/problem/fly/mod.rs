@@ -17,6 +17,8 @@ use super::model::{Item, Node, count};
 use crate::machine::{AirTime, LeadSide, Profile};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
+use crate::tipping::Zones;
+use rustc_hash::FxHashSet;
 use work::{Flown, Work};
 
 /// The contours of a sheet that are cut on the run.
@@ -28,18 +30,30 @@ pub(super) struct FlyGroups {
 }
 
 impl FlyGroups {
-    /// Those of a sheet; `ranks` are those of the contours.
-    pub(super) fn new(sheet: &Sheet, machine: &Profile, planners: &Planners, ranks: &[u32]) -> Self {
+    /// Those of a sheet; `ranks` are those of the contours. `avoided`: the pieces that moves keep clear of. Nothing that frees one of them is flown,
+    /// and no pattern that crosses one of them, because the head stays down.
+    pub(super) fn new(
+        sheet: &Sheet,
+        machine: &Profile,
+        planners: &Planners,
+        ranks: &[u32],
+        avoided: Option<&Zones>,
+    ) -> Self {
         let Some(lever) = machine.levers.fly.filter(|_| machine.pre_cut_time.is_none()) else {
             return Self::default();
         };
         let mut all = Self { groups: Vec::new(), of: vec![None; sheet.contours.len()] };
-        for alike in candidates(sheet, machine, planners, ranks) {
+        let tips: FxHashSet<u32> =
+            avoided.iter().flat_map(|z| z.pieces()).flat_map(|p| p.cut_by.iter().copied()).collect();
+        let is_clear = |group: &Flown| avoided.is_none_or(|zones| group.is_clear(zones));
+        for mut alike in candidates(sheet, machine, planners, ranks) {
+            alike.retain(|c| !tips.contains(c));
             let Some(&first) = alike.first() else { continue };
             let process = sheet.process_by_id(first, machine);
             let work = Work { sheet, machine, lever, process, air: AirTime::new(machine) };
             let mut rows = rows::rows(&work, &alike);
-            for grid in grids::grids(&work, &alike) {
+            rows.retain(&is_clear);
+            for grid in grids::grids(&work, &alike).into_iter().filter(&is_clear) {
                 let overlaps =
                     |row: &Flown| row.contours.iter().any(|c| grid.contours.binary_search(c).is_ok());
                 let (within, rest): (Vec<Flown>, Vec<Flown>) = rows.into_iter().partition(overlaps);

@@ -6,6 +6,7 @@ use crate::order::{real, sort_by};
 use crate::problem::seconds::seconds_alone;
 use crate::problem::sub_path::{Stroke, SubPath};
 use crate::sheet::{Contour, Sheet};
+use crate::tipping::Zones;
 
 /// Contours that are cut on the run, and the ways through them: each is followed by the same way back.
 pub(super) struct Flown {
@@ -13,6 +14,34 @@ pub(super) struct Flown {
     pub(super) ways: Vec<SubPath>,
     /// Seconds less than one by one.
     pub(super) saved: f64,
+}
+
+impl Flown {
+    /// Whether no move with the beam off crosses a piece that may tip, whichever of them are free by then.
+    pub(super) fn is_clear(&self, zones: &Zones) -> bool {
+        let crosses = |from, to| zones.crosses(from, to, |_| true);
+        self.ways.iter().all(|way| {
+            let mut head = way.ends[0];
+            way.strokes.iter().all(|stroke| {
+                let from = head;
+                match stroke {
+                    Stroke::Air(to) => {
+                        head = *to;
+                        !crosses(from, *to)
+                    }
+                    Stroke::Fly(path) => {
+                        head = path.last().map_or(head, Segment::end);
+                        !path.iter().any(|s| crosses(s.start(), s.end()))
+                    }
+                    Stroke::Cut { path, .. } => {
+                        head = path.last().map_or(head, Segment::end);
+                        true
+                    }
+                    Stroke::Pierce | Stroke::MovingStart | Stroke::PreCut { .. } => true,
+                }
+            })
+        })
+    }
 }
 
 /// What both patterns need: the contours and their seconds.

@@ -53,6 +53,7 @@ pub(super) fn instance(file: &File, nodes: usize, mut sets: Sets) -> Result<Inst
             pairs: Vec::new(),
             groups: Groups::default(),
             table: None,
+            zones: None,
         },
         numbers: order.iter().map(|&n| id(n) + 1).collect(),
         fixed: Vec::new(),

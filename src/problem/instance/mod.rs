@@ -87,6 +87,7 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
         pairs: pairs.collect(),
         groups: Groups::default(),
         table: Some(table),
+        zones: None,
     };
     Ok(Instance { name: file.name(), problem, numbers, fixed, lowered, whole, plane: None })
 }

@@ -135,7 +135,17 @@ mod tests {
         let items = before.iter().zip(ranks).map(item).collect();
         let machine = machine::presets().into_iter().next().unwrap();
         let (home, closed) = (DVec2::ZERO, true);
-        Problem { items, nodes: vec![], home, closed, machine, pairs: vec![], groups, table: None }
+        Problem {
+            items,
+            nodes: vec![],
+            home,
+            closed,
+            machine,
+            pairs: vec![],
+            groups,
+            table: None,
+            zones: None,
+        }
     }
 
     #[test]

@@ -60,6 +60,7 @@ pub(super) fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Probl
         pairs: Vec::new(),
         groups: Groups::default(),
         table: None,
+        zones: None,
     }
 }
 
@@ -140,6 +141,7 @@ fn circles(centers: &[DVec2]) -> Problem {
         pairs: Vec::new(),
         groups: Groups::default(),
         table: None,
+        zones: None,
     }
 }
 

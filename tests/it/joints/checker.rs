@@ -95,9 +95,11 @@ fn piercings_fit_the_kind_of_joint() {
 fn what_lies_between_joint_and_cut_is_found() {
     let (sheet, machine, mut plan) = sound(JointKind::Stop);
     let at = plan.moves.iter().position(|m| matches!(m, Move::Joint { .. })).unwrap();
-    let to =
-        plan.moves[..at].iter().rev().find_map(|m| if let Move::Air { to } = m { Some(*to) } else { None });
-    plan.moves.insert(at + 1, Move::Air { to: to.unwrap() });
+    let to = plan.moves[..at]
+        .iter()
+        .rev()
+        .find_map(|m| if let Move::Air { to, .. } = m { Some(*to) } else { None });
+    plan.moves.insert(at + 1, Move::air(to.unwrap()));
     assert!(faults(&sheet, &machine, &plan).iter().any(|f| f.contains("does not cut on after a joint")));
 }
 

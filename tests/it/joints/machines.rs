@@ -21,7 +21,7 @@ fn plate() -> Sheet {
 fn contours_with_joints_are_pierced_at_rest_where_others_begin_moving() {
     for kind in [JointKind::Stop, JointKind::Flying] {
         for overcut in [0.0, 0.5] {
-            let levers = Levers { moving_pierce: Some(MovingPierce { overcut }), lift: None, fly: None };
+            let levers = Levers { moving_pierce: Some(MovingPierce { overcut }), ..Levers::default() };
             let outer = JointRule { side: Some(LeadSide::Outer), ..rule(2, kind) };
             let machine = with_joints(Profile { levers, ..machine("fibre-3kw-thin") }, vec![outer]);
             let plan = planned(&plate(), &machine);
@@ -40,7 +40,7 @@ fn contours_with_joints_are_pierced_at_rest_where_others_begin_moving() {
 /// A rule that asks for joints where none fits leaves the contour as it is, but for the start.
 #[test]
 fn a_contour_without_room_is_cut_whole() {
-    let levers = Levers { moving_pierce: Some(MovingPierce { overcut: 0.5 }), lift: None, fly: None };
+    let levers = Levers { moving_pierce: Some(MovingPierce { overcut: 0.5 }), ..Levers::default() };
     let wide = JointRule { width: 90.0, ..rule(1, JointKind::Stop) };
     let machine = with_joints(Profile { levers, ..machine("fibre-3kw-thin") }, vec![wide]);
     let plan = planned(&plate(), &machine);

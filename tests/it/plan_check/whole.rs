@@ -50,7 +50,7 @@ fn half_a_contour() {
         let at = cut_of(m, 0);
         // The head goes on from where the cut now ends.
         if !matches!(m.get(at + 1), Some(Move::Air { .. })) {
-            m.insert(at + 1, Move::Air { to: DVec2::ZERO });
+            m.insert(at + 1, Move::air(DVec2::ZERO));
         }
     });
     assert!(
@@ -156,7 +156,7 @@ fn the_beam_on_where_it_should_not_be() {
 #[test]
 fn the_end_is_not_home_or_not_finite() {
     assert!(matches!(after(|m| drop(m.pop()))[..], [Violation::NotHome { left }] if left > 1.0));
-    let found = after(|m| m[0] = Move::Air { to: DVec2::NAN });
+    let found = after(|m| m[0] = Move::air(DVec2::NAN));
     assert!(found.contains(&Violation::NotFinite { step: 0 }), "{found:?}");
 }
 

@@ -46,7 +46,7 @@ export interface EntityKindCount {
 export type Severity = "info" | "warning" | "error";
 
 /** The kind of a finding. Written in kebab case in JSON (`unsupported-entity`). Later versions may add codes. */
-export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "joint-adjusted" | "joint-missing" | "far-from-origin" | "off-bed" | "least-power-left-out" | "not-all-checked" | "more";
+export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "joint-adjusted" | "joint-missing" | "far-from-origin" | "off-bed" | "least-power-left-out" | "risky-moves" | "not-all-checked" | "more";
 
 /** One finding. */
 export interface Finding {
@@ -267,6 +267,8 @@ export interface Levers {
   lift?: Lift,
   /** Rows and grids of contours are cut on the run; `null`: the head stops before each contour. */
   fly?: Fly,
+  /** Pieces that may tip up under the head, and what is done about moves over them; `null`: nothing is known of them. */
+  tips?: Tips,
 }
 
 /**
@@ -306,6 +308,44 @@ export interface Lift {
 export interface MovingPierce {
   /** Length of a closed cut that is cut again at its end because the beam was not through at its beginning, mm. Default 0. */
   overcut?: number,
+}
+
+/** What is done about moves with the head down over pieces that may have tipped. */
+export type RiskyMoves = "ignore" | "avoid";
+
+/** The slats under the sheet. */
+export interface Slats {
+  /** Distance from slat to slat, mm. */
+  pitch: number,
+  /** Direction in which they run, from the x axis, rad. Default 0. */
+  angle?: number,
+}
+
+/** What falls, what tips, and what is done about it. */
+export interface Tips {
+  /**
+   * What is done about moves with the head down over pieces that may have tipped. Default `avoid`, which needs
+   * `lift`(super::Levers::lift).
+   */
+  risky_moves?: RiskyMoves,
+  /** Radius of the nozzle, mm. Default 10, a guess. */
+  nozzle_radius?: number,
+  /** Distance that the nozzle keeps from a tipped piece, mm. Default 2, a guess. */
+  margin?: number,
+  /** The slats under the sheet; `null`: not known. */
+  slats?: Slats | null,
+  /**
+   * Pieces smaller than this across the slats may tip, mm; without slats, pieces whose smaller extent along x or y is
+   * below it. Default 150, a guess.
+   */
+  tips_below?: number,
+  /**
+   * Pieces smaller than this both across and along the slats drop, mm. Default: the pitch of the slats; 50, a guess,
+   * where they are not known.
+   */
+  drops_below?: number | null,
+  /** What is cut out of holes up to this size along x and y may be crossed with the head down, mm. Default 0. */
+  cross_over?: number,
 }
 
 /** How the sizes of a contour are compared with the limits of a rule. */
@@ -842,6 +882,10 @@ export interface Summary {
   fly_cuts?: number,
   /** Number of air moves for which the head is lifted. */
   lifts?: number,
+  /** Number of air moves that go around pieces that may have tipped. */
+  detours?: number,
+  /** Number of air moves that cross pieces that may have tipped, with the head down. */
+  crossings?: number,
   /** Number of pre-cuts. */
   pre_cuts: number,
   /** Number of micro-joints. */

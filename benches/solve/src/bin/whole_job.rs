@@ -2,7 +2,8 @@
 //!
 //! `--machines` is a list of `{"preset": NAME, "set": {...}}`: the fields that `set` gives replace those of the preset. For
 //! each, a JSON line: the seconds of the nearest-next path with holes first on the preset as it is, and those of the best
-//! path that the search finds on the changed machine. Every plan is checked.
+//! path that the search finds on the changed machine. With `"then": {...}`, the path is searched for on the machine of `set`
+//! and then run as it is on that of `then`. Every plan is checked.
 
 use kerfway::job::{Job, LoadOptions, problem_of};
 use kerfway::machine::{self, Profile};
@@ -41,13 +42,14 @@ fn row(file: &str, bytes: &[u8], wanted: &Value, moves: u64, seed: u64) -> Resul
     let name = wanted["preset"].as_str().unwrap_or_default();
     let preset = machine::preset(name).ok_or(format!("There is no machine {name}."))?;
     let machine = changed(&preset, &wanted["set"])?;
-    let nearest = planned(bytes, &preset, 0, seed)?;
-    let ours = planned(bytes, &machine, moves, seed)?;
+    let then = if wanted["then"].is_null() { machine.clone() } else { changed(&preset, &wanted["then"])? };
+    let nearest = planned(bytes, [&preset; 2], 0, seed)?;
+    let ours = planned(bytes, [&machine, &then], moves, seed)?;
     let s = &ours.summary;
     Ok(json!({
         "file": file, "preset": name, "set": wanted["set"], "contours": s.contours,
         "nearest_next": nearest.summary.total_time, "total": s.total_time, "air": s.air_time, "cut": s.cut_time,
-        "pierce": s.pierce_time,
+        "pierce": s.pierce_time, "lifts": s.lifts, "detours": s.detours, "crossings": s.crossings,
     }))
 }
 
@@ -60,12 +62,12 @@ fn changed(preset: &Profile, set: &Value) -> Result<Profile, String> {
 }
 
 /// The plan after some moves of the search, checked; without moves, the nearest-next path.
-fn planned(bytes: &[u8], machine: &Profile, moves: u64, seed: u64) -> Result<Plan, String> {
+fn planned(bytes: &[u8], [machine, then]: [&Profile; 2], moves: u64, seed: u64) -> Result<Plan, String> {
     let job = Job::load(bytes.to_vec(), "sheet", &LoadOptions::default()).map_err(|e| e.to_string())?;
     let sheet = job.sheet();
     let problem = problem_of(sheet, machine);
     let method = solve::method("tour-tree").ok_or("There is no method tour-tree.")?;
-    let mut search = method.start(&problem, seed, None);
+    let mut search = solve::start(method, &problem, seed, None);
     let mut left = moves;
     while left > 0 {
         let step = search.step(left);
@@ -75,7 +77,7 @@ fn planned(bytes: &[u8], machine: &Profile, moves: u64, seed: u64) -> Result<Pla
         }
     }
     let solution = if moves == 0 { solve::greedy(&problem) } else { search.best().clone() };
-    let plan = plan::from_solution(sheet, &problem, &solution);
-    plan::check(sheet, machine, &plan).map_err(|v| format!("{v:?}"))?;
+    let plan = plan::from_solution(sheet, &problem_of(sheet, then), &solution);
+    plan::check(sheet, then, &plan).map_err(|v| format!("{v:?}"))?;
     Ok(plan)
 }

@@ -6,7 +6,8 @@ use super::reader::{Event, Program};
 use crate::finding::Severity;
 use crate::geometry::{Aabb, DVec2, Segment};
 use crate::machine::dialect::Dialect;
-use crate::machine::{AirTime, Process, Profile, cut_time};
+use crate::machine::{Process, Profile, cut_time};
+use crate::plan::{AirMoves, Way};
 use serde::Serialize;
 
 /// What a program does, and what is wrong with it.
@@ -121,7 +122,7 @@ fn fits(reach: &Aabb, profile: &Profile) -> Option<bool> {
 
 /// Seconds of the program on the machine. Each run of the same speed is a run of the planner.
 fn seconds(program: &Program, profile: &Profile) -> f64 {
-    let air = AirTime::new(profile);
+    let air = AirMoves::new(profile);
     let mut total = 0.0;
     let mut run: Vec<Segment> = Vec::new();
     let mut speed = 0.0;
@@ -149,9 +150,11 @@ fn seconds(program: &Program, profile: &Profile) -> f64 {
             Event::Move { path, lifted, .. } => {
                 total += finish(&mut run, speed);
                 let from = lifted_from.unwrap_or(path.start());
+                let way = if *lifted || lifted_from.is_some() { Way::Lifted } else { Way::Plain };
                 // On the way up the move has only begun.
                 lifted_from = (*lifted && lifts).then_some(from);
-                total += if first || lifted_from.is_some() { 0.0 } else { air.seconds(from, path.end()) };
+                total +=
+                    if first || lifted_from.is_some() { 0.0 } else { air.seconds(from, path.end(), way) };
                 first = false;
             }
             Event::Dwell { seconds, .. } => total += finish(&mut run, speed) + seconds,

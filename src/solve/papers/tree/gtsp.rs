@@ -58,6 +58,7 @@ impl Gtsp {
             pairs: Vec::new(),
             groups: Groups::default(),
             table: None,
+            zones: None,
         };
         let mut stops = Vec::new();
         for (id, &item) in (0..).zip(&items) {

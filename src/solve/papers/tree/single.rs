@@ -51,6 +51,7 @@ impl<'p> Single<'p> {
             pairs: Vec::new(),
             groups: Groups::default(),
             table: problem.table.clone(),
+            zones: None,
         };
         let relaxed = Relaxed::new(relaxed, |p| TourTree.start(p, seed, None));
         let progress = Progress::new(greedy(problem), f64::INFINITY);

@@ -28,6 +28,7 @@ fn rectangles(centers: &[DVec2], half: DVec2) -> Problem {
         pairs: Vec::new(),
         groups: Groups::default(),
         table: None,
+        zones: None,
     }
 }
 

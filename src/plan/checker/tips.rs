@@ -1,0 +1,222 @@
+//! Replays which pieces are free at what time, and looks for moves with the head down over those that may have tipped.
+//!
+//! It shares no formula with `src/tipping`: outlines are not polygons but lines and arcs, with the winding numbers of
+//! `nesting.rs`; moves over a piece are found by places along them; extents are those of places along the outline.
+
+use super::nesting::{pairs, winding};
+use super::violation::Violation;
+use crate::geometry::{BoxIndex, DVec2, Path, Segment, distance, math};
+use crate::machine::{Profile, RiskyMoves, SAME_SIZE, Tips};
+use crate::plan::model::{Move, Plan, Way};
+use crate::sheet::{Operation, Sheet};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// A move with the head down must not be this deep over a piece, mm.
+const DEPTH: f64 = 0.1;
+/// What is nearer by less than this is not nearer, mm: plans are made with arcs as chords, which are up to 0.01 mm off.
+const NEARER: f64 = 0.05;
+/// How much farther from a piece a move may be that is said to cross it, mm.
+const SLACK: f64 = 0.2;
+/// Distance between the places along a move, mm, and their largest number.
+const STEP: f64 = 0.25;
+const MOST: f64 = 2000.0;
+/// Half of what the sizes of a piece may be off, mm.
+const SIZE_SLACK: f64 = 5e-7;
+
+/// A piece that may tip.
+struct Piece<'s> {
+    contour: u32,
+    outline: &'s Path,
+    /// Index of the last move that cuts its outline.
+    free_from: usize,
+    /// Whether it tips even if its sizes are off by their rounding.
+    surely: bool,
+}
+
+pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+    let tips = machine.levers.tips;
+    let avoids = tips.is_some_and(|t| t.risky_moves == RiskyMoves::Avoid);
+    for (step, m) in plan.moves.iter().enumerate() {
+        let Move::Air { way, .. } = m else { continue };
+        let asked = match way {
+            Way::Plain => true,
+            Way::Crosses => tips.is_some(),
+            Way::Around | Way::Lifted => avoids,
+        };
+        if !asked {
+            found.push(Violation::Unasked { step });
+        }
+    }
+    let Some(tips) = tips else { return };
+    let pieces = pieces(sheet, &tips, plan);
+    let reach = tips.nozzle_radius + tips.margin;
+    let index = BoxIndex::new(pieces.iter().map(|p| p.outline.bounds().grown(reach + SLACK)));
+    let mut head = machine.home();
+    for (step, m) in plan.moves.iter().enumerate() {
+        let from = head;
+        head = m.end().unwrap_or(head);
+        if let Move::Fly { path } = m
+            && avoids
+        {
+            let near = |s: &Segment| index.query(s.bounds()).into_iter().filter_map(|k| pieces.get(k));
+            let crossed = |s: &Segment| {
+                near(s)
+                    .find(|p| p.free_from < step && p.surely && crosses(s, p.outline, reach, DEPTH, -NEARER))
+            };
+            if let Some((contour, at)) = path.iter().find_map(|s| Some((crossed(s)?.contour, s.at(0.5)))) {
+                let what = "runs on over a piece that may have tipped";
+                found.push(Violation::Tipped { step, contour, what, at });
+            }
+            continue;
+        }
+        let Move::Air { to, way } = m else { continue };
+        let by_length = machine.levers.lift.filter(|_| !avoids);
+        let lifted = by_length.is_some_and(|l| (*to - from).length() - l.stay_down > 1e-6);
+        if *way == Way::Lifted || lifted || from == *to || !to.is_finite() {
+            continue;
+        }
+        let line = Segment::line(from, *to);
+        let near = index.query(line.bounds());
+        let free = || near.iter().filter_map(|&k| pieces.get(k)).filter(|p| p.free_from < step);
+        let middle = (from + *to) * 0.5;
+        let crossed = free().find(|p| p.surely && crosses(&line, p.outline, reach, DEPTH, -NEARER));
+        match (way, crossed) {
+            (Way::Crosses, _) if avoids => {
+                let contour = crossed.map_or(0, |p| p.contour);
+                let what = "is down over a piece that may have tipped";
+                found.push(Violation::Tipped { step, contour, what, at: middle });
+            }
+            (Way::Crosses, _)
+                if !free().any(|p| crosses(&line, p.outline, reach + SLACK, DEPTH * 0.1, NEARER)) =>
+            {
+                let what = "is said to cross a tipped piece where there is none";
+                found.push(Violation::Tipped { step, contour: 0, what, at: middle });
+            }
+            (Way::Crosses, _) => {}
+            (_, Some(piece)) => {
+                let what = "is down over a piece that may have tipped";
+                found.push(Violation::Tipped { step, contour: piece.contour, what, at: middle });
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The pieces that may tip and are cut free by the plan.
+fn pieces<'s>(sheet: &'s Sheet, tips: &Tips, plan: &Plan) -> Vec<Piece<'s>> {
+    let mut last: FxHashMap<u32, usize> = FxHashMap::default();
+    let mut held: FxHashSet<u32> = FxHashSet::default();
+    for (step, m) in plan.moves.iter().enumerate() {
+        match m {
+            Move::Cut { contour, with, .. } => {
+                for c in with.iter().chain([contour]) {
+                    last.insert(*c, step);
+                }
+            }
+            Move::Joint { contour, .. } => {
+                held.insert(*contour);
+            }
+            _ => {}
+        }
+    }
+    // Holes lie inside an odd number of outlines.
+    let mut around = vec![0_u32; sheet.contours.len()];
+    if tips.cross_over > 0.0 {
+        for (inner, _) in pairs(sheet) {
+            around[inner as usize] += 1;
+        }
+    }
+    let mut pieces: Vec<Piece> = Vec::new();
+    let mut shapes: FxHashSet<u32> = FxHashSet::default();
+    for (contour, known) in (0..).zip(&sheet.contours) {
+        let outline = if known.path.closed { Some(&known.path) } else { known.outline.as_ref() };
+        let Some(outline) = outline else { continue };
+        let cuts = known.operation == Operation::Cut && known.next_pass.is_none();
+        let hole = around[contour as usize] % 2 == 1;
+        // A shape whose sides are shared with others is free when all that is left of it is cut.
+        let same = |c: &u32| sheet.contours.get(*c as usize).is_some_and(|c| c.rest_of == known.rest_of);
+        let own: Vec<u32> = match known.rest_of {
+            Some(shape) if !shapes.insert(shape) => continue,
+            Some(_) => (0..).take(sheet.contours.len()).filter(same).collect(),
+            None => vec![contour],
+        };
+        let free_from = own.iter().map(|c| last.get(c).copied()).max().flatten();
+        let Some(free_from) = free_from.filter(|_| cuts && !own.iter().any(|c| held.contains(c))) else {
+            continue;
+        };
+        if tips_up(tips, outline, hole, SIZE_SLACK) {
+            let surely = tips_up(tips, outline, hole, -SIZE_SLACK);
+            pieces.push(Piece { contour, outline, free_from, surely });
+        }
+    }
+    pieces
+}
+
+/// Whether a piece of this outline may tip: not one that drops, and not one that lies on several slats. What is as large as a
+/// limit, up to a millionth of a millimetre, is not below it; `slack` moves that by less.
+fn tips_up(tips: &Tips, outline: &Path, hole: bool, slack: f64) -> bool {
+    let below = |size: f64, limit: f64, slack: f64| size < limit - SAME_SIZE + slack;
+    let extent = |direction: DVec2| reach(outline, direction) + reach(outline, -direction);
+    let (width, height) = (extent(DVec2::X), extent(DVec2::Y));
+    if hole && width.max(height) <= tips.cross_over + SAME_SIZE - slack {
+        return false;
+    }
+    let (across, along) = match tips.slats {
+        None => (width.min(height), width.max(height)),
+        Some(slats) => {
+            let direction = DVec2::new(math::cos(slats.angle), math::sin(slats.angle));
+            (extent(direction.perp()), extent(direction))
+        }
+    };
+    let drops = tips.drops_below.or(tips.slats.map(|s| s.pitch)).unwrap_or(50.0);
+    let falls = below(across, drops, -slack) && below(along, drops, -slack);
+    below(across, tips.tips_below, slack) && !falls
+}
+
+/// How far an outline reaches in a direction of length 1, mm: to an end of an element, or to the place of an arc that looks
+/// that way.
+fn reach(outline: &Path, direction: DVec2) -> f64 {
+    let of = |s: &Segment| {
+        let ends = s.start().dot(direction).max(s.end().dot(direction));
+        match s {
+            Segment::Arc(arc) if arc.is_circle() || arc.fraction_of(direction).is_some() => {
+                ends.max(arc.center.dot(direction) + arc.radius())
+            }
+            _ => ends,
+        }
+    };
+    outline.segments.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Whether a line crosses a piece: nearer to it than `reach`, and nearer than at both ends by more than `-nearer`; or
+/// `depth` mm over it, but for a stretch at an end that is over it.
+fn crosses(line: &Segment, outline: &Path, reach: f64, depth: f64, nearer: f64) -> bool {
+    let from_outline =
+        |p: DVec2| outline.segments.iter().map(|s| s.nearest(p).1).fold(f64::INFINITY, f64::min).sqrt();
+    let inside = |p: DVec2| winding(outline, p) != 0.0;
+    let from_piece = |p: DVec2| {
+        let d = from_outline(p);
+        if d > 0.0 && inside(p) { 0.0 } else { d }
+    };
+    let nearest = outline.segments.iter().map(|s| distance(line, s).0).fold(f64::INFINITY, f64::min);
+    let ends = from_piece(line.start()).min(from_piece(line.end()));
+    if nearest < reach && nearest < ends + nearer {
+        return true;
+    }
+    // What touches no outline and begins outside is over nothing.
+    if nearest > 0.0 && !inside(line.start()) {
+        return false;
+    }
+    let over = |p: DVec2| from_outline(p) > depth && inside(p);
+    let count = (line.length() / STEP).ceil().clamp(2.0, MOST);
+    let mut k = 0.0;
+    let mut places = Vec::new();
+    while k <= count {
+        places.push(line.at(k / count));
+        k += 1.0;
+    }
+    let over: Vec<bool> = places.into_iter().map(over).collect();
+    let first = over.iter().position(|o| !o).unwrap_or(over.len());
+    let last = over.iter().rposition(|o| !o).unwrap_or(0);
+    over.get(first..last).is_some_and(|rest| rest.contains(&true))
+}

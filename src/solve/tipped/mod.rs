@@ -1,0 +1,234 @@
+//! A search that knows which pieces may have tipped (`Problem::zones`).
+//!
+//! What a move costs depends on what has been cut before it, which a method that prices moves by their ends cannot see. So two
+//! searches take turns: the method itself, for which every move is straight with the head down (that is never more than the
+//! real cost, and nearly all moves are), and a local search on the exact seconds of the whole sequence (`descent.rs`), which
+//! begins where the method's best is and changes order, entries and directions where a move is in the way of a tipped piece.
+//! Small problems get the exact optimum over their nodes (`exact.rs`).
+//!
+//! The costs that callers see are the exact ones.
+
+mod change;
+mod descent;
+mod exact;
+mod sequence;
+mod visit;
+
+use super::epsilon::EPSILON;
+use super::insight::Insight;
+use super::rng::seeded;
+use super::traits::{Search, Solution, Solver, Status, Step, Stop, Telemetry};
+use crate::problem::Problem;
+use crate::tipping::Zones;
+use descent::{Descent, PATIENCE};
+use sequence::Sequence;
+
+/// Least moves of a turn, and moves of a turn by item. After each turn of the method its best is priced exactly, which takes
+/// about as long as two moves by item.
+const TURN: u64 = 2_000;
+const TURN_BY_ITEM: u64 = 4;
+/// Moves by item before the local search begins, while the method gains in every turn: until then its first descent goes on, and
+/// whatever the local search found would be left behind.
+const HEAD_START: u64 = 200;
+/// One move in so many is the local search's while the method gains in every turn, and while it does not.
+const SHARE: [u64; 2] = [4, 2];
+
+/// Starts a method; on a machine that avoids tipped pieces, with the local search beside it. Published methods run alone.
+pub fn start<'p>(
+    method: &dyn Solver,
+    problem: &'p Problem,
+    seed: u64,
+    warm: Option<&Solution>,
+) -> Box<dyn Search + 'p> {
+    let inner = method.start(problem, seed, warm);
+    let Some(zones) = problem.avoided() else { return inner };
+    let first = warm.unwrap_or_else(|| inner.best()).clone();
+    let sequence = Sequence::new(problem, zones, &first.stops);
+    Box::new(Tipped {
+        problem,
+        zones,
+        best: Solution { cost: sequence.total(), stops: first.stops },
+        best_at: 0,
+        descent: Descent::new(sequence, seeded(seed.wrapping_add(2))),
+        alone: method.is_published(),
+        inner,
+        ended: false,
+        seen: f64::INFINITY,
+        turn_moves: TURN.max(TURN_BY_ITEM * problem.items.len() as u64),
+        turn: Turn::Method(1),
+        local_done: 0,
+        granted: 0,
+        done: 0,
+        tried_exact: false,
+    })
+}
+
+/// A solution with its exact seconds, where what has been cut before counts.
+pub fn priced(problem: &Problem, solution: Solution) -> Solution {
+    match problem.avoided() {
+        Some(zones) => {
+            Solution { cost: Sequence::new(problem, zones, &solution.stops).total(), stops: solution.stops }
+        }
+        None => solution,
+    }
+}
+
+/// Whose turn it is, and how many moves of it are left.
+#[derive(Clone, Copy)]
+enum Turn {
+    Method(u64),
+    Local(u64),
+}
+
+struct Tipped<'p> {
+    problem: &'p Problem,
+    zones: &'p Zones,
+    inner: Box<dyn Search + 'p>,
+    /// Whether the method has ended.
+    ended: bool,
+    /// Whether the method works alone.
+    alone: bool,
+    /// The cost, as the method sees it, of its best when the local search began there.
+    seen: f64,
+    descent: Descent<'p>,
+    best: Solution,
+    best_at: u64,
+    turn: Turn,
+    turn_moves: u64,
+    /// Moves of the local search.
+    local_done: u64,
+    /// Moves granted so far: what one slice does beyond its grant, the next does less.
+    granted: u64,
+    /// Moves done so far by both.
+    done: u64,
+    tried_exact: bool,
+}
+
+impl Tipped<'_> {
+    /// Does a piece of work of at most `most` moves, or the smallest there is.
+    fn advance(&mut self, most: u64) {
+        match self.turn {
+            Turn::Method(0) => {
+                let gains = self.take_from_method();
+                let early = gains && self.done < HEAD_START * self.problem.items.len() as u64;
+                let share = if gains { SHARE[0] } else { SHARE[1] };
+                let due = self.ended || (!early && self.local_done * share < self.done);
+                self.turn = if due && !self.alone {
+                    Turn::Local(self.turn_moves)
+                } else {
+                    Turn::Method(self.turn_moves)
+                };
+            }
+            Turn::Method(_) if self.ended => self.turn = Turn::Method(0),
+            Turn::Method(left) => {
+                let step = self.inner.step(left.min(most));
+                self.ended = step.status == Status::Exhausted;
+                self.done += step.done;
+                self.turn = Turn::Method(left.saturating_sub(step.done.max(1)));
+            }
+            Turn::Local(left) => {
+                let priced = self.local();
+                self.done += priced;
+                self.local_done += priced;
+                self.turn = if left <= priced || priced == 0 {
+                    self.descent.save_so_far();
+                    self.keep();
+                    Turn::Method(self.turn_moves)
+                } else {
+                    Turn::Local(left - priced)
+                };
+            }
+        }
+    }
+
+    /// A piece of local search. Returns the number of moves priced; 0 if there is nothing to do.
+    fn local(&mut self) -> u64 {
+        if !std::mem::replace(&mut self.tried_exact, true)
+            && let Some((stops, priced)) = exact::optimum(self.problem, self.zones)
+        {
+            let sequence = Sequence::new(self.problem, self.zones, &stops);
+            self.descent.begin_at(sequence);
+            self.keep();
+            return priced;
+        }
+        let priced = self.descent.advance();
+        self.keep();
+        priced
+    }
+
+    /// Takes the local search's best over, if it is better.
+    fn keep(&mut self) {
+        if self.descent.best() < self.best.cost - EPSILON {
+            self.best = Solution { stops: self.descent.stops(), cost: self.descent.best() };
+            self.best_at = self.done;
+        }
+    }
+
+    /// Lets the local search begin at the method's best, if that is new. Returns whether it is.
+    fn take_from_method(&mut self) -> bool {
+        let found = self.inner.best();
+        let cost = self.inner.telemetry().best;
+        if cost >= self.seen - EPSILON {
+            return false;
+        }
+        self.seen = cost;
+        let sequence = Sequence::new(self.problem, self.zones, &found.stops);
+        if sequence.total() < self.best.cost - EPSILON {
+            self.best = Solution { stops: found.stops.clone(), cost: sequence.total() };
+            self.best_at = self.done;
+        }
+        if !self.alone {
+            self.descent.also_try(sequence);
+        }
+        true
+    }
+}
+
+impl Search for Tipped<'_> {
+    fn step(&mut self, work: u64) -> Step {
+        let (cost, before) = (self.best.cost, self.done);
+        let already = self.done.saturating_sub(self.granted);
+        self.granted = self.granted.saturating_add(work);
+        let idle = |s: &Self| s.ended && (s.alone || s.descent.since_gain() > PATIENCE);
+        let mut turns = 0;
+        // Where both have nothing left to do, no move is priced.
+        while self.done < self.granted && !idle(self) && turns < 4 {
+            let was = self.done;
+            self.advance(self.granted - self.done);
+            turns = if self.done > was { 0 } else { turns + 1 };
+        }
+        let ended = self.ended && (idle(self) || turns >= 4) && self.done <= self.granted;
+        let improved = self.best.cost < cost;
+        if ended {
+            self.take_from_method();
+            let done = (self.done - before + already).min(work);
+            return Step { status: Status::Exhausted, done, improved: self.best.cost < cost };
+        }
+        Step { status: Status::Running, done: work, improved }
+    }
+
+    fn best(&self) -> &Solution {
+        &self.best
+    }
+
+    fn telemetry(&self) -> Telemetry {
+        Telemetry { moves: self.done, best_at: self.best_at, best: self.best.cost }
+    }
+
+    fn insight(&self) -> Option<Insight> {
+        self.inner.insight()
+    }
+
+    fn offer(&mut self, other: &Solution) {
+        if !other.stops.iter().all(Stop::is_whole) {
+            return;
+        }
+        let sequence = Sequence::new(self.problem, self.zones, &other.stops);
+        if sequence.total() < self.best.cost - EPSILON {
+            self.inner.offer(&Solution::new(self.problem, other.stops.clone()));
+            self.best = Solution { stops: other.stops.clone(), cost: sequence.total() };
+            self.best_at = self.done;
+            self.descent.begin_at(sequence);
+        }
+    }
+}

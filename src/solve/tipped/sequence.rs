@@ -1,0 +1,231 @@
+//! A sequence of stops with the exact seconds of every leg.
+//!
+//! A change permutes the stops of a window and changes their entries. The legs outside it stay as they are: as many pieces are
+//! free before each of them as before. So a change is priced by the legs of its window alone, first as straight moves, which
+//! are a bound from below, and only if that is low enough with what is in their way.
+
+use super::change::Change;
+use super::visit::Visit;
+use crate::geometry::DVec2;
+use crate::problem::{Item, ItemId, Problem};
+use crate::solve::precedence::Precedence;
+use crate::solve::traits::Stop;
+use crate::tipping::{Piece, Zones};
+
+/// The position of items that are not in the sequence.
+const NOWHERE: u32 = u32::MAX;
+
+/// Stops in order, with the seconds of the legs that lead to them.
+pub(super) struct Sequence<'p> {
+    pub(super) problem: &'p Problem,
+    zones: &'p Zones,
+    precedence: Precedence,
+    visits: Vec<Visit>,
+    /// Seconds of the leg to each visit; the last one leads home.
+    legs: Vec<f64>,
+    /// By item: its position.
+    position: Vec<u32>,
+    total: f64,
+    /// Moves priced.
+    pub(super) priced: u64,
+    /// The legs of the change that is being priced.
+    new_legs: Vec<f64>,
+}
+
+impl<'p> Sequence<'p> {
+    pub(super) fn new(problem: &'p Problem, zones: &'p Zones, stops: &[Stop]) -> Self {
+        let visits: Vec<Visit> = stops.iter().filter_map(|&s| Visit::new(problem, s)).collect();
+        let mut new = Self {
+            problem,
+            zones,
+            precedence: Precedence::new(problem),
+            legs: Vec::new(),
+            position: vec![NOWHERE; problem.items.len()],
+            total: 0.0,
+            priced: 0,
+            new_legs: Vec::new(),
+            visits,
+        };
+        new.place(0, new.visits.len());
+        new.legs = (0..=new.visits.len()).map(|k| new.leg(k)).collect();
+        new.total = new.legs.iter().sum::<f64>() + new.visits.iter().map(|v| v.extra).sum::<f64>();
+        new
+    }
+
+    pub(super) fn total(&self) -> f64 {
+        self.total
+    }
+
+    pub(super) fn zones(&self) -> &'p Zones {
+        self.zones
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.visits.len()
+    }
+
+    pub(super) fn visits(&self) -> &[Visit] {
+        &self.visits
+    }
+
+    pub(super) fn visit(&self, k: usize) -> Option<&Visit> {
+        self.visits.get(k)
+    }
+
+    pub(super) fn stops(&self) -> Vec<Stop> {
+        self.visits.iter().map(|v| v.stop).collect()
+    }
+
+    pub(super) fn item(&self, k: usize) -> Option<&'p Item> {
+        self.problem.items.get(self.visits.get(k)?.item as usize)
+    }
+
+    /// The position of an item.
+    pub(super) fn position(&self, item: ItemId) -> Option<usize> {
+        self.position.get(item as usize).filter(|&&p| p != NOWHERE).map(|&p| p as usize)
+    }
+
+    /// Seconds of leg `k` beyond those of a straight move.
+    pub(super) fn surcharge(&self, k: usize) -> f64 {
+        self.legs.get(k).map_or(0.0, |leg| leg - self.straight(k))
+    }
+
+    /// The positions of the last cuts that free what is in the way of leg `k`.
+    pub(super) fn blockers(&self, k: usize) -> Vec<usize> {
+        let Some((from, to)) = self.ends(k) else { return Vec::new() };
+        let mut positions = Vec::new();
+        for piece in self.zones.crossed(from, to, |p| self.is_free(p, k)) {
+            positions.extend(piece.cut_by.iter().filter_map(|&c| self.position(c)).max());
+        }
+        positions
+    }
+
+    /// The ends of leg `k`; `None` for the way home where there is none.
+    fn ends(&self, k: usize) -> Option<(DVec2, DVec2)> {
+        let from = match k.checked_sub(1) {
+            None => self.problem.home,
+            Some(before) => self.visits.get(before)?.exit,
+        };
+        match self.visits.get(k) {
+            Some(visit) => Some((from, visit.entry)),
+            None => self.problem.closed.then_some((from, self.problem.home)),
+        }
+    }
+
+    fn straight(&self, k: usize) -> f64 {
+        self.ends(k).map_or(0.0, |(from, to)| self.zones.least(from, to))
+    }
+
+    fn leg(&self, k: usize) -> f64 {
+        self.ends(k).map_or(0.0, |(from, to)| self.zones.leg(from, to, |p| self.is_free(p, k)).seconds)
+    }
+
+    /// Whether a piece is free before leg `k`.
+    fn is_free(&self, piece: &Piece, k: usize) -> bool {
+        piece
+            .cut_by
+            .iter()
+            .all(|&c| self.position.get(c as usize).is_some_and(|&p| (p as usize) < k && p != NOWHERE))
+    }
+
+    /// Writes the positions of the visits from `low` to `high`.
+    fn place(&mut self, low: usize, high: usize) {
+        for k in low..high {
+            if let Some(visit) = self.visits.get(k)
+                && let Some(position) = self.position.get_mut(visit.item as usize)
+            {
+                *position = u32::try_from(k).unwrap_or(NOWHERE);
+            }
+        }
+    }
+
+    /// Makes a change if that takes less time than now by more than `gain` seconds, which may be negative. Returns whether it
+    /// did; then `change` holds what undoes it.
+    pub(super) fn try_change(&mut self, change: &mut Change, gain: f64) -> bool {
+        self.priced += 1;
+        let (low, high) = (change.low, change.low + change.visits.len());
+        let Some(old) = self.visits.get(low..high) else { return false };
+        let extras = |visits: &[Visit]| visits.iter().map(|v| v.extra).sum::<f64>();
+        let now = self.legs.get(low..=high).map_or(0.0, |l| l.iter().sum()) + extras(old);
+        let extra = extras(&change.visits);
+        self.exchange(change);
+        let mut straight = extra;
+        let mut k = low;
+        while k <= high && straight < now - gain {
+            straight += self.straight(k);
+            k += 1;
+        }
+        if straight >= now - gain || !self.is_allowed(low, high) {
+            self.exchange(change);
+            return false;
+        }
+        // What the straight legs leave for detours and lifts.
+        let mut sum = straight;
+        let mut legs = std::mem::take(&mut self.new_legs);
+        legs.clear();
+        for k in low..=high {
+            let leg = self.leg(k);
+            sum += leg - self.straight(k);
+            legs.push(leg);
+            self.priced += 1;
+            if sum >= now - gain {
+                break;
+            }
+        }
+        let better = sum < now - gain && legs.len() == high + 1 - low;
+        if better {
+            self.total += sum - now;
+            if let Some(place) = self.legs.get_mut(low..=high) {
+                place.copy_from_slice(&legs);
+            }
+        } else {
+            self.exchange(change);
+        }
+        self.new_legs = legs;
+        better
+    }
+
+    /// Takes back a change that was made.
+    pub(super) fn undo(&mut self, change: &mut Change) {
+        let (low, high) = (change.low, change.low + change.visits.len());
+        let sum = |s: &Self| {
+            s.legs.get(low..=high).map_or(0.0, |l| l.iter().sum::<f64>())
+                + s.visits.get(low..high).map_or(0.0, |v| v.iter().map(|v| v.extra).sum())
+        };
+        let before = sum(self);
+        self.exchange(change);
+        for k in low..=high {
+            let leg = self.leg(k);
+            if let Some(place) = self.legs.get_mut(k) {
+                *place = leg;
+            }
+        }
+        self.total += sum(self) - before;
+    }
+
+    fn exchange(&mut self, change: &mut Change) {
+        let (low, high) = (change.low, change.low + change.visits.len());
+        if let Some(window) = self.visits.get_mut(low..high) {
+            window.swap_with_slice(&mut change.visits);
+        }
+        self.place(low, high);
+    }
+
+    /// Whether the order within a window keeps precedence, ranks and groups.
+    fn is_allowed(&self, low: usize, high: usize) -> bool {
+        let rank = |k: usize| self.item(k).map(|i| i.rank);
+        let from = low.saturating_sub(1);
+        let ranked = (from..high).all(|k| rank(k + 1).is_none_or(|next| rank(k) <= Some(next)));
+        let waits = |k: usize| {
+            let Some(visit) = self.visits.get(k) else { return false };
+            self.precedence.waits(visit.item, |i| self.position(i).is_some_and(|p| p < k))
+        };
+        ranked && !(low..high).any(waits) && self.keeps_groups()
+    }
+
+    fn keeps_groups(&self) -> bool {
+        let groups = &self.problem.groups;
+        let rank = |i: ItemId| self.problem.items.get(i as usize).map_or(0, |i| i.rank);
+        groups.is_empty() || groups.are_together(self.visits.iter().map(|v| v.item), rank)
+    }
+}

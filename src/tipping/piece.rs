@@ -1,0 +1,204 @@
+//! A piece that may tip: its outline, and what a move does near it.
+
+use crate::geometry::{Aabb, DVec2, math};
+use std::f64::consts::FRAC_PI_4;
+
+/// A move is over a piece if it is this deep inside the outline, mm: more than the chords of arcs leave.
+const DEPTH: f64 = 0.03;
+/// A move comes nearer to a piece than at its ends if it does so by more than this, mm: far below what matters, and above
+/// rounding.
+const NEARER: f64 = 1e-6;
+/// Directions of the octagon around a piece.
+const SIDES: u32 = 8;
+
+/// A piece that may tip once everything that holds it is cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// What frees it, once all of these are cut: contours of the sheet, which are items of the search.
+    pub cut_by: Vec<u32>,
+    /// The corners of its outline.
+    outline: Vec<DVec2>,
+    bounds: Aabb,
+}
+
+impl Piece {
+    /// A piece with the corners of its outline, in either direction.
+    pub fn new(cut_by: Vec<u32>, outline: Vec<DVec2>) -> Self {
+        let bounds = outline.iter().fold(Aabb::EMPTY, |b, &p| b.with(p));
+        Self { cut_by, outline, bounds }
+    }
+
+    /// The smallest box around it.
+    pub fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    /// The corners of its outline.
+    pub fn outline(&self) -> &[DVec2] {
+        &self.outline
+    }
+
+    fn edges(&self) -> impl Iterator<Item = (DVec2, DVec2)> {
+        let last = self.outline.last().copied().into_iter();
+        last.chain(self.outline.iter().copied()).zip(self.outline.iter().copied())
+    }
+
+    /// Distance of a place from the piece, mm; 0 inside.
+    pub fn distance(&self, place: DVec2) -> f64 {
+        if self.holds(place) { 0.0 } else { self.to_outline(place) }
+    }
+
+    fn to_outline(&self, place: DVec2) -> f64 {
+        self.edges().map(|(a, b)| to_line(place, a, b)).fold(f64::INFINITY, f64::min).sqrt()
+    }
+
+    /// Whether a place is inside the outline, by the parity of the edges to its right.
+    fn holds(&self, p: DVec2) -> bool {
+        if !self.bounds.contains(p) {
+            return false;
+        }
+        let right = |(a, b): &(DVec2, DVec2)| {
+            (a.y <= p.y) != (b.y <= p.y) && a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y)) > p.x
+        };
+        self.edges().filter(right).count() % 2 == 1
+    }
+
+    /// Whether a place is inside, and not only by the rounding of the outline.
+    fn is_over(&self, place: DVec2) -> bool {
+        self.holds(place) && self.to_outline(place) > DEPTH
+    }
+
+    /// Whether a straight move with the head down crosses the piece; see the module's documentation.
+    pub fn is_crossed(&self, from: DVec2, to: DVec2, reach: f64) -> bool {
+        if !meets(from, to, &self.bounds.grown(reach)) {
+            return false;
+        }
+        let nearest = self.edges().map(|edge| between((from, to), edge)).fold(f64::INFINITY, f64::min).sqrt();
+        if nearest >= reach {
+            // All outside, or all within, where it begins.
+            return false;
+        }
+        let ends = self.distance(from).min(self.distance(to));
+        nearest < ends - NEARER || self.runs_over(from, to)
+    }
+
+    /// Whether a move runs over the piece between places outside it. Where it begins or ends inside, that stretch is exempt.
+    fn runs_over(&self, from: DVec2, to: DVec2) -> bool {
+        let way = to - from;
+        let mut cuts: Vec<f64> = Vec::new();
+        for (a, b) in self.edges() {
+            let edge = b - a;
+            let across = way.perp_dot(edge);
+            if across != 0.0 {
+                let (t, u) = ((a - from).perp_dot(edge) / across, (a - from).perp_dot(way) / across);
+                if t > 0.0 && t < 1.0 && (0.0..=1.0).contains(&u) {
+                    cuts.push(t);
+                }
+            }
+        }
+        cuts.sort_unstable_by(f64::total_cmp);
+        let (begins, ends) = (self.is_over(from), self.is_over(to));
+        let stops: Vec<f64> = [0.0].into_iter().chain(cuts).chain([1.0]).collect();
+        let last = stops.len() - 2;
+        stops.windows(2).enumerate().any(|(k, w)| {
+            let exempt = (k == 0 && begins) || (k == last && ends);
+            !exempt && w[1] > w[0] && self.is_over(from + way * (0.5 * (w[0] + w[1])))
+        })
+    }
+
+    /// The corners of an octagon that keeps `reach` mm from the piece.
+    pub fn octagon(&self, reach: f64) -> impl Iterator<Item = DVec2> {
+        let side = move |k: u32| {
+            let normal = math::unit(FRAC_PI_4 * f64::from(k % SIDES));
+            let far = self.outline.iter().map(|p| p.dot(normal)).fold(f64::NEG_INFINITY, f64::max);
+            (normal, far + reach)
+        };
+        (0..SIDES).map(move |k| {
+            let ((n, d), (m, e)) = (side(k), side(k + 1));
+            // Where both sides meet.
+            DVec2::new(d * m.y - e * n.y, e * n.x - d * m.x) / n.perp_dot(m)
+        })
+    }
+}
+
+/// Squared distance of a place from a line.
+fn to_line(p: DVec2, a: DVec2, b: DVec2) -> f64 {
+    let edge = b - a;
+    let squared = edge.length_squared();
+    let t = if squared > 0.0 { ((p - a).dot(edge) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    p.distance_squared(a + edge * t)
+}
+
+/// Squared distance between two lines; 0 where they cross.
+fn between((a, b): (DVec2, DVec2), (c, d): (DVec2, DVec2)) -> f64 {
+    let sides =
+        |p: DVec2, q: DVec2, x: DVec2, y: DVec2| (q - p).perp_dot(x - p) * (q - p).perp_dot(y - p) < 0.0;
+    if sides(a, b, c, d) && sides(c, d, a, b) {
+        return 0.0;
+    }
+    to_line(a, c, d).min(to_line(b, c, d)).min(to_line(c, a, b)).min(to_line(d, a, b))
+}
+
+/// Whether a line shares a point with a box.
+fn meets(a: DVec2, b: DVec2, area: &Aabb) -> bool {
+    let (low, high) = (a.min(b), a.max(b));
+    if low.cmpgt(area.max).any() || high.cmplt(area.min).any() {
+        return false;
+    }
+    // All corners of the box are on one side of the line, or it meets the box.
+    let (way, half) = (b - a, area.size() * 0.5);
+    way.perp_dot(area.center() - a).abs() <= way.x.abs() * half.y + way.y.abs() * half.x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn p(x: f64, y: f64) -> DVec2 {
+        DVec2::new(x, y)
+    }
+
+    /// A square of 20 mm, and a reach of 5 mm.
+    fn crossed(from: DVec2, to: DVec2) -> bool {
+        let corners = vec![p(0.0, 0.0), p(20.0, 0.0), p(20.0, 20.0), p(0.0, 20.0)];
+        let turned: Vec<DVec2> = corners.iter().rev().copied().collect();
+        let [one, other] = [corners, turned].map(|c| Piece::new(vec![0], c).is_crossed(from, to, 5.0));
+        assert_eq!(one, other);
+        assert_eq!(
+            one,
+            Piece::new(
+                vec![0],
+                [(0, 0), (20, 0), (20, 20), (0, 20)].map(|(x, y)| p(x.into(), y.into())).to_vec()
+            )
+            .is_crossed(to, from, 5.0)
+        );
+        one
+    }
+
+    #[test]
+    fn moves_past_and_over_a_piece_by_hand() {
+        assert!(!crossed(p(-50.0, 26.0), p(50.0, 26.0)), "clear of it");
+        assert!(crossed(p(-50.0, 24.0), p(50.0, 24.0)), "past it, too near");
+        assert!(crossed(p(-50.0, 10.0), p(50.0, 10.0)), "over it");
+        assert!(crossed(p(0.0, 10.0), p(20.0, 10.0)), "from its edge over it");
+        assert!(crossed(p(0.0, 10.0), p(60.0, 10.0)), "from its edge over it and away");
+        assert!(!crossed(p(20.0, 10.0), p(60.0, 10.0)), "from its edge away");
+        assert!(!crossed(p(22.0, 10.0), p(22.0, 60.0)), "from beside it, no nearer");
+        assert!(crossed(p(24.0, 24.0), p(-24.0, 23.0)), "from beside it, nearer");
+        assert!(!crossed(p(10.0, 10.0), p(60.0, 10.0)), "from within it, straight out");
+        assert!(!crossed(p(0.0, 20.0), p(0.0, 60.0)), "from a corner away");
+        assert!(!crossed(p(0.0, 0.0), p(20.0, 0.0)), "along an edge");
+        assert!(!crossed(p(5.0, 5.0), p(15.0, 15.0)), "within it");
+    }
+
+    #[test]
+    fn an_octagon_keeps_its_distance() {
+        let square = Piece::new(vec![0], vec![p(0.0, 0.0), p(20.0, 0.0), p(20.0, 20.0), p(0.0, 20.0)]);
+        let places: Vec<DVec2> = square.octagon(5.0).collect();
+        assert_eq!(places.len(), 8);
+        assert!(places.iter().all(|&place| square.distance(place) >= 5.0 - 1e-9), "{places:?}");
+        let round: Vec<bool> =
+            (0..8).map(|k| square.is_crossed(places[k], places[(k + 1) % 8], 5.0 - 1e-6)).collect();
+        assert_eq!(round, [false; 8], "its sides keep it, too");
+    }
+}

@@ -1,0 +1,126 @@
+"""Replays plans near tipped pieces with Shapely, which shares no code with Kerfway.
+
+    KERFWAY_BLESS=1 cargo test --features png --test it tips::replay     # writes the plans to target/tips
+    python tests/oracle/tips.py                                          # replays them
+
+writes `tests/fixtures/tips.json`: for each plan the hash of its moves, the contours whose pieces may tip, and the moves with the head down that
+cross such a piece while it is free. `tests/it/tips/replay.rs` then checks that Kerfway still makes these plans. A piece is the area within a
+closed contour that is cut, as the cuts of the plan run around it; it is free from the last of these cuts on, and held if the plan leaves a
+micro-joint on it. A move with the head down crosses a piece where it runs over it, but for a stretch at an end that begins over it, or where it
+comes nearer to it than nozzle and margin allow and nearer than at both of its ends.
+
+`surely` are the moves that cross by more than a tenth of a millimetre, `maybe` those that cross but for as much.
+
+Needs `pip install shapely`.
+"""
+
+import json
+import math
+
+import shapely
+from shapely import affinity
+
+from judge import depth_of, elements, judge, polygon
+
+# mm: deviation of chords; what decides between surely and maybe; sizes that are the same, as chords make circles smaller.
+CHORD, SLACK, SAME = 0.002, 0.1, 0.01
+
+
+def extents(shape):
+    x0, y0, x1, y1 = shape.bounds
+    return x1 - x0, y1 - y0
+
+
+def tips_up(shape, tips, is_hole):
+    width, height = extents(shape)
+    if is_hole and max(width, height) <= tips["cross_over"] + SAME:
+        return False
+    across, along, usual = min(width, height), max(width, height), 50.0
+    if "slats" in tips:
+        along, across = extents(affinity.rotate(shape, -math.degrees(tips["slats"]["angle"]), origin=(0, 0)))
+        usual = tips["slats"]["pitch"]
+    drops = tips.get("drops_below", usual)
+    below = lambda size, limit: size < limit - SAME  # noqa: E731
+    return below(across, tips["tips_below"]) and not (below(across, drops) and below(along, drops))
+
+
+def pieces(plan):
+    """The pieces that may tip: contours, area, and the index of the last cut around it."""
+    at, chains, last, held = tuple(plan["machine"]["home"]), {}, {}, set()
+    for index, move in enumerate(plan["moves"]):
+        if move["kind"] in ("air", "pre-cut"):
+            at = tuple(move["to"])
+        if move["kind"] in ("cut", "joint"):
+            chain = elements(at, move["path"], CHORD)
+            at = chain[-1].end
+            for k in move["contour"] if isinstance(move["contour"], list) else [move["contour"]]:
+                until = len(chain) - move.get("overcut", 0) - move.get("lead_out", 0)
+                chains.setdefault(k, []).extend(chain[move.get("lead_in", 0) : until])
+                last[k] = index
+                if move["kind"] == "joint":
+                    held.add(k)
+    tips, found, shapes = plan["machine"]["levers"]["tips"], [], {}
+    for contour in plan["contours"]:
+        k, drawn = contour["id"], contour.get("drawn")
+        if k not in chains or contour["operation"] != "cut" or "next_pass" in contour or not (contour["closed"] or drawn):
+            continue
+        if contour["closed"]:
+            key, outline = k, chains[k]
+        else:
+            # What is left of a shape whose sides are cut with others.
+            key, outline = json.dumps(drawn), elements(tuple(drawn["from"]), drawn["path"], CHORD)
+        corners = [q for e in outline for q in e.points()[:-1]]
+        # What is cut there and back along one line bounds nothing, and is an obstacle all the same.
+        shape = polygon(corners) if len(corners) > 2 else shapely.LineString(corners)
+        shapes.setdefault(key, [shape, depth_of(plan, contour) % 2 == 1, []])[2].append(k)
+    for shape, is_hole, contours in shapes.values():
+        if not held.intersection(contours) and tips_up(shape, tips, is_hole):
+            found.append((contours, shape, max(last[k] for k in contours)))
+    return found
+
+
+def crosses(move, shape, reach, slack):
+    """Whether a move crosses a piece by more than `slack` mm, which may be negative."""
+    if move.distance(shape) > reach + SLACK:
+        return False
+    ends = [shapely.Point(p) for p in move.coords]
+    if move.distance(shape) < min(reach - slack, min(e.distance(shape) for e in ends) - slack):
+        return True
+    within = shape.buffer(-max(slack, 1e-3))
+    over = move.intersection(within)
+    stretches = [s for s in shapely.get_parts(over) if s.length > 1e-6]
+    exempt = lambda s: any(within.covers(e) and s.distance(e) < 1e-6 for e in ends)  # noqa: E731
+    return any(not exempt(s) for s in stretches)
+
+
+def replay(plan):
+    tips = plan["machine"]["levers"]["tips"]
+    reach, known = tips["nozzle_radius"] + tips["margin"], pieces(plan)
+    tree = shapely.STRtree([shape for _, shape, _ in known])
+    head, surely, maybe, marked, lifted, around = plan["machine"]["home"], [], [], [], 0, 0
+    for index, move in enumerate(plan["moves"]):
+        start = head
+        if move["kind"] in ("air", "pre-cut"):
+            head = move["to"]
+        elif move["kind"] in ("cut", "joint"):
+            head = elements(tuple(start), move["path"], CHORD)[-1].end
+        if move["kind"] != "air" or math.dist(start, head) == 0:
+            continue
+        lifted += move.get("way") == "lifted"
+        around += move.get("way") == "around"
+        if move.get("way") == "crosses":
+            marked.append(index)
+        if move.get("way") == "lifted":
+            continue
+        way = shapely.LineString([start, head])
+        free = [known[j][1] for j in tree.query(way.buffer(reach + SLACK)) if known[j][2] < index]
+        if any(crosses(way, shape, reach, SLACK) for shape in free):
+            surely.append(index)
+        if any(crosses(way, shape, reach, -SLACK) for shape in free):
+            maybe.append(index)
+    faults = [f"move {i} crosses a piece and does not say so" for i in surely if i not in marked]
+    faults += [f"move {i} says that it crosses a piece" for i in marked if i not in maybe]
+    return {"tips": sorted(k for ks, _, _ in known for k in ks), "surely": surely, "lifted": lifted, "way_points": around, "faults": faults}
+
+
+judge("tips", replay)
