@@ -53,3 +53,32 @@ test('a row of holes is cut on the run, and its settings are in the plan', async
   await replanned(page, () => fly.uncheck());
   assert.equal((await plan(page)).summary.fly_cuts, undefined);
 });
+
+const ROW = dxf(Array.from({ length: 5 }, (_, k) => square(50 + 50 * k, 50, 40)).flat());
+
+for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
+  test(`pieces that tip are marked, and moves over them ignored or avoided (${size}, ${theme})`, async (t) => {
+    const page = await openPlanned(t, 'fibre-3kw-thin', 'row.dxf', ROW, { size: SIZES[size], theme, touch: size === 'phone' });
+    if (size === 'phone') await page.locator('.sheet-toggle').click();
+    const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
+    await machine.evaluate((d) => (d.open = true));
+    const tips = machine.getByLabel('Mind pieces that tip');
+    await replanned(page, () => tips.check());
+    await replanned(page, () => machine.getByLabel('Pieces drop below').fill('10'));
+    await tips.scrollIntoViewIfNeeded();
+    await shot(page, `tips-${size}-${theme}`);
+    if (size === 'phone') return;
+    const avoided = await plan(page);
+    assert.equal(avoided.machine.levers.tips.risky_moves, 'avoid');
+    assert.equal(avoided.summary.crossings, undefined);
+    await replanned(page, () => machine.getByLabel('Moves over them').selectOption({ label: 'Ignore, only mark them' }));
+    await replanned(page, () => machine.getByLabel('Lift the head between cuts').uncheck());
+    await shot(page, `tips-ignored-${size}-${theme}`);
+    const ignored = await plan(page);
+    assert.ok(ignored.summary.crossings > 0);
+    assert.equal(ignored.moves.filter((m) => m.way === 'crosses').length, ignored.summary.crossings);
+    await page.getByText('Risky moves', { exact: true }).waitFor();
+    await replanned(page, () => tips.uncheck());
+    assert.equal((await plan(page)).machine.levers, undefined);
+  });
+}

@@ -161,7 +161,7 @@ describe('what each lever saves', () => {
     const all = await total(machine);
     const saved = [];
     for await (const one of leverSavings(planner, { machine, seed: 1, moves: 20_000 }, all)) saved.push(one);
-    assert.deepEqual(saved.map((s) => s.lever), [...LEVERS]);
+    assert.deepEqual(saved.map((s) => s.lever), LEVERS.filter((lever) => lever !== 'avoid-tips'));
     for (const { lever, seconds } of saved) assert.equal(seconds, (await total(withoutLever(machine, lever))) - all, lever);
     const by = Object.fromEntries(saved.map((s) => [s.lever, s.seconds]));
     // Two holes more begin at rest, and so does nothing else: the outline has joints, and the line is open.
@@ -191,5 +191,60 @@ describe('what each lever saves', () => {
     assert.match((await plan()).stdout, /^Levers {5}the machine has none$/m);
     const quoted = await kerfway('quote', file, '--machine', 'fibre-3kw-thin', '--moves', '5000', '--fly', '20', '--savings');
     assert.match(quoted.stdout, /^Levers {5}fly saves /m);
+  });
+});
+
+describe('tipped pieces', () => {
+  // Five squares of 40 mm in a row, 10 mm apart, that tip up.
+  const ROW = dxf(...Array.from({ length: 5 }, (_, k) => square(50 + 50 * k, 50, 40)));
+  const TIPS = { drops_below: 0, nozzle_radius: 6, margin: 2 };
+  let planner, thin;
+  before(async () => {
+    planner = await createPlanner();
+    thin = { ...planner.machines.find((m) => m.name === 'fibre-3kw-thin'), z_speed: 100 };
+  });
+  after(() => planner.close());
+
+  const planned = async (levers) => {
+    await planner.load(ROW, 'row.dxf');
+    const run = planner.plan({ machine: { ...thin, levers }, seed: 1, moves: 50_000 });
+    const { path } = await run.done;
+    const plan = JSON.parse(await planner.output('json'));
+    return { ...plan, path, gcode: await planner.output('gcode'), check: await planner.check() };
+  };
+
+  it('are reported, or avoided in less time than lifting the head for every move takes', async () => {
+    const ignored = await planned({ tips: { ...TIPS, risky_moves: 'ignore' } });
+    const risky = ignored.moves.filter((m) => m.way === 'crosses').length;
+    assert.ok(risky > 0 && ignored.summary.crossings === risky);
+    const [finding] = ignored.findings.filter((f) => f.code === 'risky-moves');
+    assert.match(finding.message, /crosse?s? a piece that may have tipped up/);
+    assert.deepEqual([...ignored.path.tips], [0, 1, 2, 3, 4]);
+    assert.equal([...ignored.path.ways].filter((w) => w === 3).length, risky);
+
+    const [avoided, lifted] = [await planned({ tips: TIPS, lift: { height: 10 } }), await planned({ lift: { height: 10 } })];
+    assert.equal(avoided.summary.crossings, undefined);
+    assert.ok(avoided.summary.total_time < lifted.summary.total_time);
+    assert.ok(avoided.summary.total_time >= ignored.summary.total_time - 1e-9);
+    // What is left out of it for the savings is the lifts for every move.
+    const machine = { ...thin, levers: { tips: TIPS, lift: { height: 10, stay_down: 5 } } };
+    assert.deepEqual([withoutLever(machine, 'stay-down'), withoutLever(machine, 'avoid-tips').levers], [null, { lift: { height: 10, stay_down: 0 } }]);
+    for (const { check } of [ignored, avoided, lifted]) assert.deepEqual([check.passed, check.problems], [true, []]);
+    assert.equal(avoided.gcode.match(/^G0 X\S+ Y\S+ Z10/gm)?.length ?? 0, avoided.summary.lifts ?? 0);
+  });
+
+  it('are options of the command line', async (t) => {
+    const at = folder(t);
+    const [file, json] = [join(at, 'row.dxf'), join(at, 'row.json')];
+    writeFileSync(file, ROW);
+    const plan = (...options) => kerfway('plan', file, '--machine', 'fibre-3kw-thin', '--moves', '5000', '--seed', '1', '--json', json, ...options);
+    const ran = await plan('--tips', 'avoid', '--lift', '10', '--z-speed', '100', '--slats', '60,90', '--nozzle-radius', '5', '--drops-below', '20', '--cross-over', '8');
+    assert.equal(ran.code, 0, ran.stderr);
+    const { tips } = JSON.parse(readFileSync(json, 'utf8')).machine.levers;
+    assert.deepEqual(tips, { risky_moves: 'avoid', nozzle_radius: 5, margin: 2, slats: { pitch: 60, angle: Math.PI / 2 }, tips_below: 150, drops_below: 20, cross_over: 8 });
+    const without = await plan('--tips', 'avoid');
+    assert.deepEqual([without.code, /Give the height with --lift/.test(without.stderr)], [2, true], without.stderr);
+    const unsaid = await plan('--nozzle-radius', '5');
+    assert.deepEqual([unsaid.code, /--tips avoid or --tips ignore/.test(unsaid.stderr)], [2, true], unsaid.stderr);
   });
 });

@@ -92,6 +92,17 @@ export interface BestPath {
   preCuts: Float64Array;
   /** The sharp corners in which the beam pauses: x and y of each. */
   pauses: Float64Array;
+  /**
+   * On a machine with `levers.tips`: what the air move to each stop does about pieces that may have tipped, and last that of the way home: 0
+   * nothing, 1 it goes around them, 2 it is lifted over them, 3 it crosses them with the head down. Empty on other machines.
+   */
+  ways: Uint8Array;
+  /** The places on the way around tipped pieces: x and y of each. */
+  via: Float64Array;
+  /** The stop to which each of these moves leads; for the way home, the number of stops. */
+  viaOf: Uint32Array;
+  /** The contours that bound pieces which may tip once they are cut. */
+  tips: Uint32Array;
 }
 
 /** The progress of a search. */

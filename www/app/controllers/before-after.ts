@@ -40,7 +40,7 @@ export class BeforeAfter {
   private now: Now | null = null;
   /** The second stage, which shows the other order beside the plan; made when it is first asked for. */
   private other: { scene: Scene; canvas: HTMLCanvasElement; label: HTMLElement; timeline: Timeline | null; loaded: unknown } | null = null;
-  private readonly moment: Moment = { stop: 0, cutting: false, cut: 0, leadIn: 0, leadOut: 0, x: 0, y: 0 };
+  private readonly moment: Moment = { stop: 0, cutting: false, cut: 0, leadIn: 0, leadOut: 0, x: 0, y: 0, gone: 1, lifted: false };
   private asked = 0;
 
   constructor(private readonly parts: Parts) {

@@ -4,6 +4,7 @@ import { h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
 import { words } from '../core/words/index.js';
 import { check, field, numberInput } from './section.js';
+import { tipsPanel } from './tips.js';
 
 /** The limits are those of machine profiles. */
 const MOST = { overcut: 100, height: 500, down: 1e5, reach: 1000 };
@@ -39,7 +40,10 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
 
   const lift = check(w.lift, (on) => set((l, m) => {
     if (on) [l.lift, m.z_speed] = [LIFT, m.z_speed ?? Z_SPEED];
-    else delete l.lift;
+    else {
+      delete l.lift;
+      if (l.tips) l.tips = { ...l.tips, risky_moves: 'ignore' };
+    }
   }));
   const lifted = (change: Partial<NonNullable<Levers['lift']>>) => set((l) => (l.lift = { ...LIFT, ...l.lift, ...change }));
   const height = numberInput({ unit: 'mm', least: 0.1, most: MOST.height }, (value) => lifted({ height: value }));
@@ -57,9 +61,23 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
   const reach = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => flown({ reach: value }));
   const again = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => flown({ overcut: value }));
   const run = h('div', { class: 'stack' }, field(w.reach, reach.input, 'mm'), field(w.flyOvercut, again.input, 'mm'), h('p', { class: 'soft' }, w.aboutFly));
+  const tips = tipsPanel((change) => set((l, m) => {
+    if (!change) {
+      delete l.tips;
+      return;
+    }
+    l.tips = { ...l.tips };
+    change(l.tips);
+    // Where cuts are left unfinished, risky moves are only marked.
+    if (typeof m.pre_cut_time === 'number') l.tips.risky_moves = 'ignore';
+    // Moves that avoid tipped pieces lift the head where they cannot go around.
+    if (l.tips.risky_moves !== 'ignore') [l.lift, m.z_speed] = [l.lift ?? LIFT, m.z_speed ?? Z_SPEED];
+  }));
   return {
-    root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, lift.root, about),
-    show({ levers, pre_cut_time, z_speed }) {
+    root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, lift.root, about, tips.root),
+    show(machine) {
+      const { levers, pre_cut_time, z_speed } = machine;
+      tips.show(machine);
       const pierce = levers?.moving_pierce, lifting = levers?.lift;
       moving.input.checked = Boolean(pierce);
       // A machine that leaves contours unfinished pierces at rest.

@@ -120,6 +120,9 @@ function showParts(list: HTMLElement, s: Summary): void {
   if (s.lead_length) rows.push(['leads', words.result.leads, metres(s.lead_length)]);
   if (s.joints) rows.push(['joints', words.result.joints, [count(s.joints), s.joint_time ? seconds(s.joint_time) : ''].filter((t) => t !== '').join(' · ')]);
   if (s.skeleton_cuts) rows.push(['skeleton-cuts', words.result.skeleton, `${seconds(s.skeleton_time ?? 0)} · ${metres(s.skeleton_length ?? 0)} · ${words.result.skeletonCuts(s.skeleton_cuts, count(s.skeleton_cuts))}`]);
+  if (s.lifts) rows.push(['lifts', words.tips.lifts, count(s.lifts)]);
+  if (s.detours) rows.push(['detours', words.tips.detours, count(s.detours)]);
+  if (s.crossings) rows.push(['crossings', words.tips.crossings, count(s.crossings)]);
   if (s.pre_cuts > 0) rows.push(['pre-cuts', words.result.preCuts, `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);
   if (s.macro_time > 0) rows.push(['corners', words.result.corners, seconds(s.macro_time)]);
   rows.push(['gap', words.result.gap, leftToGain(s)]);

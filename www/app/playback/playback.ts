@@ -21,7 +21,7 @@ export class Playback extends Emitter<{ moment: Moment | null; path: void; state
   private atEnd = true;
   private frame = 0;
   private before = 0;
-  private readonly moment: Moment = { stop: 0, cutting: false, cut: 0, leadIn: 0, leadOut: 0, x: 0, y: 0 };
+  private readonly moment: Moment = { stop: 0, cutting: false, cut: 0, leadIn: 0, leadOut: 0, x: 0, y: 0, gone: 1, lifted: false };
 
   get total(): number {
     return this.timeline?.total ?? 0;

@@ -4,6 +4,7 @@
  */
 
 import type { BestPath } from 'kerfway';
+import { legTo, LIFTED, partOf, wayTo } from '../stage/legs.js';
 import { chainLength, cutLength, firstStops, leadShapes, placeAfter, type Place, type Shapes } from '../stage/shapes.js';
 import type { Travel } from '../stage/raster-messages.js';
 
@@ -18,6 +19,9 @@ export interface Moment {
   leadOut: number;
   x: number;
   y: number;
+  /** How much of the air move to the stop is done, from 0 to 1; and whether the head is lifted over pieces that may have tipped. */
+  gone: number;
+  lifted: boolean;
 }
 
 export class Timeline {
@@ -53,11 +57,12 @@ export class Timeline {
   }
 
   at(t: number, out: Moment): Moment {
-    const { points, times, contours } = this.path;
+    const { times, contours } = this.path;
     const stop = this.stopAt(t);
     out.stop = stop;
     out.cut = out.leadIn = out.leadOut = 0;
-    out.cutting = false;
+    out.cutting = out.lifted = false;
+    out.gone = 1;
     if (stop < this.stops && t >= times[stop * 2]!) {
       const begin = times[stop * 2]!, end = times[stop * 2 + 1]!;
       const chain = contours[stop]!;
@@ -76,8 +81,8 @@ export class Timeline {
       out.y = this.place.y;
       return out;
     }
-    const home = this.travel.home;
-    const [x0, y0] = stop === 0 ? home : [points[stop * 4 - 2]!, points[stop * 4 - 1]!];
+    const leg = legTo(this.path, this.travel, stop);
+    const [x0, y0] = leg[0]!;
     const left = stop === 0 ? 0 : times[stop * 2 - 1]!;
     const last = stop === this.stops;
     if (last && !this.travel.returnHome) {
@@ -85,10 +90,12 @@ export class Timeline {
       out.y = y0;
       return out;
     }
-    const [x1, y1] = last ? home : [points[stop * 4]!, points[stop * 4 + 1]!];
     const still = this.first[contours[stop]!] === stop ? this.still : 0;
     const arrive = Math.max(left, last ? this.total : times[stop * 2]! - still);
-    this.along(x0, y0, x1, y1, arrive > left ? Math.min(1, (t - left) / (arrive - left)) : 1, out);
+    out.gone = arrive > left ? Math.min(1, (t - left) / (arrive - left)) : 1;
+    out.lifted = out.gone < 1 && wayTo(this.path, stop) === LIFTED;
+    if (leg.length === 2) this.along(x0, y0, ...leg[1]!, out.gone, out);
+    else [out.x, out.y] = partOf(leg, out.gone).at(-1)!;
     return out;
   }
 

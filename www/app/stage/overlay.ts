@@ -6,6 +6,7 @@
 import { extent, size } from '../core/format.js';
 import { shownIn } from '../core/lengths.js';
 import type { BestPath, Insight } from 'kerfway';
+import type { Moment } from '../playback/timeline.js';
 import type { Palette } from './palette.js';
 import type { Travel, View } from './raster-messages.js';
 import type { Shapes } from './shapes.js';
@@ -186,12 +187,12 @@ export function drawStart(pen: Pen, view: View, palette: Palette, { home: [x, y]
   pen.stroke();
 }
 
-/** The head: a ring with a dot, filled while the beam is on. */
-export function drawHead(pen: Pen, view: View, palette: Palette, x: number, y: number, cutting: boolean): void {
+/** The head: a ring with a dot, filled while the beam is on, larger while it is lifted over pieces that may have tipped. */
+export function drawHead(pen: Pen, view: View, palette: Palette, { x, y, cutting, lifted }: Moment): void {
   const r = view.ratio;
   const px = view.x + x * view.scale, py = view.y - y * view.scale;
   pen.beginPath();
-  pen.arc(px, py, 7 * r, 0, 2 * Math.PI);
+  pen.arc(px, py, (lifted ? 11 : 7) * r, 0, 2 * Math.PI);
   pen.fillStyle = cutting ? palette.accent : palette.sheet;
   pen.fill();
   pen.lineWidth = 2 * r;

@@ -5,7 +5,8 @@ import type { Moment } from '../playback/timeline.js';
 import type { Palette } from './palette.js';
 import type { Travel, View } from './raster-messages.js';
 import type { Shapes } from './shapes.js';
-import { traceAir, traceCut, traceLeads, traceStop } from './trace.js';
+import { legTo, partOf, traceLeg, type Point } from './legs.js';
+import { traceCut, traceLeads, traceStop } from './trace.js';
 
 /** How many stops the layer `done` may be behind the head before it is drawn again. */
 export const LAG = 24;
@@ -36,18 +37,18 @@ export function drawPlayed(pen: CanvasRenderingContext2D, view: View, palette: P
 }
 
 function strokeAirMoves(pen: CanvasRenderingContext2D, view: View, palette: Palette, { path, travel }: Job, moment: Moment, first: number): void {
-  const p = path.points;
   const stops = path.contours.length;
-  const leave = (k: number): readonly [number, number] => (k === 0 ? travel.home : [p[k * 4 - 2]!, p[k * 4 - 1]!]);
   pen.strokeStyle = palette.accent;
   pen.lineWidth = view.ratio;
   pen.beginPath();
-  for (let k = first; k < moment.stop; k += 1) traceAir(pen, view, travel, ...leave(k), p[k * 4]!, p[k * 4 + 1]!);
+  for (let k = first; k < moment.stop; k += 1) traceLeg(pen, view, travel, legTo(path, travel, k));
   if (moment.stop < stops || travel.returnHome) {
     const k = moment.stop;
     // An unfinished move is drawn as a straight line to the head.
-    if (moment.cutting) traceAir(pen, view, travel, ...leave(k), p[k * 4]!, p[k * 4 + 1]!);
-    else traceAir(pen, view, { ...travel, perAxis: null }, ...leave(k), moment.x, moment.y);
+    const leg = legTo(path, travel, k);
+    const begun: Point[] = leg.length > 2 ? partOf(leg, moment.gone) : [leg[0]!, [moment.x, moment.y]];
+    if (moment.cutting) traceLeg(pen, view, travel, leg);
+    else traceLeg(pen, view, { ...travel, perAxis: null }, begun);
   }
   pen.stroke();
 }

@@ -293,7 +293,7 @@ export class Scene {
     if (path && !playing) overlay.drawStart(pen, view, palette, this.travel);
     if (measured) drawMeasured(pen, view, palette, measured);
     if (box) overlay.drawBox(pen, view.ratio, palette, box);
-    if (playing) overlay.drawHead(pen, view, palette, moment.x, moment.y, moment.cutting);
+    if (playing) overlay.drawHead(pen, view, palette, moment);
   }
 
   /** Draws the bitmap of a layer where the view has it, and requests a new one if it is out of date. */

@@ -5,7 +5,7 @@
 import { ANCHORS } from '../anchors.js';
 import { DEFAULT_JOINTS, JOINT_KINDS, JOINT_SIDES, SIZE_TESTS } from '../joints.js';
 import { DEFAULT_LEADS, LEAD_KINDS, LEAD_POSITIONS } from '../leads.js';
-import type { CommonCuts, Group, Operation, PassOrder, Unit } from '../protocol.js';
+import type { CommonCuts, Group, Operation, PassOrder, RiskyMoves, Unit } from '../protocol.js';
 
 /** How contours with common cuts are cut. */
 export const COMMON_CUTS: readonly CommonCuts[] = ['best', 'insertion', 'off'];
@@ -14,6 +14,7 @@ export const OPERATIONS: readonly Operation[] = ['cut', 'mark', 'ignore'];
 export const GROUPS: readonly Group[] = ['lettering', 'leaders'];
 export const TURNS = ['0', '90', '180', '270'] as const;
 export const PASS_ORDERS: readonly PassOrder[] = ['contour', 'sheet'];
+export const RISKY_MOVES: readonly RiskyMoves[] = ['avoid', 'ignore'];
 export const STARTS = ['absolute', 'current'] as const;
 export const SHELLS = ['bash', 'zsh', 'fish'] as const;
 
@@ -121,6 +122,13 @@ const LEVERS: Options = {
   'fly-overcut': { value: 'MM', about: 'with --fly: cut this length of a contour again at its end (default 0)' },
   savings: { about: 'say what each lever of the machine saves: plan again without it, as long as before' },
   'z-speed': { value: 'MM/S', about: "speed of lifting and lowering, instead of the machine's" },
+  tips: { value: RISKY_MOVES.join('|'), about: 'moves over pieces that may have tipped: go around or over them with the head lifted (needs --lift), or report them', choices: RISKY_MOVES },
+  'nozzle-radius': { value: 'MM', about: 'with --tips: radius of the nozzle (default 10)' },
+  'tip-margin': { value: 'MM', about: 'with --tips: distance that the nozzle keeps from tipped pieces (default 2)' },
+  slats: { value: 'MM[,DEGREES]', about: 'with --tips: distance from slat to slat, and the direction in which they run (default 0: along x)' },
+  'tips-below': { value: 'MM', about: 'with --tips: pieces smaller than this across the slats may tip (default 150)' },
+  'drops-below': { value: 'MM', about: 'with --tips: pieces smaller than this both ways drop (default: the distance of the slats, or 50)' },
+  'cross-over': { value: 'MM', about: 'with --tips: what is cut out of holes up to this size may be crossed with the head down (default 0)' },
 };
 
 const SKELETON: Options = {

@@ -2,12 +2,14 @@
 
 import type { Planner } from '../node.js';
 import { checkMachine } from '../options.js';
-import type { Dialect, MachineProfile } from '../protocol.js';
+import type { Dialect, MachineProfile, Tips } from '../protocol.js';
 import { JOINT_KINDS, JOINT_SIDES, jointRules, SIZE_TESTS, type JointPattern } from '../joints.js';
 import { LEAD_KINDS, LEAD_POSITIONS, leadRules, type LeadChoice } from '../leads.js';
 import { number, oneOf, text, type Words } from './arguments.js';
+import { RISKY_MOVES } from './commands.js';
 import { bytesOf, Unusable, WrongUse } from './io.js';
 
+const OPTION_OF_TIPS = ['nozzle-radius', 'tip-margin', 'slats', 'tips-below', 'drops-below', 'cross-over'];
 const DEFAULT_MACHINE = 'co2-100w';
 
 /** The machine of the options `--machine`, `--dialect` and those of leads, joints, levers and skeleton cuts. `own`: the one to take where `--machine` names none. */
@@ -78,9 +80,10 @@ function sizes(values: Words['values'], name: string): [number, number] | undefi
 /** The machine with the levers that the options ask for. */
 function withLevers(values: Words['values'], machine: MachineProfile): MachineProfile {
   const [overcut, height, down, speed, reach, again] = ['moving-pierce', 'lift', 'stay-down', 'z-speed', 'fly', 'fly-overcut'].map((option) => number(values, option));
-  const atRest = values['lift-at-rest'] === true;
-  if ([overcut, height, down, speed, reach, again].every((value) => value === undefined) && !atRest) return machine;
+  const atRest = values['lift-at-rest'] === true, tips = tipsOf(values, machine);
+  if ([overcut, height, down, speed, reach, again, tips].every((value) => value === undefined) && !atRest) return machine;
   const levers = { ...machine.levers };
+  if (tips !== undefined) levers.tips = tips;
   if (overcut !== undefined) levers.moving_pierce = { overcut };
   // Without a reach, the overcut changes that of the machine's own fly cuts.
   const flown = reach === undefined ? levers.fly : { reach };
@@ -91,6 +94,7 @@ function withLevers(values: Words['values'], machine: MachineProfile): MachinePr
   if (lifted == null && (down !== undefined || atRest)) throw new WrongUse(`--${atRest ? 'lift-at-rest' : 'stay-down'}: the machine does not lift its head. Give the height with --lift.`);
   if (lifted != null) levers.lift = { ...lifted, ...(down !== undefined && { stay_down: down }), ...(atRest && { at_rest: true }) };
   const z_speed = speed ?? machine.z_speed;
+  if (levers.lift == null && levers.tips != null && levers.tips.risky_moves !== 'ignore') throw new WrongUse('--tips avoid: the machine does not lift its head. Give the height with --lift, or use --tips ignore.');
   if (levers.lift != null && z_speed == null) throw new WrongUse('--lift: the machine has no speed for lifting the head. Give it with --z-speed.');
   return valid({ ...machine, levers, ...(z_speed != null && { z_speed }) });
 }
@@ -103,6 +107,21 @@ function withSkeleton(values: Words['values'], machine: MachineProfile): Machine
   const pieces = spacing && { spacing_x: spacing[0], spacing_y: spacing[1] };
   if (pieces === undefined && given.remainder === undefined && machine.skeleton == null) throw new WrongUse('--skeleton-clearance and --skeleton-joints are for skeleton cuts. Ask for them with --skeleton or --keep-strip.');
   return valid({ ...machine, skeleton: { ...machine.skeleton, ...pieces, ...given } });
+}
+
+/** What the options say of pieces that may tip: the machine's own with what they change; undefined without such options. */
+function tipsOf(values: Words['values'], machine: MachineProfile): Tips | undefined {
+  const word = text(values, 'tips');
+  const given: Tips = measured(values, {
+    nozzle_radius: 'nozzle-radius', margin: 'tip-margin', tips_below: 'tips-below', drops_below: 'drops-below', cross_over: 'cross-over',
+  });
+  const slats = sizes(values, 'slats');
+  // One number is the pitch alone: the slats run along x.
+  if (slats !== undefined) given.slats = { pitch: slats[0], angle: text(values, 'slats')?.includes(',') === true ? (slats[1] * Math.PI) / 180 : 0 };
+  if (word === undefined && Object.keys(given).length === 0) return undefined;
+  const own = machine.levers?.tips;
+  if (word === undefined && own == null) throw new WrongUse(`--${OPTION_OF_TIPS.find((option) => values[option] !== undefined)}: say what is done about tipped pieces with --tips avoid or --tips ignore.`);
+  return { ...own, ...given, ...(word !== undefined && { risky_moves: oneOf('--tips', word, RISKY_MOVES) }) };
 }
 
 /** The files with a machine profile or a dialect that the options name. */

@@ -90,10 +90,17 @@ export class Picture {
     context.lineWidth = ratio / scale;
     context.beginPath();
     context.moveTo(...(home?.home ?? entry(0)));
+    // Way points are in the order of the stops.
+    let next = 0;
+    const around = (stop: number) => {
+      for (; path.viaOf[next] === stop; next += 1) context.lineTo(path.via[2 * next] ?? 0, path.via[2 * next + 1] ?? 0);
+    };
     for (let k = 0; k < stops; k += 1) {
+      around(k);
       context.lineTo(...entry(k));
       context.moveTo(...exit(k));
     }
+    around(stops);
     if (home?.return_home === true) context.lineTo(...home.home);
     context.stroke();
     if (stops > MOST_DOTS) return;

@@ -52,6 +52,7 @@ export const de: Words = {
     'far-from-origin': () => 'Zu weit vom Nullpunkt entfernt',
     'off-bed': () => 'Nicht auf dem Arbeitsbereich',
     'least-power-left-out': () => 'Die kleinste Leistung kommt im G-Code nicht vor',
+    'risky-moves': () => 'Fahrten führen über Teile, die gekippt sein können',
     'not-all-checked': (n, w) => counted(n, w, 'unvollständige Prüfung', 'unvollständige Prüfungen'),
     more: (n, w) => counted(n, w, 'weiterer Befund, nicht aufgeführt', 'weitere Befunde, nicht aufgeführt'),
   },
@@ -339,6 +340,13 @@ export const de: Words = {
     about: 'Gerade Schnitte durch den Abfall, ganz zuletzt, damit sich der Rest in Stücken abheben lässt. Die Tafel ist der gezeichnete Umriss, der nicht geschnitten wird, sonst das Bett. Leere Felder: keine Schnitte in dieser Richtung, keine Stege.',
   },
 
+  tips: {
+    title: 'Auf kippende Teile achten', riskyMoves: 'Wege darüber', moves: { ignore: 'Ignorieren, nur zeigen', avoid: 'Meiden: umfahren oder heben' },
+    nozzle_radius: 'Düsenradius', margin: 'Abstand halten', pitch: 'Von Leiste zu Leiste', angle: 'Richtung der Leisten', tips_below: 'Teile kippen unter', drops_below: 'Teile fallen unter', cross_over: 'Löcher überfahren bis',
+    unknown: 'nicht bekannt', about: 'Ein freigeschnittenes Teil fällt, kippt oder bleibt liegen, je nach Größe und Leisten. Mit Meiden werden Reihenfolge und Einstiche danach gewählt. Gelb: Teile, die kippen können, und Wege mit gehobenem Kopf. Rot: Wege darüber mit dem Kopf unten.',
+    lifts: 'Heben', detours: 'Umwege', crossings: 'Riskante Wege',
+  },
+
   placement: {
     title: 'Auf dem Arbeitsbereich', position: 'Position', asDrawn: 'Wie gezeichnet', atPoint: 'Ein Punkt des Auftrags auf', point: 'Punkt des Auftrags', x: 'x', y: 'y',
     points: {
@@ -376,7 +384,7 @@ export const de: Words = {
 
   savings: {
     title: 'Was spart was', about: 'Jede Entscheidung wird einmal weggelassen und der Rest neu geplant.', ask: 'Ausrechnen', working: 'Rechnet…',
-    decisions: { order: 'Reihenfolge, statt nächste zuerst', entry: 'Einstiche, statt wo Linien beginnen', common: 'Gemeinsame Seiten einmal schneiden', partial: 'Konturen unfertig lassen', leads: 'Anfahrten', 'moving-pierce': 'Schnitte in Bewegung beginnen', fly: 'Schneiden im Flug', 'lift-on-the-way': 'Kopf auf dem Weg heben', 'stay-down': 'Unten bleiben auf kurzen Wegen', 'flying-joints': 'Mikrostege ohne Halt' },
+    decisions: { order: 'Reihenfolge, statt nächste zuerst', entry: 'Einstiche, statt wo Linien beginnen', common: 'Gemeinsame Seiten einmal schneiden', partial: 'Konturen unfertig lassen', leads: 'Anfahrten', 'moving-pierce': 'Schnitte in Bewegung beginnen', fly: 'Schneiden im Flug', 'lift-on-the-way': 'Kopf auf dem Weg heben', 'stay-down': 'Unten bleiben auf kurzen Wegen', 'avoid-tips': 'Gekippten Teilen ausweichen, statt immer zu heben', 'flying-joints': 'Mikrostege ohne Halt' },
     saves: (time) => `spart ${time}`, costs: (time) => `kostet ${time}`, done: (s) => `Pläne ohne eine Entscheidung wurden je bis zu ${s} s gesucht.`,
   },
 

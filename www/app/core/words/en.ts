@@ -8,7 +8,7 @@
  */
 
 import type { Decision } from '../../session/alternatives.js';
-import type { Anchor, DoneReason, FindingCode, JointKind, JointSide, LeadKind, LeadPosition, Operation, Quote, Unit, UnitsTaken } from 'kerfway';
+import type { Anchor, DoneReason, FindingCode, JointKind, JointSide, LeadKind, LeadPosition, Operation, Quote, RiskyMoves, Unit, UnitsTaken } from 'kerfway';
 
 /** "1 contour", "3 contours". The number `n` chooses the form; `written` is how it is shown. */
 const counted = (n: number, written: string, one: string, many = `${one}s`) => `${written} ${n === 1 ? one : many}`;
@@ -60,6 +60,7 @@ const findingTitles: Record<FindingCode, Counted> = {
   'far-from-origin': () => 'Too far from the origin',
   'off-bed': () => 'Not on the bed',
   'least-power-left-out': () => 'Least power is not part of G-code',
+  'risky-moves': () => 'Moves cross pieces that may have tipped',
   'not-all-checked': (n, w) => counted(n, w, 'incomplete check'),
   more: (n, w) => counted(n, w, 'further finding, not listed', 'further findings, not listed'),
 };
@@ -288,6 +289,13 @@ export const en = {
     about: 'Straight cuts through the waste, last of all, so that what is left can be lifted off in pieces. The sheet is the outline that is drawn and not cut, otherwise the bed. Empty fields: no cuts in that direction, no joints.',
   },
 
+  tips: {
+    title: 'Mind pieces that tip', riskyMoves: 'Moves over them', moves: { ignore: 'Ignore, only mark them', avoid: 'Avoid: go around, or lift' } satisfies Record<RiskyMoves, string>,
+    nozzle_radius: 'Nozzle radius', margin: 'Distance to keep', pitch: 'From slat to slat', angle: 'Direction of slats', tips_below: 'Pieces tip below', drops_below: 'Pieces drop below', cross_over: 'Cross holes up to',
+    unknown: 'not known', about: 'A piece that is cut free drops, tips up or stays, by its size and the slats. With Avoid, order and entries are chosen for it. Amber: pieces that may tip, and moves with the head lifted. Red: moves over them with the head down.',
+    lifts: 'Lifts', detours: 'Detours', crossings: 'Risky moves',
+  },
+
   placement: {
     title: 'On the bed', position: 'Position', asDrawn: 'As drawn', atPoint: 'A point of the job at', point: 'Point of the job', x: 'x', y: 'y',
     points: {
@@ -325,7 +333,7 @@ export const en = {
 
   savings: {
     title: 'What saves what', about: 'Each decision is left out once, and the rest is planned again.', ask: 'Work it out', working: 'Working…',
-    decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads', 'moving-pierce': 'Beginning cuts moving', fly: 'Cuts on the run', 'lift-on-the-way': 'Lifting the head on the way', 'stay-down': 'Staying down on short moves', 'flying-joints': 'Joints without a stop' } satisfies Record<Decision, string>,
+    decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads', 'moving-pierce': 'Beginning cuts moving', fly: 'Cuts on the run', 'lift-on-the-way': 'Lifting the head on the way', 'stay-down': 'Staying down on short moves', 'avoid-tips': 'Avoiding pieces that tip, instead of always lifting', 'flying-joints': 'Joints without a stop' } satisfies Record<Decision, string>,
     saves: (time: string) => `saves ${time}`, costs: (time: string) => `costs ${time}`, done: (s: number) => `Plans without a decision were searched for up to ${s} s each.`,
   },
 

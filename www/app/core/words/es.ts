@@ -52,6 +52,7 @@ export const es: Words = {
     'far-from-origin': () => 'Demasiado lejos del origen',
     'off-bed': () => 'Fuera de la mesa',
     'least-power-left-out': () => 'La potencia mínima no forma parte del G-code',
+    'risky-moves': () => 'Hay trayectos sobre piezas que pueden haberse levantado',
     'not-all-checked': (n, w) => counted(n, w, 'comprobación incompleta', 'comprobaciones incompletas'),
     more: (n, w) => counted(n, w, 'aviso más, no listado', 'avisos más, no listados'),
   },
@@ -339,6 +340,13 @@ export const es: Words = {
     about: 'Cortes rectos por el sobrante, al final de todo, para poder retirarlo en trozos. La chapa es el contorno dibujado que no se corta; si no lo hay, la mesa. Campos vacíos: sin cortes en esa dirección, sin uniones.',
   },
 
+  tips: {
+    title: 'Cuidar piezas que se levantan', riskyMoves: 'Trayectos sobre ellas', moves: { ignore: 'Ignorar, solo marcar', avoid: 'Evitar: rodear o levantar' },
+    nozzle_radius: 'Radio de la boquilla', margin: 'Distancia que se guarda', pitch: 'De listón a listón', angle: 'Dirección de los listones', tips_below: 'Se levantan por debajo de', drops_below: 'Caen por debajo de', cross_over: 'Cruzar agujeros de hasta',
+    unknown: 'no se sabe', about: 'Una pieza suelta cae, se levanta o se queda, según su tamaño y los listones. Con Evitar, el orden y las perforaciones se eligen para ello. Ámbar: piezas que pueden levantarse y trayectos con el cabezal arriba. Rojo: trayectos sobre ellas con el cabezal abajo.',
+    lifts: 'Elevaciones', detours: 'Rodeos', crossings: 'Trayectos arriesgados',
+  },
+
   placement: {
     title: 'Sobre la mesa', position: 'Posición', asDrawn: 'Como está dibujado', atPoint: 'Un punto del trabajo en', point: 'Punto del trabajo', x: 'x', y: 'y',
     points: {
@@ -376,7 +384,7 @@ export const es: Words = {
 
   savings: {
     title: 'Qué ahorra qué', about: 'Cada decisión se quita una vez y el resto se planifica de nuevo.', ask: 'Calcularlo', working: 'Calculando…',
-    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', 'moving-pierce': 'Empezar los cortes en movimiento', fly: 'Cortes al vuelo', 'lift-on-the-way': 'Levantar el cabezal por el camino', 'stay-down': 'Quedarse abajo en trayectos cortos', 'flying-joints': 'Microuniones sin parada' },
+    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', 'moving-pierce': 'Empezar los cortes en movimiento', fly: 'Cortes al vuelo', 'lift-on-the-way': 'Levantar el cabezal por el camino', 'stay-down': 'Quedarse abajo en trayectos cortos', 'avoid-tips': 'Evitar piezas que se levantan, en vez de levantar siempre', 'flying-joints': 'Microuniones sin parada' },
     saves: (time) => `ahorra ${time}`, costs: (time) => `cuesta ${time}`, done: (s) => `Los planes sin una decisión se buscaron hasta ${s} s cada uno.`,
   },
 

@@ -49,6 +49,7 @@ export const ja: Words = {
     'far-from-origin': () => '原点から遠すぎます',
     'off-bed': () => 'ベッドの上にありません',
     'least-power-left-out': () => '最小出力は G コードに含まれません',
+    'risky-moves': () => '立ち上がったおそれのある部品の上を移動します',
     'not-all-checked': (_n, w) => `完了していない検査 ${w} 件`,
     more: (_n, w) => `一覧にない指摘がほかに ${w} 件`,
   },
@@ -336,6 +337,13 @@ export const ja: Words = {
     about: 'すべての後に端材をまっすぐ切り、残りを分けて取り除けるようにします。板は、切断しない外形として描かれた線です。なければテーブルです。空欄はその向きの切断なし、ジョイントなしを意味します。',
   },
 
+  tips: {
+    title: '立ち上がる部品に注意', riskyMoves: 'その上の移動', moves: { ignore: '無視し、印だけ付ける', avoid: '避ける：迂回または上昇' },
+    nozzle_radius: 'ノズル半径', margin: '保つ距離', pitch: 'スラットの間隔', angle: 'スラットの向き', tips_below: '立ち上がる大きさの上限', drops_below: '落ちる大きさの上限', cross_over: '横切ってよい穴の上限',
+    unknown: '不明', about: '切り離された部品は、大きさとスラットにより落ちるか、立ち上がるか、残ります。「避ける」では順番と切り始めもそれに合わせて選びます。黄：立ち上がるおそれのある部品と、ヘッドを上げた移動。赤：ヘッドを下げたままその上を通る移動。',
+    lifts: '上昇', detours: '迂回', crossings: '危険な移動',
+  },
+
   placement: {
     title: 'ベッドの上', position: '位置', asDrawn: '図面どおり', atPoint: 'ジョブの点の位置', point: 'ジョブの点', x: 'x', y: 'y',
     points: {
@@ -373,7 +381,7 @@ export const ja: Words = {
 
   savings: {
     title: '何がどれだけ短縮するか', about: '決定を 1 つずつ外し、残りを計画し直します。', ask: '計算する', working: '計算中…',
-    decisions: { order: '順番（近い順の代わり）', entry: '切り始め（線の始点の代わり）', common: '共有する辺を 1 回で切断', partial: '輪郭を途中で残す', leads: 'リード', 'moving-pierce': '動きながらの切断開始', fly: '走りながらの切断', 'lift-on-the-way': '移動しながらヘッドを上げる', 'stay-down': '短い移動で下げたまま', 'flying-joints': '止まらないジョイント' },
+    decisions: { order: '順番（近い順の代わり）', entry: '切り始め（線の始点の代わり）', common: '共有する辺を 1 回で切断', partial: '輪郭を途中で残す', leads: 'リード', 'moving-pierce': '動きながらの切断開始', fly: '走りながらの切断', 'lift-on-the-way': '移動しながらヘッドを上げる', 'stay-down': '短い移動で下げたまま', 'avoid-tips': '起き上がる部品を避ける（常に上げる代わり）', 'flying-joints': '止まらないジョイント' },
     saves: (time) => `${time} 短縮`, costs: (time) => `${time} 増加`, done: (s) => `決定を外した計画はそれぞれ最大 ${s} 秒探索しました。`,
   },
 

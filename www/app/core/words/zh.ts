@@ -49,6 +49,7 @@ export const zh: Words = {
     'far-from-origin': () => '离原点太远',
     'off-bed': () => '不在工作台上',
     'least-power-left-out': () => 'G 代码不含最小功率',
+    'risky-moves': () => '移动经过可能翘起的零件',
     'not-all-checked': (_n, w) => `${w} 项检查不完整`,
     more: (_n, w) => `另有 ${w} 项未列出`,
   },
@@ -336,6 +337,13 @@ export const zh: Words = {
     about: '在所有切割之后，沿废料切直线，使余料可以分块取走。板料是画出而不切割的外框，没有时为工作台。空白表示该方向不切或不留连接。',
   },
 
+  tips: {
+    title: '留意会翘起的零件', riskyMoves: '经过它们的移动', moves: { ignore: '忽略，仅标出', avoid: '避开：绕行或抬起' },
+    nozzle_radius: '喷嘴半径', margin: '保持距离', pitch: '支撑条间距', angle: '支撑条方向', tips_below: '小于此尺寸会翘起', drops_below: '小于此尺寸会落下', cross_over: '可越过的孔上限',
+    unknown: '未知', about: '切下的零件按尺寸和支撑条落下、翘起或留在原处。选择避开时，顺序和切入点据此选择。黄色：可能翘起的零件和抬起切割头的移动。红色：切割头未抬起就越过它们的移动。',
+    lifts: '抬起', detours: '绕行', crossings: '有风险的移动',
+  },
+
   placement: {
     title: '在工作台上', position: '位置', asDrawn: '按图', atPoint: '任务的一点位于', point: '任务的点', x: 'x', y: 'y',
     points: {
@@ -373,7 +381,7 @@ export const zh: Words = {
 
   savings: {
     title: '各项节省', about: '每次去掉一项决定，其余重新规划。', ask: '计算', working: '计算中…',
-    decisions: { order: '顺序，而非最近优先', entry: '切入点，而非线的起点', common: '共用边只切一次', partial: '暂不切完轮廓', leads: '引线', 'moving-pierce': '运动中开始切割', fly: '飞行切割', 'lift-on-the-way': '移动途中抬起切割头', 'stay-down': '短距离不抬起', 'flying-joints': '不停顿的微连接' },
+    decisions: { order: '顺序，而非最近优先', entry: '切入点，而非线的起点', common: '共用边只切一次', partial: '暂不切完轮廓', leads: '引线', 'moving-pierce': '运动中开始切割', fly: '飞行切割', 'lift-on-the-way': '移动途中抬起切割头', 'stay-down': '短距离不抬起', 'avoid-tips': '避开可能翘起的零件，而非总是抬起', 'flying-joints': '不停顿的微连接' },
     saves: (time) => `节省 ${time}`, costs: (time) => `多用 ${time}`, done: (s) => `去掉一项决定的方案各搜索了至多 ${s} 秒。`,
   },
 

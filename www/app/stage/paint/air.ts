@@ -1,22 +1,22 @@
 /** Paints air moves. */
 
 import type { View } from '../raster-messages.js';
-import { traceAir, type Pen } from '../trace.js';
+import { legTo, traceLeg } from '../legs.js';
+import type { Pen } from '../trace.js';
 import { strokeAll, type Subject } from './strokes.js';
 
 /** Strokes the air moves into the stops up to `to` that `take` picks. The stop after the last one is home. */
 export function* strokeAir(pen: Pen, view: View, subject: Subject, to: number, take: (stop: number) => boolean): Generator<void> {
   const { path, travel } = subject;
   if (!path) return;
-  const p = path.points;
   const stops = path.contours.length;
   yield* strokeAll(pen, Math.min(to, travel.returnHome ? stops : stops - 1) + 1, (k) => {
     if (!take(k)) return 0;
-    const [x0, y0] = k === 0 ? travel.home : [p[k * 4 - 2]!, p[k * 4 - 1]!];
-    const [x1, y1] = k === stops ? travel.home : [p[k * 4]!, p[k * 4 + 1]!];
-    if (offScreen(view, x0, y0, x1, y1)) return 0;
-    traceAir(pen, view, travel, x0, y0, x1, y1);
-    return 1;
+    const leg = legTo(path, travel, k);
+    const [[x0, y0], [x1, y1]] = [leg[0]!, leg.at(-1)!];
+    if (leg.length === 2 && offScreen(view, x0, y0, x1, y1)) return 0;
+    traceLeg(pen, view, travel, leg);
+    return leg.length - 1;
   });
 }
 

@@ -5,6 +5,7 @@ import { isWhole, leadShapes } from '../shapes.js';
 import { traceStop, type Pen } from '../trace.js';
 import { strokeAir } from './air.js';
 import { BATCH, contourWidth, strokeChains, type Subject } from './strokes.js';
+import { paintRisky, paintTips } from './tips.js';
 
 /** Everything that is cut before stop `upto`, with the air moves between. */
 export function* paintDone(pen: Pen, view: View, subject: Subject, upto: number): Generator<void> {
@@ -17,10 +18,12 @@ export function* paintDone(pen: Pen, view: View, subject: Subject, upto: number)
     else parts.push(k);
   }
   pen.lineJoin = 'round';
+  yield* paintTips(pen, view, subject, upto);
   if (subject.air) {
     pen.strokeStyle = palette.accent;
     pen.lineWidth = view.ratio;
     yield* strokeAir(pen, view, subject, upto - 1, () => true);
+    yield* paintRisky(pen, view, subject, upto - 1);
   }
   pen.strokeStyle = palette.ink;
   pen.lineWidth = contourWidth(subject, view) * 1.25;

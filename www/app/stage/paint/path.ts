@@ -8,6 +8,7 @@ import { chainLength, jointShapes, leadShapes, placeAfter, type Place } from '..
 import { traceArrow, type Pen } from '../trace.js';
 import { strokeAir } from './air.js';
 import { BATCH, contourWidth, meanSize, strokeChains, type Subject } from './strokes.js';
+import { paintRisky, paintTips } from './tips.js';
 
 /** A grid over the screen that lets one thing through per cell. */
 class Room {
@@ -36,11 +37,13 @@ export function* paintPath(pen: Pen, view: View, subject: Subject): Generator<vo
   const stops = path.contours.length;
   // Thousands of air moves at full width would cover the sheet.
   pen.lineWidth = (stops > 2000 ? 0.8 : 1.15) * r;
+  yield* paintTips(pen, view, subject, stops);
   // Colours show the order then, so that the air moves step back.
   pen.strokeStyle = pen.fillStyle = subject.colors === 'order' ? palette.faint : palette.accent;
   if (subject.air) {
     yield* strokeAir(pen, view, subject, stops, () => true);
     yield* airArrows(pen, view, subject);
+    yield* paintRisky(pen, view, subject, stops);
   }
   pen.strokeStyle = pen.fillStyle = palette.accent;
   const leads = leadShapes(path);

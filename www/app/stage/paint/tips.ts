@@ -1,0 +1,44 @@
+/** Paints the pieces that may have tipped, and the moves that cross them with the head down. */
+
+import type { View } from '../raster-messages.js';
+import { firstStops } from '../shapes.js';
+import { traceChain, type Pen } from '../trace.js';
+import { CROSSES, LIFTED, wayTo } from '../legs.js';
+import { strokeAir } from './air.js';
+import { BATCH, type Subject } from './strokes.js';
+
+/** Fills the pieces that may tip and are free before stop `upto`. */
+export function* paintTips(pen: Pen, view: View, { path, shapes, palette }: Subject, upto: number): Generator<void> {
+  if (!path?.tips?.length) return;
+  const first = firstStops(path, shapes.count);
+  pen.fillStyle = palette.amber;
+  pen.globalAlpha = 0.16;
+  pen.beginPath();
+  let held = 0;
+  for (const contour of path.tips) {
+    if (contour >= shapes.count || first[contour]! < 0 || first[contour]! >= upto) continue;
+    traceChain(pen, view, shapes, contour);
+    held += 1;
+    if (held % BATCH === 0) {
+      pen.fill();
+      pen.beginPath();
+      yield;
+    }
+  }
+  pen.fill();
+  pen.globalAlpha = 1;
+}
+
+/** Strokes the air moves before stop `to` with the head lifted, dashed, and those that cross tipped pieces, in red. */
+export function* paintRisky(pen: Pen, view: View, subject: Subject, to: number): Generator<void> {
+  const { path, palette } = subject;
+  if (!path?.ways?.length) return;
+  pen.lineWidth = 2.4 * view.ratio;
+  pen.strokeStyle = palette.red;
+  yield* strokeAir(pen, view, subject, to, (k) => wayTo(path, k) === CROSSES);
+  pen.lineWidth = 1.6 * view.ratio;
+  pen.strokeStyle = palette.amber;
+  pen.setLineDash([5 * view.ratio, 4 * view.ratio]);
+  yield* strokeAir(pen, view, subject, to, (k) => wayTo(path, k) === LIFTED);
+  pen.setLineDash([]);
+}
