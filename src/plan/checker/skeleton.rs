@@ -3,7 +3,7 @@
 //! Distances are those of chords: arcs are divided until no chord is farther than a micrometre from its arc, and the distance of
 //! two straight lines is that of an end of one from the other, unless they cross.
 
-use super::sums::air_time;
+use super::sums::{air_time, is_lifted};
 use super::violation::Violation;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Segment};
 use crate::machine::{Profile, cut_time};
@@ -81,10 +81,9 @@ fn sums(
     let mut seen: Vec<u32> = Vec::new();
     for m in tail.iter().take(last - begin.min(last)) {
         match m {
-            Move::Air { to } => {
-                let way = *to - head;
-                let lifted = machine.levers.lift.is_some_and(|lift| way.length() - lift.stay_down > 1e-6);
-                seconds += air_time(machine, way, lifted);
+            Move::Air { to, way } => {
+                let moved = *to - head;
+                seconds += air_time(machine, moved, is_lifted(machine, moved, *way));
             }
             Move::Pierce => seconds += machine.pierce_time,
             Move::Height { z } => {

@@ -167,7 +167,7 @@ fn path_of<'s>(sheet: &'s Sheet, machine: &Profile, contour: u32) -> Option<&'s 
 }
 
 /// Whether the head is lifted on its way, mm. Sums of coordinates may be off in their last digits.
-fn is_lifted(machine: &Profile, way: DVec2, past: Way) -> bool {
+pub(super) fn is_lifted(machine: &Profile, way: DVec2, past: Way) -> bool {
     let chosen = machine.levers.tips.is_some_and(|tips| tips.risky_moves == RiskyMoves::Avoid);
     if chosen || past == Way::Lifted {
         return past == Way::Lifted;

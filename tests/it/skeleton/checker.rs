@@ -34,7 +34,7 @@ fn shifted(sheet: &mut Sheet, plan: &mut Plan, from: f64, to: f64) {
                     sheet.contours[*contour as usize].bounds = path[0].bounds();
                 }
             }
-            Move::Air { to: place } if is_there(*place) => *place += by,
+            Move::Air { to: place, .. } if is_there(*place) => *place += by,
             _ => {}
         }
     }

@@ -3,7 +3,7 @@
 use super::*;
 use kerfway::job::OutputKind;
 use kerfway::machine::dialect::{DialectChoice, dialects};
-use kerfway::machine::{Fly, Leads, Levers, Lift, MovingPierce};
+use kerfway::machine::{Fly, Leads, Levers, Lift, MovingPierce, Tips};
 use kerfway::plan::document::Document;
 use kerfway::sheet::Sheet;
 use kerfway::solve;
@@ -176,6 +176,7 @@ fn levers_and_leads_leave_the_cuts_as_they_are() {
         moving_pierce: Some(MovingPierce { overcut: 0.5 }),
         lift: Some(Lift { height: 10.0, stay_down: 20.0, at_rest: false }),
         fly: Some(Fly { reach: 50.0, overcut: 0.5 }),
+        tips: None,
     };
     let machine = Profile { levers, z_speed: Some(100.0), ..with(grid(100.0, 120.0)) };
     let s = started(square_and_disk(), machine).unwrap().placed_plan().unwrap().summary;
@@ -187,6 +188,19 @@ fn levers_and_leads_leave_the_cuts_as_they_are() {
     let led = started(square_and_disk(), machine).unwrap().placed_plan().unwrap().summary;
     assert_eq!((led.skeleton_cuts, led.pierces), (4, 7));
     assert!(led.lead_length > 0.0 && (led.skeleton_length - 636.0).abs() < 1e-4);
+}
+
+/// Moves between the cuts keep clear of the square and the disk, which have tipped by then.
+#[test]
+fn moves_between_the_cuts_avoid_tipped_pieces() {
+    let lift = Some(Lift { height: 10.0, stay_down: 0.0, at_rest: true });
+    let tips = Some(Tips { drops_below: Some(0.0), ..Tips::default() });
+    let levers = Levers { lift, tips, ..Levers::default() };
+    let machine = Profile { levers, z_speed: Some(100.0), ..with(grid(100.0, 120.0)) };
+    let job = started(square_and_disk(), machine).unwrap();
+    assert!(job.output(OutputKind::Json).is_ok(), "the checker adds up the same seconds");
+    let s = job.placed_plan().unwrap().summary;
+    assert_eq!((s.skeleton_cuts, s.crossings), (4, 0));
 }
 
 #[test]
