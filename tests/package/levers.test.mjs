@@ -208,7 +208,7 @@ describe('tipped pieces', () => {
   const planned = async (levers) => {
     await planner.load(ROW, 'row.dxf');
     const run = planner.plan({ machine: { ...thin, levers }, seed: 1, moves: 50_000 });
-    const { path } = await run.done;
+    const { path } = (await run.done).progress;
     const plan = JSON.parse(await planner.output('json'));
     return { ...plan, path, gcode: await planner.output('gcode'), check: await planner.check() };
   };
