@@ -18,14 +18,36 @@ use glam::DVec2;
 #[derive(Clone, Copy, Debug)]
 pub struct AirTime {
     travel: Travel,
+    /// What decides how a move is priced. One comparison tells the most common kinds apart, so that machines which do not lift
+    /// the head are as fast as without this.
+    kind: Kind,
     /// Seconds per mm at top speed, by axis.
     per_speed: DVec2,
     /// Seconds squared per mm, by axis; 0 when the machine reaches its speed instantly.
     per_accel: DVec2,
-    /// Whether the machine reaches its speed instantly.
+    /// Whether the machine reaches its speed instantly and keeps the head down.
     at_once: bool,
     /// Lifting the head, with the seconds of lifting and lowering it.
     lift: Option<(Lift, f64)>,
+}
+
+/// How a move is priced: as its axes travel, or with the head lifted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Vector,
+    Straight,
+    PerAxis,
+    Lifted,
+}
+
+impl From<Travel> for Kind {
+    fn from(travel: Travel) -> Self {
+        match travel {
+            Travel::Vector => Self::Vector,
+            Travel::Straight => Self::Straight,
+            Travel::PerAxis => Self::PerAxis,
+        }
+    }
 }
 
 impl AirTime {
@@ -42,7 +64,8 @@ impl AirTime {
 
     fn with_lift(profile: &Profile, lift: Option<Lift>) -> Self {
         let lift = lift.map(|lift| (lift, 2.0 * profile.height_seconds(lift.height)));
-        Self { lift, ..Self::head_down(profile) }
+        let down = Self::head_down(profile);
+        if lift.is_some() { Self { lift, kind: Kind::Lifted, at_once: false, ..down } } else { down }
     }
 
     /// The same for moves with the head down, such as those over a joint. They are never slower.
@@ -53,12 +76,13 @@ impl AirTime {
         match travel {
             Travel::Vector => Self {
                 travel,
+                kind: travel.into(),
                 per_speed: DVec2::splat(per_speed.max_element()),
                 per_accel: DVec2::splat(per_accel.max_element()),
                 at_once,
                 lift: None,
             },
-            _ => Self { travel, per_speed, per_accel, at_once, lift: None },
+            _ => Self { travel, kind: travel.into(), per_speed, per_accel, at_once, lift: None },
         }
     }
 
@@ -71,26 +95,28 @@ impl AirTime {
     /// The same, inlined for loops in which a call is noticeable.
     #[inline(always)]
     pub(crate) fn seconds_here(&self, from: DVec2, to: DVec2) -> f64 {
-        if let Some((lift, seconds)) = &self.lift {
-            return self.lifted(lift, *seconds, from, to);
-        }
         let d = (to - from).abs();
-        if self.travel == Travel::Vector {
+        if self.kind == Kind::Vector {
             let d = d.length();
             return self.ramped(d * self.per_speed.x, d * self.per_accel.x);
         }
         let (run, ramp2) = (d * self.per_speed, d * self.per_accel);
-        if self.travel == Travel::Straight || self.at_once {
+        if self.kind == Kind::Straight || self.at_once {
             self.ramped(larger(run.x, run.y), larger(ramp2.x, ramp2.y))
+        } else if self.kind == Kind::Lifted {
+            self.lifted(from, to)
         } else {
             larger(self.ramped(run.x, ramp2.x), self.ramped(run.y, ramp2.y))
         }
     }
 
-    /// Seconds on a machine that lifts the head. Apart, so that machines which do not lift it are as fast as without this.
+    /// Seconds on a machine that lifts the head. Apart, so that the loops of others stay short.
     #[inline(never)]
-    fn lifted(&self, lift: &Lift, seconds: f64, from: DVec2, to: DVec2) -> f64 {
-        let down = Self { lift: None, ..*self };
+    fn lifted(&self, from: DVec2, to: DVec2) -> f64 {
+        let down =
+            Self { lift: None, kind: self.travel.into(), at_once: self.per_accel == DVec2::ZERO, ..*self };
+        let Some((lift, seconds)) = &self.lift else { return down.seconds_here(from, to) };
+        let seconds = *seconds;
         if !lift.is_for(from.distance(to)) {
             return down.seconds_here(from, to);
         }
@@ -101,10 +127,10 @@ impl AirTime {
         let d = if self.travel == Travel::Vector { DVec2::splat(d.length()) } else { d };
         let (run, ramp2) = (d * self.per_speed, d * self.per_accel);
         if self.travel == Travel::PerAxis {
-            let axis = |run, ramp2| self.ramped(larger(run, seconds), ramp2);
+            let axis = |run, ramp2| down.ramped(larger(run, seconds), ramp2);
             larger(axis(run.x, ramp2.x), axis(run.y, ramp2.y))
         } else {
-            self.ramped(larger(larger(run.x, run.y), seconds), larger(ramp2.x, ramp2.y))
+            down.ramped(larger(larger(run.x, run.y), seconds), larger(ramp2.x, ramp2.y))
         }
     }
 
