@@ -50,6 +50,7 @@ use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Severity};
 use crate::order::sort_by;
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
+use crate::tipping::IS_BUILT;
 
 /// One drawing through the whole flow.
 pub struct Job {
@@ -167,6 +168,10 @@ impl Job {
                 profile.name
             );
             return Err(FieldError::new(Fault::Missing, "machine.z_speed", message).into());
+        }
+        if profile.levers.tips.is_some() && !IS_BUILT {
+            let sentence = "This build of Kerfway does not know about pieces that tip. Leave out \"levers.tips\", or load the whole package.";
+            return Err(JobError::Conflict { field: "machine.levers.tips", sentence });
         }
         self.drop_run();
         let mut findings = self.compensate(placed.profile.kerf_width);

@@ -10,6 +10,7 @@ use crate::machine::{JointKind, Process, Profile};
 use crate::problem::{Item, Problem, Stroke};
 use crate::sheet::Sheet;
 use crate::solve::{Solution, Stop};
+use crate::tipping::IS_BUILT;
 
 /// The plan of a solution. `solution` must belong to `problem`, and `problem` to `sheet`.
 ///
@@ -90,8 +91,8 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         go(&mut moves, &mut head, problem.home);
     }
     let moves = match &problem.zones {
-        Some(zones) => past_tipped(zones, &problem.machine, moves),
-        None => moves,
+        Some(zones) if IS_BUILT => past_tipped(zones, &problem.machine, moves),
+        _ => moves,
     };
     let mut summary = evaluate(&moves, sheet, &problem.machine);
     summary.joints = joints_of(problem);

@@ -13,6 +13,7 @@ use super::tipping;
 use crate::machine::Profile;
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
+use crate::tipping::IS_BUILT;
 
 /// The problem of cutting a sheet on a machine. The item of a contour has the contour's index.
 ///
@@ -49,7 +50,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     // In a pierce group, no contour has joints.
     let is_held = |c| !joined.holds(c) && planners.joints(c).is_some_and(|j| !j.joints.is_empty());
     let zones = tipping::zones(sheet, machine, is_held);
-    let avoided = zones.as_deref().filter(|z| z.avoids());
+    let avoided = zones.as_deref().filter(|z| IS_BUILT && z.avoids());
     let flown = FlyGroups::new(sheet, machine, &planners, &ranks, avoided);
     let keeps_together = sheet.keeps_together();
     let mut items = Vec::with_capacity(sheet.contours.len());

@@ -16,7 +16,7 @@ use crate::geometry::Path;
 use crate::joint::ContourJoints;
 use crate::lead::Lead;
 use crate::machine::{ClosedRun, Profile};
-use crate::tipping::Zones;
+use crate::tipping::{IS_BUILT, Zones};
 use glam::DVec2;
 use std::sync::Arc;
 
@@ -186,7 +186,7 @@ impl Problem {
 
     /// The pieces that may tip, if moves avoid them.
     pub fn avoided(&self) -> Option<&Zones> {
-        self.zones.as_deref().filter(|zones| zones.avoids())
+        self.zones.as_deref().filter(|zones| IS_BUILT && zones.avoids())
     }
 
     /// The table of costs, if travel is given by one, as in benchmark instances.

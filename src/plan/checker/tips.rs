@@ -9,6 +9,7 @@ use crate::geometry::{BoxIndex, DVec2, Path, Segment, distance, math};
 use crate::machine::{Profile, RiskyMoves, SAME_SIZE, Tips};
 use crate::plan::model::{Move, Plan, Way};
 use crate::sheet::{Operation, Sheet};
+use crate::tipping::IS_BUILT;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// A move with the head down must not be this deep over a piece, mm.
@@ -34,6 +35,10 @@ struct Piece<'s> {
 }
 
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+    // Builds without them refuse machines with pieces that tip.
+    if !IS_BUILT {
+        return;
+    }
     let tips = machine.levers.tips;
     let avoids = tips.is_some_and(|t| t.risky_moves == RiskyMoves::Avoid);
     for (step, m) in plan.moves.iter().enumerate() {
