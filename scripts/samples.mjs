@@ -48,12 +48,20 @@ export const SAMPLES = {
     ...rows(4, (k) => [...box(20 + 120 * k, 180, 100, 100), ...box(30 + 120 * k, 190, 80, 80), ...plate(40 + 120 * k, 200, 60, 60, 10), ...circle(70 + 120 * k, 230, 12)])),
 };
 
-/** Decimals that a sample of the first visit keeps: a nanometre matters to nobody, and every digit is transferred. */
-const DECIMALS = 6;
+/** Decimals that a sample of the first visit keeps: a tenth of a micrometre matters to nobody, and every digit is transferred. */
+const DECIMALS = 4;
 
-/** A drawing of the tests as a sample: the same entities with coordinates rounded to 1e-6 mm, which is a third less to transfer. */
-function rounded(text) {
-  const lines = text.split('\n');
+/** Sections without a contour: what other programs store there is not read. */
+const UNREAD = ['CLASSES', 'OBJECTS'];
+
+/** A drawing of the tests as a sample: the same entities with coordinates rounded to 1e-4 mm, which is less than half to transfer. */
+function slim(text) {
+  const read = UNREAD.reduce((rest, name) => {
+    const from = rest.indexOf(`  0\nSECTION\n  2\n${name}\n`);
+    const end = '  0\nENDSEC\n';
+    return from < 0 ? rest : rest.slice(0, from) + rest.slice(rest.indexOf(end, from) + end.length);
+  }, text);
+  const lines = read.split('\n');
   const isCoordinate = (code) => code >= 10 && code < 60;
   return lines.map((line, k) => {
     const value = k % 2 === 1 && isCoordinate(Number(lines[k - 1])) && line.includes('.') ? String(Number(Number(line).toFixed(DECIMALS))) : line.trim();
@@ -61,7 +69,7 @@ function rounded(text) {
   }).join('\n');
 }
 
-SAMPLES['sheet_500.dxf'] = rounded(readFileSync(join(ROOT, 'tests', 'fixtures', 'sheets', 'sheet_500.dxf'), 'utf8'));
+SAMPLES['sheet_500.dxf'] = slim(readFileSync(join(ROOT, 'tests', 'fixtures', 'sheets', 'sheet_500.dxf'), 'utf8'));
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   for (const [file, content] of Object.entries(SAMPLES)) writeFileSync(join(ROOT, 'www', 'app', 'public', 'samples', file), content);

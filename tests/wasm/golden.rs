@@ -24,6 +24,7 @@ const DRAWINGS: &[(&str, &[u8])] = &[
         include_bytes!("../fixtures/dxf-dev/gdsestimating_dxf-parser__arcs-as-splines.dxf"),
     ),
     ("dxf-dev/mozman_ezdxf__forms.dxf", include_bytes!("../fixtures/dxf-dev/mozman_ezdxf__forms.dxf")),
+    ("sheets/sheet_100.dxf", include_bytes!("../fixtures/sheets/sheet_100.dxf")),
     ("plate/shared-sides.dxf", include_bytes!("../fixtures/plate/shared-sides.dxf")),
     ("plate/one-kerf-apart.dxf", include_bytes!("../fixtures/plate/one-kerf-apart.dxf")),
 ];
@@ -37,6 +38,7 @@ const PLANS: &[(&str, &str)] = &[
     ("shared-sides", include_str!("../golden/shared-sides.json")),
     ("one-kerf-apart", include_str!("../golden/one-kerf-apart.json")),
     ("partition-tree-pauses", include_str!("../golden/partition-tree-pauses.json")),
+    ("tips-avoided", include_str!("../golden/tips-avoided.json")),
 ];
 
 fn named<T: Copy>(list: &[(&str, T)], name: &str) -> T {
