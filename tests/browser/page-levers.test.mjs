@@ -71,7 +71,7 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
     const avoided = await plan(page);
     assert.equal(avoided.machine.levers.tips.risky_moves, 'avoid');
     assert.equal(avoided.summary.crossings, undefined);
-    await replanned(page, () => machine.getByLabel('Moves over them').selectOption({ label: 'Ignore, only mark them' }));
+    await replanned(page, () => machine.getByLabel('Moves over them').selectOption({ label: 'Only mark them' }));
     await replanned(page, () => machine.getByLabel('Lift the head between cuts').uncheck());
     await shot(page, `tips-ignored-${size}-${theme}`);
     const ignored = await plan(page);

@@ -341,7 +341,7 @@ export const de: Words = {
   },
 
   tips: {
-    title: 'Auf kippende Teile achten', riskyMoves: 'Wege darüber', moves: { ignore: 'Ignorieren, nur zeigen', avoid: 'Meiden: umfahren oder heben' },
+    title: 'Auf kippende Teile achten', riskyMoves: 'Wege darüber', moves: { ignore: 'Nur zeigen', avoid: 'Meiden' },
     nozzle_radius: 'Düsenradius', margin: 'Abstand halten', pitch: 'Von Leiste zu Leiste', angle: 'Richtung der Leisten', tips_below: 'Teile kippen unter', drops_below: 'Teile fallen unter', cross_over: 'Löcher überfahren bis',
     unknown: 'nicht bekannt', about: 'Ein freigeschnittenes Teil fällt, kippt oder bleibt liegen, je nach Größe und Leisten. Mit Meiden werden Reihenfolge und Einstiche danach gewählt. Gelb: Teile, die kippen können, und Wege mit gehobenem Kopf. Rot: Wege darüber mit dem Kopf unten.',
     lifts: 'Heben', detours: 'Umwege', crossings: 'Riskante Wege',

@@ -290,9 +290,9 @@ export const en = {
   },
 
   tips: {
-    title: 'Mind pieces that tip', riskyMoves: 'Moves over them', moves: { ignore: 'Ignore, only mark them', avoid: 'Avoid: go around, or lift' } satisfies Record<RiskyMoves, string>,
+    title: 'Mind pieces that tip', riskyMoves: 'Moves over them', moves: { ignore: 'Only mark them', avoid: 'Avoid them' } satisfies Record<RiskyMoves, string>,
     nozzle_radius: 'Nozzle radius', margin: 'Distance to keep', pitch: 'From slat to slat', angle: 'Direction of slats', tips_below: 'Pieces tip below', drops_below: 'Pieces drop below', cross_over: 'Cross holes up to',
-    unknown: 'not known', about: 'A piece that is cut free drops, tips up or stays, by its size and the slats. With Avoid, order and entries are chosen for it. Amber: pieces that may tip, and moves with the head lifted. Red: moves over them with the head down.',
+    unknown: 'not known', about: 'A piece that is cut free drops, tips up or stays, by its size and the slats. Avoided, they are gone around or passed with the head lifted, and order and entries are chosen for it. Amber: pieces that may tip, and moves with the head lifted. Red: moves over them with the head down.',
     lifts: 'Lifts', detours: 'Detours', crossings: 'Risky moves',
   },
 

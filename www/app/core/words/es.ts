@@ -341,7 +341,7 @@ export const es: Words = {
   },
 
   tips: {
-    title: 'Cuidar piezas que se levantan', riskyMoves: 'Trayectos sobre ellas', moves: { ignore: 'Ignorar, solo marcar', avoid: 'Evitar: rodear o levantar' },
+    title: 'Cuidar piezas que se levantan', riskyMoves: 'Trayectos sobre ellas', moves: { ignore: 'Solo marcar', avoid: 'Evitar' },
     nozzle_radius: 'Radio de la boquilla', margin: 'Distancia que se guarda', pitch: 'De listón a listón', angle: 'Dirección de los listones', tips_below: 'Se levantan por debajo de', drops_below: 'Caen por debajo de', cross_over: 'Cruzar agujeros de hasta',
     unknown: 'no se sabe', about: 'Una pieza suelta cae, se levanta o se queda, según su tamaño y los listones. Con Evitar, el orden y las perforaciones se eligen para ello. Ámbar: piezas que pueden levantarse y trayectos con el cabezal arriba. Rojo: trayectos sobre ellas con el cabezal abajo.',
     lifts: 'Elevaciones', detours: 'Rodeos', crossings: 'Trayectos arriesgados',

@@ -338,7 +338,7 @@ export const ja: Words = {
   },
 
   tips: {
-    title: '立ち上がる部品に注意', riskyMoves: 'その上の移動', moves: { ignore: '無視し、印だけ付ける', avoid: '避ける：迂回または上昇' },
+    title: '立ち上がる部品に注意', riskyMoves: 'その上の移動', moves: { ignore: '印だけ付ける', avoid: '避ける' },
     nozzle_radius: 'ノズル半径', margin: '保つ距離', pitch: 'スラットの間隔', angle: 'スラットの向き', tips_below: '立ち上がる大きさの上限', drops_below: '落ちる大きさの上限', cross_over: '横切ってよい穴の上限',
     unknown: '不明', about: '切り離された部品は、大きさとスラットにより落ちるか、立ち上がるか、残ります。「避ける」では順番と切り始めもそれに合わせて選びます。黄：立ち上がるおそれのある部品と、ヘッドを上げた移動。赤：ヘッドを下げたままその上を通る移動。',
     lifts: '上昇', detours: '迂回', crossings: '危険な移動',

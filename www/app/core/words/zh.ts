@@ -338,7 +338,7 @@ export const zh: Words = {
   },
 
   tips: {
-    title: '留意会翘起的零件', riskyMoves: '经过它们的移动', moves: { ignore: '忽略，仅标出', avoid: '避开：绕行或抬起' },
+    title: '留意会翘起的零件', riskyMoves: '经过它们的移动', moves: { ignore: '仅标出', avoid: '避开' },
     nozzle_radius: '喷嘴半径', margin: '保持距离', pitch: '支撑条间距', angle: '支撑条方向', tips_below: '小于此尺寸会翘起', drops_below: '小于此尺寸会落下', cross_over: '可越过的孔上限',
     unknown: '未知', about: '切下的零件按尺寸和支撑条落下、翘起或留在原处。选择避开时，顺序和切入点据此选择。黄色：可能翘起的零件和抬起切割头的移动。红色：切割头未抬起就越过它们的移动。',
     lifts: '抬起', detours: '绕行', crossings: '有风险的移动',
