@@ -118,6 +118,8 @@ pub enum Code {
     LeastPowerLeftOut,
     /// Moves with the head down over pieces that may have tipped.
     RiskyMoves,
+    /// Cuts near each other follow each other sooner than the machine asks for.
+    HotPairs,
     /// A check was stopped early because of the size of the drawing; the message says what remains unchecked.
     NotAllChecked,
     /// More findings of one code than are listed individually.

@@ -97,6 +97,7 @@ pub mod drawing;
 pub mod dxf;
 pub mod fields;
 pub mod finding;
+pub mod heat;
 pub mod job;
 pub mod joint;
 pub mod lead;

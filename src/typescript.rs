@@ -110,6 +110,8 @@ fn generated() -> String {
         machine::RiskyMoves,
         machine::Slats,
         machine::Tips,
+        machine::SmallHoles,
+        machine::Heat,
         machine::SizeTest,
         machine::JointKind,
         machine::JointRule,

@@ -125,6 +125,7 @@ impl Job {
                     head = DVec2::from(*to);
                 }
                 Move::Macro { .. } => fixed += machine.macro_time(),
+                Move::Wait { seconds } => fixed += seconds,
                 Move::Joint { path, flying: runs, .. } => {
                     let from = head;
                     let path = Element::segments(path, &mut head);

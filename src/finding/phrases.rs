@@ -107,6 +107,7 @@ impl Code {
             Self::JointMissing => Counted("micro-joint is missing", "micro-joints are missing"),
             Self::FarFromOrigin => Whole("The drawing lies too far from the origin to be cut"),
             Self::OffBed => Whole("The job does not lie on the bed"),
+            Self::HotPairs => Whole("Cuts near each other follow each other too soon"),
             Self::RiskyMoves => Whole("Moves cross pieces that may have tipped, with the head down"),
             Self::LeastPowerLeftOut => Whole("The least power of a layer is not part of G-code"),
             Self::NotAllChecked => Counted(

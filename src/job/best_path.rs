@@ -229,6 +229,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
                 head = *to;
             }
             Move::Macro { .. } => now += machine.macro_time(),
+            Move::Wait { seconds } => now += seconds,
             Move::Height { z } => {
                 now += machine.height_seconds(z - height);
                 height = *z;

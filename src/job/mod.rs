@@ -8,6 +8,8 @@ mod best_path;
 mod code;
 mod common_cuts;
 mod error;
+mod heat;
+mod heat;
 mod joints;
 mod leads;
 mod option_fields;
@@ -172,6 +174,10 @@ impl Job {
         if profile.levers.tips.is_some() && !IS_BUILT {
             let sentence = "This build of Kerfway does not know about pieces that tip. Leave out \"levers.tips\", or load the whole package.";
             return Err(JobError::Conflict { field: "machine.levers.tips", sentence });
+        }
+        if profile.levers.heat.is_some() && !crate::heat::IS_BUILT {
+            let sentence = "This build of Kerfway does not know about heat. Leave out \"levers.heat\", or load the whole package.";
+            return Err(JobError::Conflict { field: "machine.levers.heat", sentence });
         }
         self.drop_run();
         let mut findings = self.compensate(placed.profile.kerf_width);

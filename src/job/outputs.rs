@@ -1,6 +1,6 @@
 //! Writes the best plan of a job. A plan that does not pass the independent checker is never written.
 
-use super::{Job, JobError, Placed, tips};
+use super::{Job, JobError, Placed, heat, tips};
 use crate::drawing::Unit;
 use crate::fields::{Fault, FieldError};
 use crate::geometry::{Aabb, Affine, DVec2, Segment};
@@ -177,6 +177,7 @@ impl Job {
             findings: findings
                 .map(|f| f.clone().moved(*shift))
                 .chain(tips::finding(plan, profile.home()))
+                .chain(heat::finding(plan, profile))
                 .collect(),
         })
     }

@@ -226,6 +226,7 @@ mod tests {
             groups: Groups::default(),
             table: None,
             zones: None,
+            cooling: None,
         }
     }
 

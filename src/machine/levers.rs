@@ -2,6 +2,7 @@
 //!
 //! With all of them off, plans are what they were without them.
 
+use super::heat::Heat;
 use super::tips::Tips;
 use crate::fields::{Field, Kind, Range};
 use serde::{Deserialize, Serialize};
@@ -33,6 +34,9 @@ pub struct Levers {
     /// Pieces that may tip up under the head, and what is done about moves over them; `None`: nothing is known of them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tips: Option<Tips>,
+    /// Cuts near each other follow each other no sooner than stated, or at a charge; `None`: heat does not matter.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heat: Option<Heat>,
 }
 
 /// Fly cuts: the head runs along a row of contours, or along the sides of a grid of them, without stopping, and the beam is
@@ -107,6 +111,7 @@ impl Levers {
         Field::nullable("lift", Kind::Object(LIFT)),
         Field::nullable("fly", Kind::Object(FLY)),
         Field::nullable("tips", Kind::Object(Tips::FIELDS)),
+        Field::nullable("heat", Kind::Object(Heat::FIELDS)),
     ];
 
     /// Whether moves go around pieces that may have tipped, or over them with the head lifted. Then the head is lifted for
@@ -140,7 +145,9 @@ impl Levers {
             .fly
             .map(|f| [("levers.fly.reach", f.reach, REACH), ("levers.fly.overcut", f.overcut, OVERCUT)]);
         let tips = self.tips.iter().flat_map(Tips::numbers);
-        overcut.into_iter().chain(lift.into_iter().flatten()).chain(fly.into_iter().flatten()).chain(tips)
+        let heat = self.heat.iter().flat_map(Heat::numbers);
+        let motion = lift.into_iter().flatten().chain(fly.into_iter().flatten());
+        overcut.into_iter().chain(motion).chain(tips).chain(heat)
     }
 }
 

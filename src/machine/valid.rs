@@ -63,6 +63,16 @@ pub enum ProfileError {
         "The machine's levers.tips avoids risky moves, and the machine has pre_cut_time. Cuts that are left unfinished are not planned around tipped pieces: leave out pre_cut_time, or set risky_moves to \"ignore\"."
     )]
     TipsWithPreCuts,
+    /// Cuts are to keep apart, and rows of them are cut on the run.
+    #[error(
+        "The machine has levers.heat and levers.fly. Contours that are cut on the run follow each other at once: give one of them."
+    )]
+    HeatWithFly,
+    /// Cuts are to keep apart, and contours are left unfinished.
+    #[error(
+        "The machine has levers.heat and pre_cut_time. Cuts that are left unfinished are not planned with heat in mind: give one of them."
+    )]
+    HeatWithPreCuts,
     /// There is no such dialect, or its document contradicts itself.
     #[error("{0}")]
     Dialect(String),
@@ -79,6 +89,9 @@ impl From<ProfileError> for FieldError {
             ProfileError::LiftWithoutZ => Self::new(Fault::Contradiction, "levers.lift", error.to_string()),
             ProfileError::TipsWithoutLift | ProfileError::TipsWithPreCuts => {
                 Self::new(Fault::Contradiction, "levers.tips", error.to_string())
+            }
+            ProfileError::HeatWithFly | ProfileError::HeatWithPreCuts => {
+                Self::new(Fault::Contradiction, "levers.heat", error.to_string())
             }
             ProfileError::MovingPreCuts => {
                 Self::new(Fault::Contradiction, "levers.moving_pierce", error.to_string())
@@ -263,6 +276,12 @@ impl Profile {
                     }
                     if self.levers.avoid_tips() && self.pre_cut_time.is_some() {
                         return Err(ProfileError::TipsWithPreCuts);
+                    }
+                    if self.levers.heat.is_some() && self.levers.fly.is_some() {
+                        return Err(ProfileError::HeatWithFly);
+                    }
+                    if self.levers.heat.is_some() && self.pre_cut_time.is_some() {
+                        return Err(ProfileError::HeatWithPreCuts);
                     }
                     self.dialect.document().map_err(ProfileError::Dialect)?;
                     self.check_materials()

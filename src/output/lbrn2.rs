@@ -104,6 +104,9 @@ fn notes(plan: &Plan, profile: &Profile, cuts: &[Cut]) -> Vec<String> {
     if plan.moves.iter().any(|m| matches!(m, Move::Macro { .. })) {
         notes.push("The pauses in sharp corners are not in this project: LightBurn has none.".to_owned());
     }
+    if plan.summary.waits > 0 {
+        notes.push("The waits until it has cooled are not in this project: LightBurn has none.".to_owned());
+    }
     if cuts.iter().any(|c| c.z < 0.0) {
         notes.push(
             "Layers whose name ends with a height have a Z offset: switch on Z moves in the device settings."

@@ -32,12 +32,18 @@ const FARTHEST: f64 = 2_147_483_647.0;
 /// The Ruida file of a plan.
 ///
 /// # Errors
-/// The plan cuts in too many ways, too far from the origin, or at several heights.
+/// The plan cuts in too many ways, too far from the origin, or at several heights, or it waits.
 pub fn rd(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> Result<Vec<u8>, OutputError> {
     let cuts = cuts(plan);
     if cuts.iter().any(|c| c.z < 0.0) {
         return Err(OutputError::Format(
             "Ruida files of Kerfway do not lower the head: set the z step of the passes to 0, or write a LightBurn project."
+                .to_owned(),
+        ));
+    }
+    if plan.summary.waits > 0 {
+        return Err(OutputError::Format(
+            "Ruida files of Kerfway have no waits: give near cuts a charge in the machine's levers.heat, or write G-code."
                 .to_owned(),
         ));
     }

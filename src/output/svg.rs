@@ -59,7 +59,7 @@ pub fn svg(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> String {
 fn reach(plan: &Plan, home: DVec2) -> Aabb {
     plan.moves.iter().fold(Aabb::of(home), |b, step| match step {
         Move::Air { to, .. } | Move::PreCut { to, .. } => b.with(*to),
-        Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } => b,
+        Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } | Move::Wait { .. } => b,
         Move::Cut { path, .. } | Move::Joint { path, .. } | Move::Fly { path } => {
             path.iter().fold(b, |b, s| b.union(s.bounds()))
         }
@@ -160,7 +160,11 @@ fn air(out: &mut String, plan: &Plan, home: DVec2) {
                 let _ = write!(out, "M{}L{}", Point(at), Point(*to));
                 at = *to;
             }
-            Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } => {}
+            Move::Pierce
+            | Move::MovingStart
+            | Move::Macro { .. }
+            | Move::Height { .. }
+            | Move::Wait { .. } => {}
             Move::PreCut { to, .. } => at = *to,
             Move::Fly { path } => {
                 let _ = write!(out, "M{}", Point(at));

@@ -5,38 +5,80 @@
 
 use super::air::AirMoves;
 use super::model::{Move, Summary, Way};
-use crate::geometry::{Aabb, Segment};
+use crate::geometry::{Aabb, DVec2, Segment};
 use crate::machine::{AirTime, Profile, cut_time};
 use crate::sheet::Sheet;
 use std::borrow::Cow;
 
 /// The sums over moves on a sheet that start at the machine's home. The moves do not contain the number of parts, that of
-/// joints or a lower bound, so `parts` and `joints` are 0 and there is no gap.
+/// joints or of hot pairs, or a lower bound, so `parts`, `joints` and `hot_pairs` are 0 and there is no gap.
 ///
 /// Every cut and mark is charged the beam delays, but only the one after it if it begins moving, and every piercing the pierce
 /// time; both are in `pierce_time`. A contour that is cut in several stretches or passes counts once.
 pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
-    let (air, over_joint) = (AirMoves::new(machine), AirTime::head_down(machine));
-    let mut sum = Summary::default();
-    let mut bounds = Aabb::EMPTY;
-    let (mut head, mut height) = (machine.home(), 0.0);
-    let (mut moving, mut around) = (false, false);
-    let mut worked = vec![false; sheet.contours.len()];
-    // Seconds at the end of the last cut that is no skeleton cut.
-    let mut parts_end = 0.0;
-    // The elements of a motion that goes on over a joint or to the next cut.
-    let mut motion: Vec<Segment> = Vec::new();
+    let mut sums = Sums::new(sheet, machine);
     for (index, step) in moves.iter().enumerate() {
+        sums.add(step, moves.get(index + 1).is_some_and(Move::runs_on));
+    }
+    sums.finish()
+}
+
+/// The sums so far.
+pub(super) struct Sums<'a> {
+    sheet: &'a Sheet,
+    machine: &'a Profile,
+    air: AirMoves,
+    over_joint: AirTime,
+    sum: Summary,
+    bounds: Aabb,
+    head: DVec2,
+    height: f64,
+    moving: bool,
+    around: bool,
+    worked: Vec<bool>,
+    /// Seconds at the end of the last cut that is no skeleton cut.
+    parts_end: f64,
+    /// The elements of a motion that goes on over a joint or to the next cut.
+    motion: Vec<Segment>,
+}
+
+impl<'a> Sums<'a> {
+    pub(super) fn new(sheet: &'a Sheet, machine: &'a Profile) -> Self {
+        Self {
+            sheet,
+            machine,
+            air: AirMoves::new(machine),
+            over_joint: AirTime::head_down(machine),
+            sum: Summary::default(),
+            bounds: Aabb::EMPTY,
+            head: machine.home(),
+            height: 0.0,
+            moving: false,
+            around: false,
+            worked: vec![false; sheet.contours.len()],
+            parts_end: 0.0,
+            motion: Vec::new(),
+        }
+    }
+
+    /// Seconds so far. Within a motion that goes on, these are those before it.
+    pub(super) fn seconds(&self) -> f64 {
+        self.sum.seconds()
+    }
+
+    /// Adds a move. `goes_on`: whether the next move is part of the same motion.
+    pub(super) fn add(&mut self, step: &Move, goes_on: bool) {
+        let (sum, machine) = (&mut self.sum, self.machine);
         match step {
             Move::Air { to, way } => {
-                sum.air_length += head.distance(*to);
-                sum.air_time += air.seconds(head, *to, *way);
-                sum.lifts += u32::from(air.is_lifted(head, *to, *way));
+                sum.air_length += self.head.distance(*to);
+                sum.air_time += self.air.seconds(self.head, *to, *way);
+                sum.lifts += u32::from(self.air.is_lifted(self.head, *to, *way));
                 sum.crossings += u32::from(*way == Way::Crosses);
                 // A way around ends with the first move that is not to a way point.
-                sum.detours += u32::from(*way == Way::Around && !around);
-                around = *way == Way::Around;
-                head = *to;
+                sum.detours += u32::from(*way == Way::Around && !self.around);
+                self.around = *way == Way::Around;
+                self.head = *to;
             }
             Move::Pierce => {
                 sum.pierces += 1;
@@ -44,84 +86,94 @@ pub fn evaluate(moves: &[Move], sheet: &Sheet, machine: &Profile) -> Summary {
             }
             Move::MovingStart => {
                 sum.moving_starts += 1;
-                moving = true;
+                self.moving = true;
+            }
+            Move::Wait { seconds } => {
+                sum.waits += 1;
+                sum.wait_time += seconds;
+                sum.air_time += seconds;
             }
             Move::PreCut { to, .. } => {
                 sum.pre_cuts += 1;
                 sum.pre_cut_time += machine.pre_cut_time.unwrap_or(0.0);
-                head = *to;
+                self.head = *to;
             }
             Move::Height { z } => {
-                sum.air_time += machine.height_seconds(z - height);
-                height = *z;
+                sum.air_time += machine.height_seconds(z - self.height);
+                self.height = *z;
             }
             Move::Macro { .. } => sum.macro_time += machine.macro_time(),
             Move::Joint { path, flying: true, .. } => {
-                motion.extend(path);
-                head = path.last().map_or(head, Segment::end);
+                self.motion.extend(path);
+                self.head = path.last().map_or(self.head, Segment::end);
             }
             Move::Fly { path } => {
                 sum.fly_cuts += 1;
-                motion.extend(path);
-                head = path.last().map_or(head, Segment::end);
+                self.motion.extend(path);
+                self.head = path.last().map_or(self.head, Segment::end);
             }
             Move::Joint { path, .. } => {
-                let to = path.last().map_or(head, Segment::end);
-                let seconds = over_joint.seconds(head, to);
-                sum.air_length += head.distance(to);
+                let to = path.last().map_or(self.head, Segment::end);
+                let seconds = self.over_joint.seconds(self.head, to);
+                sum.air_length += self.head.distance(to);
                 sum.air_time += seconds;
                 sum.joint_time += seconds + machine.pierce_time + machine.beam_delays();
-                head = to;
+                self.head = to;
             }
             Move::Cut { contour, with, path, leads, .. } => {
-                let Some(last) = path.last() else { continue };
+                let Some(last) = path.last() else { return };
                 let [lead_in, _, overcut, lead_out] = leads.divide(path);
                 for contour in with.iter().chain([contour]).map(|&c| c as usize) {
-                    if let Some(worked) = worked.get_mut(contour) {
+                    if let Some(worked) = self.worked.get_mut(contour) {
                         *worked = true;
                     }
                 }
-                let process = sheet.process_by_id(*contour, machine);
+                let process = self.sheet.process_by_id(*contour, machine);
                 sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
                 sum.lead_length +=
                     [lead_in, overcut, lead_out].into_iter().flatten().map(Segment::length).sum::<f64>();
-                if moves.get(index + 1).is_some_and(Move::runs_on) {
-                    motion.extend(path);
+                if goes_on {
+                    self.motion.extend(path);
                 } else {
-                    let whole = if motion.is_empty() {
+                    let whole = if self.motion.is_empty() {
                         Cow::Borrowed(path)
                     } else {
-                        motion.extend(path);
-                        Cow::Owned(std::mem::take(&mut motion))
+                        self.motion.extend(path);
+                        Cow::Owned(std::mem::take(&mut self.motion))
                     };
                     sum.cut_time += cut_time(machine, &process, &whole);
-                    sum.pierce_time += machine.delays_of_cut(std::mem::take(&mut moving));
+                    sum.pierce_time += machine.delays_of_cut(std::mem::take(&mut self.moving));
                 }
-                bounds = path.iter().fold(bounds, |b, s| b.union(s.bounds()));
-                head = last.end();
-                if sheet.contours.get(*contour as usize).is_some_and(|c| c.skeleton) {
+                self.bounds = path.iter().fold(self.bounds, |b, s| b.union(s.bounds()));
+                self.head = last.end();
+                if self.sheet.contours.get(*contour as usize).is_some_and(|c| c.skeleton) {
                     sum.skeleton_length += path.iter().map(Segment::length).sum::<f64>();
-                    sum.skeleton_time = sum.seconds() - parts_end;
+                    sum.skeleton_time = sum.seconds() - self.parts_end;
                 } else {
-                    parts_end = sum.seconds();
+                    self.parts_end = sum.seconds();
                 }
             }
         }
     }
-    // The earlier passes over a line are no contours of their own.
-    for (contour, _) in
-        sheet.contours.iter().zip(worked).filter(|(c, worked)| *worked && c.next_pass.is_none())
-    {
-        if contour.skeleton {
-            sum.skeleton_cuts += 1;
-            continue;
+
+    /// The sums of all moves.
+    pub(super) fn finish(self) -> Summary {
+        let Self { mut sum, bounds, sheet, worked, .. } = self;
+        // The earlier passes over a line are no contours of their own.
+        for (contour, _) in
+            sheet.contours.iter().zip(worked).filter(|(c, worked)| *worked && c.next_pass.is_none())
+        {
+            if contour.skeleton {
+                sum.skeleton_cuts += 1;
+                continue;
+            }
+            sum.contours += 1;
+            sum.open_contours += u32::from(!contour.path.closed);
         }
-        sum.contours += 1;
-        sum.open_contours += u32::from(!contour.path.closed);
+        sum.total_time = sum.seconds();
+        if !bounds.is_empty() {
+            sum.bounds = [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y];
+        }
+        sum
     }
-    sum.total_time = sum.seconds();
-    if !bounds.is_empty() {
-        sum.bounds = [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y];
-    }
-    sum
 }

@@ -1,5 +1,6 @@
 //! Converts a solution to moves of the head: air, pierce, cut, and so on, then home.
 
+use super::cooled::cooled;
 use super::evaluate::evaluate;
 use super::model::{Leads, Move, Plan};
 use super::past_tipped::past_tipped;
@@ -94,8 +95,13 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         Some(zones) if IS_BUILT => past_tipped(zones, &problem.machine, moves),
         _ => moves,
     };
+    let (moves, hot_pairs) = match problem.cooling() {
+        Some(cooling) => cooled(cooling, sheet, &problem.machine, moves),
+        None => (moves, 0),
+    };
     let mut summary = evaluate(&moves, sheet, &problem.machine);
     summary.joints = joints_of(problem);
+    summary.hot_pairs = hot_pairs;
     summary.parts = u32::try_from(sheet.parts.len()).unwrap_or(u32::MAX);
     Plan { moves, summary }
 }

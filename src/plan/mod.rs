@@ -2,6 +2,7 @@
 
 mod air;
 mod checker;
+mod cooled;
 pub mod document;
 mod evaluate;
 mod from_solution;

@@ -56,6 +56,11 @@ pub enum Move {
         /// Height, mm: 0 as focused, negative when lowered.
         z: f64,
     },
+    /// Waits where the head is, with the beam off, until what was cut nearby has cooled.
+    Wait {
+        /// How long, s.
+        seconds: f64,
+    },
     /// Cuts along a contour, or a stretch of it. A contour that is left unfinished continues in a later cut where this one
     /// ended.
     Cut {
@@ -115,7 +120,11 @@ impl Move {
             Self::Cut { path, .. } | Self::Joint { path, .. } | Self::Fly { path } => {
                 path.last().map(Segment::end)
             }
-            Self::Pierce | Self::MovingStart | Self::Macro { .. } | Self::Height { .. } => None,
+            Self::Pierce
+            | Self::MovingStart
+            | Self::Macro { .. }
+            | Self::Height { .. }
+            | Self::Wait { .. } => None,
         }
     }
 }
@@ -201,6 +210,18 @@ pub struct Summary {
     #[serde(default, skip_serializing_if = "is_none")]
     #[cfg_attr(test, ts(as = "Option<u32>", optional))]
     pub crossings: u32,
+    /// Number of waits until what was cut nearby has cooled.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub waits: u32,
+    /// Time of these waits. It is part of the time of air moves.
+    #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
+    #[cfg_attr(test, ts(as = "Option<f64>", optional))]
+    pub wait_time: f64,
+    /// Number of pairs of cuts nearer to each other than the machine asks for that follow each other sooner than it asks for.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub hot_pairs: u32,
     /// Number of pre-cuts.
     pub pre_cuts: u32,
     /// Number of micro-joints.
@@ -234,7 +255,7 @@ pub struct Summary {
     pub air_length: f64,
     /// Time along contours, by look-ahead over corners and acceleration. It includes the ways between cuts on the run.
     pub cut_time: f64,
-    /// Time of air moves, and of lowering and raising the head.
+    /// Time of air moves, of lowering and raising the head, and of waits.
     pub air_time: f64,
     /// Time of piercing, including beam delays.
     pub pierce_time: f64,
@@ -295,7 +316,7 @@ impl Plan {
         for step in &mut self.moves {
             match step {
                 Move::Air { to, .. } => *to += shift,
-                Move::Pierce | Move::MovingStart | Move::Height { .. } => {}
+                Move::Pierce | Move::MovingStart | Move::Height { .. } | Move::Wait { .. } => {}
                 Move::PreCut { to, ahead, .. } => {
                     *to += shift;
                     run(ahead);

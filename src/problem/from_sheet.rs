@@ -3,6 +3,7 @@
 use super::entries::entries;
 use super::fly::FlyGroups;
 use super::groups::Groups;
+use super::heat;
 use super::ids::ItemId;
 use super::leads::{ItemLeads, LeadNode, Planners};
 use super::model::{Item, Node, Problem, count};
@@ -19,7 +20,8 @@ use crate::tipping::IS_BUILT;
 ///
 /// * Nodes: the entries of a contour, see `entries.rs`.
 /// * Precedence: a contour is cut after everything inside it, because a part that is cut free may shift.
-/// * Rank: contours that are pinned first or last, then layers if the sheet is ordered by layer, then marks before cuts. A
+/// * Rank: contours that are pinned first or last, then layers if the sheet is ordered by layer, then marks before cuts, and small
+///   holes before other cuts on a machine that asks for it. A
 ///   contour around another one has at least its rank: if the order by layer would cut an outer contour first, the nesting
 ///   wins.
 /// * Fixed seconds: piercing (cuts only), beam delays, and the run along the contour from its cheapest entry. What other
@@ -46,7 +48,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     let joined = PierceGroups::new(sheet, machine, paths);
     let planners = Planners::new(sheet, machine);
     let pairs = pairs(sheet, &joined);
-    let ranks = ranks(sheet, &joined, &pairs);
+    let ranks = ranks(sheet, machine, &joined, &pairs);
     // In a pierce group, no contour has joints.
     let is_held = |c| !joined.holds(c) && planners.joints(c).is_some_and(|j| !j.joints.is_empty());
     let zones = tipping::zones(sheet, machine, is_held);
@@ -120,6 +122,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         groups: groups(sheet),
         table: None,
         zones,
+        cooling: heat::cooling(sheet, machine),
     }
 }
 
@@ -175,9 +178,9 @@ fn pairs(sheet: &Sheet, joined: &PierceGroups) -> Vec<(ItemId, ItemId)> {
     pairs
 }
 
-/// The rank of each contour: by pin, then by layer, then by pass, then marks before cuts; never below the rank of anything
+/// The rank of each contour: by pin, then by layer, then by pass, then marks before small holes before other cuts; never below the rank of anything
 /// that comes before it by nesting or in a sequence.
-fn ranks(sheet: &Sheet, joined: &PierceGroups, pairs: &[(ItemId, ItemId)]) -> Vec<u32> {
+fn ranks(sheet: &Sheet, machine: &Profile, joined: &PierceGroups, pairs: &[(ItemId, ItemId)]) -> Vec<u32> {
     let layers = 1 + sheet.layers.iter().map(|l| l.rank).max().unwrap_or(0);
     let passes = 1 + sheet.contours.iter().map(|c| c.pass).max().unwrap_or(0);
     let mut ranks: Vec<u32> = sheet
@@ -185,7 +188,12 @@ fn ranks(sheet: &Sheet, joined: &PierceGroups, pairs: &[(ItemId, ItemId)]) -> Ve
         .iter()
         .map(|c| {
             let layer = sheet.layers.get(c.layer as usize).map_or(0, |l| l.rank);
-            2 * ((layers * c.pin as u32 + layer) * passes + c.pass) + u32::from(c.operation == Operation::Cut)
+            let kind = match c.operation {
+                Operation::Cut if heat::is_small_hole(c, machine) => 1,
+                Operation::Cut => 2,
+                _ => 0,
+            };
+            3 * ((layers * c.pin as u32 + layer) * passes + c.pass) + kind
         })
         .collect();
     // The innermost come first, and earlier passes before later ones, so that a raised rank is passed on outwards.

@@ -7,6 +7,7 @@ mod fly;
 mod from_sheet;
 mod group_problem;
 mod groups;
+mod heat;
 mod ids;
 mod instance;
 mod leads;

@@ -13,6 +13,7 @@ use super::leads::ItemLeads;
 use super::sub_path::SubPath;
 use super::table::Table;
 use crate::geometry::Path;
+use crate::heat::{self, Cooling};
 use crate::joint::ContourJoints;
 use crate::lead::Lead;
 use crate::machine::{ClosedRun, Profile};
@@ -176,6 +177,8 @@ pub struct Problem {
     /// move costs depends on what has been cut before; the costs of travel here are those of straight moves with the head
     /// down, which are never more.
     pub zones: Option<Arc<Zones>>,
+    /// The cuts that heat each other, on a machine with `levers.heat`. What a cut costs then depends on when those near it ended.
+    pub cooling: Option<Arc<Cooling>>,
 }
 
 impl Problem {
@@ -187,6 +190,11 @@ impl Problem {
     /// The pieces that may tip, if moves avoid them.
     pub fn avoided(&self) -> Option<&Zones> {
         self.zones.as_deref().filter(|zones| IS_BUILT && zones.avoids())
+    }
+
+    /// The cuts that heat each other, if they do.
+    pub fn cooling(&self) -> Option<&Cooling> {
+        self.cooling.as_deref().filter(|_| heat::IS_BUILT)
     }
 
     /// The table of costs, if travel is given by one, as in benchmark instances.

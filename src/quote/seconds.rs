@@ -55,7 +55,7 @@ pub(super) fn seconds(
             }
             Move::Fly { path } => motion.extend(segments(path, &mut at)),
             // Their time is part of the air time, which is shared.
-            Move::Height { .. } => {}
+            Move::Height { .. } | Move::Wait { .. } => {}
             Move::Cut { contour, path, .. } => {
                 let ids: &[u32] = match contour {
                     Contours::One(id) => &[*id],

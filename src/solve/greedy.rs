@@ -27,7 +27,7 @@ pub fn greedy(problem: &Problem) -> Solution {
 }
 
 /// The items that may come next.
-struct Candidates<'p> {
+pub(super) struct Candidates<'p> {
     problem: &'p Problem,
     grid: Buckets,
     /// Whether an item may come next.
@@ -46,7 +46,7 @@ struct Candidates<'p> {
 }
 
 impl<'p> Candidates<'p> {
-    fn new(problem: &'p Problem) -> Self {
+    pub(super) fn new(problem: &'p Problem) -> Self {
         let precedence = Precedence::new(problem);
         let waits_for = (0..).zip(&problem.items).map(|(id, _)| precedence.before(id).len()).collect();
         // An item without nodes is not visited.
@@ -106,7 +106,7 @@ impl<'p> Candidates<'p> {
     }
 
     /// Removes a visited item and opens the items that waited for it alone.
-    fn done(&mut self, item: ItemId) {
+    pub(super) fn done(&mut self, item: ItemId) {
         for node in self.placed(item) {
             self.grid.remove(node, self.problem.nodes[node as usize].entry);
         }
@@ -145,6 +145,18 @@ impl<'p> Candidates<'p> {
             }
             return best.map(|b| b.1);
         }
+        self.soonest(air, last, |_, _| 0.0)
+    }
+
+    /// The candidate that can be gone on with soonest after a node, or after home. `due`: the seconds that a candidate has to wait
+    /// beyond those of the move to it, s.
+    pub(super) fn soonest(
+        &self,
+        air: &AirTime,
+        last: Option<NodeId>,
+        mut due: impl FnMut(ItemId, f64) -> f64,
+    ) -> Option<NodeId> {
+        let mut best: Option<(f64, NodeId)> = None;
         let head = last.map_or(self.problem.home, |node| self.problem.nodes[node as usize].exit);
         for r in 0..self.grid.rings(head) {
             let least = air.seconds_at_least(self.grid.distance_of_ring(r));
@@ -152,7 +164,11 @@ impl<'p> Candidates<'p> {
                 break;
             }
             for node in self.grid.ring(head, r).filter(|&n| self.stays(n)) {
-                let seconds = air.seconds(head, self.problem.nodes[node as usize].entry);
+                let to = self.problem.nodes[node as usize];
+                let mut seconds = air.seconds(head, to.entry);
+                if best.is_none_or(|b| (seconds, node) < b) {
+                    seconds += due(to.item, seconds);
+                }
                 if best.is_none_or(|b| (seconds, node) < b) {
                     best = Some((seconds, node));
                 }

@@ -25,13 +25,14 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("lead", &["machine", "sheet"]),
     ("joint", &["machine", "sheet", "lead"]),
     ("tipping", &["machine"]),
-    ("problem", &["machine", "sheet", "lead", "joint", "tipping"]),
+    ("heat", &["machine"]),
+    ("problem", &["machine", "sheet", "lead", "joint", "tipping", "heat"]),
     // Solvers know no drawing: neither `drawing` nor `sheet`.
-    ("solve", &["machine", "problem", "tipping"]),
+    ("solve", &["machine", "problem", "tipping", "heat"]),
     // The plan model knows neither how a plan was found nor who checks it.
     ("plan/model", &["drawing", "machine", "sheet"]),
     ("plan/document", &["drawing", "machine", "sheet", "plan/model"]),
-    ("plan", &["drawing", "machine", "sheet", "lead", "joint", "problem", "solve", "tipping"]),
+    ("plan", &["drawing", "machine", "sheet", "lead", "joint", "problem", "solve", "tipping", "heat"]),
     // Output and quote know no solver.
     ("output", &["drawing", "machine", "sheet", "plan"]),
     ("calibration", &["machine", "sheet", "plan"]),
@@ -39,8 +40,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
     (
         "job",
         &[
-            "drawing", "dxf", "svg", "machine", "sheet", "lead", "joint", "problem", "solve", "plan",
-            "output", "quote",
+            "drawing", "dxf", "svg", "machine", "sheet", "lead", "joint", "tipping", "heat", "problem",
+            "solve", "plan", "output", "quote",
         ],
     ),
     (

@@ -79,6 +79,7 @@ fn scattered(dice: &mut Dice, k: u64) -> Problem {
         groups: Groups::default(),
         table: None,
         zones: None,
+        cooling: None,
     }
 }
 
@@ -246,6 +247,7 @@ fn qu_and_du(name: &str, closed: bool, boundary: bool) -> Problem {
         groups: Groups::default(),
         table: None,
         zones: None,
+        cooling: None,
     }
 }
 

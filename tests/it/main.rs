@@ -27,6 +27,7 @@ mod geometry_meet;
 mod geometry_shapes;
 mod golden;
 mod groups_left;
+mod heat;
 mod inspect_dev;
 mod inspect_promises;
 mod instance_large;

@@ -125,6 +125,7 @@ fn points(closed: bool) -> Problem {
         groups: Groups::default(),
         table: None,
         zones: None,
+        cooling: None,
     }
 }
 

@@ -104,7 +104,8 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
             | Move::MovingStart
             | Move::PreCut { .. }
             | Move::Macro { .. }
-            | Move::Height { .. } => {}
+            | Move::Height { .. }
+            | Move::Wait { .. } => {}
         }
     }
     Plan { moves, summary }

@@ -218,6 +218,7 @@ fn points(data: &Value, machine: Profile, boundary: bool) -> Option<Problem> {
         groups: Groups::default(),
         table: None,
         zones: None,
+        cooling: None,
     })
 }
 

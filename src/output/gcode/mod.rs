@@ -143,6 +143,18 @@ impl<'d> Writer<'d> {
                 );
             }
         }
+        if has(|m| matches!(m, Move::Wait { .. })) && self.dialect.dwell.is_none() {
+            return refuse(
+                "cannot wait until it has cooled: give near cuts a charge in the machine's levers.heat instead.",
+            );
+        }
+        let waits_lit =
+            |m: &[Move; 2]| matches!(m, [before, Move::Wait { .. }] if !matches!(before, Move::Air { .. }));
+        if !Beam::new(self.dialect).goes_off_at_rest() && plan.moves.array_windows().any(waits_lit) {
+            return refuse(
+                "switches the beam off with the next motion only, and cannot wait where two cuts meet: give near cuts a charge in the machine's levers.heat instead.",
+            );
+        }
         if !Beam::new(self.dialect).goes_off_at_rest() && !matches!(plan.moves.last(), Some(Move::Air { .. }))
         {
             return refuse(
@@ -205,6 +217,10 @@ impl<'d> Writer<'d> {
                 }
                 Move::PreCut { .. } => {}
                 Move::Macro { .. } => self.pen.settle_dark(self.profile.macro_time()),
+                Move::Wait { seconds } => {
+                    self.pen.lines.comment_naming(&format!("waits {seconds:.3} s until it has cooled"), "");
+                    self.pen.wait(*seconds);
+                }
                 Move::Joint { contour, path, flying: true } => {
                     let length = path.iter().map(Segment::length).sum::<f64>();
                     let words = format!("flying joint of contour {contour}: beam off for {length:.3} mm");

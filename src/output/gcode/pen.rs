@@ -248,6 +248,15 @@ impl<'d> Pen<'d> {
         "0".clone_into(&mut self.power_in_force);
     }
 
+    /// Dwells for `seconds` after a rapid, which is dark, or where the beam goes off at rest.
+    pub(super) fn wait(&mut self, seconds: f64) {
+        if self.beam.goes_off_at_rest() {
+            self.settle_dark(seconds);
+        } else {
+            self.dwell(seconds);
+        }
+    }
+
     /// Moves along an element with the beam on.
     pub(super) fn cut(&mut self, segment: &Segment) {
         match segment {

@@ -8,6 +8,7 @@
 mod coverage;
 mod fly;
 mod groups;
+mod heat;
 mod joint_room;
 mod joints;
 mod kerf;
@@ -52,7 +53,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     visits.finish(|contour| groups.holds(contour) || flown.holds(contour), &mut found);
     flown.finish(sheet, machine, plan, &mut found);
     groups.finish(|c| visits.ends(c), &mut found);
-    order::check(sheet, &visits, &groups, &mut found);
+    order::check(sheet, machine, &visits, &groups, &mut found);
     passes::check(sheet, machine, plan, &visits, &mut found);
     sums::check(sheet, machine, plan, &mut found);
     kerf::check(sheet, machine, plan, &mut found);
@@ -61,6 +62,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     joints::check(sheet, machine, plan, &groups, &mut found);
     skeleton::check(sheet, machine, plan, &mut found);
     tips::check(sheet, machine, plan, &mut found);
+    heat::check(sheet, machine, plan, &mut found);
     if found.is_empty() { Ok(()) } else { Err(found) }
 }
 
@@ -151,6 +153,14 @@ fn follow(
                 }
                 if pierced || moving {
                     found.push(Violation::Beam { step, what: "is lowered or raised after it pierced" });
+                }
+            }
+            Move::Wait { seconds } => {
+                if !seconds.is_finite() || *seconds <= 0.0 {
+                    found.push(Violation::NotFinite { step });
+                }
+                if pierced || moving {
+                    found.push(Violation::Beam { step, what: "waits after it pierced" });
                 }
             }
             Move::Pierce => {

@@ -1,21 +1,30 @@
-//! Checks the order of contours: inner before outer, by layer, marks before cuts, and sequences.
+//! Checks the order of contours: inner before outer, by layer, marks before small holes before other cuts, and sequences.
 
 use super::groups::Groups;
 use super::nesting;
 use super::violation::Violation;
 use super::visits::Visits;
+use crate::heat::IS_BUILT;
+use crate::machine::Profile;
 use crate::order::sort_by;
-use crate::sheet::{Operation, Pin, Sheet};
+use crate::sheet::{Contour, Operation, Pin, Sheet};
 
 /// `visits` knows when each contour is cut. Within a pierce group, `groups.rs` follows element by element what is held.
-pub(super) fn check(sheet: &Sheet, visits: &Visits, groups: &Groups, found: &mut Vec<Violation>) {
-    // By pinning first, then by layer, then by pass, then marks before cuts.
-    let own: Vec<(Pin, u32, u32, bool)> = sheet
+pub(super) fn check(
+    sheet: &Sheet,
+    machine: &Profile,
+    visits: &Visits,
+    groups: &Groups,
+    found: &mut Vec<Violation>,
+) {
+    // By pinning first, then by layer, then by pass, then marks, small holes, other cuts.
+    let own: Vec<(Pin, u32, u32, bool, bool)> = sheet
         .contours
         .iter()
         .map(|c| {
             let layer = sheet.layers.get(c.layer as usize).map_or(0, |l| l.rank);
-            (c.pin, layer, c.pass, c.operation == Operation::Cut)
+            let cut = c.operation == Operation::Cut;
+            (c.pin, layer, c.pass, cut, cut && !is_small_hole(c, machine))
         })
         .collect();
     let mut rank = own.clone();
@@ -51,6 +60,15 @@ pub(super) fn check(sheet: &Sheet, visits: &Visits, groups: &Groups, found: &mut
         part_by_part(sheet, visits, &rank, found);
     }
     together(sheet, visits, &rank, found);
+}
+
+/// Whether a contour is a hole that comes before other cuts because it is small for the thickness of the plate.
+fn is_small_hole(contour: &Contour, machine: &Profile) -> bool {
+    let small = machine.levers.heat.filter(|_| IS_BUILT).and_then(|heat| heat.small_holes);
+    let size = contour.path.bounds().size();
+    contour.path.closed
+        && contour.depth % 2 == 1
+        && small.is_some_and(|s| size.x.max(size.y) - s.ratio * s.thickness < 1e-6)
 }
 
 /// Checks that all contours of a part that have the same rank, including those inside its holes, are cut with nothing else

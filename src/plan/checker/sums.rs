@@ -26,6 +26,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let (mut bounds, mut slack) = (Aabb::EMPTY, 0.0_f64);
     let mut motion: Vec<Segment> = Vec::new();
     let (mut joint_seconds, mut stops) = (0.0, 0_u32);
+    let (mut waits, mut wait_seconds) = (0_u32, 0.0);
     for (step, m) in plan.moves.iter().enumerate() {
         let flies_on = plan.moves.get(step + 1).is_some_and(Move::runs_on);
         match m {
@@ -43,6 +44,11 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             Move::MovingStart => moving_starts += 1,
             Move::PreCut { .. } => pre_cuts += 1,
             Move::Macro { .. } => macros += 1,
+            Move::Wait { seconds } => {
+                waits += 1;
+                wait_seconds += seconds;
+                air_seconds += seconds;
+            }
             Move::Height { z } => {
                 air_seconds += machine.z_speed.map_or(0.0, |speed| (z - height).abs() / speed);
                 height = *z;
@@ -93,9 +99,9 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             }
         }
     }
-    let waits = f64::from(cuts) - f64::from(moving_starts);
+    let at_rest = f64::from(cuts) - f64::from(moving_starts);
     let pierce_seconds = f64::from(pierces) * machine.pierce_time
-        + waits * machine.beam_on_delay
+        + at_rest * machine.beam_on_delay
         + f64::from(cuts) * machine.beam_off_delay;
     let pre_cut_seconds = f64::from(pre_cuts) * machine.pre_cut_time.unwrap_or(0.0);
     let macro_seconds = machine.macro_time() * f64::from(macros);
@@ -119,6 +125,8 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         ("the number of lifts", f64::from(s.lifts), f64::from(lifts)),
         ("the number of detours", f64::from(s.detours), f64::from(detours)),
         ("the number of crossings", f64::from(s.crossings), f64::from(crossings)),
+        ("the number of waits", f64::from(s.waits), f64::from(waits)),
+        ("the time of waits", s.wait_time, wait_seconds),
         ("the number of pre-cuts", f64::from(s.pre_cuts), f64::from(pre_cuts)),
         ("the length of air moves", s.air_length, air_length),
         ("the length of cuts", s.cut_length, cut_length),

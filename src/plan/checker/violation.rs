@@ -162,6 +162,24 @@ pub enum Violation {
         /// Which move.
         step: usize,
     },
+    /// A cut begins while one near it is still hot, on a machine that waits.
+    #[error("move {step} begins contour {contour} {seconds} s after contour {hot} near it")]
+    Hot {
+        /// Which move.
+        step: usize,
+        /// Which contour.
+        contour: u32,
+        /// The contour that is still hot.
+        hot: u32,
+        /// Seconds between the end of that and the beginning of this.
+        seconds: f64,
+    },
+    /// The head waits where the machine does not ask for it.
+    #[error("move {step} waits, which the machine does not ask for")]
+    NeedlessWait {
+        /// Which move.
+        step: usize,
+    },
     /// Less or more than the whole contour is cut.
     #[error("move {step} cuts {worked} mm of contour {contour}, which is {length} mm long")]
     Partly {

@@ -70,6 +70,11 @@ pub enum Move {
         /// mm; 0 as focused, negative when lowered.
         z: f64,
     },
+    /// The head waits, beam off, until what was cut nearby has cooled.
+    Wait {
+        /// s.
+        seconds: f64,
+    },
     /// Beam on along a contour, or a stretch of it; cutting or marking as the contour's operation says.
     Cut {
         /// The contour, or all contours that share this cut.
@@ -133,6 +138,7 @@ impl From<&model::Move> for Move {
             }
             model::Move::Fly { path } => Self::Fly { path: Element::all(path) },
             model::Move::Height { z } => Self::Height { z: *z },
+            model::Move::Wait { seconds } => Self::Wait { seconds: *seconds },
             model::Move::Cut { contour, with, path, leads, .. } => {
                 // An arc may become two elements, so each part is counted as it is written.
                 let [lead_in, on, overcut, lead_out] = leads.divide(path).map(Element::all);

@@ -48,7 +48,11 @@ pub fn strokes(document: &Document) -> Vec<Stroke> {
                 at = DVec2::from(*to);
                 Some(Stroke::Air { from, to: at })
             }
-            Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } => None,
+            Move::Pierce
+            | Move::MovingStart
+            | Move::Macro { .. }
+            | Move::Height { .. }
+            | Move::Wait { .. } => None,
             Move::Joint { contour, path, .. } => {
                 Some(Stroke::Joint { contour: *contour, path: segments(path, &mut at) })
             }

@@ -54,6 +54,7 @@ pub(super) fn instance(file: &File, nodes: usize, mut sets: Sets) -> Result<Inst
             groups: Groups::default(),
             table: None,
             zones: None,
+            cooling: None,
         },
         numbers: order.iter().map(|&n| id(n) + 1).collect(),
         fixed: Vec::new(),

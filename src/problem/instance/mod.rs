@@ -88,6 +88,7 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
         groups: Groups::default(),
         table: Some(table),
         zones: None,
+        cooling: None,
     };
     Ok(Instance { name: file.name(), problem, numbers, fixed, lowered, whole, plane: None })
 }

@@ -145,6 +145,7 @@ mod tests {
             groups,
             table: None,
             zones: None,
+            cooling: None,
         }
     }
 

@@ -20,5 +20,5 @@ pub(super) fn sheet(contours: &[&[[f64; 2]]], leave: Option<f64>, machine: &str)
     }
     let machine = machine::preset(machine).unwrap();
     let (home, pairs, groups, table) = (DVec2::ZERO, Vec::new(), Groups::default(), None);
-    Problem { items, nodes, home, closed: true, machine, pairs, groups, table, zones: None }
+    Problem { items, nodes, home, closed: true, machine, pairs, groups, table, zones: None, cooling: None }
 }

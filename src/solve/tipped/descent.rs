@@ -1,6 +1,6 @@
-//! Local search on the exact seconds of a sequence, where moves are in the way of tipped pieces.
+//! Local search on the exact seconds of a sequence, where moves are in the way of tipped pieces or cuts heat each other.
 //!
-//! A queue holds the legs to be looked at: those that take longer than a straight move. For each, other entries at its ends are
+//! A queue holds the legs to be looked at: those that take longer than a straight move, and all where cuts heat each other. For each, other entries at its ends are
 //! tried, and other orders nearby: what blocks it is cut later, a stop or two go elsewhere, a stretch is reversed, two stretches
 //! are exchanged. When the queue is empty, a kick near such a leg exchanges two short stretches; the search repairs what it
 //! can, and the result stays if it is no worse.
@@ -21,6 +21,10 @@ const NEIGHBOURS: usize = 6;
 const LONGEST: usize = 400;
 /// Longest stretch of a kick.
 const KICK: usize = 5;
+/// In sequences up to this length with cuts that heat each other, kicks exchange any stretches, several times at once: what is due
+/// hides what most single changes gain, and there are not many orders.
+const FEW: usize = 12;
+const FEW_KICKS: usize = 3;
 /// In sequences up to this length, straight legs are looked at as well.
 const SMALL: usize = 100;
 /// Parts of a contour's length by which an entry slides.
@@ -50,7 +54,12 @@ pub(super) struct Descent<'p> {
 impl<'p> Descent<'p> {
     /// Waits at a sequence for a better one to begin at.
     pub(super) fn new(sequence: Sequence<'p>, rng: Rng) -> Self {
-        let neighbours = neighbours(sequence.problem);
+        let mut neighbours = neighbours(sequence.problem, NEIGHBOURS, |_, _| true);
+        if let Some(cooling) = sequence.problem.cooling() {
+            // What is cut next to an item is best one that is near, but not too near.
+            let cool = self::neighbours(sequence.problem, NEIGHBOURS, |a, b| !cooling.are_near(a, b));
+            neighbours.iter_mut().zip(cool).for_each(|(all, cool)| all.extend(cool));
+        }
         Self {
             best: sequence.total(),
             best_stops: sequence.stops(),
@@ -96,8 +105,8 @@ impl<'p> Descent<'p> {
     }
 
     fn look_at_all(&mut self) {
-        let small = self.sequence.len() <= SMALL;
-        let looked_at = |&k: &usize| small || self.sequence.surcharge(k) > EPSILON;
+        let all = self.sequence.len() <= SMALL || self.sequence.is_heated();
+        let looked_at = |&k: &usize| all || self.sequence.surcharge(k) > EPSILON;
         self.queue = (0..=self.sequence.len()).rev().filter(looked_at).collect();
     }
 
@@ -162,7 +171,7 @@ impl<'p> Descent<'p> {
     }
 
     fn begin_again(&mut self, stops: &[Stop]) {
-        self.sequence = Sequence::new(self.sequence.problem, self.sequence.zones(), stops);
+        self.sequence = Sequence::new(self.sequence.problem, stops);
         self.settled = false;
         self.queue.clear();
     }
@@ -175,9 +184,16 @@ impl<'p> Descent<'p> {
         }
         let from = self.rng.below(length + 1);
         let mut onwards = (from..=length).chain(0..from);
-        let Some(at) = onwards.find(|&k| self.sequence.surcharge(k) > EPSILON) else { return false };
+        // What is not due any more may still be far away from what is next to it.
+        let anywhere = self.sequence.is_heated() && self.rng.below(2) == 0;
+        let at = onwards.find(|&k| anywhere || self.sequence.surcharge(k) > EPSILON);
+        let Some(at) = at.or(self.sequence.is_heated().then_some(from)) else { return false };
         let seconds = self.sequence.total();
         self.kicked = Some((Vec::new(), seconds));
+        if self.sequence.is_heated() && length <= FEW {
+            (0..=self.rng.below(FEW_KICKS)).for_each(|_| self.kick_few());
+            return true;
+        }
         let (first, second) = (1 + self.rng.below(KICK), 1 + self.rng.below(KICK));
         let low = (at + self.rng.below(KICK)).saturating_sub(KICK + first).min(length - 2);
         let middle = (low + first).min(length - 1);
@@ -188,6 +204,20 @@ impl<'p> Descent<'p> {
         };
         self.make(change, f64::NEG_INFINITY);
         true
+    }
+
+    /// Exchanges any two stretches, and enters a stop by any of its nodes.
+    fn kick_few(&mut self) {
+        let length = self.sequence.len();
+        let low = self.rng.below(length - 1);
+        let middle = low + 1 + self.rng.below(length - 1 - low);
+        let high = middle + 1 + self.rng.below(length - middle);
+        self.make(Change::exchange(self.sequence.visits(), low, middle, high), f64::NEG_INFINITY);
+        let k = self.rng.below(length);
+        let Some(nodes) = self.sequence.item(k).map(|i| i.nodes.clone()) else { return };
+        let Some(node) = nodes.clone().nth(self.rng.below(nodes.len().max(1))) else { return };
+        let stop = Stop::at(self.sequence.problem, node);
+        self.make(Change::entry(self.sequence.problem, k, stop), f64::NEG_INFINITY);
     }
 
     /// Makes a change if it gains more than `gain`, and puts what it touches on the queue.
@@ -288,8 +318,8 @@ impl<'p> Descent<'p> {
     }
 }
 
-/// By item: its nearest items, by the places of their first nodes.
-fn neighbours(problem: &Problem) -> Vec<Vec<u32>> {
+/// By item: its `count` nearest items of those that are wanted, by the places of their first nodes.
+fn neighbours(problem: &Problem, count: usize, wanted: impl Fn(u32, u32) -> bool) -> Vec<Vec<u32>> {
     let place = |item: &crate::problem::Item| problem.nodes.get(item.nodes.start as usize).map(|n| n.entry);
     let places: Vec<_> = problem.items.iter().map(|i| place(i).filter(|_| !i.nodes.is_empty())).collect();
     let bounds = places.iter().flatten().fold(Aabb::EMPTY, |b, &p| b.with(p));
@@ -307,16 +337,16 @@ fn neighbours(problem: &Problem) -> Vec<Vec<u32>> {
         let mut found: Vec<(f64, u32)> = Vec::new();
         for ring in 0..grid.rings(place) {
             let far = grid.distance_of_ring(ring);
-            if found.len() >= NEIGHBOURS && found.get(NEIGHBOURS - 1).is_some_and(|f| f.0 <= far * far) {
+            if found.len() >= count && found.get(count - 1).is_some_and(|f| f.0 <= far * far) {
                 break;
             }
-            let here = grid.ring(place, ring).filter(|&other| other != id);
+            let here = grid.ring(place, ring).filter(|&other| other != id && wanted(id, other));
             found.extend(here.filter_map(|other| {
                 let other_place = places.get(other as usize).copied().flatten()?;
                 Some((other_place.distance_squared(place), other))
             }));
             found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            found.truncate(NEIGHBOURS);
+            found.truncate(count);
         }
         found.into_iter().map(|f| f.1).collect()
     };

@@ -1,17 +1,20 @@
-//! A search that knows which pieces may have tipped (`Problem::zones`).
+//! A search that knows which pieces may have tipped (`Problem::zones`), and which cuts are still hot (`Problem::cooling`).
 //!
 //! What a move costs depends on what has been cut before it, which a method that prices moves by their ends cannot see. So two
-//! searches take turns: the method itself, for which every move is straight with the head down (that is never more than the
-//! real cost, and nearly all moves are), and a local search on the exact seconds of the whole sequence (`descent.rs`), which
-//! begins where the method's best is and changes order, entries and directions where a move is in the way of a tipped piece.
-//! Small problems get the exact optimum over their nodes (`exact.rs`).
+//! searches take turns: the method itself, for which every move is straight with the head down and nothing is hot (that is never more
+//! than the real cost), and a local search on the exact seconds of the whole sequence (`descent.rs`), which
+//! begins where the method's best is and changes order, entries and directions where a move is in the way of a tipped piece or a cut
+//! has to wait. Where cuts heat each other, it begins as well at a path that always goes to where it can go on soonest (`soonest`).
+//! Small problems get the exact optimum over their nodes, where nothing is hot (`exact.rs`).
 //!
 //! The costs that callers see are the exact ones.
 
 mod change;
+mod clock;
 mod descent;
 mod exact;
 mod sequence;
+mod soonest;
 mod visit;
 
 use super::epsilon::EPSILON;
@@ -19,9 +22,9 @@ use super::insight::Insight;
 use super::rng::seeded;
 use super::traits::{Search, Solution, Solver, Status, Step, Stop, Telemetry};
 use crate::problem::Problem;
-use crate::tipping::Zones;
 use descent::{Descent, PATIENCE};
 use sequence::Sequence;
+use soonest::soonest;
 
 /// Least moves of a turn, and moves of a turn by item. After each turn of the method its best is priced exactly, which takes
 /// about as long as two moves by item.
@@ -32,8 +35,10 @@ const TURN_BY_ITEM: u64 = 4;
 const HEAD_START: u64 = 200;
 /// One move in so many is the local search's while the method gains in every turn, and while it does not.
 const SHARE: [u64; 2] = [4, 2];
+/// Where cuts heat each other, the local search does all moves but one in so many: the method knows nothing of what they cost.
+const HEATED_SHARE: u64 = 4;
 
-/// Starts a method; on a machine that avoids tipped pieces, with the local search beside it. Published methods run alone.
+/// Starts a method; on a machine that avoids tipped pieces or minds heat, with the local search beside it. Published methods run alone.
 pub fn start<'p>(
     method: &dyn Solver,
     problem: &'p Problem,
@@ -41,16 +46,27 @@ pub fn start<'p>(
     warm: Option<&Solution>,
 ) -> Box<dyn Search + 'p> {
     let inner = method.start(problem, seed, warm);
-    let Some(zones) = problem.avoided() else { return inner };
+    if problem.avoided().is_none() && problem.cooling().is_none() {
+        return inner;
+    }
     let first = warm.unwrap_or_else(|| inner.best()).clone();
-    let sequence = Sequence::new(problem, zones, &first.stops);
+    let sequence = Sequence::new(problem, &first.stops);
+    let alone = method.is_published();
+    let other = problem.cooling().filter(|_| !alone).and_then(|cooling| soonest(problem, cooling));
+    let mut best = Solution { cost: sequence.total(), stops: first.stops };
+    let mut descent = Descent::new(sequence, seeded(seed.wrapping_add(2)));
+    if let Some(other) = other.map(|stops| Sequence::new(problem, &stops)) {
+        if other.total() < best.cost {
+            best = Solution { cost: other.total(), stops: other.stops() };
+        }
+        descent.begin_at(other);
+    }
     Box::new(Tipped {
         problem,
-        zones,
-        best: Solution { cost: sequence.total(), stops: first.stops },
+        best,
         best_at: 0,
-        descent: Descent::new(sequence, seeded(seed.wrapping_add(2))),
-        alone: method.is_published(),
+        descent,
+        alone,
         inner,
         ended: false,
         seen: f64::INFINITY,
@@ -65,12 +81,10 @@ pub fn start<'p>(
 
 /// A solution with its exact seconds, where what has been cut before counts.
 pub fn priced(problem: &Problem, solution: Solution) -> Solution {
-    match problem.avoided() {
-        Some(zones) => {
-            Solution { cost: Sequence::new(problem, zones, &solution.stops).total(), stops: solution.stops }
-        }
-        None => solution,
+    if problem.avoided().is_none() && problem.cooling().is_none() {
+        return solution;
     }
+    Solution { cost: Sequence::new(problem, &solution.stops).total(), stops: solution.stops }
 }
 
 /// Whose turn it is, and how many moves of it are left.
@@ -82,7 +96,6 @@ enum Turn {
 
 struct Tipped<'p> {
     problem: &'p Problem,
-    zones: &'p Zones,
     inner: Box<dyn Search + 'p>,
     /// Whether the method has ended.
     ended: bool,
@@ -112,7 +125,11 @@ impl Tipped<'_> {
                 let gains = self.take_from_method();
                 let early = gains && self.done < HEAD_START * self.problem.items.len() as u64;
                 let share = if gains { SHARE[0] } else { SHARE[1] };
-                let due = self.ended || (!early && self.local_done * share < self.done);
+                let is_behind = match self.problem.cooling() {
+                    Some(_) => (self.done - self.local_done) * HEATED_SHARE > self.done,
+                    None => !early && self.local_done * share < self.done,
+                };
+                let due = self.ended || is_behind;
                 self.turn = if due && !self.alone {
                     Turn::Local(self.turn_moves)
                 } else {
@@ -144,9 +161,10 @@ impl Tipped<'_> {
     /// A piece of local search. Returns the number of moves priced; 0 if there is nothing to do.
     fn local(&mut self) -> u64 {
         if !std::mem::replace(&mut self.tried_exact, true)
-            && let Some((stops, priced)) = exact::optimum(self.problem, self.zones)
+            && let Some(zones) = self.problem.avoided().filter(|_| self.problem.cooling().is_none())
+            && let Some((stops, priced)) = exact::optimum(self.problem, zones)
         {
-            let sequence = Sequence::new(self.problem, self.zones, &stops);
+            let sequence = Sequence::new(self.problem, &stops);
             self.descent.begin_at(sequence);
             self.keep();
             return priced;
@@ -172,7 +190,7 @@ impl Tipped<'_> {
             return false;
         }
         self.seen = cost;
-        let sequence = Sequence::new(self.problem, self.zones, &found.stops);
+        let sequence = Sequence::new(self.problem, &found.stops);
         if sequence.total() < self.best.cost - EPSILON {
             self.best = Solution { stops: found.stops.clone(), cost: sequence.total() };
             self.best_at = self.done;
@@ -223,7 +241,7 @@ impl Search for Tipped<'_> {
         if !other.stops.iter().all(Stop::is_whole) {
             return;
         }
-        let sequence = Sequence::new(self.problem, self.zones, &other.stops);
+        let sequence = Sequence::new(self.problem, &other.stops);
         if sequence.total() < self.best.cost - EPSILON {
             self.inner.offer(&Solution::new(self.problem, other.stops.clone()));
             self.best = Solution { stops: other.stops.clone(), cost: sequence.total() };

@@ -1,12 +1,15 @@
-//! A sequence of stops with the exact seconds of every leg.
+//! A sequence of stops with the exact seconds of every leg, and what is due before every stop because of heat.
 //!
 //! A change permutes the stops of a window and changes their entries. The legs outside it stay as they are: as many pieces are
 //! free before each of them as before. So a change is priced by the legs of its window alone, first as straight moves, which
-//! are a bound from below, and only if that is low enough with what is in their way.
+//! are a bound from below, and only if that is low enough with what is in their way. Where cuts heat each other, the stops after
+//! the window are looked at as well, until what was changed has cooled (`clock.rs`).
 
 use super::change::Change;
+use super::clock::Clock;
 use super::visit::Visit;
 use crate::geometry::DVec2;
+use crate::machine::AirTime;
 use crate::problem::{Item, ItemId, Problem};
 use crate::solve::precedence::Precedence;
 use crate::solve::traits::Stop;
@@ -18,7 +21,11 @@ const NOWHERE: u32 = u32::MAX;
 /// Stops in order, with the seconds of the legs that lead to them.
 pub(super) struct Sequence<'p> {
     pub(super) problem: &'p Problem,
-    zones: &'p Zones,
+    zones: Option<&'p Zones>,
+    /// Seconds of straight moves.
+    air: AirTime,
+    /// When each stop ends, where cuts heat each other.
+    clock: Option<Clock<'p>>,
     precedence: Precedence,
     visits: Vec<Visit>,
     /// Seconds of the leg to each visit; the last one leads home.
@@ -33,11 +40,19 @@ pub(super) struct Sequence<'p> {
 }
 
 impl<'p> Sequence<'p> {
-    pub(super) fn new(problem: &'p Problem, zones: &'p Zones, stops: &[Stop]) -> Self {
+    pub(super) fn new(problem: &'p Problem, stops: &[Stop]) -> Self {
         let visits: Vec<Visit> = stops.iter().filter_map(|&s| Visit::new(problem, s)).collect();
+        let zones = problem.avoided();
+        let air = if zones.is_some() {
+            AirTime::head_down(&problem.machine)
+        } else {
+            AirTime::new(&problem.machine)
+        };
         let mut new = Self {
             problem,
             zones,
+            air,
+            clock: problem.cooling().map(Clock::new),
             precedence: Precedence::new(problem),
             legs: Vec::new(),
             position: vec![NOWHERE; problem.items.len()],
@@ -49,15 +64,14 @@ impl<'p> Sequence<'p> {
         new.place(0, new.visits.len());
         new.legs = (0..=new.visits.len()).map(|k| new.leg(k)).collect();
         new.total = new.legs.iter().sum::<f64>() + new.visits.iter().map(|v| v.extra).sum::<f64>();
+        if let Some(clock) = &mut new.clock {
+            new.total += clock.begin(&new.visits, &new.legs);
+        }
         new
     }
 
     pub(super) fn total(&self) -> f64 {
         self.total
-    }
-
-    pub(super) fn zones(&self) -> &'p Zones {
-        self.zones
     }
 
     pub(super) fn len(&self) -> usize {
@@ -85,18 +99,25 @@ impl<'p> Sequence<'p> {
         self.position.get(item as usize).filter(|&&p| p != NOWHERE).map(|&p| p as usize)
     }
 
-    /// Seconds of leg `k` beyond those of a straight move.
-    pub(super) fn surcharge(&self, k: usize) -> f64 {
-        self.legs.get(k).map_or(0.0, |leg| leg - self.straight(k))
+    /// Whether cuts heat each other.
+    pub(super) fn is_heated(&self) -> bool {
+        self.clock.is_some()
     }
 
-    /// The positions of the last cuts that free what is in the way of leg `k`.
+    /// Seconds of leg `k` beyond those of a straight move, and what is due after it.
+    pub(super) fn surcharge(&self, k: usize) -> f64 {
+        let due = self.clock.as_ref().map_or(0.0, |c| c.due(k));
+        self.legs.get(k).map_or(0.0, |leg| leg - self.straight(k)) + due
+    }
+
+    /// The positions of the last cuts that free what is in the way of leg `k`, and of the last cut that is hot after it.
     pub(super) fn blockers(&self, k: usize) -> Vec<usize> {
         let Some((from, to)) = self.ends(k) else { return Vec::new() };
         let mut positions = Vec::new();
-        for piece in self.zones.crossed(from, to, |p| self.is_free(p, k)) {
+        for piece in self.zones.iter().flat_map(|z| z.crossed(from, to, |p| self.is_free(p, k))) {
             positions.extend(piece.cut_by.iter().filter_map(|&c| self.position(c)).max());
         }
+        positions.extend(self.clock.as_ref().and_then(|c| c.hot(&self.visits, k)));
         positions
     }
 
@@ -113,11 +134,15 @@ impl<'p> Sequence<'p> {
     }
 
     fn straight(&self, k: usize) -> f64 {
-        self.ends(k).map_or(0.0, |(from, to)| self.zones.least(from, to))
+        self.ends(k).map_or(0.0, |(from, to)| self.air.seconds(from, to))
     }
 
     fn leg(&self, k: usize) -> f64 {
-        self.ends(k).map_or(0.0, |(from, to)| self.zones.leg(from, to, |p| self.is_free(p, k)).seconds)
+        let Some((from, to)) = self.ends(k) else { return 0.0 };
+        match self.zones {
+            Some(zones) => zones.leg(from, to, |p| self.is_free(p, k)).seconds,
+            None => self.air.seconds(from, to),
+        }
     }
 
     /// Whether a piece is free before leg `k`.
@@ -148,14 +173,16 @@ impl<'p> Sequence<'p> {
         let extras = |visits: &[Visit]| visits.iter().map(|v| v.extra).sum::<f64>();
         let now = self.legs.get(low..=high).map_or(0.0, |l| l.iter().sum()) + extras(old);
         let extra = extras(&change.visits);
+        // What is due in the window and soon after it may be saved, too.
+        let due = self.clock.as_ref().map_or(0.0, |c| c.due_near(low, high));
         self.exchange(change);
         let mut straight = extra;
         let mut k = low;
-        while k <= high && straight < now - gain {
+        while k <= high && straight < now + due - gain {
             straight += self.straight(k);
             k += 1;
         }
-        if straight >= now - gain || !self.is_allowed(low, high) {
+        if straight >= now + due - gain || !self.is_allowed(low, high) {
             self.exchange(change);
             return false;
         }
@@ -168,13 +195,23 @@ impl<'p> Sequence<'p> {
             sum += leg - self.straight(k);
             legs.push(leg);
             self.priced += 1;
-            if sum >= now - gain {
+            if sum >= now + due - gain {
                 break;
             }
         }
-        let better = sum < now - gain && legs.len() == high + 1 - low;
+        let mut better = sum < now + due - gain && legs.len() == high + 1 - low;
+        let mut saved = now - sum;
+        if let Some(clock) = self.clock.as_mut().filter(|_| better) {
+            let (more, looked_at) = clock.replay(&self.visits, &self.legs, &legs, low);
+            self.priced += looked_at;
+            saved -= more;
+            better = saved > gain;
+            if better {
+                clock.keep(low);
+            }
+        }
         if better {
-            self.total += sum - now;
+            self.total -= saved;
             if let Some(place) = self.legs.get_mut(low..=high) {
                 place.copy_from_slice(&legs);
             }
@@ -201,6 +238,12 @@ impl<'p> Sequence<'p> {
             }
         }
         self.total += sum(self) - before;
+        if let Some(clock) = &mut self.clock
+            && let Some(legs) = self.legs.get(low..=high)
+        {
+            self.total += clock.replay(&self.visits, &self.legs, legs, low).0;
+            clock.keep(low);
+        }
     }
 
     fn exchange(&mut self, change: &mut Change) {

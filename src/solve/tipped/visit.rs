@@ -13,6 +13,8 @@ pub(super) struct Visit {
     pub(super) exit: DVec2,
     /// Seconds that depend on the entry.
     pub(super) extra: f64,
+    /// Seconds from when the head arrives to when it may leave.
+    pub(super) seconds: f64,
 }
 
 impl Visit {
@@ -20,7 +22,8 @@ impl Visit {
     pub(super) fn new(problem: &Problem, stop: Stop) -> Option<Self> {
         let (entry, exit) = stop.ends(problem)?;
         let item = problem.nodes.get(stop.node as usize)?.item;
-        let extra = problem.items.get(item as usize)?.extra(stop.node, stop.along);
-        Some(Self { stop, item, entry, exit, extra })
+        let known = problem.items.get(item as usize)?;
+        let extra = known.extra(stop.node, stop.along);
+        Some(Self { stop, item, entry, exit, extra, seconds: known.fixed + extra })
     }
 }

@@ -61,6 +61,7 @@ pub(super) fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Probl
         groups: Groups::default(),
         table: None,
         zones: None,
+        cooling: None,
     }
 }
 
@@ -142,6 +143,7 @@ fn circles(centers: &[DVec2]) -> Problem {
         groups: Groups::default(),
         table: None,
         zones: None,
+        cooling: None,
     }
 }
 

@@ -176,7 +176,7 @@ fn levers_and_leads_leave_the_cuts_as_they_are() {
         moving_pierce: Some(MovingPierce { overcut: 0.5 }),
         lift: Some(Lift { height: 10.0, stay_down: 20.0, at_rest: false }),
         fly: Some(Fly { reach: 50.0, overcut: 0.5 }),
-        tips: None,
+        ..Levers::default()
     };
     let machine = Profile { levers, z_speed: Some(100.0), ..with(grid(100.0, 120.0)) };
     let s = started(square_and_disk(), machine).unwrap().placed_plan().unwrap().summary;

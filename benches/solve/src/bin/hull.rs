@@ -118,5 +118,5 @@ fn problem(sheet: &Value) -> Option<Problem> {
     }
     let machine = machine::preset("length-partial")?;
     let (home, pairs, groups, table) = (point(&sheet["origin"])?, Vec::new(), Groups::default(), None);
-    Some(Problem { items, nodes, home, closed: true, machine, pairs, groups, table, zones: None })
+    Some(Problem { items, nodes, home, closed: true, machine, pairs, groups, table, zones: None, cooling: None })
 }

@@ -98,5 +98,5 @@ fn problem(data: &Value) -> Option<Problem> {
     }
     let machine = machine::preset("length-chebyshev")?;
     let (home, pairs, groups, table) = (point(&data["origin"])?, Vec::new(), Groups::default(), None);
-    Some(Problem { items, nodes, home, closed: false, machine, pairs, groups, table, zones: None })
+    Some(Problem { items, nodes, home, closed: false, machine, pairs, groups, table, zones: None, cooling: None })
 }

@@ -111,7 +111,8 @@ fn wait(
     let near = |wanted: f64| wanted > 0.0 && (seconds - wanted).abs() <= rounding + 1e-9;
     let pierces = (0..=PIERCES_AT_ONCE).map(|k| f64::from(k) * profile.pierce_time + profile.beam_on_delay);
     let settles = (1..=contours).any(|k| near(f64::from(k) * profile.beam_off_delay));
-    let of_machine = settles || near(profile.macro_time()) || pierces.into_iter().any(near);
+    let cools = profile.levers.heat.is_some_and(|h| h.charge.is_none() && seconds <= h.seconds + rounding);
+    let of_machine = settles || cools || near(profile.macro_time()) || pierces.into_iter().any(near);
     if (strict && !of_machine) || !(0.0..=LONGEST).contains(&seconds) {
         problems.error(Code::WaitOutOfRange, Some(line), || {
             format!(

@@ -59,6 +59,7 @@ impl Gtsp {
             groups: Groups::default(),
             table: None,
             zones: None,
+            cooling: None,
         };
         let mut stops = Vec::new();
         for (id, &item) in (0..).zip(&items) {

@@ -52,6 +52,7 @@ impl<'p> Single<'p> {
             groups: Groups::default(),
             table: problem.table.clone(),
             zones: None,
+            cooling: None,
         };
         let relaxed = Relaxed::new(relaxed, |p| TourTree.start(p, seed, None));
         let progress = Progress::new(greedy(problem), f64::INFINITY);

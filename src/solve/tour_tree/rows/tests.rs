@@ -29,6 +29,7 @@ fn rectangles(centers: &[DVec2], half: DVec2) -> Problem {
         groups: Groups::default(),
         table: None,
         zones: None,
+        cooling: None,
     }
 }
 

@@ -1,0 +1,196 @@
+//! Replays when each cut begins and ends, and looks for cuts that follow one near them too soon.
+//!
+//! It shares no formula with `src/heat` and `plan/cooled.rs`: seconds are added up with the formulas of `sums.rs`, and the distance of two
+//! lines is that of places along one from the elements of the other.
+
+use super::sums::{air_time, is_lifted};
+use super::violation::Violation;
+use crate::geometry::{DVec2, Path, Segment};
+use crate::heat::IS_BUILT;
+use crate::machine::{Profile, cut_time};
+use crate::plan::model::{Move, Plan};
+use crate::sheet::{Operation, Sheet};
+
+/// Times, s, and distances, mm, that differ by less may be taken for the same: what sums of thousands of numbers are off, ten times over.
+const SAME: f64 = 1e-5;
+/// Distance between the places along a line, mm, and their largest number.
+const STEP: f64 = 0.25;
+const MOST: f64 = 2000.0;
+
+/// A cut that has ended.
+struct Ended<'s> {
+    contour: u32,
+    line: &'s Path,
+    at: f64,
+}
+
+/// Whether two lines are near each other, if that is not too close to call.
+#[derive(Clone, Copy, PartialEq)]
+enum Near {
+    No,
+    Perhaps,
+    Surely,
+}
+
+pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+    // Builds without it refuse machines that mind heat.
+    if !IS_BUILT {
+        return;
+    }
+    let heat = machine.levers.heat.filter(|h| h.distance > 0.0 && h.seconds > 0.0);
+    let waits = heat.is_some_and(|h| h.charge.is_none());
+    let (distance, seconds) = heat.map_or((0.0, 0.0), |h| (h.distance, h.seconds));
+    let mut clock = Clock::new(sheet, machine);
+    let mut ended: Vec<Ended> = Vec::new();
+    // When the head arrived where it is, when it had waited there, and by which move it did.
+    let (mut begins, mut waited) = (0.0, None);
+    // Pairs that are too hot in any case, and those that are too close to call as well.
+    let (mut surely, mut perhaps) = (0_u32, 0_u32);
+    for (step, m) in plan.moves.iter().enumerate() {
+        if let Move::Cut { contour, .. } = m
+            && ended.last().is_none_or(|e| e.contour != *contour)
+            && let Some(line) = hot_line(sheet, *contour)
+        {
+            let mut may_begin = 0.0_f64;
+            for before in ended.iter().rev() {
+                let apart = begins - before.at;
+                if heat.is_none() || apart >= seconds + SAME {
+                    break;
+                }
+                let near = near(line, before.line, distance);
+                if near != Near::No {
+                    may_begin = may_begin.max(before.at + seconds);
+                }
+                if apart < seconds - SAME && near == Near::Surely {
+                    surely += 1;
+                    if waits {
+                        let (contour, hot) = (*contour, before.contour);
+                        found.push(Violation::Hot { step, contour, hot, seconds: apart });
+                    }
+                }
+                perhaps += u32::from(near != Near::No);
+            }
+            if let Some(wait) = waited.take()
+                && (!waits || begins > may_begin + SAME)
+            {
+                found.push(Violation::NeedlessWait { step: wait });
+            }
+            ended.push(Ended { contour: *contour, line, at: begins });
+        }
+        clock.add(m, plan.moves.get(step + 1).is_some_and(Move::runs_on));
+        match m {
+            Move::Cut { contour, .. } => {
+                if let Some(last) = ended.last_mut().filter(|e| e.contour == *contour) {
+                    last.at = clock.seconds;
+                }
+                begins = clock.seconds;
+            }
+            Move::Air { .. } => begins = clock.seconds,
+            Move::Wait { .. } => begins = clock.seconds,
+            _ => continue,
+        }
+        // A wait that no cut follows is for nothing.
+        if let Some(wait) = waited.take() {
+            found.push(Violation::NeedlessWait { step: wait });
+        }
+        waited = matches!(m, Move::Wait { .. }).then_some(step);
+    }
+    found.extend(waited.map(|step| Violation::NeedlessWait { step }));
+    let says = plan.summary.hot_pairs;
+    let most = if waits { 0 } else { perhaps };
+    if !(surely.min(most)..=most).contains(&says) {
+        let (what, says, found_pairs) = ("the number of hot pairs", f64::from(says), f64::from(surely));
+        found.push(Violation::Sum { what, says, found: found_pairs });
+    }
+}
+
+/// The line of a contour that heats what is near it.
+fn hot_line(sheet: &Sheet, contour: u32) -> Option<&Path> {
+    let known = sheet.contours.get(contour as usize)?;
+    (known.operation == Operation::Cut && !known.skeleton).then_some(&known.path)
+}
+
+/// Whether two lines are nearer to each other than `distance` mm.
+fn near(a: &Path, b: &Path, distance: f64) -> Near {
+    let (x, y) = (a.bounds(), b.bounds());
+    let gap = |low: f64, high: f64| (low - high).max(0.0);
+    let wide = gap(x.min.x, y.max.x).max(gap(y.min.x, x.max.x));
+    let high = gap(x.min.y, y.max.y).max(gap(y.min.y, x.max.y));
+    if wide.hypot(high) >= distance + SAME {
+        return Near::No;
+    }
+    let count = (a.length() / STEP).clamp(1.0, MOST).ceil();
+    let step = a.length() / count;
+    let mut least = f64::INFINITY;
+    let mut k = 0.0;
+    while k <= count {
+        let place = a.at((k * step).min(a.length())).unwrap_or(DVec2::NAN);
+        least = b.segments.iter().map(|s: &Segment| s.nearest(place).1).fold(least, f64::min);
+        if least.sqrt() < distance - SAME {
+            return Near::Surely;
+        }
+        k += 1.0;
+    }
+    // Between two places the line is nearer by at most half a step.
+    if least.sqrt() - 0.5 * step < distance + SAME { Near::Perhaps } else { Near::No }
+}
+
+/// Seconds from the beginning of the job.
+struct Clock<'a> {
+    sheet: &'a Sheet,
+    machine: &'a Profile,
+    seconds: f64,
+    head: DVec2,
+    height: f64,
+    moving: bool,
+    motion: Vec<Segment>,
+}
+
+impl<'a> Clock<'a> {
+    fn new(sheet: &'a Sheet, machine: &'a Profile) -> Self {
+        let (head, motion) = (machine.home(), Vec::new());
+        Self { sheet, machine, seconds: 0.0, head, height: 0.0, moving: false, motion }
+    }
+
+    fn add(&mut self, m: &Move, goes_on: bool) {
+        let machine = self.machine;
+        self.seconds += match m {
+            Move::Air { to, way } => {
+                let by = *to - self.head;
+                air_time(machine, by, is_lifted(machine, by, *way))
+            }
+            Move::Pierce => machine.pierce_time,
+            Move::PreCut { .. } => machine.pre_cut_time.unwrap_or(0.0),
+            Move::Macro { .. } => machine.macro_time(),
+            Move::Wait { seconds } => *seconds,
+            Move::Height { z } => {
+                let by = (z - self.height).abs();
+                self.height = *z;
+                machine.z_speed.map_or(0.0, |speed| by / speed)
+            }
+            Move::Joint { path, flying: false, .. } => {
+                path.last().map_or(0.0, |s| air_time(machine, s.end() - self.head, false))
+            }
+            Move::Joint { path, .. } | Move::Fly { path } => {
+                self.motion.extend(path);
+                0.0
+            }
+            Move::MovingStart => {
+                self.moving = true;
+                0.0
+            }
+            Move::Cut { contour, path, .. } => {
+                self.motion.extend(path);
+                if goes_on {
+                    0.0
+                } else {
+                    let on = if std::mem::take(&mut self.moving) { 0.0 } else { machine.beam_on_delay };
+                    let process = self.sheet.process_by_id(*contour, machine);
+                    let along = cut_time(machine, &process, &std::mem::take(&mut self.motion));
+                    on + along + machine.beam_off_delay
+                }
+            }
+        };
+        self.head = m.end().unwrap_or(self.head);
+    }
+}
