@@ -9,7 +9,6 @@ mod code;
 mod common_cuts;
 mod error;
 mod heat;
-mod heat;
 mod joints;
 mod leads;
 mod option_fields;

@@ -1,7 +1,7 @@
 //! Replays when each cut begins and ends, and looks for cuts that follow one near them too soon.
 //!
 //! It shares no formula with `src/heat` and `plan/cooled.rs`: seconds are added up with the formulas of `sums.rs`, and the distance of two
-//! lines is that of places along one from the elements of the other.
+//! lines is that of places along one from the elements of the other, halved until it is clear.
 
 use super::sums::{air_time, is_lifted};
 use super::violation::Violation;
@@ -13,9 +13,8 @@ use crate::sheet::{Operation, Sheet};
 
 /// Times, s, and distances, mm, that differ by less may be taken for the same: what sums of thousands of numbers are off, ten times over.
 const SAME: f64 = 1e-5;
-/// Distance between the places along a line, mm, and their largest number.
-const STEP: f64 = 0.25;
-const MOST: f64 = 2000.0;
+/// Most places along a line that are tried: lines that run beside each other at just the distance are too close to call.
+const MOST: u32 = 20_000;
 
 /// A cut that has ended.
 struct Ended<'s> {
@@ -119,20 +118,31 @@ fn near(a: &Path, b: &Path, distance: f64) -> Near {
     if wide.hypot(high) >= distance + SAME {
         return Near::No;
     }
-    let count = (a.length() / STEP).clamp(1.0, MOST).ceil();
-    let step = a.length() / count;
-    let mut least = f64::INFINITY;
-    let mut k = 0.0;
-    while k <= count {
-        let place = a.at((k * step).min(a.length())).unwrap_or(DVec2::NAN);
-        least = b.segments.iter().map(|s: &Segment| s.nearest(place).1).fold(least, f64::min);
-        if least.sqrt() < distance - SAME {
+    // Distances of places along a line differ by no more than the places: what lies between two of them is no nearer than this allows.
+    let length = a.length();
+    let far = |along: f64| {
+        let place = a.at(along.min(length)).unwrap_or(DVec2::NAN);
+        b.segments.iter().map(|s: &Segment| s.nearest(place).1).fold(f64::INFINITY, f64::min).sqrt()
+    };
+    let mut rest = vec![[0.0, far(0.0), length, far(length)]];
+    let mut tried = 0;
+    while let Some([from, at_from, to, at_to]) = rest.pop() {
+        if at_from.min(at_to) < distance - SAME {
             return Near::Surely;
         }
-        k += 1.0;
+        let half = 0.5 * (to - from);
+        if 0.5 * (at_from + at_to) - half >= distance + SAME {
+            continue;
+        }
+        if half < SAME || tried == MOST {
+            return Near::Perhaps;
+        }
+        tried += 1;
+        let at_half = far(from + half);
+        rest.push([from, at_from, from + half, at_half]);
+        rest.push([from + half, at_half, to, at_to]);
     }
-    // Between two places the line is nearer by at most half a step.
-    if least.sqrt() - 0.5 * step < distance + SAME { Near::Perhaps } else { Near::No }
+    Near::No
 }
 
 /// Seconds from the beginning of the job.

@@ -1,10 +1,10 @@
 //! What the search finds where cuts heat each other.
 
 use super::{charged, heated, waiting};
-use crate::testkit::sheets::{Builder, Dice, circle, nested_sheet, p, rectangle};
+use crate::testkit::sheets::{Builder, Dice, circle, line, nested_sheet, p, rectangle};
 use kerfway::geometry::distance;
 use kerfway::job::problem_of;
-use kerfway::machine::{Heat, Levers, Profile, air_time};
+use kerfway::machine::{Heat, Levers, Lift, Profile, Tips, air_time};
 use kerfway::plan::{self, Plan};
 use kerfway::problem::{Item, Node, Problem};
 use kerfway::sheet::Sheet;
@@ -110,10 +110,10 @@ fn few(seed: u32) -> Sheet {
         let to = at + p(dice.between(5.0, 20.0), dice.between(-15.0, 15.0));
         if k == 0 && seed.is_multiple_of(2) {
             let frame = b.cut(rectangle(p(20.0, 10.0), p(70.0, 60.0)), None);
-            b.cut(crate::testkit::sheets::line(p(40.0, 30.0), p(60.0, 30.0)), Some(frame));
+            b.cut(line(p(40.0, 30.0), p(60.0, 30.0)), Some(frame));
             continue;
         }
-        b.cut(crate::testkit::sheets::line(at, to), None);
+        b.cut(line(at, to), None);
     }
     b.sheet
 }
@@ -152,4 +152,90 @@ fn up_to_six_contours_are_as_good_as_every_order_and_entry() {
         waits > 10 && cold > 5 && hot > 2,
         "{waits} waits; {cold} sheets without hot pairs, {hot} with some"
     );
+}
+
+/// A grid of small holes, whose neighbours heat each other.
+fn grid(side: u32) -> Sheet {
+    let mut b = Builder::new();
+    for k in 0..side * side {
+        b.cut(circle(p(30.0 + 15.0 * f64::from(k % side), 30.0 + 15.0 * f64::from(k / side)), 3.0), None);
+    }
+    b.sheet
+}
+
+#[test]
+fn an_order_that_knows_of_heat_is_shorter_than_waiting_afterwards() {
+    for (sheet, heat) in [
+        (grid(7), waiting(10.0, 3.0)),
+        (grid(7), waiting(25.0, 2.0)),
+        (nested_sheet(40, 1), waiting(20.0, 3.0)),
+        (nested_sheet(40, 2), waiting(60.0, 1.0)),
+    ] {
+        let machine = heated(heat);
+        let plain = Profile { levers: Levers::default(), ..machine.clone() };
+        let (path, ignoring) = searched(&sheet, &plain, 300_000, 1);
+        let after = plan::from_solution(&sheet, &problem_of(&sheet, &machine), &path);
+        assert_eq!(plan::check(&sheet, &machine, &after), Ok(()));
+        let (_, knowing) = searched(&sheet, &machine, 300_000, 1);
+        let total = |plan: &Plan| plan.summary.total_time;
+        println!(
+            "{heat:?}: {} s without, {} s knowing, {} s afterwards",
+            total(&ignoring),
+            total(&knowing),
+            total(&after)
+        );
+        assert!(total(&knowing) < 0.9 * total(&after), "{} s, {} s", total(&knowing), total(&after));
+        assert!(total(&knowing) >= total(&ignoring) - 0.01 * total(&ignoring));
+        assert_eq!(knowing.summary.hot_pairs, 0);
+        // With a charge that is worth any way, fewer pairs are left than by a path that does not know of them.
+        let dear = heated(Heat { charge: Some(100.0), ..heat });
+        let (_, charged) = searched(&sheet, &dear, 300_000, 1);
+        let unknowing = plan::from_solution(&sheet, &problem_of(&sheet, &dear), &path);
+        println!("hot pairs: {} knowing, {} not", charged.summary.hot_pairs, unknowing.summary.hot_pairs);
+        assert!(2 * charged.summary.hot_pairs < unknowing.summary.hot_pairs);
+        assert_eq!((charged.summary.waits, charged.summary.wait_time), (0, 0.0));
+    }
+}
+
+#[test]
+fn slices_of_any_size_give_the_same_plan() {
+    for heat in [waiting(20.0, 2.0), charged(20.0, 2.0, 0.5)] {
+        let sheet = nested_sheet(30, 5);
+        let problem = problem_of(&sheet, &heated(heat));
+        let in_slices = |slice: u64| {
+            let mut search = solve::start(solve::methods()[0], &problem, 7, None);
+            for _ in 0..150_000 / slice {
+                search.step(slice);
+            }
+            search.best().clone()
+        };
+        let whole = in_slices(150_000);
+        assert_eq!(in_slices(1_000), whole);
+        assert_eq!(in_slices(30_000), whole);
+    }
+}
+
+#[test]
+fn heat_and_tipped_pieces_are_minded_together() {
+    let sheet = nested_sheet(30, 3);
+    let heat = heated(waiting(20.0, 1.0));
+    let lift = Lift { height: 10.0, stay_down: 0.0, at_rest: true };
+    let tips = Tips { drops_below: Some(0.0), ..Tips::default() };
+    let levers = Levers { lift: Some(lift), tips: Some(tips), ..heat.levers };
+    let machine = Profile { levers, z_speed: Some(50.0), ..heat };
+    let (found, plan) = searched(&sheet, &machine, 200_000, 1);
+    assert_eq!((plan.summary.crossings, plan.summary.hot_pairs), (0, 0));
+    assert!(plan.summary.lifts + plan.summary.detours > 0);
+    let fixed: f64 = problem_of(&sheet, &machine).items.iter().map(|i| i.fixed).sum();
+    assert!((plan.summary.total_time - fixed - found.cost).abs() < 1e-6);
+}
+
+#[test]
+fn heat_that_reaches_nothing_changes_nothing() {
+    let sheet = nested_sheet(30, 2);
+    let plain = Profile { levers: Levers::default(), ..heated(waiting(0.0, 1.0)) };
+    let same = searched(&sheet, &plain, 50_000, 3);
+    for heat in [waiting(0.0, 5.0), waiting(20.0, 0.0)] {
+        assert_eq!(searched(&sheet, &heated(heat), 50_000, 3), same);
+    }
 }

@@ -3,6 +3,7 @@
 import { h } from '../core/dom.js';
 import type { MachineProfile } from 'kerfway';
 import { words } from '../core/words/index.js';
+import { heatPanel } from './heat.js';
 import { check, field, numberInput } from './section.js';
 import { tipsPanel } from './tips.js';
 
@@ -14,6 +15,8 @@ const OVERCUT = 0.5;
 const LIFT = { height: 10, stay_down: 10 };
 /** mm: the ways between the holes of most perforated sheets, and no ways across a plate. */
 const FLY = { reach: 20, overcut: 0 };
+/** mm and s, guesses for plate of some millimetres. */
+const HEAT = { distance: 20, seconds: 5 };
 /** mm/s, for a machine whose profile has none: the heads of fibre lasers are faster, tables are slower. */
 const Z_SPEED = 100;
 
@@ -73,11 +76,16 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
     // Moves that avoid tipped pieces lift the head where they cannot go around.
     if (l.tips.risky_moves !== 'ignore') [l.lift, m.z_speed] = [l.lift ?? LIFT, m.z_speed ?? Z_SPEED];
   }));
+  const heat = heatPanel((change) => set((l) => {
+    if (change === null) delete l.heat;
+    else change((l.heat = { ...HEAT, ...l.heat }));
+  }));
   return {
-    root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, lift.root, about, tips.root),
+    root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, lift.root, about, tips.root, heat.root),
     show(machine) {
       const { levers, pre_cut_time, z_speed } = machine;
       tips.show(machine);
+      heat.show(machine);
       const pierce = levers?.moving_pierce, lifting = levers?.lift;
       moving.input.checked = Boolean(pierce);
       // A machine that leaves contours unfinished pierces at rest.
@@ -85,7 +93,8 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       more.hidden = !pierce;
       overcut.show(pierce?.overcut ?? 0);
       fly.input.checked = Boolean(levers?.fly);
-      fly.input.disabled = !levers?.fly && typeof pre_cut_time === 'number';
+      // What is cut on the run follows at once, so nothing can cool.
+      fly.input.disabled = !levers?.fly && (typeof pre_cut_time === 'number' || levers?.heat != null);
       run.hidden = !levers?.fly;
       reach.show(levers?.fly?.reach ?? FLY.reach);
       again.show(levers?.fly?.overcut ?? 0);

@@ -123,6 +123,8 @@ function showParts(list: HTMLElement, s: Summary): void {
   if (s.lifts) rows.push(['lifts', words.tips.lifts, count(s.lifts)]);
   if (s.detours) rows.push(['detours', words.tips.detours, count(s.detours)]);
   if (s.crossings) rows.push(['crossings', words.tips.crossings, count(s.crossings)]);
+  if (s.waits) rows.push(['waits', words.heat.waits, `${seconds(s.wait_time ?? 0)} · ${count(s.waits)}`]);
+  if (s.hot_pairs) rows.push(['hot-pairs', words.heat.hotPairs, count(s.hot_pairs)]);
   if (s.pre_cuts > 0) rows.push(['pre-cuts', words.result.preCuts, `${seconds(s.pre_cut_time)} · ${count(s.pre_cuts)}`]);
   if (s.macro_time > 0) rows.push(['corners', words.result.corners, seconds(s.macro_time)]);
   rows.push(['gap', words.result.gap, leftToGain(s)]);

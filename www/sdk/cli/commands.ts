@@ -129,6 +129,9 @@ const LEVERS: Options = {
   'tips-below': { value: 'MM', about: 'with --tips: pieces smaller than this across the slats may tip (default 150)' },
   'drops-below': { value: 'MM', about: 'with --tips: pieces smaller than this both ways drop (default: the distance of the slats, or 50)' },
   'cross-over': { value: 'MM', about: 'with --tips: what is cut out of holes up to this size may be crossed with the head down (default 0)' },
+  heat: { value: 'MM,S', about: 'a cut nearer than this to another begins no sooner than these seconds after its end: the head waits' },
+  'heat-charge': { value: 'S', about: 'with --heat: charge this much for each pair of cuts that follow each other sooner, instead of waiting' },
+  'small-holes': { value: 'MM[,RATIO]', about: 'cut holes up to RATIO (default 1) times this thickness of the plate before all other cuts' },
 };
 
 const SKELETON: Options = {

@@ -2,7 +2,7 @@
 
 import type { Planner } from '../node.js';
 import { checkMachine } from '../options.js';
-import type { Dialect, MachineProfile, Tips } from '../protocol.js';
+import type { Dialect, Heat, MachineProfile, Tips } from '../protocol.js';
 import { JOINT_KINDS, JOINT_SIDES, jointRules, SIZE_TESTS, type JointPattern } from '../joints.js';
 import { LEAD_KINDS, LEAD_POSITIONS, leadRules, type LeadChoice } from '../leads.js';
 import { number, oneOf, text, type Words } from './arguments.js';
@@ -80,10 +80,11 @@ function sizes(values: Words['values'], name: string): [number, number] | undefi
 /** The machine with the levers that the options ask for. */
 function withLevers(values: Words['values'], machine: MachineProfile): MachineProfile {
   const [overcut, height, down, speed, reach, again] = ['moving-pierce', 'lift', 'stay-down', 'z-speed', 'fly', 'fly-overcut'].map((option) => number(values, option));
-  const atRest = values['lift-at-rest'] === true, tips = tipsOf(values, machine);
-  if ([overcut, height, down, speed, reach, again, tips].every((value) => value === undefined) && !atRest) return machine;
+  const atRest = values['lift-at-rest'] === true, tips = tipsOf(values, machine), heat = heatOf(values, machine);
+  if ([overcut, height, down, speed, reach, again, tips, heat].every((value) => value === undefined) && !atRest) return machine;
   const levers = { ...machine.levers };
   if (tips !== undefined) levers.tips = tips;
+  if (heat !== undefined) levers.heat = heat;
   if (overcut !== undefined) levers.moving_pierce = { overcut };
   // Without a reach, the overcut changes that of the machine's own fly cuts.
   const flown = reach === undefined ? levers.fly : { reach };
@@ -122,6 +123,21 @@ function tipsOf(values: Words['values'], machine: MachineProfile): Tips | undefi
   const own = machine.levers?.tips;
   if (word === undefined && own == null) throw new WrongUse(`--${OPTION_OF_TIPS.find((option) => values[option] !== undefined)}: say what is done about tipped pieces with --tips avoid or --tips ignore.`);
   return { ...own, ...given, ...(word !== undefined && { risky_moves: oneOf('--tips', word, RISKY_MOVES) }) };
+}
+
+/** What the options say of heat: the machine's own with what they change; undefined without such options. */
+function heatOf(values: Words['values'], machine: MachineProfile): Heat | undefined {
+  const word = text(values, 'heat'), pair = sizes(values, 'heat'), charge = number(values, 'heat-charge'), plate = sizes(values, 'small-holes');
+  if (pair === undefined && charge === undefined && plate === undefined) return undefined;
+  const own = machine.levers?.heat;
+  if (word !== undefined && !word.includes(',')) throw new WrongUse(`--heat ${word}: give the distance in mm and the seconds, as MM,S.`);
+  if (charge !== undefined && pair === undefined && own == null) throw new WrongUse('--heat-charge: say which cuts are too near each other with --heat MM,S.');
+  // One number is the thickness alone.
+  const ratio = text(values, 'small-holes')?.includes(',') === true ? plate?.[1] : undefined;
+  const small = plate && { thickness: plate[0], ...(ratio !== undefined && { ratio }) };
+  return {
+    distance: 0, seconds: 0, ...own, ...(pair && { distance: pair[0], seconds: pair[1] }), ...(charge !== undefined && { charge }), ...(small && { small_holes: small }),
+  };
 }
 
 /** The files with a machine profile or a dialect that the options name. */

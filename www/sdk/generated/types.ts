@@ -46,7 +46,7 @@ export interface EntityKindCount {
 export type Severity = "info" | "warning" | "error";
 
 /** The kind of a finding. Written in kebab case in JSON (`unsupported-entity`). Later versions may add codes. */
-export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "joint-adjusted" | "joint-missing" | "far-from-origin" | "off-bed" | "least-power-left-out" | "risky-moves" | "not-all-checked" | "more";
+export type FindingCode = "unsupported-entity" | "damaged-entity" | "resynchronised" | "truncated" | "bad-number" | "invalid-geometry" | "missing-block" | "cyclic-block" | "hidden-entity" | "units-guessed" | "units-doubtful" | "encoding" | "projected" | "outline-taken" | "gap-closed" | "gap-left" | "branch" | "duplicate-removed" | "overlap-removed" | "feature-too-small" | "common-cut" | "zero-length" | "sliver-collapsed" | "self-crossing" | "crossing" | "open-contour" | "several-layers" | "sheet-outline" | "lettering" | "leaders" | "layer-suggestion" | "layer-ignored" | "contour-excluded" | "layer-unknown" | "kerf-not-applied" | "lead-adjusted" | "lead-missing" | "joint-adjusted" | "joint-missing" | "far-from-origin" | "off-bed" | "least-power-left-out" | "risky-moves" | "hot-pairs" | "not-all-checked" | "more";
 
 /** One finding. */
 export interface Finding {
@@ -269,6 +269,8 @@ export interface Levers {
   fly?: Fly,
   /** Pieces that may tip up under the head, and what is done about moves over them; `null`: nothing is known of them. */
   tips?: Tips,
+  /** Cuts near each other follow each other no sooner than stated, or at a charge; `null`: heat does not matter. */
+  heat?: Heat,
 }
 
 /**
@@ -346,6 +348,29 @@ export interface Tips {
   drops_below?: number | null,
   /** What is cut out of holes up to this size along x and y may be crossed with the head down, mm. Default 0. */
   cross_over?: number,
+}
+
+/** Which holes are small. */
+export interface SmallHoles {
+  /** Thickness of the plate, mm. */
+  thickness: number,
+  /** Holes up to this many times the thickness are small, by the larger of their extents along x and y. Default 1, a guess. */
+  ratio?: number,
+}
+
+/** Least distance of cuts that follow each other within least seconds. */
+export interface Heat {
+  /** Cuts that are nearer to each other than this, from line to line, heat each other, mm. 0: none do. */
+  distance: number,
+  /** Seconds from the end of one such cut to the beginning of the other. */
+  seconds: number,
+  /**
+   * Seconds that the search charges for each pair of cuts that follow each other sooner; `null`: the head waits, so that there
+   * are no such pairs. The charge is no time of the machine, and not part of the time of the plan.
+   */
+  charge?: number | null,
+  /** Small holes in thick plate are cut before all other cuts; `null`: they are not. */
+  small_holes?: SmallHoles | null,
 }
 
 /** How the sizes of a contour are compared with the limits of a rule. */
@@ -886,6 +911,12 @@ export interface Summary {
   detours?: number,
   /** Number of air moves that cross pieces that may have tipped, with the head down. */
   crossings?: number,
+  /** Number of waits until what was cut nearby has cooled. */
+  waits?: number,
+  /** Time of these waits. It is part of the time of air moves. */
+  wait_time?: number,
+  /** Number of pairs of cuts nearer to each other than the machine asks for that follow each other sooner than it asks for. */
+  hot_pairs?: number,
   /** Number of pre-cuts. */
   pre_cuts: number,
   /** Number of micro-joints. */
@@ -909,7 +940,7 @@ export interface Summary {
   air_length: number,
   /** Time along contours, by look-ahead over corners and acceleration. It includes the ways between cuts on the run. */
   cut_time: number,
-  /** Time of air moves, and of lowering and raising the head. */
+  /** Time of air moves, of lowering and raising the head, and of waits. */
   air_time: number,
   /** Time of piercing, including beam delays. */
   pierce_time: number,

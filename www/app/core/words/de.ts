@@ -53,6 +53,7 @@ export const de: Words = {
     'off-bed': () => 'Nicht auf dem Arbeitsbereich',
     'least-power-left-out': () => 'Die kleinste Leistung kommt im G-Code nicht vor',
     'risky-moves': () => 'Fahrten führen über Teile, die gekippt sein können',
+    'hot-pairs': () => 'Nahe Schnitte folgen zu früh aufeinander',
     'not-all-checked': (n, w) => counted(n, w, 'unvollständige Prüfung', 'unvollständige Prüfungen'),
     more: (n, w) => counted(n, w, 'weiterer Befund, nicht aufgeführt', 'weitere Befunde, nicht aufgeführt'),
   },
@@ -347,6 +348,12 @@ export const de: Words = {
     lifts: 'Heben', detours: 'Umwege', crossings: 'Riskante Wege',
   },
 
+  heat: {
+    title: 'Schnitte abkühlen lassen', distance: 'Schnitte näher als', seconds: 'Mindestzeit dazwischen', charge: 'Aufschlag je Paar', thickness: 'Blechdicke', ratio: 'Klein: mal Dicke',
+    noCharge: 'keiner: warten', noThickness: 'nicht bekannt', about: 'Nahe Schnitte folgen nicht sofort aufeinander: Reihenfolge und Einstiche werden danach gewählt, und wo sonst nichts hilft, wartet der Kopf. Mit einem Aufschlag wartet er nie, und die Suche wägt jedes Paar ab, das zu früh folgt. Mit einer Blechdicke werden kleine Löcher vor allen anderen Schnitten geschnitten.',
+    waits: 'Warten', hotPairs: 'Zu frühe Schnitte',
+  },
+
   placement: {
     title: 'Auf dem Arbeitsbereich', position: 'Position', asDrawn: 'Wie gezeichnet', atPoint: 'Ein Punkt des Auftrags auf', point: 'Punkt des Auftrags', x: 'x', y: 'y',
     points: {
@@ -384,7 +391,7 @@ export const de: Words = {
 
   savings: {
     title: 'Was spart was', about: 'Jede Entscheidung wird einmal weggelassen und der Rest neu geplant.', ask: 'Ausrechnen', working: 'Rechnet…',
-    decisions: { order: 'Reihenfolge, statt nächste zuerst', entry: 'Einstiche, statt wo Linien beginnen', common: 'Gemeinsame Seiten einmal schneiden', partial: 'Konturen unfertig lassen', leads: 'Anfahrten', 'moving-pierce': 'Schnitte in Bewegung beginnen', fly: 'Schneiden im Flug', 'lift-on-the-way': 'Kopf auf dem Weg heben', 'stay-down': 'Unten bleiben auf kurzen Wegen', 'avoid-tips': 'Gekippten Teilen ausweichen, statt immer zu heben', 'flying-joints': 'Mikrostege ohne Halt' },
+    decisions: { order: 'Reihenfolge, statt nächste zuerst', entry: 'Einstiche, statt wo Linien beginnen', common: 'Gemeinsame Seiten einmal schneiden', partial: 'Konturen unfertig lassen', leads: 'Anfahrten', 'moving-pierce': 'Schnitte in Bewegung beginnen', fly: 'Schneiden im Flug', 'lift-on-the-way': 'Kopf auf dem Weg heben', 'stay-down': 'Unten bleiben auf kurzen Wegen', 'avoid-tips': 'Gekippten Teilen ausweichen, statt immer zu heben', heat: 'Schnitte abkühlen lassen', 'flying-joints': 'Mikrostege ohne Halt' },
     saves: (time) => `spart ${time}`, costs: (time) => `kostet ${time}`, done: (s) => `Pläne ohne eine Entscheidung wurden je bis zu ${s} s gesucht.`,
   },
 

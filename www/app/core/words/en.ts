@@ -61,6 +61,7 @@ const findingTitles: Record<FindingCode, Counted> = {
   'off-bed': () => 'Not on the bed',
   'least-power-left-out': () => 'Least power is not part of G-code',
   'risky-moves': () => 'Moves cross pieces that may have tipped',
+  'hot-pairs': () => 'Cuts near each other follow too soon',
   'not-all-checked': (n, w) => counted(n, w, 'incomplete check'),
   more: (n, w) => counted(n, w, 'further finding, not listed', 'further findings, not listed'),
 };
@@ -296,6 +297,12 @@ export const en = {
     lifts: 'Lifts', detours: 'Detours', crossings: 'Risky moves',
   },
 
+  heat: {
+    title: 'Let cuts cool', distance: 'Cuts nearer than', seconds: 'Least time between them', charge: 'Charge for a pair', thickness: 'Plate thickness', ratio: 'Small: times thickness',
+    noCharge: 'none: wait', noThickness: 'not known', about: 'Cuts near each other do not follow each other at once: order and entries are chosen for it, and where nothing else helps, the head waits. With a charge it never waits, and the search weighs each pair that follows too soon. With a plate thickness, small holes are cut before all other cuts.',
+    waits: 'Waits', hotPairs: 'Cuts too soon',
+  },
+
   placement: {
     title: 'On the bed', position: 'Position', asDrawn: 'As drawn', atPoint: 'A point of the job at', point: 'Point of the job', x: 'x', y: 'y',
     points: {
@@ -333,7 +340,7 @@ export const en = {
 
   savings: {
     title: 'What saves what', about: 'Each decision is left out once, and the rest is planned again.', ask: 'Work it out', working: 'Working…',
-    decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads', 'moving-pierce': 'Beginning cuts moving', fly: 'Cuts on the run', 'lift-on-the-way': 'Lifting the head on the way', 'stay-down': 'Staying down on short moves', 'avoid-tips': 'Avoiding pieces that tip, instead of always lifting', 'flying-joints': 'Joints without a stop' } satisfies Record<Decision, string>,
+    decisions: { order: 'Order, instead of nearest first', entry: 'Entries, instead of where lines begin', common: 'Cutting shared sides once', partial: 'Leaving contours unfinished', leads: 'Leads', 'moving-pierce': 'Beginning cuts moving', fly: 'Cuts on the run', 'lift-on-the-way': 'Lifting the head on the way', 'stay-down': 'Staying down on short moves', 'avoid-tips': 'Avoiding pieces that tip, instead of always lifting', heat: 'Letting cuts cool', 'flying-joints': 'Joints without a stop' } satisfies Record<Decision, string>,
     saves: (time: string) => `saves ${time}`, costs: (time: string) => `costs ${time}`, done: (s: number) => `Plans without a decision were searched for up to ${s} s each.`,
   },
 

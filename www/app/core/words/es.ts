@@ -53,6 +53,7 @@ export const es: Words = {
     'off-bed': () => 'Fuera de la mesa',
     'least-power-left-out': () => 'La potencia mínima no forma parte del G-code',
     'risky-moves': () => 'Hay trayectos sobre piezas que pueden haberse levantado',
+    'hot-pairs': () => 'Cortes cercanos se siguen demasiado pronto',
     'not-all-checked': (n, w) => counted(n, w, 'comprobación incompleta', 'comprobaciones incompletas'),
     more: (n, w) => counted(n, w, 'aviso más, no listado', 'avisos más, no listados'),
   },
@@ -347,6 +348,12 @@ export const es: Words = {
     lifts: 'Elevaciones', detours: 'Rodeos', crossings: 'Trayectos arriesgados',
   },
 
+  heat: {
+    title: 'Dejar enfriar los cortes', distance: 'Cortes a menos de', seconds: 'Tiempo mínimo entre ellos', charge: 'Recargo por par', thickness: 'Espesor de la chapa', ratio: 'Pequeño: por espesor',
+    noCharge: 'ninguno: esperar', noThickness: 'no se sabe', about: 'Los cortes cercanos no se siguen enseguida: el orden y las perforaciones se eligen para ello y, donde nada más ayuda, el cabezal espera. Con un recargo no espera nunca, y la búsqueda sopesa cada par que se sigue demasiado pronto. Con un espesor, los agujeros pequeños se cortan antes que todo lo demás.',
+    waits: 'Esperas', hotPairs: 'Cortes muy seguidos',
+  },
+
   placement: {
     title: 'Sobre la mesa', position: 'Posición', asDrawn: 'Como está dibujado', atPoint: 'Un punto del trabajo en', point: 'Punto del trabajo', x: 'x', y: 'y',
     points: {
@@ -384,7 +391,7 @@ export const es: Words = {
 
   savings: {
     title: 'Qué ahorra qué', about: 'Cada decisión se quita una vez y el resto se planifica de nuevo.', ask: 'Calcularlo', working: 'Calculando…',
-    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', 'moving-pierce': 'Empezar los cortes en movimiento', fly: 'Cortes al vuelo', 'lift-on-the-way': 'Levantar el cabezal por el camino', 'stay-down': 'Quedarse abajo en trayectos cortos', 'avoid-tips': 'Evitar piezas que se levantan, en vez de levantar siempre', 'flying-joints': 'Microuniones sin parada' },
+    decisions: { order: 'Orden, en vez del más cercano primero', entry: 'Perforaciones, en vez de donde empiezan las líneas', common: 'Cortar una vez los lados comunes', partial: 'Dejar contornos sin acabar', leads: 'Entradas', 'moving-pierce': 'Empezar los cortes en movimiento', fly: 'Cortes al vuelo', 'lift-on-the-way': 'Levantar el cabezal por el camino', 'stay-down': 'Quedarse abajo en trayectos cortos', 'avoid-tips': 'Evitar piezas que se levantan, en vez de levantar siempre', heat: 'Dejar enfriar los cortes', 'flying-joints': 'Microuniones sin parada' },
     saves: (time) => `ahorra ${time}`, costs: (time) => `cuesta ${time}`, done: (s) => `Los planes sin una decisión se buscaron hasta ${s} s cada uno.`,
   },
 

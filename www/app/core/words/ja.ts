@@ -50,6 +50,7 @@ export const ja: Words = {
     'off-bed': () => 'ベッドの上にありません',
     'least-power-left-out': () => '最小出力は G コードに含まれません',
     'risky-moves': () => '立ち上がったおそれのある部品の上を移動します',
+    'hot-pairs': () => '近い切断が早く続きすぎます',
     'not-all-checked': (_n, w) => `完了していない検査 ${w} 件`,
     more: (_n, w) => `一覧にない指摘がほかに ${w} 件`,
   },
@@ -344,6 +345,12 @@ export const ja: Words = {
     lifts: '上昇', detours: '迂回', crossings: '危険な移動',
   },
 
+  heat: {
+    title: '切断部を冷ます', distance: 'これより近い切断', seconds: '間の最短時間', charge: '組ごとの割増', thickness: '板厚', ratio: '小穴：板厚の倍数',
+    noCharge: 'なし：待つ', noThickness: '不明', about: '近い切断はすぐには続けません。順番と切り始めをそれに合わせて選び、ほかに方法がなければヘッドが待ちます。割増を入れると待たず、早く続きすぎる組ごとに探索が秒数を比べます。板厚を入れると、小さい穴をほかのすべての切断より先に切ります。',
+    waits: '待ち', hotPairs: '早すぎる切断',
+  },
+
   placement: {
     title: 'ベッドの上', position: '位置', asDrawn: '図面どおり', atPoint: 'ジョブの点の位置', point: 'ジョブの点', x: 'x', y: 'y',
     points: {
@@ -381,7 +388,7 @@ export const ja: Words = {
 
   savings: {
     title: '何がどれだけ短縮するか', about: '決定を 1 つずつ外し、残りを計画し直します。', ask: '計算する', working: '計算中…',
-    decisions: { order: '順番（近い順の代わり）', entry: '切り始め（線の始点の代わり）', common: '共有する辺を 1 回で切断', partial: '輪郭を途中で残す', leads: 'リード', 'moving-pierce': '動きながらの切断開始', fly: '走りながらの切断', 'lift-on-the-way': '移動しながらヘッドを上げる', 'stay-down': '短い移動で下げたまま', 'avoid-tips': '起き上がる部品を避ける（常に上げる代わり）', 'flying-joints': '止まらないジョイント' },
+    decisions: { order: '順番（近い順の代わり）', entry: '切り始め（線の始点の代わり）', common: '共有する辺を 1 回で切断', partial: '輪郭を途中で残す', leads: 'リード', 'moving-pierce': '動きながらの切断開始', fly: '走りながらの切断', 'lift-on-the-way': '移動しながらヘッドを上げる', 'stay-down': '短い移動で下げたまま', 'avoid-tips': '起き上がる部品を避ける（常に上げる代わり）', heat: '切断部を冷ます', 'flying-joints': '止まらないジョイント' },
     saves: (time) => `${time} 短縮`, costs: (time) => `${time} 増加`, done: (s) => `決定を外した計画はそれぞれ最大 ${s} 秒探索しました。`,
   },
 

@@ -50,6 +50,7 @@ export const zh: Words = {
     'off-bed': () => '不在工作台上',
     'least-power-left-out': () => 'G 代码不含最小功率',
     'risky-moves': () => '移动经过可能翘起的零件',
+    'hot-pairs': () => '相近的切割间隔过短',
     'not-all-checked': (_n, w) => `${w} 项检查不完整`,
     more: (_n, w) => `另有 ${w} 项未列出`,
   },
@@ -344,6 +345,12 @@ export const zh: Words = {
     lifts: '抬起', detours: '绕行', crossings: '有风险的移动',
   },
 
+  heat: {
+    title: '让切口冷却', distance: '距离小于此的切割', seconds: '其间最短时间', charge: '每对的附加时间', thickness: '板厚', ratio: '小孔：板厚倍数',
+    noCharge: '无：等待', noThickness: '不明', about: '相近的切割不会立即接连进行：顺序和切入点据此选择，别无办法时切割头等待。给出附加时间后从不等待，由搜索权衡每一对间隔过短的切割。给出板厚后，小孔先于其他所有切割。',
+    waits: '等待', hotPairs: '过早的切割',
+  },
+
   placement: {
     title: '在工作台上', position: '位置', asDrawn: '按图', atPoint: '任务的一点位于', point: '任务的点', x: 'x', y: 'y',
     points: {
@@ -381,7 +388,7 @@ export const zh: Words = {
 
   savings: {
     title: '各项节省', about: '每次去掉一项决定，其余重新规划。', ask: '计算', working: '计算中…',
-    decisions: { order: '顺序，而非最近优先', entry: '切入点，而非线的起点', common: '共用边只切一次', partial: '暂不切完轮廓', leads: '引线', 'moving-pierce': '运动中开始切割', fly: '飞行切割', 'lift-on-the-way': '移动途中抬起切割头', 'stay-down': '短距离不抬起', 'avoid-tips': '避开可能翘起的零件，而非总是抬起', 'flying-joints': '不停顿的微连接' },
+    decisions: { order: '顺序，而非最近优先', entry: '切入点，而非线的起点', common: '共用边只切一次', partial: '暂不切完轮廓', leads: '引线', 'moving-pierce': '运动中开始切割', fly: '飞行切割', 'lift-on-the-way': '移动途中抬起切割头', 'stay-down': '短距离不抬起', 'avoid-tips': '避开可能翘起的零件，而非总是抬起', heat: '让切口冷却', 'flying-joints': '不停顿的微连接' },
     saves: (time) => `节省 ${time}`, costs: (time) => `多用 ${time}`, done: (s) => `去掉一项决定的方案各搜索了至多 ${s} 秒。`,
   },
 
