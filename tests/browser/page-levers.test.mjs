@@ -82,3 +82,31 @@ for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
     assert.equal((await plan(page)).machine.levers, undefined);
   });
 }
+
+const HOLES = dxf(Array.from({ length: 16 }, (_, k) => square(30 + 20 * (k % 4), 30 + 20 * Math.floor(k / 4), 10)).flat());
+
+for (const [size, theme] of [['desktop', 'light'], ['phone', 'dark']]) {
+  test(`cuts near each other wait for each other, or have a charge (${size}, ${theme})`, async (t) => {
+    const page = await openPlanned(t, 'fibre-3kw-thin', 'holes.dxf', HOLES, { size: SIZES[size], theme, touch: size === 'phone' });
+    if (size === 'phone') await page.locator('.sheet-toggle').click();
+    const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
+    await machine.evaluate((d) => (d.open = true));
+    const heat = machine.getByLabel('Let cuts cool');
+    await replanned(page, () => heat.check());
+    await replanned(page, () => machine.getByLabel('Plate thickness').fill('8'));
+    await heat.scrollIntoViewIfNeeded();
+    await shot(page, `heat-${size}-${theme}`);
+    if (size === 'phone') return;
+    const waiting = await plan(page);
+    assert.deepEqual(waiting.machine.levers.heat, { distance: 20, seconds: 5, small_holes: { thickness: 8, ratio: 1 } });
+    assert.ok(waiting.summary.waits > 0);
+    await page.locator('dt.waits').waitFor();
+    assert.ok(await machine.getByLabel('Cut rows and grids on the run').isDisabled());
+    await replanned(page, () => machine.getByLabel('Charge for a pair').fill('0.01'));
+    const charged = await plan(page);
+    assert.deepEqual([charged.summary.waits, charged.summary.hot_pairs > 0], [undefined, true]);
+    await page.locator('dt.hot-pairs').waitFor();
+    await replanned(page, () => heat.uncheck());
+    assert.equal((await plan(page)).machine.levers, undefined);
+  });
+}

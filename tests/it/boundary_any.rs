@@ -132,7 +132,9 @@ fn any_value_is_accepted_or_refused_in_a_sentence() {
                     | ProfileError::FlyPreCuts
                     | ProfileError::LiftWithoutZ
                     | ProfileError::TipsWithoutLift
-                    | ProfileError::TipsWithPreCuts)
+                    | ProfileError::TipsWithPreCuts
+                    | ProfileError::HeatWithFly
+                    | ProfileError::HeatWithPreCuts)
         );
         assert!(sound, "{profile:?}");
     });

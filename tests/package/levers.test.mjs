@@ -161,7 +161,7 @@ describe('what each lever saves', () => {
     const all = await total(machine);
     const saved = [];
     for await (const one of leverSavings(planner, { machine, seed: 1, moves: 20_000 }, all)) saved.push(one);
-    assert.deepEqual(saved.map((s) => s.lever), LEVERS.filter((lever) => lever !== 'avoid-tips'));
+    assert.deepEqual(saved.map((s) => s.lever), LEVERS.filter((lever) => lever !== 'avoid-tips' && lever !== 'heat'));
     for (const { lever, seconds } of saved) assert.equal(seconds, (await total(withoutLever(machine, lever))) - all, lever);
     const by = Object.fromEntries(saved.map((s) => [s.lever, s.seconds]));
     // Two holes more begin at rest, and so does nothing else: the outline has joints, and the line is open.
@@ -246,5 +246,73 @@ describe('tipped pieces', () => {
     assert.deepEqual([without.code, /Give the height with --lift/.test(without.stderr)], [2, true], without.stderr);
     const unsaid = await plan('--nozzle-radius', '5');
     assert.deepEqual([unsaid.code, /--tips avoid or --tips ignore/.test(unsaid.stderr)], [2, true], unsaid.stderr);
+  });
+});
+
+describe('heat', () => {
+  // A grid of 5 x 5 squares of 10 mm, 10 mm apart.
+  const GRID = dxf(...Array.from({ length: 25 }, (_, k) => square(30 + 20 * (k % 5), 30 + 20 * Math.floor(k / 5), 10)));
+  const HEAT = { distance: 12, seconds: 2 };
+  let planner, thin;
+  before(async () => {
+    planner = await createPlanner();
+    thin = planner.machines.find((m) => m.name === 'fibre-3kw-thin');
+  });
+  after(() => planner.close());
+
+  const options = (levers) => ({ machine: { ...thin, levers }, seed: 1, moves: 100_000 });
+  const planned = async (levers) => {
+    await planner.load(GRID, 'grid.dxf');
+    await planner.plan(options(levers)).done;
+    const plan = JSON.parse(await planner.output('json'));
+    return { ...plan, gcode: await planner.output('gcode'), check: await planner.check() };
+  };
+
+  it('is minded by another order, by waiting, or at a charge', async () => {
+    const [plain, waiting, charged, reported] = [await planned({}), await planned({ heat: HEAT }), await planned({ heat: { ...HEAT, charge: 50 } }), await planned({ heat: { ...HEAT, charge: 0 } })];
+    for (const { check } of [plain, waiting, charged, reported]) assert.deepEqual([check.passed, check.problems], [true, []]);
+    const waits = waiting.moves.filter((m) => m.kind === 'wait');
+    assert.equal(waits.length, waiting.summary.waits ?? 0);
+    assert.ok(Math.abs(waits.reduce((sum, m) => sum + m.seconds, 0) - (waiting.summary.wait_time ?? 0)) < 1e-9);
+    assert.equal(waiting.gcode.match(/waits \d+\.\d+ s until it has cooled/g)?.length ?? 0, waits.length);
+    assert.equal(waiting.summary.hot_pairs, undefined);
+    // Another order costs far less than waiting for most squares would.
+    assert.ok(waiting.summary.total_time > plain.summary.total_time && waiting.summary.total_time < plain.summary.total_time + 10, `${plain.summary.total_time} ${waiting.summary.total_time}`);
+    assert.equal(charged.summary.waits, undefined);
+    assert.ok((charged.summary.hot_pairs ?? 0) < reported.summary.hot_pairs);
+    const [finding] = reported.findings.filter((f) => f.code === 'hot-pairs');
+    assert.equal(finding.count, reported.summary.hot_pairs);
+    assert.match(finding.message, /^\d+ pairs of cuts nearer to each other than 12 mm follow each other within 2 s\./);
+  });
+
+  it('is among the savings as what it costs', async () => {
+    await planner.load(GRID, 'grid.dxf');
+    const { progress } = await planner.plan(options({ heat: HEAT })).done;
+    const saved = [];
+    for await (const one of leverSavings(planner, options({ heat: HEAT }), progress.summary.total_time)) saved.push(one);
+    assert.deepEqual(saved.map((s) => s.lever), ['heat']);
+    assert.ok(saved[0].seconds < 0, JSON.stringify(saved));
+  });
+
+  it('contradicts cuts on the run', async () => {
+    await planner.load(GRID, 'grid.dxf');
+    await assert.rejects(planner.plan(options({ heat: HEAT, fly: { reach: 20 } })).done, /levers\.heat and levers\.fly/);
+  });
+
+  it('is an option of the command line', async (t) => {
+    const at = folder(t);
+    const [file, json] = [join(at, 'grid.dxf'), join(at, 'grid.json')];
+    writeFileSync(file, GRID);
+    const plan = (...words) => kerfway('plan', file, '--machine', 'fibre-3kw-thin', '--moves', '5000', '--seed', '1', '--json', json, ...words);
+    const ran = await plan('--heat', '12,2', '--heat-charge', '3', '--small-holes', '8,1.5');
+    assert.equal(ran.code, 0, ran.stderr);
+    assert.deepEqual(JSON.parse(readFileSync(json, 'utf8')).machine.levers.heat, { distance: 12, seconds: 2, charge: 3, small_holes: { thickness: 8, ratio: 1.5 } });
+    const holes = await plan('--small-holes', '8');
+    assert.equal(holes.code, 0, holes.stderr);
+    assert.deepEqual(JSON.parse(readFileSync(json, 'utf8')).machine.levers.heat, { distance: 0, seconds: 0, small_holes: { thickness: 8, ratio: 1 } });
+    for (const [words, says] of [[['--heat', '12'], /as MM,S/], [['--heat-charge', '3'], /with --heat MM,S/], [['--heat', '12,2', '--fly', '20'], /levers\.fly/]]) {
+      const wrong = await plan(...words);
+      assert.deepEqual([wrong.code, says.test(wrong.stderr)], [2, true], wrong.stderr);
+    }
   });
 });

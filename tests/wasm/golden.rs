@@ -39,6 +39,7 @@ const PLANS: &[(&str, &str)] = &[
     ("one-kerf-apart", include_str!("../golden/one-kerf-apart.json")),
     ("partition-tree-pauses", include_str!("../golden/partition-tree-pauses.json")),
     ("tips-avoided", include_str!("../golden/tips-avoided.json")),
+    ("heat-charged", include_str!("../golden/heat-charged.json")),
 ];
 
 fn named<T: Copy>(list: &[(&str, T)], name: &str) -> T {

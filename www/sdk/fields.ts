@@ -1263,6 +1263,94 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                       "name": "tips",
                       "nullable": true,
                       "required": false
+                    },
+                    {
+                      "kind": {
+                        "object": [
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 500.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "plate half a metre away stays cold"
+                              }
+                            },
+                            "name": "distance",
+                            "nullable": false,
+                            "required": true
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 600.0,
+                                "or_zero": false,
+                                "unit": "s",
+                                "why": "plate cools in minutes"
+                              }
+                            },
+                            "name": "seconds",
+                            "nullable": false,
+                            "required": true
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 600.0,
+                                "or_zero": false,
+                                "unit": "s",
+                                "why": "waiting would take less"
+                              }
+                            },
+                            "name": "charge",
+                            "nullable": true,
+                            "required": false
+                          },
+                          {
+                            "kind": {
+                              "object": [
+                                {
+                                  "kind": {
+                                    "number": {
+                                      "least": 0.1,
+                                      "most": 300.0,
+                                      "or_zero": false,
+                                      "unit": "mm",
+                                      "why": "no beam, jet or plasma cuts thicker plate"
+                                    }
+                                  },
+                                  "name": "thickness",
+                                  "nullable": false,
+                                  "required": true
+                                },
+                                {
+                                  "kind": {
+                                    "number": {
+                                      "least": 0.1,
+                                      "most": 20.0,
+                                      "or_zero": false,
+                                      "unit": "",
+                                      "why": "a hole that is wider than that is not small"
+                                    }
+                                  },
+                                  "name": "ratio",
+                                  "nullable": false,
+                                  "required": false
+                                }
+                              ]
+                            },
+                            "name": "small_holes",
+                            "nullable": true,
+                            "required": false
+                          }
+                        ]
+                      },
+                      "name": "heat",
+                      "nullable": true,
+                      "required": false
                     }
                   ]
                 },
