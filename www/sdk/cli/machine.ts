@@ -94,6 +94,8 @@ function withLevers(values: Words['values'], machine: MachineProfile): MachinePr
   const lifted = height === undefined ? levers.lift : { height };
   if (lifted == null && (down !== undefined || atRest)) throw new WrongUse(`--${atRest ? 'lift-at-rest' : 'stay-down'}: the machine does not lift its head. Give the height with --lift.`);
   if (lifted != null) levers.lift = { ...lifted, ...(down !== undefined && { stay_down: down }), ...(atRest && { at_rest: true }) };
+  if (levers.heat != null && levers.fly != null) throw new WrongUse('--heat and --fly: contours that are cut on the run follow each other at once. Ask for one of them.');
+  if (levers.heat != null && machine.pre_cut_time != null) throw new WrongUse('--heat: the machine has pre_cut_time. Cuts that are left unfinished are not planned with heat in mind.');
   const z_speed = speed ?? machine.z_speed;
   if (levers.lift == null && levers.tips != null && levers.tips.risky_moves !== 'ignore') throw new WrongUse('--tips avoid: the machine does not lift its head. Give the height with --lift, or use --tips ignore.');
   if (levers.lift != null && z_speed == null) throw new WrongUse('--lift: the machine has no speed for lifting the head. Give it with --z-speed.');

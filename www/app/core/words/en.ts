@@ -298,7 +298,7 @@ export const en = {
   },
 
   heat: {
-    title: 'Let cuts cool', distance: 'Cuts nearer than', seconds: 'Least time between them', charge: 'Charge for a pair', thickness: 'Plate thickness', ratio: 'Small: times thickness',
+    title: 'Let cuts cool', distance: 'Cuts nearer than', seconds: 'Time between them', charge: 'Charge for a pair', thickness: 'Plate thickness', ratio: 'Small: times thickness',
     noCharge: 'none: wait', noThickness: 'not known', about: 'Cuts near each other do not follow each other at once: order and entries are chosen for it, and where nothing else helps, the head waits. With a charge it never waits, and the search weighs each pair that follows too soon. With a plate thickness, small holes are cut before all other cuts.',
     waits: 'Waits', hotPairs: 'Cuts too soon',
   },
