@@ -1,11 +1,11 @@
 // Seconds of whole jobs: what the search and each lever of docs/levers.md save against the nearest-next path with holes first on
 // the same preset without levers:
 //
-//     npm run bench -- whole-job [drawings|sheets|plates|tips]... [--moves N] [--preset NAME] [--only NAME] [--data FOLDER]
+//     npm run bench -- whole-job [drawings|sheets|nests|plates|tips]... [--moves N] [--preset NAME] [--only NAME] [--data FOLDER]
 //
 // `tips` is the table of docs/tips.md: what avoiding tipped pieces costs on the four sheets, against lifting the head for every move.
 // Drawings are those of tests/fixtures/dxf-dev, and of `FOLDER/dxf-dev` with `--data FOLDER`; sheets are those of benches/data;
-// plates are perforated ones that benches/solve/grids.mjs draws. Budgets are in moves, so the figures do not depend on the
+// nests are the same without the border of the sheet, which a shop does not cut; plates are perforated ones that benches/solve/grids.mjs draws. Budgets are in moves, so the figures do not depend on the
 // machine's load. Every plan is checked.
 
 import { rmSync } from 'node:fs';
@@ -19,20 +19,27 @@ import { drawn } from './solve/grids.mjs';
 
 const HERE = join(ROOT, 'benches', 'solve');
 const NATIVE = join(HERE, 'target', 'release', 'whole_job');
+/** Cuts through waste of any length: the search takes those that are quicker than what they stand for. */
+const CHAINS = { levers: { chains: { reach: 100 } } };
 /** What each lever sets, by machine. */
 const LEVERS = {
   // 1 mm sheet is through after some milliseconds: at this acceleration within half a millimetre.
-  'fibre-3kw-thin': { 'moving pierce': { levers: { moving_pierce: { overcut: 0.5 } } }, fly: { levers: { fly: { reach: 20, overcut: 0.5 } } } },
+  'fibre-3kw-thin': { 'moving pierce': { levers: { moving_pierce: { overcut: 0.5 } } }, fly: { levers: { fly: { reach: 20, overcut: 0.5 } } }, chains: CHAINS },
   // Acrylic is cut at a speed at which the beam is through at once.
-  'co2-100w': { 'moving pierce': { levers: { moving_pierce: { overcut: 1 } } }, fly: { levers: { fly: { reach: 20, overcut: 1 } } } },
-  // No piercing and no delays: nothing to save. Plate is pierced at rest.
+  'co2-100w': { 'moving pierce': { levers: { moving_pierce: { overcut: 1 } } }, fly: { levers: { fly: { reach: 20, overcut: 1 } } }, chains: CHAINS },
+  // No piercing and no delays: nothing to save.
   'diode-hobby': {},
-  'fibre-6kw-thick': {},
+  // Plate is pierced at rest.
+  'fibre-6kw-thick': { chains: CHAINS },
 };
+/** Levers that a machine has not together with the others: what begins moving is not pierced, so that chains have nothing to save. */
+const APART = { 'fibre-3kw-thin': ['chains'], 'co2-100w': ['chains'] };
 const PLATES = [['round', 20], ['round', 100], ['staggered', 20], ['slots', 20]];
+const sheets = ({ instances, only = '' }) => [100, 500, 2000].map((n) => `sheets/sheet_${n}.dxf`).filter((f) => f.includes(only)).map((f) => instances.file(f));
 const SETS = {
   drawings: ({ data, only }) => drawings([join(ROOT, 'tests', 'fixtures', 'dxf-dev'), ...(data ? [join(data, 'dxf-dev')] : [])], only),
-  sheets: ({ instances, only = '' }) => [100, 500, 2000].map((n) => `sheets/sheet_${n}.dxf`).filter((f) => f.includes(only)).map((f) => instances.file(f)),
+  sheets,
+  nests: sheets,
   plates: ({ only = '' }) => PLATES.filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => drawn(name, side)),
 };
 
@@ -64,14 +71,16 @@ export async function bench(args) {
 function whole(set, preset, files, moves) {
   const levers = LEVERS[preset];
   const names = Object.keys(levers);
-  const variants = [['search', {}], ...names.map((name) => [name, levers[name]]), ...(names.length > 1 ? [['all', { levers: Object.assign({}, ...Object.values(levers).map((set) => set.levers)) }]] : [])];
+  const together = names.filter((name) => !(APART[preset] ?? []).includes(name));
+  const all = { levers: Object.assign({}, ...together.map((name) => levers[name].levers)) };
+  const variants = [['search', {}], ...names.map((name) => [name, levers[name]]), ...(together.length > 1 ? [[together.length < names.length ? together.join(' and ') : 'all', all]] : [])];
   const machines = JSON.stringify(variants.map(([, changes]) => ({ preset, set: changes })));
   const saved = variants.map(() => []);
   const lines = [];
   for (const file of files) {
     let found;
     try {
-      found = rows(NATIVE, [file, '--machines', machines, '--moves', moves]);
+      found = rows(NATIVE, [file, '--machines', machines, '--moves', moves, ...(set === 'nests' ? ['--no-border'] : [])]);
     } catch (e) {
       console.log(`${basename(file)} is left out: ${e.message.trim().split('\n').at(-1)}`);
       continue;

@@ -105,6 +105,7 @@ fn generated() -> String {
         machine::Leads,
         machine::Levers,
         machine::Fly,
+        machine::Chains,
         machine::Lift,
         machine::MovingPierce,
         machine::RiskyMoves,

@@ -109,7 +109,7 @@ impl Job {
         let machine = &plan.machine;
         let (air, over_joint) = (AirMoves::new(machine), AirTime::head_down(machine));
         let (mut head, mut height) = (machine.home(), 0.0);
-        let (mut moving, mut flying) = (false, false);
+        let (mut moving, mut flying, mut chained) = (false, false, None);
         let (mut fixed, mut pierces, mut cuts) = (0.0, 0.0, Vec::<(bool, Process, Vec<Segment>)>::new());
         for step in &plan.moves {
             match step {
@@ -140,6 +140,11 @@ impl Job {
                     flying = true;
                     cuts.last_mut().iter_mut().for_each(|cut| cut.2.extend(&path));
                 }
+                Move::Chain { path } => {
+                    let path = Element::segments(path, &mut head);
+                    chained = cuts.last().map(|cut| (cut.0, cut.1));
+                    cuts.extend(chained.map(|(mark, process)| (mark, process, path)));
+                }
                 Move::Height { z } => {
                     fixed += machine.height_seconds(z - height);
                     height = *z;
@@ -153,7 +158,10 @@ impl Job {
                     match cuts.last_mut().filter(|_| std::mem::take(&mut flying)) {
                         Some(cut) => cut.2.extend(path),
                         None => {
-                            fixed += machine.delays_of_cut(std::mem::take(&mut moving));
+                            // After a chain the beam is on.
+                            if chained.take().is_none() {
+                                fixed += machine.delays_of_cut(std::mem::take(&mut moving));
+                            }
                             cuts.push((mark, process, path));
                         }
                     }

@@ -31,9 +31,9 @@ pub struct BestPath {
     pub pre_cuts: Vec<f64>,
     /// Sharp corners where a cut pauses: x, y each, mm.
     pub pauses: Vec<f64>,
-    /// On a machine with `levers.tips`: what the air move to each stop does about pieces that may have tipped, and last that of
-    /// the way home: 0 nothing, 1 it goes around them, 2 it is lifted over them, 3 it crosses them with the head down. Empty on
-    /// other machines.
+    /// What the move to each stop does about pieces that may have tipped, and last that of the way home: 0 nothing, 1 it goes around
+    /// them, 2 it is lifted over them, 3 it crosses them with the head down; or 4: it is a cut through waste. Empty if the machine has no
+    /// `levers.tips` and the plan no chains.
     pub ways: Vec<u8>,
     /// The places on the way around tipped pieces: x, y each, mm.
     pub via: Vec<f64>,
@@ -76,6 +76,8 @@ impl BestPath {
         path.joints = Geometry::of(joints(run, sheet).iter());
         if let Some(zones) = &problem.zones {
             path.tips = zones.pieces().iter().filter_map(|p| p.cut_by.first().copied()).collect();
+        }
+        if problem.zones.is_some() || plan.summary.chains > 0 {
             path.add_ways(&plan);
         }
         path.times = cutting_times(&plan, &run.machine, sheet, &parts);
@@ -106,12 +108,15 @@ impl BestPath {
         }
     }
 
-    /// Notes what the air moves do about tipped pieces. An air move leads to the stop of the next cut.
+    /// Notes what the air moves do about tipped pieces, and where there are chains in their place. An air move leads to the stop of
+    /// the next cut.
     fn add_ways(&mut self, plan: &Plan) {
         self.ways = vec![0; self.contours.len() + 1];
         let mut stop = 0;
         for (index, step) in plan.moves.iter().enumerate() {
-            let Move::Air { to, way } = step else { continue };
+            if !matches!(step, Move::Air { .. } | Move::Chain { .. }) {
+                continue;
+            }
             let next = plan.moves.iter().skip(index).find_map(|m| match m {
                 Move::Cut { contour, .. } => Some(*contour),
                 _ => None,
@@ -119,16 +124,17 @@ impl BestPath {
             let rest = self.contours.iter().enumerate().skip(stop);
             let home = self.contours.len();
             stop = next.map_or(home, |c| rest.into_iter().find(|s| *s.1 == c).map_or(stop, |s| s.0));
-            let kind = match way {
-                Way::Plain => continue,
-                Way::Around => 1,
-                Way::Lifted => 2,
-                Way::Crosses => 3,
+            let kind = match step {
+                Move::Air { way: Way::Around, .. } => 1,
+                Move::Air { way: Way::Lifted, .. } => 2,
+                Move::Air { way: Way::Crosses, .. } => 3,
+                Move::Chain { .. } => 4,
+                _ => continue,
             };
             if let Some(noted) = self.ways.get_mut(stop) {
                 *noted = kind.max(*noted);
             }
-            if *way == Way::Around {
+            if let Move::Air { to, way: Way::Around } = step {
                 self.via.extend([to.x, to.y]);
                 self.via_of.push(u32::try_from(stop).unwrap_or(u32::MAX));
             }
@@ -192,7 +198,7 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
     let mut runs: Vec<[f64; 2]> = Vec::with_capacity(parts.len());
     let mut goes_on = false;
     let (mut now, mut head, mut height) = (0.0, machine.home(), 0.0);
-    let mut moving = false;
+    let (mut moving, mut chained, mut process) = (false, false, machine.cut);
     // The contour whose passes go on until the next air move.
     let mut repeated = None;
     // Since a joint was left: the elements of a motion that goes on, and whether the contour does.
@@ -212,6 +218,11 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
             Move::Fly { path } => {
                 motion.extend_from_slice(path);
                 head = path.last().map_or(head, Segment::end);
+            }
+            Move::Chain { path } => {
+                now += cut_time(machine, &process, path);
+                head = path.last().map_or(head, Segment::end);
+                chained = true;
             }
             Move::Cut { path, .. } if flies_on => {
                 motion.extend_from_slice(path);
@@ -235,9 +246,11 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
                 height = *z;
             }
             Move::Cut { contour, path, .. } => {
-                let begin = now + if std::mem::take(&mut moving) { 0.0 } else { machine.beam_on_delay };
+                let at_once = std::mem::take(&mut moving) || std::mem::take(&mut chained);
+                let begin = now + if at_once { 0.0 } else { machine.beam_on_delay };
                 motion.extend_from_slice(path);
-                let end = begin + cut_time(machine, &sheet.process_by_id(*contour, machine), &motion);
+                process = sheet.process_by_id(*contour, machine);
+                let end = begin + cut_time(machine, &process, &motion);
                 motion.clear();
                 let passes =
                     sheet.contours.get(*contour as usize).map_or(1, |c| sheet.passes_at_once(c, machine));
@@ -248,7 +261,8 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
                     None => runs.push([begin, end]),
                 }
                 after_joint = false;
-                now = end + machine.beam_off_delay;
+                let stays_on = matches!(plan.moves.get(index + 1), Some(Move::Chain { .. }));
+                now = end + if stays_on { 0.0 } else { machine.beam_off_delay };
                 head = path.last().map_or(head, Segment::end);
             }
         }

@@ -50,6 +50,7 @@ use crate::drawing::{Drawing, ReadOptions};
 use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Severity};
 use crate::order::sort_by;
+use crate::problem::KNOWS_CHAINS;
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
 use crate::tipping::IS_BUILT;
 
@@ -177,6 +178,10 @@ impl Job {
         if profile.levers.heat.is_some() && !crate::heat::IS_BUILT {
             let sentence = "This build of Kerfway does not know about heat. Leave out \"levers.heat\", or load the whole package.";
             return Err(JobError::Conflict { field: "machine.levers.heat", sentence });
+        }
+        if profile.levers.chains.is_some() && !KNOWS_CHAINS {
+            let sentence = "This build of Kerfway does not join contours through waste. Leave out \"levers.chains\", or load the whole package.";
+            return Err(JobError::Conflict { field: "machine.levers.chains", sentence });
         }
         self.drop_run();
         let mut findings = self.compensate(placed.profile.kerf_width);

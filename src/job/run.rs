@@ -89,6 +89,10 @@ impl Run {
         let parameters = options.parameters.as_deref().unwrap_or_default();
         let method = solve::named(name, parameters)?;
         let machine = placed.seen_from_drawing();
+        if method.is_published() && machine.levers.chains.is_some() {
+            let sentence = "Methods of papers do not join contours through waste. Leave out \"levers.chains\", or choose the method tour-tree.";
+            return Err(JobError::Conflict { field: "method", sentence });
+        }
         let problem = problem_of(sheet, &machine);
         let summary = |s: &Solution| plan::from_solution(sheet, &problem, s).summary;
         let mut findings = common_cuts::findings(sheet, &problem);

@@ -197,7 +197,7 @@ mod tests {
     use super::*;
     use crate::geometry::DVec2;
     use crate::machine;
-    use crate::problem::{Groups, Item, Node};
+    use crate::problem::{Groups, Item, Links, Node};
 
     /// Three items with two entries each; the first lies inside the last.
     fn problem() -> Problem {
@@ -227,6 +227,7 @@ mod tests {
             table: None,
             zones: None,
             cooling: None,
+            links: Links::default(),
         }
     }
 

@@ -11,6 +11,7 @@
 //! A lead that touches no contour stays in one piece of scrap. That piece is still there when the lead is cut: scrap
 //! around parts is never cut free, and a hole falls out after its own contour only. Marks are not avoided.
 
+mod chain;
 mod findings;
 mod inscribed;
 mod ladder;
@@ -25,3 +26,4 @@ pub use ladder::{Fit, Outcome};
 pub use moving::starts_moving;
 pub use planner::{ContourLeads, Entry, Planner};
 pub use run::{Lead, Run};
+pub(crate) use scrap::Scrap;

@@ -19,10 +19,10 @@ const JOINT: f64 = 0.05;
 const TOUCHING: f64 = 1e-4;
 
 /// All cuts, and where leads may be.
-pub(super) struct Scrap<'s> {
-    contours: &'s [Contour],
-    elements: Vec<Element>,
-    index: BoxIndex,
+pub(crate) struct Scrap<'s> {
+    pub(super) contours: &'s [Contour],
+    pub(super) elements: Vec<Element>,
+    pub(super) index: BoxIndex,
     /// The contours that bound parts and holes, and the index of their boxes.
     outlines: Vec<u32>,
     boxes: BoxIndex,
@@ -33,13 +33,13 @@ pub(super) struct Scrap<'s> {
     bed: Option<Aabb>,
 }
 
-struct Element {
-    contour: u32,
-    shape: Segment,
+pub(super) struct Element {
+    pub(super) contour: u32,
+    pub(super) shape: Segment,
     /// Arc length of its start on the contour, mm.
     start: f64,
     /// Least distance of other leads, mm.
-    least: f64,
+    pub(super) least: f64,
 }
 
 /// A place where leads of a contour are tried.
@@ -52,7 +52,7 @@ pub(super) struct Joint {
 
 impl<'s> Scrap<'s> {
     /// `kerf` is the width of the beam if contours are offset for it, mm.
-    pub(super) fn new(contours: &'s [Contour], clearance: f64, kerf: f64, bed: Option<Aabb>) -> Self {
+    pub(crate) fn new(contours: &'s [Contour], clearance: f64, kerf: f64, bed: Option<Aabb>) -> Self {
         let mut scrap = Self {
             contours,
             elements: Vec::new(),
@@ -81,6 +81,16 @@ impl<'s> Scrap<'s> {
         scrap
     }
 
+    /// Least distance from other contours, mm.
+    pub(super) fn clearance(&self) -> f64 {
+        self.clearance
+    }
+
+    /// How far away contours matter, mm.
+    pub(super) fn reach(&self) -> f64 {
+        self.clearance + self.beside_drawn
+    }
+
     /// Whether a lead from a joint outwards lies in scrap.
     pub(super) fn holds(&self, joint: Joint, lead: &Outwards) -> bool {
         let Some(tip) = lead.path.last().map(Segment::end) else { return true };
@@ -92,7 +102,7 @@ impl<'s> Scrap<'s> {
         let length: f64 = lead.path.iter().map(Segment::length).sum();
         let window =
             Window { along: joint.along, half: WINDOW * (length + self.clearance), whole: own.length };
-        let reach = self.clearance + self.beside_drawn;
+        let reach = self.reach();
         let least_tip = self.clearance.min(0.5 * lead.depth);
         let mut skip = JOINT * length;
         for s in &lead.path {
@@ -123,7 +133,7 @@ impl<'s> Scrap<'s> {
 
     /// Whether a point is in the scrap of a contour: within the contours around it and, of a hole, within itself, but in
     /// nothing else. Contours that cross each other have no such point where they overlap.
-    fn is_in_scrap(&self, own: &Contour, p: DVec2) -> bool {
+    pub(super) fn is_in_scrap(&self, own: &Contour, p: DVec2) -> bool {
         let (mut around, mut clear) = (0, true);
         self.boxes.visit(Aabb::of(p), |k| {
             let id = self.outlines.get(k).copied().unwrap_or_default();

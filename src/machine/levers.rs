@@ -10,6 +10,9 @@ use serde::{Deserialize, Serialize};
 const OVERCUT: Range = Range::new(0.0, 100.0, "mm", "thin sheet is cut through after a few millimetres");
 const REACH: Range =
     Range::new(0.1, 1000.0, "mm", "a head that runs on over more than that would rather stop");
+const CHAIN: Range = Range::new(0.1, 1000.0, "mm", "a cut through more waste takes longer than piercing");
+const CHAIN_CLEARANCE: Range =
+    Range::new(0.0, 100.0, "mm", "a chain keeps away from everything that it does not join");
 const HEIGHT: Range = Range::new(0.1, 500.0, "mm", "a head is lifted over parts that may tip");
 const STAY_DOWN: Range = Range::new(0.0, 1e5, "mm", "short moves are made with the head down");
 
@@ -31,6 +34,9 @@ pub struct Levers {
     /// Rows and grids of contours are cut on the run; `None`: the head stops before each contour.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fly: Option<Fly>,
+    /// Contours are joined by cuts through waste; `None`: the head pierces for each of them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub chains: Option<Chains>,
     /// Pieces that may tip up under the head, and what is done about moves over them; `None`: nothing is known of them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tips: Option<Tips>,
@@ -64,6 +70,25 @@ impl Fly {
     pub fn cut_again(&self, length: f64) -> f64 {
         self.overcut.min(0.5 * length)
     }
+}
+
+/// Chains: from the end of a contour the beam cuts straight through waste to the entry of the next one, where that takes less
+/// time than switching it off, moving and piercing.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields))]
+pub struct Chains {
+    /// Longest cut through waste, mm.
+    pub reach: f64,
+    /// Least distance of such a cut from every contour but the two that it joins, and from these away from its ends, mm. Default 1.
+    #[serde(default = "chain_clearance")]
+    #[cfg_attr(test, ts(as = "Option<f64>"))]
+    pub clearance: f64,
+}
+
+/// A millimetre, as between leads and other cuts: the edge of a part is not touched by the heat of the chain.
+fn chain_clearance() -> f64 {
+    1.0
 }
 
 /// Lifting the head for moves with the beam off. It is lifted and lowered with the speed of the z axis
@@ -110,6 +135,7 @@ impl Levers {
         Field::nullable("moving_pierce", Kind::Object(MOVING_PIERCE)),
         Field::nullable("lift", Kind::Object(LIFT)),
         Field::nullable("fly", Kind::Object(FLY)),
+        Field::nullable("chains", Kind::Object(CHAINS)),
         Field::nullable("tips", Kind::Object(Tips::FIELDS)),
         Field::nullable("heat", Kind::Object(Heat::FIELDS)),
     ];
@@ -144,9 +170,15 @@ impl Levers {
         let fly = self
             .fly
             .map(|f| [("levers.fly.reach", f.reach, REACH), ("levers.fly.overcut", f.overcut, OVERCUT)]);
+        let chains = self.chains.map(|c| {
+            [
+                ("levers.chains.reach", c.reach, CHAIN),
+                ("levers.chains.clearance", c.clearance, CHAIN_CLEARANCE),
+            ]
+        });
         let tips = self.tips.iter().flat_map(Tips::numbers);
         let heat = self.heat.iter().flat_map(Heat::numbers);
-        let motion = lift.into_iter().flatten().chain(fly.into_iter().flatten());
+        let motion = [lift, fly, chains].into_iter().flatten().flatten();
         overcut.into_iter().chain(motion).chain(tips).chain(heat)
     }
 }
@@ -161,3 +193,8 @@ const LIFT: &[Field] = &[
 
 const FLY: &[Field] =
     &[Field::required("reach", Kind::Number(REACH)), Field::optional("overcut", Kind::Number(OVERCUT))];
+
+const CHAINS: &[Field] = &[
+    Field::required("reach", Kind::Number(CHAIN)),
+    Field::optional("clearance", Kind::Number(CHAIN_CLEARANCE)),
+];

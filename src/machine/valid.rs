@@ -48,6 +48,11 @@ pub enum ProfileError {
         "The machine has levers.fly and pre_cut_time. Plate that is cut with pre-cuts is not cut on the run: give one of them."
     )]
     FlyPreCuts,
+    /// Contours are to be joined by cuts through waste on a machine that leaves cuts unfinished or pauses in corners.
+    #[error(
+        "The machine has levers.chains and {0}. Chains are planned for machines that pierce each contour once, at rest, and turn corners with the beam on: give one of them."
+    )]
+    ChainsWith(&'static str),
     /// The head is to be lifted, and there is no speed for it.
     #[error(
         "The machine has levers.lift, but no z_speed. Give the speed of the z axis, or leave out the lift."
@@ -95,6 +100,9 @@ impl From<ProfileError> for FieldError {
             }
             ProfileError::MovingPreCuts => {
                 Self::new(Fault::Contradiction, "levers.moving_pierce", error.to_string())
+            }
+            ProfileError::ChainsWith(_) => {
+                Self::new(Fault::Contradiction, "levers.chains", error.to_string())
             }
             ProfileError::FlyPreCuts => Self::new(Fault::Contradiction, "levers.fly", error.to_string()),
             ProfileError::Dialect(sentence) => Self::new(Fault::Contradiction, "dialect", sentence),
@@ -268,6 +276,9 @@ impl Profile {
                     if self.levers.fly.is_some() && self.pre_cut_time.is_some() {
                         return Err(ProfileError::FlyPreCuts);
                     }
+                    if let Some(other) = self.without_chains() {
+                        return Err(ProfileError::ChainsWith(other));
+                    }
                     if self.levers.lift.is_some() && self.z_speed.is_none() {
                         return Err(ProfileError::LiftWithoutZ);
                     }
@@ -289,6 +300,19 @@ impl Profile {
             },
             Some((field, value, range)) => Err(ProfileError::Value { field, value, range }),
         }
+    }
+
+    /// The field that a machine with chains must not have.
+    fn without_chains(&self) -> Option<&'static str> {
+        self.levers.chains?;
+        let fields = [
+            ("pre_cut_time", self.pre_cut_time.is_some()),
+            ("sharp_corner", self.sharp_corner.is_some()),
+            ("levers.moving_pierce", self.levers.moving_pierce.is_some()),
+            ("levers.tips.risky_moves \"avoid\"", self.levers.avoid_tips()),
+            ("levers.heat", self.levers.heat.is_some()),
+        ];
+        fields.into_iter().find(|f| f.1).map(|f| f.0)
     }
 
     /// Every material has a name of its own, and values within their ranges.

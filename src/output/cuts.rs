@@ -11,7 +11,8 @@ pub(super) struct Cut<'a> {
     pub(super) contour: u32,
     /// Its entry, mm.
     pub(super) entry: DVec2,
-    /// Its elements from the entry on; never empty. Pauses in sharp corners do not divide it.
+    /// Its elements from the entry on; never empty. Pauses in sharp corners do not divide it, nor do chains, unless contours are
+    /// asked for one by one.
     pub(super) path: Cow<'a, [Segment]>,
     /// Whether it is marked instead of cut.
     pub(super) mark: bool,
@@ -23,8 +24,17 @@ pub(super) struct Cut<'a> {
     pub(super) leads: Leads,
 }
 
-/// The cuts and marks of a plan, in order.
+/// The cuts and marks of a plan, in order. Contours that are joined by chains are one cut, as the beam stays on.
 pub(super) fn cuts(plan: &Plan) -> Vec<Cut<'_>> {
+    collect(plan, true)
+}
+
+/// The cuts and marks of a plan, in order, those of each contour by themselves, without the chains between them.
+pub(super) fn contour_cuts(plan: &Plan) -> Vec<Cut<'_>> {
+    collect(plan, false)
+}
+
+fn collect(plan: &Plan, joined: bool) -> Vec<Cut<'_>> {
     let mut all: Vec<Cut> = Vec::with_capacity(plan.moves.len());
     let (mut goes_on, mut pierced, mut height) = (false, false, 0.0);
     for step in &plan.moves {
@@ -43,12 +53,15 @@ pub(super) fn cuts(plan: &Plan) -> Vec<Cut<'_>> {
                 }
             }
         }
+        if let (Move::Chain { path }, true, Some(before)) = (step, joined, all.last_mut()) {
+            before.path.to_mut().extend_from_slice(path);
+        }
         match step {
             Move::Pierce => pierced = true,
             Move::Height { z } => height = *z,
             _ => pierced = false,
         }
-        goes_on = matches!(step, Move::Macro { .. });
+        goes_on = matches!(step, Move::Macro { .. }) || joined && matches!(step, Move::Chain { .. });
     }
     all
 }

@@ -8,7 +8,7 @@
 //! pieces of at most a third of a turn, where an error in the ends moves the arc by no more than itself. Everything
 //! lies within 0.003 mm of the plan.
 
-use super::cuts::{Cut, closes, cuts};
+use super::cuts::{Cut, closes, contour_cuts};
 use super::number::{Fixed, fixed};
 use super::sheet_facts::SheetFacts;
 use crate::geometry::{Aabb, DVec2, Segment, arcs};
@@ -48,6 +48,7 @@ pub fn svg(plan: &Plan, sheet: &SheetFacts, profile: &Profile) -> String {
     style(&mut out, width);
     contours(&mut out, plan, sheet);
     leads(&mut out, plan);
+    chains(&mut out, plan);
     joints(&mut out, plan, width);
     air(&mut out, plan, profile.home());
     entries(&mut out, plan, width);
@@ -60,7 +61,7 @@ fn reach(plan: &Plan, home: DVec2) -> Aabb {
     plan.moves.iter().fold(Aabb::of(home), |b, step| match step {
         Move::Air { to, .. } | Move::PreCut { to, .. } => b.with(*to),
         Move::Pierce | Move::MovingStart | Move::Macro { .. } | Move::Height { .. } | Move::Wait { .. } => b,
-        Move::Cut { path, .. } | Move::Joint { path, .. } | Move::Fly { path } => {
+        Move::Cut { path, .. } | Move::Joint { path, .. } | Move::Fly { path } | Move::Chain { path } => {
             path.iter().fold(b, |b, s| b.union(s.bounds()))
         }
     })
@@ -80,7 +81,7 @@ fn style(out: &mut String, width: f64) {
 }
 
 fn contours(out: &mut String, plan: &Plan, sheet: &SheetFacts) {
-    for (order, cut) in cuts(plan).iter().enumerate() {
+    for (order, cut) in contour_cuts(plan).iter().enumerate() {
         let &Cut { contour, entry, ref path, mark, .. } = cut;
         let class = if mark { "mark" } else { "cut" };
         let _ = write!(out, "<path class=\"{class}\" d=\"M{}", Point(entry));
@@ -95,7 +96,7 @@ fn contours(out: &mut String, plan: &Plan, sheet: &SheetFacts) {
 
 /// Leads and overcuts, drawn over their contours.
 fn leads(out: &mut String, plan: &Plan) {
-    let cuts = cuts(plan);
+    let cuts = contour_cuts(plan);
     let parts = cuts.iter().flat_map(|cut| {
         let [lead_in, _, overcut, lead_out] = cut.leads.divide(&cut.path);
         [lead_in, overcut, lead_out]
@@ -112,6 +113,23 @@ fn leads(out: &mut String, plan: &Plan) {
         part.iter().for_each(|segment| element(out, segment));
     }
     out.push_str("\"><title>Lead-ins, lead-outs, overcuts</title></path>\n");
+}
+
+/// Cuts through waste that join contours.
+fn chains(out: &mut String, plan: &Plan) {
+    let of = |m: &Move| if let Move::Chain { path } = m { Some(path.clone()) } else { None };
+    let mut chains = plan.moves.iter().filter_map(of).filter(|path| !path.is_empty()).peekable();
+    if chains.peek().is_none() {
+        return;
+    }
+    out.push_str(
+        "<style>.chain{stroke:#8a4fc7}@media(prefers-color-scheme:dark){.chain{stroke:#c39bff}}</style>\n<path class=\"chain\" d=\"",
+    );
+    for path in chains {
+        let _ = write!(out, "M{}", Point(path[0].start()));
+        path.iter().for_each(|segment| element(out, segment));
+    }
+    out.push_str("\"><title>Cuts through waste</title></path>\n");
 }
 
 /// Micro-joints, as short wide strokes between the stretches of their contours.
@@ -171,14 +189,16 @@ fn air(out: &mut String, plan: &Plan, home: DVec2) {
                 path.iter().for_each(|s| element(out, s));
                 at = path.last().map_or(at, Segment::end);
             }
-            Move::Cut { path, .. } | Move::Joint { path, .. } => at = path.last().map_or(at, Segment::end),
+            Move::Cut { path, .. } | Move::Joint { path, .. } | Move::Chain { path } => {
+                at = path.last().map_or(at, Segment::end);
+            }
         }
     }
     out.push_str("\"/>\n");
 }
 
 fn entries(out: &mut String, plan: &Plan, width: f64) {
-    let places: Vec<DVec2> = cuts(plan).iter().map(|c| c.entry).collect();
+    let places: Vec<DVec2> = contour_cuts(plan).iter().map(|c| c.entry).collect();
     out.push_str("<path class=\"entry\" d=\"");
     for p in &places {
         let _ = write!(out, "M{}h0", Point(*p));

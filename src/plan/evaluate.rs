@@ -1,12 +1,12 @@
 //! Adds up a list of moves on a machine, from the moves alone.
 //!
 //! Cuts that are joined by joints without a stop, or cut on the run, are one motion: its time is that of all its elements, and the beam settles
-//! once.
+//! once. So it is with contours that are joined by chains, but the head stops at the ends of a chain.
 
 use super::air::AirMoves;
 use super::model::{Move, Summary, Way};
 use crate::geometry::{Aabb, DVec2, Segment};
-use crate::machine::{AirTime, Profile, cut_time};
+use crate::machine::{AirTime, Process, Profile, cut_time};
 use crate::sheet::Sheet;
 use std::borrow::Cow;
 
@@ -35,6 +35,10 @@ pub(super) struct Sums<'a> {
     height: f64,
     moving: bool,
     around: bool,
+    /// Whether the beam is still on after a chain.
+    chained: bool,
+    /// That of the last cut.
+    process: Process,
     worked: Vec<bool>,
     /// Seconds at the end of the last cut that is no skeleton cut.
     parts_end: f64,
@@ -55,6 +59,8 @@ impl<'a> Sums<'a> {
             height: 0.0,
             moving: false,
             around: false,
+            chained: false,
+            process: machine.cut,
             worked: vec![false; sheet.contours.len()],
             parts_end: 0.0,
             motion: Vec::new(),
@@ -112,6 +118,16 @@ impl<'a> Sums<'a> {
                 self.motion.extend(path);
                 self.head = path.last().map_or(self.head, Segment::end);
             }
+            Move::Chain { path } => {
+                let length = path.iter().map(Segment::length).sum::<f64>();
+                sum.chains += 1;
+                sum.chain_length += length;
+                sum.cut_length += length;
+                sum.cut_time += cut_time(machine, &self.process, path);
+                self.bounds = path.iter().fold(self.bounds, |b, s| b.union(s.bounds()));
+                self.head = path.last().map_or(self.head, Segment::end);
+                self.chained = true;
+            }
             Move::Joint { path, .. } => {
                 let to = path.last().map_or(self.head, Segment::end);
                 let seconds = self.over_joint.seconds(self.head, to);
@@ -128,7 +144,7 @@ impl<'a> Sums<'a> {
                         *worked = true;
                     }
                 }
-                let process = self.sheet.process_by_id(*contour, machine);
+                self.process = self.sheet.process_by_id(*contour, machine);
                 sum.cut_length += path.iter().map(Segment::length).sum::<f64>();
                 sum.lead_length +=
                     [lead_in, overcut, lead_out].into_iter().flatten().map(Segment::length).sum::<f64>();
@@ -141,8 +157,11 @@ impl<'a> Sums<'a> {
                         self.motion.extend(path);
                         Cow::Owned(std::mem::take(&mut self.motion))
                     };
-                    sum.cut_time += cut_time(machine, &process, &whole);
-                    sum.pierce_time += machine.delays_of_cut(std::mem::take(&mut self.moving));
+                    sum.cut_time += cut_time(machine, &self.process, &whole);
+                    // With a chain before it, the beam is on already, and goes off once.
+                    if !std::mem::take(&mut self.chained) {
+                        sum.pierce_time += machine.delays_of_cut(std::mem::take(&mut self.moving));
+                    }
                 }
                 self.bounds = path.iter().fold(self.bounds, |b, s| b.union(s.bounds()));
                 self.head = last.end();

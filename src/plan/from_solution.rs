@@ -8,7 +8,7 @@ use crate::geometry::{DVec2, Path, Segment};
 use crate::joint::{ContourJoints, Divided, Stretch, divided};
 use crate::lead::{Lead, Run, starts_moving};
 use crate::machine::{JointKind, Process, Profile};
-use crate::problem::{Item, Problem, Stroke};
+use crate::problem::{Item, NodeId, Problem, Stroke};
 use crate::sheet::Sheet;
 use crate::solve::{Solution, Stop};
 use crate::tipping::IS_BUILT;
@@ -18,16 +18,19 @@ use crate::tipping::IS_BUILT;
 /// Cuts are pierced in every pass; marks are not. A contour that is left unfinished gets a pre-cut where it is left, if
 /// the machine charges for pre-cuts, and is resumed without piercing; so is a pierce group. A cut pauses in sharp corners, and
 /// is interrupted by micro-joints. There is no air move if the head
-/// is already in place.
+/// is already in place. Between nodes with a link there is a chain instead, and no piercing.
 pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> Plan {
     let mut moves = Vec::with_capacity(3 * solution.stops.len() + 1);
     let mut head = problem.home;
     let pre_cuts = problem.machine.makes_pre_cuts();
     // For each contour, the place where it was begun.
     let mut begun: Vec<Option<f64>> = vec![None; sheet.contours.len()];
+    let mut last: Option<NodeId> = None;
     for stop in &solution.stops {
         let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
         let contour = node.item;
+        let before = last.replace(stop.node);
+        let chained = before.is_some_and(|before| problem.links.between(before, stop.node).is_some());
         let Some(known) = sheet.contours.get(contour as usize) else { continue };
         if let Some(path) = problem.items.get(contour as usize).and_then(|i| i.path(stop.node)) {
             if let Some((from, to)) = stop.ends(problem) {
@@ -53,15 +56,19 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
             Some(lead) => with_leads(lead, &known.path, stop.along),
             None => (path_of(&known.path, stop, node.reversed), Leads::default()),
         };
-        let (Some(first), Some(last)) = (path.first(), path.last()) else { continue };
-        let (entry, exit) = (first.start(), last.end());
-        go(&mut moves, &mut head, entry);
+        let (Some(start), Some(end)) = (path.first(), path.last()) else { continue };
+        let (entry, exit) = (start.start(), end.end());
+        if chained {
+            moves.push(Move::Chain { path: vec![Segment::line(head, entry)] });
+        } else {
+            go(&mut moves, &mut head, entry);
+        }
         let resumed = begun[contour as usize].is_some();
         let passes = sheet.passes_at_once(known, &problem.machine);
         let moving =
             item.is_none_or(|i| i.joints.is_none()) && starts_moving(sheet, &problem.machine, known, lead);
         let start = match (moving, known.is_mark()) {
-            _ if resumed => None,
+            _ if resumed || chained => None,
             (true, _) => Some(Move::MovingStart),
             (false, true) => None,
             (false, false) => Some(Move::Pierce),

@@ -51,6 +51,12 @@ pub enum Move {
         /// The elements of the way.
         path: Vec<Segment>,
     },
+    /// Cuts through waste from the end of one cut to the beginning of the next with the beam on, and stops at both ends. The next cut
+    /// is not pierced.
+    Chain {
+        /// The elements of the cut through waste.
+        path: Vec<Segment>,
+    },
     /// Lowers or raises the head with the beam off, for the passes of a deep cut.
     Height {
         /// Height, mm: 0 as focused, negative when lowered.
@@ -117,7 +123,7 @@ impl Move {
     pub fn end(&self) -> Option<DVec2> {
         match self {
             Self::Air { to, .. } | Self::PreCut { to, .. } => Some(*to),
-            Self::Cut { path, .. } | Self::Joint { path, .. } | Self::Fly { path } => {
+            Self::Cut { path, .. } | Self::Joint { path, .. } | Self::Fly { path } | Self::Chain { path } => {
                 path.last().map(Segment::end)
             }
             Self::Pierce
@@ -198,6 +204,14 @@ pub struct Summary {
     #[serde(default, skip_serializing_if = "is_none")]
     #[cfg_attr(test, ts(as = "Option<u32>", optional))]
     pub fly_cuts: u32,
+    /// Number of cuts through waste that join two contours.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub chains: u32,
+    /// Their length, mm, which is part of the length of cuts.
+    #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
+    #[cfg_attr(test, ts(as = "Option<f64>", optional))]
+    pub chain_length: f64,
     /// Number of air moves for which the head is lifted.
     #[serde(default, skip_serializing_if = "is_none")]
     #[cfg_attr(test, ts(as = "Option<u32>", optional))]
@@ -253,7 +267,7 @@ pub struct Summary {
     pub skeleton_time: f64,
     /// Length of air moves.
     pub air_length: f64,
-    /// Time along contours, by look-ahead over corners and acceleration. It includes the ways between cuts on the run.
+    /// Time along contours, by look-ahead over corners and acceleration. It includes the ways between cuts on the run, and chains.
     pub cut_time: f64,
     /// Time of air moves, of lowering and raising the head, and of waits.
     pub air_time: f64,
@@ -322,7 +336,10 @@ impl Plan {
                     run(ahead);
                 }
                 Move::Macro { at, .. } => *at += shift,
-                Move::Cut { path, .. } | Move::Joint { path, .. } | Move::Fly { path } => run(path),
+                Move::Cut { path, .. }
+                | Move::Joint { path, .. }
+                | Move::Fly { path }
+                | Move::Chain { path } => run(path),
             }
         }
         let [x0, y0, x1, y1] = self.summary.bounds;

@@ -1,16 +1,19 @@
 //! Conversion of a sheet to a problem: one item for each contour, with entries, precedence from the nesting, and a rank.
 
+use super::chains::Candidates;
 use super::entries::entries;
 use super::fly::FlyGroups;
 use super::groups::Groups;
 use super::heat;
 use super::ids::ItemId;
 use super::leads::{ItemLeads, LeadNode, Planners};
+use super::links::Links;
 use super::model::{Item, Node, Problem, count};
 use super::pierce_groups::PierceGroups;
 use super::seconds::{leave_seconds, seconds, start_seconds};
 use super::sub_path::SubPath;
 use super::tipping;
+use crate::geometry::DVec2;
 use crate::machine::Profile;
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
@@ -36,6 +39,8 @@ use crate::tipping::IS_BUILT;
 ///   the lead are part of the entry. Nothing is left unfinished then, and pierce groups have no leads.
 /// * Fly cuts: if the machine cuts rows and grids on the run, the item of the first contour stands for all of them, and its nodes
 ///   are ways through them.
+/// * Chains: where contours may be joined through waste, their nodes include places opposite each other, and links between nodes
+///   say what a chain takes. A contour with links is entered at its nodes only.
 /// * Joints: a contour with micro-joints is entered where its leads are away from them, or at the end of one. It is not left
 ///   unfinished, and is pierced at rest.
 /// * Sequences: pairs of items. Contours in a sequence are not left unfinished, and have at least the rank of those before them.
@@ -54,6 +59,8 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     let zones = tipping::zones(sheet, machine, is_held);
     let avoided = zones.as_deref().filter(|z| IS_BUILT && z.avoids());
     let flown = FlyGroups::new(sheet, machine, &planners, &ranks, avoided);
+    let is_alone = |c| !joined.holds(c) && !flown.holds(c);
+    let chained = Candidates::new(sheet, machine, &planners, is_alone);
     let keeps_together = sheet.keeps_together();
     let mut items = Vec::with_capacity(sheet.contours.len());
     let mut nodes: Vec<Node> = Vec::new();
@@ -94,7 +101,10 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             continue;
         }
         let passes = sheet.passes_at_once(contour, machine);
-        push_nodes(&mut nodes, item, contour, passes);
+        match chained.as_ref().and_then(|c| c.places(item)) {
+            Some(places) => push_places(&mut nodes, item, places),
+            None => push_nodes(&mut nodes, item, contour, passes),
+        }
         let may_move = joints.is_none();
         let (fixed, run) = seconds(sheet, machine, contour, passes, may_move);
         items.push(Item {
@@ -112,6 +122,10 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
             ..Item::default()
         });
     }
+    let links = chained.map_or_else(Links::default, |c| c.links(&items, &nodes));
+    for item in items.iter_mut().filter(|i| i.nodes.clone().any(|n| links.touch(n))) {
+        item.track = None;
+    }
     Problem {
         items,
         nodes,
@@ -123,6 +137,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
         table: None,
         zones,
         cooling: heat::cooling(sheet, machine),
+        links,
     }
 }
 
@@ -143,7 +158,12 @@ fn push_nodes(nodes: &mut Vec<Node>, item: ItemId, contour: &Contour, passes: u3
         nodes.push(node(end, start, true, ahead));
         return;
     }
-    for (along, entry) in entries(path) {
+    push_places(nodes, item, &entries(path));
+}
+
+/// A node at each of these places of a closed contour.
+fn push_places(nodes: &mut Vec<Node>, item: ItemId, places: &[(f64, DVec2)]) {
+    for &(along, entry) in places {
         let twin = count(nodes);
         nodes.push(Node { item, entry, exit: entry, along, reversed: false, twin });
     }

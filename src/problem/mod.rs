@@ -2,6 +2,7 @@
 //! know neither drawings nor machine programs.
 
 mod beside;
+mod chains;
 mod entries;
 mod fly;
 mod from_sheet;
@@ -11,6 +12,7 @@ mod heat;
 mod ids;
 mod instance;
 mod leads;
+mod links;
 mod model;
 mod pierce_groups;
 mod seconds;
@@ -19,12 +21,14 @@ mod table;
 mod tipping;
 
 pub use beside::Beside;
+pub use chains::IS_BUILT as KNOWS_CHAINS;
 pub use from_sheet::from_sheet;
 pub use group_problem::{Element, GroupMethod, GroupProblem, GroupProblems, group_problems};
 pub use groups::Groups;
 pub use ids::{ItemId, NodeId};
 pub use instance::{Fault, Instance, InstanceError, check, instance};
 pub use leads::ItemLeads;
+pub use links::{Link, Links};
 pub use model::{Item, Node, Problem};
 pub use sub_path::{LeavePoint, Span, Stroke, SubPath};
 pub use table::Table;

@@ -10,6 +10,7 @@
 use super::groups::Groups;
 use super::ids::{ItemId, NodeId};
 use super::leads::ItemLeads;
+use super::links::Links;
 use super::sub_path::SubPath;
 use super::table::Table;
 use crate::geometry::Path;
@@ -179,12 +180,15 @@ pub struct Problem {
     pub zones: Option<Arc<Zones>>,
     /// The cuts that heat each other, on a machine with `levers.heat`. What a cut costs then depends on when those near it ended.
     pub cooling: Option<Arc<Cooling>>,
+    /// Pairs of nodes with something quicker between them than an air move: chains, on a machine with `levers.chains`. Their items
+    /// have no track. Where there is a link, its seconds are the cost of travel.
+    pub links: Links,
 }
 
 impl Problem {
-    /// What every plan pays at its items, whatever its travel, s ([`Item::least`]).
+    /// What every plan pays at its items, whatever its travel, s ([`Item::least`]), less what links may save on air moves.
     pub fn paid(&self) -> f64 {
-        self.items.iter().map(Item::least).sum()
+        self.items.iter().map(Item::least).sum::<f64>() - self.links.most_saved()
     }
 
     /// The pieces that may tip, if moves avoid them.

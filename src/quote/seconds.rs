@@ -34,6 +34,8 @@ pub(super) fn seconds(
     let machine = &document.machine;
     let mut at = machine.home();
     let (mut pierces, mut dark, mut moving) = (0, true, false);
+    // The seconds of a chain to the next cut, and the process of the last cut.
+    let (mut chain, mut process) = (None, machine.cut);
     // The elements of a motion that goes on over a joint or to the next cut, and the contours of its cuts with their lengths.
     let (mut motion, mut cut_on) = (Vec::new(), Vec::new());
     for (index, step) in document.moves.iter().enumerate() {
@@ -52,6 +54,10 @@ pub(super) fn seconds(
                 if *flying {
                     motion.extend(path);
                 }
+            }
+            // A chain is paid by the part that it leads to.
+            Move::Chain { path } => {
+                chain = Some(cut_time(machine, &process, &segments(path, &mut at)));
             }
             Move::Fly { path } => motion.extend(segments(path, &mut at)),
             // Their time is part of the air time, which is shared.
@@ -72,7 +78,7 @@ pub(super) fn seconds(
                     continue;
                 }
                 let path = std::mem::take(&mut motion);
-                let process = document.process_by_id(ids.first().copied());
+                process = document.process_by_id(ids.first().copied());
                 let cut = cut_time(machine, &process, &path);
                 // A motion is shared by what it cuts of each contour; a cut along several contours equally.
                 let whole: f64 = cut_on.iter().map(|c| c.1).sum();
@@ -84,8 +90,11 @@ pub(super) fn seconds(
                 let first = cut_on.drain(..).next().map_or(parts, |(id, _)| owner(id));
                 let entered = &mut all[first];
                 entered.pierces += pierces;
-                entered.times.pierce += machine.delays_of_cut(std::mem::take(&mut moving))
-                    + f64::from(pierces) * machine.pierce_time;
+                match chain.take() {
+                    Some(seconds) => entered.times.cut += seconds,
+                    None => entered.times.pierce += machine.delays_of_cut(std::mem::take(&mut moving)),
+                }
+                entered.times.pierce += f64::from(pierces) * machine.pierce_time;
                 entered.starts += f64::from(u8::from(dark));
                 (pierces, dark) = (0, false);
             }

@@ -81,6 +81,9 @@ impl<'p> Sets<'p> {
         if let (Some(table), Some(a), Some(b)) = (self.problem.table(), from, to) {
             return table.cost(a, b);
         }
+        if let Some(link) = from.zip(to).and_then(|(a, b)| self.problem.links.between(a, b)) {
+            return link.seconds;
+        }
         let leave = from.map_or(self.problem.home, |n| self.problem.nodes[n as usize].exit);
         match to {
             Some(n) => self.air.seconds(leave, self.problem.nodes[n as usize].entry),

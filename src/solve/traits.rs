@@ -166,8 +166,8 @@ pub trait Search {
 }
 
 impl Solution {
-    /// A solution with its cost: the legs from home, from each exit to the next entry and, if closed, back home; the extra
-    /// seconds of entries; and the charge each time an item is resumed. With a table of costs it is the cost of the cycle
+    /// A solution with its cost: the legs from home, from each exit to the next entry, by a link where there is one, and, if
+    /// closed, back home; the extra seconds of entries; and the charge each time an item is resumed. With a table of costs it is the cost of the cycle
     /// of the stops' nodes, which include the start.
     pub fn new(problem: &Problem, stops: Vec<Stop>) -> Self {
         if let Some(table) = problem.table() {
@@ -177,6 +177,7 @@ impl Solution {
         let air = AirTime::new(&problem.machine);
         let mut cost = 0.0;
         let mut head = problem.home;
+        let mut last: Option<NodeId> = None;
         let mut begun = vec![false; problem.items.len()];
         for stop in &stops {
             let Some((entry, exit)) = stop.ends(problem) else { continue };
@@ -184,7 +185,9 @@ impl Solution {
             head = exit;
             let id = problem.nodes[stop.node as usize].item as usize;
             let item = &problem.items[id];
-            cost += air.seconds(before, entry) + item.extra(stop.node, stop.along);
+            let link = last.replace(stop.node).and_then(|last| problem.links.between(last, stop.node));
+            cost += link.map_or_else(|| air.seconds(before, entry), |l| l.seconds);
+            cost += item.extra(stop.node, stop.along);
             if std::mem::replace(&mut begun[id], true) {
                 cost += item.resume();
             }

@@ -130,6 +130,7 @@ fn any_value_is_accepted_or_refused_in_a_sentence() {
                     | ProfileError::Materials(_)
                     | ProfileError::MovingPreCuts
                     | ProfileError::FlyPreCuts
+                    | ProfileError::ChainsWith(_)
                     | ProfileError::LiftWithoutZ
                     | ProfileError::TipsWithoutLift
                     | ProfileError::TipsWithPreCuts

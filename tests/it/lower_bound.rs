@@ -7,7 +7,7 @@ use kerfway::geometry::DVec2;
 use kerfway::job::problem_of;
 use kerfway::machine::Profile;
 use kerfway::plan::{LowerBound, ShareBound};
-use kerfway::problem::{Groups, Item, Node, NodeId, Problem, Table};
+use kerfway::problem::{Groups, Item, Links, Node, NodeId, Problem, Table};
 use kerfway::solve;
 
 /// Bound after so much work in slices of `slice`.
@@ -80,6 +80,7 @@ fn scattered(dice: &mut Dice, k: u64) -> Problem {
         table: None,
         zones: None,
         cooling: None,
+        links: Links::default(),
     }
 }
 
@@ -248,6 +249,7 @@ fn qu_and_du(name: &str, closed: bool, boundary: bool) -> Problem {
         table: None,
         zones: None,
         cooling: None,
+        links: Links::default(),
     }
 }
 

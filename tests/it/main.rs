@@ -10,6 +10,7 @@ mod boundary;
 mod boundary_any;
 mod calibration;
 mod certificate;
+mod chains;
 mod common_cuts;
 mod common_cuts_exact;
 mod common_cuts_grids;

@@ -157,6 +157,10 @@ fn moves(document: &Value) -> Vec<Move> {
             let path = m["path"].as_array().unwrap().iter().map(|e| element(e, &mut at)).collect();
             Move::Fly { path }
         }
+        "chain" => {
+            let path = m["path"].as_array().unwrap().iter().map(|e| element(e, &mut at)).collect();
+            Move::Chain { path }
+        }
         "cut" => {
             let all = m["contour"].as_array().cloned().unwrap_or_else(|| vec![m["contour"].clone()]);
             let mut all = all.iter().map(|c| c.as_u64().unwrap() as u32);

@@ -5,7 +5,7 @@
 use crate::testkit::sheets::{assert_feasible, machine, nested_sheet};
 use kerfway::geometry::DVec2;
 use kerfway::job::{Job, LoadOptions, problem_of};
-use kerfway::problem::{self, Groups, Item, Node, Problem, instance};
+use kerfway::problem::{self, Groups, Item, Links, Node, Problem, instance};
 use kerfway::solve::papers::{Legs, Measure, feature_points, method, with_feature_points};
 use kerfway::solve::{Solution, Status, Step};
 use kerfway::{plan, sheet::Sheet};
@@ -126,6 +126,7 @@ fn points(closed: bool) -> Problem {
         table: None,
         zones: None,
         cooling: None,
+        links: Links::default(),
     }
 }
 

@@ -101,6 +101,54 @@ describe('cuts on the run', () => {
   });
 });
 
+describe('chains', () => {
+  const nest = dxf(...[[0, 0], [28, 0], [0, 28], [28, 28]].map(([x, y]) => square(10 + x, 10 + y, 20)));
+
+  it('join parts through waste, in the plan, the program and the path', async (t) => {
+    const planner = await createPlanner();
+    t.after(() => planner.close());
+    const thick = planner.machines.find((m) => m.name === 'fibre-6kw-thick');
+    let document;
+    const planned = async (machine) => {
+      await planner.load(nest, 'nest.dxf');
+      const { progress } = await planner.plan({ machine, seed: 1, moves: 20_000 }).done;
+      document = JSON.parse(await planner.output('json'));
+      return { ...document, path: progress.path, gcode: await planner.output('gcode'), check: await planner.check(), quote: await planner.quote() };
+    };
+    const [apart, joined] = [await planned(thick), await planned({ ...thick, levers: { chains: { reach: 30 } } })];
+    assert.deepEqual([apart.summary.chains, apart.summary.pierces, joined.summary.chains, joined.summary.pierces], [undefined, 4, 3, 1]);
+    assert.ok(apart.summary.total_time - joined.summary.total_time > 2.5);
+    assert.ok(Math.abs(joined.summary.chain_length - 24) < 1e-9);
+    assert.ok(validate(document), JSON.stringify(validate.errors));
+    assert.deepEqual([joined.check.passed, joined.check.problems, joined.check.parts], [true, [], 4]);
+    assert.deepEqual(joined.moves.map((m) => m.kind), ['air', 'pierce', 'cut', 'chain', 'cut', 'chain', 'cut', 'chain', 'cut', 'air']);
+    assert.deepEqual([...joined.path.ways], [0, 4, 4, 4, 0]);
+    const { times } = joined.path;
+    for (let k = 1; k < times.length; k += 1) assert.ok(times[k] > times[k - 1], `${k}: ${times[k - 1]} ${times[k]}`);
+    assert.equal(joined.gcode.match(/through waste for 8\.000 mm to contour/g)?.length, 3);
+    // The seconds of the parts add up to those of the job, chains included.
+    const parts = joined.quote.parts.flatMap((part) => part.items).reduce((sum, item) => sum + item.times.total, 0);
+    assert.ok(Math.abs(parts - joined.summary.total_time) < 1e-6, `${parts}`);
+    assert.deepEqual(withoutLever({ ...thick, levers: { chains: { reach: 30 } } }, 'chains').levers, {});
+    await assert.rejects(planner.plan({ machine: { ...thick, pre_cut_time: 0.5, levers: { chains: { reach: 30 } } } }).done, /levers\.chains and pre_cut_time/);
+  });
+
+  it('are an option of the command line', async (t) => {
+    const at = folder(t);
+    const [file, program] = [join(at, 'nest.dxf'), join(at, 'nest.nc')];
+    writeFileSync(file, nest);
+    const plan = (...options) => kerfway('plan', file, '--machine', 'fibre-6kw-thick', '--moves', '5000', '--seed', '1', '--gcode', program, ...options);
+    const ran = await plan('--chains', '30', '--chain-clearance', '0.5', '--savings');
+    assert.equal(ran.code, 0, ran.stderr);
+    assert.match(ran.stdout + ran.stderr, /chains saves/);
+    assert.equal(readFileSync(program, 'utf8').match(/through waste for /g)?.length, 3);
+    const far = await plan('--chains', '5000');
+    assert.deepEqual([far.code, /levers\.chains\.reach/.test(far.stderr)], [2, true], far.stderr);
+    const without = await plan('--chain-clearance', '0.4');
+    assert.deepEqual([without.code, /--chains/.test(without.stderr)], [2, true], without.stderr);
+  });
+});
+
 describe('lifting the head', () => {
   let planner, thin;
   before(async () => {
@@ -161,7 +209,7 @@ describe('what each lever saves', () => {
     const all = await total(machine);
     const saved = [];
     for await (const one of leverSavings(planner, { machine, seed: 1, moves: 20_000 }, all)) saved.push(one);
-    assert.deepEqual(saved.map((s) => s.lever), LEVERS.filter((lever) => lever !== 'avoid-tips' && lever !== 'heat'));
+    assert.deepEqual(saved.map((s) => s.lever), LEVERS.filter((lever) => lever !== 'avoid-tips' && lever !== 'heat' && lever !== 'chains'));
     for (const { lever, seconds } of saved) assert.equal(seconds, (await total(withoutLever(machine, lever))) - all, lever);
     const by = Object.fromEntries(saved.map((s) => [s.lever, s.seconds]));
     // Two holes more begin at rest, and so does nothing else: the outline has joints, and the line is open.

@@ -97,7 +97,7 @@ fn left_for_others(plan: &Plan, rng: &mut impl Rng) -> Plan {
                 summary.air_length += head.distance(*to);
                 head = *to;
             }
-            Move::Cut { path, .. } | Move::Joint { path, .. } | Move::Fly { path } => {
+            Move::Cut { path, .. } | Move::Joint { path, .. } | Move::Fly { path } | Move::Chain { path } => {
                 head = path[path.len() - 1].end();
             }
             Move::Pierce

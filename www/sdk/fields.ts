@@ -1142,6 +1142,43 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                         "object": [
                           {
                             "kind": {
+                              "number": {
+                                "least": 0.1,
+                                "most": 1000.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "a cut through more waste takes longer than piercing"
+                              }
+                            },
+                            "name": "reach",
+                            "nullable": false,
+                            "required": true
+                          },
+                          {
+                            "kind": {
+                              "number": {
+                                "least": 0.0,
+                                "most": 100.0,
+                                "or_zero": false,
+                                "unit": "mm",
+                                "why": "a chain keeps away from everything that it does not join"
+                              }
+                            },
+                            "name": "clearance",
+                            "nullable": false,
+                            "required": false
+                          }
+                        ]
+                      },
+                      "name": "chains",
+                      "nullable": true,
+                      "required": false
+                    },
+                    {
+                      "kind": {
+                        "object": [
+                          {
+                            "kind": {
                               "choice": [
                                 "ignore",
                                 "avoid"

@@ -93,8 +93,9 @@ export interface BestPath {
   /** The sharp corners in which the beam pauses: x and y of each. */
   pauses: Float64Array;
   /**
-   * On a machine with `levers.tips`: what the air move to each stop does about pieces that may have tipped, and last that of the way home: 0
-   * nothing, 1 it goes around them, 2 it is lifted over them, 3 it crosses them with the head down. Empty on other machines.
+   * What the move to each stop does about pieces that may have tipped, and last that of the way home: 0 nothing, 1 it goes around them, 2 it
+   * is lifted over them, 3 it crosses them with the head down; or 4: it is a cut through waste. Empty if the machine has no `levers.tips` and the
+   * plan no chains.
    */
   ways: Uint8Array;
   /** The places on the way around tipped pieces: x and y of each. */

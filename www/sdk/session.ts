@@ -180,11 +180,11 @@ export class Session {
     this.host.post({ type: 'loaded', id, loaded: rest }, buffers([...arrays, loaded.ignored.layers]));
   }
 
-  /** Methods from papers, pieces that tip and heat are not in the core. */
+  /** Methods from papers, pieces that tip, heat and cuts through waste are not in the core. */
   private needsResearch({ method, machine }: PlanOptions): boolean {
     const isPaper = method !== undefined && !planner.methods().some((m) => m.name === method);
     const levers = typeof machine === 'object' ? machine.levers : undefined;
-    return this.build === planner && (isPaper || levers?.tips != null || levers?.heat != null);
+    return this.build === planner && (isPaper || levers?.tips != null || levers?.heat != null || levers?.chains != null);
   }
 
   /** Loads the research build and does there what a request asks for. Messages that arrive meanwhile wait. */

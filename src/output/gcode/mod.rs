@@ -203,7 +203,8 @@ impl<'d> Writer<'d> {
         let (mut height, mut flying) = (0.0, false);
         let mut head = self.profile.home();
         for (index, step) in work.iter().enumerate() {
-            let ends = !work.get(index + 1).is_some_and(Move::runs_on);
+            let stays_on = |m: &Move| m.runs_on() || matches!(m, Move::Chain { .. });
+            let ends = !work.get(index + 1).is_some_and(stays_on);
             match step {
                 Move::Air { to, way } => self.air(head, *to, *way),
                 Move::Pierce => pierce += self.profile.pierce_time,
@@ -232,6 +233,15 @@ impl<'d> Writer<'d> {
                     self.pen.lines.comment_naming(&format!("on the run: beam off for {length:.3} mm"), "");
                     self.pen.run_dark(path);
                 }
+                Move::Chain { path } => {
+                    let length = path.iter().map(Segment::length).sum::<f64>();
+                    let next = match work.get(index + 1) {
+                        Some(Move::Cut { contour, .. }) => format!(" to contour {contour}"),
+                        _ => String::new(),
+                    };
+                    self.pen.lines.comment_naming(&format!("through waste for {length:.3} mm{next}"), "");
+                    path.iter().for_each(|segment| self.pen.cut(segment));
+                }
                 Move::Joint { path, .. } => path.last().iter().for_each(|s| self.pen.rapid(s.end())),
                 Move::Height { z } => {
                     height = *z;
@@ -246,13 +256,13 @@ impl<'d> Writer<'d> {
                         self.pen.lines.comment_naming(&words, layer);
                     }
                     let process = CutProcess::new(&sheet.process(*contour, self.profile), height);
-                    // Over a flying joint and on the run the motion goes on: the beam needs no time to settle.
+                    // Over a flying joint, on the run and after a chain the beam needs no time to settle.
                     let on = if mem::take(&mut moving) || flying { 0.0 } else { self.profile.beam_on_delay };
                     self.contour(&process, path, mem::take(&mut pierce) + on, ends);
                 }
             }
-            goes_on = matches!(step, Move::Macro { .. });
-            flying = step.runs_on();
+            goes_on = matches!(step, Move::Macro { .. } | Move::Chain { .. });
+            flying = stays_on(step);
             head = step.end().unwrap_or(head);
         }
 

@@ -60,9 +60,10 @@ pub fn render(plan_json: &str, width: u32) -> Result<Vec<u8>, String> {
 fn bounds(document: &Document, strokes: &[Drawn]) -> Aabb {
     strokes.iter().fold(Aabb::of(document.machine.home()), |b, stroke| match stroke {
         Drawn::Air { to, .. } => b.with(*to),
-        Drawn::Beam { path, .. } | Drawn::Joint { path, .. } | Drawn::Fly { path } => {
-            path.iter().fold(b, |b, s| b.union(s.bounds()))
-        }
+        Drawn::Beam { path, .. }
+        | Drawn::Joint { path, .. }
+        | Drawn::Fly { path }
+        | Drawn::Chain { path } => path.iter().fold(b, |b, s| b.union(s.bounds())),
     })
 }
 
@@ -80,6 +81,7 @@ fn draw(pixels: &mut Pixmap, document: &Document, strokes: &[Drawn], frame: &Fra
                 line_to(&mut air, frame.place(*to));
             }
             Drawn::Fly { path } => trace(&mut air, frame, path),
+            Drawn::Chain { path } => trace(&mut leads, frame, path),
             Drawn::Joint { path, .. } => trace(&mut joints, frame, path),
             Drawn::Beam { contour, path, leads: parts } => {
                 let to = if contour.is_some_and(is_mark) { &mut marks } else { &mut cuts };

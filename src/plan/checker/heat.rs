@@ -185,6 +185,8 @@ impl<'a> Clock<'a> {
                 self.motion.extend(path);
                 0.0
             }
+            // A machine that minds heat has no chains.
+            Move::Chain { .. } => 0.0,
             Move::MovingStart => {
                 self.moving = true;
                 0.0

@@ -5,6 +5,7 @@
 //! out as drawn (`kerf.rs`), and adds up lengths and times with its own formula for trapezoidal motion (`sums.rs`). It does
 //! share the geometry (points and lengths of elements) and the look-ahead along a contour, which has its own oracle.
 
+mod chains;
 mod coverage;
 mod fly;
 mod groups;
@@ -58,6 +59,7 @@ pub fn check(sheet: &Sheet, machine: &Profile, plan: &Plan) -> Result<(), Vec<Vi
     sums::check(sheet, machine, plan, &mut found);
     kerf::check(sheet, machine, plan, &mut found);
     leads::check(sheet, machine, plan, |c| flown.holds(c), &mut found);
+    chains::check(sheet, machine, plan, &mut found);
     moving::check(sheet, machine, plan, &flown, &mut found);
     joints::check(sheet, machine, plan, &groups, &mut found);
     skeleton::check(sheet, machine, plan, &mut found);
@@ -99,11 +101,17 @@ fn follow(
     let mut left = None;
     // Whether the head runs on to the next cut.
     let mut flies = false;
+    // Whether the beam is still on after a chain.
+    let mut chains = false;
     for (step, m) in macros::joined(&plan.moves, machine, groups, found) {
         let before = just_cut.take();
         let runs_on = std::mem::take(&mut flies);
         if runs_on && !matches!(m.as_ref(), Move::Cut { .. }) {
             found.push(Violation::Beam { step, what: "runs on without a cut after it" });
+        }
+        let chained = std::mem::take(&mut chains);
+        if chained && !matches!(m.as_ref(), Move::Cut { mark: false, .. }) {
+            found.push(Violation::Beam { step, what: "cuts through waste without a cut after it" });
         }
         if !matches!(m.as_ref(), Move::Cut { .. } | Move::Pierce) && left.take().is_some() {
             found.push(Violation::Beam { step, what: "does not cut on after a joint" });
@@ -124,6 +132,19 @@ fn follow(
                 left = Some((*contour, *flying));
             }
             Move::Macro { .. } => {}
+            Move::Chain { path } => {
+                if before.is_none() || path.is_empty() {
+                    found.push(Violation::Beam { step, what: "cuts through waste without a cut before it" });
+                }
+                for s in path {
+                    let gap = s.start().distance(head);
+                    if !gap.is_finite() || gap > JOIN {
+                        found.push(Violation::NotJoined { step, gap });
+                    }
+                    head = s.end();
+                }
+                chains = true;
+            }
             Move::Fly { path } => {
                 if before.is_none() {
                     found.push(Violation::Beam { step, what: "runs on without a cut before it" });
@@ -221,8 +242,8 @@ fn follow(
                     found.push(Violation::Beam { step, what: "pierces where it goes on with a cut" });
                 }
                 let over_joint = after_joint.is_some_and(|(_, flying)| flying);
-                let ready =
-                    *mark || pierced || over_joint || runs_on || (resumed && visits.is_ready(*contour));
+                let on = pierced || over_joint || runs_on || chained;
+                let ready = *mark || on || (resumed && visits.is_ready(*contour));
                 let goes_on = before.is_some_and(|b| groups.same(b, *contour));
                 let begun = pierced || goes_on;
                 if !grouped && !ready {
@@ -259,7 +280,7 @@ fn follow(
             }
         }
     }
-    if pierced || moving || flies {
+    if pierced || moving || flies || chains {
         found.push(Violation::Beam { step: plan.moves.len(), what: "pierces and ends" });
     }
     let left = head.distance(machine.home());

@@ -20,6 +20,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let (mut cuts, mut pierces, mut pre_cuts, mut macros) = (0u32, 0u32, 0u32, 0u32);
     let (mut moving_starts, mut lifts, mut fly_cuts) = (0u32, 0u32, 0u32);
     let (mut detours, mut crossings) = (0u32, 0u32);
+    let (mut chains, mut chain_length, mut process) = (0u32, 0.0, machine.cut);
     let mut worked: Vec<u32> = Vec::new();
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
     let mut lead_length = 0.0;
@@ -53,6 +54,16 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 air_seconds += machine.z_speed.map_or(0.0, |speed| (z - height).abs() / speed);
                 height = *z;
             }
+            Move::Chain { path } => {
+                let length = path.iter().map(|s| s.end().distance(s.start())).sum::<f64>();
+                chains += 1;
+                chain_length += length;
+                cut_length += length;
+                // From rest to rest, with the speed and acceleration of the cut before it.
+                let (v, a) = (process.speed, process.accel.unwrap_or(f64::INFINITY));
+                cut_seconds += path.iter().map(|s| trapezoid(s.end().distance(s.start()), v, a)).sum::<f64>();
+                head = path.last().map_or(head, |s| s.end());
+            }
             Move::Fly { path } => {
                 fly_cuts += 1;
                 motion.extend(path);
@@ -71,7 +82,9 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 head = to;
             }
             Move::Cut { contour, with, path, leads, .. } => {
-                cuts += u32::from(!flies_on);
+                let chained = step > 0 && matches!(plan.moves[step - 1], Move::Chain { .. });
+                process = sheet.process_by_id(*contour, machine);
+                cuts += u32::from(!flies_on && !chained);
                 worked.push(*contour);
                 worked.extend(with);
                 if joints::asked(sheet, machine, *contour).is_some() {
@@ -122,6 +135,8 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         ("the number of piercings", f64::from(s.pierces), f64::from(pierces)),
         ("the number of moving starts", f64::from(s.moving_starts), f64::from(moving_starts)),
         ("the number of cuts on the run", f64::from(s.fly_cuts), f64::from(fly_cuts)),
+        ("the number of chains", f64::from(s.chains), f64::from(chains)),
+        ("the length of chains", s.chain_length, chain_length),
         ("the number of lifts", f64::from(s.lifts), f64::from(lifts)),
         ("the number of detours", f64::from(s.detours), f64::from(detours)),
         ("the number of crossings", f64::from(s.crossings), f64::from(crossings)),

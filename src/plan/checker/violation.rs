@@ -122,6 +122,16 @@ pub enum Violation {
         /// Position, mm.
         at: DVec2,
     },
+    /// A cut through waste that joins two contours is not as the machine has it, or does not lie in waste.
+    #[error("move {step}: the cut through waste {what} at {at}")]
+    Chain {
+        /// Which move.
+        step: usize,
+        /// What is wrong.
+        what: &'static str,
+        /// Position, mm.
+        at: DVec2,
+    },
     /// A micro-joint is not as the machine's rules or a person ask for.
     #[error("move {step}: a micro-joint of contour {contour} {what} at {at}")]
     Joint {

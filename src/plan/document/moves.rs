@@ -65,6 +65,11 @@ pub enum Move {
         /// The elements of the way.
         path: Vec<Element>,
     },
+    /// Beam on through waste, from the end of one cut to the beginning of the next, which is not pierced.
+    Chain {
+        /// Elements in order.
+        path: Vec<Element>,
+    },
     /// The head is lowered or raised, beam off.
     Height {
         /// mm; 0 as focused, negative when lowered.
@@ -137,6 +142,7 @@ impl From<&model::Move> for Move {
                 Self::Joint { contour: *contour, path: Element::all(path), flying: *flying }
             }
             model::Move::Fly { path } => Self::Fly { path: Element::all(path) },
+            model::Move::Chain { path } => Self::Chain { path: Element::all(path) },
             model::Move::Height { z } => Self::Height { z: *z },
             model::Move::Wait { seconds } => Self::Wait { seconds: *seconds },
             model::Move::Cut { contour, with, path, leads, .. } => {

@@ -20,6 +20,11 @@ pub enum Stroke {
         /// Elements, mm.
         path: Vec<Segment>,
     },
+    /// Beam on through waste, between two cuts.
+    Chain {
+        /// Elements, mm.
+        path: Vec<Segment>,
+    },
     /// A micro-joint, which stays uncut.
     Joint {
         /// The contour's id.
@@ -57,6 +62,7 @@ pub fn strokes(document: &Document) -> Vec<Stroke> {
                 Some(Stroke::Joint { contour: *contour, path: segments(path, &mut at) })
             }
             Move::Fly { path } => Some(Stroke::Fly { path: segments(path, &mut at) }),
+            Move::Chain { path } => Some(Stroke::Chain { path: segments(path, &mut at) }),
             Move::PreCut { to, .. } => {
                 at = DVec2::from(*to);
                 Some(Stroke::Beam {

@@ -83,6 +83,11 @@ impl FlyGroups {
         self.groups.push(group);
     }
 
+    /// Whether a contour is cut on the run.
+    pub(super) fn holds(&self, contour: u32) -> bool {
+        self.of.get(contour as usize).is_some_and(Option::is_some)
+    }
+
     /// The item of a contour that is cut on the run: the first contour of a group gets all ways through it as nodes, the others
     /// get none. `before`: the contour around all of them.
     pub(super) fn item(

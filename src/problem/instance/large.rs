@@ -14,7 +14,7 @@ use super::file::File;
 use super::model::Instance;
 use super::sets::Sets;
 use crate::machine;
-use crate::problem::{Groups, Item, Node, NodeId, Problem};
+use crate::problem::{Groups, Item, Links, Node, NodeId, Problem};
 use glam::DVec2;
 
 /// A large instance. The nodes of the start are the last of its numbers and no nodes of the problem.
@@ -55,6 +55,7 @@ pub(super) fn instance(file: &File, nodes: usize, mut sets: Sets) -> Result<Inst
             table: None,
             zones: None,
             cooling: None,
+            links: Links::default(),
         },
         numbers: order.iter().map(|&n| id(n) + 1).collect(),
         fixed: Vec::new(),

@@ -30,6 +30,7 @@ pub use model::Instance;
 
 use super::groups::Groups;
 use super::ids::NodeId;
+use super::links::Links;
 use super::model::{Item, Node, Problem};
 use super::table::Table;
 use crate::machine;
@@ -89,6 +90,7 @@ pub fn instance(bytes: &[u8]) -> Result<Instance, InstanceError> {
         table: Some(table),
         zones: None,
         cooling: None,
+        links: Links::default(),
     };
     Ok(Instance { name: file.name(), problem, numbers, fixed, lowered, whole, plane: None })
 }

@@ -127,7 +127,7 @@ pub(super) fn ranks(problem: &Problem) -> Vec<u32> {
 mod tests {
     use super::*;
     use crate::machine;
-    use crate::problem::{Groups, Item};
+    use crate::problem::{Groups, Item, Links};
     use glam::DVec2;
 
     fn problem(before: &[Option<u32>], ranks: &[u32], groups: Groups) -> Problem {
@@ -146,6 +146,7 @@ mod tests {
             table: None,
             zones: None,
             cooling: None,
+            links: Links::default(),
         }
     }
 

@@ -33,7 +33,7 @@ impl Space<'_> {
         if self.travel.by_table() {
             return self.travel.least(p, item, self.places(item), back);
         }
-        self.travel.air(DVec2::ZERO, self.whole[item as usize].outside(p.point))
+        self.travel.air(DVec2::ZERO, self.whole[item as usize].outside(p.point)) - self.most_saved(item)
     }
 
     /// The distance of an item, for callers that ask it of many places.
@@ -68,7 +68,7 @@ impl Space<'_> {
             for (at, place) in (0..).zip(places.iter()) {
                 // The leg to the place alone excludes most places.
                 let out = self.travel.seconds(gap.from, place);
-                if out >= best.1 {
+                if out - self.most_saved(item) >= best.1 {
                     continue;
                 }
                 let exit = if elsewhere { self.exit(item, at) } else { place };

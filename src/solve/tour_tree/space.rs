@@ -17,7 +17,7 @@ use super::ring::{Ring, nearest};
 use super::snapshot::TourSnapshot;
 use super::travel::{Place, Places, Travel};
 use crate::geometry::{Aabb, DVec2};
-use crate::problem::{Item, Problem};
+use crate::problem::{Item, NodeId, Problem};
 use crate::solve::precedence::Precedence;
 use crate::solve::{Solution, Stop};
 
@@ -53,6 +53,8 @@ pub(super) struct Space<'p> {
     pub(super) direction_dependent: Vec<u32>,
     /// By item: the box of its places.
     pub(super) whole: Vec<BoundingBox>,
+    /// By item: most seconds that a link from or to it saves; empty without links.
+    pub(super) most_saved: Vec<f64>,
     pub(super) rank: Vec<u32>,
     pub(super) precedence: Precedence,
 }
@@ -95,6 +97,7 @@ impl<'p> Space<'p> {
                 .map(|(id, _)| id)
                 .collect(),
             whole: Vec::with_capacity(n + 1),
+            most_saved: Vec::new(),
             rank: problem.items.iter().map(|i| i.rank).collect(),
             precedence: Precedence::new(problem),
         };
@@ -158,7 +161,37 @@ impl<'p> Space<'p> {
             s.close_item(Kind::Loose, 0.0, charged);
             s.rank.push(0);
         }
+        s.note_links();
         s
+    }
+
+    /// Notes the links of the problem by place.
+    fn note_links(&mut self) {
+        let Self { problem, .. } = *self;
+        if problem.links.is_empty() {
+            return;
+        }
+        self.most_saved = vec![0.0; problem.items.len() + 1];
+        self.travel.links = vec![Vec::new(); self.point.len()];
+        let place = |node: NodeId| {
+            let item = problem.nodes[node as usize].item;
+            self.first[item as usize] + node - problem.items[item as usize].nodes.start
+        };
+        for (from, known) in (0..).zip(&problem.nodes) {
+            for link in problem.links.from(from) {
+                self.travel.links[place(from) as usize].push((place(link.to), link.seconds));
+                for item in [known.item, problem.nodes[link.to as usize].item] {
+                    let most = &mut self.most_saved[item as usize];
+                    *most = link.saved.max(*most);
+                }
+            }
+        }
+    }
+
+    /// Most seconds that a link from or to an item saves on its air move.
+    #[inline(always)]
+    pub(super) fn most_saved(&self, item: u32) -> f64 {
+        self.most_saved.get(item as usize).copied().unwrap_or(0.0)
     }
 
     /// Finishes an item whose places have been appended.

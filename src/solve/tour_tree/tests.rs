@@ -4,7 +4,7 @@
 use super::*;
 use crate::geometry::{Arc, DVec2, Path, Segment};
 use crate::machine::{self, AirTime, ClosedRun};
-use crate::problem::{Groups, Item, Node, NodeId};
+use crate::problem::{Groups, Item, Links, Node, NodeId};
 use crate::solve::rng::seeded;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
@@ -62,6 +62,7 @@ pub(super) fn small(seed: u64, count: u32, machine: &str, closed: bool) -> Probl
         table: None,
         zones: None,
         cooling: None,
+        links: Links::default(),
     }
 }
 
@@ -144,6 +145,7 @@ fn circles(centers: &[DVec2]) -> Problem {
         table: None,
         zones: None,
         cooling: None,
+        links: Links::default(),
     }
 }
 

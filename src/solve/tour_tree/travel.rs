@@ -73,6 +73,9 @@ pub(super) struct Travel<'p> {
     /// Both are empty without a table, and where items have so few nodes that looking through them is as quick. The rows
     /// belong to items, because the search asks for one item at many nodes.
     least: [Vec<f64>; 2],
+    /// By place: the places to which there is a link, in order, with its seconds; empty without links. Set by the space, which
+    /// numbers the places.
+    pub(super) links: Vec<Vec<(NodeId, f64)>>,
     /// A leg costs the same in both directions.
     pub(super) symmetric: bool,
 }
@@ -82,7 +85,7 @@ impl<'p> Travel<'p> {
         let air = AirTime::new(&problem.machine);
         let table = problem.table().map(Cow::Borrowed).or_else(|| of_points(problem, &air).map(Cow::Owned));
         let symmetric = table.as_ref().is_none_or(|t| t.is_symmetric());
-        let mut travel = Self { air, table, least: [Vec::new(), Vec::new()], symmetric };
+        let mut travel = Self { air, table, least: [Vec::new(), Vec::new()], links: Vec::new(), symmetric };
         let Some(table) = &travel.table else { return travel };
         let all = table.nodes();
         if all >= 2 * problem.items.len() {
@@ -114,8 +117,16 @@ impl<'p> Travel<'p> {
     pub(super) fn seconds_here(&self, from: Place, to: Place) -> f64 {
         match &self.table {
             Some(table) => table.cost(from.node, to.node),
+            None if !self.links.is_empty() => self.linked(from, to),
             None => self.air.seconds_here(from.point, to.point),
         }
+    }
+
+    /// Seconds from one place to another where some places are linked.
+    fn linked(&self, from: Place, to: Place) -> f64 {
+        let links = self.links.get(from.node as usize).map(Vec::as_slice).unwrap_or_default();
+        let link = links.iter().find(|link| link.0 == to.node);
+        link.map_or_else(|| self.air.seconds(from.point, to.point), |link| link.1)
     }
 
     /// Seconds from one point to another, in a problem without a table.
@@ -155,8 +166,7 @@ impl<'p> Travel<'p> {
                 row.iter().enumerate().for_each(|(k, &cost)| each(k, cost));
             }
             None => {
-                let points = places.points.iter().enumerate();
-                points.for_each(|(k, &to)| each(k, self.air.seconds(from.point, to)));
+                places.iter().enumerate().for_each(|(k, to)| each(k, self.seconds(from, to)));
             }
         }
     }
@@ -179,6 +189,7 @@ impl<'p> Travel<'p> {
 fn of_points(problem: &Problem, air: &AirTime) -> Option<Table> {
     let points = (problem.items.len() + 1..=CONFIG.table_nodes).contains(&problem.nodes.len())
         && problem.items.iter().all(|item| item.track.is_none() && item.leave.is_none() && !item.is_uneven())
+        && problem.links.is_empty()
         && (0..).zip(&problem.nodes).all(|(id, node)| node.twin == id)
         && are_in_order(problem);
     if !points {

@@ -17,6 +17,8 @@ const LIFT = { height: 10, stay_down: 10 };
 const FLY = { reach: 20, overcut: 0 };
 /** mm and s, guesses for plate of some millimetres. */
 const HEAT = { distance: 20, seconds: 5 };
+/** mm: between parts as they are usually nested; a longer cut takes about as long as piercing. */
+const CHAINS = { reach: 30, clearance: 1 };
 /** mm/s, for a machine whose profile has none: the heads of fibre lasers are faster, tables are slower. */
 const Z_SPEED = 100;
 
@@ -64,6 +66,14 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
   const reach = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => flown({ reach: value }));
   const again = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => flown({ overcut: value }));
   const run = h('div', { class: 'stack' }, field(w.reach, reach.input, 'mm'), field(w.flyOvercut, again.input, 'mm'), h('p', { class: 'soft' }, w.aboutFly));
+  const chains = check(w.chains, (on) => set((l) => {
+    if (on) l.chains = CHAINS;
+    else delete l.chains;
+  }));
+  const chained = (change: Partial<NonNullable<Levers['chains']>>) => set((l) => (l.chains = { ...CHAINS, ...l.chains, ...change }));
+  const chainReach = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => chained({ reach: value }));
+  const clearance = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => chained({ clearance: value }));
+  const joined = h('div', { class: 'stack' }, field(w.chainReach, chainReach.input, 'mm'), field(w.chainClearance, clearance.input, 'mm'), h('p', { class: 'soft' }, w.aboutChains));
   const tips = tipsPanel((change) => set((l, m) => {
     if (!change) {
       delete l.tips;
@@ -71,8 +81,8 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
     }
     l.tips = { ...l.tips };
     change(l.tips);
-    // Where cuts are left unfinished, risky moves are only marked.
-    if (typeof m.pre_cut_time === 'number') l.tips.risky_moves = 'ignore';
+    // Where cuts are left unfinished or joined through waste, risky moves are only marked.
+    if (typeof m.pre_cut_time === 'number' || l.chains) l.tips.risky_moves = 'ignore';
     // Moves that avoid tipped pieces lift the head where they cannot go around.
     if (l.tips.risky_moves !== 'ignore') [l.lift, m.z_speed] = [l.lift ?? LIFT, m.z_speed ?? Z_SPEED];
   }));
@@ -81,15 +91,15 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
     else change((l.heat = { ...HEAT, ...l.heat }));
   }));
   return {
-    root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, lift.root, about, tips.root, heat.root),
+    root: h('div', { class: 'stack' }, moving.root, more, fly.root, run, chains.root, joined, lift.root, about, tips.root, heat.root),
     show(machine) {
-      const { levers, pre_cut_time, z_speed } = machine;
+      const { levers, pre_cut_time, sharp_corner, z_speed } = machine;
       tips.show(machine);
       heat.show(machine);
       const pierce = levers?.moving_pierce, lifting = levers?.lift;
       moving.input.checked = Boolean(pierce);
       // A machine that leaves contours unfinished pierces at rest.
-      moving.input.disabled = !pierce && typeof pre_cut_time === 'number';
+      moving.input.disabled = !pierce && (typeof pre_cut_time === 'number' || Boolean(levers?.chains));
       more.hidden = !pierce;
       overcut.show(pierce?.overcut ?? 0);
       fly.input.checked = Boolean(levers?.fly);
@@ -98,6 +108,13 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       run.hidden = !levers?.fly;
       reach.show(levers?.fly?.reach ?? FLY.reach);
       again.show(levers?.fly?.overcut ?? 0);
+      chains.input.checked = Boolean(levers?.chains);
+      // Chains are for machines that pierce each contour once, at rest, and turn corners with the beam on.
+      const avoids = levers?.tips != null && levers.tips.risky_moves !== 'ignore';
+      chains.input.disabled = !levers?.chains && (typeof pre_cut_time === 'number' || sharp_corner != null || Boolean(pierce) || avoids || levers?.heat != null);
+      joined.hidden = !levers?.chains;
+      chainReach.show(levers?.chains?.reach ?? CHAINS.reach);
+      clearance.show(levers?.chains?.clearance ?? CHAINS.clearance);
       lift.input.checked = Boolean(lifting);
       about.hidden = !lifting;
       height.show(lifting?.height ?? LIFT.height);

@@ -46,9 +46,9 @@ export class Alternatives {
     const now = progress.summary.total_time;
     const save = (decision: Decision, without: Summary): Saving => ({ decision, seconds: without.total_time - now });
     yield save('order', baselines.greedy);
-    // The same order, with every closed contour entered where its line begins. Leads, stretches and cuts on the run have places of their own.
+    // The same order, with every closed contour entered where its line begins. Leads, stretches, cuts on the run and chains have places of their own.
     const whole = path.along.every((along, k) => along === path.until[k]);
-    if (whole && path.leads.length === 0 && !progress.summary.fly_cuts) {
+    if (whole && path.leads.length === 0 && !progress.summary.fly_cuts && !progress.summary.chains) {
       const { contours, reversed } = path;
       const zero = new Float64Array(contours.length);
       yield save('entry', (await this.planned({}, { moves: 0, warm: { contours, reversed, along: zero, until: zero } })).progress.summary);

@@ -7,8 +7,8 @@ import type { Travel } from './raster-messages.js';
 
 export type Point = readonly [number, number];
 
-/** What an air move does about pieces that may have tipped: `BestPath.ways`. */
-export const AROUND = 1, LIFTED = 2, CROSSES = 3;
+/** What an air move does about pieces that may have tipped, or that it is a cut through waste: `BestPath.ways`. */
+export const AROUND = 1, LIFTED = 2, CROSSES = 3, CHAIN = 4;
 
 /** What the air move to a stop does; the stop after the last is home. */
 export const wayTo = (path: BestPath, stop: number): number => path.ways?.[stop] ?? 0;

@@ -120,6 +120,8 @@ const LEVERS: Options = {
   'lift-at-rest': { about: 'with --lift: lift the head before it travels, and lower it after that' },
   fly: { value: 'MM', about: 'cut rows and grids of contours on the run, with at most this way between two cuts' },
   'fly-overcut': { value: 'MM', about: 'with --fly: cut this length of a contour again at its end (default 0)' },
+  chains: { value: 'MM', about: 'join contours by cuts through waste of at most this length, where that is quicker than piercing' },
+  'chain-clearance': { value: 'MM', about: 'with --chains: least distance of these cuts from other contours (default 1)' },
   savings: { about: 'say what each lever of the machine saves: plan again without it, as long as before' },
   'z-speed': { value: 'MM/S', about: "speed of lifting and lowering, instead of the machine's" },
   tips: { value: RISKY_MOVES.join('|'), about: 'moves over pieces that may have tipped: go around or over them with the head lifted (needs --lift), or report them', choices: RISKY_MOVES },

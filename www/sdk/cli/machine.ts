@@ -79,9 +79,9 @@ function sizes(values: Words['values'], name: string): [number, number] | undefi
 
 /** The machine with the levers that the options ask for. */
 function withLevers(values: Words['values'], machine: MachineProfile): MachineProfile {
-  const [overcut, height, down, speed, reach, again] = ['moving-pierce', 'lift', 'stay-down', 'z-speed', 'fly', 'fly-overcut'].map((option) => number(values, option));
+  const [overcut, height, down, speed, reach, again, chain, clearance] = ['moving-pierce', 'lift', 'stay-down', 'z-speed', 'fly', 'fly-overcut', 'chains', 'chain-clearance'].map((option) => number(values, option));
   const atRest = values['lift-at-rest'] === true, tips = tipsOf(values, machine), heat = heatOf(values, machine);
-  if ([overcut, height, down, speed, reach, again, tips, heat].every((value) => value === undefined) && !atRest) return machine;
+  if ([overcut, height, down, speed, reach, again, chain, clearance, tips, heat].every((value) => value === undefined) && !atRest) return machine;
   const levers = { ...machine.levers };
   if (tips !== undefined) levers.tips = tips;
   if (heat !== undefined) levers.heat = heat;
@@ -90,6 +90,9 @@ function withLevers(values: Words['values'], machine: MachineProfile): MachinePr
   const flown = reach === undefined ? levers.fly : { reach };
   if (flown == null && again !== undefined) throw new WrongUse('--fly-overcut: the machine does not cut on the run. Give the longest way between two cuts with --fly.');
   if (flown != null) levers.fly = { ...flown, ...(again !== undefined && { overcut: again }) };
+  const chained = chain === undefined ? levers.chains : { reach: chain };
+  if (chained == null && clearance !== undefined) throw new WrongUse('--chain-clearance: the machine does not join contours. Give the longest cut through waste with --chains.');
+  if (chained != null) levers.chains = { ...chained, ...(clearance !== undefined && { clearance }) };
   // Without a height, the other options change the machine's own lift.
   const lifted = height === undefined ? levers.lift : { height };
   if (lifted == null && (down !== undefined || atRest)) throw new WrongUse(`--${atRest ? 'lift-at-rest' : 'stay-down'}: the machine does not lift its head. Give the height with --lift.`);

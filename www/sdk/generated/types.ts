@@ -267,6 +267,8 @@ export interface Levers {
   lift?: Lift,
   /** Rows and grids of contours are cut on the run; `null`: the head stops before each contour. */
   fly?: Fly,
+  /** Contours are joined by cuts through waste; `null`: the head pierces for each of them. */
+  chains?: Chains,
   /** Pieces that may tip up under the head, and what is done about moves over them; `null`: nothing is known of them. */
   tips?: Tips,
   /** Cuts near each other follow each other no sooner than stated, or at a charge; `null`: heat does not matter. */
@@ -285,6 +287,17 @@ export interface Fly {
    * Sides that are cut one by one are never cut again. Default 0.
    */
   overcut?: number,
+}
+
+/**
+ * Chains: from the end of a contour the beam cuts straight through waste to the entry of the next one, where that takes less
+ * time than switching it off, moving and piercing.
+ */
+export interface Chains {
+  /** Longest cut through waste, mm. */
+  reach: number,
+  /** Least distance of such a cut from every contour but the two that it joins, and from these away from its ends, mm. Default 1. */
+  clearance?: number,
 }
 
 /**
@@ -905,6 +918,10 @@ export interface Summary {
   moving_starts?: number,
   /** Number of cuts that begin on the run: the head does not stop before them. */
   fly_cuts?: number,
+  /** Number of cuts through waste that join two contours. */
+  chains?: number,
+  /** Their length, mm, which is part of the length of cuts. */
+  chain_length?: number,
   /** Number of air moves for which the head is lifted. */
   lifts?: number,
   /** Number of air moves that go around pieces that may have tipped. */
@@ -938,7 +955,7 @@ export interface Summary {
   skeleton_time?: number,
   /** Length of air moves. */
   air_length: number,
-  /** Time along contours, by look-ahead over corners and acceleration. It includes the ways between cuts on the run. */
+  /** Time along contours, by look-ahead over corners and acceleration. It includes the ways between cuts on the run, and chains. */
   cut_time: number,
   /** Time of air moves, of lowering and raising the head, and of waits. */
   air_time: number,

@@ -108,10 +108,39 @@ pub(super) fn repeats(cuts: &[Cut]) -> Vec<(u32, u32)> {
     groups
 }
 
+/// The closed contours along a path that is open: contours that are joined by cuts through waste, or that have leads. What lies
+/// before and between them is skipped element by element, and what follows [`SKIPPED`] of them is not looked at.
+fn loops(path: &[Segment]) -> Vec<Path> {
+    const SKIPPED: usize = 8;
+    let (mut found, mut from, mut skipped) = (Vec::new(), 0, 0);
+    while let Some(rest) = path.get(from..).filter(|rest| !rest.is_empty() && skipped <= SKIPPED) {
+        let start = rest[0].start();
+        let mut length = 0.0;
+        let back = rest.iter().position(|s| {
+            length += s.length();
+            length > CLOSED && s.end().distance(start) <= CLOSED
+        });
+        match back.and_then(|last| rest.get(..=last)) {
+            Some(whole) => {
+                found.push(Path::new(whole.to_vec(), true));
+                (from, skipped) = (from + whole.len(), 0);
+            }
+            None => (from, skipped) = (from + 1, skipped + 1),
+        }
+    }
+    found
+}
+
 /// Number of parts: closed contours that lie inside an even number of others.
 pub(super) fn parts(cuts: &[Cut]) -> u32 {
-    let mut closed: Vec<Path> =
-        cuts.iter().filter(|c| c.is_closed()).map(|c| Path::new(c.path.clone(), true)).collect();
+    let mut closed: Vec<Path> = Vec::new();
+    for cut in cuts {
+        if cut.is_closed() {
+            closed.push(Path::new(cut.path.clone(), true));
+        } else {
+            closed.extend(loops(&cut.path));
+        }
+    }
     // A contour that is cut again is no second part.
     let mut boxes: Vec<Aabb> = Vec::new();
     closed.retain(|path| {

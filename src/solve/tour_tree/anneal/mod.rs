@@ -233,7 +233,7 @@ impl<'p> Annealing<'p> {
             return;
         }
         let first = self.mean_leg.is_none();
-        self.mean_leg = Some(self.cost / self.tour.last().max(1) as f64);
+        self.mean_leg = Some(self.tour.mean_leg(self.cost));
         match Rows::new(&self.tour.space, self.tour.current()).filter(|_| first) {
             Some(rows) => self.stage = Stage::TryingRows(rows, None),
             None => self.begin_cycle(),

@@ -2,7 +2,7 @@
 
 use crate::geometry::{DVec2, Path, Segment};
 use crate::machine;
-use crate::problem::{Groups, Item, Node, Problem};
+use crate::problem::{Groups, Item, Links, Node, Problem};
 use crate::solve::methods;
 
 /// Items in a row, and rows.
@@ -30,6 +30,7 @@ fn rectangles(centers: &[DVec2], half: DVec2) -> Problem {
         table: None,
         zones: None,
         cooling: None,
+        links: Links::default(),
     }
 }
 

@@ -243,6 +243,13 @@ impl<'p> Tour<'p> {
         (0..=self.last()).map(seconds).sum()
     }
 
+    /// The seconds of a leg on average in the tour, which costs `cost`. A link that saves more than it takes counts by its size, as
+    /// it is about as much that a move gains or loses.
+    pub(super) fn mean_leg(&self, cost: f64) -> f64 {
+        let saved: f64 = self.legs.iter().map(|leg| leg.min(0.0)).sum();
+        (cost - 2.0 * saved) / self.last().max(1) as f64
+    }
+
     /// Whether the tour costs `seconds`, up to rounding. For debug assertions.
     pub(super) fn cost_is(&self, seconds: f64) -> bool {
         let cost = self.cost();

@@ -3,7 +3,7 @@
 import type { View } from '../raster-messages.js';
 import { firstStops } from '../shapes.js';
 import { traceChain, type Pen } from '../trace.js';
-import { CROSSES, LIFTED, wayTo } from '../legs.js';
+import { CHAIN, CROSSES, LIFTED, wayTo } from '../legs.js';
 import { strokeAir } from './air.js';
 import { BATCH, type Subject } from './strokes.js';
 
@@ -29,11 +29,13 @@ export function* paintTips(pen: Pen, view: View, { path, shapes, palette }: Subj
   pen.globalAlpha = 1;
 }
 
-/** Strokes the air moves before stop `to` with the head lifted, dashed, and those that cross tipped pieces, in red. */
+/** Strokes the air moves before stop `to` with the head lifted, dashed, those that cross tipped pieces, in red, and cuts through waste, in the accent colour. */
 export function* paintRisky(pen: Pen, view: View, subject: Subject, to: number): Generator<void> {
   const { path, palette } = subject;
   if (!path?.ways?.length) return;
   pen.lineWidth = 2.4 * view.ratio;
+  pen.strokeStyle = palette.accent;
+  yield* strokeAir(pen, view, subject, to, (k) => wayTo(path, k) === CHAIN);
   pen.strokeStyle = palette.red;
   yield* strokeAir(pen, view, subject, to, (k) => wayTo(path, k) === CROSSES);
   pen.lineWidth = 1.6 * view.ratio;

@@ -1,0 +1,138 @@
+//! Checks chains: only where the machine has them, between two closed cuts of one layer, and through waste alone.
+//!
+//! A chain is followed in small steps. A place on it is in waste if an even number of outlines is around it. It is as far from
+//! every contour as the machine says; from the two that the chain joins it may be as near as a quarter of the way to its end,
+//! so that the chain does not run along them.
+
+use super::tolerance::SAME;
+use super::violation::Violation;
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, winding};
+use crate::machine::{Chains, Profile};
+use crate::plan::model::{Move, Plan};
+use crate::problem::KNOWS_CHAINS;
+use crate::sheet::{Contour, Operation, Sheet};
+
+/// Distance of the places that are looked at, mm, and their greatest number.
+const STEP: f64 = 0.02;
+const MOST: f64 = 20_000.0;
+/// Rounding of distances, mm.
+const ROUNDING: f64 = 1e-6;
+/// Least distance from other contours if the machine says 0, mm.
+const LEAST: f64 = 0.01;
+/// Least slope against the contours at the ends.
+const SLOPE: f64 = 0.25;
+/// Length at both ends that is not compared with the contours there, mm.
+const JOINT: f64 = 0.02;
+
+pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+    // Builds without them refuse machines with chains.
+    if !KNOWS_CHAINS || !plan.moves.iter().any(|m| matches!(m, Move::Chain { .. })) {
+        return;
+    }
+    let room = machine.levers.chains.map(|lever| Room::new(sheet, machine, lever));
+    for (step, three) in (1..).zip(plan.moves.windows(3)) {
+        let [before, Move::Chain { path }, after] = three else { continue };
+        let mut fault = |what, at| found.push(Violation::Chain { step, what, at });
+        let at = path.first().map_or(DVec2::ZERO, Segment::start);
+        let Some(room) = &room else {
+            fault("is one that the machine does not cut", at);
+            continue;
+        };
+        let (Move::Cut { contour: a, .. }, Move::Cut { contour: b, .. }) = (before, after) else {
+            fault("does not join two cuts", at);
+            continue;
+        };
+        if let Some((what, at)) = room.fault([*a, *b], path, at) {
+            fault(what, at);
+        }
+    }
+}
+
+/// Everything that is cut, as chains see it.
+struct Room<'s> {
+    sheet: &'s Sheet,
+    machine: &'s Profile,
+    lever: Chains,
+    /// All elements of cuts with their contour, and their least distance from chains, mm.
+    elements: Vec<(u32, Segment, f64)>,
+    index: BoxIndex,
+    /// The outlines of parts and holes, by their boxes.
+    outlines: Vec<&'s Contour>,
+    boxes: BoxIndex,
+}
+
+impl<'s> Room<'s> {
+    fn new(sheet: &'s Sheet, machine: &'s Profile, lever: Chains) -> Self {
+        let is_cut = |c: &&Contour| c.operation == Operation::Cut && c.pass == 0 && !c.skeleton;
+        let mut elements = Vec::new();
+        for (id, c) in (0..).zip(&sheet.contours).filter(|(_, c)| is_cut(c)) {
+            let beside = if c.drawn.is_some() { 0.0 } else { 0.5 * machine.kerf_width };
+            let least = lever.clearance.max(LEAST) + beside;
+            elements.extend(c.boundary().unwrap_or(&c.path).segments.iter().map(|s| (id, *s, least)));
+        }
+        let index = BoxIndex::new(elements.iter().map(|e| e.1.bounds()));
+        let outlines: Vec<&Contour> =
+            sheet.contours.iter().filter(|c| c.bounds_area() && c.pass == 0).collect();
+        let boxes = outlines.iter().filter_map(|c| c.boundary()).map(Path::bounds);
+        let boxes = BoxIndex::new(boxes.collect::<Vec<Aabb>>());
+        Self { sheet, machine, lever, elements, index, outlines, boxes }
+    }
+
+    /// What is wrong with a chain between two contours that begins at `at`, and where.
+    fn fault(&self, [a, b]: [u32; 2], path: &[Segment], at: DVec2) -> Option<(&'static str, DVec2)> {
+        let [Segment::Line(line)] = path else { return Some(("is not straight", at)) };
+        let way = line.end - line.start;
+        let length = way.length();
+        if length > self.lever.reach + SAME {
+            return Some(("is longer than the machine allows", at));
+        }
+        let known = |id: u32| self.sheet.contours.get(id as usize);
+        let (first, second) = known(a).zip(known(b))?;
+        let joins = |c: &Contour| {
+            let once = self.sheet.process_of(c, self.machine).passes == 1;
+            c.path.closed && c.operation == Operation::Cut && !c.skeleton && once
+        };
+        if a == b || first.layer != second.layer || !joins(first) || !joins(second) {
+            return Some(("joins contours that are not cut alike", at));
+        }
+        let count = (length / STEP).ceil().clamp(2.0, MOST);
+        let fractions = std::iter::successors(Some(0.0), |k| (*k < count).then_some(k + 1.0));
+        for (gone, p) in fractions.map(|k| (length * k / count, line.start + way * (k / count))) {
+            if let Some(what) = self.too_near([a, b], [gone, length - gone], p) {
+                return Some((what, p));
+            }
+            let ends = gone.min(length - gone) <= JOINT;
+            if !ends && self.depth(p) % 2 == 1 {
+                return Some(("cuts into a part", p));
+            }
+        }
+        None
+    }
+
+    /// What a place is too near to; `gone` is its distance from both ends of its chain.
+    fn too_near(&self, own: [u32; 2], gone: [f64; 2], p: DVec2) -> Option<&'static str> {
+        let mut found = None;
+        let reach = self.lever.clearance.max(LEAST) + 0.5 * self.machine.kerf_width + ROUNDING;
+        self.index.visit(Aabb::of(p).grown(reach), |k| {
+            let Some((id, s, least)) = self.elements.get(k) else { return true };
+            let off = s.nearest(p).1.sqrt();
+            let ends = own.iter().zip(gone).filter(|(o, _)| *o == id).map(|o| o.1);
+            let along = ends.fold(f64::INFINITY, f64::min);
+            found = if along < f64::INFINITY {
+                let near = along > JOINT && off < least.min(SLOPE * along) - ROUNDING;
+                near.then_some("runs along a contour that it joins")
+            } else {
+                (off < least - ROUNDING).then_some("is too near to another cut")
+            };
+            found.is_none()
+        });
+        found
+    }
+
+    /// Number of outlines around a point.
+    fn depth(&self, p: DVec2) -> usize {
+        let boundary = |k: usize| self.outlines.get(k).and_then(|c| c.boundary());
+        let around = |k: &usize| boundary(*k).is_some_and(|o| winding(o, p).is_inside());
+        self.boxes.query(Aabb::of(p)).iter().filter(|k| around(k)).count()
+    }
+}

@@ -1,0 +1,232 @@
+//! Chains (`levers.chains` of the machine): which contours may be joined by a cut through waste, where, and what that takes.
+//!
+//! A chain goes straight from the end of one contour to the entry of the next, with the beam on. So it takes the place of the
+//! beam's delays, an air move and a piercing. The contours that may be joined are closed cuts of one layer that bound the same
+//! piece of waste: outlines of parts that lie side by side, and the hole around them. Each may be entered where contours usually
+//! are, and opposite its neighbours; every pair of such places is tried, and a chain that keeps its distances and takes less than
+//! what it stands for becomes a link of the problem, so that the search chooses between both in the price of every move.
+
+use super::entries::entries;
+use super::ids::NodeId;
+use super::leads::Planners;
+use super::links::{Link, Links};
+use super::model::{Item, Node};
+use super::seconds::start_seconds;
+use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment};
+use crate::lead::Scrap;
+use crate::machine::{AirTime, Chains, Profile, cut_time};
+use crate::order::{real, sort_by};
+use crate::sheet::{Contour, Operation, Sheet};
+
+/// Whether this build knows chains. The core wasm does not, so that a first visit of the page stays small: such jobs are planned
+/// by the research build, as those of published methods are.
+pub const IS_BUILT: bool = cfg!(feature = "research");
+
+/// Most places of a contour that are opposite a neighbour: with those that it has anyway they are about as many as the gates of
+/// the search.
+const OPPOSITE: usize = 8;
+/// Places nearer to each other than this are one, mm.
+const SAME: f64 = 1e-3;
+/// A chain leaves a contour with at least this slope, the sine of its angle. It is a little less than what the exact test
+/// demands, and rejects most pairs at once.
+const SLOPE: f64 = 0.2;
+/// Distance of the points of a contour beside a place from which its direction is taken, mm.
+const BESIDE: f64 = 1e-3;
+/// Least seconds that a chain saves: less is rounding.
+const LEAST: f64 = 1e-9;
+
+/// A contour that may be joined to others.
+struct Joined {
+    contour: u32,
+    /// The piece of waste that it bounds: the contour around it, or the hole itself.
+    waste: Option<u32>,
+    /// Places where it may be entered, by arc length, mm; none if it has leads, which have their own.
+    places: Vec<(f64, DVec2)>,
+}
+
+/// The contours of a sheet that may be joined.
+pub(super) struct Candidates<'s> {
+    sheet: &'s Sheet,
+    machine: &'s Profile,
+    lever: Chains,
+    all: Vec<Joined>,
+    /// By contour: its number among them.
+    of: Vec<Option<u32>>,
+    boxes: BoxIndex,
+}
+
+impl<'s> Candidates<'s> {
+    /// Those of a sheet on a machine with chains; `is_alone` says which contours are not cut with others as one.
+    pub(super) fn new(
+        sheet: &'s Sheet,
+        machine: &'s Profile,
+        planners: &Planners,
+        is_alone: impl Fn(u32) -> bool,
+    ) -> Option<Self> {
+        let lever = machine.levers.chains.filter(|_| IS_BUILT)?;
+        let may = |id: u32, c: &Contour| {
+            let once = sheet.process_of(c, machine).passes == 1 && c.pass == 0 && c.next_pass.is_none();
+            c.path.closed
+                && c.operation == Operation::Cut
+                && once
+                && c.length > 0.0
+                && !c.self_crossing
+                && planners.joints(id).is_none()
+                && is_alone(id)
+        };
+        let mut new =
+            Self { sheet, machine, lever, all: Vec::new(), of: Vec::new(), boxes: BoxIndex::new([]) };
+        new.of = vec![None; sheet.contours.len()];
+        let ids = (0..).zip(&sheet.contours).filter(|(id, c)| may(*id, c));
+        for (id, contour) in ids {
+            let waste = if contour.depth % 2 == 1 { Some(id) } else { contour.inside };
+            if let Some(of) = new.of.get_mut(id as usize) {
+                *of = u32::try_from(new.all.len()).ok();
+            }
+            new.all.push(Joined { contour: id, waste, places: Vec::new() });
+        }
+        new.boxes = BoxIndex::new(new.all.iter().filter_map(|j| new.contour(j)).map(|c| c.bounds));
+        let pairs = new.pairs();
+        new.find_places(&pairs);
+        Some(new)
+    }
+
+    fn contour(&self, joined: &Joined) -> Option<&'s Contour> {
+        self.sheet.contours.get(joined.contour as usize)
+    }
+
+    /// The contours that bound one piece of waste, on one layer, and are near enough to each other, in pairs.
+    fn pairs(&self) -> Vec<(usize, usize)> {
+        let mut pairs = Vec::new();
+        for (k, joined) in self.all.iter().enumerate() {
+            let Some(contour) = self.contour(joined) else { continue };
+            let near = self.boxes.query(contour.bounds.grown(self.lever.reach));
+            pairs.extend(near.into_iter().filter(|&n| n > k).filter_map(|n| {
+                let other = self.all.get(n)?;
+                let alike = other.waste == joined.waste && self.contour(other)?.layer == contour.layer;
+                alike.then_some((k, n))
+            }));
+        }
+        pairs
+    }
+
+    /// Notes where the contours of pairs may be entered: their entries, and before these the places opposite their neighbours,
+    /// the nearest first.
+    fn find_places(&mut self, pairs: &[(usize, usize)]) {
+        let mut opposite: Vec<Vec<(f64, f64, DVec2)>> = vec![Vec::new(); self.all.len()];
+        let mut usual: Vec<Option<Vec<(f64, DVec2)>>> = vec![None; self.all.len()];
+        for &(a, b) in pairs {
+            for (k, other) in [(a, b), (b, a)] {
+                let path = |k: usize| self.all.get(k).and_then(|j| self.contour(j)).map(|c| &c.path);
+                let (Some(from), Some(to)) = (path(k), path(other)) else { continue };
+                let Some(places) = usual.get_mut(k) else { continue };
+                let places = places.get_or_insert_with(|| entries(from));
+                let near = |&(_, p): &(f64, DVec2)| to.nearest(p).map(|(along, q)| (p.distance(q), along, q));
+                let nearest = places.iter().filter_map(near).min_by(|a, b| a.0.total_cmp(&b.0));
+                if let (Some(found), Some(list)) = (nearest, opposite.get_mut(other)) {
+                    list.push(found);
+                }
+            }
+        }
+        for ((joined, mut opposite), usual) in self.all.iter_mut().zip(opposite).zip(usual) {
+            let Some(usual) = usual else { continue };
+            sort_by(&mut opposite, |o| [real(o.0), real(o.1), 0]);
+            let mut places: Vec<(f64, DVec2)> = Vec::new();
+            let mut add = |along: f64, p: DVec2, most: usize| {
+                if places.len() < most && places.iter().all(|q| q.1.distance(p) >= SAME) {
+                    places.push((along, p));
+                }
+            };
+            opposite.into_iter().for_each(|(_, along, p)| add(along, p, OPPOSITE));
+            usual.into_iter().for_each(|(along, p)| add(along, p, usize::MAX));
+            joined.places = places;
+        }
+    }
+
+    /// The places where a contour may be entered, if it is near another that it may be joined to.
+    pub(super) fn places(&self, contour: u32) -> Option<&[(f64, DVec2)]> {
+        let joined = self.all.get(self.of.get(contour as usize).copied().flatten()? as usize)?;
+        Some(&joined.places).filter(|p| !p.is_empty()).map(Vec::as_slice)
+    }
+
+    /// The links between the nodes of the contours.
+    pub(super) fn links(&self, items: &[Item], nodes: &[Node]) -> Links {
+        let (sheet, machine) = (self.sheet, self.machine);
+        let bed =
+            machine.bed.map(|[x0, y0, x1, y1]| Aabb { min: DVec2::new(x0, y0), max: DVec2::new(x1, y1) });
+        let bed = bed.filter(|bed| bed.contains_box(&sheet.bounds));
+        let scrap = Scrap::new(&sheet.contours, self.lever.clearance, machine.kerf_width, bed);
+        let air = AirTime::new(machine);
+        let pierce = start_seconds(machine, false, false);
+        let mut found = Vec::new();
+        for (a, b) in self.pairs() {
+            let (Some(first), Some(second)) = (self.all.get(a), self.all.get(b)) else { continue };
+            let process = sheet.process_by_id(first.contour, machine);
+            for (one, other) in [(first, second), (second, first)] {
+                let ends = self.ends(one, items, nodes, false);
+                let starts = self.ends(other, items, nodes, true);
+                for exit in &ends {
+                    for entry in &starts {
+                        let way = entry.place - exit.place;
+                        let length = way.length();
+                        if length > self.lever.reach
+                            || !exit.leaves(way / length)
+                            || !entry.leaves(-way / length)
+                        {
+                            continue;
+                        }
+                        let line = [Segment::line(exit.place, entry.place)];
+                        let seconds = cut_time(machine, &process, &line) - pierce;
+                        let saved = air.seconds(exit.place, entry.place) - seconds;
+                        if saved > LEAST && scrap.joins([one.contour, other.contour], exit.place, entry.place)
+                        {
+                            found.push((exit.node, Link { to: entry.node, seconds, saved }));
+                        }
+                    }
+                }
+            }
+        }
+        Links::new(nodes.len(), found, |node| nodes.get(node as usize).map(|n| n.item))
+    }
+
+    /// Where the nodes of a contour begin (`entry`) or end, with the directions into the waste there.
+    fn ends(&self, joined: &Joined, items: &[Item], nodes: &[Node], entry: bool) -> Vec<End> {
+        let item = items.get(joined.contour as usize);
+        let ids = item.map(|i| i.nodes.clone()).unwrap_or_default();
+        let path = self.contour(joined).map(|c| &c.path);
+        let end = |node: NodeId| {
+            let known = nodes.get(node as usize)?;
+            let place = if entry { known.entry } else { known.exit };
+            // A lead has left the contour in a direction of its own.
+            let free = known.entry != known.exit || item?.leads.is_some();
+            Some(End { node, place, normals: if free { None } else { normals(path?, known.along) } })
+        };
+        ids.filter_map(end).collect()
+    }
+}
+
+/// Where a chain may begin or end.
+struct End {
+    node: NodeId,
+    place: DVec2,
+    /// The directions into the waste, just before the place and just behind it; `None`: any direction is tried.
+    normals: Option<[DVec2; 2]>,
+}
+
+impl End {
+    /// Whether a direction leads into the waste.
+    fn leaves(&self, direction: DVec2) -> bool {
+        self.normals.is_none_or(|n| n.iter().any(|n| n.dot(direction) >= SLOPE))
+    }
+}
+
+/// The directions into the waste at a place of a closed contour. Outer contours are counter-clockwise and holes clockwise, so the
+/// waste is on the right.
+fn normals(path: &Path, along: f64) -> Option<[DVec2; 2]> {
+    let length = path.length();
+    let beside = BESIDE.min(length / 8.0);
+    let place = |along: f64| path.at(along.rem_euclid(length));
+    let (before, here, after) = (place(along - beside)?, place(along)?, place(along + beside)?);
+    let right = |d: DVec2| -d.perp().normalize_or_zero();
+    Some([right(here - before), right(after - here)])
+}
