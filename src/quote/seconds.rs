@@ -90,11 +90,14 @@ pub(super) fn seconds(
                 let first = cut_on.drain(..).next().map_or(parts, |(id, _)| owner(id));
                 let entered = &mut all[first];
                 entered.pierces += pierces;
-                match chain.take() {
-                    Some(seconds) => entered.times.cut += seconds,
-                    None => entered.times.pierce += machine.delays_of_cut(std::mem::take(&mut moving)),
-                }
-                entered.times.pierce += f64::from(pierces) * machine.pierce_time;
+                let delays = match chain.take() {
+                    Some(seconds) => {
+                        entered.times.cut += seconds;
+                        0.0
+                    }
+                    None => machine.delays_of_cut(std::mem::take(&mut moving)),
+                };
+                entered.times.pierce += delays + f64::from(pierces) * machine.pierce_time;
                 entered.starts += f64::from(u8::from(dark));
                 (pierces, dark) = (0, false);
             }

@@ -13,6 +13,9 @@ export const AROUND = 1, LIFTED = 2, CROSSES = 3, CHAIN = 4;
 /** What the air move to a stop does; the stop after the last is home. */
 export const wayTo = (path: BestPath, stop: number): number => path.ways?.[stop] ?? 0;
 
+/** Whether the head moves to a stop with the beam off. */
+export const isAir = (path: BestPath, stop: number): boolean => wayTo(path, stop) !== CHAIN;
+
 /** The places of the air move to a stop: where it begins, way points, where it ends. The stop after the last is home. */
 export function legTo(path: BestPath, travel: Travel, stop: number): Point[] {
   const p = path.points;

@@ -5,6 +5,7 @@ import { isWhole, leadShapes } from '../shapes.js';
 import { traceStop, type Pen } from '../trace.js';
 import { strokeAir } from './air.js';
 import { BATCH, contourWidth, strokeChains, type Subject } from './strokes.js';
+import { isAir } from '../legs.js';
 import { paintRisky, paintTips } from './tips.js';
 
 /** Everything that is cut before stop `upto`, with the air moves between. */
@@ -22,7 +23,7 @@ export function* paintDone(pen: Pen, view: View, subject: Subject, upto: number)
   if (subject.air) {
     pen.strokeStyle = palette.accent;
     pen.lineWidth = view.ratio;
-    yield* strokeAir(pen, view, subject, upto - 1, () => true);
+    yield* strokeAir(pen, view, subject, upto - 1, (k) => isAir(path, k));
     yield* paintRisky(pen, view, subject, upto - 1);
   }
   pen.strokeStyle = palette.ink;

@@ -8,6 +8,7 @@ import { chainLength, jointShapes, leadShapes, placeAfter, type Place } from '..
 import { traceArrow, type Pen } from '../trace.js';
 import { strokeAir } from './air.js';
 import { BATCH, contourWidth, meanSize, strokeChains, type Subject } from './strokes.js';
+import { isAir } from '../legs.js';
 import { paintRisky, paintTips } from './tips.js';
 
 /** A grid over the screen that lets one thing through per cell. */
@@ -41,7 +42,7 @@ export function* paintPath(pen: Pen, view: View, subject: Subject): Generator<vo
   // Colours show the order then, so that the air moves step back.
   pen.strokeStyle = pen.fillStyle = subject.colors === 'order' ? palette.faint : palette.accent;
   if (subject.air) {
-    yield* strokeAir(pen, view, subject, stops, () => true);
+    yield* strokeAir(pen, view, subject, stops, (k) => isAir(path, k));
     yield* airArrows(pen, view, subject);
     yield* paintRisky(pen, view, subject, stops);
   }

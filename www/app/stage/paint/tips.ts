@@ -29,13 +29,14 @@ export function* paintTips(pen: Pen, view: View, { path, shapes, palette }: Subj
   pen.globalAlpha = 1;
 }
 
-/** Strokes the air moves before stop `to` with the head lifted, dashed, those that cross tipped pieces, in red, and cuts through waste, in the accent colour. */
+/** Strokes the air moves before stop `to` with the head lifted, dashed, those that cross tipped pieces, in red, and cuts through waste, as contours are drawn. */
 export function* paintRisky(pen: Pen, view: View, subject: Subject, to: number): Generator<void> {
   const { path, palette } = subject;
   if (!path?.ways?.length) return;
   pen.lineWidth = 2.4 * view.ratio;
-  pen.strokeStyle = palette.accent;
-  yield* strokeAir(pen, view, subject, to, (k) => wayTo(path, k) === CHAIN);
+  // The beam is on along a cut through waste, which is straight whatever the axes do.
+  pen.strokeStyle = palette.ink;
+  yield* strokeAir(pen, view, { ...subject, travel: { ...subject.travel, perAxis: null } }, to, (k) => wayTo(path, k) === CHAIN);
   pen.strokeStyle = palette.red;
   yield* strokeAir(pen, view, subject, to, (k) => wayTo(path, k) === CROSSES);
   pen.lineWidth = 1.6 * view.ratio;
