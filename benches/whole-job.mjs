@@ -1,9 +1,10 @@
 // Seconds of whole jobs: what the search and each lever of docs/levers.md save against the nearest-next path with holes first on
 // the same preset without levers:
 //
-//     npm run bench -- whole-job [drawings|sheets|nests|plates|tips]... [--moves N] [--preset NAME] [--only NAME] [--data FOLDER]
+//     npm run bench -- whole-job [drawings|sheets|nests|plates|tips|heat]... [--moves N] [--preset NAME] [--only NAME] [--data FOLDER]
 //
 // `tips` is the table of docs/tips.md: what avoiding tipped pieces costs on the four sheets, against lifting the head for every move.
+// `heat` is that of docs/heat.md: what keeping cuts apart costs, against a path that was found without it and waits afterwards.
 // Drawings are those of tests/fixtures/dxf-dev, and of `FOLDER/dxf-dev` with `--data FOLDER`; sheets are those of benches/data;
 // nests are the same without the border of the sheet, which a shop does not cut; plates are perforated ones that benches/solve/grids.mjs draws. Budgets are in moves, so the figures do not depend on the
 // machine's load. Every plan is checked.
@@ -36,6 +37,8 @@ const LEVERS = {
 const APART = { 'fibre-3kw-thin': ['chains'], 'co2-100w': ['chains'] };
 const PLATES = [['round', 20], ['round', 100], ['staggered', 20], ['slots', 20]];
 const sheets = ({ instances, only = '' }) => [100, 500, 2000].map((n) => `sheets/sheet_${n}.dxf`).filter((f) => f.includes(only)).map((f) => instances.file(f));
+/** Tables of one machine each. */
+const TABLES = { tips, heat };
 const SETS = {
   drawings: ({ data, only }) => drawings([join(ROOT, 'tests', 'fixtures', 'dxf-dev'), ...(data ? [join(data, 'dxf-dev')] : [])], only),
   sheets,
@@ -49,16 +52,16 @@ export async function bench(args) {
     allowPositionals: true,
     options: { moves: { type: 'string' }, preset: { type: 'string' }, only: { type: 'string' }, data: { type: 'string' } },
   });
-  const unknown = positionals.find((name) => !(name in SETS) && name !== 'tips');
-  if (unknown !== undefined) throw new Stop(`There is no set ${unknown}: ${[...Object.keys(SETS), 'tips'].join(', ')}.`);
+  const unknown = positionals.find((name) => !(name in SETS) && !(name in TABLES));
+  if (unknown !== undefined) throw new Stop(`There is no set ${unknown}: ${[...Object.keys(SETS), ...Object.keys(TABLES)].join(', ')}.`);
   console.log('bench: the planner, natively');
   run('cargo', ['build', '--release', '--manifest-path', join(HERE, 'Cargo.toml'), '--bin', 'whole_job']);
   const { moves = '1000000', preset: only } = values;
   const options = { ...values, instances: new Instances(values.data) };
   const presets = Object.keys(LEVERS).filter((name) => only === undefined || name === only);
   for (const name of positionals.length > 0 ? positionals : Object.keys(SETS)) {
-    if (name === 'tips') {
-      tips(options, only ?? 'fibre-3kw-thin', moves);
+    if (name in TABLES) {
+      TABLES[name](options, only ?? 'fibre-3kw-thin', moves);
       continue;
     }
     const files = SETS[name](options);
@@ -116,7 +119,7 @@ function tips({ instances, only = '' }, preset, moves) {
   for (const atRest of [false, true]) {
     const ways = pastTips(atRest);
     const machines = JSON.stringify(ways.map(([, changes]) => ({ preset, ...changes })));
-    const files = [100, 500, 2000, 10000].map((n) => `sheets/sheet_${n}.dxf`).filter((f) => f.includes(only)).map((f) => instances.file(f));
+    const files = fourSheets(instances, only);
     const lines = files.map((file) => {
       const found = rows(NATIVE, [file, '--machines', machines, '--moves', moves]);
       const cell = ({ total, lifts, detours, crossings }) => `${total.toFixed(1)} s, ${lifts} lifts, ${detours} around, ${crossings} risky`;
@@ -124,4 +127,27 @@ function tips({ instances, only = '' }, preset, moves) {
     });
     table(`${preset}, lifted ${atRest ? 'at rest' : 'on the way'} by 10 mm at 100 mm/s, ${moves} moves`, ['', ...ways.map(([name]) => name)], lines);
   }
+}
+
+/** Seconds of the four sheets with cuts kept apart by heat, and what is left of that by a path that knows nothing of it. */
+function heat({ instances, only = '' }, preset, moves) {
+  const minds = (rule) => ({ levers: { heat: { distance: 20, seconds: 5, ...rule } } });
+  const ways = [
+    ['nothing asked', { set: minds({ charge: 0 }) }],
+    ['waiting afterwards', { set: {}, then: minds({}) }],
+    ['waiting', { set: minds({}) }],
+    ['a charge of 1 s', { set: minds({ charge: 1 }) }],
+    ['a charge of 0.05 s', { set: minds({ charge: 0.05 }) }],
+  ];
+  const machines = JSON.stringify(ways.map(([, changes]) => ({ preset, ...changes })));
+  const lines = fourSheets(instances, only).map((file) => {
+    const cell = ({ total, waits, wait_time, hot_pairs }) => `${total.toFixed(1)} s, ${waits} waits of ${wait_time.toFixed(1)} s, ${hot_pairs} pairs`;
+    return [basename(file), ...rows(NATIVE, [file, '--machines', machines, '--moves', moves]).map(cell)];
+  });
+  table(`${preset}, cuts nearer than 20 mm 5 s apart, ${moves} moves`, ['', ...ways.map(([name]) => name)], lines);
+}
+
+/** The sheets with 100 to 10,000 contours whose names hold `only`. */
+function fourSheets(instances, only) {
+  return [100, 500, 2000, 10000].map((n) => `sheets/sheet_${n}.dxf`).filter((f) => f.includes(only)).map((f) => instances.file(f));
 }

@@ -41,6 +41,8 @@ pub struct BestPath {
     pub via_of: Vec<u32>,
     /// Contours that bound pieces which may tip once they are cut.
     pub tips: Vec<u32>,
+    /// Seconds that the head waits before each stop until what was cut nearby has cooled; empty if it never does.
+    pub waits: Vec<f64>,
 }
 
 impl BestPath {
@@ -80,6 +82,7 @@ impl BestPath {
         if problem.zones.is_some() || plan.summary.chains > 0 {
             path.add_ways(&plan);
         }
+        path.add_waits(&plan);
         path.times = cutting_times(&plan, &run.machine, sheet, &parts);
         (path, plan)
     }
@@ -137,6 +140,27 @@ impl BestPath {
             if let Move::Air { to, way: Way::Around } = step {
                 self.via.extend([to.x, to.y]);
                 self.via_of.push(u32::try_from(stop).unwrap_or(u32::MAX));
+            }
+        }
+    }
+
+    /// Notes the waits. A machine that waits cuts every contour in one stop.
+    fn add_waits(&mut self, plan: &Plan) {
+        if plan.summary.waits == 0 {
+            return;
+        }
+        self.waits = vec![0.0; self.contours.len()];
+        let mut stop = 0;
+        for (index, step) in plan.moves.iter().enumerate() {
+            let Move::Wait { seconds } = step else { continue };
+            let next = plan.moves.iter().skip(index).find_map(|m| match m {
+                Move::Cut { contour, .. } => Some(*contour),
+                _ => None,
+            });
+            let rest = self.contours.iter().skip(stop);
+            stop += rest.zip(0..).find(|s| Some(*s.0) == next).map_or(0, |s| s.1);
+            if let Some(noted) = self.waits.get_mut(stop) {
+                *noted = *seconds;
             }
         }
     }

@@ -110,6 +110,7 @@ const WARM: &[Field] = &[
     Field::optional("via", LENGTHS),
     Field::optional("viaOf", IDS),
     Field::optional("tips", IDS),
+    Field::optional("waits", LENGTHS),
 ];
 
 impl Shaped for Budget {

@@ -15,7 +15,7 @@ use crate::testkit::{files, fixtures, name, plans};
 use kerfway::geometry::Segment;
 use kerfway::job::{Job, LoadOptions, MachineChoice, PlanOptions};
 use kerfway::machine::dialect::{Dialect, DialectChoice, FileUnit, dialects};
-use kerfway::machine::{JointKind, JointRule, Joints, LeadKind, Levers, MovingPierce, Profile, Start};
+use kerfway::machine::{Heat, JointKind, JointRule, Joints, LeadKind, Levers, MovingPierce, Profile, Start};
 use kerfway::output;
 use kerfway::plan::{Move, Plan};
 use kerfway::sheet::Sheet;
@@ -87,7 +87,7 @@ fn assert_right(
     let rounding = 0.51 * 10_f64.powi(-(dialect.power.decimals as i32));
     let powers = [profile.cut.power * full, profile.mark.power * full];
     let creeps = dialect.pierce.as_ref().is_some_and(|p| p.length.is_some());
-    let (mut lit, mut waited, mut dark) = (0, 0.0, 0.0);
+    let (mut lit, mut waited, mut dark, mut cooled) = (0, 0.0, 0.0, 0.0);
     for step in &run.steps {
         match step {
             Step::Move { rapid: true, beam, asked, feed, line, .. } => {
@@ -109,6 +109,10 @@ fn assert_right(
                 );
             }
             Step::Wait { seconds, beam, line } => {
+                if profile.levers.heat.is_some() && *beam <= 0.0 && *seconds >= 0.01 {
+                    cooled += seconds;
+                    continue;
+                }
                 let pierces = (seconds - profile.pierce_time).abs() < 0.1;
                 assert!(!pierces || *beam > 0.0, "{what}, line {line}: a dark piercing");
                 assert!(pierces || *seconds < 0.01, "{what}, line {line}: waits {seconds} s");
@@ -118,6 +122,11 @@ fn assert_right(
             Step::Contour => {}
         }
     }
+    let asked = plan.summary.wait_time;
+    assert!(
+        (cooled - asked).abs() <= 0.011 * f64::from(plan.summary.waits),
+        "{what}: cools {cooled} s, not {asked}"
+    );
     let flying = |m: &Move| match m {
         Move::Joint { path, flying: true, .. } | Move::Fly { path } => path.iter().map(Segment::length).sum(),
         _ => 0.0,
@@ -241,6 +250,32 @@ fn every_dialect_leaves_joints_dark() {
         assert!(kind == JointKind::Flying || refused.is_empty(), "{refused:?}");
         assert!(refused.len() <= 4, "{refused:?}");
     }
+}
+
+#[test]
+fn every_dialect_waits_in_the_dark_until_it_has_cooled() {
+    let heat = Heat { distance: 200.0, seconds: 20.0, charge: None, small_holes: None };
+    let heated = Profile { levers: Levers { heat: Some(heat), ..Levers::default() }, ..machine() };
+    let mut waits = 0;
+    for file in files(&fixtures().join("dxf-dev"), "dxf").iter().take(6) {
+        let Some((job, plan)) = planned(file, &heated) else { continue };
+        waits += plan.summary.waits;
+        assert_all(file, &heated, &shipped());
+        let facts = output::SheetFacts::of(job.beam_sheet());
+        if plan.summary.waits > 0 {
+            assert!(output::rd(&plan, &facts, &heated).is_err_and(|e| e.to_string().contains("no waits")));
+        }
+        // A dialect that cannot dwell.
+        let mut dialect = dialects().into_iter().find(|d| d.name == "smoothie").unwrap();
+        dialect.dwell = None;
+        let still = with(
+            &Profile { beam_off_delay: 0.0, ..heated.clone() },
+            DialectChoice::Document(Box::new(dialect)),
+        );
+        let written = output::gcode(&plan, &facts, &still, "a.dxf", Start::Absolute);
+        assert_eq!(written.is_err_and(|e| e.to_string().contains("levers.heat")), plan.summary.waits > 0);
+    }
+    assert!(waits > 20, "{waits} waits");
 }
 
 #[test]

@@ -2456,6 +2456,22 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
               "name": "tips",
               "nullable": false,
               "required": false
+            },
+            {
+              "kind": {
+                "list": {
+                  "number": {
+                    "least": -1000000000.0,
+                    "most": 1000000000.0,
+                    "or_zero": false,
+                    "unit": "mm",
+                    "why": "no contour is longer than 1,000 km"
+                  }
+                }
+              },
+              "name": "waits",
+              "nullable": false,
+              "required": false
             }
           ]
         },

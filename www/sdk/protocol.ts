@@ -104,6 +104,8 @@ export interface BestPath {
   viaOf: Uint32Array;
   /** The contours that bound pieces which may tip once they are cut. */
   tips: Uint32Array;
+  /** Seconds that the head waits before each stop until what was cut nearby has cooled; empty if it never does. */
+  waits: Float64Array;
 }
 
 /** The progress of a search. */

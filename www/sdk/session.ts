@@ -324,7 +324,7 @@ function panicOf(build: { lastPanic(): string | undefined }): string | undefined
 }
 
 function pathBuffers({ path }: { path: import('./protocol.js').BestPath | null }): ArrayBuffer[] {
-  return path === null ? [] : buffers([path.contours, path.points, path.along, path.until, path.reversed, path.times, path.leads, path.leadOffsets, path.joints, path.jointOffsets, path.preCuts, path.pauses, path.ways, path.via, path.viaOf, path.tips]);
+  return path === null ? [] : buffers([path.contours, path.points, path.along, path.until, path.reversed, path.times, path.leads, path.leadOffsets, path.joints, path.jointOffsets, path.preCuts, path.pauses, path.ways, path.via, path.viaOf, path.tips, path.waits]);
 }
 
 function buffers(arrays: ArrayBufferView[]): ArrayBuffer[] {

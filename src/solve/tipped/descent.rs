@@ -49,6 +49,8 @@ pub(super) struct Descent<'p> {
     kicked: Option<(Vec<Change>, f64)>,
     settled: bool,
     since_gain: u64,
+    /// Longest window of the changes that are tried now.
+    longest: usize,
 }
 
 impl<'p> Descent<'p> {
@@ -71,6 +73,7 @@ impl<'p> Descent<'p> {
             kicked: None,
             settled: false,
             since_gain: 0,
+            longest: LONGEST,
         }
     }
 
@@ -129,9 +132,13 @@ impl<'p> Descent<'p> {
     pub(super) fn advance(&mut self) -> u64 {
         let before = self.sequence.priced;
         if let Some(k) = self.queue.pop() {
+            // A cut that has to wait may go anywhere: there are few of them.
+            let waits = |k: usize| self.sequence.is_due(k);
+            self.longest = if waits(k) || k.checked_sub(1).is_some_and(waits) { usize::MAX } else { LONGEST };
             if self.improve(k) {
                 self.queue.push(k);
             }
+            self.longest = LONGEST;
         } else if self.settle() {
             return 1;
         } else if !self.kick() {
@@ -222,7 +229,7 @@ impl<'p> Descent<'p> {
 
     /// Makes a change if it gains more than `gain`, and puts what it touches on the queue.
     fn make(&mut self, change: Option<Change>, gain: f64) -> bool {
-        let Some(mut change) = change.filter(|c| c.visits.len() <= LONGEST) else { return false };
+        let Some(mut change) = change.filter(|c| c.visits.len() <= self.longest) else { return false };
         if !self.sequence.try_change(&mut change, gain) {
             return false;
         }

@@ -104,6 +104,11 @@ impl<'p> Sequence<'p> {
         self.clock.is_some()
     }
 
+    /// Whether something is due before the stop at `k` because of heat.
+    pub(super) fn is_due(&self, k: usize) -> bool {
+        self.clock.as_ref().is_some_and(|c| c.due(k) > 0.0)
+    }
+
     /// Seconds of leg `k` beyond those of a straight move, and what is due after it.
     pub(super) fn surcharge(&self, k: usize) -> f64 {
         let due = self.clock.as_ref().map_or(0.0, |c| c.due(k));

@@ -1,6 +1,6 @@
 /**
  * Where the head is at a moment of the job. The path says when the cut of each stop begins and ends. Between the end of one cut and the beginning
- * of the next are the air move and, at its end, the piercing.
+ * of the next are the air move and, at its end, a wait until what is near has cooled, and the piercing.
  */
 
 import type { BestPath } from 'kerfway';
@@ -28,7 +28,7 @@ export class Timeline {
   private readonly place: Place = { x: 0, y: 0, dx: 0, dy: 0 };
   private readonly first: Int32Array;
 
-  /** `still`: seconds before each cut in which the head stands still and pierces. A contour that is continued is not pierced again. */
+  /** `still`: seconds before each cut in which the head stands still to pierce. A contour that is continued is not pierced again. */
   constructor(
     readonly path: BestPath, readonly total: number, private readonly shapes: Shapes,
     private readonly contourLengths: Float64Array, private readonly travel: Travel, private readonly still: number,
@@ -90,7 +90,8 @@ export class Timeline {
       out.y = y0;
       return out;
     }
-    const still = this.first[contours[stop]!] === stop ? this.still : 0;
+    // Until what was cut nearby has cooled, it stands still, too.
+    const still = (this.first[contours[stop]!] === stop ? this.still : 0) + (this.path.waits?.[stop] ?? 0);
     const arrive = Math.max(left, last ? this.total : times[stop * 2]! - still);
     out.gone = arrive > left ? Math.min(1, (t - left) / (arrive - left)) : 1;
     out.lifted = out.gone < 1 && wayTo(this.path, stop) === LIFTED;

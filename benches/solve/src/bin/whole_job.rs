@@ -56,6 +56,7 @@ fn row(drawing: Drawing, wanted: &Value, moves: u64, seed: u64) -> Result<Value,
         "file": drawing.0, "preset": name, "set": wanted["set"], "contours": s.contours,
         "nearest_next": nearest.summary.total_time, "total": s.total_time, "air": s.air_time, "cut": s.cut_time,
         "pierce": s.pierce_time, "pierces": s.pierces, "chains": s.chains, "lifts": s.lifts, "detours": s.detours, "crossings": s.crossings,
+        "waits": s.waits, "wait_time": s.wait_time, "hot_pairs": s.hot_pairs,
     }))
 }
 
