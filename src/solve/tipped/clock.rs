@@ -45,7 +45,9 @@ impl<'p> Clock<'p> {
     pub(super) fn due_near(&self, low: usize, high: usize) -> f64 {
         let cool =
             high.checked_sub(1).and_then(|k| self.ends.get(k)).map_or(0.0, |e| e + self.cooling.seconds());
-        let within = |k: &usize| *k < high || self.ends.get(*k).is_some_and(|e| *e <= cool);
+        // The stop before it has ended by then.
+        let begun = |k: usize| k.checked_sub(1).and_then(|b| self.ends.get(b)).is_none_or(|e| *e <= cool);
+        let within = |k: &usize| *k <= high || begun(*k);
         (low..self.ends.len()).take_while(within).map(|k| self.due(k)).sum()
     }
 

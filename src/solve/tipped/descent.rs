@@ -19,6 +19,8 @@ const NEAR: usize = 8;
 const NEIGHBOURS: usize = 6;
 /// Longest window of a change: a longer one is priced too slowly for what it gains.
 const LONGEST: usize = 400;
+/// Stops all over the sequence that are tried for a cut that has to wait.
+const SPREAD: usize = 48;
 /// Longest stretch of a kick.
 const KICK: usize = 5;
 /// In sequences up to this length with cuts that heat each other, kicks exchange any stretches, several times at once: what is due
@@ -111,6 +113,10 @@ impl<'p> Descent<'p> {
         let all = self.sequence.len() <= SMALL || self.sequence.is_heated();
         let looked_at = |&k: &usize| all || self.sequence.surcharge(k) > EPSILON;
         self.queue = (0..=self.sequence.len()).rev().filter(looked_at).collect();
+        if self.sequence.is_heated() {
+            // What is due is looked at first.
+            self.queue.sort_by_key(|&k| self.sequence.is_due(k));
+        }
     }
 
     /// Keeps what a descent that is not finished has reached.
@@ -292,6 +298,12 @@ impl<'p> Descent<'p> {
             for &item in self.neighbours.get(visit.item as usize).into_iter().flatten() {
                 others.extend(self.sequence.position(item).into_iter().flat_map(|p| [p, p + 1]));
             }
+        }
+        if self.longest > LONGEST {
+            // Around its neighbours there may be no time at which it is cold. What nothing waits for may be put off until then.
+            let ends: Vec<usize> = (0..length).filter(|&p| self.sequence.is_last(p)).collect();
+            let apart = ends.len().div_ceil(SPREAD).max(1);
+            others.extend(ends.into_iter().skip(k % apart).step_by(apart));
         }
         others.retain(|&other| other != k && other <= length);
         others

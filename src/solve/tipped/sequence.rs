@@ -104,6 +104,11 @@ impl<'p> Sequence<'p> {
         self.clock.is_some()
     }
 
+    /// Whether nothing has to come after the stop at `k`.
+    pub(super) fn is_last(&self, k: usize) -> bool {
+        self.visits.get(k).is_some_and(|v| self.precedence.after(v.item).is_empty())
+    }
+
     /// Whether something is due before the stop at `k` because of heat.
     pub(super) fn is_due(&self, k: usize) -> bool {
         self.clock.as_ref().is_some_and(|c| c.due(k) > 0.0)
