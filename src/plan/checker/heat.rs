@@ -115,7 +115,7 @@ fn near(a: &Path, b: &Path, distance: f64) -> Near {
     let gap = |low: f64, high: f64| (low - high).max(0.0);
     let wide = gap(x.min.x, y.max.x).max(gap(y.min.x, x.max.x));
     let high = gap(x.min.y, y.max.y).max(gap(y.min.y, x.max.y));
-    if wide.hypot(high) >= distance + SAME {
+    if (wide * wide + high * high).sqrt() >= distance + SAME {
         return Near::No;
     }
     // Distances of places along a line differ by no more than the places: what lies between two of them is no nearer than this allows.

@@ -178,12 +178,6 @@ fn an_order_that_knows_of_heat_is_shorter_than_waiting_afterwards() {
         assert_eq!(plan::check(&sheet, &machine, &after), Ok(()));
         let (_, knowing) = searched(&sheet, &machine, 300_000, 1);
         let total = |plan: &Plan| plan.summary.total_time;
-        println!(
-            "{heat:?}: {} s without, {} s knowing, {} s afterwards",
-            total(&ignoring),
-            total(&knowing),
-            total(&after)
-        );
         assert!(total(&knowing) < 0.9 * total(&after), "{} s, {} s", total(&knowing), total(&after));
         assert!(total(&knowing) >= total(&ignoring) - 0.01 * total(&ignoring));
         assert_eq!(knowing.summary.hot_pairs, 0);
@@ -191,7 +185,6 @@ fn an_order_that_knows_of_heat_is_shorter_than_waiting_afterwards() {
         let dear = heated(Heat { charge: Some(100.0), ..heat });
         let (_, charged) = searched(&sheet, &dear, 300_000, 1);
         let unknowing = plan::from_solution(&sheet, &problem_of(&sheet, &dear), &path);
-        println!("hot pairs: {} knowing, {} not", charged.summary.hot_pairs, unknowing.summary.hot_pairs);
         assert!(2 * charged.summary.hot_pairs < unknowing.summary.hot_pairs);
         assert_eq!((charged.summary.waits, charged.summary.wait_time), (0, 0.0));
     }
