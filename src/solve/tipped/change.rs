@@ -10,6 +10,8 @@ pub(super) struct Change {
     /// Position of the first.
     pub(super) low: usize,
     pub(super) visits: Vec<Visit>,
+    /// Number of stops that go from the beginning of the window to its end, if all else keeps its order.
+    pub(super) rotated: Option<usize>,
 }
 
 impl Change {
@@ -20,7 +22,7 @@ impl Change {
         }
         let mut visits = visits.get(low..high)?.to_vec();
         visits.rotate_left(middle - low);
-        Some(Self { low, visits })
+        Some(Self { low, visits, rotated: Some(middle - low) })
     }
 
     /// The stretch `[low, high)` of these visits in reverse.
@@ -36,11 +38,11 @@ impl Change {
             Visit::new(problem, Stop::at(problem, twin))
         };
         let visits: Option<Vec<Visit>> = visits.get(low..high)?.iter().rev().map(turned).collect();
-        Some(Self { low, visits: visits? })
+        Some(Self { low, visits: visits?, rotated: None })
     }
 
     /// Another entry of the stop at `k`.
     pub(super) fn entry(problem: &Problem, k: usize, stop: Stop) -> Option<Self> {
-        Some(Self { low: k, visits: vec![Visit::new(problem, stop)?] })
+        Some(Self { low: k, visits: vec![Visit::new(problem, stop)?], rotated: None })
     }
 }

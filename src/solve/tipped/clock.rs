@@ -9,6 +9,42 @@ use crate::heat::Cooling;
 /// Times that differ by less are the same, s.
 const SAME: f64 = 1e-9;
 
+/// A window of a sequence that has changed.
+#[derive(Clone, Copy)]
+pub(super) struct Window {
+    /// Position of its first stop.
+    pub(super) low: usize,
+    /// Number of stops that went from its beginning to its end, if all else kept its order.
+    pub(super) rotated: Option<usize>,
+}
+
+/// A place in a stretch of stops that keep their order.
+struct Stretch {
+    /// The position that the stop had.
+    old: usize,
+    /// Whether the stretch begins with it.
+    first: bool,
+    /// Number of stops of the stretch after it.
+    rest: usize,
+}
+
+impl Window {
+    /// The stretch of the stop at `k`, where the window ends before `high`, of `all` stops.
+    fn stretch(self, k: usize, high: usize, all: usize) -> Option<Stretch> {
+        if k >= high {
+            return Some(Stretch { old: k, first: k == high, rest: all - 1 - k });
+        }
+        let ahead = self.rotated?;
+        // The window is now the stops from `turn` on, and then those before it.
+        let (turn, seam) = (self.low + ahead, high - ahead);
+        Some(if k < seam {
+            Stretch { old: k + ahead, first: k == self.low, rest: seam - 1 - k }
+        } else {
+            Stretch { old: k + turn - high, first: k == seam, rest: high - 1 - k }
+        })
+    }
+}
+
 /// The times of a sequence.
 pub(super) struct Clock<'p> {
     cooling: &'p Cooling,
@@ -31,7 +67,7 @@ impl<'p> Clock<'p> {
     pub(super) fn begin(&mut self, visits: &[Visit], legs: &[f64]) -> f64 {
         self.ends = vec![f64::INFINITY; visits.len()];
         self.dues = vec![0.0; visits.len()];
-        let due = self.replay(visits, legs, &[], 0).0;
+        let due = self.replay(visits, legs, &[], Window { low: 0, rotated: None }).0;
         self.keep(0);
         due
     }
@@ -61,44 +97,71 @@ impl<'p> Clock<'p> {
         (0..k).rev().take_while(recent).find(is_near)
     }
 
-    /// Replays the stops from `low` on; `window` has the legs that differ from `legs`, from that to `low` on. Returns by how much more is due than
-    /// before, s, and how many stops were looked at. [`Clock::keep`] makes it so.
+    /// Replays the stops from the beginning of a window on; `new_legs` has the legs of the window and the one after it. Returns by how much
+    /// more is due than before, s, and how many stops were looked at. [`Clock::keep`] makes it so.
     pub(super) fn replay(
         &mut self,
         visits: &[Visit],
         legs: &[f64],
-        window: &[f64],
-        low: usize,
+        new_legs: &[f64],
+        window: Window,
     ) -> (f64, u64) {
-        let cooling = self.cooling;
+        let (cooling, low) = (self.cooling, window.low);
+        let high = low + new_legs.len().saturating_sub(1);
         self.new_ends.clear();
         self.new_dues.clear();
-        let mut now = low.checked_sub(1).and_then(|k| self.ends.get(k)).copied().unwrap_or(0.0);
-        let mut more = 0.0;
-        // The stops from here on have moved by the same seconds, and when the one before it ended, now and before.
+        let ended =
+            |ends: &[f64], k: usize| k.checked_sub(1).and_then(|b| ends.get(b)).copied().unwrap_or(0.0);
+        let mut now = ended(&self.ends, low);
+        let (mut more, mut looked_at) = (0.0, 0);
+        // The stops from here on have moved by the same seconds, and when the one before them ended, now and before.
         let mut steady = (f64::NAN, [now, now]);
-        for (k, visit) in visits.iter().enumerate().skip(low) {
-            let leg = window.get(k - low).or(legs.get(k)).copied().unwrap_or(0.0);
-            let arrival = now + leg;
+        let mut k = low;
+        while let Some(visit) = visits.get(k) {
+            let leg = new_legs.get(k - low).or(legs.get(k)).copied().unwrap_or(0.0);
+            let (before, arrival) = (now, now + leg);
             let replayed = self.new_ends.iter().zip(visits.iter().skip(low)).rev();
             let kept = self.ends.iter().zip(visits).take(low).rev();
             let due = cooling.due(visit.item, arrival, replayed.chain(kept).map(|(end, v)| (v.item, *end)));
             let cost = cooling.cost(due);
-            let before = [now, k.checked_sub(1).and_then(|b| self.ends.get(b)).copied().unwrap_or(0.0)];
             now = arrival + due.wait + visit.seconds;
             self.new_ends.push(now);
             self.new_dues.push(cost);
-            let (old_end, old_due) = (self.ends.get(k).copied().unwrap_or(now), self.due(k));
-            more += cost - old_due;
+            more += cost - self.due(k);
+            looked_at += 1;
+            let stretch = window.stretch(k, high, visits.len());
+            k += 1;
+            // What is in another order is replayed stop by stop.
+            let Some(Stretch { old, first, rest }) = stretch else { continue };
+            let old_end = self.ends.get(old).copied().unwrap_or(now);
             let shift = now - old_end;
-            let same = (shift - steady.0).abs() <= SAME;
-            if k - low < window.len() || !same {
-                steady = (shift, before);
-            } else if now - steady.1[0] >= cooling.seconds() && old_end - steady.1[1] >= cooling.seconds() {
+            // No shift from an end that is not known yet.
+            let is_steady = (shift - steady.0).abs() <= SAME;
+            if first || !is_steady {
+                steady = (shift, [before, ended(&self.ends, old)]);
+                continue;
+            }
+            if now - steady.1[0] < cooling.seconds() || old_end - steady.1[1] < cooling.seconds() {
+                continue;
+            }
+            if k > high {
                 break;
             }
+            // The rest of the stretch moves as one, as long as its legs are what they were.
+            for old in old + 1..=old + rest {
+                let (leg, new_leg) = (legs.get(old), new_legs.get(k - low));
+                if leg.zip(new_leg).is_none_or(|(a, b)| a.total_cmp(b).is_ne()) {
+                    break;
+                }
+                now = self.ends.get(old).copied().unwrap_or(0.0) + shift;
+                let due = self.due(old);
+                self.new_ends.push(now);
+                self.new_dues.push(due);
+                more += due - self.due(k);
+                k += 1;
+            }
         }
-        (more, self.new_ends.len() as u64)
+        (more, looked_at)
     }
 
     /// Takes over what was last replayed, from `low` on.
@@ -111,5 +174,69 @@ impl<'p> Clock<'p> {
             dues.copy_from_slice(&self.new_dues);
         }
         self.ends.iter_mut().skip(stop).for_each(|end| *end += shift);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{DVec2, Path, Segment};
+    use crate::machine::Heat;
+    use crate::solve::rng::{Draw, seeded};
+    use crate::solve::traits::Stop;
+
+    /// Replaying a window gives what replaying everything gives, however the window was changed.
+    #[test]
+    fn a_window_is_replayed_as_if_it_were_everything() {
+        let mut rng = seeded(3);
+        let count = 120_u32;
+        let lines: Vec<Path> = (0..count)
+            .map(|k| {
+                let at = DVec2::new(f64::from(k % 12) * 10.0, f64::from(k / 12) * 10.0);
+                Path::new(vec![Segment::line(at, at + DVec2::X)], false)
+            })
+            .collect();
+        let lines: Vec<Option<&Path>> = lines.iter().map(Some).collect();
+        let mut skipped = 0;
+        for charge in [None, Some(0.7)] {
+            let heat = Heat { distance: 15.0, seconds: 2.0, charge, small_holes: None };
+            let Some(cooling) = Cooling::new(&heat, &lines) else { continue };
+            let visit = |item: u32| Visit {
+                stop: Stop::whole(item, 0.0),
+                item,
+                entry: DVec2::ZERO,
+                exit: DVec2::ZERO,
+                extra: 0.0,
+                seconds: 0.1 + 0.01 * f64::from(item % 7),
+            };
+            let mut visits: Vec<Visit> = (0..count).map(visit).collect();
+            let leg = |a: &Visit, b: &Visit| 0.01 * f64::from((a.item * 31 + b.item * 17) % 40);
+            let legs_of = |visits: &[Visit]| -> Vec<f64> {
+                let between = visits.windows(2).map(|w| leg(&w[0], &w[1]));
+                std::iter::once(0.3).chain(between).chain([0.2]).collect()
+            };
+            let mut legs = legs_of(&visits);
+            let mut clock = Clock::new(&cooling);
+            let mut total = clock.begin(&visits, &legs);
+            for _ in 0..600 {
+                let low = rng.below(visits.len() - 2);
+                let high = low + 2 + rng.below(visits.len() - 1 - low);
+                let ahead =
+                    if rng.below(2) == 0 { 1 + rng.below((high - low - 1).min(3)) } else { high - low - 1 };
+                visits[low..high].rotate_left(ahead);
+                let changed = legs_of(&visits);
+                let window = Window { low, rotated: Some(ahead) };
+                let (more, looked_at) = clock.replay(&visits, &legs, &changed[low..=high], window);
+                skipped += visits.len() as u64 - low as u64 - looked_at;
+                clock.keep(low);
+                (legs, total) = (changed, total + more);
+                let mut whole = Clock::new(&cooling);
+                let all = whole.begin(&visits, &legs);
+                assert!((all - total).abs() < 1e-6, "{all} s, not {total} s");
+                let off = whole.ends.iter().zip(&clock.ends).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(off < 1e-6 && whole.dues.iter().zip(&clock.dues).all(|(a, b)| (a - b).abs() < 1e-6));
+            }
+        }
+        assert!(skipped > 10_000, "{skipped} stops were not looked at");
     }
 }

@@ -6,7 +6,7 @@
 //! the window are looked at as well, until what was changed has cooled (`clock.rs`).
 
 use super::change::Change;
-use super::clock::Clock;
+use super::clock::{Clock, Window};
 use super::visit::Visit;
 use crate::geometry::DVec2;
 use crate::machine::AirTime;
@@ -212,7 +212,8 @@ impl<'p> Sequence<'p> {
         let mut better = sum < now + due - gain && legs.len() == high + 1 - low;
         let mut saved = now - sum;
         if let Some(clock) = self.clock.as_mut().filter(|_| better) {
-            let (more, looked_at) = clock.replay(&self.visits, &self.legs, &legs, low);
+            let (more, looked_at) =
+                clock.replay(&self.visits, &self.legs, &legs, Window { low, rotated: change.rotated });
             self.priced += looked_at;
             saved -= more;
             better = saved > gain;
@@ -251,7 +252,7 @@ impl<'p> Sequence<'p> {
         if let Some(clock) = &mut self.clock
             && let Some(legs) = self.legs.get(low..=high)
         {
-            self.total += clock.replay(&self.visits, &self.legs, legs, low).0;
+            self.total += clock.replay(&self.visits, &self.legs, legs, Window { low, rotated: None }).0;
             clock.keep(low);
         }
     }
