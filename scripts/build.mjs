@@ -150,13 +150,13 @@ function globalBuild() {
 /** Writes the lists of files into the service worker, which stores them for use without a network. */
 function offline() {
   const files = filesIn(APP).filter((f) => !onDemand(f));
-  const writers = filesIn(APP).filter((f) => /kerfway_outputs[^.]*\.(js|wasm)$/.test(f));
+  const later = filesIn(APP).filter((f) => /(kerfway_outputs|later-)[^.]*\.(js|wasm)$/.test(f));
   const namesOf = (list) => list.map((f) => relative(APP, f).split(sep).join('/'));
   const names = namesOf(files).filter((f) => f !== 'index.html');
   const text = readFileSync(join(ROOT, 'www', 'app', 'offline', 'worker.js'), 'utf8')
-    .replace('__VERSION__', digest([...files, ...writers]).slice(0, 16))
+    .replace('__VERSION__', digest([...files, ...later]).slice(0, 16))
     .replace('__FILES__', JSON.stringify(['./', ...names]))
-    .replace('__WRITERS__', JSON.stringify(namesOf(writers)));
+    .replace('__LATER__', JSON.stringify(namesOf(later)));
   writeFileSync(join(APP, 'offline.js'), text);
 }
 
@@ -194,11 +194,11 @@ const FIRST_SAMPLE = 'sheet_500.dxf';
 
 /**
 /**
- * Not fetched before it is needed: the writers of programs, the research build, the PNG renderer, other languages, source maps, samples past the
- * first, and the planner without a worker, which the page never uses. Nor are compressed copies.
+ * Not fetched before it is needed: the writers of programs, the research build, the PNG renderer, other languages, other orders to compare with,
+ * source maps, samples past the first, and the planner without a worker, which the page never uses. Nor are compressed copies.
  */
 function onDemand(file) {
-  return /kerfway_(outputs|png|research)|(language|in-thread)-[^/\\]*\.js$|\.(map|br)$/.test(file) || (/samples[\\/]/.test(file) && !file.endsWith(FIRST_SAMPLE));
+  return /kerfway_(outputs|png|research)|(language|later|in-thread)-[^/\\]*\.js$|\.(map|br)$/.test(file) || (/samples[\\/]/.test(file) && !file.endsWith(FIRST_SAMPLE));
 }
 
 const kB = (n) => n.toFixed(1).padStart(9);

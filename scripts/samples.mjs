@@ -46,22 +46,35 @@ export const SAMPLES = {
   'parts-in-parts.dxf': drawing(MM,
     ...rows(3, (k) => rows(5 - k, (j) => circle(80 + 170 * k, 80, 76 - 14 * j)).flat()),
     ...rows(4, (k) => [...box(20 + 120 * k, 180, 100, 100), ...box(30 + 120 * k, 190, 80, 80), ...plate(40 + 120 * k, 200, 60, 60, 10), ...circle(70 + 120 * k, 230, 12)])),
+  // A grid of round holes and one of square holes: cut on the run, line by line.
+  'perforated.dxf': drawing(MM,
+    plate(0, 0, 420, 220, 8),
+    ...rows(14, (row) => rows(18, (k) => circle(18 + 12 * k, 30 + 12 * row, 3)).flat()),
+    ...rows(11, (row) => rows(10, (k) => box(248 + 15 * k, 29 + 15 * row, 8, 8)).flat())),
+  // Holes small and large, outlines with room around them and without: where leads fit, turn or shrink.
+  'held-plates.dxf': drawing(MM,
+    ...rows(3, (k) => [
+      ...plate(20 + 130 * k, 20, 120, 80, 10), ...circle(40 + 130 * k, 40, 2.5), ...circle(120 + 130 * k, 80, 2.5), ...circle(80 + 130 * k, 60, 16),
+      ...path([[100 + 130 * k, 34], [122 + 130 * k, 34, 1], [122 + 130 * k, 42], [100 + 130 * k, 42, 1]]),
+    ]),
+    ...rows(3, (k) => [...circle(70 + 130 * k, 170, 48), ...circle(70 + 130 * k, 170, 20), ...rows(6, (j) => circle(70 + 130 * k + 34 * Math.cos(j * Math.PI / 3), 170 + 34 * Math.sin(j * Math.PI / 3), 4)).flat()]),
+    ...rows(8, (k) => box(420 + 40 * (k % 2), 20 + 55 * Math.floor(k / 2), 36, 50))),
+  // Small plates that tip up between the slats, angles, and a sheet whose skeleton is cut up at the end.
+  'tips-and-skeleton.dxf': drawing(MM,
+    box(0, 0, 800, 500, 'SHEET'),
+    ...rows(5, (k) => rows(2, (j) => [...box(25 + 105 * k, 25 + 95 * j, 80, 70), ...circle(65 + 105 * k, 60 + 95 * j, 14)]).flat()),
+    ...rows(4, (k) => path([[25 + 135 * k, 230], [135 + 135 * k, 230], [135 + 135 * k, 265], [60 + 135 * k, 265], [60 + 135 * k, 345], [25 + 135 * k, 345]])),
+    ...rows(3, (k) => [...circle(115 + 135 * k, 320, 32), ...circle(115 + 135 * k, 320, 12)]),
+    ...rows(5, (k) => circle(70 + 115 * k, 425, 45)),
+    path([[580, 30], [770, 30], [770, 120], [670, 120], [670, 210], [580, 210]])),
 };
 
-/** Decimals that a sample of the first visit keeps: a tenth of a micrometre matters to nobody, and every digit is transferred. */
-const DECIMALS = 4;
+/** Decimals that a sample of the first visit keeps: a nanometre matters to nobody, and every digit is transferred. */
+const DECIMALS = 6;
 
-/** Sections without a contour: what other programs store there is not read. */
-const UNREAD = ['CLASSES', 'OBJECTS'];
-
-/** A drawing of the tests as a sample: the same entities with coordinates rounded to 1e-4 mm, which is less than half to transfer. */
-function slim(text) {
-  const read = UNREAD.reduce((rest, name) => {
-    const from = rest.indexOf(`  0\nSECTION\n  2\n${name}\n`);
-    const end = '  0\nENDSEC\n';
-    return from < 0 ? rest : rest.slice(0, from) + rest.slice(rest.indexOf(end, from) + end.length);
-  }, text);
-  const lines = read.split('\n');
+/** A drawing of the tests as a sample: the same entities with coordinates rounded to 1e-6 mm, which is a third less to transfer. */
+function rounded(text) {
+  const lines = text.split('\n');
   const isCoordinate = (code) => code >= 10 && code < 60;
   return lines.map((line, k) => {
     const value = k % 2 === 1 && isCoordinate(Number(lines[k - 1])) && line.includes('.') ? String(Number(Number(line).toFixed(DECIMALS))) : line.trim();
@@ -69,7 +82,7 @@ function slim(text) {
   }).join('\n');
 }
 
-SAMPLES['sheet_500.dxf'] = slim(readFileSync(join(ROOT, 'tests', 'fixtures', 'sheets', 'sheet_500.dxf'), 'utf8'));
+SAMPLES['sheet_500.dxf'] = rounded(readFileSync(join(ROOT, 'tests', 'fixtures', 'sheets', 'sheet_500.dxf'), 'utf8'));
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   for (const [file, content] of Object.entries(SAMPLES)) writeFileSync(join(ROOT, 'www', 'app', 'public', 'samples', file), content);

@@ -49,10 +49,10 @@ pub use warm_path::WarmPath;
 use crate::drawing::{Drawing, ReadOptions};
 use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Severity};
+use crate::machine::PLANS_ALL_LEVERS;
 use crate::order::sort_by;
 use crate::problem::KNOWS_CHAINS;
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
-use crate::tipping::IS_BUILT;
 
 /// One drawing through the whole flow.
 pub struct Job {
@@ -171,7 +171,7 @@ impl Job {
             );
             return Err(FieldError::new(Fault::Missing, "machine.z_speed", message).into());
         }
-        if profile.levers.tips.is_some() && !IS_BUILT {
+        if profile.levers.tips.is_some() && !PLANS_ALL_LEVERS {
             let sentence = "This build of Kerfway does not know about pieces that tip. Leave out \"levers.tips\", or load the whole package.";
             return Err(JobError::Conflict { field: "machine.levers.tips", sentence });
         }

@@ -20,6 +20,10 @@ const STAY_DOWN: Range = Range::new(0.0, 1e5, "mm", "short moves are made with t
 /// coordinates differ in their last digits.
 const SAME_LENGTH: f64 = 1e-6;
 
+/// Whether this build plans every lever. The core wasm leaves out those that few jobs use, so that a first visit of the page stays small: such
+/// jobs are planned by the research build, as those of published methods are.
+pub const PLANS_ALL_LEVERS: bool = cfg!(feature = "research");
+
 /// The levers that are switched on.
 #[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -113,7 +117,12 @@ pub struct Lift {
 impl Lift {
     /// Whether the head is lifted for a move of `distance` mm.
     pub fn is_for(&self, distance: f64) -> bool {
-        distance > self.stay_down + SAME_LENGTH
+        distance > self.longest_down()
+    }
+
+    /// Length of the longest move with the head down, mm.
+    pub(crate) fn longest_down(&self) -> f64 {
+        self.stay_down + SAME_LENGTH
     }
 }
 

@@ -18,35 +18,43 @@ use glam::DVec2;
 #[derive(Clone, Copy, Debug)]
 pub struct AirTime {
     travel: Travel,
-    /// What decides how a move is priced. One comparison tells the most common kinds apart, so that machines which do not lift
-    /// the head are as fast as without this.
-    kind: Kind,
+    /// Whether the length of a move alone gives its seconds: the travel is [`Travel::Vector`], and the head stays down.
+    by_length: bool,
+    /// Whether the head is lifted for moves that are long enough.
+    lifts: bool,
     /// Seconds per mm at top speed, by axis.
     per_speed: DVec2,
     /// Seconds squared per mm, by axis; 0 when the machine reaches its speed instantly.
     per_accel: DVec2,
-    /// Whether the machine reaches its speed instantly and keeps the head down.
+    /// Whether the machine reaches its speed instantly.
     at_once: bool,
-    /// Lifting the head, with the seconds of lifting and lowering it.
-    lift: Option<(Lift, f64)>,
+    lifting: Lifting,
 }
 
-/// How a move is priced: as its axes travel, or with the head lifted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Vector,
-    Straight,
-    PerAxis,
-    Lifted,
+/// Lifting the head, in the numbers that a move is priced with.
+#[derive(Clone, Copy, Debug)]
+struct Lifting {
+    /// The head is lifted for moves longer than this, mm.
+    above: f64,
+    /// Least seconds at top speed of a move on which the head rises and sinks.
+    least_run: f64,
+    /// Seconds that lifting and lowering at rest add.
+    at_rest: f64,
 }
 
-impl From<Travel> for Kind {
-    fn from(travel: Travel) -> Self {
-        match travel {
-            Travel::Vector => Self::Vector,
-            Travel::Straight => Self::Straight,
-            Travel::PerAxis => Self::PerAxis,
-        }
+impl Lifting {
+    const NONE: Self = Self { above: f64::INFINITY, least_run: 0.0, at_rest: 0.0 };
+
+    /// `seconds`: of lifting and lowering.
+    fn new(lift: &Lift, seconds: f64) -> Self {
+        let (least_run, at_rest) = if lift.at_rest { (0.0, seconds) } else { (seconds, 0.0) };
+        Self { above: lift.longest_down(), least_run, at_rest }
+    }
+
+    /// What a move of this length has of it.
+    #[inline(always)]
+    fn of(self, distance: f64) -> Self {
+        if distance > self.above { self } else { Self::NONE }
     }
 }
 
@@ -63,9 +71,10 @@ impl AirTime {
     }
 
     fn with_lift(profile: &Profile, lift: Option<Lift>) -> Self {
-        let lift = lift.map(|lift| (lift, 2.0 * profile.height_seconds(lift.height)));
         let down = Self::head_down(profile);
-        if lift.is_some() { Self { lift, kind: Kind::Lifted, at_once: false, ..down } } else { down }
+        let Some(lift) = lift else { return down };
+        let lifting = Lifting::new(&lift, 2.0 * profile.height_seconds(lift.height));
+        Self { lifting, lifts: true, by_length: false, ..down }
     }
 
     /// The same for moves with the head down, such as those over a joint. They are never slower.
@@ -73,17 +82,13 @@ impl AirTime {
         let per_speed = 1.0 / DVec2::from_array(profile.rapid.speed);
         let per_accel = profile.rapid.accel.map_or(DVec2::ZERO, |a| 1.0 / DVec2::from_array(a));
         let (travel, at_once) = (profile.travel, profile.rapid.accel.is_none());
-        match travel {
-            Travel::Vector => Self {
-                travel,
-                kind: travel.into(),
-                per_speed: DVec2::splat(per_speed.max_element()),
-                per_accel: DVec2::splat(per_accel.max_element()),
-                at_once,
-                lift: None,
-            },
-            _ => Self { travel, kind: travel.into(), per_speed, per_accel, at_once, lift: None },
-        }
+        let by_length = travel == Travel::Vector;
+        let (per_speed, per_accel) = if by_length {
+            (DVec2::splat(per_speed.max_element()), DVec2::splat(per_accel.max_element()))
+        } else {
+            (per_speed, per_accel)
+        };
+        Self { travel, by_length, lifts: false, per_speed, per_accel, at_once, lifting: Lifting::NONE }
     }
 
     /// Seconds from `from` to `to`, mm. The time is symmetric, 0 for no distance, and never decreases with the distance
@@ -96,49 +101,32 @@ impl AirTime {
     #[inline(always)]
     pub(crate) fn seconds_here(&self, from: DVec2, to: DVec2) -> f64 {
         let d = (to - from).abs();
-        if self.kind == Kind::Vector {
+        if self.by_length {
             let d = d.length();
             return self.ramped(d * self.per_speed.x, d * self.per_accel.x);
         }
-        let (run, ramp2) = (d * self.per_speed, d * self.per_accel);
-        if self.kind == Kind::Straight || self.at_once {
+        let (mut run, mut ramp2, mut at_rest) = (d * self.per_speed, d * self.per_accel, 0.0);
+        // Not a call: it would make the loops of all machines save what they have in registers, which took 3 ns a move in wasm.
+        if self.lifts {
+            let distance = d.length();
+            let lifting = self.lifting.of(distance);
+            if self.travel == Travel::Vector {
+                (run, ramp2) = (self.per_speed * distance, self.per_accel * distance);
+            }
+            run = DVec2::new(larger(run.x, lifting.least_run), larger(run.y, lifting.least_run));
+            at_rest = lifting.at_rest;
+        }
+        let seconds = if self.travel != Travel::PerAxis || self.at_once {
             self.ramped(larger(run.x, run.y), larger(ramp2.x, ramp2.y))
-        } else if self.kind == Kind::Lifted {
-            self.lifted(from, to)
         } else {
             larger(self.ramped(run.x, ramp2.x), self.ramped(run.y, ramp2.y))
-        }
-    }
-
-    /// Seconds on a machine that lifts the head. Apart, so that the loops of others stay short.
-    #[inline(never)]
-    fn lifted(&self, from: DVec2, to: DVec2) -> f64 {
-        let down =
-            Self { lift: None, kind: self.travel.into(), at_once: self.per_accel == DVec2::ZERO, ..*self };
-        let Some((lift, seconds)) = &self.lift else { return down.seconds_here(from, to) };
-        let seconds = *seconds;
-        if !lift.is_for(from.distance(to)) {
-            return down.seconds_here(from, to);
-        }
-        if lift.at_rest {
-            return down.seconds_here(from, to) + seconds;
-        }
-        let d = (to - from).abs();
-        let d = if self.travel == Travel::Vector { DVec2::splat(d.length()) } else { d };
-        let (run, ramp2) = (d * self.per_speed, d * self.per_accel);
-        if self.travel == Travel::PerAxis {
-            let axis = |run, ramp2| down.ramped(larger(run, seconds), ramp2);
-            larger(axis(run.x, ramp2.x), axis(run.y, ramp2.y))
-        } else {
-            down.ramped(larger(larger(run.x, run.y), seconds), larger(ramp2.x, ramp2.y))
-        }
+        };
+        seconds + at_rest
     }
 
     /// Seconds that lifting the head adds to every move longer than `distance` mm, at least.
     pub(crate) fn lift_adds(&self, distance: f64) -> f64 {
-        self.lift
-            .filter(|(lift, _)| lift.at_rest && lift.is_for(distance))
-            .map_or(0.0, |(_, seconds)| seconds)
+        self.lifting.of(distance).at_rest
     }
 
     /// Seconds of a motion from rest to rest; see the module's documentation.

@@ -7,11 +7,10 @@ use super::past_tipped::past_tipped;
 use crate::geometry::{DVec2, Path, Segment};
 use crate::joint::{ContourJoints, Divided, Stretch, divided};
 use crate::lead::{Lead, Run, starts_moving};
-use crate::machine::{JointKind, Process, Profile};
+use crate::machine::{JointKind, PLANS_ALL_LEVERS, Process, Profile};
 use crate::problem::{Item, NodeId, Problem, Stroke};
 use crate::sheet::Sheet;
 use crate::solve::{Solution, Stop};
-use crate::tipping::IS_BUILT;
 
 /// The plan of a solution. `solution` must belong to `problem`, and `problem` to `sheet`.
 ///
@@ -99,7 +98,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         go(&mut moves, &mut head, problem.home);
     }
     let moves = match &problem.zones {
-        Some(zones) if IS_BUILT => past_tipped(zones, &problem.machine, moves),
+        Some(zones) if PLANS_ALL_LEVERS => past_tipped(zones, &problem.machine, moves),
         _ => moves,
     };
     let (moves, hot_pairs) = match problem.cooling() {

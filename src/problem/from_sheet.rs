@@ -14,10 +14,9 @@ use super::seconds::{leave_seconds, seconds, start_seconds};
 use super::sub_path::SubPath;
 use super::tipping;
 use crate::geometry::DVec2;
-use crate::machine::Profile;
+use crate::machine::{PLANS_ALL_LEVERS, Profile};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
-use crate::tipping::IS_BUILT;
 
 /// The problem of cutting a sheet on a machine. The item of a contour has the contour's index.
 ///
@@ -57,7 +56,7 @@ pub fn from_sheet(sheet: &Sheet, machine: &Profile, paths: &[Vec<SubPath>]) -> P
     // In a pierce group, no contour has joints.
     let is_held = |c| !joined.holds(c) && planners.joints(c).is_some_and(|j| !j.joints.is_empty());
     let zones = tipping::zones(sheet, machine, is_held);
-    let avoided = zones.as_deref().filter(|z| IS_BUILT && z.avoids());
+    let avoided = zones.as_deref().filter(|z| PLANS_ALL_LEVERS && z.avoids());
     let flown = FlyGroups::new(sheet, machine, &planners, &ranks, avoided);
     let is_alone = |c| !joined.holds(c) && !flown.holds(c);
     let chained = Candidates::new(sheet, machine, &planners, is_alone);

@@ -17,8 +17,8 @@ use crate::geometry::Path;
 use crate::heat::{self, Cooling};
 use crate::joint::ContourJoints;
 use crate::lead::Lead;
-use crate::machine::{ClosedRun, Profile};
-use crate::tipping::{IS_BUILT, Zones};
+use crate::machine::{ClosedRun, PLANS_ALL_LEVERS, Profile};
+use crate::tipping::Zones;
 use glam::DVec2;
 use std::sync::Arc;
 
@@ -193,7 +193,7 @@ impl Problem {
 
     /// The pieces that may tip, if moves avoid them.
     pub fn avoided(&self) -> Option<&Zones> {
-        self.zones.as_deref().filter(|zones| IS_BUILT && zones.avoids())
+        self.zones.as_deref().filter(|zones| PLANS_ALL_LEVERS && zones.avoids())
     }
 
     /// The cuts that heat each other, if they do.

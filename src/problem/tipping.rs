@@ -1,9 +1,9 @@
 //! Which pieces of a sheet may tip, and what frees them.
 
 use crate::geometry::{Affine, Path};
-use crate::machine::{Falls, Profile, Tips};
+use crate::machine::{Falls, PLANS_ALL_LEVERS, Profile, Tips};
 use crate::sheet::{Contour, Sheet};
-use crate::tipping::{IS_BUILT, Piece, Zones, polygon};
+use crate::tipping::{Piece, Zones, polygon};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// does, and of an outline whose sides are shared with others, the last of its own cuts. A piece with micro-joints is held
 /// until a person breaks them, and is never free.
 pub(super) fn zones(sheet: &Sheet, machine: &Profile, is_held: impl Fn(u32) -> bool) -> Option<Arc<Zones>> {
-    let tips = machine.levers.tips.filter(|_| IS_BUILT)?;
+    let tips = machine.levers.tips.filter(|_| PLANS_ALL_LEVERS)?;
     // What is left of a shape whose sides are shared with others, by the number of the shape.
     let mut rests: FxHashMap<u32, Vec<u32>> = FxHashMap::default();
     for (id, contour) in (0..).zip(&sheet.contours) {

@@ -25,10 +25,6 @@ pub use piece::Piece;
 use crate::geometry::{Aabb, BoxIndex, DVec2};
 use crate::machine::{AirTime, Profile};
 
-/// Whether this build knows about pieces that tip. The core wasm does not, so that a first visit of the page stays small: such jobs are
-/// planned by the research build, as those of published methods are.
-pub const IS_BUILT: bool = cfg!(feature = "research");
-
 /// Added to the reach of the nozzle, mm, so that a way that just keeps clear does so by any formula.
 const SAFETY: f64 = 0.05;
 

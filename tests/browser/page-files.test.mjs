@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { SAMPLES } from '../../scripts/samples.mjs';
-import { drop, dropAll, grid, openPage, phase, planned, sample, serious, shot, SIZES } from './page-support.mjs';
+import { drop, dropAll, grid, openPage, phase, plan, planned, replanned, sample, serious, shot, SIZES } from './page-support.mjs';
 
 const queue = (page) => page.locator('button.queue');
 const told = (page, words) => page.waitForFunction((w) => document.querySelector('button.queue').textContent.startsWith(w), words);
@@ -83,6 +83,36 @@ test('the samples are those of scripts/samples.mjs, and each shows what it says'
   await page.locator('.card.question button').first().click();
   assert.match(await take('Parts in parts', 'parts-in-parts.dxf'), /15 parts/);
   assert.match(await take('Luggage tags, SVG', 'luggage-tags.svg'), /6 parts.*SVG 1\.1.*“Engrave” looks like a layer to mark/);
+});
+
+test('a sample of an ability comes with a machine that has it, and the next drawing has the own one again', async (t) => {
+  const { page } = await openPage(t, { hash: 'seconds=1' });
+  await phase(page, 'planning', 'done');
+  const open = async (title, file) => {
+    await page.getByRole('button', { name: 'Samples' }).click();
+    await page.locator('.menu-item', { has: page.getByText(title, { exact: true }) }).click();
+    await planned(page, file, 'done');
+    await shot(page, `page-sample-${file.replace('.dxf', '')}`);
+    return plan(page);
+  };
+  const own = (await plan(page)).machine;
+  const perforated = await open('Perforated plate', 'perforated.dxf');
+  assert.equal(perforated.machine.name, 'fibre-3kw-thin');
+  // All but the first of 18 holes in a row follow on the run, and sides of square holes line by line.
+  assert.ok(perforated.summary.fly_cuts >= 14 * 17, String(perforated.summary.fly_cuts));
+  const held = await open('Leads and joints', 'held-plates.dxf');
+  assert.equal(held.machine.levers, undefined);
+  assert.ok(held.summary.lead_length > 0 && held.summary.joints > 0, JSON.stringify(held.summary));
+  const tips = await open('Pieces that tip', 'tips-and-skeleton.dxf');
+  assert.ok(tips.summary.lifts + tips.summary.detours > 0 && tips.summary.skeleton_cuts > 0, JSON.stringify(tips.summary));
+  assert.equal(tips.summary.crossings ?? 0, 0);
+  assert.deepEqual((await open('Parts in parts', 'parts-in-parts.dxf')).machine, own);
+  // A change makes the machine the person's own.
+  await open('Perforated plate', 'perforated.dxf');
+  const machine = page.locator('details.section', { has: page.getByRole('heading', { name: 'Machine', exact: true }) });
+  await machine.evaluate((d) => (d.open = true));
+  await replanned(page, () => machine.getByLabel('Longest way between two cuts').fill('30'));
+  assert.deepEqual((await open('Parts in parts', 'parts-in-parts.dxf')).machine.levers, { fly: { reach: 30, overcut: 0 } });
 });
 
 test('a click with Shift or a key pins a contour; the list unpins it, undo pins it again', async (t) => {

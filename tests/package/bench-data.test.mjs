@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, sep } from 'node:path';
 import { describe, it } from 'node:test';
@@ -67,13 +67,13 @@ describe('benches/data', () => {
   });
 });
 
-// Set-up brings in the npm packages only after a bench has been imported.
 for (const bench of ['papers', 'dewil']) {
-  it(`the bench ${bench} begins on a clone without npm packages`, () => {
+  it(`the bench ${bench} begins on a clone that has nothing but npm packages`, () => {
     const clone = mkdtempSync(join(tmpdir(), 'kerfway-clone-'));
     try {
       const code = (from) => !from.includes(join('benches', 'data')) && !from.includes(`${sep}target`);
-      for (const part of ['benches', 'scripts', 'package.json', 'www/policy.json']) cpSync(join(ROOT, part), join(clone, part), { recursive: true, filter: code });
+      for (const part of ['benches', 'scripts', 'package.json', 'package-lock.json', 'Cargo.toml', 'Cargo.lock', 'www/policy.json']) cpSync(join(ROOT, part), join(clone, part), { recursive: true, filter: code });
+      symlinkSync(join(ROOT, 'node_modules'), join(clone, 'node_modules'));
       const { stderr } = spawnSync(process.execPath, ['benches/run.mjs', bench, '--table', 'none'], { cwd: clone, encoding: 'utf8' });
       assert.match(stderr, /There is no table none/);
     } finally {

@@ -16,6 +16,12 @@ const contentSecurityPolicy: Plugin = {
   transformIndexHtml: () => [{ tag: 'meta', attrs: { 'http-equiv': 'Content-Security-Policy', content: POLICY }, injectTo: 'head-prepend' }],
 };
 
+/** Languages are stored for use without a network when they are first used; other parts of the page with the writers of programs. */
+function kindOf(module: string): string {
+  if (/core\/words\/\w+\.ts$/.test(module)) return 'language-';
+  return /www\/app\/session\/\w+\.ts$/.test(module) ? 'later-' : '';
+}
+
 // The page uses the built package as any other site would; any web server can serve the result.
 export default defineConfig({
   root: at('.'),
@@ -25,7 +31,7 @@ export default defineConfig({
   worker: { format: 'es' },
   build: {
     outDir: at('../../dist/app'), emptyOutDir: true, target: 'es2022',
-    // Languages are loaded on demand. The build and the service worker know them by their names.
-    rolldownOptions: { output: { chunkFileNames: ({ facadeModuleId }) => (/core\/words\/\w+\.ts$/.test(facadeModuleId ?? '') ? 'assets/language-[name]-[hash].js' : 'assets/[name]-[hash].js') } },
+    // What the page loads when it is needed. The build and the service worker know these files by their names.
+    rolldownOptions: { output: { chunkFileNames: ({ facadeModuleId }) => `assets/${kindOf(facadeModuleId ?? '')}[name]-[hash].js` } },
   },
 });

@@ -6,10 +6,9 @@
 use super::nesting::{pairs, winding};
 use super::violation::Violation;
 use crate::geometry::{BoxIndex, DVec2, Path, Segment, distance, math};
-use crate::machine::{Profile, RiskyMoves, SAME_SIZE, Tips};
+use crate::machine::{PLANS_ALL_LEVERS, Profile, RiskyMoves, SAME_SIZE, Tips};
 use crate::plan::model::{Move, Plan, Way};
 use crate::sheet::{Operation, Sheet};
-use crate::tipping::IS_BUILT;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// A move with the head down must not be this deep over a piece, mm.
@@ -36,7 +35,7 @@ struct Piece<'s> {
 
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     // Builds without them refuse machines with pieces that tip.
-    if !IS_BUILT {
+    if !PLANS_ALL_LEVERS {
         return;
     }
     let tips = machine.levers.tips;

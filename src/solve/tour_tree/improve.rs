@@ -44,19 +44,22 @@ fn relocate(tour: &mut Tour, near: &Neighbours, queue: &mut Queue, item: u32) ->
     let mut best: Option<(u32, u32, u32)> = None;
     let mut most = EPSILON;
     for &b in near.of_item(item) {
-        for (from, to) in [(b, tour.next(b)), (tour.previous(b), b)] {
+        // The legs between the item and the near one: each of the two gaps beside it has one of them.
+        let [out, back] = tour.least_legs(&reaching, b);
+        for (from, to, near_leg) in [(b, tour.next(b), out), (tour.previous(b), b, back)] {
             if from == item || to == item {
                 continue;
             }
             tour.priced += 1;
             let given = freed + tour.leg_after(from);
-            // Most gaps are too far away by the leg to the item alone.
-            let left = given - reaching.at_least(tour.exit(from), false);
-            if left <= most {
+            // Most gaps are too far away by that leg alone.
+            if given - near_leg <= most {
                 continue;
             }
+            let left = given - if from == b { out } else { reaching.at_least(tour.exit(from), false) };
             let gap = tour.gap(from, to);
-            if left - gap.to.map_or(0.0, |q| reaching.at_least(q, true)) <= most {
+            let on = if to == b { back } else { gap.to.map_or(0.0, |q| reaching.at_least(q, true)) };
+            if left - on <= most {
                 continue;
             }
             let (at, seconds) = tour.space.best_entry(item, gap, given - most);

@@ -341,6 +341,12 @@ impl<'p> Space<'p> {
         matches!(self.kind[item as usize], Kind::Open | Kind::Directed)
     }
 
+    /// Whether legs to and from an item have the same end and, in any direction, the same price.
+    #[inline]
+    pub(super) fn is_entered_where_left(&self, item: u32) -> bool {
+        !self.travel.by_table() && !self.leaves_elsewhere(item)
+    }
+
     /// The number of the gate nearest to place `at` of an item; gates are numbered over all items.
     pub(super) fn gate(&self, item: u32, at: u32) -> usize {
         let i = item as usize;

@@ -52,7 +52,7 @@ export class Files {
     try {
       const content = await bytes;
       // A file that was dropped meanwhile is what the person wants.
-      if (isLatest()) await this.session.open({ bytes: content, name: sample.file }, true, { ...sample.options, ...this.shared });
+      if (isLatest()) await this.session.openSample(sample, content, { ...sample.options, ...this.shared });
     } catch (error) {
       if (isLatest()) this.session.drawing.refuse(sample.file, error);
     }
@@ -115,7 +115,7 @@ export class Files {
     } catch {
       return session.drawing.refuse(file.name, words.page.unreadable(file.name));
     }
-    if (!isProject(bytes)) return session.open({ bytes, name: file.name }, false, load ?? this.shared);
+    if (!isProject(bytes)) return session.open({ bytes, name: file.name }, load ?? this.shared);
     try {
       return await session.openProject(await readProject(bytes));
     } catch (error) {

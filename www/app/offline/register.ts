@@ -16,5 +16,5 @@ export function keepForOffline(): void {
     // Where there is no service worker (private windows, pages opened from disk), the page works, but not offline.
     navigator.serviceWorker.register('./offline.js').catch(() => {});
   }, LATER);
-  void Promise.all([navigator.serviceWorker.ready, mayFetchWriters]).then(([{ active }]) => active?.postMessage('writers'));
+  void Promise.all([navigator.serviceWorker.ready, mayFetchWriters]).then(([{ active }]) => active?.postMessage('later'));
 }

@@ -1,12 +1,12 @@
-// Stores the page for use without a network. The files of a first visit are stored at once, and the writers of programs when the page says that
-// its first seconds are over. What is loaded on demand (the PNG renderer, the file for SVG and methods of papers, further samples, another
-// language) is stored when it is first used. The build fills in the lists of files, and a version made of their contents. A newer version is
-// stored while the old one is open and replaces it at the next visit, so that a page never mixes files of two builds. Only the page's own files
-// pass through here.
+// Stores the page for use without a network. The files of a first visit are stored at once; the writers of programs, and what few people need,
+// when the page says that its first seconds are over. What is loaded on demand (the PNG renderer, the file for SVG and methods of papers, further
+// samples, another language) is stored when it is first used. The build fills in the lists of files, and a version made of their contents. A
+// newer version is stored while the old one is open and replaces it at the next visit, so that a page never mixes files of two builds. Only the
+// page's own files pass through here.
 
 const VERSION = 'kerfway-__VERSION__';
 const FILES = __FILES__;
-const WRITERS = __WRITERS__;
+const LATER = __LATER__;
 
 self.addEventListener('install', (event) => {
   event.waitUntil(caches.open(VERSION).then((cache) => cache.addAll(FILES)));
@@ -22,10 +22,10 @@ self.addEventListener('activate', (event) => {
 });
 
 self.addEventListener('message', (event) => {
-  if (event.data !== 'writers') return;
+  if (event.data !== 'later') return;
   const store = async () => {
     const cache = await caches.open(VERSION);
-    for (const file of WRITERS) if ((await cache.match(file)) === undefined) await cache.add(file);
+    for (const file of LATER) if ((await cache.match(file)) === undefined) await cache.add(file);
   };
   event.waitUntil(store());
 });

@@ -1,6 +1,6 @@
 /** The drawings that come with the page. They are fetched when they are chosen. */
 
-import type { LoadOptions } from 'kerfway';
+import { jointRules, leadRules, type LoadOptions, type MachineProfile } from 'kerfway';
 import { words } from '../core/words/index.js';
 
 export interface Sample {
@@ -8,7 +8,12 @@ export interface Sample {
   file: string;
   /** The choices that somebody who knows the drawing would make. */
   options: LoadOptions;
+  /** The machine that shows an ability; left out: the one the person has. */
+  machine?: { preset: string; changes: Partial<MachineProfile> };
 }
+
+const THIN = 'fibre-3kw-thin';
+const LIFT = { height: 10, stay_down: 10 };
 
 /** The first is shown on a first visit. */
 export const SAMPLES: readonly Sample[] = [
@@ -19,6 +24,12 @@ export const SAMPLES: readonly Sample[] = [
   { file: 'layers.dxf', options: {} },
   { file: 'no-units.dxf', options: {} },
   { file: 'parts-in-parts.dxf', options: {} },
+  { file: 'perforated.dxf', options: {}, machine: { preset: THIN, changes: { levers: { fly: { reach: 20, overcut: 0 } } } } },
+  { file: 'held-plates.dxf', options: {}, machine: { preset: THIN, changes: { leads: leadRules(), joints: jointRules() } } },
+  {
+    file: 'tips-and-skeleton.dxf', options: {},
+    machine: { preset: THIN, changes: { z_speed: 100, levers: { lift: LIFT, tips: { slats: { pitch: 60, angle: Math.PI / 2 } } }, skeleton: { spacing_x: 300, spacing_y: 300, clearance: 2, joint_width: 1 } } },
+  },
   { file: 'luggage-tags.svg', options: {} },
   { file: 'lumberjack-polaris.dxf', options: {} },
 ];

@@ -17,6 +17,7 @@ import { Planning } from './planning.js';
 import { reportText } from './report-text.js';
 import { rememberedMachine, rememberMachine } from './profiles.js';
 import { decidedIn, keptIn, projectOf } from './projects.js';
+import type { Sample } from './samples.js';
 import { initialState, type Search, type State } from './state.js';
 import { Store } from './store.js';
 import { words } from '../core/words/index.js';
@@ -29,6 +30,8 @@ export class Session {
   readonly planning = new Planning(this.store, this.catalog);
   readonly drawing = new Drawing(this.store, this.catalog, this.planning, () => this.record());
   private readonly history = new History();
+  /** The machine of the open sample, and what was chosen before. */
+  private lent: { machine: MachineProfile; own: Pick<State, 'machine' | 'material'> } | null = null;
 
   /** `shared`: the settings of the address that the page was opened with. */
   constructor(private readonly shared: Shared) {
@@ -48,8 +51,26 @@ export class Session {
   }
 
   /** Opens another drawing; the choices for the previous one cannot be undone any more. Resolves to why it cannot be used, or to null. */
-  open(source: Source, sample: boolean, load: LoadOptions = {}): Promise<string | null> {
-    return this.drawing.open(source, { sample, load, opened: () => this.history.clear() });
+  open(source: Source, load: LoadOptions = {}): Promise<string | null> {
+    return this.drawing.open(source, { sample: false, load, opened: () => this.begin(null) });
+  }
+
+  /** Opens a sample. Its machine, if it has one, is there until the next drawing is opened. */
+  async openSample({ file, machine }: Sample, bytes: ArrayBuffer, load: LoadOptions): Promise<string | null> {
+    if (machine) await this.catalog.ready;
+    const preset = this.catalog.machines.find((m) => m.name === machine?.preset);
+    const lent = machine && preset ? { ...structuredClone(preset), ...machine.changes } : null;
+    return this.drawing.open({ bytes, name: file }, { sample: true, load, opened: () => this.begin(lent) });
+  }
+
+  /** Begins with another drawing, on the machine of a sample or the person's own. */
+  private begin(machine: MachineProfile | null): void {
+    this.history.clear();
+    const { state, lent } = this;
+    // Once somebody has changed it, the machine of a sample is the person's own.
+    const own = lent?.machine === state.machine ? lent.own : { machine: state.machine, material: state.material };
+    this.lent = machine && { machine, own };
+    this.store.choose(machine ? { machine, material: null } : own);
   }
 
   /** Opens a project: its drawing, with everything that was decided about it, and its plan. Resolves as `open` does. */

@@ -7,6 +7,7 @@
 mod change;
 mod journal;
 
+use super::gap::Reaching;
 use super::snapshot::TourSnapshot;
 use super::space::Space;
 use super::travel::{Gap, Place};
@@ -263,6 +264,20 @@ impl<'p> Tour<'p> {
     pub(super) fn gap(&self, from: u32, to: u32) -> Gap {
         let ends = to == self.space.home && !self.space.problem.closed;
         Gap { from: self.exit(from), to: (!ends).then(|| self.entry(to)) }
+    }
+
+    /// Lower bounds of the legs from an item of the tour to another item, and from there to the item of the tour.
+    #[inline(always)]
+    pub(super) fn least_legs(&self, other: &Reaching, item: u32) -> [f64; 2] {
+        let out = other.at_least(self.exit(item), false);
+        let back = if item == self.space.home && !self.space.problem.closed {
+            0.0
+        } else if self.space.is_entered_where_left(item) {
+            out
+        } else {
+            other.at_least(self.entry(item), true)
+        };
+        [out, back]
     }
 
     /// Extra cost of a stretch when it is reversed, s: none unless legs cost more one way than the other. It looks at the

@@ -83,6 +83,9 @@ const samples: Record<string, readonly [title: string, about: string]> = {
   'layers.dxf': ['Layers', 'Cut, mark or ignore, suggested by the names of layers'],
   'no-units.dxf': ['Uncertain units', 'A file that does not say how large it is'],
   'parts-in-parts.dxf': ['Parts in parts', 'Nested rings: inner contours are cut before the ones around them'],
+  'perforated.dxf': ['Perforated plate', 'Holes cut on the run by a fibre laser, line by line'],
+  'held-plates.dxf': ['Leads and joints', 'Where leads fit, and what micro-joints hold'],
+  'tips-and-skeleton.dxf': ['Pieces that tip', 'Ways around and over them; the skeleton is cut up at the end'],
   'luggage-tags.svg': ['Luggage tags, SVG', 'Layers of Inkscape: cut and engrave'],
   'lumberjack-polaris.dxf': ['Keyboard plate', 'A real drawing, by Paul James (MIT)'],
 };
