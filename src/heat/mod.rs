@@ -9,13 +9,9 @@
 mod near;
 
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path};
-use crate::machine::{Heat, SAME_HEAT};
+use crate::machine::{Heat, PLANS_ALL_LEVERS, SAME_HEAT};
 use near::Places;
 use rustc_hash::FxHashSet;
-
-/// Whether this build knows about heat. The core wasm does not, so that a first visit of the page stays small: such jobs are
-/// planned by the research build, as those of published methods are.
-pub const IS_BUILT: bool = cfg!(feature = "research");
 
 /// Which cuts are near each other, and how long they stay hot.
 #[derive(Debug)]
@@ -41,7 +37,7 @@ pub struct Due {
 impl Cooling {
     /// The cuts of a machine that minds heat: by item its line, `None` for what is no cut. `None` if no pair of cuts matters.
     pub fn new(heat: &Heat, lines: &[Option<&Path>]) -> Option<Self> {
-        if !IS_BUILT || !heat.minds_pairs() {
+        if !PLANS_ALL_LEVERS || !heat.minds_pairs() {
             return None;
         }
         let distance = heat.distance - SAME_HEAT;

@@ -175,7 +175,7 @@ impl Job {
             let sentence = "This build of Kerfway does not know about pieces that tip. Leave out \"levers.tips\", or load the whole package.";
             return Err(JobError::Conflict { field: "machine.levers.tips", sentence });
         }
-        if profile.levers.heat.is_some() && !crate::heat::IS_BUILT {
+        if profile.levers.heat.is_some() && !PLANS_ALL_LEVERS {
             let sentence = "This build of Kerfway does not know about heat. Leave out \"levers.heat\", or load the whole package.";
             return Err(JobError::Conflict { field: "machine.levers.heat", sentence });
         }

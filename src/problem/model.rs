@@ -14,7 +14,7 @@ use super::links::Links;
 use super::sub_path::SubPath;
 use super::table::Table;
 use crate::geometry::Path;
-use crate::heat::{self, Cooling};
+use crate::heat::Cooling;
 use crate::joint::ContourJoints;
 use crate::lead::Lead;
 use crate::machine::{ClosedRun, PLANS_ALL_LEVERS, Profile};
@@ -198,7 +198,7 @@ impl Problem {
 
     /// The cuts that heat each other, if they do.
     pub fn cooling(&self) -> Option<&Cooling> {
-        self.cooling.as_deref().filter(|_| heat::IS_BUILT)
+        self.cooling.as_deref().filter(|_| PLANS_ALL_LEVERS)
     }
 
     /// The table of costs, if travel is given by one, as in benchmark instances.

@@ -40,8 +40,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
     (
         "job",
         &[
-            "drawing", "dxf", "svg", "machine", "sheet", "lead", "joint", "tipping", "heat", "problem",
-            "solve", "plan", "output", "quote",
+            "drawing", "dxf", "svg", "machine", "sheet", "lead", "joint", "problem", "solve", "plan",
+            "output", "quote",
         ],
     ),
     (

@@ -6,8 +6,7 @@
 use super::sums::{air_time, is_lifted};
 use super::violation::Violation;
 use crate::geometry::{DVec2, Path, Segment};
-use crate::heat::IS_BUILT;
-use crate::machine::{Profile, cut_time};
+use crate::machine::{PLANS_ALL_LEVERS, Profile, cut_time};
 use crate::plan::model::{Move, Plan};
 use crate::sheet::{Operation, Sheet};
 
@@ -33,7 +32,7 @@ enum Near {
 
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     // Builds without it refuse machines that mind heat.
-    if !IS_BUILT {
+    if !PLANS_ALL_LEVERS {
         return;
     }
     let heat = machine.levers.heat.filter(|h| h.distance > 0.0 && h.seconds > 0.0);

@@ -4,8 +4,7 @@ use super::groups::Groups;
 use super::nesting;
 use super::violation::Violation;
 use super::visits::Visits;
-use crate::heat::IS_BUILT;
-use crate::machine::Profile;
+use crate::machine::{PLANS_ALL_LEVERS, Profile};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Pin, Sheet};
 
@@ -64,7 +63,7 @@ pub(super) fn check(
 
 /// Whether a contour is a hole that comes before other cuts because it is small for the thickness of the plate.
 fn is_small_hole(contour: &Contour, machine: &Profile) -> bool {
-    let small = machine.levers.heat.filter(|_| IS_BUILT).and_then(|heat| heat.small_holes);
+    let small = machine.levers.heat.filter(|_| PLANS_ALL_LEVERS).and_then(|heat| heat.small_holes);
     let size = contour.path.bounds().size();
     contour.path.closed
         && contour.depth % 2 == 1
