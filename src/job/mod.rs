@@ -49,9 +49,7 @@ pub use warm_path::WarmPath;
 use crate::drawing::{Drawing, ReadOptions};
 use crate::fields::{Fault, FieldError};
 use crate::finding::{Code, Finding, Severity};
-use crate::machine::PLANS_ALL_LEVERS;
 use crate::order::sort_by;
-use crate::problem::KNOWS_CHAINS;
 use crate::sheet::{self, Contour, Sheet, SheetOptions};
 
 /// One drawing through the whole flow.
@@ -171,17 +169,12 @@ impl Job {
             );
             return Err(FieldError::new(Fault::Missing, "machine.z_speed", message).into());
         }
-        if profile.levers.tips.is_some() && !PLANS_ALL_LEVERS {
-            let sentence = "This build of Kerfway does not know about pieces that tip. Leave out \"levers.tips\", or load the whole package.";
-            return Err(JobError::Conflict { field: "machine.levers.tips", sentence });
-        }
-        if profile.levers.heat.is_some() && !PLANS_ALL_LEVERS {
-            let sentence = "This build of Kerfway does not know about heat. Leave out \"levers.heat\", or load the whole package.";
-            return Err(JobError::Conflict { field: "machine.levers.heat", sentence });
-        }
-        if profile.levers.chains.is_some() && !KNOWS_CHAINS {
-            let sentence = "This build of Kerfway does not join contours through waste. Leave out \"levers.chains\", or load the whole package.";
-            return Err(JobError::Conflict { field: "machine.levers.chains", sentence });
+        if let Some((lever, does)) = profile.levers.not_in_this_build() {
+            let message = format!(
+                "The machine {} {does}, which this build of Kerfway does not plan. Leave out \"levers.{lever}\", or load the whole package.",
+                profile.name
+            );
+            return Err(FieldError::new(Fault::Contradiction, "machine.levers", message).into());
         }
         self.drop_run();
         let mut findings = self.compensate(placed.profile.kerf_width);

@@ -139,6 +139,18 @@ pub struct MovingPierce {
 }
 
 impl Levers {
+    /// A lever that is switched on and that this build does not plan: its name, and what a machine with it does.
+    pub fn not_in_this_build(&self) -> Option<(&'static str, &'static str)> {
+        let not_in_core = [
+            (self.fly.is_some(), "fly", "cuts on the run"),
+            (self.chains.is_some(), "chains", "joins contours through waste"),
+            (self.tips.is_some(), "tips", "minds pieces that tip"),
+            (self.heat.is_some(), "heat", "minds heat"),
+        ];
+        let on = not_in_core.into_iter().find(|lever| lever.0)?;
+        (!PLANS_ALL_LEVERS).then_some((on.1, on.2))
+    }
+
     /// The fields of the data.
     pub(super) const FIELDS: &'static [Field] = &[
         Field::nullable("moving_pierce", Kind::Object(MOVING_PIERCE)),

@@ -14,13 +14,9 @@ use super::model::{Item, Node};
 use super::seconds::start_seconds;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment};
 use crate::lead::Scrap;
-use crate::machine::{AirTime, Chains, Profile, cut_time};
+use crate::machine::{AirTime, Chains, PLANS_ALL_LEVERS, Profile, cut_time};
 use crate::order::{real, sort_by};
 use crate::sheet::{Contour, Operation, Sheet};
-
-/// Whether this build knows chains. The core wasm does not, so that a first visit of the page stays small: such jobs are planned
-/// by the research build, as those of published methods are.
-pub const IS_BUILT: bool = cfg!(feature = "research");
 
 /// Most places of a contour that are opposite a neighbour: with those that it has anyway they are about as many as the gates of
 /// the search.
@@ -63,7 +59,7 @@ impl<'s> Candidates<'s> {
         planners: &Planners,
         is_alone: impl Fn(u32) -> bool,
     ) -> Option<Self> {
-        let lever = machine.levers.chains.filter(|_| IS_BUILT)?;
+        let lever = machine.levers.chains.filter(|_| PLANS_ALL_LEVERS)?;
         let may = |id: u32, c: &Contour| {
             let once = sheet.process_of(c, machine).passes == 1 && c.pass == 0 && c.next_pass.is_none();
             c.path.closed

@@ -21,7 +21,6 @@ mod table;
 mod tipping;
 
 pub use beside::Beside;
-pub use chains::IS_BUILT as KNOWS_CHAINS;
 pub use from_sheet::from_sheet;
 pub use group_problem::{Element, GroupMethod, GroupProblem, GroupProblems, group_problems};
 pub use groups::Groups;

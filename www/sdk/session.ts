@@ -16,7 +16,7 @@ import { Proving } from './proving.js';
 import { Search } from './search.js';
 import type { WasmBytes, WasmModule } from './wasm-module.js';
 
-/** The planner with the reader of SVG, the methods of papers and benchmark instances. It can do everything that `kerfway.wasm` can. */
+/** The planner with the reader of SVG, all levers, the methods of papers and benchmark instances. It can do everything that `kerfway.wasm` can. */
 type Research = typeof import('./pkg/kerfway_research.js');
 type Outputs = typeof import('./pkg/kerfway_outputs.js');
 type Png = typeof import('./pkg/kerfway_png.js');
@@ -24,7 +24,7 @@ type Png = typeof import('./pkg/kerfway_png.js');
 /** What a session needs from the platform it runs on. */
 export interface Host {
   post(message: FromWorker, transfer?: ArrayBuffer[]): void;
-  /** Loads the research build, when an SVG file or a method from a paper is first used. */
+  /** Loads the research build, when an SVG file, a method from a paper or a lever that the core leaves out is first used. */
   research(): Promise<Research>;
   /** Loads the writers of programs and drawings, when one is first used; from `given`, if there is one. */
   outputs(given: WasmModule | WasmBytes | undefined): Promise<Outputs>;
@@ -32,6 +32,8 @@ export interface Host {
   png(): Promise<Png>;
 }
 
+/** Levers of a machine that the core leaves out: `Levers::not_in_this_build` in the planner refuses them there. */
+const NOT_IN_CORE = ['fly', 'chains', 'tips', 'heat'] as const;
 /** Bytes at the start of a file by which SVG is recognised. */
 const HEAD = 16_384;
 /** Default width of a picture, in pixels. */
@@ -180,11 +182,11 @@ export class Session {
     this.host.post({ type: 'loaded', id, loaded: rest }, buffers([...arrays, loaded.ignored.layers]));
   }
 
-  /** Methods from papers, pieces that tip, heat and cuts through waste are not in the core. */
+  /** Methods from papers and some levers are not in the core. */
   private needsResearch({ method, machine }: PlanOptions): boolean {
     const isPaper = method !== undefined && !planner.methods().some((m) => m.name === method);
     const levers = typeof machine === 'object' ? machine.levers : undefined;
-    return this.build === planner && (isPaper || levers?.tips != null || levers?.heat != null || levers?.chains != null);
+    return this.build === planner && (isPaper || NOT_IN_CORE.some((lever) => levers?.[lever] != null));
   }
 
   /** Loads the research build and does there what a request asks for. Messages that arrive meanwhile wait. */

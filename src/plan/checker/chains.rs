@@ -7,9 +7,8 @@
 use super::tolerance::SAME;
 use super::violation::Violation;
 use crate::geometry::{Aabb, BoxIndex, DVec2, Path, Segment, winding};
-use crate::machine::{Chains, Profile};
+use crate::machine::{Chains, PLANS_ALL_LEVERS, Profile};
 use crate::plan::model::{Move, Plan};
-use crate::problem::KNOWS_CHAINS;
 use crate::sheet::{Contour, Operation, Sheet};
 
 /// Distance of the places that are looked at, mm, and their greatest number.
@@ -26,7 +25,7 @@ const JOINT: f64 = 0.02;
 
 pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
     // Builds without them refuse machines with chains.
-    if !KNOWS_CHAINS || !plan.moves.iter().any(|m| matches!(m, Move::Chain { .. })) {
+    if !PLANS_ALL_LEVERS || !plan.moves.iter().any(|m| matches!(m, Move::Chain { .. })) {
         return;
     }
     let room = machine.levers.chains.map(|lever| Room::new(sheet, machine, lever));

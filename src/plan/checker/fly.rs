@@ -10,7 +10,7 @@ use super::leads;
 use super::tolerance::{SAME, rounding};
 use super::violation::Violation;
 use crate::geometry::{DVec2, Path, Segment};
-use crate::machine::Profile;
+use crate::machine::{PLANS_ALL_LEVERS, Profile};
 use crate::plan::model::{Leads, Move, Plan};
 use crate::sheet::{Contour, Operation, Sheet};
 
@@ -49,7 +49,7 @@ impl Flown {
 
     /// Whether a contour is cut on the run.
     pub(super) fn holds(&self, contour: u32) -> bool {
-        self.work.get(contour as usize).is_some_and(Option::is_some)
+        PLANS_ALL_LEVERS && self.work.get(contour as usize).is_some_and(Option::is_some)
     }
 
     /// Follows a cut of such a contour.
@@ -64,6 +64,10 @@ impl Flown {
     /// After the last move: every such contour may be cut on the run, and is cut wholly and once; and the head runs on only where
     /// and as far as the machine does.
     pub(super) fn finish(&self, sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut Vec<Violation>) {
+        // Builds without them refuse machines with cuts on the run.
+        if !PLANS_ALL_LEVERS {
+            return;
+        }
         runs(sheet, machine, plan, found);
         for ((id, contour), pieces) in (0..).zip(&sheet.contours).zip(&self.work) {
             let Some(pieces) = pieces else { continue };

@@ -14,7 +14,7 @@ mod work;
 
 use super::leads::Planners;
 use super::model::{Item, Node, count};
-use crate::machine::{AirTime, LeadSide, Profile};
+use crate::machine::{AirTime, LeadSide, PLANS_ALL_LEVERS, Profile};
 use crate::order::sort_by;
 use crate::sheet::{Contour, Operation, Sheet};
 use crate::tipping::Zones;
@@ -39,7 +39,8 @@ impl FlyGroups {
         ranks: &[u32],
         avoided: Option<&Zones>,
     ) -> Self {
-        let Some(lever) = machine.levers.fly.filter(|_| machine.pre_cut_time.is_none()) else {
+        let Some(lever) = machine.levers.fly.filter(|_| PLANS_ALL_LEVERS && machine.pre_cut_time.is_none())
+        else {
             return Self::default();
         };
         let mut all = Self { groups: Vec::new(), of: vec![None; sheet.contours.len()] };

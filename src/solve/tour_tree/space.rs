@@ -17,6 +17,7 @@ use super::ring::{Ring, nearest};
 use super::snapshot::TourSnapshot;
 use super::travel::{Place, Places, Travel};
 use crate::geometry::{Aabb, DVec2};
+use crate::machine::PLANS_ALL_LEVERS;
 use crate::problem::{Item, NodeId, Problem};
 use crate::solve::precedence::Precedence;
 use crate::solve::{Solution, Stop};
@@ -191,7 +192,7 @@ impl<'p> Space<'p> {
     /// Most seconds that a link from or to an item saves on its air move.
     #[inline(always)]
     pub(super) fn most_saved(&self, item: u32) -> f64 {
-        self.most_saved.get(item as usize).copied().unwrap_or(0.0)
+        if PLANS_ALL_LEVERS { self.most_saved.get(item as usize).copied().unwrap_or(0.0) } else { 0.0 }
     }
 
     /// Finishes an item whose places have been appended.

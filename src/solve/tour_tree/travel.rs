@@ -10,7 +10,7 @@
 use super::config::CONFIG;
 use super::index::index;
 use crate::geometry::DVec2;
-use crate::machine::AirTime;
+use crate::machine::{AirTime, PLANS_ALL_LEVERS};
 use crate::problem::{NodeId, Problem, Table};
 use std::borrow::Cow;
 
@@ -117,16 +117,19 @@ impl<'p> Travel<'p> {
     pub(super) fn seconds_here(&self, from: Place, to: Place) -> f64 {
         match &self.table {
             Some(table) => table.cost(from.node, to.node),
-            None if !self.links.is_empty() => self.linked(from, to),
-            None => self.air.seconds_here(from.point, to.point),
+            None => self.link(from, to).unwrap_or_else(|| self.air.seconds_here(from.point, to.point)),
         }
     }
 
-    /// Seconds from one place to another where some places are linked.
-    fn linked(&self, from: Place, to: Place) -> f64 {
-        let links = self.links.get(from.node as usize).map(Vec::as_slice).unwrap_or_default();
-        let link = links.iter().find(|link| link.0 == to.node);
-        link.map_or_else(|| self.air.seconds(from.point, to.point), |link| link.1)
+    /// Seconds of the link from one place to another, if there is one. Not a call, because that would make the loops of all
+    /// searches save what they have in registers.
+    #[inline(always)]
+    fn link(&self, from: Place, to: Place) -> Option<f64> {
+        if !PLANS_ALL_LEVERS || self.links.is_empty() {
+            return None;
+        }
+        let links = self.links.get(from.node as usize)?;
+        links.iter().find(|link| link.0 == to.node).map(|link| link.1)
     }
 
     /// Seconds from one point to another, in a problem without a table.
