@@ -6,15 +6,17 @@
 // `tips` is the table of docs/tips.md: what avoiding tipped pieces costs on the four sheets, against lifting the head for every move.
 // `heat` is that of docs/heat.md: what keeping cuts apart costs, against a path that was found without it and waits afterwards.
 // Drawings are those of tests/fixtures/dxf-dev, and of `FOLDER/dxf-dev` with `--data FOLDER`; sheets are those of benches/data;
-// nests are the same without the border of the sheet, which a shop does not cut; plates are perforated ones that benches/solve/grids.mjs draws. Budgets are in moves, so the figures do not depend on the
+// nests are parts side by side, with a hole each; plates are perforated ones that benches/solve/grids.mjs draws. Budgets are in moves, so the figures do not depend on the
 // machine's load. Every plan is checked.
 
-import { rmSync } from 'node:fs';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { basename, dirname, join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { ROOT, run, Stop } from '../scripts/tools.mjs';
 import { Instances } from './common/data.mjs';
 import { drawings } from './common/drawings.mjs';
+import { drawing, polyline } from './common/dxf.mjs';
 import { median, rows, table } from './common/table.mjs';
 import { drawn } from './solve/grids.mjs';
 
@@ -22,27 +24,28 @@ const HERE = join(ROOT, 'benches', 'solve');
 const NATIVE = join(HERE, 'target', 'release', 'whole_job');
 /** Cuts through waste of any length: the search takes those that are quicker than what they stand for. */
 const CHAINS = { levers: { chains: { reach: 100 } } };
+/** The same, also from elsewhere on the kerf of the last contour. */
+const EDGES = { levers: { chains: { reach: 100, edge_starts: true } } };
 /** What each lever sets, by machine. */
 const LEVERS = {
   // 1 mm sheet is through after some milliseconds: at this acceleration within half a millimetre.
-  'fibre-3kw-thin': { 'moving pierce': { levers: { moving_pierce: { overcut: 0.5 } } }, fly: { levers: { fly: { reach: 20, overcut: 0.5 } } }, chains: CHAINS },
+  'fibre-3kw-thin': { 'moving pierce': { levers: { moving_pierce: { overcut: 0.5 } } }, fly: { levers: { fly: { reach: 20, overcut: 0.5 } } }, chains: CHAINS, 'chains, edge starts': EDGES },
   // Acrylic is cut at a speed at which the beam is through at once.
-  'co2-100w': { 'moving pierce': { levers: { moving_pierce: { overcut: 1 } } }, fly: { levers: { fly: { reach: 20, overcut: 1 } } }, chains: CHAINS },
+  'co2-100w': { 'moving pierce': { levers: { moving_pierce: { overcut: 1 } } }, fly: { levers: { fly: { reach: 20, overcut: 1 } } }, chains: CHAINS, 'chains, edge starts': EDGES },
   // No piercing and no delays: nothing to save.
   'diode-hobby': {},
   // Plate is pierced at rest.
-  'fibre-6kw-thick': { chains: CHAINS },
+  'fibre-6kw-thick': { chains: CHAINS, 'chains, edge starts': EDGES },
 };
 /** Levers that a machine has not together with the others: what begins moving is not pierced, so that chains have nothing to save. */
-const APART = { 'fibre-3kw-thin': ['chains'], 'co2-100w': ['chains'] };
+const APART = { 'fibre-6kw-thick': ['chains'], 'fibre-3kw-thin': ['chains', 'chains, edge starts'], 'co2-100w': ['chains', 'chains, edge starts'] };
 const PLATES = [['round', 20], ['round', 100], ['staggered', 20], ['slots', 20]];
-const sheets = ({ instances, only = '' }) => [100, 500, 2000].map((n) => `sheets/sheet_${n}.dxf`).filter((f) => f.includes(only)).map((f) => instances.file(f));
 /** Tables of one machine each. */
 const TABLES = { tips, heat };
 const SETS = {
   drawings: ({ data, only }) => drawings([join(ROOT, 'tests', 'fixtures', 'dxf-dev'), ...(data ? [join(data, 'dxf-dev')] : [])], only),
-  sheets,
-  nests: sheets,
+  sheets: ({ instances, only = '' }) => [100, 500, 2000].map((n) => `sheets/sheet_${n}.dxf`).filter((f) => f.includes(only)).map((f) => instances.file(f)),
+  nests: ({ only = '' }) => [['rectangles', 10], ['discs', 10]].filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => nest(name, side)),
   plates: ({ only = '' }) => PLATES.filter(([name, side]) => `${name}_${side * side}`.includes(only)).map(([name, side]) => drawn(name, side)),
 };
 
@@ -66,8 +69,23 @@ export async function bench(args) {
     }
     const files = SETS[name](options);
     for (const preset of presets) whole(name, preset, files, moves);
-    if (name === 'plates') for (const file of files) rmSync(dirname(file), { recursive: true });
+    if (name === 'plates' || name === 'nests') for (const file of files) rmSync(dirname(file), { recursive: true });
   }
+}
+
+/** Parts side by side, 8 mm apart, each with a hole of 12 mm: rectangles of 60 x 40 mm, or discs of 50 mm. */
+function nest(name, side) {
+  const [width, height] = name === 'discs' ? [50, 50] : [60, 40];
+  const round = (x, y, radius) => ['0', 'CIRCLE', '8', 'CUT', '10', x, '20', y, '40', radius];
+  const entities = [];
+  for (let k = 0; k < side * side; k += 1) {
+    const [x, y] = [10 + (width + 8) * (k % side), 10 + (height + 8) * Math.floor(k / side)];
+    const corners = [[0, 0], [width, 0], [width, height], [0, height]].map(([dx, dy]) => [x + dx, y + dy, 0]);
+    entities.push(...(name === 'discs' ? round(x + 25, y + 25, 25) : polyline(corners)), ...round(x + width / 2, y + height / 2, 6));
+  }
+  const file = join(mkdtempSync(join(tmpdir(), 'kerfway-')), `${name}_${side * side}.dxf`);
+  writeFileSync(file, drawing(entities));
+  return file;
 }
 
 /** One table: a row for each drawing, and a column for each lever alone and for all of them. */
@@ -83,7 +101,7 @@ function whole(set, preset, files, moves) {
   for (const file of files) {
     let found;
     try {
-      found = rows(NATIVE, [file, '--machines', machines, '--moves', moves, ...(set === 'nests' ? ['--no-border'] : [])]);
+      found = rows(NATIVE, [file, '--machines', machines, '--moves', moves]);
     } catch (e) {
       console.log(`${basename(file)} is left out: ${e.message.trim().split('\n').at(-1)}`);
       continue;

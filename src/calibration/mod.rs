@@ -109,7 +109,7 @@ impl Job {
         let machine = &plan.machine;
         let (air, over_joint) = (AirMoves::new(machine), AirTime::head_down(machine));
         let (mut head, mut height) = (machine.home(), 0.0);
-        let (mut moving, mut flying, mut chained) = (false, false, None);
+        let (mut moving, mut flying, mut chained, mut after_cut) = (false, false, false, false);
         let (mut fixed, mut pierces, mut cuts) = (0.0, 0.0, Vec::<(bool, Process, Vec<Segment>)>::new());
         for step in &plan.moves {
             match step {
@@ -142,8 +142,10 @@ impl Job {
                 }
                 Move::Chain { path } => {
                     let path = Element::segments(path, &mut head);
-                    chained = cuts.last().map(|cut| (cut.0, cut.1));
-                    cuts.extend(chained.map(|(mark, process)| (mark, process, path)));
+                    let last = cuts.last().map(|cut| (cut.0, cut.1));
+                    cuts.extend(last.map(|(mark, process)| (mark, process, path)));
+                    // On a kerf, the beam goes on after it went off.
+                    chained = after_cut;
                 }
                 Move::Height { z } => {
                     fixed += machine.height_seconds(z - height);
@@ -159,7 +161,7 @@ impl Job {
                         Some(cut) => cut.2.extend(path),
                         None => {
                             // After a chain the beam is on.
-                            if chained.take().is_none() {
+                            if !std::mem::take(&mut chained) {
                                 fixed += machine.delays_of_cut(std::mem::take(&mut moving));
                             }
                             cuts.push((mark, process, path));
@@ -167,6 +169,7 @@ impl Job {
                     }
                 }
             }
+            after_cut = matches!(step, Move::Cut { .. });
         }
         Self { name: plan.input.name.clone(), measured: *seconds, fixed, pierces, cuts }
     }

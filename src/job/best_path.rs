@@ -32,10 +32,11 @@ pub struct BestPath {
     /// Sharp corners where a cut pauses: x, y each, mm.
     pub pauses: Vec<f64>,
     /// What the move to each stop does about pieces that may have tipped, and last that of the way home: 0 nothing, 1 it goes around
-    /// them, 2 it is lifted over them, 3 it crosses them with the head down; or 4: it is a cut through waste. Empty if the machine has no
+    /// them, 2 it is lifted over them, 3 it crosses them with the head down; 4: it is a cut through waste; 5: it
+    /// goes to a place on a kerf, and is a cut through waste from there. Empty if the machine has no
     /// `levers.tips` and the plan no chains.
     pub ways: Vec<u8>,
-    /// The places on the way around tipped pieces: x, y each, mm.
+    /// The places on the way around tipped pieces, and those on kerfs: x, y each, mm.
     pub via: Vec<f64>,
     /// The stop to which each of these moves leads; for the way home, the number of stops.
     pub via_of: Vec<u32>,
@@ -127,17 +128,24 @@ impl BestPath {
             let rest = self.contours.iter().enumerate().skip(stop);
             let home = self.contours.len();
             stop = next.map_or(home, |c| rest.into_iter().find(|s| *s.1 == c).map_or(stop, |s| s.0));
+            let before = index.checked_sub(1).and_then(|k| plan.moves.get(k));
             let kind = match step {
                 Move::Air { way: Way::Around, .. } => 1,
                 Move::Air { way: Way::Lifted, .. } => 2,
                 Move::Air { way: Way::Crosses, .. } => 3,
-                Move::Chain { .. } => 4,
+                Move::Chain { .. } if matches!(before, Some(Move::Cut { .. })) => 4,
+                Move::Chain { .. } => 5,
                 _ => continue,
             };
             if let Some(noted) = self.ways.get_mut(stop) {
                 *noted = kind.max(*noted);
             }
-            if let Move::Air { to, way: Way::Around } = step {
+            let via = match (step, before) {
+                (Move::Air { to, way: Way::Around }, _) => Some(to),
+                (Move::Chain { .. }, Some(Move::Air { to, .. })) => Some(to),
+                _ => None,
+            };
+            if let Some(to) = via {
                 self.via.extend([to.x, to.y]);
                 self.via_of.push(u32::try_from(stop).unwrap_or(u32::MAX));
             }
@@ -244,6 +252,9 @@ fn cutting_times(plan: &Plan, machine: &Profile, sheet: &Sheet, parts: &[Vec<[f6
                 head = path.last().map_or(head, Segment::end);
             }
             Move::Chain { path } => {
+                // On a kerf, the beam goes on after it went off.
+                let after_cut = index > 0 && matches!(plan.moves.get(index - 1), Some(Move::Cut { .. }));
+                now += if after_cut { 0.0 } else { machine.beam_on_delay };
                 now += cut_time(machine, &process, path);
                 head = path.last().map_or(head, Segment::end);
                 chained = true;

@@ -88,6 +88,11 @@ pub struct Chains {
     #[serde(default = "chain_clearance")]
     #[cfg_attr(test, ts(as = "Option<f64>"))]
     pub clearance: f64,
+    /// Such a cut may also begin elsewhere on the kerf of the contour that was cut last: the head moves there with the beam off, and the
+    /// beam goes on without piercing. Default false.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(test, ts(as = "Option<bool>"))]
+    pub edge_starts: bool,
 }
 
 /// A millimetre, as between leads and other cuts: the edge of a part is not touched by the heat of the chain.
@@ -218,4 +223,5 @@ const FLY: &[Field] =
 const CHAINS: &[Field] = &[
     Field::required("reach", Kind::Number(CHAIN)),
     Field::optional("clearance", Kind::Number(CHAIN_CLEARANCE)),
+    Field::optional("edge_starts", Kind::Flag),
 ];

@@ -36,7 +36,7 @@ pub(super) fn contour_cuts(plan: &Plan) -> Vec<Cut<'_>> {
 
 fn collect(plan: &Plan, joined: bool) -> Vec<Cut<'_>> {
     let mut all: Vec<Cut> = Vec::with_capacity(plan.moves.len());
-    let (mut goes_on, mut pierced, mut height) = (false, false, 0.0);
+    let (mut goes_on, mut after_cut, mut pierced, mut height) = (false, false, false, 0.0);
     for step in &plan.moves {
         if let Move::Cut { contour, path, mark, leads, .. } = step
             && let Some(first) = path.first()
@@ -53,9 +53,19 @@ fn collect(plan: &Plan, joined: bool) -> Vec<Cut<'_>> {
                 }
             }
         }
-        if let (Move::Chain { path }, true, Some(before)) = (step, joined, all.last_mut()) {
-            before.path.to_mut().extend_from_slice(path);
+        if let (Move::Chain { path }, true, Some(first)) = (step, joined, chain_of(step).first()) {
+            match all.last_mut().filter(|_| after_cut) {
+                Some(before) => before.path.to_mut().extend_from_slice(path),
+                // On a kerf a new cut begins, which is not pierced.
+                None => {
+                    let contour = all.last().map_or(0, |c| c.contour);
+                    let (entry, path) = (first.start(), Cow::Borrowed(path.as_slice()));
+                    let leads = Leads::default();
+                    all.push(Cut { contour, entry, path, mark: false, pierced: false, z: height, leads });
+                }
+            }
         }
+        after_cut = matches!(step, Move::Cut { .. });
         match step {
             Move::Pierce => pierced = true,
             Move::Height { z } => height = *z,
@@ -64,6 +74,11 @@ fn collect(plan: &Plan, joined: bool) -> Vec<Cut<'_>> {
         goes_on = matches!(step, Move::Macro { .. }) || joined && matches!(step, Move::Chain { .. });
     }
     all
+}
+
+/// The elements of a chain; none of any other move.
+fn chain_of(step: &Move) -> &[Segment] {
+    if let Move::Chain { path } = step { path } else { &[] }
 }
 
 /// Largest difference between the length of a cut and that of its whole contour, mm. It covers rounding of sums in

@@ -37,6 +37,8 @@ pub(super) struct Sums<'a> {
     around: bool,
     /// Whether the beam is still on after a chain.
     chained: bool,
+    /// Whether the last move was a cut.
+    after_cut: bool,
     /// That of the last cut.
     process: Process,
     worked: Vec<bool>,
@@ -60,6 +62,7 @@ impl<'a> Sums<'a> {
             moving: false,
             around: false,
             chained: false,
+            after_cut: false,
             process: machine.cut,
             worked: vec![false; sheet.contours.len()],
             parts_end: 0.0,
@@ -74,6 +77,7 @@ impl<'a> Sums<'a> {
 
     /// Adds a move. `goes_on`: whether the next move is part of the same motion.
     pub(super) fn add(&mut self, step: &Move, goes_on: bool) {
+        let after_cut = std::mem::replace(&mut self.after_cut, matches!(step, Move::Cut { .. }));
         let (sum, machine) = (&mut self.sum, self.machine);
         match step {
             Move::Air { to, way } => {
@@ -126,7 +130,9 @@ impl<'a> Sums<'a> {
                 sum.cut_time += cut_time(machine, &self.process, path);
                 self.bounds = path.iter().fold(self.bounds, |b, s| b.union(s.bounds()));
                 self.head = path.last().map_or(self.head, Segment::end);
-                self.chained = true;
+                // On a kerf, the beam goes on after it went off.
+                sum.edge_starts += u32::from(!after_cut);
+                self.chained = after_cut;
             }
             Move::Joint { path, .. } => {
                 let to = path.last().map_or(self.head, Segment::end);

@@ -17,7 +17,7 @@ use crate::solve::{Solution, Stop};
 /// Cuts are pierced in every pass; marks are not. A contour that is left unfinished gets a pre-cut where it is left, if
 /// the machine charges for pre-cuts, and is resumed without piercing; so is a pierce group. A cut pauses in sharp corners, and
 /// is interrupted by micro-joints. There is no air move if the head
-/// is already in place. Between nodes with a link there is a chain instead, and no piercing.
+/// is already in place. Between nodes with a link there is a chain or an edge start instead, and no piercing.
 pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> Plan {
     let mut moves = Vec::with_capacity(3 * solution.stops.len() + 1);
     let mut head = problem.home;
@@ -29,7 +29,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         let Some(node) = problem.nodes.get(stop.node as usize) else { continue };
         let contour = node.item;
         let before = last.replace(stop.node);
-        let chained = before.is_some_and(|before| problem.links.between(before, stop.node).is_some());
+        let link = before.and_then(|before| problem.links.between(before, stop.node));
         let Some(known) = sheet.contours.get(contour as usize) else { continue };
         if let Some(path) = problem.items.get(contour as usize).and_then(|i| i.path(stop.node)) {
             if let Some((from, to)) = stop.ends(problem) {
@@ -57,7 +57,8 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         };
         let (Some(start), Some(end)) = (path.first(), path.last()) else { continue };
         let (entry, exit) = (start.start(), end.end());
-        if chained {
+        if let Some(link) = link {
+            link.via.iter().for_each(|&via| go(&mut moves, &mut head, via));
             moves.push(Move::Chain { path: vec![Segment::line(head, entry)] });
         } else {
             go(&mut moves, &mut head, entry);
@@ -67,7 +68,7 @@ pub fn from_solution(sheet: &Sheet, problem: &Problem, solution: &Solution) -> P
         let moving =
             item.is_none_or(|i| i.joints.is_none()) && starts_moving(sheet, &problem.machine, known, lead);
         let start = match (moving, known.is_mark()) {
-            _ if resumed || chained => None,
+            _ if resumed || link.is_some() => None,
             (true, _) => Some(Move::MovingStart),
             (false, true) => None,
             (false, false) => Some(Move::Pierce),

@@ -51,8 +51,8 @@ pub enum Move {
         /// The elements of the way.
         path: Vec<Segment>,
     },
-    /// Cuts through waste from the end of one cut to the beginning of the next with the beam on, and stops at both ends. The next cut
-    /// is not pierced.
+    /// Cuts through waste to the beginning of the next cut, which is not pierced, and stops at both ends. It begins at the end of the cut
+    /// before it, with the beam still on; or, after an air move, on the kerf of that cut, where the beam goes on without piercing.
     Chain {
         /// The elements of the cut through waste.
         path: Vec<Segment>,
@@ -204,11 +204,15 @@ pub struct Summary {
     #[serde(default, skip_serializing_if = "is_none")]
     #[cfg_attr(test, ts(as = "Option<u32>", optional))]
     pub fly_cuts: u32,
-    /// Number of cuts through waste that join two contours.
+    /// Number of cuts through waste that lead to contours.
     #[serde(default, skip_serializing_if = "is_none")]
     #[cfg_attr(test, ts(as = "Option<u32>", optional))]
     pub chains: u32,
-    /// Their length, mm, which is part of the length of cuts.
+    /// Those of them that begin on the kerf of a contour, after an air move.
+    #[serde(default, skip_serializing_if = "is_none")]
+    #[cfg_attr(test, ts(as = "Option<u32>", optional))]
+    pub edge_starts: u32,
+    /// The length of all of them, mm, which is part of the length of cuts.
     #[serde(default, skip_serializing_if = "crate::fields::is_zero")]
     #[cfg_attr(test, ts(as = "Option<f64>", optional))]
     pub chain_length: f64,

@@ -5,6 +5,10 @@
 //! piece of waste: outlines of parts that lie side by side, and the hole around them. Each may be entered where contours usually
 //! are, and opposite its neighbours; every pair of such places is tried, and a chain that keeps its distances and takes less than
 //! what it stands for becomes a link of the problem, so that the search chooses between both in the price of every move.
+//!
+//! An *edge start* is the same cut from another place on the kerf of the contour that was cut last, to which the head moves with the
+//! beam off. It saves the piercing, but neither the move nor the delays. The places are those of that contour, and the nearest
+//! one to the entry.
 
 use super::entries::entries;
 use super::ids::NodeId;
@@ -153,36 +157,68 @@ impl<'s> Candidates<'s> {
         let bed = bed.filter(|bed| bed.contains_box(&sheet.bounds));
         let scrap = Scrap::new(&sheet.contours, self.lever.clearance, machine.kerf_width, bed);
         let air = AirTime::new(machine);
-        let pierce = start_seconds(machine, false, false);
         let mut found = Vec::new();
+        let start = start_seconds(machine, false, false);
         for (a, b) in self.pairs() {
             let (Some(first), Some(second)) = (self.all.get(a), self.all.get(b)) else { continue };
             let process = sheet.process_by_id(first.contour, machine);
             for (one, other) in [(first, second), (second, first)] {
                 let ends = self.ends(one, items, nodes, false);
-                let starts = self.ends(other, items, nodes, true);
-                for exit in &ends {
-                    for entry in &starts {
-                        let way = entry.place - exit.place;
+                for entry in self.ends(other, items, nodes, true) {
+                    let cut = |from: &End| {
+                        let way = entry.place - from.place;
                         let length = way.length();
-                        if length > self.lever.reach
-                            || !exit.leaves(way / length)
-                            || !entry.leaves(-way / length)
-                        {
-                            continue;
-                        }
-                        let line = [Segment::line(exit.place, entry.place)];
-                        let seconds = cut_time(machine, &process, &line) - pierce;
+                        let fits = length <= self.lever.reach
+                            && from.leaves(way / length)
+                            && entry.leaves(-way / length)
+                            && scrap.joins([one.contour, other.contour], from.place, entry.place);
+                        fits.then(|| cut_time(machine, &process, &[Segment::line(from.place, entry.place)]))
+                    };
+                    let from_ends: Vec<Option<f64>> = ends.iter().map(cut).collect();
+                    let edges = self.edges(one, &ends, &from_ends, entry.place, cut);
+                    for (exit, seconds) in ends.iter().zip(from_ends) {
+                        let chain = seconds.map(|s| (s - start, None));
+                        let edge = edges.iter().map(|&(place, seconds)| {
+                            (air.seconds(exit.place, place) + seconds - machine.pierce_time, Some(place))
+                        });
+                        let best = chain.into_iter().chain(edge).min_by(|a, b| a.0.total_cmp(&b.0));
+                        let Some((seconds, via)) = best else { continue };
                         let saved = air.seconds(exit.place, entry.place) - seconds;
-                        if saved > LEAST && scrap.joins([one.contour, other.contour], exit.place, entry.place)
-                        {
-                            found.push((exit.node, Link { to: entry.node, seconds, saved }));
+                        if saved > LEAST {
+                            found.push((exit.node, Link { to: entry.node, via, seconds, saved }));
                         }
                     }
                 }
             }
         }
         Links::new(nodes.len(), found, |node| nodes.get(node as usize).map(|n| n.item))
+    }
+
+    /// The places on the kerf of a contour where a cut to `entry` may begin, with the seconds of that cut. `ends` are its nodes, from
+    /// which `from_ends` are the seconds.
+    fn edges(
+        &self,
+        joined: &Joined,
+        ends: &[End],
+        from_ends: &[Option<f64>],
+        entry: DVec2,
+        cut: impl Fn(&End) -> Option<f64>,
+    ) -> Vec<(DVec2, f64)> {
+        let Some(path) = self.contour(joined).map(|c| &c.path).filter(|_| self.lever.edge_starts) else {
+            return Vec::new();
+        };
+        // The ends of leads are not on the kerf of the contour, which may have a gap.
+        if ends.iter().any(|end| end.normals.is_none()) {
+            return Vec::new();
+        }
+        let of_nodes = ends.iter().zip(from_ends);
+        let mut all: Vec<(DVec2, f64)> =
+            of_nodes.filter_map(|(end, seconds)| Some((end.place, (*seconds)?))).collect();
+        if let Some((along, place)) = path.nearest(entry) {
+            let end = End { node: NodeId::MAX, place, normals: normals(path, along) };
+            all.extend(cut(&end).map(|seconds| (place, seconds)));
+        }
+        all
     }
 
     /// Where the nodes of a contour begin (`entry`) or end, with the directions into the waste there.

@@ -1,6 +1,7 @@
 //! Links: pairs of nodes between which the machine does something quicker than switch the beam off, move and pierce.
 
 use super::ids::NodeId;
+use crate::geometry::DVec2;
 use crate::order::sort_by;
 
 /// The links of a problem: from a node to a node of another item. It has none by default.
@@ -20,6 +21,9 @@ pub struct Links {
 pub struct Link {
     /// The node that it leads to.
     pub to: NodeId,
+    /// Where the head moves with the beam off before the cut that leads to the node begins; `None`: the cut begins where the
+    /// head is, with the beam still on.
+    pub via: Option<DVec2>,
     /// What it takes in place of the air move, s: less than that, and negative where it saves the piercing that the item's own
     /// seconds contain.
     pub seconds: f64,
@@ -66,6 +70,15 @@ impl Links {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
+    }
+
+    /// Whether every link costs the same both ways.
+    #[expect(clippy::float_cmp, reason = "the same sums, or others")]
+    pub fn are_symmetric(&self) -> bool {
+        let same = |from: NodeId, link: &Link| {
+            self.between(link.to, from).is_some_and(|back| back.seconds == link.seconds)
+        };
+        (0..).take(self.first.len()).all(|from| self.from(from).iter().all(|link| same(from, link)))
     }
 
     /// Those from a node, in the order of the nodes that they lead to.

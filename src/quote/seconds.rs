@@ -34,7 +34,7 @@ pub(super) fn seconds(
     let machine = &document.machine;
     let mut at = machine.home();
     let (mut pierces, mut dark, mut moving) = (0, true, false);
-    // The seconds of a chain to the next cut, and the process of the last cut.
+    // The seconds of a chain to the next cut, whether the beam was on before it, and the process of the last cut.
     let (mut chain, mut process) = (None, machine.cut);
     // The elements of a motion that goes on over a joint or to the next cut, and the contours of its cuts with their lengths.
     let (mut motion, mut cut_on) = (Vec::new(), Vec::new());
@@ -57,7 +57,8 @@ pub(super) fn seconds(
             }
             // A chain is paid by the part that it leads to.
             Move::Chain { path } => {
-                chain = Some(cut_time(machine, &process, &segments(path, &mut at)));
+                let after_cut = index > 0 && matches!(document.moves.get(index - 1), Some(Move::Cut { .. }));
+                chain = Some((cut_time(machine, &process, &segments(path, &mut at)), after_cut));
             }
             Move::Fly { path } => motion.extend(segments(path, &mut at)),
             // Their time is part of the air time, which is shared.
@@ -90,13 +91,9 @@ pub(super) fn seconds(
                 let first = cut_on.drain(..).next().map_or(parts, |(id, _)| owner(id));
                 let entered = &mut all[first];
                 entered.pierces += pierces;
-                let delays = match chain.take() {
-                    Some(seconds) => {
-                        entered.times.cut += seconds;
-                        0.0
-                    }
-                    None => machine.delays_of_cut(std::mem::take(&mut moving)),
-                };
+                let (seconds, is_on) = chain.take().unwrap_or((0.0, false));
+                entered.times.cut += seconds;
+                let delays = if is_on { 0.0 } else { machine.delays_of_cut(std::mem::take(&mut moving)) };
                 entered.times.pierce += delays + f64::from(pierces) * machine.pierce_time;
                 entered.starts += f64::from(u8::from(dark));
                 (pierces, dark) = (0, false);

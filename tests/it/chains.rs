@@ -14,7 +14,14 @@ use kerfway::problem::Problem;
 use kerfway::sheet::Sheet;
 
 fn chaining(reach: f64, clearance: f64) -> Profile {
-    let levers = Levers { chains: Some(Chains { reach, clearance }), ..Levers::default() };
+    let levers =
+        Levers { chains: Some(Chains { reach, clearance, edge_starts: false }), ..Levers::default() };
+    Profile { levers, ..machine("fibre-6kw-thick") }
+}
+
+/// The same, with cuts through waste that begin on a kerf.
+fn starting(reach: f64, clearance: f64) -> Profile {
+    let levers = Levers { chains: Some(Chains { reach, clearance, edge_starts: true }), ..Levers::default() };
     Profile { levers, ..machine("fibre-6kw-thick") }
 }
 
@@ -260,6 +267,51 @@ fn the_search_chooses_as_well_as_every_order_entry_and_chain() {
 }
 
 #[test]
+fn the_search_chooses_as_well_as_every_start_on_a_kerf() {
+    let (mut joined, mut on_kerfs) = (0, 0);
+    for seed in 0..8_u64 {
+        let mut dice = Dice::new(50 + seed);
+        let mut b = Builder::new();
+        for k in 0..4 {
+            let at = p(10.0 + 27.0 * f64::from(k), 10.0 + dice.between(0.0, 6.0));
+            if dice.below(3) == 0 {
+                b.cut(circle(at + p(10.0, 10.0), dice.between(7.0, 9.0)), None);
+            } else {
+                b.cut(rectangle(at, p(dice.between(14.0, 20.0), dice.between(10.0, 20.0))), None);
+            }
+        }
+        let machine = starting(25.0, dice.between(0.2, 2.0));
+        let sheet = oriented(b.sheet);
+        let (problem, _, plan) = search_of_exact_cost(&sheet, &machine, seed);
+        let most = brute(&sheet, &machine, &problem, 0.375);
+        let found = plan.summary.total_time;
+        assert!(found <= most + 1e-6, "seed {seed}: {found} {most}");
+        joined += plan.summary.chains;
+        on_kerfs += plan.summary.edge_starts;
+    }
+    assert!(joined > 16 && on_kerfs > 4, "{joined} {on_kerfs}");
+}
+
+#[test]
+fn a_row_of_parts_is_pierced_once_with_starts_on_kerfs() {
+    let machine = starting(30.0, 1.0);
+    let (_, plan) = searched(squares(4, 1, 8.0), &machine);
+    let s = &plan.summary;
+    // The first two face each other; from there on, each begins on the right of the one before it.
+    assert_eq!((s.chains, s.edge_starts, s.pierces), (3, 2, 1));
+    // The beam goes off and on for each run, and is pierced once.
+    near(s.pierce_time, machine.pierce_time + 3.0 * (machine.beam_on_delay + machine.beam_off_delay));
+    let at = plan.moves.iter().position(|m| matches!(m, Move::Chain { .. })).unwrap();
+    let chains: Vec<usize> =
+        (at..plan.moves.len()).filter(|&k| matches!(plan.moves[k], Move::Chain { .. })).collect();
+    let starts: Vec<_> =
+        chains.into_iter().filter(|&k| matches!(plan.moves[k - 1], Move::Air { .. })).collect();
+    assert_eq!(starts.len(), 2);
+    let without = searched(squares(4, 1, 8.0), &chaining(30.0, 1.0)).1.summary.total_time;
+    assert!(without - s.total_time > 0.2, "{without} {}", s.total_time);
+}
+
+#[test]
 fn six_contours_reach_the_exact_optimum() {
     for seed in 0..8_u64 {
         let mut dice = Dice::new(100 + seed);
@@ -331,6 +383,45 @@ fn the_checker_finds_wrong_chains() {
         path[0] = Segment::line(path[0].start() + p(0.1, 0.0), path[0].end());
     });
     assert!(found.iter().any(|v| matches!(v, Violation::NotJoined { .. })), "{found:?}");
+}
+
+#[test]
+fn the_checker_finds_wrong_starts_on_kerfs() {
+    let machine = starting(30.0, 1.0);
+    let (sheet, plan) = searched(squares(4, 1, 8.0), &machine);
+    let start = |moves: &[Move]| {
+        let is = |w: &[Move]| matches!(w, [Move::Air { .. }, Move::Chain { .. }]);
+        moves.windows(2).position(is).unwrap()
+    };
+    let after = |checked: &Profile, change: &dyn Fn(&mut Vec<Move>)| {
+        let mut plan = plan.clone();
+        change(&mut plan.moves);
+        let parts = plan.summary.parts;
+        plan.summary = plan::evaluate(&plan.moves, &sheet, checked);
+        plan.summary.parts = parts;
+        plan::check(&sheet, checked, &plan).err().unwrap_or_default()
+    };
+    assert!(after(&machine, &|_| ()).is_empty());
+    assert!(says(&after(&chaining(30.0, 1.0), &|_| ()), "begins on a kerf, which the machine does not"));
+    // A millimetre beside the kerf.
+    let found = after(&machine, &|moves| {
+        let at = start(moves);
+        let Move::Chain { path } = &mut moves[at + 1] else { panic!() };
+        let from = path[0].at(0.125);
+        path[0] = Segment::line(from, path[0].end());
+        moves[at] = Move::air(from);
+    });
+    assert!(says(&found, "does not begin on the kerf of the contour before it"), "{found:?}");
+    // Pierced before it.
+    let found = after(&machine, &|moves| moves.insert(start(moves) + 1, Move::Pierce));
+    assert!(says(&found, "cuts through waste without a cut before it"), "{found:?}");
+    // Before anything is cut.
+    let found = after(&machine, &|moves| {
+        let at = start(moves);
+        let two: Vec<Move> = moves.drain(at..at + 2).collect();
+        moves.splice(0..0, two);
+    });
+    assert!(says(&found, "does not join two cuts"), "{found:?}");
 }
 
 /// A plan by hand: two contours joined from one place to another.
@@ -407,6 +498,18 @@ fn every_dialect_keeps_the_beam_on() {
         }
         assert_eq!(text.matches("through waste for 8.000 mm to contour").count(), 3, "{}", dialect.name);
     }
+    // Starts on kerfs wait for the beam, and do not pierce.
+    for dialect in dialects().iter().filter(|d| d.pierce.is_some() && d.dwell.is_some()) {
+        let profile = Profile { dialect: DialectChoice::named(&dialect.name), ..starting(30.0, 1.0) };
+        let (sheet, plan) = searched(squares(4, 1, 8.0), &profile);
+        let facts = SheetFacts::of(&sheet);
+        let Ok(text) = output::gcode(&plan, &facts, &profile, "squares.dxf", Start::Absolute) else {
+            continue;
+        };
+        let check = output::check_against(&text, &profile, &plan).unwrap();
+        assert!(check.passed, "{}: {:?}", dialect.name, check.problems);
+        assert_eq!(text.matches("from a kerf through waste for ").count(), 2, "{}", dialect.name);
+    }
     // In GRBL's program the beam is on from the first cut to the last.
     let text =
         output::gcode(&plan, &SheetFacts::of(&sheet), &machine, "squares.dxf", Start::Absolute).unwrap();
@@ -429,6 +532,9 @@ fn drawings_have_chains_as_one_path_with_their_contours() {
     let svg = output::svg(&plan, &facts, &machine);
     assert_eq!(svg.matches("class=\"cut\"").count(), 4);
     assert_eq!(svg.matches("Cuts through waste").count(), 1);
+    // A start on a kerf begins another path.
+    let (sheet, plan) = searched(squares(4, 1, 8.0), &starting(30.0, 1.0));
+    assert_eq!(output::dxf(&plan, &SheetFacts::of(&sheet)).matches("LWPOLYLINE").count(), 3);
 }
 
 #[test]
@@ -446,7 +552,7 @@ fn machines_that_cannot_are_refused() {
     };
     assert!(with(&moving).contains("levers.chains and levers.moving_pierce"));
     assert!(
-        with(&|p| p.levers.chains = Some(Chains { reach: 0.0, clearance: 1.0 }))
+        with(&|p| p.levers.chains = Some(Chains { reach: 0.0, clearance: 1.0, edge_starts: false }))
             .contains("levers.chains.reach")
     );
 }

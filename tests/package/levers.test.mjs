@@ -133,6 +133,28 @@ describe('chains', () => {
     await assert.rejects(planner.plan({ machine: { ...thick, pre_cut_time: 0.5, levers: { chains: { reach: 30 } } } }).done, /levers\.chains and pre_cut_time/);
   });
 
+  it('begin on the kerf of the last contour, too', async (t) => {
+    const planner = await createPlanner();
+    t.after(() => planner.close());
+    const thick = planner.machines.find((m) => m.name === 'fibre-6kw-thick');
+    await planner.load(dxf(...[0, 28, 56, 84].map((x) => square(10 + x, 10, 20))), 'row.dxf');
+    const machine = { ...thick, levers: { chains: { reach: 30, edge_starts: true } } };
+    const { progress: { path, summary } } = await planner.plan({ machine, seed: 1, moves: 20_000 }).done;
+    assert.deepEqual([summary.chains, summary.edge_starts, summary.pierces], [3, 2, 1]);
+    assert.deepEqual([...path.ways], [0, 4, 5, 5, 0]);
+    assert.deepEqual([path.via.length, [...path.viaOf]], [4, [2, 3]]);
+    for (let k = 1; k < path.times.length; k += 1) assert.ok(path.times[k] > path.times[k - 1], `${k}`);
+    const document = JSON.parse(await planner.output('json'));
+    assert.ok(validate(document), JSON.stringify(validate.errors));
+    assert.deepEqual(document.machine.levers.chains, { reach: 30, clearance: 1, edge_starts: true });
+    const check = await planner.check();
+    assert.deepEqual([check.passed, check.problems], [true, []]);
+    const quote = await planner.quote();
+    const parts = quote.parts.flatMap((part) => part.items).reduce((sum, item) => sum + item.times.total, 0);
+    assert.ok(Math.abs(parts - summary.total_time) < 1e-6, `${parts}`);
+    assert.equal(withoutLever(machine, 'edge-starts').levers.chains.edge_starts, false);
+  });
+
   it('are an option of the command line', async (t) => {
     const at = folder(t);
     const [file, program] = [join(at, 'nest.dxf'), join(at, 'nest.nc')];
@@ -142,10 +164,14 @@ describe('chains', () => {
     assert.equal(ran.code, 0, ran.stderr);
     assert.match(ran.stdout + ran.stderr, /chains saves/);
     assert.equal(readFileSync(program, 'utf8').match(/through waste for /g)?.length, 3);
+    const edges = await plan('--chains', '30', '--edge-starts', '--savings');
+    assert.deepEqual([edges.code, /edge-starts (saves|costs)/.test(edges.stdout + edges.stderr)], [0, true], edges.stderr);
     const far = await plan('--chains', '5000');
     assert.deepEqual([far.code, /levers\.chains\.reach/.test(far.stderr)], [2, true], far.stderr);
     const without = await plan('--chain-clearance', '0.4');
     assert.deepEqual([without.code, /--chains/.test(without.stderr)], [2, true], without.stderr);
+    const alone = await plan('--edge-starts');
+    assert.deepEqual([alone.code, /--chains/.test(alone.stderr)], [2, true], alone.stderr);
   });
 });
 
@@ -209,7 +235,7 @@ describe('what each lever saves', () => {
     const all = await total(machine);
     const saved = [];
     for await (const one of leverSavings(planner, { machine, seed: 1, moves: 20_000 }, all)) saved.push(one);
-    assert.deepEqual(saved.map((s) => s.lever), LEVERS.filter((lever) => lever !== 'avoid-tips' && lever !== 'heat' && lever !== 'chains'));
+    assert.deepEqual(saved.map((s) => s.lever), LEVERS.filter((lever) => lever !== 'avoid-tips' && lever !== 'heat' && lever !== 'chains' && lever !== 'edge-starts'));
     for (const { lever, seconds } of saved) assert.equal(seconds, (await total(withoutLever(machine, lever))) - all, lever);
     const by = Object.fromEntries(saved.map((s) => [s.lever, s.seconds]));
     // Two holes more begin at rest, and so does nothing else: the outline has joints, and the line is open.

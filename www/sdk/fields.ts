@@ -1167,6 +1167,12 @@ export const SHAPES: Readonly<Record<'reading' | 'planning' | 'material' | 'limi
                             "name": "clearance",
                             "nullable": false,
                             "required": false
+                          },
+                          {
+                            "kind": "flag",
+                            "name": "edge_starts",
+                            "nullable": false,
+                            "required": false
                           }
                         ]
                       },

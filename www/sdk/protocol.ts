@@ -94,11 +94,12 @@ export interface BestPath {
   pauses: Float64Array;
   /**
    * What the move to each stop does about pieces that may have tipped, and last that of the way home: 0 nothing, 1 it goes around them, 2 it
-   * is lifted over them, 3 it crosses them with the head down; or 4: it is a cut through waste. Empty if the machine has no `levers.tips` and the
+   * is lifted over them, 3 it crosses them with the head down; 4: it is a cut through waste; 5: it goes to a place
+   * on a kerf (`via`), and is a cut through waste from there. Empty if the machine has no `levers.tips` and the
    * plan no chains.
    */
   ways: Uint8Array;
-  /** The places on the way around tipped pieces: x and y of each. */
+  /** The places on the way around tipped pieces, and those on kerfs: x and y of each. */
   via: Float64Array;
   /** The stop to which each of these moves leads; for the way home, the number of stops. */
   viaOf: Uint32Array;

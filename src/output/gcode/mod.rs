@@ -235,12 +235,19 @@ impl<'d> Writer<'d> {
                 }
                 Move::Chain { path } => {
                     let length = path.iter().map(Segment::length).sum::<f64>();
-                    let next = match work.get(index + 1) {
-                        Some(Move::Cut { contour, .. }) => format!(" to contour {contour}"),
-                        _ => String::new(),
-                    };
-                    self.pen.lines.comment_naming(&format!("through waste for {length:.3} mm{next}"), "");
-                    path.iter().for_each(|segment| self.pen.cut(segment));
+                    let Some(Move::Cut { contour, .. }) = work.get(index + 1) else { continue };
+                    let after_cut = index > 0 && matches!(work.get(index - 1), Some(Move::Cut { .. }));
+                    if !after_cut {
+                        order += 1;
+                        let words = format!("{order} of {all}: cut contour {contour}, layer ");
+                        self.pen.lines.comment_naming(&words, sheet.layer_name(*contour));
+                    }
+                    let verb = if after_cut { "through waste" } else { "from a kerf through waste" };
+                    let words = format!("{verb} for {length:.3} mm to contour {contour}");
+                    self.pen.lines.comment_naming(&words, "");
+                    let process = CutProcess::new(&sheet.process(*contour, self.profile), height);
+                    let on = if after_cut { 0.0 } else { self.profile.beam_on_delay };
+                    self.contour(&process, path, on, false);
                 }
                 Move::Joint { path, .. } => path.last().iter().for_each(|s| self.pen.rapid(s.end())),
                 Move::Height { z } => {

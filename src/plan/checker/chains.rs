@@ -2,7 +2,7 @@
 //!
 //! A chain is followed in small steps. A place on it is in waste if an even number of outlines is around it. It is as far from
 //! every contour as the machine says; from the two that the chain joins it may be as near as a quarter of the way to its end,
-//! so that the chain does not run along them.
+//! so that the chain does not run along them. Where the machine has edge starts, it may begin on the kerf of the contour that was cut last.
 
 use super::tolerance::SAME;
 use super::violation::Violation;
@@ -29,18 +29,32 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         return;
     }
     let room = machine.levers.chains.map(|lever| Room::new(sheet, machine, lever));
-    for (step, three) in (1..).zip(plan.moves.windows(3)) {
-        let [before, Move::Chain { path }, after] = three else { continue };
+    for (step, m) in plan.moves.iter().enumerate() {
+        let Move::Chain { path } = m else { continue };
+        let before = plan.moves.get(..step).unwrap_or_default();
         let mut fault = |what, at| found.push(Violation::Chain { step, what, at });
         let at = path.first().map_or(DVec2::ZERO, Segment::start);
         let Some(room) = &room else {
             fault("is one that the machine does not cut", at);
             continue;
         };
-        let (Move::Cut { contour: a, .. }, Move::Cut { contour: b, .. }) = (before, after) else {
+        let (last, edge) = match before {
+            [.., last, Move::Air { .. }] => (Some(last), true),
+            [.., last] => (Some(last), false),
+            [] => (None, false),
+        };
+        let (Some(Move::Cut { contour: a, .. }), Some(Move::Cut { contour: b, .. })) =
+            (last, plan.moves.get(step + 1))
+        else {
             fault("does not join two cuts", at);
             continue;
         };
+        if edge && !room.lever.edge_starts {
+            fault("begins on a kerf, which the machine does not", at);
+        }
+        if edge && !room.is_on(*a, at) {
+            fault("does not begin on the kerf of the contour before it", at);
+        }
         if let Some((what, at)) = room.fault([*a, *b], path, at) {
             fault(what, at);
         }
@@ -106,6 +120,12 @@ impl<'s> Room<'s> {
             }
         }
         None
+    }
+
+    /// Whether a place is on the path of a closed contour.
+    fn is_on(&self, contour: u32, at: DVec2) -> bool {
+        let known = self.sheet.contours.get(contour as usize).filter(|c| c.path.closed);
+        known.is_some_and(|c| c.path.segments.iter().any(|s| s.nearest(at).1.sqrt() <= SAME))
     }
 
     /// What a place is too near to; `gone` is its distance from both ends of its chain.

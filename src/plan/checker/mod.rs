@@ -133,7 +133,9 @@ fn follow(
             }
             Move::Macro { .. } => {}
             Move::Chain { path } => {
-                if before.is_none() || path.is_empty() {
+                // On which kerf it begins after an air move is looked at elsewhere.
+                let starts = before.is_some() || step > 0 && matches!(plan.moves[step - 1], Move::Air { .. });
+                if !starts || path.is_empty() {
                     found.push(Violation::Beam { step, what: "cuts through waste without a cut before it" });
                 }
                 for s in path {

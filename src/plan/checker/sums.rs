@@ -20,7 +20,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
     let (mut cuts, mut pierces, mut pre_cuts, mut macros) = (0u32, 0u32, 0u32, 0u32);
     let (mut moving_starts, mut lifts, mut fly_cuts) = (0u32, 0u32, 0u32);
     let (mut detours, mut crossings) = (0u32, 0u32);
-    let (mut chains, mut chain_length, mut process) = (0u32, 0.0, machine.cut);
+    let (mut chains, mut edge_starts, mut chain_length, mut process) = (0u32, 0u32, 0.0, machine.cut);
     let mut worked: Vec<u32> = Vec::new();
     let (mut air_length, mut air_seconds, mut cut_length, mut cut_seconds) = (0.0, 0.0, 0.0, 0.0);
     let mut lead_length = 0.0;
@@ -57,6 +57,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
             Move::Chain { path } => {
                 let length = path.iter().map(|s| s.end().distance(s.start())).sum::<f64>();
                 chains += 1;
+                edge_starts += u32::from(step > 0 && !matches!(plan.moves[step - 1], Move::Cut { .. }));
                 chain_length += length;
                 cut_length += length;
                 // From rest to rest, with the speed and acceleration of the cut before it.
@@ -82,7 +83,9 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
                 head = to;
             }
             Move::Cut { contour, with, path, leads, .. } => {
-                let chained = step > 0 && matches!(plan.moves[step - 1], Move::Chain { .. });
+                // After a chain the beam is on, unless that began on a kerf.
+                let chained =
+                    step > 1 && matches!(plan.moves[step - 2..step], [Move::Cut { .. }, Move::Chain { .. }]);
                 process = sheet.process_by_id(*contour, machine);
                 cuts += u32::from(!flies_on && !chained);
                 worked.push(*contour);
@@ -136,6 +139,7 @@ pub(super) fn check(sheet: &Sheet, machine: &Profile, plan: &Plan, found: &mut V
         ("the number of moving starts", f64::from(s.moving_starts), f64::from(moving_starts)),
         ("the number of cuts on the run", f64::from(s.fly_cuts), f64::from(fly_cuts)),
         ("the number of chains", f64::from(s.chains), f64::from(chains)),
+        ("the number of edge starts", f64::from(s.edge_starts), f64::from(edge_starts)),
         ("the length of chains", s.chain_length, chain_length),
         ("the number of lifts", f64::from(s.lifts), f64::from(lifts)),
         ("the number of detours", f64::from(s.detours), f64::from(detours)),

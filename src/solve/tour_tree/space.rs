@@ -172,6 +172,7 @@ impl<'p> Space<'p> {
         if problem.links.is_empty() {
             return;
         }
+        self.travel.symmetric &= problem.links.are_symmetric();
         self.most_saved = vec![0.0; problem.items.len() + 1];
         self.travel.links = vec![Vec::new(); self.point.len()];
         let place = |node: NodeId| {

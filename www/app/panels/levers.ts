@@ -73,7 +73,8 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
   const chained = (change: Partial<NonNullable<Levers['chains']>>) => set((l) => (l.chains = { ...CHAINS, ...l.chains, ...change }));
   const chainReach = numberInput({ unit: 'mm', least: 0.1, most: MOST.reach }, (value) => chained({ reach: value }));
   const clearance = numberInput({ unit: 'mm', least: 0, most: MOST.overcut }, (value) => chained({ clearance: value }));
-  const joined = h('div', { class: 'stack' }, field(w.chainReach, chainReach.input, 'mm'), field(w.chainClearance, clearance.input, 'mm'), h('p', { class: 'soft' }, w.aboutChains));
+  const edges = check(w.edgeStarts, (on) => chained({ edge_starts: on }));
+  const joined = h('div', { class: 'stack' }, field(w.chainReach, chainReach.input, 'mm'), field(w.chainClearance, clearance.input, 'mm'), edges.root, h('p', { class: 'soft' }, w.aboutChains));
   const tips = tipsPanel((change) => set((l, m) => {
     if (!change) {
       delete l.tips;
@@ -115,6 +116,7 @@ export function leversPanel(edit: (change: (m: MachineProfile) => void) => void)
       joined.hidden = !levers?.chains;
       chainReach.show(levers?.chains?.reach ?? CHAINS.reach);
       clearance.show(levers?.chains?.clearance ?? CHAINS.clearance);
+      edges.input.checked = levers?.chains?.edge_starts === true;
       lift.input.checked = Boolean(lifting);
       about.hidden = !lifting;
       height.show(lifting?.height ?? LIFT.height);

@@ -7,8 +7,8 @@ import type { Travel } from './raster-messages.js';
 
 export type Point = readonly [number, number];
 
-/** What an air move does about pieces that may have tipped, or that it is a cut through waste: `BestPath.ways`. */
-export const AROUND = 1, LIFTED = 2, CROSSES = 3, CHAIN = 4;
+/** What an air move does about pieces that may have tipped, or that it is or ends with a cut through waste: `BestPath.ways`. */
+export const AROUND = 1, LIFTED = 2, CROSSES = 3, CHAIN = 4, EDGE = 5;
 
 /** What the air move to a stop does; the stop after the last is home. */
 export const wayTo = (path: BestPath, stop: number): number => path.ways?.[stop] ?? 0;
@@ -22,7 +22,7 @@ export function legTo(path: BestPath, travel: Travel, stop: number): Point[] {
   const stops = path.contours.length;
   const from: Point = stop === 0 ? travel.home : [p[stop * 4 - 2]!, p[stop * 4 - 1]!];
   const to: Point = stop === stops ? travel.home : [p[stop * 4]!, p[stop * 4 + 1]!];
-  return wayTo(path, stop) === AROUND ? [from, ...viaOf(path, stop), to] : [from, to];
+  return wayTo(path, stop) === AROUND || wayTo(path, stop) === EDGE ? [from, ...viaOf(path, stop), to] : [from, to];
 }
 
 /** Adds an air move to a canvas path. */

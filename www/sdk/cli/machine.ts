@@ -81,7 +81,7 @@ function sizes(values: Words['values'], name: string): [number, number] | undefi
 function withLevers(values: Words['values'], machine: MachineProfile): MachineProfile {
   const [overcut, height, down, speed, reach, again, chain, clearance] = ['moving-pierce', 'lift', 'stay-down', 'z-speed', 'fly', 'fly-overcut', 'chains', 'chain-clearance'].map((option) => number(values, option));
   const atRest = values['lift-at-rest'] === true, tips = tipsOf(values, machine), heat = heatOf(values, machine);
-  if ([overcut, height, down, speed, reach, again, chain, clearance, tips, heat].every((value) => value === undefined) && !atRest) return machine;
+  if ([overcut, height, down, speed, reach, again, chain, clearance, tips, heat].every((value) => value === undefined) && !atRest && values['edge-starts'] !== true) return machine;
   const levers = { ...machine.levers };
   if (tips !== undefined) levers.tips = tips;
   if (heat !== undefined) levers.heat = heat;
@@ -91,8 +91,9 @@ function withLevers(values: Words['values'], machine: MachineProfile): MachinePr
   if (flown == null && again !== undefined) throw new WrongUse('--fly-overcut: the machine does not cut on the run. Give the longest way between two cuts with --fly.');
   if (flown != null) levers.fly = { ...flown, ...(again !== undefined && { overcut: again }) };
   const chained = chain === undefined ? levers.chains : { reach: chain };
-  if (chained == null && clearance !== undefined) throw new WrongUse('--chain-clearance: the machine does not join contours. Give the longest cut through waste with --chains.');
-  if (chained != null) levers.chains = { ...chained, ...(clearance !== undefined && { clearance }) };
+  const edges = values['edge-starts'] === true;
+  if (chained == null && (clearance !== undefined || edges)) throw new WrongUse(`--${edges ? 'edge-starts' : 'chain-clearance'}: the machine does not join contours. Give the longest cut through waste with --chains.`);
+  if (chained != null) levers.chains = { ...chained, ...(clearance !== undefined && { clearance }), ...(edges && { edge_starts: true }) };
   // Without a height, the other options change the machine's own lift.
   const lifted = height === undefined ? levers.lift : { height };
   if (lifted == null && (down !== undefined || atRest)) throw new WrongUse(`--${atRest ? 'lift-at-rest' : 'stay-down'}: the machine does not lift its head. Give the height with --lift.`);

@@ -298,6 +298,11 @@ export interface Chains {
   reach: number,
   /** Least distance of such a cut from every contour but the two that it joins, and from these away from its ends, mm. Default 1. */
   clearance?: number,
+  /**
+   * Such a cut may also begin elsewhere on the kerf of the contour that was cut last: the head moves there with the beam off, and the
+   * beam goes on without piercing. Default false.
+   */
+  edge_starts?: boolean,
 }
 
 /**
@@ -918,9 +923,11 @@ export interface Summary {
   moving_starts?: number,
   /** Number of cuts that begin on the run: the head does not stop before them. */
   fly_cuts?: number,
-  /** Number of cuts through waste that join two contours. */
+  /** Number of cuts through waste that lead to contours. */
   chains?: number,
-  /** Their length, mm, which is part of the length of cuts. */
+  /** Those of them that begin on the kerf of a contour, after an air move. */
+  edge_starts?: number,
+  /** The length of all of them, mm, which is part of the length of cuts. */
   chain_length?: number,
   /** Number of air moves for which the head is lifted. */
   lifts?: number,

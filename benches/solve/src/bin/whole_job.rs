@@ -1,10 +1,9 @@
-//! Seconds of whole jobs, natively: `kerfway-bench-whole-job FILE --machines JSON [--moves N] [--seed S] [--no-border]`.
+//! Seconds of whole jobs, natively: `kerfway-bench-whole-job FILE --machines JSON [--moves N] [--seed S]`.
 //!
 //! `--machines` is a list of `{"preset": NAME, "set": {...}}`: the fields that `set` gives replace those of the preset. For
 //! each, a JSON line: the seconds of the nearest-next path with holes first on the preset as it is, and those of the best
 //! path that the search finds on the changed machine. With `"then": {...}`, the path is searched for on the machine of `set`
-//! and then run as it is on that of `then`. Every plan is checked. With `--no-border`, a contour that looks like the border of the sheet is
-//! not cut.
+//! and then run as it is on that of `then`. Every plan is checked.
 
 use kerfway::job::{Job, LoadOptions, problem_of};
 use kerfway::machine::{self, Profile};
@@ -12,8 +11,8 @@ use kerfway::plan::{self, Plan};
 use kerfway::solve::{self, Status};
 use serde_json::{Value, json};
 
-/// A file, its bytes, and how they are read.
-type Drawing<'a> = (&'a str, &'a [u8], &'a LoadOptions);
+/// A file and its bytes.
+type Drawing<'a> = (&'a str, &'a [u8]);
 
 fn main() {
     if let Err(why) = run() {
@@ -24,7 +23,6 @@ fn main() {
 
 fn run() -> Result<(), String> {
     let (mut file, mut machines, mut moves, mut seed) = (String::new(), String::new(), 200_000, 1);
-    let mut load = LoadOptions::default();
     let mut args = std::env::args().skip(1);
     while let Some(word) = args.next() {
         let mut next = || args.next().ok_or(format!("{word} needs a value."));
@@ -32,14 +30,13 @@ fn run() -> Result<(), String> {
             "--machines" => machines = next()?,
             "--moves" => moves = next()?.parse().map_err(|_| "--moves needs a number.")?,
             "--seed" => seed = next()?.parse().map_err(|_| "--seed needs a number.")?,
-            "--no-border" => load.ignore_outline = true,
             _ => file = word,
         }
     }
     let bytes = std::fs::read(&file).map_err(|e| format!("{file}: {e}"))?;
     let machines: Vec<Value> = serde_json::from_str(&machines).map_err(|e| e.to_string())?;
     for machine in machines {
-        println!("{}", row((&file, &bytes, &load), &machine, moves, seed)?);
+        println!("{}", row((&file, &bytes), &machine, moves, seed)?);
     }
     Ok(())
 }
@@ -69,8 +66,8 @@ fn changed(preset: &Profile, set: &Value) -> Result<Profile, String> {
 }
 
 /// The plan after some moves of the search, checked; without moves, the nearest-next path.
-fn planned((_, bytes, load): Drawing, [machine, then]: [&Profile; 2], moves: u64, seed: u64) -> Result<Plan, String> {
-    let job = Job::load(bytes.to_vec(), "sheet", load).map_err(|e| e.to_string())?;
+fn planned((_, bytes): Drawing, [machine, then]: [&Profile; 2], moves: u64, seed: u64) -> Result<Plan, String> {
+    let job = Job::load(bytes.to_vec(), "sheet", &LoadOptions::default()).map_err(|e| e.to_string())?;
     let sheet = job.sheet();
     let problem = problem_of(sheet, machine);
     let method = solve::method("tour-tree").ok_or("There is no method tour-tree.")?;

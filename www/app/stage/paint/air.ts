@@ -5,14 +5,14 @@ import { legTo, traceLeg } from '../legs.js';
 import type { Pen } from '../trace.js';
 import { strokeAll, type Subject } from './strokes.js';
 
-/** Strokes the air moves into the stops up to `to` that `take` picks. The stop after the last one is home. */
-export function* strokeAir(pen: Pen, view: View, subject: Subject, to: number, take: (stop: number) => boolean): Generator<void> {
+/** Strokes the air moves into the stops up to `to` that `take` picks. The stop after the last one is home. `end`: only the last straight part of each. */
+export function* strokeAir(pen: Pen, view: View, subject: Subject, to: number, take: (stop: number) => boolean, end = false): Generator<void> {
   const { path, travel } = subject;
   if (!path) return;
   const stops = path.contours.length;
   yield* strokeAll(pen, Math.min(to, travel.returnHome ? stops : stops - 1) + 1, (k) => {
     if (!take(k)) return 0;
-    const leg = legTo(path, travel, k);
+    const leg = end ? legTo(path, travel, k).slice(-2) : legTo(path, travel, k);
     const [[x0, y0], [x1, y1]] = [leg[0]!, leg.at(-1)!];
     if (leg.length === 2 && offScreen(view, x0, y0, x1, y1)) return 0;
     traceLeg(pen, view, travel, leg);

@@ -3,7 +3,7 @@
 import type { View } from '../raster-messages.js';
 import { firstStops } from '../shapes.js';
 import { traceChain, type Pen } from '../trace.js';
-import { CHAIN, CROSSES, LIFTED, wayTo } from '../legs.js';
+import { CHAIN, CROSSES, EDGE, LIFTED, wayTo } from '../legs.js';
 import { strokeAir } from './air.js';
 import { BATCH, type Subject } from './strokes.js';
 
@@ -36,7 +36,7 @@ export function* paintRisky(pen: Pen, view: View, subject: Subject, to: number):
   pen.lineWidth = 2.4 * view.ratio;
   // The beam is on along a cut through waste, which is straight whatever the axes do.
   pen.strokeStyle = palette.ink;
-  yield* strokeAir(pen, view, { ...subject, travel: { ...subject.travel, perAxis: null } }, to, (k) => wayTo(path, k) === CHAIN);
+  yield* strokeAir(pen, view, { ...subject, travel: { ...subject.travel, perAxis: null } }, to, (k) => wayTo(path, k) === CHAIN || wayTo(path, k) === EDGE, true);
   pen.strokeStyle = palette.red;
   yield* strokeAir(pen, view, subject, to, (k) => wayTo(path, k) === CROSSES);
   pen.lineWidth = 1.6 * view.ratio;
