@@ -1,10 +1,11 @@
-// docs/papers/equations.md: every file, name and test it lists exists, and every equation of the papers has its row.
+// docs/papers/equations.md: every file, name, line and test it lists exists, and every equation of the papers has its row.
 
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { withLines } from '../../scripts/equations.mjs';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const rust = (folder) =>
@@ -25,6 +26,10 @@ describe('the page of equations', () => {
       assert.ok(names(tests).length > 0, `${what} has a test`);
       for (const t of names(tests)) assert.match(all, new RegExp(`#\\[test\\]\\s*(#\\[[^\\]]*\\]\\s*)*fn ${t}\\(`), `${what}: ${t}`);
     }
+  });
+
+  it('names the lines of today', () => {
+    assert.equal(text, withLines(text), 'node scripts/equations.mjs writes them anew');
   });
 
   it('has a row for every numbered equation', () => {
