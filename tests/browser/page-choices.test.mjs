@@ -155,7 +155,7 @@ test('a finished plan gives a quote that can be downloaded', async (t) => {
   const { page } = await openPage(t);
   await phase(page, 'planning');
   await open(page, 'Quote');
-  await page.getByLabel('Thickness').fill('3');
+  await page.getByLabel(/^Thickness/).fill('3');
   await page.getByLabel('Density').fill('7.85');
   await page.keyboard.press('Escape');
   await page.getByRole('button', { name: 'Stop' }).click();

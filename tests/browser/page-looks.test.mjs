@@ -90,7 +90,7 @@ for (const [name, size] of Object.entries(SIZES)) {
       await method.selectOption({ index: 0 });
       await phase(page, 'done');
       await panel('Quote');
-      await page.getByLabel('Thickness').fill('3');
+      await page.getByLabel(/^Thickness/).fill('3');
       await page.getByLabel('Density').fill('7.85');
       await page.keyboard.press('Tab');
       await page.waitForFunction(() => document.querySelector('.section[open]').textContent.includes('Weight'));

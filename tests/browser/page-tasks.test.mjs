@@ -230,7 +230,7 @@ const TASKS = [
     assert.match(await sections(page), /9 parts/);
   }],
   ['quoting engineer', 'enter the thickness', async ({ person, page }) => {
-    await person.type(page.getByLabel('Thickness'), '3');
+    await person.type(page.getByLabel(/^Thickness/), '3');
     await page.waitForFunction(() => document.querySelector('#sections').textContent.includes('× thickness'));
   }],
   ['quoting engineer', 'download the quote', async ({ person, page }) => {
