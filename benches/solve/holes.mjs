@@ -13,6 +13,8 @@ import { Dice } from '../dewil/dice.mjs';
 export const MARKS = [0, 2, 10, 60];
 /** Milliseconds of a slice, as in `www/sdk/search.ts`. */
 const SLICE = 20;
+/** Most moves of a slice. */
+const MOST = 1e6;
 /** Distance of the holes, mm. */
 const PITCH = 9.5;
 
@@ -44,7 +46,8 @@ if (process.argv[1] === import.meta.filename) {
   for (let work = 256; air.length < MARKS.length && MARKS[air.length] <= seconds; ) {
     const before = performance.now();
     job.step(Math.round(work));
-    work = Math.max(256, (work * SLICE) / (performance.now() - before));
+    // Slices that only tidy up take next to no time.
+    work = Math.min(MOST, Math.max(256, (work * SLICE) / Math.max(0.1, performance.now() - before)));
     if (used() - begin >= MARKS[air.length]) air.push(job.best().summary.air_length);
   }
   console.log(JSON.stringify({ read, first, air, memory: memory.buffer.byteLength }));
